@@ -15,7 +15,8 @@ constexpr int kWrongInput = 2;
 void addFamilies(CLI::App& app) {
   for (const FamilyCommand& row : familyCommands()) {
     const std::size_t space = row.command.find(' ');
-    CLI::App& parent = space == std::string_view::npos ? app : commandGroup(app, std::string(row.command.substr(0, space)));
+    CLI::App& parent =
+        space == std::string_view::npos ? app : commandGroup(app, std::string(row.command.substr(0, space)));
     const std::string name(row.command.substr(space == std::string_view::npos ? 0 : space + 1));
     CLI::App& command = *parent.add_subcommand(name, std::string(row.what));
     if (&parent == &app) command.group(std::string(row.group));

@@ -7,7 +7,8 @@
 
 namespace palpate::study {
 
-/// The dissertation's and, behind them, those of measuring and training where these are built; in the order of a report.
+/// The dissertation's and, behind them, those of measuring and training where these are built; in the order of a
+/// report.
 const std::vector<Study>& studies();
 
 /// Runs it and completes the page: name, command (where it names none), machine, seconds.

@@ -29,7 +29,7 @@ int main() {
   }
 
   const deform::DeformedSurface& skin = simulator.skin();
-  mesh::TriangleMesh picture = simulator.world().skin;
+  mesh::TriangleMesh picture = simulator.world().body->skin;
   Index moved = 0;
   for (Index v = 0; v < skin.vertices(); ++v) {
     picture.positions[v] = skin.positionAt(v).cast<double>();

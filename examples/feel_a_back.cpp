@@ -14,7 +14,7 @@ using namespace palpate;
 int main(int argc, char** argv) {
   const scene::Scene scene = argc > 1 ? scene::load(argv[1]) : scene::Scene();
   engine::Simulator simulator(scene::build(scene));
-  const Box3 body = mesh::boundingBox(simulator.world().skin);
+  const Box3 body = mesh::boundingBox(simulator.world().body->skin);
 
   contact::FingerOutput felt;
   Vec3 tip(60.0, 0.0, body.max().z() + 5.0);

@@ -15,7 +15,8 @@ using namespace palpate;
 int main(int argc, char** argv) {
   const scene::Scene scene = argc > 1 ? scene::load(argv[1]) : scene::Scene();
   const auto world = scene::build(scene);
-  const auto place = tree::firstFrontCrossing(world->surface.tree, Vec3(60, 0, 1000), Vec3(60, 0, -1000)).point;
+  const auto place =
+      tree::firstFrontCrossing(world->surface.geometry->tree, Vec3(60, 0, 1000), Vec3(60, 0, -1000)).point;
 
   engine::LiveSimulator simulator(world);
   constexpr int kFrames = 60;

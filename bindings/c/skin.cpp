@@ -38,7 +38,7 @@ bool readAll(const palpate_skin& skin, const palpate_touch* touches, std::size_t
     palpate_touch none = {};
     none.triangle = none.anchor_triangle = none.dent_triangle = PALPATE_NONE;
     const palpate_touch touch = fromCaller(given, none);
-    if (!feltFrom(touch, skin.world->skin.triangles.size(), felt[i])) return false;
+    if (!feltFrom(touch, skin.world->body->skin.triangles.size(), felt[i])) return false;
     if (i == 0) tick = touch.tick;
   }
   return true;

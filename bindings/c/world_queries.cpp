@@ -20,19 +20,19 @@ void putVector(const Vec3& vector, double (&target)[3]) noexcept {
 
 palpate_world_facts factsOf(const scene::World& world) {
   palpate_world_facts facts = {};
-  facts.vertices = world.skin.positions.size();
-  facts.triangles = world.skin.triangles.size();
-  facts.landmarks = world.anatomy.landmarks.size();
+  facts.vertices = world.body->skin.positions.size();
+  facts.triangles = world.body->skin.triangles.size();
+  facts.landmarks = world.body->anatomy.landmarks.size();
   facts.notes = world.notes.size();
   facts.fingers = world.scene.fingers.size();
-  const Box3 box = mesh::boundingBox(world.skin);
+  const Box3 box = mesh::boundingBox(world.body->skin);
   putVector(box.min(), facts.low_mm);
   putVector(box.max(), facts.high_mm);
-  facts.closed = world.closed ? 1 : 0;
+  facts.closed = world.body->closed ? 1 : 0;
   facts.breathes = world.breath ? 1 : 0;
   facts.ticks_per_s = world.scene.ticks_per_s;
   facts.hash = engine::hashOf(world);
-  putText(world.body_name, facts.body_name);
+  putText(world.body->name, facts.body_name);
   return facts;
 }
 
@@ -76,15 +76,15 @@ int32_t palpate_world_get_facts(const palpate_world* world, palpate_world_facts*
 }
 
 const double* palpate_world_positions(const palpate_world* world) noexcept {
-  return world == nullptr ? nullptr : world->world().skin.positions.front().data();
+  return world == nullptr ? nullptr : world->world().body->skin.positions.front().data();
 }
 
 const uint32_t* palpate_world_triangles(const palpate_world* world) noexcept {
-  return world == nullptr ? nullptr : world->world().skin.triangles.front().data();
+  return world == nullptr ? nullptr : world->world().body->skin.triangles.front().data();
 }
 
 const double* palpate_world_stiffness(const palpate_world* world) noexcept {
-  return world == nullptr ? nullptr : world->world().stiffness_n_per_mm.data();
+  return world == nullptr ? nullptr : world->world().surface.stiffness_n_per_mm.data();
 }
 
 const uint32_t* palpate_world_map(const palpate_world* world, int32_t map, size_t* count) noexcept {
@@ -99,15 +99,15 @@ int32_t palpate_world_place(const palpate_world* world, const char* utf8_words, 
   return answered(error, [&] {
     require(world != nullptr && utf8_words != nullptr, "the world or the words are null");
     require(c_api::isUsable(place), "place is null, or its size is not set");
-    const std::string name = body::placeNamed(world->world().anatomy.landmarks, utf8_words).name;
+    const std::string name = body::placeNamed(world->world().body->anatomy.landmarks, utf8_words).name;
     c_api::toCaller(c_api::placeOf(engine::skinPlace(world->world(), utf8_words), name), place);
   });
 }
 
 int32_t palpate_world_landmark(const palpate_world* world, size_t index, palpate_place* place) noexcept {
   return answered(nullptr, [&] {
-    require(world != nullptr && c_api::isUsable(place) && index < world->world().anatomy.landmarks.size(), "");
-    const body::SkinLandmark& landmark = world->world().anatomy.landmarks[index];
+    require(world != nullptr && c_api::isUsable(place) && index < world->world().body->anatomy.landmarks.size(), "");
+    const body::SkinLandmark& landmark = world->world().body->anatomy.landmarks[index];
     const SkinPlace at = {landmark.position, landmark.normal, kNoIndex};
     c_api::toCaller(c_api::placeOf(at, body::spokenName(landmark.name)), place);
   });

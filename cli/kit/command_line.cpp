@@ -144,16 +144,26 @@ struct MovedCommand {
   std::string_view before, now;
 };
 constexpr std::array kMovedCommands = {
-    MovedCommand{"annotate", "recording annotate"}, MovedCommand{"bench", "study bench"},
-    MovedCommand{"bundle", "recording bundle"},     MovedCommand{"export", "recording export"},
-    MovedCommand{"fit", "tissue fit"},              MovedCommand{"fit-body", "body fit"},
-    MovedCommand{"hunt", "study hunt"},             MovedCommand{"info", "body info"},
-    MovedCommand{"join", "recording join"},         MovedCommand{"map", "body map"},
-    MovedCommand{"model", "body make"},             MovedCommand{"partition", "study partition"},
-    MovedCommand{"plot", "recording plot"},         MovedCommand{"realism", "tissue realism"},
-    MovedCommand{"record", "recording new"},        MovedCommand{"repair", "body repair"},
-    MovedCommand{"replay", "recording replay"},     MovedCommand{"report", "recording report"},
-    MovedCommand{"results", "train results"},       MovedCommand{"sessions", "recording list"},
+    MovedCommand{"annotate", "recording annotate"},
+    MovedCommand{"bench", "study bench"},
+    MovedCommand{"bundle", "recording bundle"},
+    MovedCommand{"export", "recording export"},
+    MovedCommand{"fit", "tissue fit"},
+    MovedCommand{"fit-body", "body fit"},
+    MovedCommand{"hunt", "study hunt"},
+    MovedCommand{"info", "body info"},
+    MovedCommand{"join", "recording join"},
+    MovedCommand{"map", "body map"},
+    MovedCommand{"model", "body make"},
+    MovedCommand{"partition", "study partition"},
+    MovedCommand{"plot", "recording plot"},
+    MovedCommand{"realism", "tissue realism"},
+    MovedCommand{"record", "recording new"},
+    MovedCommand{"repair", "body repair"},
+    MovedCommand{"replay", "recording replay"},
+    MovedCommand{"report", "recording report"},
+    MovedCommand{"results", "train results"},
+    MovedCommand{"sessions", "recording list"},
     MovedCommand{"trim", "recording trim"},
 };
 
@@ -171,11 +181,12 @@ std::string_view presentCommand(const MovedCommand& moved, const std::vector<std
 std::vector<std::string> wordsOf(int argc, char** argv) { return {argv + std::min(argc, 1), argv + argc}; }
 
 std::vector<std::string> withPresentCommand(std::vector<std::string> words) {
-  const auto moved = words.empty() ? kMovedCommands.end()
-                                   : std::ranges::find(kMovedCommands, words.front(), &MovedCommand::before);
+  const auto moved =
+      words.empty() ? kMovedCommands.end() : std::ranges::find(kMovedCommands, words.front(), &MovedCommand::before);
   if (moved == kMovedCommands.end()) return words;
   std::string_view now = presentCommand(*moved, words);
-  say(fmt::format("palpate: note: `palpate {}` is called `palpate {}` now; the old name will go\n", moved->before, now));
+  say(fmt::format("palpate: note: `palpate {}` is called `palpate {}` now; the old name will go\n", moved->before,
+                  now));
   words.erase(words.begin());
   std::size_t place = 0;
   for (std::size_t space = now.find(' '); space != std::string_view::npos; space = now.find(' ')) {
@@ -194,7 +205,8 @@ CLI::App& commandGroup(CLI::App& app, const std::string& name) {
       Group{"body", "A body: made, fitted to a scan, repaired, looked into, mapped"},
       Group{"recording", "Recorded sessions: made, listed, replayed, cut, reported, shared"},
   };
-  for (CLI::App* known : app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == name; })) return *known;
+  for (CLI::App* known : app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == name; }))
+    return *known;
   const auto group = std::ranges::find(kGroups, name, &Group::name);
   CLI::App& added = *app.add_subcommand(name, std::string(group->what));
   added.require_subcommand(1);

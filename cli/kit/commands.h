@@ -1,6 +1,6 @@
-// The command line of `palpate`, of the programs that it starts (families.h) and of palpate_peers: how it is run, and the
-// subcommands. Each of these lives in a file of its own, adds itself to the command line or to its group, and runs when
-// chosen.
+// The command line of `palpate`, of the programs that it starts (families.h) and of palpate_peers: how it is run, and
+// the subcommands. Each of these lives in a file of its own, adds itself to the command line or to its group, and runs
+// when chosen.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -75,10 +75,10 @@ std::filesystem::path familyProgram(std::string_view family) {
 void becomeFamily(const FamilyCommand& command, const std::vector<std::string>& words) {
   const std::filesystem::path program = familyProgram(command.family);
   if (program.empty()) {
-    throw Error(
-        fmt::format("palpate {} is in the package palpate-{}, which is not installed here; from the source: ./run {}, or "
-                    "cmake --build BUILD --target palpate_{}_family",
-                    command.command, command.family, command.command, command.family));
+    throw Error(fmt::format(
+        "palpate {} is in the package palpate-{}, which is not installed here; from the source: ./run {}, or "
+        "cmake --build BUILD --target palpate_{}_family",
+        command.command, command.family, command.command, command.family));
   }
   std::string name = "palpate";  // what its messages and its help call it
   std::vector<std::string> own = words;
@@ -97,7 +97,8 @@ bool runFamily(std::string_view family, const std::vector<std::string>& words) {
   std::string name = "palpate";
   std::vector<std::string> own = words;
   pid_t child = 0;
-  const bool started = posix_spawn(&child, program.c_str(), &files, nullptr, argumentsOf(name, own).data(), environ) == 0;
+  const bool started =
+      posix_spawn(&child, program.c_str(), &files, nullptr, argumentsOf(name, own).data(), environ) == 0;
   posix_spawn_file_actions_destroy(&files);
   if (!started) return false;
   int status = 0;

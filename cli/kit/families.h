@@ -1,5 +1,5 @@
-// Commands that a program of their own holds: palpate-<family>, a package each, beside `palpate`, which starts it as git
-// starts git-<command>. So what palpates needs none of the libraries that photographs, classes or reports need.
+// Commands that a program of their own holds: palpate-<family>, a package each, beside `palpate`, which starts it as
+// git starts git-<command>. So what palpates needs none of the libraries that photographs, classes or reports need.
 #pragma once
 
 #include <filesystem>

@@ -1,14 +1,11 @@
 // Scenes that are known by a word: `--preset vhb`. They are compiled in, as the default scene is.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "palpate/scene/scene.h"
-
-namespace CLI {
-class App;
-}
 
 namespace palpate::app {
 

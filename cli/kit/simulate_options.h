@@ -1,15 +1,12 @@
 // What `palpate simulate` was asked for, and the scene that comes of it.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "palpate/scene/scene.h"
-
-namespace CLI {
-class App;
-}
 
 namespace palpate::app {
 

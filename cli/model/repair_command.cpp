@@ -1,5 +1,5 @@
-// `palpate body repair MESH -o OUT`: makes a mesh fit to be felt and says what was done. Of a session file what can still be
-// read (session/session_salvage.h).
+// `palpate body repair MESH -o OUT`: makes a mesh fit to be felt and says what was done. Of a session file what can
+// still be read (session/session_salvage.h).
 #include <fmt/format.h>
 
 #include <cstdlib>

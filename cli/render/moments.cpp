@@ -25,7 +25,7 @@ std::uint64_t tickAt(const scene::World& world, double time_s) {
 
 /// Above the skin that is nearest to the place, on its outside.
 Vec3 startFor(const scene::World& world, const Vec3& place, double radius_mm) {
-  const tree::TriangleTree& tree = world.surface.tree;
+  const tree::TriangleTree& tree = world.surface.geometry->tree;
   const auto nearest = tree::nearestPoint(tree, place, 2.0 * tree.diagonal + (place - tree.center).norm());
   if (nearest.triangle == kNoIndex) return place;
   const auto& corners = tree.records[nearest.triangle].corners;

@@ -166,9 +166,9 @@ std::optional<std::filesystem::path> ffmpegFor(const RenderOptions& options, Ren
 
 /// Who names one on the command line wants that one and no other.
 void requireScalar(const RenderOptions& options, const scene::World& world) {
-  if (!options.scalar || scene::scalarNamed(world.channels.get(), *options.scalar) != nullptr) return;
+  if (!options.scalar || scene::scalarNamed(world.body->channels.get(), *options.scalar) != nullptr) return;
   throw Error(fmt::format("--scalar {}: the body's file brings no such number; it brings {}", *options.scalar,
-                          scene::scalarNames(world.channels.get())));
+                          scene::scalarNames(world.body->channels.get())));
 }
 
 RenderReport render(const RenderOptions& options, const Progress& progress) {

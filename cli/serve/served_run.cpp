@@ -108,17 +108,17 @@ nlohmann::ordered_json factsOf(const scene::World& world, const std::vector<Desk
     hands.push_back({{"name", finger.name}, {"radius_mm", finger.radius_mm}, {"device", finger.device}});
   }
   nlohmann::ordered_json landmarks = nlohmann::ordered_json::array();
-  for (const body::SkinLandmark& landmark : world.anatomy.landmarks) {
+  for (const body::SkinLandmark& landmark : world.body->anatomy.landmarks) {
     landmarks.push_back({{"name", body::spokenName(landmark.name)},
                          {"at", vectorJson(landmark.position)},
                          {"normal", vectorJson(landmark.normal)}});
   }
-  return {{"title", world.scene.title.empty() ? world.body_name : world.scene.title},
+  return {{"title", world.scene.title.empty() ? world.body->name : world.scene.title},
           {"ticks_per_s", world.scene.ticks_per_s},
           {"frames_per_s", kFramesPerS},
-          {"vertices", world.skin.positions.size()},
-          {"triangles", world.skin.triangles.size()},
-          {"closed", world.closed},
+          {"vertices", world.body->skin.positions.size()},
+          {"triangles", world.body->skin.triangles.size()},
+          {"closed", world.body->closed},
           {"skin", fmt::format("{:016x}", hash.value())},
           {"fingers", std::move(hands)},
           {"landmarks", std::move(landmarks)}};
@@ -126,7 +126,7 @@ nlohmann::ordered_json factsOf(const scene::World& world, const std::vector<Desk
 
 Box3 boxOf(const scene::World& world) {
   Box3 box;
-  for (const Vec3& place : world.skin.positions) box.extend(place);
+  for (const Vec3& place : world.body->skin.positions) box.extend(place);
   return box;
 }
 

@@ -1,4 +1,5 @@
-// `palpate recording annotate`: what somebody wants to say about a session afterwards: notes, tags, marks, pictures, sound notes.
+// `palpate recording annotate`: what somebody wants to say about a session afterwards: notes, tags, marks, pictures,
+// sound notes.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -111,8 +111,9 @@ void print(const BundleArguments& arguments, const engine::BundleReport& report)
     printReadable(jsonText(json));
     return;
   }
-  std::string text = fmt::format("{}: {} samples, {} files that the scene names; `palpate recording replay` needs nothing else\n",
-                                 arguments.out.string(), report.samples, report.files.size());
+  std::string text =
+      fmt::format("{}: {} samples, {} files that the scene names; `palpate recording replay` needs nothing else\n",
+                  arguments.out.string(), report.samples, report.files.size());
   for (const auto& file : report.files) text += fmt::format("  file  {}, {} bytes\n", file.name, file.bytes);
   for (const std::string& note : report.notes) text += "  note  " + note + "\n";
   printReadable(text);

@@ -47,7 +47,8 @@ void runJoin(const JoinArguments& arguments) {
 void addJoinCommand(CLI::App& recording) {
   const auto arguments = std::make_shared<JoinArguments>();
   JoinArguments& a = *arguments;
-  CLI::App& command = *recording.add_subcommand("join", "Write recorded sessions of the same fingers one after another");
+  CLI::App& command =
+      *recording.add_subcommand("join", "Write recorded sessions of the same fingers one after another");
   command.add_option("SESSION", a.files, "Session files, in their order")->required()->expected(2, 1000);
   command.add_option("-o,--out", a.out, "Session file to write")->required();
   command.add_flag("--json", a.json, "Print one JSON object");

@@ -1,4 +1,5 @@
-// `palpate recording new`: palpates with devices, without a window, until somebody ends it; every tick goes into a session.
+// `palpate recording new`: palpates with devices, without a window, until somebody ends it; every tick goes into a
+// session.
 #include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>

@@ -149,7 +149,7 @@ std::string noteOfAnotherWorld(trace::SessionReader& session, std::uint32_t numb
   if (engine::hashOf(world) == recorded.hash) return {};
   return fmt::format(
       "world {} is not the recorded one: its body or its stiffness is another ({} triangles instead of {})", number,
-      world.skin.triangles.size(), recorded.triangles);
+      world.body->skin.triangles.size(), recorded.triangles);
 }
 
 std::vector<servo::TickSamples> recordedFrames(trace::SessionReader& session, const std::vector<double>& times_s) {
@@ -175,7 +175,8 @@ void requireFitting(const servo::TickSamples& frame, const scene::World& world) 
   for (const trace::Sample& sample : frame) {
     const contact::FingerOutput& contact = sample.contact;
     if (contact.touch == contact::Touch::free) continue;
-    bool fits = contact.triangle < world.skin.triangles.size() && contact.anchor_triangle < world.skin.triangles.size();
+    bool fits = contact.triangle < world.body->skin.triangles.size() &&
+                contact.anchor_triangle < world.body->skin.triangles.size();
     for (const Vec3* place :
          {&contact.tip, &contact.proxy, &contact.anchor, &contact.hold, &contact.normal, &contact.force}) {
       fits = fits && place->allFinite();

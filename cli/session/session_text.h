@@ -1,16 +1,13 @@
 // What the commands of sessions share: what a session holds, in words and as JSON, and --from, --to.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "palpate/trace/session_reader.h"
-
-namespace CLI {
-class App;
-}
 
 namespace palpate::app {
 

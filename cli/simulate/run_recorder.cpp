@@ -67,7 +67,7 @@ RunRecorder::RunRecorder(const scene::World& world, const device::FingerPaths& p
                          const std::filesystem::path& folder)
     : world_(world),
       folder_(folder),
-      statistics_(world.scene.fingers.size(), world.skin.triangles.size()),
+      statistics_(world.scene.fingers.size(), world.body->skin.triangles.size()),
       times_(servo::forcesSettings(world, paths)) {
   const scene::OutputSettings& output = world.scene.output;
   if (output.forces) {

@@ -1,5 +1,5 @@
-// Listens to a run, headless or paced, and keeps what is to be kept: the table of forces, the statistics, and the moments
-// whose surfaces are written afterwards.
+// Listens to a run, headless or paced, and keeps what is to be kept: the table of forces, the statistics, and the
+// moments whose surfaces are written afterwards.
 #pragma once
 
 #include <array>

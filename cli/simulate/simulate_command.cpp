@@ -43,8 +43,9 @@ void addOutputOptions(CLI::App& command, SimulateOptions& options) {
   command.add_flag("--overwrite", options.overwrite, "Replace the run that is in the folder");
   command.add_flag("--realtime", options.realtime,
                    "Pace the servo loop by the clock, deform at 60 Hz beside it, and report how late it woke");
-  command.add_flag("--session", options.session,
-                   "Leave run.session, every tick to the bit, for `palpate recording replay` (docs/reference/sessions.md)");
+  command.add_flag(
+      "--session", options.session,
+      "Leave run.session, every tick to the bit, for `palpate recording replay` (docs/reference/sessions.md)");
   command.add_flag("--pictures,!--no-pictures", options.pictures, "Leave pictures.png, what it looked like (default)");
   command.add_flag("--plot,!--no-plot", options.plot, "Leave forces.png, force, depth and lag over time (default)");
   command.add_flag("--json", options.json, "Print the report as JSON instead of the summary");

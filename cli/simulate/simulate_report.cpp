@@ -34,7 +34,7 @@ Json interventionsJson(const FingerStatistics& finger) {
 
 /// Where it pressed deepest, as an examiner says it; empty without a touch or on a body without names.
 std::string whereWords(const scene::World& world, const FingerStatistics& finger) {
-  return finger.touching == 0 ? "" : body::inWords(world.anatomy.landmarks, finger.deepest_at);
+  return finger.touching == 0 ? "" : body::inWords(world.body->anatomy.landmarks, finger.deepest_at);
 }
 
 Json fingerJson(const scene::World& world, std::size_t i, const FingerStatistics& finger) {
@@ -58,7 +58,7 @@ Json coverJson(const SimulationResult& result) {
   if (!result.cover) return nullptr;
   const engine::BoneCover& cover = *result.cover;
   return {{"least_mm", cover.least_mm},
-          {"bone", result.world->anatomy.bones[cover.bone].name},
+          {"bone", result.world->body->anatomy.bones[cover.bone].name},
           {"at_mm", {cover.at.x(), cover.at.y(), cover.at.z()}}};
 }
 
@@ -72,13 +72,14 @@ Json deviceJson(const servo::LimiterSettings& limits) {
 }
 
 Json bodyJson(const scene::World& world) {
-  const auto [soft, stiff] = std::minmax_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
-  return {{"name", world.body_name},
-          {"skin_triangles", world.skin.triangles.size()},
-          {"skin_vertices", world.skin.positions.size()},
-          {"closed", world.closed},
-          {"self_intersecting", world.surface.self_intersecting},
-          {"bones", world.anatomy.bones.size()},
+  const auto [soft, stiff] =
+      std::minmax_element(world.surface.stiffness_n_per_mm.begin(), world.surface.stiffness_n_per_mm.end());
+  return {{"name", world.body->name},
+          {"skin_triangles", world.body->skin.triangles.size()},
+          {"skin_vertices", world.body->skin.positions.size()},
+          {"closed", world.body->closed},
+          {"self_intersecting", world.surface.geometry->self_intersecting},
+          {"bones", world.body->anatomy.bones.size()},
           {"stiffness_n_per_mm", {{"min", *soft}, {"max", *stiff}}}};
 }
 
@@ -101,10 +102,12 @@ std::string percentilesLine(const servo::DurationPercentiles& p) {
 }
 
 std::string bodyLine(const scene::World& world) {
-  const auto [soft, stiff] = std::minmax_element(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
+  const auto [soft, stiff] =
+      std::minmax_element(world.surface.stiffness_n_per_mm.begin(), world.surface.stiffness_n_per_mm.end());
   const std::string stiffness =
       *soft == *stiff ? fmt::format("{:.2f}", *soft) : fmt::format("{:.2f} to {:.2f}", *soft, *stiff);
-  return fmt::format("{}; skin of {} triangles, {} N/mm", world.body_name, world.skin.triangles.size(), stiffness);
+  return fmt::format("{}; skin of {} triangles, {} N/mm", world.body->name, world.body->skin.triangles.size(),
+                     stiffness);
 }
 
 std::string runLine(const SimulationResult& result) {

@@ -123,7 +123,7 @@ void run(const device::FingerPaths& paths, const SimulationSettings& settings, R
 
 void noteUntouched(const scene::World& world, const RunStatistics& statistics, std::vector<std::string>& notes) {
   if (statistics.anyTouch()) return;
-  const Eigen::AlignedBox3d box = mesh::boundingBox(world.skin);
+  const Eigen::AlignedBox3d box = mesh::boundingBox(world.body->skin);
   notes.push_back(fmt::format(
       "no finger touched the body, which lies between ({:.1f}, {:.1f}, {:.1f}) and ({:.1f}, {:.1f}, {:.1f}) mm: "
       "trajectories are in its coordinates",
@@ -162,7 +162,7 @@ void noteEnd(const scene::World& world, SimulationResult& result) {
 }
 
 std::optional<engine::BoneCover> coverOf(const scene::World& world, const servo::TickSamples& deepest) {
-  if (deepest.empty() || world.anatomy.bones.empty()) return std::nullopt;
+  if (deepest.empty() || world.body->anatomy.bones.empty()) return std::nullopt;
   engine::LivingSkin skin(world, {.strain = false});
   skin.follow(deepest);
   return engine::BoneCoverMeter(world).of(skin.surface());
@@ -178,7 +178,8 @@ void leavePlot(SimulationResult& result) {
   if (runFamily("report", words)) {
     result.files.emplace_back(kPlotFile);
   } else {
-    result.notes.push_back(fmt::format("no {}: palpate-report, which draws it, is not installed, or failed", kPlotFile));
+    result.notes.push_back(
+        fmt::format("no {}: palpate-report, which draws it, is not installed, or failed", kPlotFile));
   }
 }
 

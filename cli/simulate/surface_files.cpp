@@ -10,10 +10,10 @@ namespace {
 
 mesh::TriangleMesh deformedMesh(const scene::World& world, const engine::LivingSkin& skin) {
   const deform::DeformedSurface& surface = skin.surface();
-  mesh::TriangleMesh mesh{std::vector<Vec3>(surface.vertices()), world.skin.triangles};
+  mesh::TriangleMesh mesh{std::vector<Vec3>(surface.vertices()), world.body->skin.triangles};
   for (Index v = 0; v < surface.vertices(); ++v) {
     mesh.positions[v] = surface.positionAt(v).cast<double>();
-    if (world.breath) mesh.positions[v].z() += skin.lift() * world.breath->share(world.skin.positions[v]);
+    if (world.breath) mesh.positions[v].z() += skin.lift() * world.breath->share(world.body->skin.positions[v]);
   }
   return mesh;
 }
@@ -29,7 +29,7 @@ mesh::VertexChannels channelsOf(const scene::World& world, const deform::Deforme
     for (int axis = 0; axis < 3; ++axis)
       channels.scalars[1 + static_cast<std::size_t>(axis)].values.push_back(moved[axis]);
     channels.scalars[4].values.push_back(surface.strain()[v]);
-    channels.scalars[5].values.push_back(static_cast<float>(world.stiffness_n_per_mm[v]));
+    channels.scalars[5].values.push_back(static_cast<float>(world.surface.stiffness_n_per_mm[v]));
   }
   channels.colours.resize(surface.vertices());
   const double range = world.scene.strain.range_percent / 100.0;

@@ -87,7 +87,7 @@ std::string optionsOf(const Base& base) {
 }
 
 void name(ErratumEffect& effect, const Base& base, const scene::World& world) {
-  effect.body = world.body_name;
+  effect.body = world.body->name;
   effect.tissue = scene::inWords(world.tissue);
   effect.base = base ? wordFor(*base) : wordFor(scene::ContactSource::surface);
   effect.active = optionsOf(base);

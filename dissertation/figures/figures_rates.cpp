@@ -8,7 +8,8 @@ namespace palpate::study {
 
 namespace {
 
-constexpr const char* kOwnRates = "Measured in 2008 on the author's computer; `palpate study bench` measures this engine.";
+constexpr const char* kOwnRates =
+    "Measured in 2008 on the author's computer; `palpate study bench` measures this engine.";
 
 Plot ratePlot(const std::string& title, const std::string& label, const std::string& unit) {
   Plot plot{.title = title};

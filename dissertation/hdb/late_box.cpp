@@ -14,7 +14,7 @@ constexpr double kSkyMm = 1000.0;
 // The skin is a height field: the tip is inside where a line from above meets skin before it.
 bool isUnderSkin(const contact::Surface& surface, const Vec3& tip) {
   const Vec3 above(tip.x(), tip.y(), kSkyMm);
-  return tree::firstFrontCrossing(surface.tree, above, tip).triangle != kNoIndex;
+  return tree::firstFrontCrossing(surface.geometry->tree, above, tip).triangle != kNoIndex;
 }
 
 struct Listed {

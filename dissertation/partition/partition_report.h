@@ -1,5 +1,5 @@
-// What `palpate study partition` finds out and gives out: one detecting box asked of a partition and judged by brute force, a
-// report as a person reads it and as a script reads it, and coloured surfaces.
+// What `palpate study partition` finds out and gives out: one detecting box asked of a partition and judged by brute
+// force, a report as a person reads it and as a script reads it, and coloured surfaces.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// `palpate study bench`: measures the engine on known meshes and trajectories; what each subcommand does is in a file of its
-// own.
+// `palpate study bench`: measures the engine on known meshes and trajectories; what each subcommand does is in a file
+// of its own.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 

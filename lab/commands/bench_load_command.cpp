@@ -38,6 +38,7 @@ nlohmann::ordered_json jsonOf(const std::string& file, const LoadFigures& f) {
   }
   json["tree_bytes_per_triangle"] = f.tree_bytes_per_triangle;
   json["tree_build_ns_per_triangle"] = f.tree_build_ns_per_triangle;
+  json["change_ms"] = f.change_ms;
   json["first_force_n"] = f.first_force_n;
   json["hash"] = fmt::format("{:016x}", f.hash);
   return json;
@@ -54,6 +55,7 @@ std::string textOf(const LoadFigures& f) {
   }
   text += fmt::format("tree and records     {:.1f} bytes, built in {:.0f} ns a triangle\n", f.tree_bytes_per_triangle,
                       f.tree_build_ns_per_triangle);
+  text += fmt::format("another dysfunction  {:.2f} ms\n", f.change_ms);
   return text + fmt::format("hash                 {:016x}\n", f.hash);
 }
 

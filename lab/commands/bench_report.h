@@ -1,16 +1,13 @@
 // What every `palpate study bench` command prints in the same way: percentiles, counts and the machine.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
 #include "lab/counters/statistics.h"
-
-namespace CLI {
-class App;
-}
 
 namespace palpate::app {
 
@@ -29,7 +26,8 @@ nlohmann::ordered_json machineJson();
 /// Prints the JSON object with the machine as its last key, or the text with the machine as its last line.
 void printReport(nlohmann::ordered_json json, const std::string& text, bool as_json);
 
-// The subcommands of `palpate study bench` that measure the whole program rather than one room, and its regression guard.
+// The subcommands of `palpate study bench` that measure the whole program rather than one room, and its regression
+// guard.
 
 // `bench` is the bench command.
 void addBenchBaseline(CLI::App& bench);  ///< no subcommand: `palpate study bench --baseline FILE`

@@ -1,5 +1,5 @@
-// `palpate study bench session`: what recording costs the servo, how large a session is, how fast it is felt again and found
-// a place in.
+// `palpate study bench session`: what recording costs the servo, how large a session is, how fast it is felt again and
+// found a place in.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

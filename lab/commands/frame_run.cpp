@@ -38,7 +38,7 @@ std::shared_ptr<const scene::World> backOf(const FrameRun& run) {
 view::FingerMark fingerAt(const scene::World& world, const Vec2& place) {
   constexpr double kAbove = 500.0;
   const Vec3 above(place.x(), place.y(), kAbove), below(place.x(), place.y(), -kAbove);
-  const auto skin = tree::firstFrontCrossing(world.surface.tree, above, below).point;
+  const auto skin = tree::firstFrontCrossing(world.surface.geometry->tree, above, below).point;
   contact::FingerState state;
   view::FingerMark mark;
   for (double height = 2.0; height >= -kDepthMm; height -= 0.1) {
@@ -60,7 +60,7 @@ class Bench {
   Bench(const FrameRun& run, std::shared_ptr<const scene::World> world)
       : world_(std::move(world)), target_(run.width, run.height), painter_(world_), skin_(*world_, {.strain = false}) {
     const double aspect = static_cast<double>(run.width) / run.height;
-    settings_.camera = view::fitted(mesh::boundingBox(world_->skin), aspect);
+    settings_.camera = view::fitted(mesh::boundingBox(world_->body->skin), aspect);
     if (run.close) goNear(wanderingFinger(*world_).front());
     settings_.look.shading = run.shading;
     settings_.look.cull = run.cull;
@@ -144,8 +144,8 @@ FrameFigures measureFrames(const FrameRun& run) {
   do {
     for (std::size_t place = 0; place < marks.size(); ++place) bench.frame(marks[place], place);
   } while (Clock::now() < end);
-  figures.triangles = world->skin.triangles.size();
-  for (const body::Bone& bone : world->anatomy.bones) figures.bone_triangles += bone.mesh.triangles.size();
+  figures.triangles = world->body->skin.triangles.size();
+  for (const body::Bone& bone : world->body->anatomy.bones) figures.bone_triangles += bone.mesh.triangles.size();
   figures.renderer = view::rendererWords();
   figures.deform_ms = bench.mean(0);
   figures.upload_ms = bench.mean(1);

@@ -1,5 +1,5 @@
-// `palpate study hunt`: random bodies and paths, judged by code that shares nothing with the finger; failing paths are made
-// short and written as cases.
+// `palpate study hunt`: random bodies and paths, judged by code that shares nothing with the finger; failing paths are
+// made short and written as cases.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -60,8 +60,8 @@ class StageClock {
 /// Presses at some triangles in turn until one pushes back: a thin place or a pocket may not.
 contact::FingerOutput firstForce(const scene::World& world) {
   constexpr std::size_t kMostPlaces = 64;
-  const double depth = 1e-3 * world.surface.tree.diagonal;  // 0.5 mm on a back
-  const auto& records = world.surface.tree.records;
+  const double depth = 1e-3 * world.surface.geometry->tree.diagonal;  // 0.5 mm on a back
+  const auto& records = world.surface.geometry->tree.records;
   for (std::size_t place = 0; place < kMostPlaces; ++place) {
     const auto& [a, b, c] = records[place * records.size() / kMostPlaces].corners;
     const Vec3 middle = (a + b + c) / 3.0;
@@ -76,8 +76,8 @@ contact::FingerOutput firstForce(const scene::World& world) {
 
 std::uint64_t hashOf(const scene::World& world, const contact::FingerOutput& output) {
   Hash hash;
-  for (const Vec3& position : world.skin.positions) hash.add(position);
-  for (const Triangle& triangle : world.skin.triangles) {
+  for (const Vec3& position : world.body->skin.positions) hash.add(position);
+  for (const Triangle& triangle : world.body->skin.triangles) {
     for (const Index vertex : triangle) hash.add(std::uint64_t{vertex});
   }
   hash.add(output.force);
@@ -96,6 +96,21 @@ void measureTree(const mesh::TriangleMesh& skin, LoadFigures& figures) {
   figures.tree_bytes_per_triangle = static_cast<double>(bytes) / triangles;
 }
 
+/// A dysfunction of 25 mm that moves by a millimetre a time, as under a slider.
+double changeMs(const scene::World& world) {
+  const Vec3 middle = world.body->box.center();
+  std::vector<double> times_ms;
+  for (int i = 0; i < 9; ++i) {
+    scene::Scene scene = world.scene;
+    scene.dysfunctions = {{.x_mm = middle.x() + i, .y_mm = middle.y(), .radius_mm = 25.0}};
+    const Clock::time_point start = Clock::now();
+    (void)scene::rebuilt(world, scene);
+    times_ms.push_back(1e3 * secondsSince(start));
+  }
+  std::ranges::nth_element(times_ms, times_ms.begin() + 4);
+  return times_ms[4];
+}
+
 }  // namespace
 
 LoadFigures measureLoad(const std::filesystem::path& file, const Progress& progress) {
@@ -111,12 +126,13 @@ LoadFigures measureLoad(const std::filesystem::path& file, const Progress& progr
   figures.seconds = secondsSince(start);
   figures.steps = clock.finish();
   figures.peak_memory_gb = peakMemoryGb();
-  figures.triangles = world->skin.triangles.size();
-  figures.vertices = world->skin.positions.size();
+  figures.triangles = world->body->skin.triangles.size();
+  figures.vertices = world->body->skin.positions.size();
   figures.first_force_n = output.force.norm();
   figures.hash = hashOf(*world, output);
   report(progress, "building the tree once more", 0.0);
-  measureTree(world->skin, figures);
+  measureTree(world->body->skin, figures);
+  figures.change_ms = changeMs(*world);
   return figures;
 }
 

@@ -29,6 +29,7 @@ struct LoadFigures {
   double tree_bytes_per_triangle = 0.0;     ///< tree and walk records
   double tree_build_ns_per_triangle = 0.0;  ///< the same, built once more by itself
   std::uint64_t hash = 0;                   ///< of skin and first force
+  double change_ms = 0.0;                   ///< until the world has another dysfunction; the median of some
 };
 
 /// Throws Error as scene::build does, and for a body that cannot be felt anywhere.

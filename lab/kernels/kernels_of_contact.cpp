@@ -63,14 +63,14 @@ std::vector<Kernel> contactKernels(std::size_t triangles) {
   const auto closest = [slide] {
     double sum = 0.0;
     for (const Vec3& tip : lastTips(*slide, kPointTicks)) {
-      sum += tree::nearestPoint(slide->surface.tree, tip, kReachMm).closest.squared_distance;
+      sum += tree::nearestPoint(slide->surface.geometry->tree, tip, kReachMm).closest.squared_distance;
     }
     return sum;
   };
   const auto crossing = [slide] {
     double sum = 0.0;
     for (const Vec3& tip : lastTips(*slide, kPointTicks)) {
-      sum += tree::firstFrontCrossing(slide->surface.tree, tip + kReachMm * Vec3::UnitZ(), tip).fraction;
+      sum += tree::firstFrontCrossing(slide->surface.geometry->tree, tip + kReachMm * Vec3::UnitZ(), tip).fraction;
     }
     return sum;
   };

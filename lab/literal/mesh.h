@@ -1,7 +1,7 @@
 // The mesh as the dissertation declares it: an array of structures in double, with linked lists of neighbours.
 //
-// The literal side of `palpate study bench --peers` works on this, to be compared with the engine on the same mesh in the
-// same run. Field for field the structures of section 3.1 ("Data Structure of the Haptic Model"); the text keeps
+// The literal side of `palpate study bench --peers` works on this, to be compared with the engine on the same mesh in
+// the same run. Field for field the structures of section 3.1 ("Data Structure of the Haptic Model"); the text keeps
 // vertices and triangles "in a linear link", here they lie in arrays, which is kinder to it.
 // Based on: Ji, dissertation 2008, section 3.1.
 #pragma once

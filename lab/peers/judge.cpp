@@ -51,7 +51,7 @@ void judge(const PeerRun<ContactAnswer>& run, const ContactWorld& world, std::sp
   for (std::size_t k = 0; k < run.asked.size(); ++k) {
     const ContactQuery& query = queries[run.asked[k]];
     const ContactAnswer& answer = run.answers[k];
-    if (!isRight(answer, world.surface.tree, query)) ++figures.disagreements;
+    if (!isRight(answer, world.surface.geometry->tree, query)) ++figures.disagreements;
     if (std::isfinite(answer.distance)) {
       figures.mean_distance_mm += answer.distance / world.scale;
       ++found;

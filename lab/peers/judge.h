@@ -1,5 +1,6 @@
 // Our finger and its peers in one process: what each peer answered becomes figures, and every answer is checked: a fast
-// wrong one must show. The numbers of `palpate study bench contact --peers` and `palpate study bench partition --peers`.
+// wrong one must show. The numbers of `palpate study bench contact --peers` and `palpate study bench partition
+// --peers`.
 #pragma once
 
 #include <cstddef>

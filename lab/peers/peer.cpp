@@ -49,7 +49,7 @@ std::vector<ContactQuery> contactQueries(const ContactWorld& world, const Finger
                                          const contact::FingerSettings& finger, std::span<const double> time_s,
                                          const Window& window) {
   const contact::FingerSettings scaled = contact::scaled(finger, world.scale);
-  const double lift = kLift * world.surface.tree.diagonal;
+  const double lift = kLift * world.surface.geometry->tree.diagonal;
   std::vector<ContactQuery> queries;
   for (std::size_t k = 0; k < run.outputs.size(); ++k) {
     if (time_s[k] < window.from_s || time_s[k] >= window.until_s) continue;

@@ -98,11 +98,11 @@ class FigureSum {
 
 mesh::TriangleMesh meshOf(const contact::Surface& surface) {
   mesh::TriangleMesh mesh;
-  mesh.positions.assign(surface.vertex_normals.size(), Vec3::Zero());
-  mesh.triangles.resize(surface.tree.records.size());
-  for (std::size_t r = 0; r < surface.tree.records.size(); ++r) {
-    const tree::TriangleRecord& record = surface.tree.records[r];
-    mesh.triangles[surface.tree.source_triangle[r]] = record.vertices;
+  mesh.positions.assign(surface.geometry->vertex_normals.size(), Vec3::Zero());
+  mesh.triangles.resize(surface.geometry->tree.records.size());
+  for (std::size_t r = 0; r < surface.geometry->tree.records.size(); ++r) {
+    const tree::TriangleRecord& record = surface.geometry->tree.records[r];
+    mesh.triangles[surface.geometry->tree.source_triangle[r]] = record.vertices;
     for (int corner = 0; corner < 3; ++corner) mesh.positions[record.vertices[corner]] = record.corners[corner];
   }
   return mesh;

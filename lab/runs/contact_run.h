@@ -1,4 +1,5 @@
-// Runs one finger along one trajectory and measures it: the numbers of `palpate study bench contact` and of the contact bars.
+// Runs one finger along one trajectory and measures it: the numbers of `palpate study bench contact` and of the contact
+// bars.
 //
 // mesh file -> scaled -> repaired -> ContactWorld -> runFinger (timed, nothing else in the loop) -> figuresOf (in mm
 // and N, whatever the scale was). The outputs stay available, so that a tick can be looked at.

@@ -1,4 +1,5 @@
-// The bodies of `palpate study hunt`: what comes out of a generator and what users' files look like, one after the other.
+// The bodies of `palpate study hunt`: what comes out of a generator and what users' files look like, one after the
+// other.
 #pragma once
 
 #include <cstdint>

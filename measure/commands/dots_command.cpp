@@ -13,7 +13,6 @@
 #include "cli/kit/default_scene.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
-#include "report/charts/picture_file.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/results_folder.h"
 #include "measure/commands/dots_report.h"
@@ -24,6 +23,7 @@
 #include "palpate/measure/overlay.h"
 #include "palpate/measure/tables/dot_table.h"
 #include "palpate/scene/scene_file.h"
+#include "report/charts/picture_file.h"
 
 namespace palpate::app {
 

@@ -11,12 +11,12 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
-#include "report/charts/picture_file.h"
 #include "measure/commands/average_figure.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/average.h"
+#include "report/charts/picture_file.h"
 
 namespace palpate::app {
 

@@ -1,5 +1,5 @@
-// `palpate measure`: from photographs of a dotted back to a personal map; each subcommand has a file of its own. And the
-// window of `palpate run` with the mode that measures photographs.
+// `palpate measure`: from photographs of a dotted back to a personal map; each subcommand has a file of its own. And
+// the window of `palpate run` with the mode that measures photographs.
 #include <memory>
 #include <string>
 #include <vector>

@@ -9,11 +9,11 @@
 
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
-#include "report/charts/picture_file.h"
 #include "cli/kit/progress_line.h"
 #include "measure/commands/stiffness_figure.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/place_stiffness.h"
+#include "report/charts/picture_file.h"
 
 namespace palpate::app {
 

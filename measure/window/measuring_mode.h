@@ -35,7 +35,7 @@ class MeasuringMode : public Mode {
   /// A photograph that is opened, corrections that are taken back, and those that would be lost by leaving.
   bool handle(const Request& request, Session& session) override;
   bool answer(const Question& question, std::string_view chosen, Session& session) override;
-  void advance(const ModeWork& work) override { advance(work.session, work.world.anatomy.landmarks); }
+  void advance(const ModeWork& work) override { advance(work.session, work.world.body->anatomy.landmarks); }
 
   /// Once a frame; the landmarks are those of the body at hand.
   void advance(Session& session, std::span<const body::SkinLandmark> landmarks);

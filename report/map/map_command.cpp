@@ -10,13 +10,13 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
-#include "report/map/map_output.h"
-#include "report/map/map_scene.h"
-#include "report/map/map_sources.h"
 #include "palpate/base/error.h"
 #include "palpate/scene/errata.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/words.h"
+#include "report/map/map_output.h"
+#include "report/map/map_scene.h"
+#include "report/map/map_sources.h"
 
 namespace palpate::app {
 
@@ -256,7 +256,8 @@ void addDepth(CLI::App& parent) {
 }  // namespace
 
 void addMapCommand(CLI::App& body) {
-  CLI::App& map = *body.add_subcommand("map", "Write the ellipse, contour, stiffness or depth map of a skin or a scene");
+  CLI::App& map =
+      *body.add_subcommand("map", "Write the ellipse, contour, stiffness or depth map of a skin or a scene");
   map.require_subcommand(1);
   addEllipses(map);
   addContours(map);

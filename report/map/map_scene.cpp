@@ -80,11 +80,11 @@ double meanRadius(const maps::PolarContour& contour) {
 }  // namespace
 
 MapSkin skinOfScene(const scene::World& world) {
-  return {world.body_name, world.skin, mesh::vertexNormals(world.skin), world.anatomy.depth_mm};
+  return {world.body->name, world.body->skin, mesh::vertexNormals(world.body->skin), world.body->anatomy.depth_mm};
 }
 
 SkinMap stiffnessOfScene(const MapSkin& skin, const scene::World& world) {
-  SkinMap map = stiffnessOver(skin, world.stiffness_n_per_mm);
+  SkinMap map = stiffnessOver(skin, world.surface.stiffness_n_per_mm);
   if (world.scene.stiffness.source == scene::StiffnessSource::points) {
     map.keys = drawnKeys(world.ellipses.keys());
     for (MapKey& key : map.keys) key.outline.clear();  // their ellipses say nothing about stiffness

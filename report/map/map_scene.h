@@ -1,8 +1,8 @@
 // The maps of a scene: of its body as it is felt there, with its dysfunctions, instead of a bare skin.
 #pragma once
 
-#include "report/map/map_sources.h"
 #include "palpate/scene/world.h"
+#include "report/map/map_sources.h"
 
 namespace palpate::app {
 

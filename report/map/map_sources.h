@@ -1,5 +1,5 @@
-// From key points to the maps that `palpate body map` writes - ellipses, irregular contours, stiffness, depth of the bones:
-// numbers for every vertex and every place, what is shown of them, and the key points they come from.
+// From key points to the maps that `palpate body map` writes - ellipses, irregular contours, stiffness, depth of the
+// bones: numbers for every vertex and every place, what is shown of them, and the key points they come from.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
-#include "report/map/map_skin.h"
 #include "palpate/base/colour_map.h"
 #include "palpate/base/fidelity.h"
 #include "palpate/maps/contour_map.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/literal_ellipse_map.h"
 #include "palpate/maps/measured_stiffness.h"
+#include "report/map/map_skin.h"
 
 namespace palpate::app {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "report/plot/run_strip.h"
 #include "report/charts/figure.h"
+#include "report/plot/run_strip.h"
 
 namespace palpate::app {
 

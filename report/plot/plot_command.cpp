@@ -11,9 +11,9 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
-#include "report/plot/forces_plot.h"
 #include "palpate/base/error.h"
 #include "palpate/trace/forces_table.h"
+#include "report/plot/forces_plot.h"
 
 namespace palpate::app {
 

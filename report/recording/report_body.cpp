@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "report/recording/report_figures.h"
 #include "report/page/study_page.h"
+#include "report/recording/report_figures.h"
 
 namespace palpate::app {
 

@@ -44,11 +44,10 @@ void runReport(const ReportArguments& arguments) {
   const FinishesInOrder in_order;  // files that the session carries lie in a folder that must go again
   const trace::ReadingWatch watch(endIfAsked);
   const SessionReport report = sessionReport(session, settings, progress.callback());
-  const FinishedReport finished{
-      .file = request.file,
-      .page = request.wantsPage() ? reportPage(report, progress.callback()) : std::string(),
-      .numbers = reportJson(report),
-      .sentences = reportSentences(report)};
+  const FinishedReport finished{.file = request.file,
+                                .page = request.wantsPage() ? reportPage(report, progress.callback()) : std::string(),
+                                .numbers = reportJson(report),
+                                .sentences = reportSentences(report)};
   progress.clear();
   deliver(finished, request, page);
 }
@@ -61,8 +60,7 @@ void addReportCommand(CLI::App& recording) {
   CLI::App& command = *recording.add_subcommand(
       "report", "Tell what a recorded session was (forces, contacts, phases, maps of the body) as one HTML page");
   command.add_option("FILE", a.request.file, "Session file")->required();
-  command.add_option("-o,--out", a.request.out,
-                     "Page to write; left out: the file's name with .html, in this folder");
+  command.add_option("-o,--out", a.request.out, "Page to write; left out: the file's name with .html, in this folder");
   addTimeSpan(command, a.span);
   command.add_option("--folder", a.folder,
                      "Where the files that the scene names lie now; left out: in the session, else where they lay");

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "report/recording/session_report.h"
 #include "report/charts/figure.h"
+#include "report/recording/session_report.h"
 
 namespace palpate::app {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "report/recording/session_report.h"
 #include "report/charts/figure.h"
+#include "report/recording/session_report.h"
 
 namespace palpate::app {
 

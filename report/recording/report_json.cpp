@@ -1,9 +1,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/kit/json.h"
-#include "report/recording/session_report.h"
 #include "cli/session/session_text.h"
 #include "palpate/body/places.h"
+#include "report/recording/session_report.h"
 
 namespace palpate::app {
 

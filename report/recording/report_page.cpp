@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "report/page/study_page.h"
 #include "report/recording/report_figures.h"
 #include "report/recording/report_html.h"
-#include "report/page/study_page.h"
 
 namespace palpate::app {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "report/recording/report_html.h"
 #include "palpate/body/places.h"
 #include "report/page/study_page.h"
+#include "report/recording/report_html.h"
 
 namespace palpate::app {
 

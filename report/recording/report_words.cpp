@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "report/plot/forces_plot.h"
-#include "report/recording/session_report.h"
 #include "palpate/servo/limiter.h"
 #include "report/page/study_page.h"
+#include "report/plot/forces_plot.h"
+#include "report/recording/session_report.h"
 
 namespace palpate::app {
 

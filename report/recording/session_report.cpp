@@ -74,14 +74,14 @@ void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, con
   body.reach_mm = radiiIn(recorded);
   const auto world =
       engine::builtWorld(recorded, folder.empty() ? std::filesystem::path(recorded.folder) : folder, progress);
-  const std::size_t triangles = world->skin.triangles.size();
+  const std::size_t triangles = world->body->skin.triangles.size();
   if (triangles != recorded.triangles) {
     body.why_not = fmt::format("The body is no longer the recorded one: it has {} triangles instead of {}.", triangles,
                                recorded.triangles);
     return;
   }
   if (engine::hashOf(*world) != recorded.hash) {
-    if (!fits(world->skin, felt, body.reach_mm)) {
+    if (!fits(world->body->skin, felt, body.reach_mm)) {
       body.why_not = "The body is no longer the recorded one: what was touched does not lie on its skin.";
       return;
     }
@@ -89,11 +89,11 @@ void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, con
         "Body or stiffness are not the recorded ones to the bit, but every place that was touched lies on this skin.");
   }
   body.tissue = scene::inWords(world->tissue);
-  std::string note = scene::tissueNote(world->scene, world->tissue, world->stiffness_n_per_mm);
+  std::string note = scene::tissueNote(world->scene, world->tissue, world->surface.stiffness_n_per_mm);
   if (!note.empty()) body.notes.push_back("Tissue: " + std::move(note) + ".");
-  body.landmarks = world->anatomy.landmarks;
+  body.landmarks = world->body->anatomy.landmarks;
   report(progress, "spreading what was felt", 0.0);
-  body.surface = trace::touchedSurface(world->skin, felt.places, body.reach_mm);
+  body.surface = trace::touchedSurface(world->body->skin, felt.places, body.reach_mm);
 }
 
 std::string bodyOf(trace::SessionReader& session, std::uint32_t world) {

@@ -10,11 +10,11 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
-#include "report/charts/picture_file.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/tissue/fitting/smoothed_force.h"
+#include "report/charts/picture_file.h"
 #include "solve/commands/force_fit_figure.h"
 #include "solve/commands/force_report.h"
 

@@ -1,4 +1,5 @@
-// `palpate tissue fit profile --data CURVES.csv`: a table of layered tissue, and a scene's own profile, from measured skin.
+// `palpate tissue fit profile --data CURVES.csv`: a table of layered tissue, and a scene's own profile, from measured
+// skin.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,10 +10,10 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
-#include "report/charts/picture_file.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "report/charts/picture_file.h"
 #include "solve/commands/profile_report.h"
 
 namespace palpate::app {

@@ -12,9 +12,9 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
-#include "report/charts/picture_file.h"
 #include "palpate/base/error.h"
 #include "palpate/tissue/pressed_numbers.h"
+#include "report/charts/picture_file.h"
 #include "solve/commands/layered_figure.h"
 
 namespace palpate::app {

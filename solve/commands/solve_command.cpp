@@ -13,11 +13,11 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
-#include "report/charts/picture_file.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/elements/finger_solver.h"
 #include "palpate/elements/stack_solver.h"
+#include "report/charts/picture_file.h"
 #include "solve/commands/layered_figure.h"
 
 namespace palpate::app {

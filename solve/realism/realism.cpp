@@ -75,8 +75,8 @@ ShapeError shapeError(const scene::World& world, const deform::DeformedSurface& 
   double vector2 = 0.0;
   ShapeError error;
   std::size_t count = 0;
-  for (Index v = 0; v < world.skin.positions.size(); ++v) {
-    const Vec3 rest = world.skin.positions[v];
+  for (Index v = 0; v < world.body->skin.positions.size(); ++v) {
+    const Vec3 rest = world.body->skin.positions[v];
     const double r = rest.head<2>().norm();
     if (r > kJudgedMm) continue;
     const Vec3 moved = positionOf(surface, v) - rest;
@@ -135,8 +135,8 @@ double dragError(const scene::World& world, const elements::DragField& truth) {
   skin.follow(std::span(&felt, 1));
   double sum = 0.0;
   std::size_t count = 0;
-  for (Index v = 0; v < world.skin.positions.size(); ++v) {
-    const Vec3 rest = world.skin.positions[v];
+  for (Index v = 0; v < world.body->skin.positions.size(); ++v) {
+    const Vec3 rest = world.body->skin.positions[v];
     if (std::abs(rest.x()) > kJudgedDragMm || std::abs(rest.y()) > kJudgedDragMm) continue;
     const double moved = positionOf(skin.surface(), v).x() - rest.x();
     const double error = moved - truth.at(std::abs(rest.x()), std::abs(rest.y()));

@@ -39,7 +39,7 @@ class BackPainting {
   explicit BackPainting(const std::shared_ptr<const scene::World>& world)
       : target_(static_cast<int>(kBackPixels * kBackAspect), kBackPixels) {
     if (!world) return;
-    const training::SiteSet sites = training::twelveSites(world->anatomy.landmarks);
+    const training::SiteSet sites = training::twelveSites(world->body->anatomy.landmarks);
     view::PictureSettings settings = view::pictureSettings(*world, kBackAspect);
     settings.camera = view::fitted(boxAround(sites), kBackAspect);
     settings.look.overlays.reset();

@@ -1,5 +1,5 @@
-// `palpate train results codes`: cards for trainees to sign in with. Nothing is kept of them: a code becomes a pseudonym when
-// it is first typed, and who got which is the teacher's own list.
+// `palpate train results codes`: cards for trainees to sign in with. Nothing is kept of them: a code becomes a
+// pseudonym when it is first typed, and who got which is the teacher's own list.
 #include <fmt/format.h>
 
 #include <memory>

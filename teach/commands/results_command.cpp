@@ -1,5 +1,5 @@
-// `palpate train results`: what the records of training hold. Each subcommand that changes or writes something has a file of
-// its own; what only reads is in results_reading.cpp.
+// `palpate train results`: what the records of training hold. Each subcommand that changes or writes something has a
+// file of its own; what only reads is in results_reading.cpp.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -114,8 +114,9 @@ TraineeRow traineeCalled(Store& store, const std::string& code_or_id) {
   }
   if (found.size() == 1) return found.front();
   if (found.empty()) {
-    throw Error(fmt::format("'{}' is neither a code (as on the card) nor a pseudonym here (palpate train results class)",
-                            oneLine(code_or_id)));
+    throw Error(
+        fmt::format("'{}' is neither a code (as on the card) nor a pseudonym here (palpate train results class)",
+                    oneLine(code_or_id)));
   }
   throw Error(fmt::format("'{}' is how {} pseudonyms begin; give more of it", oneLine(code_or_id), found.size()));
 }

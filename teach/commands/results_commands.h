@@ -1,4 +1,5 @@
-// The subcommands of `palpate train results`, and what they share: which file, which trainee, how times and thresholds read.
+// The subcommands of `palpate train results`, and what they share: which file, which trainee, how times and thresholds
+// read.
 #pragma once
 
 #include <CLI/CLI.hpp>

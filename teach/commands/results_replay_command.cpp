@@ -70,8 +70,8 @@ void runTrialReplay(const TrialReplayArguments& arguments) {
 
 void addResultsReplayCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<TrialReplayArguments>();
-  CLI::App& command =
-      *parent.add_subcommand("replay", "One trial as a session file, for palpate recording replay, run, render and report");
+  CLI::App& command = *parent.add_subcommand(
+      "replay", "One trial as a session file, for palpate recording replay, run, render and report");
   command.add_option("TRIAL", arguments->trial, "Its id, or the end of it")->required();
   addResultsFile(command, arguments->results);
   command.add_option("-o,--out", arguments->out, "The session file to write")->required()->type_name("OUT.session");

@@ -1,6 +1,7 @@
 // What `palpate train` was asked for: the same for the window and for a simulated trainee (trainee_run.h).
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -9,10 +10,6 @@
 
 #include "palpate/scene/scene.h"
 #include "palpate/training/protocol.h"
-
-namespace CLI {
-class App;
-}
 
 namespace palpate::app {
 

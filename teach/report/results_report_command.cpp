@@ -24,11 +24,10 @@ void runResultsReport(ResultsReportArguments arguments) {
   const std::filesystem::path page = pageOf(request, is_database ? "class.html" : standardPage(request.file));
   arguments.settings.file = request.file;
   const TrainingReport report = trainingReport(arguments.settings, progress.callback());
-  const FinishedReport finished{
-      .file = report.file,
-      .page = request.wantsPage() ? trainingPage(report, progress.callback()) : std::string(),
-      .numbers = trainingReportJson(report),
-      .sentences = trainingSentences(report)};
+  const FinishedReport finished{.file = report.file,
+                                .page = request.wantsPage() ? trainingPage(report, progress.callback()) : std::string(),
+                                .numbers = trainingReportJson(report),
+                                .sentences = trainingSentences(report)};
   progress.clear();
   deliver(finished, request, page);
 }
@@ -46,8 +45,8 @@ void addResultsReportCommand(CLI::App& parent) {
       ->required();
   command.add_option("-o,--out", a.request.out,
                      "Page to write; left out: the file's name with .html (of a database class.html), in this folder");
-  CLI::Option& trainee = *command.add_option(
-      "--trainee", a.settings.trainee, "One trainee, by code or by the first letters of the pseudonym");
+  CLI::Option& trainee = *command.add_option("--trainee", a.settings.trainee,
+                                             "One trainee, by code or by the first letters of the pseudonym");
   command.add_flag("--class", a.settings.whole_class, "All trainees, also where there is but one")->excludes(&trainee);
   command.add_option("--class-word", a.settings.only_class, "The same, of one class where the record has several")
       ->excludes(&trainee);

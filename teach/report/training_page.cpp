@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "report/recording/report_html.h"
 #include "palpate/base/error.h"
 #include "palpate/body/torso.h"
 #include "palpate/training/psychometric.h"
+#include "report/recording/report_html.h"
 #include "teach/report/training_figures.h"
 #include "teach/report/training_tables.h"
 

@@ -68,7 +68,7 @@ TrainingMode::TrainingMode(TrainingSettings settings)
 TrainingMode::~TrainingMode() { TrainingMode::finish("interrupted"); }
 
 void TrainingMode::begin(Session& session, const scene::World& world, window::Gui& gui) {
-  const auto& landmarks = world.anatomy.landmarks;
+  const auto& landmarks = world.body->anatomy.landmarks;
   sites_ = settings_.protocol.sites.empty() ? training::twelveSites(landmarks)
                                             : training::sitesNamed(landmarks, settings_.protocol.sites);
   base_ = session.scene;

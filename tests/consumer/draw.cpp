@@ -42,7 +42,7 @@ int main() try {
   const auto drawn = [&](const deform::DeformedSurface& skin) {
     return view::picture(world, skin, {}, settings, {320, 180, 1});
   };
-  const view::Image rest = drawn(deform::DeformedSurface(world->deformable));
+  const view::Image rest = drawn(deform::DeformedSurface(*world->deformable));
   const view::Image pressed = drawn(simulator.skin());
   view::writePng("back.png", pressed);
   const std::size_t colours = std::set<view::Pixel>(pressed.pixels.begin(), pressed.pixels.end()).size();

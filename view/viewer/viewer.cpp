@@ -65,7 +65,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
 Viewer::~Viewer() = default;
 
 void Viewer::takeFacts() {
-  const bool other_file = session_.world.channels != world_->channels;
+  const bool other_file = session_.world.channels != world_->body->channels;
   session_.world = factsOf(*world_);
   if (!other_file) return;
   const std::string words = useChannelsOf(*world_, session_.state.look);

@@ -34,13 +34,13 @@ std::string bodyInWords(const scene::World& world) {
   std::string notes;
   for (const std::string& note : world.notes) notes += (notes.empty() ? "" : ",") + jsonText(note);
   std::string landmarks;
-  for (const body::SkinLandmark& landmark : world.anatomy.landmarks) {
+  for (const body::SkinLandmark& landmark : world.body->anatomy.landmarks) {
     landmarks +=
         fmt::format("{}{{\"name\":{},\"at\":{},\"normal\":{}}}", landmarks.empty() ? "" : ",",
                     jsonText(body::spokenName(landmark.name)), numbers(landmark.position), numbers(landmark.normal));
   }
-  return fmt::format(R"({{"name":{},"closed":{},"bones":{},"notes":[{}],"landmarks":[{}]}})", jsonText(world.body_name),
-                     world.closed, world.anatomy.bones.size(), notes, landmarks);
+  return fmt::format(R"({{"name":{},"closed":{},"bones":{},"notes":[{}],"landmarks":[{}]}})", jsonText(world.body->name),
+                     world.body->closed, world.body->anatomy.bones.size(), notes, landmarks);
 }
 
 }  // namespace palpate::web

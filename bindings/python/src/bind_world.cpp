@@ -208,15 +208,15 @@ Int32Array mapOf(const py::object& self, std::vector<Index> SourceMaps::*map) {
 
 void bindSkinOf(py::class_<WorldHandle, WorldPointer>& world) {
   world.def_property_readonly(
-      "positions", [](const py::object& self) { return FloatArray(viewOf(worldOf(self).skin.positions, self)); },
+      "positions", [](const py::object& self) { return FloatArray(viewOf(worldOf(self).body->skin.positions, self)); },
       "(V, 3) vertices of the skin at rest, mm; a read-only view, as all arrays of a World are.");
   world.def_property_readonly(
-      "normals", [](const py::object& self) { return FloatArray(viewOf(worldOf(self).surface.vertex_normals, self)); },
+      "normals", [](const py::object& self) { return FloatArray(viewOf(worldOf(self).surface.geometry->vertex_normals, self)); },
       "(V, 3) unit, out of the body, weighted by angle.");
   world.def_property_readonly(
       "triangles",
       [](const py::object& self) {
-        const auto& triangles = worldOf(self).skin.triangles;
+        const auto& triangles = worldOf(self).body->skin.triangles;
         const auto* corners = reinterpret_cast<const std::int32_t*>(triangles.data());
         return Int32Array(viewOf(corners, {static_cast<py::ssize_t>(triangles.size()), 3}, self));
       },
@@ -224,7 +224,7 @@ void bindSkinOf(py::class_<WorldHandle, WorldPointer>& world) {
   world.def_property_readonly(
       "stiffness",
       [](const py::object& self) {
-        const auto& stiffness = worldOf(self).stiffness_n_per_mm;
+        const auto& stiffness = worldOf(self).surface.stiffness_n_per_mm;
         return FloatArray(viewOf(stiffness.data(), {static_cast<py::ssize_t>(stiffness.size())}, self));
       },
       "(V,) N/mm.");
@@ -247,7 +247,7 @@ void bindSkinOf(py::class_<WorldHandle, WorldPointer>& world) {
 template <Vec3 body::SkinLandmark::*Member>
 Landmarks landmarksOf(const py::object& self) {
   py::dict all;
-  for (const body::SkinLandmark& landmark : worldOf(self).anatomy.landmarks) {
+  for (const body::SkinLandmark& landmark : worldOf(self).body->anatomy.landmarks) {
     all[landmark.name.c_str()] = viewOf((landmark.*Member).data(), {3}, self);
   }
   return {std::move(all)};
@@ -256,12 +256,12 @@ Landmarks landmarksOf(const py::object& self) {
 double stiffnessAt(const WorldHandle& self, const PlaceLike& where) {
   const scene::World& world = *self.world;
   const SkinPlace place = placeOn(world, where);
-  const Triangle& corners = world.skin.triangles[place.triangle];
-  const auto& at = world.skin.positions;
+  const Triangle& corners = world.body->skin.triangles[place.triangle];
+  const auto& at = world.body->skin.positions;
   const Vec3 weights = tree::barycentricWeights({at[corners[0]], at[corners[1]], at[corners[2]]}, place.point);
   double stiffness = 0.0;
   for (int i = 0; i < 3; ++i) {
-    stiffness += weights[i] * world.stiffness_n_per_mm[corners[static_cast<std::size_t>(i)]];
+    stiffness += weights[i] * world.surface.stiffness_n_per_mm[corners[static_cast<std::size_t>(i)]];
   }
   return stiffness;
 }
@@ -341,12 +341,12 @@ void bindPlaces(py::class_<WorldHandle, WorldPointer>& world) {
   world.def(
       "words",
       [](const WorldHandle& self, const ArrayLike& point) {
-        return body::inWords(self.world->anatomy.landmarks, pointOf(point, "point"));
+        return body::inWords(self.world->body->anatomy.landmarks, pointOf(point, "point"));
       },
       "A point (3,) as an examiner would say it: \"T6, 12 mm right and 8 mm up\"; \"\" where nothing has a name.",
       py::arg("point"));
   world.def_property_readonly(
-      "place_names", [](const WorldHandle& self) { return body::placeNames(self.world->anatomy.landmarks); },
+      "place_names", [](const WorldHandle& self) { return body::placeNames(self.world->body->anatomy.landmarks); },
       "All names that `place` knows; [] for a mesh.");
   world.def("ellipses", &ellipses,
             "(N, 3): half axes, mm, the longer first, and direction of the longer against x, rad in [0, pi), of the "
@@ -355,8 +355,8 @@ void bindPlaces(py::class_<WorldHandle, WorldPointer>& world) {
 }
 
 std::string reprOf(const WorldHandle& self) {
-  return fmt::format("<World: {}, {} vertices, {} triangles>", self.world->body_name, self.world->skin.positions.size(),
-                     self.world->skin.triangles.size());
+  return fmt::format("<World: {}, {} vertices, {} triangles>", self.world->body->name, self.world->body->skin.positions.size(),
+                     self.world->body->skin.triangles.size());
 }
 
 }  // namespace
@@ -374,9 +374,9 @@ void bindWorld(py::module_& module) {
       "notes", [](const WorldHandle& self) { return self.world->notes; },
       "What the user should know: repairs, a doubtful unit.");
   world.def_property_readonly(
-      "name", [](const WorldHandle& self) { return self.world->body_name; }, "Of the body, in words.");
+      "name", [](const WorldHandle& self) { return self.world->body->name; }, "Of the body, in words.");
   world.def_property_readonly(
-      "closed", [](const WorldHandle& self) { return self.world->closed; }, "True where the skin has no border.");
+      "closed", [](const WorldHandle& self) { return self.world->body->closed; }, "True where the skin has no border.");
   world.def_property_readonly(
       "fingers", [](const WorldHandle& self) { return self.world->scene.fingers.size(); },
       "How many fingers the scene describes.");

@@ -68,7 +68,8 @@ TEST_F(SessionCommands, ListInfoAndExportSayWhatIsInIt) {
   const auto info = nlohmann::json::parse(palpate("recording info results/run.session --json").out);
   EXPECT_EQ(info["samples"], 2 * 1201);
   EXPECT_EQ(info["damaged_blocks"], 0);
-  EXPECT_EQ(palpate("recording export results/run.session --csv out.csv --json out.json --scene out.toml").exit_code, 0);
+  EXPECT_EQ(palpate("recording export results/run.session --csv out.csv --json out.json --scene out.toml").exit_code,
+            0);
   EXPECT_EQ(contentOf(folder_ / "out.csv"), contentOf(folder_ / "results/forces.csv"));
   EXPECT_EQ(nlohmann::json::parse(contentOf(folder_ / "out.json"))["world_list"].size(), 1u);
   EXPECT_NE(contentOf(folder_ / "out.toml").find("dome.obj"), std::string::npos);
@@ -78,8 +79,9 @@ TEST_F(SessionCommands, WrongInputIsOneLineAndExitTwo) {
   std::ofstream(folder_ / "text.session") << "hello";
   record();
   for (const char* arguments :
-       {"recording replay none.session", "recording replay text.session", "recording replay results/run.session --from 3 --to 2",
-        "recording replay results/run.session --from 99", "recording export results/run.session", "recording export text.session --csv a.csv"}) {
+       {"recording replay none.session", "recording replay text.session",
+        "recording replay results/run.session --from 3 --to 2", "recording replay results/run.session --from 99",
+        "recording export results/run.session", "recording export text.session --csv a.csv"}) {
     const CommandResult result = palpate(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << arguments << ": " << result.err;
@@ -161,7 +163,8 @@ TEST_F(SessionCommands, AnnotateAddsWhatSomebodyWantsToSayAndLeavesTheTicksAsThe
   EXPECT_TRUE(found);
   for (const char* wrong : {"--mark T6", "--mark T6@9", "--mark @1", "--mark T6@nan", "--attach voice.wav",
                             "--attach missing.wav@1", "--attach dome.obj@1", ""}) {
-    const CommandResult refused = palpate("recording annotate results/run.session -o wrong.session " + std::string(wrong));
+    const CommandResult refused =
+        palpate("recording annotate results/run.session -o wrong.session " + std::string(wrong));
     EXPECT_EQ(refused.exit_code, 2) << wrong;
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "wrong.session"));

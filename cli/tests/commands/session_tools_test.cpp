@@ -157,7 +157,8 @@ TEST_F(SessionTools, ABundleIsFeltAgainSomewhereElseWithNothingElse) {
   // What is made of a bundle carries the files on.
   for (const char* made :
        {"recording trim bundle.session -o made.session --from 0.7", "recording repair bundle.session -o made.session",
-        "recording join bundle.session bundle.session -o made.session", "recording bundle bundle.session -o made.session"}) {
+        "recording join bundle.session bundle.session -o made.session",
+        "recording bundle bundle.session -o made.session"}) {
     EXPECT_EQ(runPalpate(made, elsewhere.path()).exit_code, 0) << made;
     const CommandResult replay = runPalpate("recording replay made.session --verify", elsewhere.path());
     EXPECT_EQ(replay.exit_code, 0) << made << replay.out << replay.err;
@@ -244,7 +245,9 @@ TEST_F(SessionTools, ABundleTakesNoFileFromElsewhereUnlessItIsToldTo) {
   }
   EXPECT_FALSE(std::filesystem::exists(folder_ / "bundle.session"));
   EXPECT_EQ(palpate("recording bundle results/run.session -o bundle.session --include dome.obj").exit_code, 2);
-  EXPECT_EQ(palpate("recording bundle results/run.session -o bundle.session --include dome.obj --include path.csv").exit_code, 0);
+  EXPECT_EQ(
+      palpate("recording bundle results/run.session -o bundle.session --include dome.obj --include path.csv").exit_code,
+      0);
   // What lies beside the recording needs no word; a link that leads out of there does.
   std::filesystem::rename(folder_ / "results/run.session", folder_ / "run.session");
   EXPECT_EQ(palpate("recording bundle run.session -o beside.session").exit_code, 0);
@@ -269,8 +272,9 @@ TEST_F(SessionTools, WordsOfAStrangerReachNoTerminalAsCommands) {
     writer.finish(words);
   }
   std::ofstream(folder_ / "evil.toml") << "\x1b[2J = 1\n";
-  for (const char* command : {"recording info evil.session", "recording list .", "recording list . --json", "recording info evil.session --json",
-                              "simulate evil.toml", "recording join evil.session evil.session -o both.session"}) {
+  for (const char* command : {"recording info evil.session", "recording list .", "recording list . --json",
+                              "recording info evil.session --json", "simulate evil.toml",
+                              "recording join evil.session evil.session -o both.session"}) {
     const CommandResult result = palpate(command);
     const std::string said = result.out + result.err;
     EXPECT_FALSE(said.empty());
@@ -313,7 +317,8 @@ TEST_F(SessionTools, ANameThatBeginsLikeAFormulaIsNoneInATable) {
 
 TEST_F(SessionTools, EveryColumnComesOutForNumPy) {
   record();
-  ASSERT_EQ(palpate("recording export results/run.session --npz run.npz --csv run.csv --from 0.2 --to 1.1").exit_code, 0);
+  ASSERT_EQ(palpate("recording export results/run.session --npz run.npz --csv run.csv --from 0.2 --to 1.1").exit_code,
+            0);
   // With nothing but what comes with Python: an archive of .npy files, each with a head that says its type and shape.
   std::ofstream(folder_ / "read.py") << R"(
 import ast, csv, struct, zipfile
@@ -411,7 +416,8 @@ TEST_F(SessionTools, ASessionOfEveryVersionIsSalvagedWhole) {
       ++versions;
       const auto repair = jsonFrom("recording repair '" + file.path().string() + "' -o mended.session");
       EXPECT_EQ(repair["nothing_lost"], true) << file.path();
-      const auto was = jsonFrom("recording replay '" + file.path().string() + "' --folder '" + version.path().string() + "'");
+      const auto was =
+          jsonFrom("recording replay '" + file.path().string() + "' --folder '" + version.path().string() + "'");
       const auto is = jsonFrom("recording replay mended.session --folder '" + version.path().string() + "'");
       EXPECT_EQ(is["ticks"], was["ticks"]) << file.path();
       EXPECT_EQ(repair["samples"].get<int>(), is["ticks"].get<int>() + is["unproven"].get<int>()) << file.path();
@@ -427,11 +433,13 @@ TEST_F(SessionTools, WrongInputIsOneLineAndExitTwo) {
   std::ofstream(folder_ / "text.session") << "hello";
   for (const char* arguments :
        {"recording trim results/run.session", "recording trim results/run.session -o results/run.session --from 0.5",
-        "recording trim results/run.session -o a.session --from 3", "recording trim results/run.session -o a.session --from 2 --to 1",
-        "recording trim text.session -o a.session", "recording join results/run.session -o a.session",
+        "recording trim results/run.session -o a.session --from 3",
+        "recording trim results/run.session -o a.session --from 2 --to 1", "recording trim text.session -o a.session",
+        "recording join results/run.session -o a.session",
         "recording join results/run.session text.session -o a.session",
-        "recording join results/run.session results/run.session -o results/run.session", "recording repair text.session -o a.session",
-        "recording repair results/run.session -o results/run.session", "recording repair results/run.session -o a.session --no-weld",
+        "recording join results/run.session results/run.session -o results/run.session",
+        "recording repair text.session -o a.session", "recording repair results/run.session -o results/run.session",
+        "recording repair results/run.session -o a.session --no-weld",
         "recording repair results/run.session -o a.session --unit m", "recording repair none.session -o a.session"}) {
     const CommandResult result = palpate(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments << result.out;

@@ -116,6 +116,7 @@ TEST_F(Signals, ASeriesOfPicturesEndsWithAWholePicture) {
 }
 
 TEST_F(Signals, AHuntTellsWhatItHasFoundSoFar) {
+  if (!support::hasProgramOf("study")) GTEST_SKIP() << "not built";
   const int end = ended({"study", "hunt", "--seconds", "1000", "--threads", "2", "--json"}, SIGINT,
                         [&] { return support::contentOf(folder_ / "err").find("hunting") != std::string::npos; });
   EXPECT_EQ(end, 130);
@@ -126,6 +127,7 @@ TEST_F(Signals, AHuntTellsWhatItHasFoundSoFar) {
 }
 
 TEST_F(Signals, AStudyOfAllBindsTheChaptersThatAreDone) {
+  if (!support::hasProgramOf("study")) GTEST_SKIP() << "not built";
   const int end = ended({"study", "all", "--quick", "--out", "book"}, SIGTERM,
                         [&] { return fs::exists(folder_ / "book/numbers.md"); });
   EXPECT_EQ(end, 143);
@@ -133,6 +135,7 @@ TEST_F(Signals, AStudyOfAllBindsTheChaptersThatAreDone) {
 }
 
 TEST_F(Signals, WhatHasNothingToFinishEndsAtOnce) {
+  if (!support::hasProgramOf("study")) GTEST_SKIP() << "not built";
   const Clock::time_point began = Clock::now();
   const int end = ended({"study", "bench", "servo", "--mesh", "dome.ply", "--seconds", "300"}, SIGTERM,
                         [&] { return secondsSince(began) > 0.5; });
@@ -148,8 +151,8 @@ TEST_F(Signals, ARunThatWasKilledLeavesAPartThatIsExplainedAndNeverOverwritten) 
   EXPECT_EQ(told.exit_code, 0) << told.err;
   EXPECT_NE(told.out.find("unfinished"), std::string::npos) << told.out;
   EXPECT_NE(told.out.find("palpate run --replay results/forces.csv.partial"), std::string::npos) << told.out;
-  const auto json =
-      nlohmann::json::parse(support::runPalpate("recording info --json results/forces.csv.partial", folder_.path()).out);
+  const auto json = nlohmann::json::parse(
+      support::runPalpate("recording info --json results/forces.csv.partial", folder_.path()).out);
   EXPECT_EQ(json["complete"], false);
   EXPECT_GT(json["fingers"][0]["rows"], 0);
   const auto again =
@@ -176,10 +179,11 @@ TEST_F(Signals, ARecordingIsFinishedAndProven) {
       std::error_code error;
       return fs::file_size(folder_ / "run.session.partial-wal", error) > 150'000 && !error;
     };
-    EXPECT_EQ(ended({"recording", "new", "dome.ply", "--seconds", "600", "--overwrite", "-o", "run.session"}, signal, written),
+    EXPECT_EQ(ended({"recording", "new", "dome.ply", "--seconds", "600", "--overwrite", "-o", "run.session"}, signal,
+                    written),
               code);
-    const auto info =
-        nlohmann::json::parse(support::runPalpate("recording info run.session --json", folder_.path()).out, nullptr, false);
+    const auto info = nlohmann::json::parse(
+        support::runPalpate("recording info run.session --json", folder_.path()).out, nullptr, false);
     ASSERT_FALSE(info.is_discarded());
     EXPECT_EQ(info["ended_by"], name);
     EXPECT_EQ(support::runPalpate("recording replay run.session --verify", folder_.path()).exit_code, 0);

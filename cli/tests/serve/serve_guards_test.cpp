@@ -88,7 +88,7 @@ TEST_F(ServeOverTls, PageAndStreamComeAndPlainRequestsDoNot) {
   EXPECT_TRUE(address.starts_with("https://127.0.0.1:")) << address;
   PlainWire wire(server.port(), tls_.get());
   ASSERT_TRUE(wire.isOpen());
-  EXPECT_EQ(support::ask(wire, "GET", "/m.js").body, "recording export const one = 1;\n");
+  EXPECT_EQ(support::ask(wire, "GET", "/m.js").body, "export const one = 1;\n");
   EXPECT_EQ(support::ask(wire, "GET", "/served/state").status, 401);
   PlainStream stream(server.port(), support::kLookToken, "Origin: " + address + "\r\n", tls_.get());
   ASSERT_EQ(stream.status(), 101) << stream.head();

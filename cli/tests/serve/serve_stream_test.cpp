@@ -321,7 +321,7 @@ TEST(Serve, ThePageComesWithItsTypesAndRulesAndNothingElseDoes) {
     EXPECT_TRUE(page.has(line)) << line << page.head;
   }
   EXPECT_NE(page.body.find("<head>\n<meta name=\"palpate-source\" content=\"served\">"), std::string::npos);
-  EXPECT_EQ(ask(wire, "GET", "/m.js?v=2").body, "recording export const one = 1;\n");
+  EXPECT_EQ(ask(wire, "GET", "/m.js?v=2").body, "export const one = 1;\n");
   EXPECT_TRUE(ask(wire, "GET", "/m.js").has("Content-Type: text/javascript"));
   EXPECT_TRUE(ask(wire, "GET", "/part/e.wasm").has("Content-Type: application/wasm"));
   const auto head = ask(wire, "HEAD", "/m.js", {}, true);

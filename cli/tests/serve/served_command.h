@@ -33,7 +33,7 @@ class ServedCommand {
     std::filesystem::create_directories(folder_ / "site/part");
     std::ofstream(folder_ / "site/index.html")
         << "<!doctype html><head></head><script>let a = 1;</script><script src='m.js'></script>";
-    std::ofstream(folder_ / "site/m.js") << "recording export const one = 1;\n";
+    std::ofstream(folder_ / "site/m.js") << "export const one = 1;\n";
     std::ofstream(folder_ / "site/part/e.wasm") << "not really";
     std::ofstream(folder_ / "site/.hidden") << "secret";
     std::ofstream(folder_ / "secret.txt") << "secret";

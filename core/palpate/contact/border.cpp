@@ -19,7 +19,7 @@ Vec3 outwards(const tree::TriangleRecord& record, int edge) {
 }  // namespace
 
 double beyondBorder(const Surface& surface, const SurfacePoint& place, const Vec3& point) noexcept {
-  const auto& records = surface.tree.records;
+  const auto& records = surface.geometry->tree.records;
   const Vec3 offset = point - place.position;
   if (!onBorder(surface, place)) return 0.0;
   const int index = tree::indexOf(place.feature);

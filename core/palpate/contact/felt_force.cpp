@@ -89,7 +89,8 @@ FingerOutput leftOutput(const Surface& surface, const FingerSettings& settings, 
 }  // namespace
 
 bool usableTip(const Surface& surface, const Vec3& tip) noexcept {
-  return tip.allFinite() && (tip - surface.tree.center).cwiseAbs().maxCoeff() <= kFarthestTip * surface.tree.diagonal;
+  return tip.allFinite() &&
+         (tip - surface.geometry->tree.center).cwiseAbs().maxCoeff() <= kFarthestTip * surface.geometry->tree.diagonal;
 }
 
 FingerOutput freeOutput(const Vec3& tip) noexcept {
@@ -141,8 +142,8 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
   output.tissue_mm = here.tissue_mm;
   output.finger_mm = settings.radius_mm;
   output.touch = state.slipping && hold.settled ? Touch::slip : Touch::stick;
-  output.triangle = surface.tree.source_triangle[state.proxy.triangle];
-  output.anchor_triangle = surface.tree.source_triangle[state.anchor.triangle];
+  output.triangle = surface.geometry->tree.source_triangle[state.proxy.triangle];
+  output.anchor_triangle = surface.geometry->tree.source_triangle[state.anchor.triangle];
   output.status = press.status | (hold.settled ? 0u : kCatchingUp);
   output.rest_mm = rest_mm;
   output.dent = state.memory.dent;

@@ -19,7 +19,7 @@ namespace {
 
 Press pressOf(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) {
   if (settings.radius_mm > 0.0) return pressSphere(surface, settings, settings.radius_mm, state, tip);
-  if (!surface.entangled.empty()) return pressGuardedPoint(surface, settings, state, tip);
+  if (!surface.geometry->entangled.empty()) return pressGuardedPoint(surface, settings, state, tip);
   return pressPoint(surface, settings, state, tip);
 }
 

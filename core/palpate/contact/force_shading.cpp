@@ -38,9 +38,9 @@ struct Patch {
 
 Patch patchOf(const Surface& surface, const tree::TriangleRecord& record) {
   const auto& [a, b, c] = record.corners;
-  const Vec3& na = surface.vertex_normals[record.vertices[0]];
-  const Vec3& nb = surface.vertex_normals[record.vertices[1]];
-  const Vec3& nc = surface.vertex_normals[record.vertices[2]];
+  const Vec3& na = surface.geometry->vertex_normals[record.vertices[0]];
+  const Vec3& nb = surface.geometry->vertex_normals[record.vertices[1]];
+  const Vec3& nc = surface.geometry->vertex_normals[record.vertices[2]];
   return {a, b - a, c - a, na, nb - na, nc - na};
 }
 
@@ -84,7 +84,7 @@ int violatedEdge(const Solution& x) {
 std::optional<ShadedProxy> shadedProxy(const Surface& surface, const SurfacePoint& proxy, const Vec3& tip) noexcept {
   Index triangle = proxy.triangle;
   for (int hop = 0; hop < kMostHops; ++hop) {
-    const tree::TriangleRecord& record = surface.tree.records[triangle];
+    const tree::TriangleRecord& record = surface.geometry->tree.records[triangle];
     const Patch patch = patchOf(surface, record);
     const Solution x = solve(patch, tip);
     if (!std::isfinite(x.v + x.w + x.s)) return std::nullopt;

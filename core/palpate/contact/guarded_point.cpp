@@ -12,7 +12,7 @@ namespace palpate::contact {
 
 namespace {
 
-double smallRadius(const Surface& surface) { return 1e-4 * surface.tree.diagonal; }
+double smallRadius(const Surface& surface) { return 1e-4 * surface.geometry->tree.diagonal; }
 
 /// Off the skin a sphere counts as standing on it up to here, of its radius.
 constexpr double kStanding = 1.5;
@@ -20,7 +20,7 @@ constexpr double kStanding = 1.5;
 /// Whether a tip that passes the skin is the small sphere's from the beginning: the place is entangled, or inside the
 /// body from which it has not come out yet, where the sphere finds the way out if there was one.
 bool landsAsSphere(const Surface& surface, const tree::Crossing& entry, bool from_inside) {
-  if (surface.entangled[entry.triangle] != 0) return true;
+  if (surface.geometry->entangled[entry.triangle] != 0) return true;
   if (!from_inside) return false;
   const Vec3 normal = normalAt(surface, {entry.point, entry.triangle, tree::Feature::face});
   return isBuried(surface, entry.point + 0.01 * smallRadius(surface) * normal);
@@ -30,14 +30,14 @@ bool landsAsSphere(const Surface& surface, const tree::Crossing& entry, bool fro
 void becomeSphere(const Surface& surface, FingerState& state) {
   const SurfacePoint& place = state.proxy;
   const Vec3 above = place.position + smallRadius(surface) * normalAt(surface, place);
-  const auto other_sheet = firstFrontCrossingIf(surface.tree, place.position, above,
+  const auto other_sheet = firstFrontCrossingIf(surface.geometry->tree, place.position, above,
                                                 [&](Index t) { return !touchesFeature(surface, t, place); });
   state.centre = other_sheet.triangle == kNoIndex ? above : place.position;
   state.fits = false;  // to be seen
 }
 
 bool standsClear(const Surface& surface, const FingerState& state) {
-  return state.fits && surface.entangled[state.proxy.triangle] == 0 &&
+  return state.fits && surface.geometry->entangled[state.proxy.triangle] == 0 &&
          (state.centre - state.proxy.position).norm() <= kStanding * smallRadius(surface);
 }
 
@@ -46,7 +46,7 @@ bool standsClear(const Surface& surface, const FingerState& state) {
 Press pressGuardedPoint(const Surface& surface, const FingerSettings& settings, FingerState& state,
                         const Vec3& tip) noexcept {
   if (!state.touching) {
-    const tree::Crossing entry = tree::firstFrontCrossing(surface.tree, state.tip, tip);
+    const tree::Crossing entry = tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip);
     if (entry.triangle == kNoIndex) return {};
     state.guarded = landsAsSphere(surface, entry, state.from_inside);
   }

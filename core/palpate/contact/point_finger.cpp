@@ -78,7 +78,7 @@ void shade(const Surface& surface, const FingerSettings& settings, const Surface
 /// Leaves the proxy's place: lands on the next sheet between it and the tip, or is free. True when it landed.
 bool landsElsewhere(const Surface& surface, const Vec3& tip, FingerState& state) {
   const SurfacePoint left = state.proxy;
-  const auto next = firstFrontCrossingIf(surface.tree, left.position, tip,
+  const auto next = firstFrontCrossingIf(surface.geometry->tree, left.position, tip,
                                          [&](Index triangle) { return !touchesFeature(surface, triangle, left); });
   state.touching = next.triangle != kNoIndex;
   if (state.touching) land(next, state);
@@ -89,7 +89,7 @@ bool landsElsewhere(const Surface& surface, const Vec3& tip, FingerState& state)
 /// The tip is inside all the same: it is held by what is nearest.
 void holdInside(const Surface& surface, const Vec3& tip, double path_mm, FingerState& state) {
   state.touching = true;
-  const tree::NearestPoint nearest = nearestPoint(surface.tree, tip, path_mm);
+  const tree::NearestPoint nearest = nearestPoint(surface.geometry->tree, tip, path_mm);
   if (nearest.triangle != kNoIndex) state.proxy = {nearest.closest.point, nearest.triangle, nearest.closest.feature};
 }
 
@@ -117,7 +117,7 @@ Press pressTowards(const Surface& surface, const FingerSettings& settings, const
 
 Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) noexcept {
   if (!state.touching) {
-    const tree::Crossing entry = tree::firstFrontCrossing(surface.tree, state.tip, tip);
+    const tree::Crossing entry = tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip);
     if (entry.triangle == kNoIndex) return {};
     land(entry, state);
   }

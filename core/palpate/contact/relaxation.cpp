@@ -82,7 +82,7 @@ void recover(const Surface& surface, const FingerSettings& settings, const Surfa
     memory.left_mm = memory.under_mm;
     memory.under_mm = {};
     memory.dent = {left_at.position, restOf(relaxation, memory.left_mm),
-                   left_at.triangle == kNoIndex ? kNoIndex : surface.tree.source_triangle[left_at.triangle]};
+                   left_at.triangle == kNoIndex ? kNoIndex : surface.geometry->tree.source_triangle[left_at.triangle]};
   }
   easeDent(relaxation, keptOf(relaxation, settings.tick_s), memory);
 }

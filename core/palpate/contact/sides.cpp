@@ -21,9 +21,9 @@ constexpr double kOffThePlace = 1e-6;
 }  // namespace
 
 bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept {
-  if (!(tree::windingNumber(surface.tree, tip) < kSurelyOutside)) return false;
-  if (surface.closed) return true;
-  const tree::NearestPoint nearest = nearestPoint(surface.tree, tip, lag);
+  if (!(tree::windingNumber(surface.geometry->tree, tip) < kSurelyOutside)) return false;
+  if (surface.geometry->closed) return true;
+  const tree::NearestPoint nearest = nearestPoint(surface.geometry->tree, tip, lag);
   if (nearest.triangle == kNoIndex) return false;
   const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
   return !onBorder(surface, place) && (tip - place.position).dot(normalAt(surface, place)) > releaseSlack(surface);
@@ -34,16 +34,18 @@ bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip) noexcep
   const double lag = way.norm();
   if (!(kOffThePlace * lag > releaseSlack(surface))) return false;
   const Vec3 begin = place + kOffThePlace * way;
-  return tree::firstFrontCrossing(surface.tree, begin, tip).triangle == kNoIndex &&
-         tree::firstFrontCrossing(surface.tree, tip, begin).triangle == kNoIndex && isOutside(surface, tip, lag);
+  return tree::firstFrontCrossing(surface.geometry->tree, begin, tip).triangle == kNoIndex &&
+         tree::firstFrontCrossing(surface.geometry->tree, tip, begin).triangle == kNoIndex &&
+         isOutside(surface, tip, lag);
 }
 
 bool isInside(const Surface& surface, const Vec3& tip) noexcept {
-  return surface.closed && tree::windingNumber(surface.tree, tip) > kInside;
+  return surface.geometry->closed && tree::windingNumber(surface.geometry->tree, tip) > kInside;
 }
 
 bool isBuried(const Surface& surface, const Vec3& place) noexcept {
-  return surface.self_intersecting && surface.closed && tree::windingNumber(surface.tree, place) > kSurelyInside;
+  return surface.geometry->self_intersecting && surface.geometry->closed &&
+         tree::windingNumber(surface.geometry->tree, place) > kSurelyInside;
 }
 
 }  // namespace palpate::contact

@@ -20,7 +20,7 @@ bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip) noexcep
 /// that share it the skin bounds two empty sectors, and the proxy may be in the one while the tip came out into the
 /// other. Everywhere else the side of the place's normal is exact and says the same.
 inline bool boundsTwoSectors(const Surface& surface, const SurfacePoint& place) noexcept {
-  return surface.touches_itself && place.feature != tree::Feature::face;
+  return surface.geometry->touches_itself && place.feature != tree::Feature::face;
 }
 
 /// Whether a tip that is about to be let go is inside a closed body. False for an open sheet.

@@ -105,7 +105,7 @@ bool nextGoal(const SphereTask& task, const HalfSpaces& planes, Vec3& goal) {
 
 /// Adds the planes of what is in the way from `from` to `to`. False when nothing is; `feet` are then those at `to`.
 bool addObstacles(const SphereTask& task, const Vec3& from, const Vec3& to, HalfSpaces& planes, Feet& feet) {
-  const tree::Crossing crossing = tree::firstFrontCrossing(task.surface.tree, from, to);
+  const tree::Crossing crossing = tree::firstFrontCrossing(task.surface.geometry->tree, from, to);
   if (crossing.triangle != kNoIndex) {
     const Vec3 normal = normalAt(task.surface, {crossing.point, crossing.triangle, tree::Feature::face});
     planes.add({normal, normal.dot(crossing.point) + task.radius});
@@ -182,7 +182,7 @@ void remember(const Feet& feet, StandingPlaces& standing) {
 }  // namespace
 
 bool isFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) noexcept {
-  return tree::firstFrontCrossing(task.surface.tree, from, to).triangle == kNoIndex;
+  return tree::firstFrontCrossing(task.surface.geometry->tree, from, to).triangle == kNoIndex;
 }
 
 bool pushOut(const SphereTask& task, Vec3& centre) noexcept {

@@ -28,7 +28,7 @@ SurfacePoint placeOf(Index triangle, const ClosestOnTriangle& closest) {
 /// their far corners have to be asked, because the closest point is stationary within its own triangle.
 bool isLocalMinimum(const Surface& surface, Index triangle, const ClosestOnTriangle& closest, const Vec3& centre) {
   if (closest.feature == tree::Feature::face) return true;
-  const auto& records = surface.tree.records;
+  const auto& records = surface.geometry->tree.records;
   const Vec3 to_centre = centre - closest.point;
   // A centre on the skin is as near as can be; what is left of the direction is rounding.
   if (to_centre.norm() <= directionlessDepth(surface)) return true;
@@ -60,7 +60,7 @@ bool isLocalMinimum(const Surface& surface, Index triangle, const ClosestOnTrian
 /// what costs.
 bool isInFront(const Surface& surface, const SurfacePoint& place, const Vec3& way) {
   if (place.feature != tree::Feature::face) return way.dot(normalAt(surface, place)) > 0.0;
-  const auto& [a, b, c] = surface.tree.records[place.triangle].corners;
+  const auto& [a, b, c] = surface.geometry->tree.records[place.triangle].corners;
   return way.dot(mesh::areaVector2(a, b, c)) > 0.0;
 }
 
@@ -117,7 +117,7 @@ bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& cen
 void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet) noexcept {
   feet.count = 0;
   const double limit = reach * reach;
-  visitNearMinima(surface.tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
+  visitNearMinima(surface.geometry->tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
     if (!isLocalMinimum(surface, triangle, closest, centre)) return limit;
     const SurfacePoint place = placeOf(triangle, closest);
     Foot foot;
@@ -136,7 +136,7 @@ bool followFoot(const Surface& surface, const Vec3& centre, Foot& foot) noexcept
 bool anyFootLower(const Surface& surface, const Vec3& centre, double height) noexcept {
   bool any = false;
   const double limit = height * height;
-  visitNearTriangles(surface.tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
+  visitNearTriangles(surface.geometry->tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
     Foot foot;
     any = standsOn(surface, placeOf(triangle, closest), centre, foot) && foot.height < height;
     return any ? 0.0 : limit;
@@ -146,7 +146,7 @@ bool anyFootLower(const Surface& surface, const Vec3& centre, double height) noe
 
 SurfacePoint nearestFront(const Surface& surface, const Vec3& centre, double reach) noexcept {
   const tree::NearestPoint nearest =
-      nearestPointIf(surface.tree, centre, reach, [&](Index triangle, const ClosestOnTriangle& closest) {
+      nearestPointIf(surface.geometry->tree, centre, reach, [&](Index triangle, const ClosestOnTriangle& closest) {
         Foot foot;
         return standsOn(surface, placeOf(triangle, closest), centre, foot);
       });

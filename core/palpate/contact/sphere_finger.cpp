@@ -36,7 +36,7 @@ constexpr double kArrived = 1e-5;
 /// Whether the skin lies between the centre and the foot. From inside a body the fronts of other parts may be near, but
 /// only through the body.
 bool isHidden(const Surface& surface, const SurfacePoint& foot, const Vec3& centre) {
-  return firstFrontCrossingIf(surface.tree, foot.position, centre, [&](Index t) {
+  return firstFrontCrossingIf(surface.geometry->tree, foot.position, centre, [&](Index t) {
            return !touchesFeature(surface, t, foot);
          }).triangle != kNoIndex;
 }
@@ -44,8 +44,8 @@ bool isHidden(const Surface& surface, const SurfacePoint& foot, const Vec3& cent
 /// Whether a sphere is beside an open sheet and reaches into its edge: it comes from the side, where there is nothing
 /// to stand on. A contact that began there could not be pushed out of the skin and would hang at the edge.
 bool reachesIntoEdge(const Surface& surface, const Vec3& centre, double radius) {
-  if (surface.closed) return false;
-  const tree::NearestPoint nearest = nearestPoint(surface.tree, centre, radius * (1.0 - kFit));
+  if (surface.geometry->closed) return false;
+  const tree::NearestPoint nearest = nearestPoint(surface.geometry->tree, centre, radius * (1.0 - kFit));
   if (nearest.triangle == kNoIndex) return false;
   const SurfacePoint edge{nearest.closest.point, nearest.triangle, nearest.closest.feature};
   if (!onBorder(surface, edge)) return false;
@@ -83,11 +83,11 @@ Vec3 advance(const Surface& surface, const Vec3& from, const Vec3& to, double ra
 /// front of the skin at the end. If so, starts the contact in `state` with the centre where it first touched; a sphere
 /// that overlaps from the beginning starts with its centre at the tip, to be pushed out.
 bool landSphere(const Surface& surface, double radius, FingerState& state, const Vec3& tip) {
-  const tree::Crossing entry = tree::firstFrontCrossing(surface.tree, state.tip, tip);
+  const tree::Crossing entry = tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip);
   const bool enters = entry.triangle != kNoIndex;
   if (!enters && !overlapsFront(surface, tip, radius)) return false;
   // A tip that was inside comes out first: then the contact starts where it is out.
-  const tree::Crossing exit = tree::firstFrontCrossing(surface.tree, enters ? entry.point : tip, state.tip);
+  const tree::Crossing exit = tree::firstFrontCrossing(surface.geometry->tree, enters ? entry.point : tip, state.tip);
   const Vec3 outside = exit.triangle == kNoIndex ? state.tip : (enters ? exit.point : tip);
   Vec3 centre = advance(surface, outside, tip, radius);
   SurfacePoint foot = nearestFront(surface, centre, kUnbounded);
@@ -201,8 +201,8 @@ bool isHeldInAir(const SphereTask& task, const Move& move, const Vec3& proxy) no
   if (boundsTwoSectors(surface, move.under_tip) && isInAir(surface, move.under_tip.position, task.tip)) return true;
   // Through an opening the winding number does not tell inside from outside: an open body holds on until it is too
   // deep.
-  if (!surface.closed || (task.tip - move.foot.position).norm() < task.radius) return false;
-  const bool ordinary = surface.entangled.empty() || surface.entangled[move.foot.triangle] == 0;
+  if (!surface.geometry->closed || (task.tip - move.foot.position).norm() < task.radius) return false;
+  const bool ordinary = surface.geometry->entangled.empty() || surface.geometry->entangled[move.foot.triangle] == 0;
   if (move.on_one_place && ordinary) return false;
   return isInAir(surface, proxy, task.tip);
 }
@@ -211,7 +211,7 @@ bool isHeldInAir(const SphereTask& task, const Move& move, const Vec3& proxy) no
 /// The nearest skin holds it from now on.
 Press heldByNearest(const Surface& surface, const FingerSettings& settings, double radius, const Vec3& tip,
                     FingerState& state) {
-  const tree::NearestPoint nearest = nearestPoint(surface.tree, tip, kUnbounded);
+  const tree::NearestPoint nearest = nearestPoint(surface.geometry->tree, tip, kUnbounded);
   state.proxy = {nearest.closest.point, nearest.triangle, nearest.closest.feature};
   const Vec3 normal = normalAt(surface, state.proxy);
   state.centre = state.proxy.position + radius * normal;
@@ -252,7 +252,9 @@ Press pressSphere(const Surface& surface, const FingerSettings& settings, double
   Press press;
   Ending ending = pressOnce(surface, settings, radius, tip, state, press);
   // What a border lets go may have come through the skin elsewhere on the way of this tick.
-  const auto came_through = [&] { return tree::firstFrontCrossing(surface.tree, state.tip, tip).triangle != kNoIndex; };
+  const auto came_through = [&] {
+    return tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip).triangle != kNoIndex;
+  };
   if (ending == Ending::at_border && came_through() && landSphere(surface, radius, state, tip)) {
     ending = pressOnce(surface, settings, radius, tip, state, press);
   }

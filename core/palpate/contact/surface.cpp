@@ -39,29 +39,29 @@ double angleAt(const TriangleRecord& record, int corner) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-void fillVertices(Surface& surface, std::size_t vertices) {
-  surface.vertex_normals.assign(vertices, Vec3::Zero());
-  surface.vertex_on_border.assign(vertices, 0);
-  for (const TriangleRecord& record : surface.tree.records) {
+void fillVertices(SurfaceGeometry& geometry, std::size_t vertices) {
+  geometry.vertex_normals.assign(vertices, Vec3::Zero());
+  geometry.vertex_on_border.assign(vertices, 0);
+  for (const TriangleRecord& record : geometry.tree.records) {
     const Vec3 normal = mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
     for (int i = 0; i < 3; ++i) {
-      surface.vertex_normals[record.vertices[i]] += angleAt(record, i) * normal;
+      geometry.vertex_normals[record.vertices[i]] += angleAt(record, i) * normal;
       if (record.neighbours[i] != kNoIndex) continue;
-      surface.vertex_on_border[record.vertices[i]] = 1;
-      surface.vertex_on_border[record.vertices[(i + 1) % 3]] = 1;
+      geometry.vertex_on_border[record.vertices[i]] = 1;
+      geometry.vertex_on_border[record.vertices[(i + 1) % 3]] = 1;
     }
   }
-  for (Vec3& normal : surface.vertex_normals) normal.stableNormalize();
+  for (Vec3& normal : geometry.vertex_normals) normal.stableNormalize();
 }
 
 /// Every triangle of a vertex must be reached by turning around it; otherwise the walk would miss some.
 void checkFans(const Surface& surface) {
-  std::vector<Index> triangles(surface.vertex_normals.size(), 0);
-  std::vector<Index> one_record(surface.vertex_normals.size(), kNoIndex);
-  for (Index r = 0; r < surface.tree.records.size(); ++r) {
-    const auto& vertices = surface.tree.records[r].vertices;
+  std::vector<Index> triangles(surface.geometry->vertex_normals.size(), 0);
+  std::vector<Index> one_record(surface.geometry->vertex_normals.size(), kNoIndex);
+  for (Index r = 0; r < surface.geometry->tree.records.size(); ++r) {
+    const auto& vertices = surface.geometry->tree.records[r].vertices;
     if (vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0]) {
-      throw Error("contact surface: triangle " + std::to_string(surface.tree.source_triangle[r]) +
+      throw Error("contact surface: triangle " + std::to_string(surface.geometry->tree.source_triangle[r]) +
                   " uses a vertex twice; repair the mesh first");
     }
     for (const Index v : vertices) {
@@ -71,7 +71,7 @@ void checkFans(const Surface& surface) {
   }
   for (Index v = 0; v < triangles.size(); ++v) {
     if (one_record[v] == kNoIndex) continue;
-    const auto& vertices = surface.tree.records[one_record[v]].vertices;
+    const auto& vertices = surface.geometry->tree.records[one_record[v]].vertices;
     const auto corner = static_cast<int>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
     Index reached = 0;
     visitFan(surface, one_record[v], corner, [&](Index, int) { ++reached; });
@@ -86,7 +86,7 @@ void checkFans(const Surface& surface) {
 void neighboursOf(const Surface& surface, Index record, int corner, std::vector<Index>& vertices) {
   vertices.clear();
   visitFan(surface, record, corner,
-           [&](Index t, int c) { vertices.push_back(surface.tree.records[t].vertices[(c + 1) % 3]); });
+           [&](Index t, int c) { vertices.push_back(surface.geometry->tree.records[t].vertices[(c + 1) % 3]); });
 }
 
 /// Whether a vertex is the middle that repair gave an edge to tell it from another between the same two vertices
@@ -94,9 +94,9 @@ void neighboursOf(const Surface& surface, Index record, int corner, std::vector<
 bool anyEdgeTwice(const mesh::TriangleMesh& mesh, const Surface& surface) {
   std::vector<std::uint8_t> done(mesh.positions.size(), 0);
   std::vector<Index> around, beyond;
-  for (Index r = 0; r < surface.tree.records.size(); ++r) {
+  for (Index r = 0; r < surface.geometry->tree.records.size(); ++r) {
     for (int corner = 0; corner < 3; ++corner) {
-      const Index v = surface.tree.records[r].vertices[corner];
+      const Index v = surface.geometry->tree.records[r].vertices[corner];
       if (std::exchange(done[v], 1) != 0) continue;
       neighboursOf(surface, r, corner, around);
       for (std::size_t i = 0; i < around.size(); ++i) {
@@ -104,7 +104,7 @@ bool anyEdgeTwice(const mesh::TriangleMesh& mesh, const Surface& surface) {
           if (mesh.positions[v] != Vec3(0.5 * (mesh.positions[around[i]] + mesh.positions[around[j]]))) continue;
           bool twice = false;
           visitFan(surface, r, corner, [&](Index t, int) {
-            const auto& vertices = surface.tree.records[t].vertices;
+            const auto& vertices = surface.geometry->tree.records[t].vertices;
             const auto at = std::find(vertices.begin(), vertices.end(), around[i]);
             if (at == vertices.end()) return;
             neighboursOf(surface, t, static_cast<int>(at - vertices.begin()), beyond);
@@ -128,7 +128,7 @@ bool touchesItself(const mesh::TriangleMesh& mesh, const Surface& surface) {
 
 /// Marks what has a vertex in common with an edge that pierces or with a triangle that is pierced: a ring more than
 /// where sheets meet, so that a small sphere fits wherever a walk arrives there.
-void findEntangled(const mesh::TriangleMesh& mesh, Surface& surface) {
+void findEntangled(const mesh::TriangleMesh& mesh, SurfaceGeometry& geometry) {
   const mesh::Intersections found = mesh::findIntersections(mesh);
   // What could not be searched to the end is dense with overlaps: everything counts.
   std::vector<std::uint8_t> at_crossing(mesh.positions.size(), found.complete ? 0 : 1);
@@ -137,32 +137,46 @@ void findEntangled(const mesh::TriangleMesh& mesh, Surface& surface) {
     for (const Index vertex : mesh.triangles[crossing.triangle]) at_crossing[vertex] = 1;
   }
   if (found.complete && found.crossings.empty()) return;
-  surface.entangled.reserve(surface.tree.records.size());
-  for (const TriangleRecord& record : surface.tree.records) {
+  geometry.entangled.reserve(geometry.tree.records.size());
+  for (const TriangleRecord& record : geometry.tree.records) {
     const auto [a, b, c] = record.vertices;
-    surface.entangled.push_back(at_crossing[a] | at_crossing[b] | at_crossing[c]);
+    geometry.entangled.push_back(at_crossing[a] | at_crossing[b] | at_crossing[c]);
   }
 }
 
 }  // namespace
 
-Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm,
-                     const SurfaceOptions& options) {
-  checkEach(stiffness_n_per_mm, mesh.positions.size(), "stiffness");
-  Surface surface;
-  surface.tree = tree::buildTriangleTree(mesh);
-  surface.stiffness_n_per_mm = std::move(stiffness_n_per_mm);
-  if (!options.tissue_mm.empty()) checkEach(options.tissue_mm, mesh.positions.size(), "tissue thickness");
-  surface.tissue_mm = options.tissue_mm;
-  surface.force_law = options.force_law;
-  fillVertices(surface, mesh.positions.size());
+std::shared_ptr<const SurfaceGeometry> buildGeometry(const mesh::TriangleMesh& mesh,
+                                                     std::optional<bool> self_intersecting) {
+  const auto geometry = std::make_shared<SurfaceGeometry>();
+  geometry->tree = tree::buildTriangleTree(mesh);
+  fillVertices(*geometry, mesh.positions.size());
+  const Surface surface{
+      .geometry = geometry, .stiffness_n_per_mm = {}, .tissue_mm = {}, .force_law = {}};  // to walk on
   checkFans(surface);
-  const auto& on_border = surface.vertex_on_border;
-  surface.closed = std::find(on_border.begin(), on_border.end(), 1) == on_border.end();
-  surface.touches_itself = touchesItself(mesh, surface);
-  if (options.self_intersecting.value_or(true)) findEntangled(mesh, surface);
-  surface.self_intersecting = options.self_intersecting.value_or(!surface.entangled.empty());
-  return surface;
+  const auto& on_border = geometry->vertex_on_border;
+  geometry->closed = std::find(on_border.begin(), on_border.end(), 1) == on_border.end();
+  geometry->touches_itself = touchesItself(mesh, surface);
+  if (self_intersecting.value_or(true)) findEntangled(mesh, *geometry);
+  geometry->self_intersecting = self_intersecting.value_or(!geometry->entangled.empty());
+  return geometry;
+}
+
+Surface surfaceOf(std::shared_ptr<const SurfaceGeometry> geometry, std::vector<double> stiffness_n_per_mm,
+                  SurfaceOptions options) {
+  const std::size_t vertices = geometry->vertex_normals.size();
+  checkEach(stiffness_n_per_mm, vertices, "stiffness");
+  if (!options.tissue_mm.empty()) checkEach(options.tissue_mm, vertices, "tissue thickness");
+  return {.geometry = std::move(geometry),
+          .stiffness_n_per_mm = std::move(stiffness_n_per_mm),
+          .tissue_mm = std::move(options.tissue_mm),
+          .force_law = options.force_law};
+}
+
+Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm, SurfaceOptions options) {
+  checkEach(stiffness_n_per_mm, mesh.positions.size(), "stiffness");  // before the work
+  auto geometry = buildGeometry(mesh, options.self_intersecting);
+  return surfaceOf(std::move(geometry), std::move(stiffness_n_per_mm), std::move(options));
 }
 
 }  // namespace palpate::contact

@@ -1,6 +1,11 @@
-// The skin as a finger feels it: built once from a fit mesh, immutable afterwards, shared by any number of fingers.
+// The skin as a finger feels it: its geometry, built once from a fit mesh and shared by every surface of that mesh, and
+// what it is made of, which a slider changes. Immutable afterwards, shared by any number of fingers.
+//
+//   mesh ─ buildGeometry ─► SurfaceGeometry ─┐
+//   stiffness, thickness, force law ─────────┴─ surfaceOf ─► Surface
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,23 +15,11 @@
 
 namespace palpate::contact {
 
-struct SurfaceOptions {
-  tissue::ForceLaw force_law = {};
-  /// False: no sheets of the surface pierce each other, as somebody knows already. Else the mesh is asked, and where
-  /// (about 1 us a triangle).
-  std::optional<bool> self_intersecting = {};
-  /// Per vertex, finite and >= 0: the thickness over the bone, for the layered law. May be empty.
-  std::vector<double> tissue_mm = {};
-};
-
-/// Plain data; every finger reads it, nobody writes it. Triangles are named by their record in the tree (leaf order).
-struct Surface {
+/// Plain data. Triangles are named by their record in the tree (leaf order).
+struct SurfaceGeometry {
   tree::TriangleTree tree;
   std::vector<Vec3> vertex_normals;            ///< unit, weighted by angle: their side test is exact at a vertex
   std::vector<std::uint8_t> vertex_on_border;  ///< 1 where the sheet ends
-  std::vector<double> stiffness_n_per_mm;      ///< per vertex
-  std::vector<double> tissue_mm;               ///< per vertex: thickness over the bone; empty where it is not known
-  tissue::ForceLaw force_law;
   bool self_intersecting = false;
   /// Per record: 1 in and next to the sheets that pierce each other, where a point is felt as a very small sphere
   /// (docs/explanation/contact.md). Empty where none do.
@@ -37,10 +30,33 @@ struct Surface {
   bool touches_itself = false;
 };
 
+/// Every finger reads it, nobody writes it.
+struct Surface {
+  std::shared_ptr<const SurfaceGeometry> geometry;  ///< never null
+  std::vector<double> stiffness_n_per_mm;           ///< per vertex
+  std::vector<double> tissue_mm;  ///< per vertex: thickness over the bone; empty where it is not known
+  tissue::ForceLaw force_law;
+};
+
 /// `mesh` must be fit for contact, as mesh::repair leaves it: an edge has at most one neighbour on each side and the
-/// triangles of a vertex form one fan. One stiffness (and thickness) per vertex, finite and >= 0. Throws Error
-/// otherwise.
+/// triangles of a vertex form one fan. Throws Error otherwise. `self_intersecting`: false: no sheets of the surface
+/// pierce each other, as somebody knows already; else the mesh is asked, and where (about 1 us a triangle).
+std::shared_ptr<const SurfaceGeometry> buildGeometry(const mesh::TriangleMesh& mesh,
+                                                     std::optional<bool> self_intersecting = {});
+
+struct SurfaceOptions {
+  tissue::ForceLaw force_law = {};
+  std::optional<bool> self_intersecting = {};  ///< as buildGeometry has it
+  /// Per vertex, finite and >= 0: the thickness over the bone, for the layered law. May be empty.
+  std::vector<double> tissue_mm = {};
+};
+
+/// One stiffness (and thickness) per vertex, finite and >= 0. Throws Error otherwise.
+Surface surfaceOf(std::shared_ptr<const SurfaceGeometry> geometry, std::vector<double> stiffness_n_per_mm,
+                  SurfaceOptions options = {});
+
+/// Both at once.
 Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm,
-                     const SurfaceOptions& options = {});
+                     SurfaceOptions options = {});
 
 }  // namespace palpate::contact

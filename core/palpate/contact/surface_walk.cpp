@@ -31,7 +31,7 @@ struct Candidate {
 };
 
 Candidate closestIn(const Surface& surface, Index triangle, const Vec3& target) {
-  return {closestOnTriangle(surface.tree.records[triangle].corners, target), triangle};
+  return {closestOnTriangle(surface.geometry->tree.records[triangle].corners, target), triangle};
 }
 
 /// The best place next to `here`, or triangle kNoIndex when none is nearer to the target.
@@ -46,7 +46,7 @@ Candidate betterNeighbour(const Surface& surface, const Candidate& here, const V
   };
   const Feature feature = here.closest.feature;
   if (tree::isEdge(feature)) {
-    const Index across = surface.tree.records[here.triangle].neighbours[tree::indexOf(feature)];
+    const Index across = surface.geometry->tree.records[here.triangle].neighbours[tree::indexOf(feature)];
     if (across != kNoIndex) consider(across);
   } else if (tree::isCorner(feature)) {
     visitFan(surface, here.triangle, tree::indexOf(feature), [&](Index triangle, int) {
@@ -90,42 +90,43 @@ WalkResult walkToNearest(const Surface& surface, const SurfacePoint& from, const
 
 WalkResult walkOnOneSheet(const Surface& surface, const SurfacePoint& from, const Vec3& target,
                           double path_mm) noexcept {
-  if (surface.entangled.empty()) return walkToNearest(surface, from, target, path_mm);
-  return walk(surface, from, target, path_mm, [&](Index triangle) { return surface.entangled[triangle] != 0; });
+  if (surface.geometry->entangled.empty()) return walkToNearest(surface, from, target, path_mm);
+  return walk(surface, from, target, path_mm,
+              [&](Index triangle) { return surface.geometry->entangled[triangle] != 0; });
 }
 
 WalkResult walkOnListed(const Surface& surface, std::span<const Index> triangles, const SurfacePoint& from,
                         const Vec3& target, double path_mm) noexcept {
   return walk(surface, from, target, path_mm, [&](Index triangle) {
-    const bool entangled = !surface.entangled.empty() && surface.entangled[triangle] != 0;
+    const bool entangled = !surface.geometry->entangled.empty() && surface.geometry->entangled[triangle] != 0;
     return entangled || std::ranges::find(triangles, triangle) == triangles.end();
   });
 }
 
 Vec3 normalAt(const Surface& surface, const SurfacePoint& point) noexcept {
-  const TriangleRecord& record = surface.tree.records[point.triangle];
+  const TriangleRecord& record = surface.geometry->tree.records[point.triangle];
   if (tree::isCorner(point.feature)) {
-    return surface.vertex_normals[record.vertices[tree::indexOf(point.feature)]];
+    return surface.geometry->vertex_normals[record.vertices[tree::indexOf(point.feature)]];
   }
   const Vec3 normal = faceNormal(record);
   if (!tree::isEdge(point.feature)) return normal;
   const Index across = record.neighbours[tree::indexOf(point.feature)];
   if (across == kNoIndex) return normal;
-  return (normal + faceNormal(surface.tree.records[across])).stableNormalized();
+  return (normal + faceNormal(surface.geometry->tree.records[across])).stableNormalized();
 }
 
 bool onBorder(const Surface& surface, const SurfacePoint& point) noexcept {
-  const TriangleRecord& record = surface.tree.records[point.triangle];
+  const TriangleRecord& record = surface.geometry->tree.records[point.triangle];
   if (tree::isEdge(point.feature)) return record.neighbours[tree::indexOf(point.feature)] == kNoIndex;
   if (!tree::isCorner(point.feature)) return false;
-  return surface.vertex_on_border[record.vertices[tree::indexOf(point.feature)]] != 0;
+  return surface.geometry->vertex_on_border[record.vertices[tree::indexOf(point.feature)]] != 0;
 }
 
 bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& point) noexcept {
   if (triangle == point.triangle) return true;
-  const TriangleRecord& record = surface.tree.records[point.triangle];
+  const TriangleRecord& record = surface.geometry->tree.records[point.triangle];
   const auto has = [&](int corner) {
-    const auto& vertices = surface.tree.records[triangle].vertices;
+    const auto& vertices = surface.geometry->tree.records[triangle].vertices;
     const Index vertex = record.vertices[corner];
     return vertices[0] == vertex || vertices[1] == vertex || vertices[2] == vertex;
   };
@@ -135,26 +136,26 @@ bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& 
 }
 
 void prefetchNeighbours(const Surface& surface, Index triangle, bool arrived) noexcept {
-  const TriangleRecord& record = surface.tree.records[triangle];
+  const TriangleRecord& record = surface.geometry->tree.records[triangle];
   for (int i = 0; i < 3; ++i) {
     if (record.neighbours[i] == kNoIndex) continue;
-    const TriangleRecord& across = surface.tree.records[record.neighbours[i]];
+    const TriangleRecord& across = surface.geometry->tree.records[record.neighbours[i]];
     if (arrived) {
       hwy::Prefetch(&across.corners);
       hwy::Prefetch(&across.vertices);  // on the next cache line
-      hwy::Prefetch(&surface.tree.source_triangle[record.neighbours[i]]);
+      hwy::Prefetch(&surface.geometry->tree.source_triangle[record.neighbours[i]]);
       continue;
     }
     // The corner of `across` that is not on the edge: the other two cancel out.
     const Index far = across.vertices[0] ^ across.vertices[1] ^ across.vertices[2] ^ record.vertices[i] ^
                       record.vertices[(i + 1) % 3];
     hwy::Prefetch(&surface.stiffness_n_per_mm[far]);
-    hwy::Prefetch(&surface.vertex_normals[far]);
+    hwy::Prefetch(&surface.geometry->vertex_normals[far]);
   }
 }
 
 SkinHere skinAt(const Surface& surface, const SurfacePoint& point) noexcept {
-  const TriangleRecord& record = surface.tree.records[point.triangle];
+  const TriangleRecord& record = surface.geometry->tree.records[point.triangle];
   const Vec3 weights = tree::barycentricWeights(record.corners, point.position);
   SkinHere here;
   for (int i = 0; i < 3; ++i) here.stiffness_n_per_mm += weights[i] * surface.stiffness_n_per_mm[record.vertices[i]];

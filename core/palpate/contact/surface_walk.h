@@ -60,7 +60,7 @@ void prefetchNeighbours(const Surface& surface, Index triangle, bool arrived) no
 /// a bool ends it with false.
 template <class Visit>
 void visitFan(const Surface& surface, Index triangle, int corner, Visit&& visit) noexcept {
-  const auto& records = surface.tree.records;
+  const auto& records = surface.geometry->tree.records;
   const Index vertex = records[triangle].vertices[corner];
   const auto corner_of = [&](Index t) {
     const auto& vertices = records[t].vertices;

@@ -146,7 +146,7 @@ namespace {
 
 /// The skin seen from outside along the frame's w.
 SkinHeight heightOver(const scene::World& world, const ScriptFrame& frame) {
-  const tree::TriangleTree& tree = world.surface.tree;
+  const tree::TriangleTree& tree = world.surface.geometry->tree;
   const double far = 2.0 * tree.diagonal + (frame.origin - tree.center).norm();
   return [&tree, frame, far](double u, double v) -> std::optional<double> {
     const Vec3 on_plane = frame.origin + u * frame.u + v * frame.v;
@@ -210,13 +210,15 @@ std::vector<Index> places(const scene::World& world) {
   constexpr std::size_t kMost = 200;  // a try costs a few hundred queries, so all of them well under a second
   std::vector<Index> facing_up;
   std::vector<Index> all;
-  for (Index v = 0; v < world.skin.positions.size(); ++v) {
+  for (Index v = 0; v < world.body->skin.positions.size(); ++v) {
     all.push_back(v);
-    if (world.surface.vertex_on_border[v] == 0 && world.surface.vertex_normals[v].z() > 0.5) facing_up.push_back(v);
+    if (world.surface.geometry->vertex_on_border[v] == 0 && world.surface.geometry->vertex_normals[v].z() > 0.5)
+      facing_up.push_back(v);
   }
   std::vector<Index>& candidates = facing_up.empty() ? all : facing_up;
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [&](Index a, Index b) { return world.skin.positions[a].z() > world.skin.positions[b].z(); });
+  std::stable_sort(candidates.begin(), candidates.end(), [&](Index a, Index b) {
+    return world.body->skin.positions[a].z() > world.body->skin.positions[b].z();
+  });
   const std::size_t stride = (candidates.size() + kMost - 1) / kMost;
   std::vector<Index> spread;
   for (std::size_t i = 0; i < candidates.size(); i += stride) spread.push_back(candidates[i]);
@@ -274,8 +276,8 @@ struct Ground {
 Ground roomiestGround(const scene::World& world) {
   Ground best;
   for (const Index v : places(world)) {
-    const ScriptFrame frame = frameAt(world.skin.positions[v], world.surface.vertex_normals[v]);
-    const double diagonal = world.surface.tree.diagonal;
+    const ScriptFrame frame = frameAt(world.body->skin.positions[v], world.surface.geometry->vertex_normals[v]);
+    const double diagonal = world.surface.geometry->tree.diagonal;
     const PathSize size = fittingSize(heightOver(world, frame), diagonal);
     if (size.sideways > best.size.sideways) best = {frame, size};
     if (size.sideways >= std::min(1.0, diagonal / kBackDiagonal)) break;

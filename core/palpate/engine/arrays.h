@@ -26,10 +26,10 @@ mesh::TriangleMesh meshFromArrays(std::span<const Real> coordinates_mm, std::spa
 
 struct WorldFromArrays {
   std::shared_ptr<const scene::World> world;
-  /// A vertex of world->skin each: the given one it is. Where several were given at one place, the first of them; for
-  /// one that mending put in the middle of an edge (rare), an end of that edge.
+  /// A vertex of world->body->skin each: the given one it is. Where several were given at one place, the first of them;
+  /// for one that mending put in the middle of an edge (rare), an end of that edge.
   std::vector<Index> source_vertex;
-  /// A triangle of world->skin each: the given one with these corners; kNoIndex for one that mending made.
+  /// A triangle of world->body->skin each: the given one with these corners; kNoIndex for one that mending made.
   std::vector<Index> source_triangle;
   /// The other way round, a given vertex or triangle each; kNoIndex for what the world has not. Where mending made
   /// several of one, the first of them.

@@ -12,11 +12,11 @@ namespace palpate::engine {
 
 BoneCoverMeter::BoneCoverMeter(const scene::World& world) : world_(world) {
   mesh::TriangleMesh joined;
-  for (Index bone = 0; bone < world.anatomy.bones.size(); ++bone) {
-    mesh::append(world.anatomy.bones[bone].mesh, joined);
+  for (Index bone = 0; bone < world.body->anatomy.bones.size(); ++bone) {
+    mesh::append(world.body->anatomy.bones[bone].mesh, joined);
     bone_of_triangle_.resize(joined.triangles.size(), bone);
   }
-  if (!joined.triangles.empty() && !world.anatomy.depth_mm.empty()) bones_ = tree::buildTriangleTree(joined);
+  if (!joined.triangles.empty() && !world.body->anatomy.depth_mm.empty()) bones_ = tree::buildTriangleTree(joined);
 }
 
 std::optional<BoneCover> BoneCoverMeter::of(const deform::DeformedSurface& surface) const {
@@ -26,12 +26,12 @@ std::optional<BoneCover> BoneCoverMeter::of(const deform::DeformedSurface& surfa
     const double moved = static_cast<double>(surface.displacementAt(v).norm());
     if (!(moved > 0.0)) continue;
     const double least = cover ? cover->least_mm : std::numeric_limits<double>::infinity();
-    const double at_least = world_.anatomy.depth_mm[v] - moved;
+    const double at_least = world_.body->anatomy.depth_mm[v] - moved;
     if (!(at_least < least)) continue;
     const Vec3 now = surface.positionAt(v).cast<double>();
-    const tree::NearestPoint nearest = tree::nearestPoint(*bones_, now, world_.anatomy.depth_mm[v] + moved + 1.0);
+    const tree::NearestPoint nearest = tree::nearestPoint(*bones_, now, world_.body->anatomy.depth_mm[v] + moved + 1.0);
     if (nearest.triangle == kNoIndex) continue;
-    const bool inside = tree::firstFrontCrossing(*bones_, world_.skin.positions[v], now).triangle != kNoIndex;
+    const bool inside = tree::firstFrontCrossing(*bones_, world_.body->skin.positions[v], now).triangle != kNoIndex;
     const double distance = std::sqrt(nearest.closest.squared_distance) * (inside ? -1.0 : 1.0);
     if (distance < least) cover = {distance, now, bone_of_triangle_[bones_->source_triangle[nearest.triangle]]};
   }
@@ -39,7 +39,7 @@ std::optional<BoneCover> BoneCoverMeter::of(const deform::DeformedSurface& surfa
 }
 
 std::string inWords(const BoneCover& cover, const scene::World& world) {
-  std::string bone = world.anatomy.bones[cover.bone].name;
+  std::string bone = world.body->anatomy.bones[cover.bone].name;
   std::ranges::replace(bone, '_', ' ');
   return fmt::format("{:.1f} mm of the {}", cover.least_mm, bone);
 }

@@ -70,7 +70,8 @@ void checkFingers(const scene::World& world, std::span<const contact::FingerSett
 }
 
 bool sameBody(const scene::World& one, const scene::World& other) {
-  return &one == &other || (one.skin.triangles == other.skin.triangles && one.skin.positions == other.skin.positions);
+  return one.body == other.body || (one.body->skin.triangles == other.body->skin.triangles &&
+                                    one.body->skin.positions == other.body->skin.positions);
 }
 
 }  // namespace palpate::engine

@@ -17,7 +17,7 @@ LivingSkin::LivingSkin(const scene::World& world, const LivingSkinSettings& sett
     : LivingSkin(world, formsForFingers(world, settings.strain, settings.fingers)) {}
 
 LivingSkin::LivingSkin(const scene::World& world, const deform::FormSettings& forms)
-    : world_(world), deformer_(world.deformable, forms), surface_(world.deformable) {
+    : world_(world), deformer_(*world.deformable, forms), surface_(*world.deformable) {
   touching_.reserve(forms.common.max_contacts);
 }
 

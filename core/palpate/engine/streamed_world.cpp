@@ -11,10 +11,11 @@ namespace palpate::engine {
 std::string encodedSkinOf(const scene::World& world) {
   std::vector<float> shares;
   if (world.breath) {
-    shares.reserve(world.skin.positions.size());
-    for (const Vec3& place : world.skin.positions) shares.push_back(static_cast<float>(world.breath->share(place)));
+    shares.reserve(world.body->skin.positions.size());
+    for (const Vec3& place : world.body->skin.positions)
+      shares.push_back(static_cast<float>(world.breath->share(place)));
   }
-  return encodedSkin(world.skin, shares);
+  return encodedSkin(world.body->skin, shares);
 }
 
 std::string encodedFormsOf(const scene::World& world, std::size_t fingers) {

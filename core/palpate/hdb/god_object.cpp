@@ -49,7 +49,7 @@ struct Mover {
   Vec3 place;
   double standoff_mm;
 
-  const TriangleRecord& record(Index t) const { return surface.tree.records[t]; }
+  const TriangleRecord& record(Index t) const { return surface.geometry->tree.records[t]; }
   double toTarget(const Vec3& point) const { return (point - target).norm(); }
 
   /// `goal`, or as far towards it as the path reaches.
@@ -140,7 +140,7 @@ tree::Crossing firstFrontCrossing(const contact::Surface& surface, std::span<con
   tree::Crossing first;
   for (const Index t : triangles) {
     tree::Crossing crossing;
-    if (!tree::detail::crossingOf(surface.tree.records[t], from, to, crossing)) continue;
+    if (!tree::detail::crossingOf(surface.geometry->tree.records[t], from, to, crossing)) continue;
     crossing.triangle = t;
     const bool earlier = first.triangle == kNoIndex || crossing.fraction < first.fraction ||
                          (crossing.fraction == first.fraction && t < first.triangle);
@@ -152,7 +152,7 @@ tree::Crossing firstFrontCrossing(const contact::Surface& surface, std::span<con
 bool isInFront(const contact::Surface& surface, std::span<const Index> triangles, const Vec3& place) noexcept {
   const double reach = kTouching * standoff(surface);
   return std::none_of(triangles.begin(), triangles.end(), [&](Index t) {
-    const TriangleRecord& record = surface.tree.records[t];
+    const TriangleRecord& record = surface.geometry->tree.records[t];
     if (tree::closestOnTriangle(record.corners, place).squared_distance > reach * reach) return false;
     return excess(planeOf(record, 0.0), place) <= 0.0;
   });

@@ -19,7 +19,7 @@ enum class Arrival : std::uint8_t {
 
 /// Distance that is kept from every plane, mm: a million times what rounding could take away, and a thousandth of what
 /// could be felt. What keeps the object outside is not this but the exact test of every move.
-inline double standoff(const contact::Surface& surface) { return 1e-9 * surface.tree.diagonal; }
+inline double standoff(const contact::Surface& surface) { return 1e-9 * surface.geometry->tree.diagonal; }
 
 /// Moves `place` towards `target`, at most `path_mm` far, along straight pieces none of which passes a listed triangle
 /// (records of the tree) from front to back. Slides along one, two or three planes at a time. noexcept, no allocation.

@@ -21,7 +21,7 @@ void require(bool holds, const char* what) {
 
 std::vector<Index> recordsOfTriangles(const contact::Surface& surface, std::size_t triangles) {
   std::vector<Index> records(triangles, kNoIndex);
-  const auto& source = surface.tree.source_triangle;
+  const auto& source = surface.geometry->tree.source_triangle;
   for (Index record = 0; record < source.size(); ++record) {
     require(source[record] < triangles, "the partition is not of this mesh");
     records[source[record]] = record;

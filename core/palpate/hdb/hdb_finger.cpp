@@ -74,7 +74,7 @@ bool findSkinUnder(const contact::Surface& surface, const std::vector<Index>& ne
   double nearest = farthest * farthest;
   bool found = false;
   for (const Index t : near) {
-    const auto closest = tree::closestOnTriangle(surface.tree.records[t].corners, state.centre);
+    const auto closest = tree::closestOnTriangle(surface.geometry->tree.records[t].corners, state.centre);
     if (!(closest.squared_distance < nearest)) continue;
     nearest = closest.squared_distance;
     state.proxy = {closest.point, t, closest.feature};

@@ -22,6 +22,7 @@ struct NaturalVariation {
   /// middle of the 3 to 25 mm over which the scatter was seen.
   double length_mm = 12.0;
   std::uint32_t seed = 1;
+  friend bool operator==(const NaturalVariation&, const NaturalVariation&) = default;
 };
 
 /// The factors at places of the body, each > 0; ones where there is no variation.

@@ -21,6 +21,7 @@ struct DepthLaw {
   /// 23 mm brings the law near a layered finite element model pressed 10 mm deep by a fingertip
   /// (docs/explanation/maps.md): 15 mm to the bone gives 0.77 (model 0.84), 40 mm gives 0.46 (model 0.42).
   double fade_mm = 23.0;
+  friend bool operator==(const DepthLaw&, const DepthLaw&) = default;
 };
 
 /// Stiffness for a depth to bone in mm. A negative depth counts as 0; NaN or infinity (no bone below) gives soft.

@@ -33,11 +33,11 @@ contact::FingerOutput withLiteralAnchor(contact::FingerOutput finger) noexcept {
 maps::SurfaceEllipse dragRegion(const World& world, const contact::FingerOutput& finger) noexcept {
   Vec3 place = finger.anchor;
   if (world.scene.ellipses.place == EllipsePlace::nearest_vertex &&
-      finger.anchor_triangle < world.skin.triangles.size()) {
-    const Triangle& corners = world.skin.triangles[finger.anchor_triangle];
-    const auto distance2 = [&](Index v) { return (world.skin.positions[v] - finger.anchor).squaredNorm(); };
-    place = world.skin.positions[*std::min_element(corners.begin(), corners.end(),
-                                                   [&](Index a, Index b) { return distance2(a) < distance2(b); })];
+      finger.anchor_triangle < world.body->skin.triangles.size()) {
+    const Triangle& corners = world.body->skin.triangles[finger.anchor_triangle];
+    const auto distance2 = [&](Index v) { return (world.body->skin.positions[v] - finger.anchor).squaredNorm(); };
+    place = world.body->skin.positions[*std::min_element(
+        corners.begin(), corners.end(), [&](Index a, Index b) { return distance2(a) < distance2(b); })];
   }
   return world.ellipses.on(place, finger.normal);
 }
@@ -45,8 +45,8 @@ maps::SurfaceEllipse dragRegion(const World& world, const contact::FingerOutput&
 /// mm: how deep skin is that stays at this effective depth by itself (contact/relaxation.h).
 double depthAtRest(const World& world, double rest_mm, Index triangle, double finger_mm) noexcept {
   const std::vector<double>& tissue_mm = world.surface.tissue_mm;
-  if (triangle >= world.skin.triangles.size()) return 0.0;
-  const Index corner = world.skin.triangles[triangle][0];
+  if (triangle >= world.body->skin.triangles.size()) return 0.0;
+  const Index corner = world.body->skin.triangles[triangle][0];
   return tissue::depthOf(world.surface.force_law, rest_mm,
                          tissue::PressedPlace{tissue_mm.empty() ? 0.0 : tissue_mm[corner], finger_mm});
 }
@@ -89,7 +89,7 @@ double depthWithinPart(const World& world, const deform::Contact& contact) noexc
     for (int i = 0; i < (q > 0.0 ? kPlacesOfARing : 1); ++i) {
       const double angle = 2.0 * std::numbers::pi * i / kPlacesOfARing;
       const Vec3 over = contact.anchor + r * (std::cos(angle) * first + std::sin(angle) * second);
-      depth_mm = deepestAt(world.surface.tree, over, normal, std::max(r, 1.0), tissue::profile(q), depth_mm);
+      depth_mm = deepestAt(world.surface.geometry->tree, over, normal, std::max(r, 1.0), tissue::profile(q), depth_mm);
     }
   }
   return depth_mm;
@@ -100,7 +100,7 @@ std::optional<deform::Contact> contactOfTissue(const World& world, std::optional
   const deform::FormSettings& forms = world.deformation;
   if (world.contours) contact->tangential_contour = world.contours->on(meant.anchor, meant.normal);
   if (world.layered) return layeredContact(world, *contact);
-  if (!world.deformable.thickness_mm.empty()) contact->depth_mm = depthWithinPart(world, *contact);
+  if (!world.deformable->thickness_mm.empty()) contact->depth_mm = depthWithinPart(world, *contact);
   if (forms.shape == deform::Shape::contour && world.reach)
     contact->tangential_contour = anatomicalContour(world, *contact);
   return deform::formedRegions(*contact, forms);
@@ -134,11 +134,11 @@ std::optional<deform::Contact> contactOf(const World& world, const contact::Fing
 
 std::optional<deform::Contact> dentOf(const World& world, const contact::FingerOutput& finger) noexcept {
   const contact::Dent& dent = finger.dent;
-  if (!(dent.rest_mm > 0.0) || dent.triangle >= world.skin.triangles.size()) return std::nullopt;
+  if (!(dent.rest_mm > 0.0) || dent.triangle >= world.body->skin.triangles.size()) return std::nullopt;
   contact::FingerOutput left;
   left.tip = left.proxy = left.anchor = left.hold = dent.place;
   left.triangle = left.anchor_triangle = dent.triangle;
-  left.normal = normalOf(world.skin, dent.triangle);
+  left.normal = normalOf(world.body->skin, dent.triangle);
   left.depth_mm = depthAtRest(world, dent.rest_mm, dent.triangle, finger.finger_mm);
   left.touch = contact::Touch::stick;
   return contactAsFelt(world, left);

@@ -1,7 +1,7 @@
 // From a finger of a built scene to what the deformation has to know about it: the one place where the scene's maps,
 // forms and literal readings meet the finger's output.
 //
-// finger outputs ─ contactOf ─► contacts ─ Deformer(world.deformable, world.deformation) ─► deformed surface
+// finger outputs ─ contactOf ─► contacts ─ Deformer(*world.deformable, world.deformation) ─► deformed surface
 #pragma once
 
 #include <optional>

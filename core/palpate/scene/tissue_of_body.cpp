@@ -28,10 +28,10 @@ constexpr double kFarthestRimMm = 160.0;
 constexpr double kShortestDragMm = 1e-6;
 
 double thicknessAt(const World& world, const deform::Contact& contact) noexcept {
-  if (contact.anchor_triangle >= world.skin.triangles.size()) return world.layered->thickest();
-  const Triangle& corners = world.skin.triangles[contact.anchor_triangle];
-  const std::array<Vec3, 3> at = {world.skin.positions[corners[0]], world.skin.positions[corners[1]],
-                                  world.skin.positions[corners[2]]};
+  if (contact.anchor_triangle >= world.body->skin.triangles.size()) return world.layered->thickest();
+  const Triangle& corners = world.body->skin.triangles[contact.anchor_triangle];
+  const std::array<Vec3, 3> at = {world.body->skin.positions[corners[0]], world.body->skin.positions[corners[1]],
+                                  world.body->skin.positions[corners[2]]};
   const Vec3 weights = tree::barycentricWeights(at, contact.anchor);
   double thickness = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -182,7 +182,8 @@ void followAnatomy(const World& world, double tenth_q, deform::Contact& contact)
     wish.drag = contact.drag_mm;
   }
   const Vec3 normal = contact.normal.normalized();
-  const PlaceReach place = world.reach->at(world.surface.tree, contact.anchor_triangle, contact.anchor, normal, wish);
+  const PlaceReach place =
+      world.reach->at(world.surface.geometry->tree, contact.anchor_triangle, contact.anchor, normal, wish);
   contact.depth_mm = std::min(contact.depth_mm, place.deepest_mm);
   contact.normal_region = bentEllipse(contact.normal_region, place.press, place);
   if (!drags) return;
@@ -274,7 +275,8 @@ std::shared_ptr<const AnatomicalReach> reachOf(const Scene& scene, const mesh::T
 maps::SurfaceContour anatomicalContour(const World& world, const deform::Contact& contact) noexcept {
   const ReachWish wish{nullptr, scaled(contact.tangential_region, 1.0 / deform::kTwoMmBoundary), contact.drag_mm};
   const Vec3 normal = contact.normal.normalized();
-  const PlaceReach place = world.reach->at(world.surface.tree, contact.anchor_triangle, contact.anchor, normal, wish);
+  const PlaceReach place =
+      world.reach->at(world.surface.geometry->tree, contact.anchor_triangle, contact.anchor, normal, wish);
   return bentContour(contact.tangential_region, dragFactors(world.scene, place), place);
 }
 

@@ -43,7 +43,7 @@ TEST(ForceShading, FindsThePlaceWhoseNormalMeetsTheTip) {
   const Surface ball = surfaceOf(zoo::sphere(20.0, 2));
   for (const Vec3& direction : {Vec3(1, 2, 3), Vec3(-3, 0.5, 1), Vec3(0.2, 0.1, -1)}) {
     const Vec3 tip = 17.0 * direction.normalized();
-    const auto nearest = nearestPoint(ball.tree, tip, 30.0);
+    const auto nearest = nearestPoint(ball.geometry->tree, tip, 30.0);
     const auto shaded = shadedProxy(ball, {nearest.closest.point, nearest.triangle, nearest.closest.feature}, tip);
     ASSERT_TRUE(shaded.has_value());
     EXPECT_NEAR((shaded->position - shaded->depth_mm * shaded->normal - tip).norm(), 0, 1e-9);

@@ -34,7 +34,7 @@ TEST(Friction, HeldAtTheGoldenFilesAnchorsAFingerFeelsItsForces) {
     if (!(depth > 0.0) || !(normal_force > 0.0)) continue;  // without contact there is no anchor to be held at
     const Surface plate = surfaceOf(zoo::oneTriangle(), normal_force / depth);
     FingerState state;
-    state.proxy = {plate.tree.records[0].corners[0], 0, tree::Feature::face};
+    state.proxy = {plate.geometry->tree.records[0].corners[0], 0, tree::Feature::face};
     state.anchor = {test::vec3(c["expected_A"]), 0, tree::Feature::face};
     state.hold = state.anchor.position;
     const Press press{true, proxy, normal, depth, depth, 0};

@@ -188,7 +188,7 @@ TEST(PointFinger, IsNotHeldInFreeAirByAnEdgeThatTwoBoxesShare) {
   mesh::TriangleMesh boxes = zoo::cubesSharingAnEdge();
   for (Vec3& place : boxes.positions) place *= 5.0;
   const Surface surface = surfaceOf(boxes);
-  EXPECT_TRUE(surface.touches_itself);
+  EXPECT_TRUE(surface.geometry->touches_itself);
   FingerTrack finger(surface);
   expectLetGoInTheOtherSector(finger, 1.0);
 }
@@ -210,8 +210,8 @@ TEST(PointFinger, FeelsRepairedNonManifoldAndOneSidedMeshes) {
     Random random(41);
     int felt = 0;
     for (int i = 0; i < 300; ++i) {
-      const Index t = static_cast<Index>(random.below(surface.tree.records.size()));
-      const auto& c = surface.tree.records[t].corners;
+      const Index t = static_cast<Index>(random.below(surface.geometry->tree.records.size()));
+      const auto& c = surface.geometry->tree.records[t].corners;
       const Vec3 normal = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
       const Vec3 aim = (c[0] + c[1] + c[2]) / 3.0;
       FingerTrack finger(surface);
@@ -264,10 +264,10 @@ TEST(PointFinger, StartedInsideIsFreeUntilItHasBeenOutside) {
 TEST(PointFinger, SlidesOverTwoSpheresThatPierceEachOther) {
   // Over the top from one sphere to the other, 3 mm deep: the tip must not get free inside the second one.
   const Surface spheres = surfaceOf(zoo::overlappingSpheres(4));
-  ASSERT_TRUE(spheres.self_intersecting);
+  ASSERT_TRUE(spheres.geometry->self_intersecting);
   const auto height = [](double x) { return std::sqrt(std::max(0.0, 400.0 - std::pow(std::abs(x) - 12.5, 2))); };
-  const bool centred = std::abs(spheres.tree.center.x()) < 1.0;
-  const double shift = centred ? 0.0 : spheres.tree.center.x();
+  const bool centred = std::abs(spheres.geometry->tree.center.x()) < 1.0;
+  const double shift = centred ? 0.0 : spheres.geometry->tree.center.x();
   FingerTrack finger(spheres);
   finger.to({shift - 20, 3, 30});
   int ticks = 0, held = 0;

@@ -250,7 +250,7 @@ TEST(Relaxation, ADentComesBackWhereItWasAndIsForgotten) {
   const FingerOutput left = finger.to(over(3));
   ASSERT_FALSE(touches(left));
   EXPECT_NEAR((left.dent.place - Vec3(50.2, 50.1, 0)).norm(), 0.0, 1e-9);
-  EXPECT_LT(left.dent.triangle, plate.tree.source_triangle.size());
+  EXPECT_LT(left.dent.triangle, plate.geometry->tree.source_triangle.size());
   for (int tick = 1; tick < 500; ++tick) {
     const FingerOutput output = finger.to({10, 10, 20});
     // Free skin: x' = (g x - x) / t.

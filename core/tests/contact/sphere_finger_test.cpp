@@ -81,7 +81,7 @@ TEST(SphereFinger, NeverSinksInNorHangsInAWalkOverHills) {
       tip += 0.01 * (goal - tip) + 0.02 * Vec3(random.normal(), random.normal(), random.normal());
       const FingerOutput output = finger.to(tip);
       if (!touches(output)) continue;
-      const auto nearest = nearestPoint(hills.tree, finger.state().centre, 3 * radius);
+      const auto nearest = nearestPoint(hills.geometry->tree, finger.state().centre, 3 * radius);
       ASSERT_NE(nearest.triangle, kNoIndex) << "the sphere left the skin at tick " << i;
       ASSERT_GE(std::sqrt(nearest.closest.squared_distance), 0.999 * radius) << "tick " << i;
       ASSERT_LE(output.depth_mm, 25.0);

@@ -35,21 +35,22 @@ TEST(Surface, RefusesAStiffnessThatIsNone) {
 }
 
 TEST(Surface, KnowsWhetherItsSheetsPierceEachOther) {
-  EXPECT_TRUE(surfaceOf(zoo::overlappingSpheres()).self_intersecting);
-  EXPECT_FALSE(surfaceOf(zoo::sphere()).self_intersecting);
+  EXPECT_TRUE(surfaceOf(zoo::overlappingSpheres()).geometry->self_intersecting);
+  EXPECT_FALSE(surfaceOf(zoo::sphere()).geometry->self_intersecting);
   const auto spheres = zoo::overlappingSpheres();
-  EXPECT_TRUE(buildSurface(spheres, stiffnessFor(spheres)).self_intersecting) << "looked for when nobody says";
+  EXPECT_TRUE(buildSurface(spheres, stiffnessFor(spheres)).geometry->self_intersecting)
+      << "looked for when nobody says";
 }
 
 TEST(SurfaceWalk, OnAConvexBodyItEndsAtTheNearestPoint) {
   const Surface surface = surfaceOf(zoo::sphere(20.0, 3));
   Random random(31);
-  SurfacePoint place{surface.tree.records[0].corners[0], 0, tree::Feature::corner0};
+  SurfacePoint place{surface.geometry->tree.records[0].corners[0], 0, tree::Feature::corner0};
   for (int i = 0; i < 500; ++i) {
     const Vec3 target = 25.0 * Vec3(random.normal(), random.normal(), random.normal()).normalized();
     const WalkResult walk = walkToNearest(surface, place, target, kAnyPath);
     ASSERT_TRUE(walk.finished);
-    const double expected = nearestPoint(surface.tree, target, 1e3).closest.squared_distance;
+    const double expected = nearestPoint(surface.geometry->tree, target, 1e3).closest.squared_distance;
     EXPECT_NEAR((walk.at.position - target).squaredNorm(), expected, 1e-9);
     place = walk.at;
   }
@@ -57,7 +58,8 @@ TEST(SurfaceWalk, OnAConvexBodyItEndsAtTheNearestPoint) {
 
 TEST(SurfaceWalk, PausesWhereThePathIsUsedUp) {
   const Surface surface = surfaceOf(zoo::grid(8, 100.0));
-  const SurfacePoint start{{10, 10, 0}, nearestPoint(surface.tree, {10, 10, 0}, 1).triangle, tree::Feature::face};
+  const SurfacePoint start{
+      {10, 10, 0}, nearestPoint(surface.geometry->tree, {10, 10, 0}, 1).triangle, tree::Feature::face};
   const WalkResult half = walkToNearest(surface, start, {70, 90, -5}, 40.0);
   EXPECT_FALSE(half.finished);
   EXPECT_LE((half.at.position - start.position).norm(), 40.0 + 1e-9);
@@ -69,15 +71,15 @@ TEST(SurfaceWalk, PausesWhereThePathIsUsedUp) {
 
 TEST(SurfaceWalk, VisitsTheWholeFanOfAVertexOnce) {
   const Surface surface = surfaceOf(zoo::grid(4, 40.0));
-  std::vector<int> expected(surface.vertex_normals.size(), 0);
-  for (const auto& record : surface.tree.records) {
+  std::vector<int> expected(surface.geometry->vertex_normals.size(), 0);
+  for (const auto& record : surface.geometry->tree.records) {
     for (const Index v : record.vertices) ++expected[v];
   }
-  for (Index t = 0; t < surface.tree.records.size(); ++t) {
+  for (Index t = 0; t < surface.geometry->tree.records.size(); ++t) {
     for (int corner = 0; corner < 3; ++corner) {
       int visits = 0;
       visitFan(surface, t, corner, [&](Index, int) { ++visits; });
-      EXPECT_EQ(visits, expected[surface.tree.records[t].vertices[corner]]);
+      EXPECT_EQ(visits, expected[surface.geometry->tree.records[t].vertices[corner]]);
     }
   }
 }
@@ -85,7 +87,7 @@ TEST(SurfaceWalk, VisitsTheWholeFanOfAVertexOnce) {
 TEST(SurfaceWalk, StiffnessIsBarycentric) {
   const mesh::TriangleMesh mesh = zoo::oneTriangle();
   const Surface surface = buildSurface(mesh, {0.2, 0.5, 0.8});
-  const auto& corners = surface.tree.records[0].corners;
+  const auto& corners = surface.geometry->tree.records[0].corners;
   const Vec3 place = 0.5 * corners[0] + 0.3 * corners[1] + 0.2 * corners[2];
   EXPECT_NEAR(skinAt(surface, {place, 0, tree::Feature::face}).stiffness_n_per_mm, 0.5 * 0.2 + 0.3 * 0.5 + 0.2 * 0.8,
               1e-12);
@@ -93,9 +95,9 @@ TEST(SurfaceWalk, StiffnessIsBarycentric) {
 
 TEST(Surface, KnowsWhetherTheBodyTouchesItself) {
   for (const auto& mesh : {zoo::cube(), zoo::sphere(), zoo::hollowSphere(), zoo::grid(), zoo::overlappingSpheres()})
-    EXPECT_FALSE(surfaceOf(mesh).touches_itself);
+    EXPECT_FALSE(surfaceOf(mesh).geometry->touches_itself);
   for (const auto& mesh : {zoo::cubesSharingAnEdge(), zoo::cubesSharingAVertex()})
-    EXPECT_TRUE(surfaceOf(mesh).touches_itself);
+    EXPECT_TRUE(surfaceOf(mesh).geometry->touches_itself);
 }
 
 }  // namespace palpate::contact

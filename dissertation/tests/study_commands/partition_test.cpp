@@ -42,17 +42,20 @@ TEST(PartitionCommand, DescribesTheTreeAndMissesNothingInTheBox) {
 }
 
 TEST(PartitionCommand, ComparesThePrintedTraversals) {
-  const std::string box = "study partition back_2962 --tree bsp --threshold 128 --box=175,200,90,80 --json --traversal ";
+  const std::string box =
+      "study partition back_2962 --tree bsp --threshold 128 --box=175,200,90,80 --json --traversal ";
   EXPECT_GT(jsonFrom(box + "else-if").at("box").at("missed"), 0);
   EXPECT_GE(jsonFrom(box + "half-space").at("box").at("rendered"), jsonFrom(box + "tight").at("box").at("must"));
   // A small sphere below the skin, inside a cell.
-  const std::string small = "study partition back_2962 --tree bsp --threshold 128 --box=175,200,100,20 --json --traversal ";
+  const std::string small =
+      "study partition back_2962 --tree bsp --threshold 128 --box=175,200,100,20 --json --traversal ";
   EXPECT_GT(jsonFrom(small + "sphere-corners").at("box").at("missed"), 0);
   EXPECT_EQ(jsonFrom(small + "sphere").at("box").at("missed"), 0);
 }
 
 TEST(PartitionCommand, SaysHowManyTrianglesThePrintedOctreeLoses) {
-  EXPECT_GT(jsonFrom("study partition back_2962 --threshold 64 --octree-rule two-of-three --json").at("lost_triangles"), 0);
+  EXPECT_GT(jsonFrom("study partition back_2962 --threshold 64 --octree-rule two-of-three --json").at("lost_triangles"),
+            0);
   EXPECT_FALSE(jsonFrom("study partition back_2962 --json").contains("lost_triangles"));
 }
 
@@ -78,8 +81,9 @@ TEST(PartitionCommand, WritesColouredMeshes) {
 
 TEST(PartitionCommand, DrawsLeavesAndWhatTheBoxFinds) {
   const support::TemporaryFolder folder;
-  const auto result = runPalpate(
-      "study partition back_2962 --threshold 256 --box 175,200,90 -o leaves.svg -o leaves.png --view back", folder.path());
+  const auto result =
+      runPalpate("study partition back_2962 --threshold 256 --box 175,200,90 -o leaves.svg -o leaves.png --view back",
+                 folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string svg = support::contentOf(folder.path() / "leaves.svg");
   for (const char* text : {"leaves, a colour each", "boxes of the leaves", "triangles in the box", "meet the box",

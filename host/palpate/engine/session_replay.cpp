@@ -100,10 +100,11 @@ class Replay {
     if (hashOf(*world) != recorded.hash) {
       report_.notes.push_back(fmt::format(
           "world {} is not the recorded one: its body or its stiffness is another ({} triangles instead of {})", number,
-          world->skin.triangles.size(), recorded.triangles));
+          world->body->skin.triangles.size(), recorded.triangles));
     }
     // A file that somebody bent must not leave a finger on a triangle that there is none of.
-    const bool other_body = worlds_.empty() || world->skin.triangles.size() != worlds_.back()->skin.triangles.size();
+    const bool other_body =
+        worlds_.empty() || world->body->skin.triangles.size() != worlds_.back()->body->skin.triangles.size();
     servo::FingerSolvers solvers = servo::makeSolvers(world->surface, world->hdb, fingers_.size(), world->breath);
     for (std::size_t i = 0; i < fingers_.size(); ++i) {
       servo::FingerChain& chain = fingers_[i];

@@ -150,11 +150,11 @@ std::vector<FingerLimits> limitsIn(const trace::SessionWorld& world, std::span<c
 
 std::uint64_t hashOf(const scene::World& world) {
   Hash hash;
-  for (const Vec3& position : world.skin.positions) hash.add(position);
-  for (const auto& triangle : world.skin.triangles) {
+  for (const Vec3& position : world.body->skin.positions) hash.add(position);
+  for (const auto& triangle : world.body->skin.triangles) {
     for (const Index vertex : triangle) hash.add(static_cast<std::uint64_t>(vertex));
   }
-  for (const double stiffness : world.stiffness_n_per_mm) hash.add(stiffness);
+  for (const double stiffness : world.surface.stiffness_n_per_mm) hash.add(stiffness);
   return hash.value();
 }
 
@@ -175,8 +175,8 @@ trace::SessionWorld sessionWorld(const scene::World& world, std::span<const Felt
   // A finger that finds its own way has none in the file; where it went is in the samples.
   std::erase_if(scene.fingers, [](const scene::Finger& finger) { return finger.findsItsOwnWay(); });
   recorded.scene = scene::sceneAsToml(scene, recorded.folder);
-  recorded.body = world.body_name;
-  recorded.triangles = world.skin.triangles.size();
+  recorded.body = world.body->name;
+  recorded.triangles = world.body->skin.triangles.size();
   recorded.hash = hashOf(world);
   for (const FeltWith& finger : fingers) {
     recorded.fingers.push_back({asText(finger.contact), asText(finger.limiter, finger.closes_loop)});

@@ -39,7 +39,7 @@ TEST_F(PathOf, AnyMeshGetsAPathOverItsTop) {
   writeDome("dome.obj");
   const auto world = scene::build(meshScene());
   const Trajectory path = automaticPath(*world);
-  EXPECT_NEAR(path.tip_mm.front().z(), 20.0 + 10.0 * world->surface.tree.diagonal / 400.0, 0.5);
+  EXPECT_NEAR(path.tip_mm.front().z(), 20.0 + 10.0 * world->surface.geometry->tree.diagonal / 400.0, 0.5);
   double lowest = 1e9;
   for (const Vec3& tip : path.tip_mm) lowest = std::min(lowest, tip.z());
   EXPECT_LT(lowest, 16.0);

@@ -49,7 +49,7 @@ mesh::TriangleMesh shuffledSoup(const mesh::TriangleMesh& mesh) {
 /// Every built vertex lies where its source was given, every built triangle has the corners of its source.
 void expectTrueMaps(const mesh::TriangleMesh& given, const WorldFromArrays& built, std::size_t middles = 0) {
   std::size_t moved = 0;
-  const mesh::TriangleMesh& skin = built.world->skin;
+  const mesh::TriangleMesh& skin = built.world->body->skin;
   ASSERT_EQ(built.source_vertex.size(), skin.positions.size());
   ASSERT_EQ(built.source_triangle.size(), skin.triangles.size());
   ASSERT_EQ(built.built_vertex.size(), given.positions.size());
@@ -89,8 +89,8 @@ TEST(Arrays, BecomeAWorldThatIsFelt) {
 TEST(Arrays, SayWhereEveryVertexAndTriangleWent) {
   const mesh::TriangleMesh soup = shuffledSoup(zoo::sphere(40.0, 3));
   const WorldFromArrays built = worldFromMesh(soup);
-  EXPECT_EQ(built.world->skin.triangles.size(), soup.triangles.size());
-  EXPECT_LT(built.world->skin.positions.size(), soup.positions.size()) << "corners are welded";
+  EXPECT_EQ(built.world->body->skin.triangles.size(), soup.triangles.size());
+  EXPECT_LT(built.world->body->skin.positions.size(), soup.positions.size()) << "corners are welded";
   expectTrueMaps(soup, built);
   EXPECT_EQ(unknownIn(built.source_triangle), 0u);
   EXPECT_EQ(unknownIn(built.built_triangle), 0u);
@@ -115,8 +115,8 @@ TEST(Arrays, StiffnessGoesWithItsVertexAndStaysWhenTheWorldIsRebuilt) {
   scene::Scene other = built.world->scene;
   other.contact.finger.mu_static = 0.9;
   for (const auto& world : {built.world, scene::rebuilt(*built.world, other)}) {
-    for (Index v = 0; v < world->skin.positions.size(); ++v) {
-      ASSERT_EQ(world->stiffness_n_per_mm[v], 1.0 + 0.01 * world->skin.positions[v].z()) << v;
+    for (Index v = 0; v < world->body->skin.positions.size(); ++v) {
+      ASSERT_EQ(world->surface.stiffness_n_per_mm[v], 1.0 + 0.01 * world->body->skin.positions[v].z()) << v;
     }
   }
 }
@@ -124,7 +124,7 @@ TEST(Arrays, StiffnessGoesWithItsVertexAndStaysWhenTheWorldIsRebuilt) {
 TEST(Arrays, WithoutStiffnessTheSceneSays) {
   scene::Scene scene;
   scene.stiffness.constant_n_per_mm = 0.7;
-  EXPECT_EQ(worldFromMesh(zoo::sphere(40.0, 2), {}, scene).world->stiffness_n_per_mm.at(0), 0.7);
+  EXPECT_EQ(worldFromMesh(zoo::sphere(40.0, 2), {}, scene).world->surface.stiffness_n_per_mm.at(0), 0.7);
 }
 
 TEST(Arrays, NameWhatIsWrongWithThem) {

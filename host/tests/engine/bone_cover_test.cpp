@@ -10,6 +10,7 @@
 #include "palpate/body/bone_depth.h"
 #include "palpate/body/places.h"
 #include "palpate/engine/living_skin.h"
+#include "support/changed_body.h"
 
 namespace palpate::engine {
 namespace {
@@ -25,12 +26,12 @@ const scene::World& trunk() {
 }
 
 contact::FingerOutput pressing(const scene::World& world, Index triangle, double depth_mm) {
-  const Triangle& corners = world.skin.triangles[triangle];
+  const Triangle& corners = world.body->skin.triangles[triangle];
   contact::FingerOutput finger;
   finger.triangle = finger.anchor_triangle = triangle;
-  finger.anchor = finger.proxy = mesh::centreOf(world.skin, world.skin.triangles[triangle]);
-  finger.normal = mesh::areaVector2(world.skin.positions[corners[0]], world.skin.positions[corners[1]],
-                                    world.skin.positions[corners[2]])
+  finger.anchor = finger.proxy = mesh::centreOf(world.body->skin, world.body->skin.triangles[triangle]);
+  finger.normal = mesh::areaVector2(world.body->skin.positions[corners[0]], world.body->skin.positions[corners[1]],
+                                    world.body->skin.positions[corners[2]])
                       .normalized();
   finger.depth_mm = depth_mm;
   finger.touch = contact::Touch::stick;
@@ -40,8 +41,8 @@ contact::FingerOutput pressing(const scene::World& world, Index triangle, double
 Index triangleNear(const scene::World& world, const Vec3& place) {
   Index nearest = 0;
   double least = 1e300;
-  for (Index t = 0; t < world.skin.triangles.size(); ++t) {
-    const double distance = (mesh::centreOf(world.skin, world.skin.triangles[t]) - place).squaredNorm();
+  for (Index t = 0; t < world.body->skin.triangles.size(); ++t) {
+    const double distance = (mesh::centreOf(world.body->skin, world.body->skin.triangles[t]) - place).squaredNorm();
     if (distance >= least) continue;
     least = distance;
     nearest = t;
@@ -53,11 +54,12 @@ Index triangleNear(const scene::World& world, const Vec3& place) {
 Vec3 thinnestOver(const scene::World& world, const std::string& bone) {
   Vec3 place = Vec3::Zero();
   double least = 1e300;
-  for (Index v = 0; v < world.skin.positions.size(); ++v) {
-    const std::string& name = world.anatomy.bones[world.anatomy.nearest_bone[v]].name;
-    if (!name.starts_with(bone) || world.anatomy.depth_mm[v] >= least || world.skin.positions[v].z() < 0.0) continue;
-    least = world.anatomy.depth_mm[v];
-    place = world.skin.positions[v];
+  for (Index v = 0; v < world.body->skin.positions.size(); ++v) {
+    const std::string& name = world.body->anatomy.bones[world.body->anatomy.nearest_bone[v]].name;
+    if (!name.starts_with(bone) || world.body->anatomy.depth_mm[v] >= least || world.body->skin.positions[v].z() < 0.0)
+      continue;
+    least = world.body->anatomy.depth_mm[v];
+    place = world.body->skin.positions[v];
   }
   return place;
 }
@@ -78,11 +80,12 @@ TEST(BoneCover, ThePressedSkinNeverSinksIntoABone) {
   std::vector<Vec3> places = {thinnestOver(world, "scapula"), thinnestOver(world, "rib"), thinnestOver(world, "T"),
                               thinnestOver(world, "L")};
   for (const char* words : {"T6", "T9 right 60 mm", "T4 left 60 mm", "L3", "L3 right 40 mm"}) {
-    places.push_back(body::placeNamed(world.anatomy.landmarks, words).point);
+    places.push_back(body::placeNamed(world.body->anatomy.landmarks, words).point);
   }
   std::mt19937 random(5);
   for (int i = 0; i < 60; ++i) {
-    places.push_back(mesh::centreOf(world.skin, world.skin.triangles[random() % world.skin.triangles.size()]));
+    places.push_back(
+        mesh::centreOf(world.body->skin, world.body->skin.triangles[random() % world.body->skin.triangles.size()]));
   }
   for (const Vec3& place : places) {
     for (const double depth : {5.0, 10.0, 20.0}) {
@@ -99,18 +102,18 @@ TEST(BoneCover, IsBelowZeroWhereSkinSinksIn) {
   const Pressed pressed(careless, thinnestOver(careless, "scapula"), 10.0);
   ASSERT_TRUE(pressed.cover);
   EXPECT_LT(pressed.cover->least_mm, -1.0);
-  EXPECT_TRUE(careless.anatomy.bones[pressed.cover->bone].name.starts_with("scapula"));
+  EXPECT_TRUE(careless.body->anatomy.bones[pressed.cover->bone].name.starts_with("scapula"));
 }
 
 TEST(BoneCover, IsTheDistanceThatAnotherSearchFinds) {
   const scene::World& world = trunk();
-  const Pressed pressed(world, body::placeNamed(world.anatomy.landmarks, "T6").point, 8.0);
+  const Pressed pressed(world, body::placeNamed(world.body->anatomy.landmarks, "T6").point, 8.0);
   std::vector<Vec3> moved;
-  for (Index v = 0; v < world.skin.positions.size(); ++v) {
+  for (Index v = 0; v < world.body->skin.positions.size(); ++v) {
     if (pressed.skin.surface().displacementAt(v).norm() > 0.0f)
       moved.push_back(pressed.skin.surface().positionAt(v).cast<double>());
   }
-  const body::BoneDepth depths = body::depthToBones(moved, world.anatomy.bones);
+  const body::BoneDepth depths = body::depthToBones(moved, world.body->anatomy.bones);
   const auto least = std::min_element(depths.depth_mm.begin(), depths.depth_mm.end());
   ASSERT_TRUE(pressed.cover);
   EXPECT_NEAR(pressed.cover->least_mm, *least, 1e-9);
@@ -122,7 +125,7 @@ TEST(BoneCover, IsNothingAtRestAndWithoutBones) {
   const LivingSkin still(trunk());
   EXPECT_FALSE(BoneCoverMeter(trunk()).of(still.surface()));
   scene::World boneless = trunk();
-  boneless.anatomy.bones.clear();
+  support::changeBody(boneless, [](scene::Body& body) { body.anatomy.bones.clear(); });
   EXPECT_FALSE(Pressed(boneless, Vec3(60.0, 0.0, 100.0), 5.0).cover);
 }
 

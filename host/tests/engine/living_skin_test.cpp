@@ -56,8 +56,8 @@ TEST(LivingSkin, IsWhatTheDeformerMakesOfTheContacts) {
   ASSERT_EQ(contacts.size(), 2u);
   deform::FormSettings forms = world->deformation;
   forms.common.strain = true;
-  deform::Deformer deformer(world->deformable, forms);
-  deform::DeformedSurface expected(world->deformable);
+  deform::Deformer deformer(*world->deformable, forms);
+  deform::DeformedSurface expected(*world->deformable);
   const deform::Report report = deformer.apply(contacts, expected);
 
   LivingSkin skin(*world);
@@ -86,7 +86,7 @@ TEST(LivingSkin, ComesBackToRestWithoutFingers) {
   LivingSkin skin(*world);
   skin.follow(threeFingers(*world));
   skin.follow(std::span<const trace::Sample>());
-  expectSame(skin.surface(), deform::DeformedSurface(world->deformable));
+  expectSame(skin.surface(), deform::DeformedSurface(*world->deformable));
 }
 
 TEST(LivingSkin, LeavesStrainOutWhereNobodyLooksAtIt) {

@@ -105,8 +105,8 @@ TEST(Simulator, ShowsTheSkinThatItsFingersLeave) {
   for (const auto& finger : felt) contacts.push_back(scene::contactOf(*world, finger).value());
   deform::FormSettings forms = world->deformation;
   forms.common.strain = true;
-  deform::Deformer deformer(world->deformable, forms);
-  deform::DeformedSurface expected(world->deformable);
+  deform::Deformer deformer(*world->deformable, forms);
+  deform::DeformedSurface expected(*world->deformable);
   deformer.apply(contacts, expected);
   const deform::DeformedSurface& skin = simulator.skin();
   float deepest = 0.0f;
@@ -127,7 +127,7 @@ TEST(Simulator, TheSkinFollowsMoreFingersThanTheSceneHas) {
   }
   const deform::DeformedSurface& skin = simulator.skin();
   for (Index v = 0; v < skin.vertices(); ++v) {
-    const Vec3f rest = world->deformable.restPosition(v);
+    const Vec3f rest = world->deformable->restPosition(v);
     const bool touched = rest.y() == 100.0f && rest.x() >= 20.0f && rest.x() <= 170.0f;
     EXPECT_LT(skin.positionAt(v).z(), touched ? -1.0f : 0.1f) << rest;
   }

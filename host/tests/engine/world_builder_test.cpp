@@ -48,7 +48,7 @@ TEST(WorldBuilder, HandsOverWhatWasWishedOnce) {
   builder.wish(balls.wish("small.ply"));
   const BuildResult result = resultOf(builder);
   ASSERT_TRUE(result.world) << result.error;
-  EXPECT_EQ(result.world->body_name, "small.ply");
+  EXPECT_EQ(result.world->body->name, "small.ply");
   EXPECT_FALSE(builder.progress());
   EXPECT_FALSE(builder.take());
 }
@@ -72,7 +72,7 @@ TEST(WorldBuilder, ReadsTheSceneBesideTheCaller) {
     return balls.wish("small.ply").scene;
   };
   builder.wish(wish);
-  EXPECT_EQ(resultOf(builder).world->body_name, "small.ply");
+  EXPECT_EQ(resultOf(builder).world->body->name, "small.ply");
   EXPECT_NE(reader, std::this_thread::get_id());
   wish.read = []() -> scene::Scene { throw Error("no scene today"); };
   builder.wish(wish);
@@ -81,7 +81,7 @@ TEST(WorldBuilder, ReadsTheSceneBesideTheCaller) {
 
 TEST(WorldBuilder, AWorldCanBeRefusedBeforeAnybodySeesIt) {
   const Balls balls;
-  WorldBuilder builder([](const scene::World& world) { throw Error("not " + world.body_name); });
+  WorldBuilder builder([](const scene::World& world) { throw Error("not " + world.body->name); });
   builder.wish(balls.wish("small.ply"));
   const BuildResult result = resultOf(builder);
   EXPECT_FALSE(result.world);
@@ -93,7 +93,7 @@ TEST(WorldBuilder, OnlyTheNewestWishCounts) {
   WorldBuilder builder;
   for (int i = 0; i < 20; ++i) builder.wish(balls.wish("large.ply"));
   builder.wish(balls.wish("small.ply"));
-  EXPECT_EQ(resultOf(builder).world->body_name, "small.ply");
+  EXPECT_EQ(resultOf(builder).world->body->name, "small.ply");
   waitUntilIdle(builder);
   EXPECT_FALSE(builder.take());
 }
@@ -122,8 +122,8 @@ TEST(WorldBuilder, ReusesABody) {
   builder.wish(wish);
   const auto second = resultOf(builder).world;
   ASSERT_TRUE(second);
-  EXPECT_EQ(second->stiffness_n_per_mm.at(0), 2.0);
-  EXPECT_EQ(second->skin.triangles, first->skin.triangles);
+  EXPECT_EQ(second->surface.stiffness_n_per_mm.at(0), 2.0);
+  EXPECT_EQ(second->body->skin.triangles, first->body->skin.triangles);
 }
 
 TEST(WorldBuilder, ReportsProgressWhileItBuilds) {

@@ -55,10 +55,10 @@ const Press kPresses[] = {{"T6", {0, 39, 98}, frontOrLeftArm},
 
 /// A finger that comes down along the skin's normal and then goes sideways; what it feels at the end.
 contact::FingerOutput felt(const World& world, const Vec3& place, double depth_mm, double radius_mm, double drag_mm) {
-  const mesh::NearestTriangle nearest(world.skin);
+  const mesh::NearestTriangle nearest(world.body->skin);
   const auto hit = nearest.find(place);
-  const Triangle& t = world.skin.triangles[hit.triangle];
-  const auto& p = world.skin.positions;
+  const Triangle& t = world.body->skin.triangles[hit.triangle];
+  const auto& p = world.body->skin.positions;
   const Vec3 out = mesh::areaVector2(p[t[0]], p[t[1]], p[t[2]]).normalized();
   const Vec3 aside = out.unitOrthogonal();
   contact::FingerSettings settings;
@@ -86,14 +86,14 @@ struct Moved {
 Moved movedBy(const World& world, const contact::FingerOutput& finger, const Press& press) {
   const auto contact = contactOf(world, finger);
   if (!contact) return {};
-  deform::Deformer deformer(world.deformable, world.deformation);
-  const deform::DeformedSurface rest(world.deformable);
-  deform::DeformedSurface surface(world.deformable);
+  deform::Deformer deformer(*world.deformable, world.deformation);
+  const deform::DeformedSurface rest(*world.deformable);
+  deform::DeformedSurface surface(*world.deformable);
   deformer.apply(std::span(&*contact, 1), surface);
   Moved moved;
   for (Index v = 0; v < surface.vertices(); ++v) {
     if (surface.positionAt(v) == rest.positionAt(v) && surface.normalAt(v) == rest.normalAt(v)) continue;
-    ++(press.far(world.skin.positions[v]) ? moved.far : moved.near);
+    ++(press.far(world.body->skin.positions[v]) ? moved.far : moved.near);
   }
   return moved;
 }
@@ -140,8 +140,8 @@ WorldPointer lens(const Vec3& half_axes_mm, int levels) {
 Index dentWithin(const World& world, const Vec3& place, double depth_mm) {
   const auto contact = contactOf(world, felt(world, place, depth_mm, 0.0, 0.0));
   if (!contact) return 0;
-  deform::Deformer deformer(world.deformable, world.deformation);
-  deform::DeformedSurface surface(world.deformable);
+  deform::Deformer deformer(*world.deformable, world.deformation);
+  deform::DeformedSurface surface(*world.deformable);
   deformer.apply(std::span(&*contact, 1), surface);
   Index deep = 0;
   for (Index v = 0; v < surface.vertices(); ++v) {
@@ -150,8 +150,8 @@ Index dentWithin(const World& world, const Vec3& place, double depth_mm) {
     deep += moved_mm > 1.0 ? 1 : 0;
     // What slides along the round rim leaves it by a few hundredths.
     const Vec3 at = surface.positionAt(v).cast<double>();
-    const bool at_skin = tree::nearestPoint(world.surface.tree, at, 0.1).triangle != kNoIndex;
-    EXPECT_TRUE(at_skin || tree::windingNumber(world.surface.tree, at) > 0.5)
+    const bool at_skin = tree::nearestPoint(world.surface.geometry->tree, at, 0.1).triangle != kNoIndex;
+    EXPECT_TRUE(at_skin || tree::windingNumber(world.surface.geometry->tree, at) > 0.5)
         << "vertex " << v << " moved by " << moved_mm << " mm";
   }
   return deep;

@@ -44,11 +44,11 @@ PlaceProfile sharpAtT6() {
 
 /// A finger that presses and drags the skin of the back beside T6.
 contact::FingerOutput fingerBesideT6(const World& world, double right_mm) {
-  Vec3 place = body::placeNamed(world.anatomy.landmarks, "T6").point;
+  Vec3 place = body::placeNamed(world.body->anatomy.landmarks, "T6").point;
   place.x() += right_mm;
   contact::FingerOutput finger;
-  const auto skin =
-      tree::firstFrontCrossing(world.surface.tree, place + 500.0 * Vec3::UnitZ(), place - 500.0 * Vec3::UnitZ());
+  const auto skin = tree::firstFrontCrossing(world.surface.geometry->tree, place + 500.0 * Vec3::UnitZ(),
+                                             place - 500.0 * Vec3::UnitZ());
   finger.anchor_triangle = finger.triangle = skin.triangle;
   finger.anchor = skin.point;
   finger.proxy = skin.point + Vec3(0.0, 6.0, 0.0);
@@ -127,8 +127,8 @@ TEST(PlaceCurves, DeformTheSkinAsTheSameProfileOfTheWholeBody) {
   const auto whole = build(scene);
   scene.profiles = {{.radius_mm = 60.0, .at = "T6"}};
   const auto placed = rebuilt(*whole, scene);
-  deform::DeformedSurface expected(whole->deformable), found(placed->deformable);
-  deform::Deformer by_whole(whole->deformable, whole->deformation), by_place(placed->deformable, placed->deformation);
+  deform::DeformedSurface expected(*whole->deformable), found(*placed->deformable);
+  deform::Deformer by_whole(*whole->deformable, whole->deformation), by_place(*placed->deformable, placed->deformation);
   const deform::Contact one = contactBesideT6(*whole, 3.0), other = contactBesideT6(*placed, 3.0);
   EXPECT_FALSE(one.layered);
   ASSERT_TRUE(other.layered);
@@ -136,9 +136,9 @@ TEST(PlaceCurves, DeformTheSkinAsTheSameProfileOfTheWholeBody) {
   by_place.apply({&other, 1}, found);
   double farthest = 0.0, moved = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
-    for (Index v = 0; v < whole->deformable.vertices; ++v) {
+    for (Index v = 0; v < whole->deformable->vertices; ++v) {
       farthest = std::max<double>(farthest, std::abs(found.position(axis)[v] - expected.position(axis)[v]));
-      moved = std::max<double>(moved, std::abs(expected.position(axis)[v] - whole->deformable.restPosition(v)[axis]));
+      moved = std::max<double>(moved, std::abs(expected.position(axis)[v] - whole->deformable->restPosition(v)[axis]));
     }
   }
   EXPECT_GT(moved, 4.0);
@@ -151,7 +151,7 @@ TEST(PlaceCurves, LeaveTheForceAndSaySo) {
   scene.profiles = {sharpAtT6()};
   const auto with = rebuilt(*without, scene);
   EXPECT_TRUE(with->layered);
-  EXPECT_EQ(with->stiffness_n_per_mm, without->stiffness_n_per_mm);
+  EXPECT_EQ(with->surface.stiffness_n_per_mm, without->surface.stiffness_n_per_mm);
   EXPECT_EQ(with->tissue.law, without->tissue.law);
   ASSERT_EQ(with->notes.size(), without->notes.size() + 1);
   EXPECT_NE(with->notes.back().find("at T6 the skin follows the profiles \"sharp\" (press) and \"cosine\" (drag)"),

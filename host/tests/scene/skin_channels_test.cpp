@@ -35,33 +35,33 @@ class ChannelsOf : public DomeScene {
 TEST_F(ChannelsOf, AMeshFollowItsVerticesIntoTheOrderedSkin) {
   const auto world = build(dome());
   const mesh::TriangleMesh file = mesh::load(folder_ / "dome.ply");
-  ASSERT_TRUE(world->channels);
-  const SkinScalar* height = scalarNamed(world->channels.get(), "height");
+  ASSERT_TRUE(world->body->channels);
+  const SkinScalar* height = scalarNamed(world->body->channels.get(), "height");
   ASSERT_NE(height, nullptr);
   bool reordered = false;
-  for (std::size_t v = 0; v < world->skin.positions.size(); ++v) {
-    EXPECT_EQ(height->values[v], static_cast<float>(world->skin.positions[v].z()));
-    EXPECT_EQ(file.positions[world->channels->source_vertex[v]], world->skin.positions[v]);
-    reordered = reordered || world->channels->source_vertex[v] != v;
+  for (std::size_t v = 0; v < world->body->skin.positions.size(); ++v) {
+    EXPECT_EQ(height->values[v], static_cast<float>(world->body->skin.positions[v].z()));
+    EXPECT_EQ(file.positions[world->body->channels->source_vertex[v]], world->body->skin.positions[v]);
+    reordered = reordered || world->body->channels->source_vertex[v] != v;
   }
   EXPECT_TRUE(reordered);
   EXPECT_DOUBLE_EQ(height->least, 0.0);
   EXPECT_DOUBLE_EQ(height->greatest, 20.0);
-  EXPECT_EQ(rebuilt(*world, world->scene)->channels, world->channels);
+  EXPECT_EQ(rebuilt(*world, world->scene)->body->channels, world->body->channels);
 }
 
 TEST_F(ChannelsOf, AMeshAreCountedWhereTheyAreNumbers) {
   const auto world = build(dome());
-  const SkinScalar* gap = scalarNamed(world->channels.get(), "gap");
+  const SkinScalar* gap = scalarNamed(world->body->channels.get(), "gap");
   ASSERT_NE(gap, nullptr);
   EXPECT_EQ(gap->least, 2.0);
   EXPECT_EQ(gap->greatest, 2.0);
   EXPECT_EQ(gap->histogram[0], 11u * 21u) << "the half that has a value";
-  const SkinScalar* height = scalarNamed(world->channels.get(), "");
+  const SkinScalar* height = scalarNamed(world->body->channels.get(), "");
   EXPECT_EQ(height->name, "height") << "an empty name means the first";
   EXPECT_EQ(std::accumulate(height->histogram.begin(), height->histogram.end(), std::size_t{0}), 441u);
-  EXPECT_EQ(scalarNamed(world->channels.get(), "depth"), nullptr);
-  EXPECT_EQ(scalarNames(world->channels.get()), "height, gap");
+  EXPECT_EQ(scalarNamed(world->body->channels.get(), "depth"), nullptr);
+  EXPECT_EQ(scalarNames(world->body->channels.get()), "height, gap");
 }
 
 TEST_F(ChannelsOf, AMeshThatLacksTheOneAskedForSaysSo) {

@@ -24,18 +24,19 @@ World worldWith(const std::string& toml) {
   const Scene scene = parse(toml + finger, "s.toml");
   world.deformation = formsOf(scene);
   world.contours = contoursOf(scene, {});
-  world.reach = reachOf(scene, world.skin, world.anatomy, world.surface.tree, nullptr);
+  world.reach = reachOf(scene, world.body->skin, world.body->anatomy, world.surface.geometry->tree, nullptr);
   return world;
 }
 
 contact::FingerOutput dragging(const World& world) {
   contact::FingerOutput finger{};
   const Index triangle = 1000;
-  const auto& [a, b, c] = world.skin.triangles[triangle];
-  const Vec3 normal = mesh::areaVector2(world.skin.positions[a], world.skin.positions[b], world.skin.positions[c]);
+  const auto& [a, b, c] = world.body->skin.triangles[triangle];
+  const Vec3 normal =
+      mesh::areaVector2(world.body->skin.positions[a], world.body->skin.positions[b], world.body->skin.positions[c]);
   finger.normal = normal.normalized();
   const Vec3 along = finger.normal.unitOrthogonal();
-  finger.anchor = centreOf(world.skin, world.skin.triangles[triangle]);
+  finger.anchor = centreOf(world.body->skin, world.body->skin.triangles[triangle]);
   finger.proxy = finger.anchor + 2.0 * along;
   finger.tip = finger.proxy - 6.0 * finger.normal;
   finger.force = 3.0 * finger.normal - 1.0 * along;
@@ -92,7 +93,7 @@ TEST(SkinContact, EllipseOfTheNearestVertexAsPrinted) {  // 5.2
   World world = worldWith("");
   world.scene.ellipses.place = EllipsePlace::nearest_vertex;
   contact::FingerOutput finger = dragging(world);
-  const Vec3 corner = world.skin.positions[world.skin.triangles[finger.anchor_triangle][1]];
+  const Vec3 corner = world.body->skin.positions[world.body->skin.triangles[finger.anchor_triangle][1]];
   const auto expected = world.ellipses.on(corner, finger.normal);
   finger.anchor = 0.7 * corner + 0.3 * finger.anchor;
   const Vec3 near = contactOf(world, finger)->tangential_region.half_major;

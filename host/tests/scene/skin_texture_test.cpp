@@ -42,24 +42,26 @@ class SkinTextureOf : public testing::Test {
 
 TEST_F(SkinTextureOf, ABodyLiesOnTheSkinAsItsFileSays) {
   const auto world = build(sceneOf("file = \"ball.obj\"\nunit = \"cm\"\nscale = 0.5\ntexture = \"skin.png\""));
-  ASSERT_TRUE(world->texture);
-  EXPECT_EQ(world->texture->picture, kPng);
-  const auto expected = support::cornersBy(support::onSphere, world->skin);
-  ASSERT_EQ(world->texture->corners.size(), expected.size());
+  ASSERT_TRUE(world->body->texture);
+  EXPECT_EQ(world->body->texture->picture, kPng);
+  const auto expected = support::cornersBy(support::onSphere, world->body->skin);
+  ASSERT_EQ(world->body->texture->corners.size(), expected.size());
   for (std::size_t t = 0; t < expected.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
-      EXPECT_LT((world->texture->corners[t][i] - expected[t][i]).norm(), 1e-4f) << t;
+      EXPECT_LT((world->body->texture->corners[t][i] - expected[t][i]).norm(), 1e-4f) << t;
     }
   }
 }
 
-TEST_F(SkinTextureOf, ABodyIsNoneUnlessItIsAskedFor) { EXPECT_FALSE(build(sceneOf("file = \"ball.obj\""))->texture); }
+TEST_F(SkinTextureOf, ABodyIsNoneUnlessItIsAskedFor) {
+  EXPECT_FALSE(build(sceneOf("file = \"ball.obj\""))->body->texture);
+}
 
 TEST_F(SkinTextureOf, ABodyStaysWhenOnlyTheMapsChange) {
   const auto world = build(sceneOf("file = \"ball.obj\"\ntexture = \"skin.png\""));
   Scene scene = world->scene;
   scene.stiffness.constant_n_per_mm = 0.9;
-  EXPECT_EQ(rebuilt(*world, scene)->texture, world->texture);
+  EXPECT_EQ(rebuilt(*world, scene)->body->texture, world->body->texture);
 }
 
 TEST_F(SkinTextureOf, ABodyIsWrittenWithItsScene) {
@@ -83,11 +85,11 @@ TEST_F(SkinTextureOf, ABuiltInBodyCanBeMade) {
   const std::string finger = kFinger;
   const auto world =
       build(parse("[body]\nkind = \"back\"\ntexture = \"made:9\"\n" + finger, (folder_ / "s.toml").string()));
-  ASSERT_TRUE(world->texture && world->texture->made);
-  const MadeSkin& made = *world->texture->made;
+  ASSERT_TRUE(world->body->texture && world->body->texture->made);
+  const MadeSkin& made = *world->body->texture->made;
   EXPECT_EQ(made.seed, 9u);
-  EXPECT_TRUE(world->texture->picture.empty());
-  EXPECT_EQ(world->texture->corners.size(), world->skin.triangles.size());
+  EXPECT_TRUE(world->body->texture->picture.empty());
+  EXPECT_EQ(world->body->texture->corners.size(), world->body->skin.triangles.size());
   EXPECT_NEAR(made.size_mm.x(), 350.0, 1.0);
   EXPECT_NEAR(made.size_mm.y(), 400.0, 1.0);
   ASSERT_GE(made.spine_mm.size(), 12u);
@@ -115,17 +117,18 @@ TEST_F(SkinTextureOf, AMadeBodyNeedsAWholeNumberAndABuiltInBody) {
 TEST_F(SkinTextureOf, ABuiltInBodyIsSeenFromBehindInItsLeftHalfAndFromTheFrontInItsRight) {
   const auto world =
       build(parse("[body]\ntriangles = 8000\ntexture = \"skin.png\"\n" + kFinger, (folder_ / "s.toml").string()));
-  ASSERT_TRUE(world->texture);
-  ASSERT_EQ(world->texture->corners.size(), world->skin.triangles.size());
-  const Eigen::AlignedBox3d box = mesh::boundingBox(world->skin);
+  ASSERT_TRUE(world->body->texture);
+  ASSERT_EQ(world->body->texture->corners.size(), world->body->skin.triangles.size());
+  const Eigen::AlignedBox3d box = mesh::boundingBox(world->body->skin);
   std::size_t backs = 0;
-  for (std::size_t t = 0; t < world->skin.triangles.size(); ++t) {
-    const Triangle& corners = world->skin.triangles[t];
-    const auto at = [&](std::size_t i) { return world->skin.positions[corners[i]]; };
+  for (std::size_t t = 0; t < world->body->skin.triangles.size(); ++t) {
+    const Triangle& corners = world->body->skin.triangles[t];
+    const auto at = [&](std::size_t i) { return world->body->skin.positions[corners[i]]; };
     const bool back = (at(1) - at(0)).cross(at(2) - at(0)).z() >= 0.0;
     backs += back ? 1 : 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto& [across, up] = std::pair(world->texture->corners[t][i].x(), world->texture->corners[t][i].y());
+      const auto& [across, up] =
+          std::pair(world->body->texture->corners[t][i].x(), world->body->texture->corners[t][i].y());
       EXPECT_EQ(back, across <= 0.5f && !(across == 0.5f && !back)) << t;
       // From behind the person's right (+x) is on the right of a photograph, from the front on its left.
       const double right = (at(i).x() - box.min().x()) / box.sizes().x();
@@ -133,8 +136,8 @@ TEST_F(SkinTextureOf, ABuiltInBodyIsSeenFromBehindInItsLeftHalfAndFromTheFrontIn
       EXPECT_NEAR(up, (at(i).y() - box.min().y()) / box.sizes().y(), 1e-6);
     }
   }
-  EXPECT_GT(backs, world->skin.triangles.size() / 4);
-  EXPECT_LT(backs, 3 * world->skin.triangles.size() / 4);
+  EXPECT_GT(backs, world->body->skin.triangles.size() / 4);
+  EXPECT_LT(backs, 3 * world->body->skin.triangles.size() / 4);
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ std::shared_ptr<const World> onBone(const Scene& scene) {
 }
 
 double forceAt(const World& world, double depth_mm) {
-  return tissue::normalForce(world.surface.force_law, world.stiffness_n_per_mm.front(), depth_mm, kBoneMm);
+  return tissue::normalForce(world.surface.force_law, world.surface.stiffness_n_per_mm.front(), depth_mm, kBoneMm);
 }
 
 bool isHooke(const World& world) { return std::abs(forceAt(world, 8.0) - 4.0 * forceAt(world, 2.0)) < 1e-9; }
@@ -41,7 +41,7 @@ bool isHooke(const World& world) { return std::abs(forceAt(world, 8.0) - 4.0 * f
 bool movesInLayers(const World& world) {
   contact::FingerOutput finger;
   finger.triangle = finger.anchor_triangle = 300;
-  finger.anchor = world.skin.positions[world.skin.triangles[300][0]];
+  finger.anchor = world.body->skin.positions[world.body->skin.triangles[300][0]];
   finger.proxy = finger.anchor + Vec3(2.0, 0.0, 0.0);
   finger.tip = finger.proxy - Vec3(0.0, 0.0, 6.0);
   finger.normal = Vec3::UnitZ();
@@ -227,9 +227,10 @@ TEST_F(EveryKey, MeasuredContoursAreWhereATenthOfALayeredDragIsLeft) {
                    (folder_ / "s.toml").string()));
   contact::FingerOutput finger;
   finger.triangle = finger.anchor_triangle = 300;
-  const Triangle& corners = world->skin.triangles[300];
-  finger.anchor =
-      (world->skin.positions[corners[0]] + world->skin.positions[corners[1]] + world->skin.positions[corners[2]]) / 3.0;
+  const Triangle& corners = world->body->skin.triangles[300];
+  finger.anchor = (world->body->skin.positions[corners[0]] + world->body->skin.positions[corners[1]] +
+                   world->body->skin.positions[corners[2]]) /
+                  3.0;
   finger.proxy = finger.anchor + Vec3(0.0, 2.0, 0.0);
   finger.tip = finger.proxy - Vec3(0.0, 0.0, 4.0);
   finger.normal = Vec3::UnitZ();

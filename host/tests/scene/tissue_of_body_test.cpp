@@ -27,10 +27,11 @@ std::shared_ptr<const World> trunk(const std::function<void(Scene&)>& change = [
 
 /// The vertex of the back nearest to a place in words.
 Index vertexAt(const World& world, const std::string& words) {
-  const Vec3 place = body::placeNamed(world.anatomy.landmarks, words).point;
+  const Vec3 place = body::placeNamed(world.body->anatomy.landmarks, words).point;
   Index nearest = 0;
-  for (Index v = 0; v < world.skin.positions.size(); ++v) {
-    if ((world.skin.positions[v] - place).norm() < (world.skin.positions[nearest] - place).norm()) nearest = v;
+  for (Index v = 0; v < world.body->skin.positions.size(); ++v) {
+    if ((world.body->skin.positions[v] - place).norm() < (world.body->skin.positions[nearest] - place).norm())
+      nearest = v;
   }
   return nearest;
 }
@@ -38,12 +39,12 @@ Index vertexAt(const World& world, const std::string& words) {
 /// A finger that presses and drags at a vertex.
 contact::FingerOutput fingerAt(const World& world, Index vertex, double depth_mm, const Vec3& drag_mm = Vec3::Zero()) {
   contact::FingerOutput finger;
-  for (Index t = 0; t < world.skin.triangles.size(); ++t) {
-    const Triangle& corners = world.skin.triangles[t];
+  for (Index t = 0; t < world.body->skin.triangles.size(); ++t) {
+    const Triangle& corners = world.body->skin.triangles[t];
     if (std::find(corners.begin(), corners.end(), vertex) != corners.end()) finger.anchor_triangle = t;
   }
   finger.triangle = finger.anchor_triangle;
-  finger.anchor = world.skin.positions[vertex];
+  finger.anchor = world.body->skin.positions[vertex];
   finger.proxy = finger.anchor + drag_mm;
   finger.normal = Vec3::UnitZ();
   finger.depth_mm = depth_mm;
@@ -63,8 +64,8 @@ TEST(LayeredBody, IsOneWithBonesThatNoOtherFormIsAskedFor) {
 TEST(LayeredBody, WithoutLayersFeelsAsItDidBefore) {
   const auto world = trunk([](Scene& s) { s.deformation.tissue = TissueModel::gaussian; });
   EXPECT_EQ(tissue::normalForce(world->surface.force_law, 0.5, 3.0), 1.5) << "Hooke's law";
-  const std::vector<double> map = maps::stiffnessFromDepth(world->anatomy.depth_mm, world->scene.stiffness.depth);
-  EXPECT_EQ(world->stiffness_n_per_mm, map);
+  const std::vector<double> map = maps::stiffnessFromDepth(world->body->anatomy.depth_mm, world->scene.stiffness.depth);
+  EXPECT_EQ(world->surface.stiffness_n_per_mm, map);
 }
 
 TEST(LayeredBody, PushesBackAsTheSolvedStackOfThePlace) {
@@ -72,10 +73,11 @@ TEST(LayeredBody, PushesBackAsTheSolvedStackOfThePlace) {
   const tissue::LayeredTissue library(tissue::libraryNodes(fatOf(world->scene)));
   for (const char* place : {"T6", "T9 right 32 mm", "L3", "L3 right 40 mm", "T4 left 60 mm"}) {
     const Index v = vertexAt(*world, place);
-    const double thickness = std::clamp(world->anatomy.depth_mm[v], library.thinnest(), library.thickest());
+    const double thickness = std::clamp(world->body->anatomy.depth_mm[v], library.thinnest(), library.thickest());
     EXPECT_EQ(world->surface.tissue_mm[v], thickness);
     for (const double depth : {2.0, 5.0, 7.5, 10.0}) {
-      const double felt = tissue::normalForce(world->surface.force_law, world->stiffness_n_per_mm[v], depth, thickness);
+      const double felt =
+          tissue::normalForce(world->surface.force_law, world->surface.stiffness_n_per_mm[v], depth, thickness);
       const double solved = depth * library.secantAt(thickness, depth);
       EXPECT_NEAR(felt / solved, 1.0, thickness < 12.0 && depth > 7.0 ? 0.25 : 0.05) << place << " " << depth << " mm";
     }
@@ -87,7 +89,7 @@ TEST(LayeredBody, ThinTissueIsStifferAndItsDentNarrower) {
   const Index bony = vertexAt(*world, "T6");
   const Index soft = vertexAt(*world, "L3 right 40 mm");
   ASSERT_LT(world->surface.tissue_mm[bony] + 10.0, world->surface.tissue_mm[soft]);
-  EXPECT_GT(world->stiffness_n_per_mm[bony], 1.3 * world->stiffness_n_per_mm[soft]);
+  EXPECT_GT(world->surface.stiffness_n_per_mm[bony], 1.3 * world->surface.stiffness_n_per_mm[soft]);
   const auto width_at = [&](Index v) {
     const deform::Contact contact = contactOf(*world, fingerAt(*world, v, 8.0)).value();
     const tissue::PressCurves& press = contact.layered.value().press;
@@ -156,8 +158,8 @@ double tenthOf(const tissue::LayeredCurve& drag) {
 // What `palpate measure session` writes: a trunk with a person's own points, and the 2 mm contour as the boundary.
 TEST(LayeredBody, OfAMeasuredPersonHasLayersBonesAndTheEllipsesThatWereMeasured) {
   const auto average = trunk();
-  const Vec3 t6 = body::placeNamed(average->anatomy.landmarks, "T6").point;
-  const Vec3 flank = body::placeNamed(average->anatomy.landmarks, "L3 right 60").point;
+  const Vec3 t6 = body::placeNamed(average->body->anatomy.landmarks, "T6").point;
+  const Vec3 flank = body::placeNamed(average->body->anatomy.landmarks, "L3 right 60").point;
   support::TemporaryFolder folder;
   std::ofstream(folder / "person.csv") << "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg\n"
                                        << fmt::format("P1,{},{},72,1.4,25\n", t6.x(), t6.y())
@@ -169,7 +171,8 @@ TEST(LayeredBody, OfAMeasuredPersonHasLayersBonesAndTheEllipsesThatWereMeasured)
   ASSERT_TRUE(person->layered);
   const auto force = [](const World& world, const char* words) {
     const Index v = vertexAt(world, words);
-    return tissue::normalForce(world.surface.force_law, world.stiffness_n_per_mm[v], 5.0, world.surface.tissue_mm[v]);
+    return tissue::normalForce(world.surface.force_law, world.surface.stiffness_n_per_mm[v], 5.0,
+                               world.surface.tissue_mm[v]);
   };
   const double bony = force(*person, "T6") / force(*person, "L3 right 60");
   EXPECT_GT(bony, 2.0);
@@ -189,8 +192,8 @@ TEST(LayeredBody, PushesBackOnAFingerByItsRadiusUnlessTheSceneSaysNo) {
     const double tissue_mm = world.surface.tissue_mm[vertex];
     std::vector<double> felt;
     for (const double radius : {0.0, 4.0, 8.0, 12.0}) {
-      felt.push_back(
-          tissue::normalForce(world.surface.force_law, world.stiffness_n_per_mm[vertex], 5.0, {tissue_mm, radius}));
+      felt.push_back(tissue::normalForce(world.surface.force_law, world.surface.stiffness_n_per_mm[vertex], 5.0,
+                                         {tissue_mm, radius}));
     }
     return felt;
   };
@@ -210,15 +213,15 @@ TEST(LayeredBody, NarrowBoneIsFeltSofterAndWideBoneAsItWas) {
   const auto narrow = trunk([](Scene& s) { s.tissue.narrow_bone = true; });
   const auto force = [](const World& world, const std::string& place) {
     const Index vertex = vertexAt(world, place);
-    return tissue::normalForce(world.surface.force_law, world.stiffness_n_per_mm[vertex], 5.0,
+    return tissue::normalForce(world.surface.force_law, world.surface.stiffness_n_per_mm[vertex], 5.0,
                                tissue::PressedPlace{world.surface.tissue_mm[vertex], 8.0});
   };
   EXPECT_LT(force(*narrow, "T6"), 0.9 * force(*wide, "T6")) << "a spinous process";
   EXPECT_GT(force(*narrow, "T6"), 0.5 * force(*wide, "T6"));
-  for (Index v = 0; v < wide->skin.positions.size(); ++v) {
+  for (Index v = 0; v < wide->body->skin.positions.size(); ++v) {
     ASSERT_GE(narrow->surface.tissue_mm[v], wide->surface.tissue_mm[v]);
-    const bool deep = wide->anatomy.depth_mm[v] > 30.0;
-    ASSERT_TRUE(!deep || narrow->stiffness_n_per_mm[v] == wide->stiffness_n_per_mm[v]) << v;
+    const bool deep = wide->body->anatomy.depth_mm[v] > 30.0;
+    ASSERT_TRUE(!deep || narrow->surface.stiffness_n_per_mm[v] == wide->surface.stiffness_n_per_mm[v]) << v;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "host/tests/scene/dome_scene.h"
+#include "palpate/base/random.h"
 #include "palpate/scene/errata.h"
 #include "support/error_message.h"
 
@@ -29,11 +30,11 @@ TEST_F(WorldOf, ItsForceLawComesWithTheTableOfItsFile) {
 TEST_F(WorldOf, AMeshIsScaledOrderedAndEquallyStiff) {
   writeDome("dome.obj");
   const auto world = build(meshScene("unit = \"cm\"\nscale = 0.1\n"));
-  EXPECT_EQ(world->skin.triangles.size(), 800u);
-  EXPECT_NEAR(mesh::boundingBox(world->skin).sizes().x(), 200.0, 1e-3);
-  EXPECT_FALSE(world->closed);
-  EXPECT_EQ(world->stiffness_n_per_mm, std::vector<double>(441, 0.5));
-  EXPECT_TRUE(world->anatomy.bones.empty());
+  EXPECT_EQ(world->body->skin.triangles.size(), 800u);
+  EXPECT_NEAR(mesh::boundingBox(world->body->skin).sizes().x(), 200.0, 1e-3);
+  EXPECT_FALSE(world->body->closed);
+  EXPECT_EQ(world->surface.stiffness_n_per_mm, std::vector<double>(441, 0.5));
+  EXPECT_TRUE(world->body->anatomy.bones.empty());
 }
 
 TEST_F(WorldOf, ADysfunctionOffTheBodyIsNoted) {
@@ -79,9 +80,10 @@ TEST_F(WorldOf, MeasuredStiffnessIsInterpolatedAsTheSceneSays) {
   };
   for (const std::string word : {"thin_plate", "polynomial"}) {  // both reproduce a plane
     const auto world = built("interpolation = \"" + word + "\"\npolynomial_degree = 1\n");
-    for (std::size_t v = 0; v < world->skin.positions.size(); ++v) {
-      const Vec3& p = world->skin.positions[v];
-      EXPECT_NEAR(world->stiffness_n_per_mm[v], std::max(0.5 + 0.002 * p.x() + 0.004 * p.y(), 0.05), 1e-9) << word;
+    for (std::size_t v = 0; v < world->body->skin.positions.size(); ++v) {
+      const Vec3& p = world->body->skin.positions[v];
+      EXPECT_NEAR(world->surface.stiffness_n_per_mm[v], std::max(0.5 + 0.002 * p.x() + 0.004 * p.y(), 0.05), 1e-9)
+          << word;
     }
     ASSERT_EQ(world->notes.size(), 1u) << "the corner falls below a quarter of the least";
     EXPECT_EQ(rebuilt(*world, world->scene)->notes, world->notes) << "said once, however often it is built";
@@ -91,18 +93,91 @@ TEST_F(WorldOf, MeasuredStiffnessIsInterpolatedAsTheSceneSays) {
   EXPECT_EQ(messageOfBuild(built("")->scene), "no error");
 }
 
+TEST_F(WorldOf, AnotherDysfunctionSharesTheBodyAndAllThatIsHealthy) {
+  Scene scene;
+  scene.body.triangles = 8000;
+  const auto world = build(scene);
+  scene.dysfunctions = {{.x_mm = 30.0, .y_mm = 40.0, .radius_mm = 25.0}};
+  const auto changed = rebuilt(*world, scene);
+  EXPECT_EQ(changed->body, world->body);
+  EXPECT_EQ(changed->deformable, world->deformable);
+  EXPECT_EQ(changed->healthy, world->healthy);
+  EXPECT_EQ(changed->reach, world->reach);
+  EXPECT_NE(changed->surface.stiffness_n_per_mm, world->surface.stiffness_n_per_mm);
+  scene.tissue.fat_mm = 20.0;
+  const auto fatter = rebuilt(*changed, scene);
+  EXPECT_EQ(fatter->body, world->body);
+  EXPECT_NE(fatter->healthy, world->healthy);
+}
+
+/// Settings that decide what a rebuilt world may take over, changed at random.
+Scene changedScene(const Scene& before, Random& random) {
+  Scene scene = before;
+  switch (random.below(8)) {
+    case 0:
+      scene.dysfunctions.push_back({.x_mm = random.uniform(-120.0, 120.0),
+                                    .y_mm = random.uniform(-150.0, 150.0),
+                                    .radius_mm = random.uniform(0.0, 60.0),
+                                    .change_percent = random.uniform(-100.0, 900.0),
+                                    .edge_softness = random.uniform(0.0, 1.0)});
+      break;
+    case 1:
+      scene.dysfunctions.clear();
+      break;
+    case 2:
+      scene.tissue.fat_mm = random.uniform(0.0, 20.0);
+      break;
+    case 3:
+      scene.tissue.narrow_bone = !scene.tissue.narrow_bone;
+      break;
+    case 4:
+      scene.stiffness.variation.variation = random.below(2) == 0 ? 0.0 : 0.3;
+      break;
+    case 5:
+      scene.deformation.tissue = random.below(2) == 0 ? TissueModel::layered : TissueModel::gaussian;
+      break;
+    case 6:
+      scene.stiffness.source = random.below(2) == 0 ? StiffnessSource::automatic : StiffnessSource::constant;
+      break;
+    default:
+      scene.deformation.forms.common.tissue.normal_cap_mm = random.uniform(5.0, 30.0);
+  }
+  return scene;
+}
+
+TEST_F(WorldOf, RebuiltItIsAsIfItWereBuilt) {
+  for (const BodyKind kind : {BodyKind::torso, BodyKind::trunk}) {
+    Scene scene;
+    scene.body.kind = kind;
+    scene.body.triangles = 8000;
+    auto world = build(scene);
+    Random random(12);
+    for (int step = 0; step < 4; ++step) {
+      scene = changedScene(changedScene(scene, random), random);
+      world = rebuilt(*world, scene);
+      const auto fresh = build(scene);
+      EXPECT_EQ(world->surface.stiffness_n_per_mm, fresh->surface.stiffness_n_per_mm) << step;
+      EXPECT_EQ(world->surface.tissue_mm, fresh->surface.tissue_mm) << step;
+      EXPECT_EQ(world->deformable->thickness_mm, fresh->deformable->thickness_mm) << step;
+      EXPECT_EQ(world->notes, fresh->notes) << step;
+      EXPECT_EQ(world->layered != nullptr, fresh->layered != nullptr) << step;
+      EXPECT_EQ(world->reach != nullptr, fresh->reach != nullptr) << step;
+    }
+  }
+}
+
 TEST_F(WorldOf, ADysfunctionChangesTheStiffnessWhereItIs) {
   writeDome("dome.obj");
   const auto world = build(meshScene("[[dysfunction]]\nx_mm = 50\nradius_mm = 20\nchange_percent = -40\n"));
   std::size_t in_the_middle = 0, outside = 0;
-  for (std::size_t v = 0; v < world->skin.positions.size(); ++v) {
-    const Vec3& p = world->skin.positions[v];
+  for (std::size_t v = 0; v < world->body->skin.positions.size(); ++v) {
+    const Vec3& p = world->body->skin.positions[v];
     const double distance = (p.head<2>() - Vec2(50, 0)).norm();
     if (distance < 1e-6) {
-      EXPECT_NEAR(world->stiffness_n_per_mm[v], 0.3, 1e-12);
+      EXPECT_NEAR(world->surface.stiffness_n_per_mm[v], 0.3, 1e-12);
       ++in_the_middle;
     } else if (distance > 20.0) {
-      EXPECT_EQ(world->stiffness_n_per_mm[v], 0.5);
+      EXPECT_EQ(world->surface.stiffness_n_per_mm[v], 0.5);
       ++outside;
     }
   }
@@ -141,18 +216,18 @@ TEST_F(WorldOf, RebuiltIsWhatBuildingAnewGives) {
   scene.dysfunctions.push_back({50.0, 50.0, 30.0, 80.0, 0.5});
   const auto again = rebuilt(*first, scene);
   const auto anew = build(scene);
-  EXPECT_EQ(again->stiffness_n_per_mm, anew->stiffness_n_per_mm);
-  EXPECT_NE(again->stiffness_n_per_mm, first->stiffness_n_per_mm);
-  EXPECT_EQ(again->skin.triangles, anew->skin.triangles);
+  EXPECT_EQ(again->surface.stiffness_n_per_mm, anew->surface.stiffness_n_per_mm);
+  EXPECT_NE(again->surface.stiffness_n_per_mm, first->surface.stiffness_n_per_mm);
+  EXPECT_EQ(again->body->skin.triangles, anew->body->skin.triangles);
   EXPECT_EQ(again->notes, anew->notes);
-  EXPECT_EQ(again->surface.closed, anew->surface.closed);
+  EXPECT_EQ(again->surface.geometry->closed, anew->surface.geometry->closed);
 }
 
 TEST_F(WorldOf, TheTorsoIsStifferOverBoneAndKnowsItsLandmarks) {
   const auto world = build(parse(
       "[body]\nkind = \"torso\"\ntriangles = 8163\n[[finger]]\nname = \"a\"\nscript = [{ do = \"press\" }]\n", "s"));
-  const Anatomy& anatomy = world->anatomy;
-  ASSERT_EQ(anatomy.depth_mm.size(), world->skin.positions.size());
+  const Anatomy& anatomy = world->body->anatomy;
+  ASSERT_EQ(anatomy.depth_mm.size(), world->body->skin.positions.size());
   EXPECT_EQ(anatomy.bones.size(), body::kBoneCount);
   std::size_t shallow = 0;
   std::size_t deep = 0;
@@ -160,7 +235,7 @@ TEST_F(WorldOf, TheTorsoIsStifferOverBoneAndKnowsItsLandmarks) {
     if (anatomy.depth_mm[v] < anatomy.depth_mm[shallow]) shallow = v;
     if (anatomy.depth_mm[v] > anatomy.depth_mm[deep]) deep = v;
   }
-  EXPECT_GT(world->stiffness_n_per_mm[shallow], 1.5 * world->stiffness_n_per_mm[deep]);
+  EXPECT_GT(world->surface.stiffness_n_per_mm[shallow], 1.5 * world->surface.stiffness_n_per_mm[deep]);
 }
 
 }  // namespace

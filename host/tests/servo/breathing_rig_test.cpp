@@ -28,9 +28,10 @@ std::shared_ptr<const scene::World> breathing(const std::string& more = "") {
 
 /// The skin of the world where its breath has taken it, built anew.
 contact::Surface movedSurface(const scene::World& world, double lift_mm) {
-  mesh::TriangleMesh skin = world.skin;
+  mesh::TriangleMesh skin = world.body->skin;
   for (Vec3& p : skin.positions) p = world.breath->moved(p, lift_mm);
-  contact::Surface surface = contact::buildSurface(skin, world.stiffness_n_per_mm, {world.surface.force_law, false});
+  contact::Surface surface =
+      contact::buildSurface(skin, world.surface.stiffness_n_per_mm, {world.surface.force_law, false});
   surface.tissue_mm = world.surface.tissue_mm;
   return surface;
 }
@@ -55,7 +56,7 @@ TEST(BreathingRig, FeelsWhatASkinThatWasBuiltMovedWouldGive) {
       const Vec3 above(world->scene.fingers[0].at_mm.x() + aside.x(), world->scene.fingers[0].at_mm.y() + aside.y(),
                        400);
       const contact::Surface moved = movedSurface(*world, 2.0);
-      const Vec3 skin = tree::firstFrontCrossing(moved.tree, above, above - Vec3(0, 0, 500)).point;
+      const Vec3 skin = tree::firstFrontCrossing(moved.geometry->tree, above, above - Vec3(0, 0, 500)).point;
       const Vec3 tip = skin + Vec3(0, 0, radius_mm - 5.0);
       FingerSolvers solvers = makeSolvers(world->surface, nullptr, 1, world->breath);
       contact::FingerState state, other;
@@ -80,7 +81,7 @@ TEST(BreathingRig, AFingerThatKeepsStillIsPressedHarderAsTheBodyBreathesIn) {
   contact::FingerState state;
   const Vec2 at = world->scene.fingers[0].at_mm;
   const Vec3 above(at.x(), at.y(), 400);
-  const Vec3 skin = tree::firstFrontCrossing(world->surface.tree, above, above - Vec3(0, 0, 500)).point;
+  const Vec3 skin = tree::firstFrontCrossing(world->surface.geometry->tree, above, above - Vec3(0, 0, 500)).point;
   double least = 1e9, most = 0.0, step = 0.0, before = 0.0;
   for (std::uint64_t tick = 0; tick < 9000; ++tick) {
     const double share = std::min(1.0, static_cast<double>(tick) / 500.0);

@@ -72,7 +72,7 @@ TEST(HdbRig, GivesTheSameBitsTwice) {
 
 /// Other settings for the same body, ready for a running rig.
 FingerSolvers rebuilt(const scene::World& world, const hdb::BuildSettings& settings, std::size_t fingers) {
-  auto partition = std::make_shared<const hdb::Partition>(hdb::buildPartition(world.skin, settings));
+  auto partition = std::make_shared<const hdb::Partition>(hdb::buildPartition(world.body->skin, settings));
   return makeSolvers(world.surface, hdb::makeHdbSurface(world.surface, std::move(partition), world.hdb->settings),
                      fingers);
 }

@@ -107,7 +107,7 @@ TEST_P(FrictionUnderLaw, AQuietPressGivesItsEnergyBack) {
   for (const double radius_mm : {0.0, 8.0}) {
     for (const Vec2& at : {Vec2(175, 200), Vec2(190, 210), Vec2(240, 120), Vec2(100, 262)}) {
       const Vec3 above(at.x(), at.y(), 300.0);
-      const tree::Crossing hit = tree::firstFrontCrossing(world.surface.tree, above, above - Vec3(0, 0, 600));
+      const tree::Crossing hit = tree::firstFrontCrossing(world.surface.geometry->tree, above, above - Vec3(0, 0, 600));
       contact::FingerSettings settings = fingerOf(radius_mm);
       settings.mu_static = settings.mu_dynamic = 0.0;
       contact::FingerState state;

@@ -29,6 +29,7 @@ TEST(BenchLoadCommand, SplitsTheWayFromAFileToAForce) {
   EXPECT_GT(sum, 0.0);
   EXPECT_LE(sum, json["seconds"].get<double>());
   EXPECT_GT(json["tree_bytes_per_triangle"].get<double>(), 96.0) << "a record alone has so many";
+  EXPECT_GT(json["change_ms"].get<double>(), 0.0);
   EXPECT_GT(json["peers"]["assimp"]["seconds"].get<double>(), 0.0);
   EXPECT_GT(json["ratio_to"]["assimp"].get<double>(), 0.0);
   EXPECT_FALSE(json["machine"]["cpu"].get<std::string>().empty());

@@ -63,7 +63,9 @@ TEST(BenchPeers, WithoutTheirProgramAreSkippedAndNoPackageIsBlamed) {
   // A copy elsewhere has no palpate_peers beside it, as an installed command.
   const support::TemporaryFolder folder;
   const auto copy = folder.path() / "palpate";
-  std::filesystem::copy_file(std::filesystem::path(PALPATE_BINARY_DIR) / "palpate", copy);
+  for (const char* program : {"palpate", "palpate-study"}) {
+    std::filesystem::copy_file(std::filesystem::path(PALPATE_BINARY_DIR) / program, folder.path() / program);
+  }
   const std::string run =
       "study bench contact --mesh back_2962 --trajectory back_slide --from 2.2 --to 3 --peers --peer-seconds 0.2";
   const support::CommandResult text = support::runProgram(copy, run);

@@ -1,5 +1,6 @@
-// `palpate recording report` from the outside: a page that a strict parser reads and that needs nothing else, numbers that agree
-// with those counted from the exported table, and something to read of every session that can be read at all.
+// `palpate recording report` from the outside: a page that a strict parser reads and that needs nothing else, numbers
+// that agree with those counted from the exported table, and something to read of every session that can be read at
+// all.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,13 +11,13 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/kit/readable_text.h"
-#include "report/recording/session_report.h"
 #include "palpate/base/random.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/trace/database.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/sample_block.h"
+#include "report/recording/session_report.h"
 #include "support/mesh_zoo.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"

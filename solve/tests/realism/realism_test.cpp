@@ -44,8 +44,8 @@ TEST(Realism, TheSkinOverLayersIsThatOfFiniteElements) {
   }
 }
 
-/// Beside the spine, blended from the shipped stacks; the truth is solved here. `palpate tissue realism --radius` goes over
-/// six places and five radii.
+/// Beside the spine, blended from the shipped stacks; the truth is solved here. `palpate tissue realism --radius` goes
+/// over six places and five radii.
 TEST(Realism, TheForceOnAFingerIsThatOfASphereOfItsRadius) {
   const auto layered = std::make_shared<const tissue::LayeredTissue>(tissue::libraryNodes(8.0));
   const tissue::LayerStack stack = tissue::libraryStack(35.0, tissue::libraryFatShare(35.0, 8.0));

@@ -133,7 +133,8 @@ void readRetention(const scene::TomlTable& table, Retention& retention) {
 
 std::string retentionText(const Retention& retention) {
   return fmt::format(
-      "# Days after a sitting for which rows, and session files, are kept; `palpate train results purge` forgets what is "
+      "# Days after a sitting for which rows, and session files, are kept; `palpate train results purge` forgets what "
+      "is "
       "older.\nretain_days = {}\nretain_samples_days = {}\n",
       retention.days, retention.samples_days);
 }

@@ -150,7 +150,8 @@ TEST(ClassCommand, ACodeIsFoundByTheClassesSecret) {
   }
   EXPECT_EQ(runPalpate("train results trainee " + code + " a.results", folder.path()).exit_code, 2);
   EXPECT_EQ(runPalpate("train results trainee " + code + " a.results --class osteo", folder.path()).exit_code, 0);
-  EXPECT_EQ(runPalpate("train results trainee " + code + " a.results", folder.path()).exit_code, 0) << "it is remembered";
+  EXPECT_EQ(runPalpate("train results trainee " + code + " a.results", folder.path()).exit_code, 0)
+      << "it is remembered";
 }
 
 TEST(ClassCommand, AStationsFolderIsNoInstructors) {

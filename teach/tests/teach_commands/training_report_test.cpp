@@ -1,6 +1,6 @@
-// `palpate train results report` of a record of training, from the outside: a page that a strict parser reads and that needs nothing
-// else, for nobody, one and many; numbers that tools/check_report.py computes again from the exported tables; nobody's
-// name.
+// `palpate train results report` of a record of training, from the outside: a page that a strict parser reads and that
+// needs nothing else, for nobody, one and many; numbers that tools/check_report.py computes again from the exported
+// tables; nobody's name.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -213,8 +213,9 @@ TEST_F(TrainingReport, ATraineeSeesOthersQuartilesOnlyWhereFiveStandBehindThem) 
 TEST_F(TrainingReport, WhatIsNoRecordIsRefusedInOneLine) {
   write("broken.results", "SQLite format 3, but not really a database at all");
   write("run.session", "no session");
-  for (const char* arguments : {"train results report broken.results", "train results report missing.results", "train results report run.session --class",
-                                "train results report class.results --class --trainee X"}) {
+  for (const char* arguments :
+       {"train results report broken.results", "train results report missing.results",
+        "train results report run.session --class", "train results report class.results --class --trainee X"}) {
     make(0);
     const CommandResult result = palpate(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;

@@ -466,21 +466,20 @@ std::shared_ptr<const scene::World> smallTorso() {
   return world;
 }
 
-/// A mode behind training, as a package of another product brings one: counts what comes through to it.
+/// A mode behind training, as the package that measures photographs brings one: counts what would open it.
 class ShutMode final : public Mode {
  public:
   Claims claims() const override { return {}; }
-  bool handle(const window::InputEvent& /*event*/, Session& /*session*/, bool /*typing*/) override { return count(); }
-  bool handle(const window::Command& /*command*/, Session& /*session*/) override { return count(); }
-  bool handle(const Request& /*request*/, Session& /*session*/) override { return count(); }
-
-  int reached = 0;
-
- private:
-  bool count() {
-    ++reached;
+  bool handle(const window::Command& command, Session& /*session*/) override {
+    reached += command.action == window::Action::measure_person ? 1 : 0;
     return false;
   }
+  bool handle(const Request& request, Session& /*session*/) override {
+    reached += std::holds_alternative<OpenFile>(request) ? 1 : 0;
+    return false;
+  }
+
+  int reached = 0;
 };
 
 /// Somebody at a training window: keys, frames, and what is in the record.
@@ -587,8 +586,8 @@ class TrainingSeat {
 
   const view::OffscreenContext context;
   std::unique_ptr<Viewer> viewer;
-  const TrainingMode* training = nullptr;    ///< the viewer's
-  const ShutMode* shut = nullptr;  ///< and one that nothing may open
+  const TrainingMode* training = nullptr;  ///< the viewer's
+  const ShutMode* shut = nullptr;          ///< and one that nothing may open
   double now_s = 0.0;
 };
 

@@ -188,7 +188,7 @@ TEST_F(Trainee, FeelsTheTwelveSitesOfTheTrunkAndLeavesItsFrontAlone) {
   const HiddenNow hidden{.site = 8, .change = 0.5};
   const auto slow = scene::rebuilt(*body_, trialScene(scene, protocol_, SittingKind::pre_test, sites_, hidden));
   const TrialWorlds made = worlds();
-  EXPECT_EQ(made.with(hidden)->stiffness_n_per_mm, slow->stiffness_n_per_mm);
+  EXPECT_EQ(made.with(hidden)->surface.stiffness_n_per_mm, slow->surface.stiffness_n_per_mm);
   BodyTouch touch(made, sites_, {});
   touch.change(hidden);
   for (const Site& site : sites_.sites) {

@@ -37,12 +37,12 @@ std::shared_ptr<const scene::World> flatBack(const scene::Scene& wished) {
 std::pair<double, double> stiffnessAround(const scene::World& world, const Vec2& place, double from, double to) {
   double least = 1e9;
   double greatest = 0.0;
-  for (std::size_t i = 0; i < world.skin.positions.size(); ++i) {
-    const Vec3& point = world.skin.positions[i];
+  for (std::size_t i = 0; i < world.body->skin.positions.size(); ++i) {
+    const Vec3& point = world.body->skin.positions[i];
     const double distance = std::hypot(point.x() - place.x(), point.y() - place.y());
     if (distance < from || distance > to) continue;
-    least = std::min(least, world.stiffness_n_per_mm[i]);
-    greatest = std::max(greatest, world.stiffness_n_per_mm[i]);
+    least = std::min(least, world.surface.stiffness_n_per_mm[i]);
+    greatest = std::max(greatest, world.surface.stiffness_n_per_mm[i]);
   }
   return {least, greatest};
 }

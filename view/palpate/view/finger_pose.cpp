@@ -31,9 +31,9 @@ struct Support {
 };
 
 Vec3 deformedAnchor(const scene::World& world, const DrawnSkin& skin, const contact::FingerOutput& contact) {
-  const Triangle& corners = world.skin.triangles[contact.anchor_triangle];
+  const Triangle& corners = world.body->skin.triangles[contact.anchor_triangle];
   Corners rest;
-  for (int i = 0; i < 3; ++i) rest[i] = world.skin.positions[corners[i]];
+  for (int i = 0; i < 3; ++i) rest[i] = world.body->skin.positions[corners[i]];
   const Vec3 weights = tree::barycentricWeights(rest, contact.anchor);
   Vec3 place = Vec3::Zero();
   for (int i = 0; i < 3; ++i) place += weights[i] * skin.at(corners[i]);
@@ -41,19 +41,20 @@ Vec3 deformedAnchor(const scene::World& world, const DrawnSkin& skin, const cont
 }
 
 Vec3 smoothNormal(const contact::Surface& surface, Index record_index, const Vec3& place) {
-  const tree::TriangleRecord& record = surface.tree.records[record_index];
+  const tree::TriangleRecord& record = surface.geometry->tree.records[record_index];
   const Vec3 weights = tree::barycentricWeights(record.corners, place);
   Vec3 normal = Vec3::Zero();
-  for (int i = 0; i < 3; ++i) normal += weights[i] * surface.vertex_normals[record.vertices[i]];
+  for (int i = 0; i < 3; ++i) normal += weights[i] * surface.geometry->vertex_normals[record.vertices[i]];
   return normal.norm() > 0.0 ? Vec3(normal.normalized()) : Vec3(Vec3::UnitZ());
 }
 
 Support supportOf(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger) {
   const contact::FingerOutput& contact = finger.contact;
-  if (contact.touch != contact::Touch::free && contact.anchor_triangle < world.skin.triangles.size()) {
+  if (contact.touch != contact::Touch::free && contact.anchor_triangle < world.body->skin.triangles.size()) {
     return {deformedAnchor(world, skin, contact), contact.normal, contact.anchor};
   }
-  const auto nearest = tree::nearestPoint(world.surface.tree, contact.tip, std::numeric_limits<double>::max());
+  const auto nearest =
+      tree::nearestPoint(world.surface.geometry->tree, contact.tip, std::numeric_limits<double>::max());
   if (nearest.triangle == kNoIndex) return {contact.tip, Vec3::UnitZ(), contact.tip};
   const Vec3 normal = smoothNormal(world.surface, nearest.triangle, nearest.closest.point);
   return {contact.tip - finger.haptic_radius_mm * normal, normal, nearest.closest.point};
@@ -61,8 +62,8 @@ Support supportOf(const scene::World& world, const DrawnSkin& skin, const Finger
 
 std::vector<Corners> skinAround(const scene::World& world, const DrawnSkin& skin, const Vec3& rest, double reach) {
   std::vector<Corners> triangles;
-  tree::visitNearTriangles(world.surface.tree, rest, reach * reach, [&](Index record, const auto&) {
-    triangles.push_back(deformedCorners(skin, world.surface.tree.records[record]));
+  tree::visitNearTriangles(world.surface.geometry->tree, rest, reach * reach, [&](Index record, const auto&) {
+    triangles.push_back(deformedCorners(skin, world.surface.geometry->tree.records[record]));
     return reach * reach;
   });
   return triangles;

@@ -69,11 +69,11 @@ SkinPlace placeAt(const contact::Surface& surface, const Vec3& point, Index tria
 }  // namespace
 
 Vec3 smoothedNormal(const contact::Surface& surface, const Vec3& point, Index triangle, double radius_mm) noexcept {
-  const Vec3 own = areaNormal(surface.tree.records[triangle]);
+  const Vec3 own = areaNormal(surface.geometry->tree.records[triangle]);
   const double limit = radius_mm * radius_mm;
   Vec3 sum = own;
-  tree::visitNearTriangles(surface.tree, point, limit, [&](Index t, const tree::ClosestOnTriangle& closest) {
-    const Vec3 normal = areaNormal(surface.tree.records[t]);
+  tree::visitNearTriangles(surface.geometry->tree, point, limit, [&](Index t, const tree::ClosestOnTriangle& closest) {
+    const Vec3 normal = areaNormal(surface.geometry->tree.records[t]);
     // Near triangles count more, and fade out at the radius: the normal changes without jumps as the point moves.
     if (normal.dot(own) > 0.0) sum += (1.0 - closest.squared_distance / limit) * normal;
     return limit;
@@ -83,14 +83,15 @@ Vec3 smoothedNormal(const contact::Surface& surface, const Vec3& point, Index tr
 }
 
 std::optional<SkinPlace> skinAlong(const contact::Surface& surface, const Ray& ray) noexcept {
-  const double reach = (ray.origin - surface.tree.center).norm() + surface.tree.diagonal;
-  const tree::Crossing hit = tree::firstFrontCrossing(surface.tree, ray.origin, ray.origin + reach * ray.direction);
+  const double reach = (ray.origin - surface.geometry->tree.center).norm() + surface.geometry->tree.diagonal;
+  const tree::Crossing hit =
+      tree::firstFrontCrossing(surface.geometry->tree, ray.origin, ray.origin + reach * ray.direction);
   if (hit.triangle == kNoIndex) return std::nullopt;
   return placeAt(surface, hit.point, hit.triangle);
 }
 
 std::optional<SkinPlace> skinNear(const contact::Surface& surface, const Vec3& point, double reach_mm) noexcept {
-  const tree::NearestPoint nearest = tree::nearestPoint(surface.tree, point, reach_mm);
+  const tree::NearestPoint nearest = tree::nearestPoint(surface.geometry->tree, point, reach_mm);
   if (nearest.triangle == kNoIndex) return std::nullopt;
   return placeAt(surface, nearest.closest.point, nearest.triangle);
 }

@@ -71,7 +71,7 @@ struct Painter::Parts {
   explicit Parts(std::shared_ptr<const scene::World> shown) : world(std::move(shown)), renderer(world) { measure(); }
 
   void measure() {
-    with_support = box = mesh::boundingBox(world->skin);
+    with_support = box = mesh::boundingBox(world->body->skin);
     if (const auto slab = supportSlab(*world)) with_support.extend(slab->box());
   }
 

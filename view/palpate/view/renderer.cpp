@@ -24,19 +24,6 @@ namespace palpate::view {
 
 namespace {
 
-bool areSame(const mesh::TriangleMesh& a, const mesh::TriangleMesh& b) {
-  return a.triangles == b.triangles && a.positions == b.positions;
-}
-
-/// Whether two worlds differ only in what lies on the body (stiffness, ellipses, force law, deformation): the same
-/// skin, bones and texture, vertex by vertex, as scene::rebuilt leaves them. A few ms for a million triangles.
-bool haveSameBody(const scene::World& a, const scene::World& b) {
-  const auto same_bone = [](const body::Bone& p, const body::Bone& q) { return areSame(p.mesh, q.mesh); };
-  return a.texture == b.texture && a.channels == b.channels && areSame(a.skin, b.skin) &&
-         std::equal(a.anatomy.bones.begin(), a.anatomy.bones.end(), b.anatomy.bones.begin(), b.anatomy.bones.end(),
-                    same_bone);
-}
-
 constexpr double kWireframePx = 0.8;
 /// Skin of a lighter tone gets a darker hand.
 constexpr double kLightBody = 2.5;
@@ -79,7 +66,7 @@ struct Renderer::Parts {
   std::vector<ShadowCaster> casters;
 
   void setWorld(std::shared_ptr<const scene::World> next) {
-    if (world && haveSameBody(*world, *next)) {
+    if (world && world->body == next->body) {
       skin.setMapsOf(*next);
       bones.setSameBody(*next);
     } else {
@@ -126,7 +113,7 @@ struct Renderer::Parts {
 
   /// From outside of an opaque skin without a border; the near plane must not cut it open either.
   bool hidesBones(const Look& look, const Viewpoint& viewpoint) {
-    return look.skin_opacity >= 1.0 && world->closed &&
+    return look.skin_opacity >= 1.0 && world->body->closed &&
            skin.buffers().box().exteriorDistance(viewpoint.eye) > viewpoint.near_mm;
   }
 
@@ -166,7 +153,7 @@ Renderer::~Renderer() = default;
 
 void Renderer::setWorld(std::shared_ptr<const scene::World> world) {
   parts_->setWorld(std::move(world));
-  updateAll(deform::DeformedSurface(parts_->world->deformable));
+  updateAll(deform::DeformedSurface(*parts_->world->deformable));
 }
 
 Index Renderer::update(const deform::DeformedSurface& surface) {

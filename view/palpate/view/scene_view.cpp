@@ -12,10 +12,10 @@ namespace palpate::view {
 namespace {
 
 Camera cameraOf(const scene::World& world, const scene::ViewSettings& view, double aspect) {
-  Camera camera = fitted(mesh::boundingBox(world.skin), aspect, view.side);
+  Camera camera = fitted(mesh::boundingBox(world.body->skin), aspect, view.side);
   camera.yaw_rad += kRadPerDeg * view.yaw_deg;
   camera.pitch_rad = std::clamp(camera.pitch_rad + kRadPerDeg * view.pitch_deg, -kRadPerDeg * 89.9, kRadPerDeg * 89.9);
-  camera = fitted(mesh::boundingBox(world.skin), aspect, camera);
+  camera = fitted(mesh::boundingBox(world.body->skin), aspect, camera);
   // A longer lens from the same place: it never enters the body.
   camera.height_rad = 2.0 * std::atan(std::tan(0.5 * camera.height_rad) / view.zoom);
   if (view.look_at_mm) camera.centre = *view.look_at_mm;
@@ -31,8 +31,8 @@ ColourRange rangeOf(const Values& values, const ColourRange& fallback) {
 
 std::vector<double> skinHalfMajors(const scene::World& world) {
   std::vector<double> lengths;
-  lengths.reserve(world.skin.positions.size());
-  for (const Vec3& place : world.skin.positions) {
+  lengths.reserve(world.body->skin.positions.size());
+  for (const Vec3& place : world.body->skin.positions) {
     lengths.push_back(world.ellipses.at(place.x(), place.y()).half_major_mm);
   }
   return lengths;
@@ -55,7 +55,7 @@ Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
   look.texture = view.texture;
   look.detail = view.detail;
   look.strain_percent = {-world.scene.strain.range_percent, world.scene.strain.range_percent};
-  look.stiffness_n_per_mm = rangeOf(world.stiffness_n_per_mm, look.stiffness_n_per_mm);
+  look.stiffness_n_per_mm = rangeOf(world.surface.stiffness_n_per_mm, look.stiffness_n_per_mm);
   showScalar(world, view.scalar, look);
   look.scalar_map = view.scalar_map;
   if (look.colouring == Colouring::ellipses) look.half_major_mm = rangeOf(skinHalfMajors(world), look.half_major_mm);
@@ -78,7 +78,7 @@ StereoSettings stereoOf(const scene::ViewSettings& view) {
 }  // namespace
 
 void showScalar(const scene::World& world, std::string_view name, Look& look) {
-  const scene::SkinScalar* scalar = scene::scalarNamed(world.channels.get(), name);
+  const scene::SkinScalar* scalar = scene::scalarNamed(world.body->channels.get(), name);
   if (scalar == nullptr) return;
   look.scalar = scalar->name;
   const bool varies = scalar->least < scalar->greatest;

@@ -173,8 +173,8 @@ Eigen::AlignedBox3d SupportSlab::box() const {
 }
 
 std::optional<SupportSlab> supportSlab(const scene::World& world) {
-  const auto& support = world.anatomy.support;
-  if (!support || world.skin.positions.empty()) return std::nullopt;
+  const auto& support = world.body->anatomy.support;
+  if (!support || world.body->skin.positions.empty()) return std::nullopt;
   SupportSlab slab;
   slab.up = support->normal;
   const bool sits = std::abs(slab.up.y()) > std::numbers::sqrt2 / 2;  // cranial is up
@@ -182,7 +182,7 @@ std::optional<SupportSlab> supportSlab(const scene::World& world) {
   slab.along = (axis - axis.dot(slab.up) * slab.up).normalized();
   Mat3 axes;
   axes << slab.across(), slab.along, slab.up;
-  const Eigen::AlignedBox3d body = boxAlong(axes, world.skin);
+  const Eigen::AlignedBox3d body = boxAlong(axes, world.body->skin);
   Vec3 middle = body.center();
   middle.z() = support->point.dot(slab.up) - kOutsideMm;
   slab.middle = axes * middle;
@@ -205,13 +205,13 @@ SupportShape supportShape(const SupportSlab& slab, const scene::World& world) {
   SupportShape shape;
   const std::vector<OutlinePoint> outline = slabOutline(slab);
   const std::vector<SlabRing> rings = ringsOf(slab);
-  const std::vector<ShadePatch> patches = shadePatches(world.skin, slab.up);
+  const std::vector<ShadePatch> patches = shadePatches(world.body->skin, slab.up);
   const auto round = static_cast<Index>(outline.size());
   for (const SlabRing& ring : rings) {
     for (const OutlinePoint& point : outline) {
       shape.vertices.push_back(vertexOf(slab, ring, point));
       SupportVertex& vertex = shape.vertices.back();
-      if (ring.up > 0.0) vertex.sky = skyOver(vertex, patches) * nearSkin(vertex, world.surface.tree);
+      if (ring.up > 0.0) vertex.sky = skyOver(vertex, patches) * nearSkin(vertex, world.surface.geometry->tree);
     }
   }
   for (Index ring = 0; ring + 1 < rings.size(); ++ring) {

@@ -5,6 +5,7 @@
 
 #include "palpate/view/overlays/marks.h"
 #include "palpate/view/picture.h"
+#include "support/changed_body.h"
 #include "view/tests/view/small_world.h"
 
 namespace palpate::view {
@@ -18,7 +19,7 @@ body::SkinLandmark landmarkAt(const std::string& name, const Vec3& place) {
 
 std::shared_ptr<const scene::World> worldWith(mesh::TriangleMesh mesh, std::vector<body::SkinLandmark> landmarks) {
   auto world = std::make_shared<scene::World>(*worldOf(std::move(mesh)));
-  world->anatomy.landmarks = std::move(landmarks);
+  support::changeBody(*world, [&](scene::Body& body) { body.anatomy.landmarks = std::move(landmarks); });
   return world;
 }
 
@@ -35,7 +36,7 @@ std::vector<std::string> wordsSeen(const std::vector<const BodyName*>& names) {
 
 TEST(BodyNames, LieOnTheSkinWithTheirSitesAndKeepToItsTriangles) {
   const auto world = flatBack();
-  const deform::DeformedSurface rest(world->deformable);
+  const deform::DeformedSurface rest(*world->deformable);
   const std::vector<BodyName> names = bodyNames(*world);
   ASSERT_EQ(names.size(), 4u) << "T6, the PSIS, and the two sites beside T6";
   EXPECT_EQ(names[0].words, "T6");
@@ -107,7 +108,7 @@ TEST(NamesInPictures, HaveTheirDotsWhereTheSkinIs) {
   const PictureSettings settings = namedView(StereoMode::mono);
   const Screen screen = screenOf(settings.camera, 16.0 / 9.0);
   const Frustum frustum = frustumOf(screen, settings.camera.eye(), 1.0, 1e4);
-  const Image image = picture(world, deform::DeformedSurface(world->deformable), {}, settings, kNamesPicture);
+  const Image image = picture(world, deform::DeformedSurface(*world->deformable), {}, settings, kNamesPicture);
   for (const Vec3& place : {Vec3(50, 50, 0), Vec3(30, 20, 0), Vec3(80, 50, 0)}) {
     const Vec2 seen = seenAt(frustum, place).cwiseProduct(Vec2(kNamesPicture.width, kNamesPicture.height));
     EXPECT_LT((dotNear(image, seen) - seen).norm(), 1.0) << place.transpose();
@@ -117,7 +118,7 @@ TEST(NamesInPictures, HaveTheirDotsWhereTheSkinIs) {
 TEST(NamesInPictures, EachEyeSeesTheDotsOnTheSkin) {
   const auto world = flatBack();
   const PictureSettings settings = namedView(StereoMode::sbs_full);
-  const Image image = picture(world, deform::DeformedSurface(world->deformable), {}, settings, kNamesPicture);
+  const Image image = picture(world, deform::DeformedSurface(*world->deformable), {}, settings, kNamesPicture);
   const Vec2 half(0.5 * kNamesPicture.width, kNamesPicture.height);
   const Eyes eyes = eyesOf(settings.camera, settings.stereo, half.x() / half.y());
   for (const Eye eye : {Eye::left, Eye::right}) {
@@ -132,7 +133,8 @@ TEST(NamesInPictures, ANoteSaysWhenTheBodyHasNone) {
   const PictureSettings settings = namedView(StereoMode::mono);
   for (const bool named : {true, false}) {
     const auto world = named ? flatBack() : flatWorld();
-    const auto notes = Studio(world).take(deform::DeformedSurface(world->deformable), {}, settings, {160, 90, 1}).notes;
+    const auto notes =
+        Studio(world).take(deform::DeformedSurface(*world->deformable), {}, settings, {160, 90, 1}).notes;
     using Notes = std::vector<std::string>;
     EXPECT_EQ(notes, named ? Notes() : Notes{"this body has no named places"});
   }

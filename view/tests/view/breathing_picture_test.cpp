@@ -40,14 +40,14 @@ script = [{ do = "hold" }]
   settings.look.shading = Shading::gouraud;
   settings.look.plain_background = 0.0;
   settings.camera.centre = Vec3(0, -150, 60);
-  const deform::DeformedSurface rest(world->deformable);
+  const deform::DeformedSurface rest(*world->deformable);
   Studio studio(world);
   const Image out = studio.take(rest, {}, settings, kSize).image;
   const Image in = studio.take(rest, {.fingers = {}, .lift_mm = 10.0}, settings, kSize).image;
   const double pixels_per_mm =
       kSize.height / (2.0 * settings.camera.distance_mm * std::tan(0.5 * settings.camera.height_rad));
   const auto row = [&](const char* name) {
-    for (const auto& landmark : world->anatomy.landmarks) {
+    for (const auto& landmark : world->body->anatomy.landmarks) {
       if (landmark.name == name) {
         return static_cast<int>(kSize.height * 0.5 -
                                 pixels_per_mm * (landmark.position.y() - settings.camera.centre.y()));

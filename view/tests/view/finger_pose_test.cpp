@@ -16,7 +16,7 @@ namespace {
 /// By brute force: from the ball's centre to the nearest deformed triangle.
 double distanceToSkin(const scene::World& world, const deform::DeformedSurface& surface, const Vec3& centre) {
   double nearest = 1e300;
-  for (const Triangle& triangle : world.skin.triangles) {
+  for (const Triangle& triangle : world.body->skin.triangles) {
     std::array<Vec3, 3> corners;
     for (int i = 0; i < 3; ++i) corners[i] = surface.positionAt(triangle[i]).cast<double>();
     nearest = std::min(nearest, tree::closestOnTriangle(corners, centre).squared_distance);

@@ -23,7 +23,7 @@ std::shared_ptr<const scene::World> torso() {
 /// On the back, seen from behind.
 Vec3 skinAt(const scene::World& world, double x_mm, double y_mm) {
   const Vec3 over(x_mm, y_mm, 1000.0);
-  return tree::firstFrontCrossing(world.surface.tree, over, over - 2000.0 * Vec3::UnitZ()).point;
+  return tree::firstFrontCrossing(world.surface.geometry->tree, over, over - 2000.0 * Vec3::UnitZ()).point;
 }
 
 /// The torso with two fingers: one presses, one presses and drags.

@@ -66,7 +66,7 @@ TEST(PartitionMarks, HoldEveryTriangleWhoseBoxMeetsTheDetectingBox) {
   DrawnSkin skin;
   skin.copyAll(deformedBy(*world, {}));
   ShownPartition shown = partitionOf(*world);
-  shown.partition = std::make_shared<hdb::Partition>(hdb::buildPartition(world->skin, {.threshold = 64}));
+  shown.partition = std::make_shared<hdb::Partition>(hdb::buildPartition(world->body->skin, {.threshold = 64}));
   shown.box_edges_mm = Vec3::Constant(20.0);
   contact::FingerOutput contact{};
   contact.proxy = {40.0, 60.0, 0.0};
@@ -74,17 +74,17 @@ TEST(PartitionMarks, HoldEveryTriangleWhoseBoxMeetsTheDetectingBox) {
   addHapticTriangles(shown, *world, skin, contact, patches);
   std::set<std::array<float, 2>> corners;
   for (const auto& point : patches.points) corners.insert({point.place.x(), point.place.y()});
-  for (const Vec3& p : world->skin.positions) {
+  for (const Vec3& p : world->body->skin.positions) {
     if ((p - contact.proxy).head<2>().lpNorm<Eigen::Infinity>() < 10.0) {
       EXPECT_TRUE(corners.contains({static_cast<float>(p.x()), static_cast<float>(p.y())}));
     }
   }
-  EXPECT_LT(patches.points.size(), 3 * world->skin.triangles.size()) << "and not the whole skin";
+  EXPECT_LT(patches.points.size(), 3 * world->body->skin.triangles.size()) << "and not the whole skin";
 }
 
 TEST(PartitionMarks, ColourPlanesByTheirAxis) {
   const auto world = worldOf(zoo::sphere(50.0));
-  const auto tree = hdb::buildPartition(world->skin, {.tree = hdb::TreeKind::Octree, .threshold = 400});
+  const auto tree = hdb::buildPartition(world->body->skin, {.tree = hdb::TreeKind::Octree, .threshold = 400});
   Lines lines;
   Patches patches;
   addPlanes(tree, lines, patches);
@@ -211,11 +211,11 @@ TEST(OverlayKey, SaysWhenDentsAreShadedMoreThanLightWould) {
 
 /// Steps along edges from the nearest corner of a triangle, for every vertex.
 std::vector<int> stepsFrom(const scene::World& world, Index triangle) {
-  std::vector<int> steps(world.skin.positions.size(), 1000);
-  for (const Index v : world.skin.triangles[triangle]) steps[v] = 0;
+  std::vector<int> steps(world.body->skin.positions.size(), 1000);
+  for (const Index v : world.body->skin.triangles[triangle]) steps[v] = 0;
   for (bool changed = true; changed;) {
     changed = false;
-    for (const Triangle& t : world.skin.triangles) {
+    for (const Triangle& t : world.body->skin.triangles) {
       for (int i = 0; i < 6; ++i) {
         const Index from = t[i % 3];
         const Index to = t[(i + 1 + i / 3) % 3];
@@ -237,7 +237,7 @@ TEST(SkinMarks, DrawTheEdgesWithinEachRingOfNeighbours) {
   constexpr int kRings = 3;
   const std::vector<int> steps = stepsFrom(*world, kTriangle);
   std::set<std::pair<Index, Index>> edges;
-  for (const Triangle& t : world->skin.triangles) {
+  for (const Triangle& t : world->body->skin.triangles) {
     for (int i = 0; i < 3; ++i) {
       const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
       if (steps[low] == steps[high] && steps[low] <= kRings) edges.insert({low, high});

@@ -6,6 +6,7 @@
 
 #include "palpate/view/overlays/legend.h"
 #include "pictures/image_compare.h"
+#include "support/changed_body.h"
 #include "view/tests/view/small_world.h"
 
 namespace palpate::view {
@@ -59,7 +60,7 @@ double blueMiddle(const Image& image, const Half& half) {
 
 TEST(Picture, ShowsAPlaceToBothEyesWithTheParallaxOfItsDistance) {
   const auto world = flatWorld();
-  const deform::DeformedSurface rest(world->deformable);
+  const deform::DeformedSurface rest(*world->deformable);
   const PictureSettings settings = settingsFor(StereoMode::sbs_full);
   Studio studio(world);
   for (const double above : {10.0, 60.0, 100.0}) {
@@ -152,7 +153,9 @@ TEST(Picture, HasDarkLettersOnPaperAndOnALightGround) {
 
 TEST(Picture, ChangesWithEveryOverlay) {
   const auto named = std::make_shared<scene::World>(*flatWorld());
-  named->anatomy.landmarks = {{"spinous_T6", "T6", {20.0, 20.0, 0.0}, Vec3::UnitZ(), {20.0, 20.0, -10.0}}};
+  support::changeBody(*named, [](scene::Body& body) {
+    body.anatomy.landmarks = {{"spinous_T6", "T6", {20.0, 20.0, 0.0}, Vec3::UnitZ(), {20.0, 20.0, -10.0}}};
+  });
   const std::shared_ptr<const scene::World> world = named;
   const FingerMark fingers[] = {pressedFinger(*world, {50, 50, 0}, 6.0, {3, 0, 0})};
   const auto surface = deformedBy(*world, fingers);

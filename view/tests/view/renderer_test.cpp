@@ -29,7 +29,7 @@ struct Scene {
   std::shared_ptr<const scene::World> world;
   Target target{kWidth, kHeight};
   Renderer renderer{world};
-  Camera camera = fitted(mesh::boundingBox(world->skin), kAspect);
+  Camera camera = fitted(mesh::boundingBox(world->body->skin), kAspect);
   Look look;
   std::vector<FingerMark> fingers;
 
@@ -120,7 +120,7 @@ TEST(Renderer, ShowsAFieldThatWasEdited) {
   Scene scene;
   scene.look.colouring = Colouring::stiffness;
   const Image before = scene.draw();
-  const std::vector<float> stiffer(scene.world->skin.positions.size(), 0.9f);
+  const std::vector<float> stiffer(scene.world->body->skin.positions.size(), 0.9f);
   scene.renderer.setField(Colouring::stiffness, stiffer);
   EXPECT_NE(scene.draw().at(kWidth / 2, kHeight / 2), before.at(kWidth / 2, kHeight / 2));
 }
@@ -158,8 +158,8 @@ TEST(Renderer, DrawsTheBallInFrontOfTheSkinItPresses) {
 TEST(Renderer, UploadsOnlyWhatChanged) {
   Scene scene;
   const auto finger = pressedFinger(*scene.world, {30.0, 30.0, 0.0}, 5.0);
-  deform::Deformer deformer(scene.world->deformable);
-  deform::DeformedSurface surface(scene.world->deformable);
+  deform::Deformer deformer(*scene.world->deformable);
+  deform::DeformedSurface surface(*scene.world->deformable);
   const auto contact = deform::contactOf(finger.contact, maps::SurfaceEllipse{{15.0, 0.0, 0.0}, 1.0}, {});
   deformer.apply({&*contact, 1}, surface);
   Index changed = 0;
@@ -175,8 +175,8 @@ TEST(Renderer, UploadsOnlyWhatChanged) {
 TEST(Renderer, FollowsADeformationRangeByRange) {
   Scene scene;
   const auto finger = pressedFinger(*scene.world, {30.0, 30.0, 0.0}, 5.0);
-  deform::Deformer deformer(scene.world->deformable);
-  deform::DeformedSurface surface(scene.world->deformable);
+  deform::Deformer deformer(*scene.world->deformable);
+  deform::DeformedSurface surface(*scene.world->deformable);
   const Image rest = scene.draw();
   const auto contact = deform::contactOf(finger.contact, maps::SurfaceEllipse{{15.0, 0.0, 0.0}, 1.0}, {});
   deformer.apply({&*contact, 1}, surface);

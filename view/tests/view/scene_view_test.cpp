@@ -20,8 +20,8 @@ scene::ViewSettings parsed(const std::string& lines) {
 const scene::World& smallWorld() {
   static const scene::World world = [] {
     scene::World small = *flatWorld();
-    small.stiffness_n_per_mm.front() = 0.4;
-    small.stiffness_n_per_mm.back() = 1.0;
+    small.surface.stiffness_n_per_mm.front() = 0.4;
+    small.surface.stiffness_n_per_mm.back() = 1.0;
     return small;
   }();
   return world;

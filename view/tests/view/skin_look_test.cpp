@@ -11,6 +11,7 @@
 #include "palpate/view/scene_view.h"
 #include "palpate/view/skin_shade.h"
 #include "palpate/view/skin_tone.h"
+#include "support/changed_body.h"
 #include "view/tests/view/small_world.h"
 
 namespace palpate::view {
@@ -33,7 +34,7 @@ std::shared_ptr<const scene::World> torsoWorld() {
 
 Vec3 skinAt(const scene::World& world, double x_mm, double y_mm) {
   const Vec3 over(x_mm, y_mm, 1000.0);
-  return tree::firstFrontCrossing(world.surface.tree, over, over - 2000.0 * Vec3::UnitZ()).point;
+  return tree::firstFrontCrossing(world.surface.geometry->tree, over, over - 2000.0 * Vec3::UnitZ()).point;
 }
 
 /// Pictures of one world without labels, on black, so that what is drawn can be told from what is not.
@@ -229,7 +230,7 @@ TEST(BoneLook, IsHiddenByClosedSkinFromOutsideAndSeenFromWithin) {
   scene.body.triangles = 12000;
   const std::shared_ptr<const scene::World> world = scene::build(scene);
   auto boneless = std::make_shared<scene::World>(*world);
-  boneless->anatomy.bones.clear();
+  support::changeBody(*boneless, [](scene::Body& body) { body.anatomy.bones.clear(); });
   const auto differ = [&](const PictureSettings& settings) {
     const Image with_bones = picture(world, deformedBy(*world, {}), {}, settings, kSize);
     return with_bones.pixels != picture(boneless, deformedBy(*world, {}), {}, settings, kSize).pixels;
@@ -251,7 +252,7 @@ TEST(BoneLook, IsHiddenByClosedSkinFromOutsideAndSeenFromWithin) {
 TEST(BoneLook, IsOfOneIvory) {
   const std::shared_ptr<const scene::World> world = torsoWorld();
   auto boneless = std::make_shared<scene::World>(*world);
-  boneless->anatomy = {};
+  support::changeBody(*boneless, [](scene::Body& body) { body.anatomy = {}; });
   for (const double opacity : {0.0, 0.15, 1.0}) {
     const Image with_bones = bareSideOf(world, opacity);
     const Image without = bareSideOf(boneless, opacity);
@@ -311,22 +312,22 @@ TEST_F(SkinLook, HoldsTheWholeForearmBetweenItsPlanes) {
   // A hand pressed anywhere on the back reaches so far from it.
   const PictureSettings whole = settings();
   const Eyes eyes = eyesOf(whole.camera, whole.stereo, kLookAspect);
-  const DepthRange range = depthRangeOf(eyes, mesh::boundingBox(world_->skin), kRoomForHandsMm);
-  const double highest_skin = mesh::boundingBox(world_->skin).max().z();
+  const DepthRange range = depthRangeOf(eyes, mesh::boundingBox(world_->body->skin), kRoomForHandsMm);
+  const double highest_skin = mesh::boundingBox(world_->body->skin).max().z();
   EXPECT_LT(range.near_mm, whole.camera.eye().z() - highest_skin - 400.0);
   EXPECT_GT(range.near_mm, 0.0);
 }
 
 TEST(SkinShade, IsDarkInAFoldAndNotOnAPlane) {
   const auto flat = worldOf(zoo::grid(40, 400.0));
-  for (const float open : skyLeft(flat->deformable)) EXPECT_FLOAT_EQ(open, 1.0f);
+  for (const float open : skyLeft(*flat->deformable)) EXPECT_FLOAT_EQ(open, 1.0f);
   // A valley of a right angle: half of the sky at its ground, all of it on its crests.
   mesh::TriangleMesh valley = zoo::grid(40, 400.0);
   for (Vec3& p : valley.positions) p.z() = std::abs(p.x() - 200.0);
   const auto folded = worldOf(valley);
-  const std::vector<float> open = skyLeft(folded->deformable);
+  const std::vector<float> open = skyLeft(*folded->deformable);
   for (std::size_t v = 0; v < open.size(); ++v) {
-    const Vec3& p = folded->skin.positions[v];
+    const Vec3& p = folded->body->skin.positions[v];
     if (std::abs(p.y() - 200.0) > 80.0) continue;
     if (std::abs(p.x() - 200.0) < 1.0) {
       EXPECT_LT(open[v], 0.75f);

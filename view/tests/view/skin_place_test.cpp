@@ -5,6 +5,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/save.h"
+#include "support/changed_body.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
@@ -20,8 +21,10 @@ class SkinPlaceOnABall : public testing::Test {
     scene.body.kind = scene::BodyKind::mesh;
     scene.body.file = folder_ / "ball.ply";
     world_ = *scene::build(scene);
-    world_->anatomy.landmarks = {{"spinous_T6", "T6", {0, 0, 103}, Vec3::UnitZ(), {0, 0, 80}},
-                                 {"xiphoid_tip", "sternum", {0, 10, -98}, -Vec3::UnitZ(), {0, 10, -80}}};
+    support::changeBody(*world_, [](scene::Body& body) {
+      body.anatomy.landmarks = {{"spinous_T6", "T6", {0, 0, 103}, Vec3::UnitZ(), {0, 0, 80}},
+                                {"xiphoid_tip", "sternum", {0, 10, -98}, -Vec3::UnitZ(), {0, 10, -80}}};
+    });
   }
 
   support::TemporaryFolder folder_;
@@ -32,7 +35,7 @@ TEST_F(SkinPlaceOnABall, ALandmarkIsWhereTheSkinIsNearestToIt) {
   const SkinPlace place = skinPlace(*world_, "T6");
   EXPECT_LT((place.point - Vec3(0, 0, 100)).norm(), 0.5);
   EXPECT_GT(place.normal.z(), 0.99);
-  EXPECT_LT(place.triangle, world_->skin.triangles.size());
+  EXPECT_LT(place.triangle, world_->body->skin.triangles.size());
 }
 
 TEST_F(SkinPlaceOnABall, DistancesGoAcrossAndThenStraightDownToTheSkin) {
@@ -50,7 +53,7 @@ TEST_F(SkinPlaceOnABall, BesideTheBodyItIsTheSkinThatIsNearest) {
 
 TEST_F(SkinPlaceOnABall, WhatIsNoPlaceIsRefused) {
   EXPECT_THROW(skinPlace(*world_, "T66"), Error);
-  world_->anatomy.landmarks.clear();
+  support::changeBody(*world_, [](scene::Body& body) { body.anatomy.landmarks.clear(); });
   EXPECT_THROW(skinPlace(*world_, "T6"), Error);
 }
 

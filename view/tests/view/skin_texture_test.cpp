@@ -9,6 +9,7 @@
 #include "palpate/view/offscreen.h"
 #include "palpate/view/renderer.h"
 #include "palpate/view/skin_tone.h"
+#include "support/changed_body.h"
 #include "support/error_message.h"
 #include "view/tests/view/pixel_difference.h"
 #include "view/tests/view/textured_world.h"
@@ -56,7 +57,7 @@ class TexturedSkin : public testing::Test {
   TexturedSkin() { look_.finger = FingerShape::none; }
 
   Frustum frustumFor(const scene::World& world) const {
-    Camera camera = fitted(mesh::boundingBox(world.skin), kTexturedAspect);
+    Camera camera = fitted(mesh::boundingBox(world.body->skin), kTexturedAspect);
     camera.yaw_rad = yaw_rad_;
     return frustumOf(screenOf(camera, kTexturedAspect), camera.eye(), 10.0, 2000.0);
   }
@@ -157,8 +158,8 @@ TEST_F(TexturedSkin, FollowsADeformationRangeByRange) {
   const std::vector<FingerMark> fingers = {pressedFinger(*world, {50.0, 45.0, 0.0}, 8.0)};
   const Image expected = draw(world, fingers);
   Renderer renderer(world);
-  deform::Deformer deformer(world->deformable);
-  deform::DeformedSurface surface(world->deformable);
+  deform::Deformer deformer(*world->deformable);
+  deform::DeformedSurface surface(*world->deformable);
   const auto contact = deform::contactOf(fingers[0].contact, world->ellipses, {});
   deformer.apply({&*contact, 1}, surface);
   renderer.update(surface);
@@ -223,9 +224,11 @@ TEST_F(TexturedSkin, SaysWhichPictureIsBroken) {
 // A painted skin has factors on the tone: the tone is seen through it.
 TEST_F(TexturedSkin, OfAPaintedPictureFollowsTheTone) {
   const auto world = std::make_shared<scene::World>(*texturedWorld(zoo::grid(20, 100.0), support::onSheet, ""));
-  scene::SkinTexture texture = *world->texture;
+  scene::SkinTexture texture = *world->body->texture;
   texture.made = scene::MadeSkin{.seed = 3, .size_mm = {100.0, 100.0}};
-  world->texture = std::make_shared<const scene::SkinTexture>(std::move(texture));
+  support::changeBody(*world, [&](scene::Body& body) {
+    body.texture = std::make_shared<const scene::SkinTexture>(std::move(texture));
+  });
   for (const Shading shading : {Shading::skin, Shading::gouraud}) {
     look_.shading = shading;
     look_.skin_tone = 1.0;

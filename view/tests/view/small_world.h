@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "palpate/contact/finger.h"
 #include "palpate/deform/deformer.h"
 #include "palpate/deform/finger_contact.h"
-#include "palpate/scene/world.h"
+#include "palpate/scene/body_parts.h"
 #include "palpate/view/finger_pose.h"
 #include "support/mesh_zoo.h"
 
@@ -16,19 +18,23 @@ inline constexpr double kTestStiffness = 0.5;
 
 /// The mesh as it is, the same stiffness everywhere, no bones, no key points, circles of 50 mm.
 inline std::shared_ptr<const scene::World> worldOf(mesh::TriangleMesh mesh) {
-  auto world = std::make_shared<scene::World>(
-      scene::World{.scene = {},
-                   .body_name = "test",
-                   .skin = mesh,
-                   .stiffness_n_per_mm = std::vector<double>(mesh.positions.size(), kTestStiffness),
-                   .surface = contact::buildSurface(mesh, std::vector<double>(mesh.positions.size(), kTestStiffness)),
-                   .deformable = deform::buildSkin(mesh),
-                   .ellipses = maps::AnyEllipseMap({}, {.basic_radius_mm = 50.0}, {}),
-                   .deformation = {},
-                   .contours = {},
-                   .anatomy = {},
-                   .notes = {},
-                   .hdb = {}});
+  scene::BodyParts parts;
+  parts.name = "test";
+  parts.skin = std::move(mesh);
+  parts.self_intersecting = true;  // nobody has looked
+  const auto body = scene::builtBody(std::move(parts), {});
+  const std::vector<double> stiffness(body->skin.positions.size(), kTestStiffness);
+  auto world =
+      std::make_shared<scene::World>(scene::World{.scene = {},
+                                                  .body = body,
+                                                  .surface = contact::surfaceOf(body->geometry, stiffness),
+                                                  .deformable = {body, &body->deformable},
+                                                  .ellipses = maps::AnyEllipseMap({}, {.basic_radius_mm = 50.0}, {}),
+                                                  .deformation = {},
+                                                  .contours = {},
+                                                  .notes = {},
+                                                  .hdb = {},
+                                                  .healthy = {}});
   return world;
 }
 
@@ -61,8 +67,8 @@ inline deform::DeformedSurface deformedBy(const scene::World& world, std::span<c
       contacts.push_back(*contact);
     }
   }
-  deform::Deformer deformer(world.deformable, settings);
-  deform::DeformedSurface surface(world.deformable);
+  deform::Deformer deformer(*world.deformable, settings);
+  deform::DeformedSurface surface(*world.deformable);
   deformer.apply(contacts, surface);
   return surface;
 }

@@ -7,6 +7,7 @@
 #include "palpate/view/picture.h"
 #include "palpate/view/scene_view.h"
 #include "palpate/view/support_shape.h"
+#include "support/changed_body.h"
 #include "view/tests/view/small_world.h"
 
 namespace palpate::view {
@@ -17,8 +18,10 @@ constexpr PictureSize kSupportPicture{320, 240, 1};
 /// A ball of 200 mm that lies on, or sits on, a plane that touches it.
 std::shared_ptr<const scene::World> ballOn(const std::optional<Vec3>& up) {
   auto world = std::make_shared<scene::World>(*worldOf(zoo::sphere(100.0, 4, {10.0, 20.0, 30.0})));
-  world->closed = true;
-  if (up) world->anatomy.support = body::Support{Vec3(10.0, 20.0, 30.0) - 100.0 * *up, *up};
+  support::changeBody(*world, [&](scene::Body& body) {
+    body.closed = true;
+    if (up) body.anatomy.support = body::Support{Vec3(10.0, 20.0, 30.0) - 100.0 * *up, *up};
+  });
   return world;
 }
 
@@ -29,7 +32,7 @@ TEST(SupportShape, ATableIsWideAndASeatIsSmallAndBothLieJustOutsideTheBody) {
     const auto slab = supportSlab(*world);
     ASSERT_TRUE(slab);
     EXPECT_EQ(slab->up, up);
-    const double below = -slab->middle.dot(up) + world->anatomy.support->point.dot(up);
+    const double below = -slab->middle.dot(up) + world->body->anatomy.support->point.dot(up);
     EXPECT_GT(below, 0.05);
     EXPECT_LT(below, 1.0);
     const Vec3 size = slab->box().sizes();
@@ -88,7 +91,7 @@ PictureSettings lookingFrom(double yaw_deg, double pitch_deg) {
 }
 
 Image ballPicture(const std::shared_ptr<const scene::World>& world, const PictureSettings& settings) {
-  return picture(world, deform::DeformedSurface(world->deformable), {}, settings, kSupportPicture);
+  return picture(world, deform::DeformedSurface(*world->deformable), {}, settings, kSupportPicture);
 }
 
 /// Pixels that differ; `in_body`: of those that the ball alone covers, seen from straight behind.

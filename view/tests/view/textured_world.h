@@ -4,6 +4,7 @@
 #include "palpate/base/text.h"
 #include "palpate/scene/skin_texture.h"
 #include "palpate/view/image.h"
+#include "support/changed_body.h"
 #include "support/temporary_folder.h"
 #include "support/textured_bytes.h"
 #include "view/tests/view/small_world.h"
@@ -31,7 +32,9 @@ inline std::shared_ptr<const scene::World> texturedWorld(const mesh::TriangleMes
   texture.source.line = 4;
   texture.picture = picture;
   texture.corners = support::cornersBy(law, mesh);
-  world->texture = std::make_shared<const scene::SkinTexture>(std::move(texture));
+  support::changeBody(*world, [&](scene::Body& body) {
+    body.texture = std::make_shared<const scene::SkinTexture>(std::move(texture));
+  });
   return world;
 }
 

@@ -42,7 +42,7 @@ using PictureCount = CallCount<&epoxy_glGenerateMipmap, GLenum>;
 class ChangeOfWorld : public testing::Test {
  protected:
   Image draw(Renderer& renderer, const World& world, const std::vector<FingerMark>& fingers = {}) {
-    const Camera camera = fitted(mesh::boundingBox(world->skin), kTexturedAspect);
+    const Camera camera = fitted(mesh::boundingBox(world->body->skin), kTexturedAspect);
     target_.bind();
     Frame frame;
     frame.fingers = fingers;
@@ -90,7 +90,7 @@ TEST_F(ChangeOfWorld, MakesNoProgramAgain) {
 TEST_F(ChangeOfWorld, ForgetsWhatBelongedToTheOneBefore) {
   look_.colouring = Colouring::stiffness;
   Renderer renderer(sheet_);
-  const std::vector<float> soft(sheet_->skin.positions.size(), 0.1f);
+  const std::vector<float> soft(sheet_->body->skin.positions.size(), 0.1f);
   renderer.setField(Colouring::stiffness, soft);
   renderer.setWorld(sheet_);
   EXPECT_EQ(draw(renderer, sheet_).pixels, drawNew(sheet_).pixels);
@@ -99,7 +99,7 @@ TEST_F(ChangeOfWorld, ForgetsWhatBelongedToTheOneBefore) {
 /// What an edit of the maps makes of a world.
 World edited(const World& world, double stiffness_n_per_mm) {
   auto copy = std::make_shared<scene::World>(*world);
-  copy->stiffness_n_per_mm.assign(copy->stiffness_n_per_mm.size(), stiffness_n_per_mm);
+  copy->surface.stiffness_n_per_mm.assign(copy->surface.stiffness_n_per_mm.size(), stiffness_n_per_mm);
   copy->ellipses = maps::AnyEllipseMap({}, {.basic_radius_mm = 25.0}, {});
   return copy;
 }

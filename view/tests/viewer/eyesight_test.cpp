@@ -130,7 +130,7 @@ TEST(SceneLook, AScenesOwnViewShowsTheWholeBodyBesidePanelAndPlots) {
       const FreeArea free = freeArea(session.state.shown, kStageWidth, kStageHeight);
       const view::Screen screen = view::screenOf(session.camera, double{kStageWidth} / kStageHeight);
       const view::Frustum frustum = view::frustumOf(screen, session.camera.eye(), 1.0, 1e5);
-      for (const Vec3& place : world->skin.positions) {
+      for (const Vec3& place : world->body->skin.positions) {
         const Vec2 seen = view::seenAt(frustum, place).cwiseProduct(Vec2(kStageWidth, kStageHeight));
         ASSERT_TRUE(seen.x() >= free.left && seen.x() <= free.right && seen.y() >= free.top && seen.y() <= free.below)
             << words << ": " << seen.transpose();

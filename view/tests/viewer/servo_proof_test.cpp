@@ -124,7 +124,7 @@ TEST(ServoProof, TheServoThreadAllocatesNothing) {
   target.present = true;
   target.pressed = true;
   target.radius_mm = 8.0;
-  const auto place = view::skinNear(world->surface, mesh::boundingBox(world->skin).center(), 100.0);
+  const auto place = view::skinNear(world->surface, mesh::boundingBox(world->body->skin).center(), 100.0);
   ASSERT_TRUE(place);
   target.place = place->point;
   target.normal = place->normal;

@@ -202,15 +202,15 @@ TEST(Sessions, AnotherBodyIsShownOnlyWhileItsSessionIs) {
   SessionStage stage;
   stage.press(stage.middle());
   const std::string file = stage.keep();
-  const std::size_t triangles = stage.viewer->world().skin.triangles.size();
+  const std::size_t triangles = stage.viewer->world().body->skin.triangles.size();
   const fs::path other = stage.folder / "other.ply";
   mesh::save(other, zoo::wavyGrid(20, 200.0, 3.0));
   stage.drop(other);
-  ASSERT_TRUE(stage.until([&] { return stage.viewer->world().skin.triangles.size() < triangles; }));
+  ASSERT_TRUE(stage.until([&] { return stage.viewer->world().body->skin.triangles.size() < triangles; }));
   ASSERT_TRUE(stage.shows(file));
-  EXPECT_EQ(stage.viewer->world().skin.triangles.size(), triangles);
+  EXPECT_EQ(stage.viewer->world().body->skin.triangles.size(), triangles);
   stage.key(window::Key::space);
-  EXPECT_TRUE(stage.until([&] { return stage.viewer->world().skin.triangles.size() < triangles; }));
+  EXPECT_TRUE(stage.until([&] { return stage.viewer->world().body->skin.triangles.size() < triangles; }));
 }
 
 TEST(Sessions, WhatIsNoSessionIsAMessage) {

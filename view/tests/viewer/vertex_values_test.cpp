@@ -44,9 +44,9 @@ TEST_F(SheetWithNumbers, APressReadsTheNearestVertex) {
   ASSERT_TRUE(session().reading);
   const VertexReading& reading = *session().reading;
   const scene::World& world = stage_.viewer->world();
-  EXPECT_EQ(reading.place, world.skin.positions[reading.vertex]);
-  EXPECT_EQ(reading.in_file, world.channels->source_vertex[reading.vertex]);
-  EXPECT_EQ(reading.stiffness_n_per_mm, world.stiffness_n_per_mm[reading.vertex]);
+  EXPECT_EQ(reading.place, world.body->skin.positions[reading.vertex]);
+  EXPECT_EQ(reading.in_file, world.body->channels->source_vertex[reading.vertex]);
+  EXPECT_EQ(reading.stiffness_n_per_mm, world.surface.stiffness_n_per_mm[reading.vertex]);
   ASSERT_EQ(reading.scalars.size(), 2u);
   EXPECT_EQ(reading.where, "") << "a mesh has no names";
   EXPECT_EQ(reading.scalars[1].name, "twice");
@@ -58,7 +58,7 @@ TEST(VertexReading, SaysThePlaceAsAnExaminerDoesAndTheBoneBelow) {
   scene.body.kind = scene::BodyKind::torso;
   scene.body.triangles = 8163;
   const auto world = scene::build(scene);
-  const auto& marks = world->anatomy.landmarks;
+  const auto& marks = world->body->anatomy.landmarks;
   const auto t6 = std::find_if(marks.begin(), marks.end(), [](const auto& m) { return m.name == "spinous_T6"; });
   ASSERT_NE(t6, marks.end());
   const VertexReading at = readVertex(*world, t6->position);

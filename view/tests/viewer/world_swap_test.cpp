@@ -26,7 +26,7 @@ TEST(SceneFromFile, PutsTheFingersOfTheSceneBeforeOnAMesh) {
   const scene::Scene scene = sceneFromFile((folder / "ball.PLY").string(), like);
   EXPECT_EQ(scene.fingers[0].radius_mm, 5.0);
   EXPECT_TRUE(scene.dysfunctions.empty());
-  EXPECT_EQ(scene::build(scene)->body_name, "ball.PLY");
+  EXPECT_EQ(scene::build(scene)->body->name, "ball.PLY");
 }
 
 TEST(SceneFromFile, NamesAFileThatCannotBeRead) {
@@ -76,7 +76,7 @@ struct AtWork {
   Session session;
 };
 
-double heightOf(const scene::World& world) { return mesh::boundingBox(world.skin).sizes().z(); }
+double heightOf(const scene::World& world) { return mesh::boundingBox(world.body->skin).sizes().z(); }
 
 // The body was still being built when the slider was moved; the build that took its place kept the old body.
 TEST(WorldSwap, MakesTheBodyToldBeforeTheLastSlider) {
@@ -91,9 +91,9 @@ TEST(WorldSwap, MakesTheBodyToldBeforeTheLastSlider) {
   const auto shown = work.shown();
   ASSERT_TRUE(shown);
   EXPECT_NEAR(heightOf(*shown), 120.0, 2.0);
-  const auto last = shown->stiffness_n_per_mm[0] == 2.0 ? shown : work.shown();
+  const auto last = shown->surface.stiffness_n_per_mm[0] == 2.0 ? shown : work.shown();
   ASSERT_TRUE(last);
-  EXPECT_EQ(last->stiffness_n_per_mm[0], 2.0);
+  EXPECT_EQ(last->surface.stiffness_n_per_mm[0], 2.0);
   EXPECT_NEAR(heightOf(*last), 120.0, 2.0);
 }
 

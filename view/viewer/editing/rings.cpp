@@ -40,7 +40,7 @@ view::Lines ringOn(const SkinPlace& place, double radius, double width_px, view:
 /// A circle of the map plane, laid on the back of the skin; gaps where there is no skin below.
 view::Lines ringOver(const scene::World& world, const maps::Dysfunction& item, double width_px, view::Paint paint,
                      bool dashed) {
-  const double top = mesh::boundingBox(world.skin).max().z() + 1.0;
+  const double top = mesh::boundingBox(world.body->skin).max().z() + 1.0;
   const auto at = [&](int i) {
     const Vec2 rim = Vec2(item.x_mm, item.y_mm) + item.radius_mm * onCircle(i);
     return view::skinAlong(world.surface, {Vec3(rim.x(), rim.y(), top), -Vec3::UnitZ()});

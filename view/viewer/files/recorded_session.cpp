@@ -73,8 +73,9 @@ RecordedTouch touchOfSession(const std::filesystem::path& file) {
   const auto longest = static_cast<std::uint64_t>(kLongestReplayS * rate);
   if (facts.last_tick - facts.first_tick > longest) {
     span.from = facts.last_tick - longest;
-    recorded.notes.push_back(fmt::format("The last {:.0f} of {:.0f} s are shown; palpate recording trim cuts out others",
-                                         kLongestReplayS, facts.seconds()));
+    recorded.notes.push_back(
+        fmt::format("The last {:.0f} of {:.0f} s are shown; palpate recording trim cuts out others", kLongestReplayS,
+                    facts.seconds()));
   }
   takeSamples(session, span, shown, recorded);
   for (std::size_t i = 0; i < std::min(kFingers, shown.fingers.size()); ++i) {

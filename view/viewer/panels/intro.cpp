@@ -17,7 +17,7 @@ constexpr double kComesFromMm = 90.0;  ///< to the right
 const Vec2 kBesideT6(24.0, 38.0);
 
 std::optional<SkinPlace> skinOver(const scene::World& world, const Vec2& place) {
-  const double top = mesh::boundingBox(world.skin).max().z() + 1.0;
+  const double top = mesh::boundingBox(world.body->skin).max().z() + 1.0;
   return view::skinAlong(world.surface, {Vec3(place.x(), place.y(), top), -Vec3::UnitZ()});
 }
 
@@ -29,8 +29,8 @@ double eased(double share) {
 }  // namespace
 
 void Intro::begin(const scene::World& world, double now_s) {
-  const Vec3 middle = mesh::boundingBox(world.skin).center();
-  const Vec2 wanted = world.anatomy.bones.empty() ? Vec2(middle.x(), middle.y()) : kBesideT6;
+  const Vec3 middle = mesh::boundingBox(world.body->skin).center();
+  const Vec2 wanted = world.body->anatomy.bones.empty() ? Vec2(middle.x(), middle.y()) : kBesideT6;
   const auto place = skinOver(world, wanted);
   running_ = place.has_value();
   if (place) goal_ = place->point;

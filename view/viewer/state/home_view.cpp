@@ -56,7 +56,7 @@ view::Camera viewOf(const Eigen::AlignedBox3d& box, const Shown& shown, view::St
 }
 
 view::Camera homeView(const scene::World& world, const Shown& shown, view::StandardView side, const Vec2& size_points) {
-  return viewOf(mesh::boundingBox(world.skin), shown, side, size_points);
+  return viewOf(mesh::boundingBox(world.body->skin), shown, side, size_points);
 }
 
 namespace {

@@ -25,16 +25,16 @@ Index nearestVertex(const std::vector<Vec3>& positions, const Vec3& place) {
 
 VertexReading readVertex(const scene::World& world, const Vec3& place) {
   VertexReading reading;
-  const Index v = reading.vertex = nearestVertex(world.skin.positions, place);
-  reading.place = world.skin.positions[v];
-  reading.stiffness_n_per_mm = world.stiffness_n_per_mm[v];
-  const scene::Anatomy& anatomy = world.anatomy;
+  const Index v = reading.vertex = nearestVertex(world.body->skin.positions, place);
+  reading.place = world.body->skin.positions[v];
+  reading.stiffness_n_per_mm = world.surface.stiffness_n_per_mm[v];
+  const scene::Anatomy& anatomy = world.body->anatomy;
   reading.where = body::inWords(anatomy.landmarks, place);
   if (!anatomy.depth_mm.empty()) reading.bone_depth_mm = anatomy.depth_mm[v];
   if (!anatomy.nearest_bone.empty()) reading.bone = anatomy.bones[anatomy.nearest_bone[v]].name;
-  if (!world.channels) return reading;
-  reading.in_file = world.channels->source_vertex[v];
-  for (const scene::SkinScalar& scalar : world.channels->scalars) {
+  if (!world.body->channels) return reading;
+  reading.in_file = world.body->channels->source_vertex[v];
+  for (const scene::SkinScalar& scalar : world.body->channels->scalars) {
     reading.scalars.push_back({scalar.name, scalar.values[v]});
   }
   return reading;
@@ -45,13 +45,13 @@ view::Lines vertexMark(const VertexReading& reading, const scene::World& world,
   constexpr double kShareOfBody = 0.008;
   constexpr view::Paint kPaint{255, 225, 60, 255};
   view::Lines mark{2.0, {}};
-  const double half_mm = kShareOfBody * mesh::boundingBox(world.skin).diagonal().norm();
+  const double half_mm = kShareOfBody * mesh::boundingBox(world.body->skin).diagonal().norm();
   mark.addCross(surface.positionAt(reading.vertex).cast<double>(), half_mm, kPaint);
   return mark;
 }
 
 std::string useChannelsOf(const scene::World& world, view::Look& look) {
-  const scene::SkinChannels* channels = world.channels.get();
+  const scene::SkinChannels* channels = world.body->channels.get();
   if (channels == nullptr) return {};
   const bool keeps = !look.scalar.empty() && scene::scalarNamed(channels, look.scalar) != nullptr;
   if (!keeps) view::showScalar(world, {}, look);

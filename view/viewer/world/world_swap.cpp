@@ -23,7 +23,7 @@ constexpr const char* kCannotOpen = "cannot open ";
 
 /// A broken picture must not reach the display.
 void decodePicture(const scene::World& world) {
-  if (world.texture && !world.texture->made) view::decodedPicture(*world.texture);
+  if (world.body->texture && !world.body->texture->made) view::decodedPicture(*world.body->texture);
 }
 
 void tellRate(Session& session) {

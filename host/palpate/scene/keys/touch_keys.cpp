@@ -151,7 +151,8 @@ Section tissueSection() {
           "Layered tissue: fat between skin and muscle; 0 is by the body's mass (4 mm at a mass index of 18, 8 at "
           "22, 15 at 30), and less where there is no room for it."),
       file<S>("layer_table", &S::layer_table,
-              "Layered tissue: one stack for every place, from palpate tissue solve or palpate tissue fit profile; left out: "
+              "Layered tissue: one stack for every place, from palpate tissue solve or palpate tissue fit profile; "
+              "left out: "
               "the library's stacks by thickness."),
       flag<S>(
           "by_finger_radius", &S::by_finger_radius,

@@ -106,7 +106,7 @@ void BodyTouch::change(const std::optional<HiddenNow>& hidden) {
 }
 
 std::optional<double> BodyTouch::heightAt(const Vec2& place) const {
-  const tree::TriangleTree& tree = world_->surface.tree;
+  const tree::TriangleTree& tree = world_->surface.geometry->tree;
   const double far = 2.0 * tree.diagonal + tree.center.norm();
   const auto hit = tree::firstFrontCrossing(tree, Vec3(place.x(), place.y(), far), Vec3(place.x(), place.y(), -far));
   if (hit.triangle == kNoIndex) return std::nullopt;

@@ -92,7 +92,7 @@ void noteRows(std::span<const Row> rows, SatThrough& sat) {
 }  // namespace
 
 SiteSet sitesOn(const scene::World& body, const Protocol& protocol) {
-  const auto& landmarks = body.anatomy.landmarks;
+  const auto& landmarks = body.body->anatomy.landmarks;
   return protocol.sites.empty() ? twelveSites(landmarks) : sitesNamed(landmarks, protocol.sites);
 }
 

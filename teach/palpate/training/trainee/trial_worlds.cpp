@@ -11,8 +11,8 @@ namespace {
 
 /// As scene::build has it: the map plane is seen from behind, and a place on it leaves the front of a body as it is.
 std::vector<Index> verticesReached(const scene::World& world) {
-  const bool known_front = world.closed && !world.anatomy.landmarks.empty();
-  const std::vector<Vec3> normals = mesh::vertexNormals(world.skin);
+  const bool known_front = world.body->closed && !world.body->anatomy.landmarks.empty();
+  const std::vector<Vec3> normals = mesh::vertexNormals(world.body->skin);
   std::vector<Index> reached;
   for (Index v = 0; v < normals.size(); ++v) {
     if (!known_front || !(normals[v].z() < 0)) reached.push_back(v);
@@ -36,10 +36,10 @@ std::shared_ptr<const scene::World> TrialWorlds::with(const std::optional<Hidden
   auto world = std::make_shared<scene::World>(*even_);
   for (const maps::Dysfunction& place : scene.dysfunctions) {
     for (const Index v : reached_) {
-      world->stiffness_n_per_mm[v] *= maps::stiffnessFactor(place, world->skin.positions[v].head<2>());
+      world->surface.stiffness_n_per_mm[v] *= maps::stiffnessFactor(place, world->body->skin.positions[v].head<2>());
     }
   }
-  world->surface.stiffness_n_per_mm = world->stiffness_n_per_mm;
+  world->surface.stiffness_n_per_mm = world->surface.stiffness_n_per_mm;
   world->scene = scene;
   return world;
 }

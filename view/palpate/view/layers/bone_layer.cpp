@@ -64,7 +64,7 @@ void append(const body::Bone& bone, const scene::World& world, std::vector<BoneV
   const std::vector<Vec3> normals = mesh::vertexNormals(bone.mesh);
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const Vec3& place = bone.mesh.positions[v];
-    const auto nearest = tree::nearestPoint(world.surface.tree, place, kDeepestMm);
+    const auto nearest = tree::nearestPoint(world.surface.geometry->tree, place, kDeepestMm);
     const Vec3 to_skin = nearest.triangle == kNoIndex ? Vec3(Vec3::Zero()) : Vec3(nearest.closest.point - place);
     vertices.push_back({place.cast<float>(), normals[v].cast<float>(), to_skin.cast<float>()});
   }
@@ -89,7 +89,7 @@ void BoneLayer::setWorld(const scene::World& world) {
   bones_.clear();
   std::vector<BoneVertex> vertices;
   std::vector<Triangle> triangles;
-  for (const body::Bone& bone : world.anatomy.bones) {
+  for (const body::Bone& bone : world.body->anatomy.bones) {
     const auto first = static_cast<Index>(3 * triangles.size());
     append(bone, world, vertices, triangles);
     bones_.push_back({first, static_cast<Index>(3 * triangles.size()) - first});
@@ -105,10 +105,10 @@ void BoneLayer::findHidden(const Vec3f& eye) {
   constexpr std::size_t kStride = 10;
   hidden_from_ = eye;
   for (std::size_t b = 0; b < bones_.size(); ++b) {
-    const std::vector<Vec3>& points = world_->anatomy.bones[b].mesh.positions;
+    const std::vector<Vec3>& points = world_->body->anatomy.bones[b].mesh.positions;
     bones_[b].hidden = true;
     for (std::size_t v = 0; v < points.size() && bones_[b].hidden; v += kStride) {
-      const auto skin = tree::firstFrontCrossing(world_->surface.tree, eye.cast<double>(), points[v]);
+      const auto skin = tree::firstFrontCrossing(world_->surface.geometry->tree, eye.cast<double>(), points[v]);
       bones_[b].hidden = skin.triangle != kNoIndex;
     }
   }

@@ -50,9 +50,9 @@ constexpr double kClearanceMm = 2.0;
 
 /// How deep a point lies in the skin at rest or too near to it; 0 outside, and beyond `reach`.
 double depthIn(const contact::Surface& surface, const Vec3& point, double reach) {
-  const auto nearest = tree::nearestPoint(surface.tree, point, reach);
+  const auto nearest = tree::nearestPoint(surface.geometry->tree, point, reach);
   if (nearest.triangle == kNoIndex) return 0.0;
-  const auto& corners = surface.tree.records[nearest.triangle].corners;
+  const auto& corners = surface.geometry->tree.records[nearest.triangle].corners;
   const Vec3 normal = mesh::areaVector2(corners[0], corners[1], corners[2]).normalized();
   return std::max(0.0, kClearanceMm - normal.dot(point - nearest.closest.point));
 }

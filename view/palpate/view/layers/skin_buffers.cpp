@@ -41,15 +41,15 @@ void put(std::size_t offset, std::span<const float> values) {
 }
 
 DrawnVertices drawnVerticesOf(const scene::World& world) {
-  const deform::Skin& skin = world.deformable;
-  if (!world.texture) return drawnVertices(skin.vertices, skin.triangles);
-  return drawnVertices(skin.vertices, skin.triangles, world.texture->corners);
+  const deform::Skin& skin = *world.deformable;
+  if (!world.body->texture) return drawnVertices(skin.vertices, skin.triangles);
+  return drawnVertices(skin.vertices, skin.triangles, world.body->texture->corners);
 }
 
 std::vector<float> halfMajors(const scene::World& world) {
   std::vector<float> values;
-  values.reserve(world.skin.positions.size());
-  for (const Vec3& p : world.skin.positions) {
+  values.reserve(world.body->skin.positions.size());
+  for (const Vec3& p : world.body->skin.positions) {
     values.push_back(static_cast<float>(world.ellipses.at(p.x(), p.y()).half_major_mm));
   }
   return values;
@@ -103,7 +103,7 @@ std::vector<PackedNormal> packed(const std::vector<Vec3f>& normals) {
 /// The outline stays as it is: it is what the eye sees first. At a seam the picture goes on elsewhere: no triangle may
 /// reach across it.
 std::vector<Stays> whatStays(const scene::World& world, const DrawnVertices& drawn) {
-  const std::vector<std::uint8_t> border = drawn.withCopies<std::uint8_t>(world.surface.vertex_on_border);
+  const std::vector<std::uint8_t> border = drawn.withCopies<std::uint8_t>(world.surface.geometry->vertex_on_border);
   const std::vector<std::uint8_t> seam = drawn.nearSeam();
   std::vector<Stays> stays(drawn.count());
   for (Index v = 0; v < drawn.count(); ++v) {
@@ -117,16 +117,16 @@ std::vector<Stays> whatStays(const scene::World& world, const DrawnVertices& dra
 SkinBuffers::SkinBuffers(const scene::World& world)
     : world_(&world),
       drawn_(drawnVerticesOf(world)),
-      stiffness_(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end()),
-      box_(mesh::boundingBox(world.skin).cast<float>()) {
-  const std::vector<Vec3f> places = drawn_.withCopies<Vec3f>(restPlaces(world.deformable));
+      stiffness_(world.surface.stiffness_n_per_mm.begin(), world.surface.stiffness_n_per_mm.end()),
+      box_(mesh::boundingBox(world.body->skin).cast<float>()) {
+  const std::vector<Vec3f> places = drawn_.withCopies<Vec3f>(restPlaces(*world.deformable));
   fillBuffer<Vec3f>(GL_ARRAY_BUFFER, rest_.get(), places);
   fillBuffer<PackedNormal>(GL_ARRAY_BUFFER, rest_normals_.get(),
-                           drawn_.withCopies<PackedNormal>(packed(restNormals(world.deformable))));
+                           drawn_.withCopies<PackedNormal>(packed(restNormals(*world.deformable))));
   fillBuffer<TintBytes>(GL_ARRAY_BUFFER, tint_.get(), drawn_.withCopies<TintBytes>(skinTints(world)));
   fillBuffer<float>(GL_ARRAY_BUFFER, field_values_.get(), drawn_.withCopies<float>(stiffness_));
   fillBuffer<mesh::TexturePlace>(GL_ARRAY_BUFFER, texture_places_.get(), drawn_.places);
-  if (const auto colours = paddedColours(world.channels.get()); !colours.empty()) {
+  if (const auto colours = paddedColours(world.body->channels.get()); !colours.empty()) {
     has_colours_ = true;
     fillBuffer<std::array<std::uint8_t, 4>>(GL_ARRAY_BUFFER, colours_.get(),
                                             drawn_.withCopies<std::array<std::uint8_t, 4>>(colours));
@@ -140,7 +140,7 @@ SkinBuffers::SkinBuffers(const scene::World& world)
 
 void SkinBuffers::setMapsOf(const scene::World& world) {
   world_ = &world;
-  stiffness_.assign(world.stiffness_n_per_mm.begin(), world.stiffness_n_per_mm.end());
+  stiffness_.assign(world.surface.stiffness_n_per_mm.begin(), world.surface.stiffness_n_per_mm.end());
   half_major_.clear();
   shown_field_ = Colouring::plain;
   uploadBreath();
@@ -149,14 +149,14 @@ void SkinBuffers::setMapsOf(const scene::World& world) {
 std::vector<float> SkinBuffers::breathShares() const {
   std::vector<float> shares;
   if (!world_->breath) return shares;
-  shares.reserve(world_->skin.positions.size());
-  for (const Vec3& p : world_->skin.positions) shares.push_back(static_cast<float>(world_->breath->share(p)));
+  shares.reserve(world_->body->skin.positions.size());
+  for (const Vec3& p : world_->body->skin.positions) shares.push_back(static_cast<float>(world_->breath->share(p)));
   return shares;
 }
 
 void SkinBuffers::uploadBreath() {
   std::vector<float> shares = breathShares();
-  shares.resize(world_->skin.positions.size(), 0.0f);
+  shares.resize(world_->body->skin.positions.size(), 0.0f);
   fillBuffer<float>(GL_ARRAY_BUFFER, breath_.get(), drawn_.withCopies<float>(shares));
 }
 
@@ -180,7 +180,7 @@ std::unique_ptr<SkinBuffers::Density> SkinBuffers::uploaded(std::span<const Vec3
 }
 
 void SkinBuffers::makeCoarse(const std::vector<Vec3f>& places) {
-  const std::vector<Vec3f> normals = drawn_.withCopies<Vec3f>(restNormals(world_->deformable));
+  const std::vector<Vec3f> normals = drawn_.withCopies<Vec3f>(restNormals(*world_->deformable));
   const DrawnShape whole{places, normals, drawn_.triangles};
   coarse_ = uploaded(places, coarserTriangles(whole, whatStays(*world_, drawn_), kCoarseCellMm));
 }
@@ -232,7 +232,8 @@ void SkinBuffers::setField(Colouring colouring, std::span<const float> values) {
 }
 
 bool SkinBuffers::hasField(const Look& look) const {
-  if (look.colouring == Colouring::scalar) return scene::scalarNamed(world_->channels.get(), look.scalar) != nullptr;
+  if (look.colouring == Colouring::scalar)
+    return scene::scalarNamed(world_->body->channels.get(), look.scalar) != nullptr;
   return look.colouring != Colouring::plain;
 }
 
@@ -244,7 +245,7 @@ void SkinBuffers::showField(const Look& look) {
   shown_field_ = colouring;
   shown_scalar_ = look.scalar;
   if (colouring == Colouring::scalar) {
-    const std::vector<float>& given = scene::scalarNamed(world_->channels.get(), look.scalar)->values;
+    const std::vector<float>& given = scene::scalarNamed(world_->body->channels.get(), look.scalar)->values;
     return fillBuffer<float>(GL_ARRAY_BUFFER, field_values_.get(), drawn_.withCopies<float>(given));
   }
   if (colouring == Colouring::ellipses && half_major_.empty()) half_major_ = halfMajors(*world_);
@@ -255,7 +256,7 @@ void SkinBuffers::showField(const Look& look) {
 void SkinBuffers::bindEdges() {
   glBindVertexArray(edge_array_.get());
   if (edge_indices_ != 0) return;
-  const std::vector<Index> ends = edgesOf(world_->deformable);
+  const std::vector<Index> ends = edgesOf(*world_->deformable);
   edge_indices_ = static_cast<Index>(ends.size());
   fillBuffer<Index>(GL_ELEMENT_ARRAY_BUFFER, edges_.get(), ends);
   for (int axis = 0; axis < 3; ++axis) {

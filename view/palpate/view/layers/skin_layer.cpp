@@ -33,9 +33,9 @@ void drawDepth(const SplitRuns& runs) {
 }  // namespace
 
 void SkinLayer::setWorld(const scene::World& world) {
-  picture_.show(world.texture);
+  picture_.show(world.body->texture);
   buffers_.emplace(world);
-  closed_ = world.closed;
+  closed_ = world.body->closed;
 }
 
 SkinNeeds SkinLayer::needsOf(const Look& look, const Viewpoint& viewpoint) const {

@@ -58,8 +58,8 @@ double curvatureAt(const deform::Skin& skin, Index vertex) {
 std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)); }
 
 TintBytes tintAt(const scene::World& world, Index vertex, double open) {
-  const Vec3& place = world.skin.positions[vertex];
-  const BoneInfluence bone = boneInfluence(world.anatomy, vertex);
+  const Vec3& place = world.body->skin.positions[vertex];
+  const BoneInfluence bone = boneInfluence(world.body->anatomy, vertex);
   // Blood varies more than pigment: the red channel least in value, so blotches read as warmer and cooler.
   const double blood = 0.6 * mottlingAt(place) + 1.1 * (bone.red - 0.35) * (bone.red > 0.0 ? 1.0 : 0.0);
   const double pigment = mottlingAt(place + Vec3(311.0, 173.0, 59.0));
@@ -70,15 +70,15 @@ TintBytes tintAt(const scene::World& world, Index vertex, double open) {
   // Light that is thrown to and fro in a fold has become redder.
   const double shade = 1.0 - kShade * (1.0 - open);
   return {byteOf(kTintUnit * red * std::pow(shade, 0.8)), byteOf(kTintUnit * green * std::pow(shade, 1.1)),
-          byteOf(kTintUnit * blue * std::pow(shade, 1.2)), byteOf(255.0 * curvatureAt(world.deformable, vertex))};
+          byteOf(kTintUnit * blue * std::pow(shade, 1.2)), byteOf(255.0 * curvatureAt(*world.deformable, vertex))};
 }
 
 }  // namespace
 
 std::vector<TintBytes> skinTints(const scene::World& world) {
-  std::vector<TintBytes> tints(world.deformable.vertices);
-  const std::vector<float> open = skyLeft(world.deformable);
-  for (Index v = 0; v < world.deformable.vertices; ++v) tints[v] = tintAt(world, v, open[v]);
+  std::vector<TintBytes> tints(world.deformable->vertices);
+  const std::vector<float> open = skyLeft(*world.deformable);
+  for (Index v = 0; v < world.deformable->vertices; ++v) tints[v] = tintAt(world, v, open[v]);
   return tints;
 }
 

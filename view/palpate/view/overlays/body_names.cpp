@@ -28,8 +28,8 @@ NameKind nameKindOf(std::string_view landmark) {
 }
 
 std::array<Vec3, 3> restCornersOf(const scene::World& world, Index triangle) {
-  const Triangle& t = world.skin.triangles[triangle];
-  return {world.skin.positions[t[0]], world.skin.positions[t[1]], world.skin.positions[t[2]]};
+  const Triangle& t = world.body->skin.triangles[triangle];
+  return {world.body->skin.positions[t[0]], world.body->skin.positions[t[1]], world.body->skin.positions[t[2]]};
 }
 
 BodyName nameAt(const scene::World& world, std::string words, NameKind kind, const SkinPlace& place) {
@@ -44,7 +44,7 @@ Vec3 restNormalOf(const std::array<Vec3, 3>& corners) {
 }  // namespace
 
 std::vector<BodyName> bodyNames(const scene::World& world) {
-  const auto& landmarks = world.anatomy.landmarks;
+  const auto& landmarks = world.body->anatomy.landmarks;
   std::vector<BodyName> names;
   for (const body::SkinLandmark& mark : landmarks) {
     const SkinPlace place = nearestOnSkin(world, mark.position);
@@ -61,7 +61,7 @@ std::vector<BodyName> bodyNames(const scene::World& world) {
 Vec3 placeOf(const BodyName& name, const scene::World& world, const deform::DeformedSurface& surface, double lift_mm) {
   Vec3 place = Vec3::Zero();
   for (int corner = 0; corner < 3; ++corner) {
-    place += name.shares[corner] * surface.positionAt(world.skin.triangles[name.triangle][corner]).cast<double>();
+    place += name.shares[corner] * surface.positionAt(world.body->skin.triangles[name.triangle][corner]).cast<double>();
   }
   if (world.breath) place.z() += lift_mm * world.breath->share(place);
   return place;
@@ -74,7 +74,7 @@ std::vector<const BodyName*> namesSeen(std::span<const BodyName> names, const sc
     const Vec3 place = name.shares[0] * corners[0] + name.shares[1] * corners[1] + name.shares[2] * corners[2];
     const Vec3 normal = restNormalOf(corners);
     if (!(normal.dot((eye - place).normalized()) > kLeastFacing)) continue;
-    const auto skin = tree::firstFrontCrossing(world.surface.tree, eye, place + kAboveSkinMm * normal);
+    const auto skin = tree::firstFrontCrossing(world.surface.geometry->tree, eye, place + kAboveSkinMm * normal);
     if (skin.triangle == kNoIndex) seen.push_back(&name);
   }
   return seen;

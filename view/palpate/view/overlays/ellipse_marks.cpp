@@ -22,9 +22,9 @@ constexpr double kMarkReachMm = 150.0;
 }  // namespace
 
 std::optional<SkinSpot> spotBetween(const contact::Surface& surface, const Vec3& from, const Vec3& to) {
-  const auto crossing = tree::firstFrontCrossing(surface.tree, from, to);
+  const auto crossing = tree::firstFrontCrossing(surface.geometry->tree, from, to);
   if (crossing.triangle == kNoIndex) return std::nullopt;
-  const tree::TriangleRecord& record = surface.tree.records[crossing.triangle];
+  const tree::TriangleRecord& record = surface.geometry->tree.records[crossing.triangle];
   return SkinSpot{record.vertices, tree::barycentricWeights(record.corners, crossing.point).cast<float>()};
 }
 
@@ -47,7 +47,7 @@ Outline outlineOf(const scene::World& world, const maps::SurfaceEllipse& ellipse
 
 std::vector<Outline> keyOutlines(const scene::World& world) {
   std::vector<Outline> outlines;
-  const Eigen::AlignedBox3d box = mesh::boundingBox(world.skin);
+  const Eigen::AlignedBox3d box = mesh::boundingBox(world.body->skin);
   for (const maps::KeyPoint& key : world.ellipses.keys()) {
     const Vec3 above(key.position_mm.x(), key.position_mm.y(), box.max().z());
     const maps::SurfaceEllipse flat = maps::liftedOntoSurface(key.ellipse, Vec3::UnitZ());

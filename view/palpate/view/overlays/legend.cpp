@@ -14,10 +14,10 @@ namespace {
 
 double valueAtVertex(const scene::World& world, const deform::DeformedSurface& surface, const Look& look, Index v) {
   const Colouring colouring = look.colouring;
-  if (colouring == Colouring::scalar) return scene::scalarNamed(world.channels.get(), look.scalar)->values[v];
+  if (colouring == Colouring::scalar) return scene::scalarNamed(world.body->channels.get(), look.scalar)->values[v];
   if (colouring == Colouring::strain) return 100.0 * surface.strain()[v];
-  if (colouring == Colouring::stiffness) return world.stiffness_n_per_mm[v];
-  const Vec3& place = world.skin.positions[v];
+  if (colouring == Colouring::stiffness) return world.surface.stiffness_n_per_mm[v];
+  const Vec3& place = world.body->skin.positions[v];
   return world.ellipses.at(place.x(), place.y()).half_major_mm;
 }
 
@@ -51,17 +51,17 @@ std::optional<ColourScale> scaleOf(Colouring colouring) {
 
 std::optional<ColourScale> scaleOf(const Look& look, const scene::World& world) {
   if (look.colouring != Colouring::scalar) return scaleOf(look.colouring);
-  const scene::SkinScalar* scalar = scene::scalarNamed(world.channels.get(), look.scalar);
+  const scene::SkinScalar* scalar = scene::scalarNamed(world.body->channels.get(), look.scalar);
   if (scalar == nullptr) return std::nullopt;
   return ColourScale{look.scalar_map, scalar->name, ""};
 }
 
 std::optional<double> valueUnder(const scene::World& world, const deform::DeformedSurface& surface, const Look& look,
                                  const contact::FingerOutput& finger) {
-  const bool touches = finger.touch != contact::Touch::free && finger.triangle < world.skin.triangles.size();
+  const bool touches = finger.touch != contact::Touch::free && finger.triangle < world.body->skin.triangles.size();
   if (!touches || !scaleOf(look, world)) return std::nullopt;
-  const auto& corners = world.skin.triangles[finger.triangle];
-  const auto& places = world.skin.positions;
+  const auto& corners = world.body->skin.triangles[finger.triangle];
+  const auto& places = world.body->skin.positions;
   const Vec3 shares = cornerShares(places[corners[0]], places[corners[1]], places[corners[2]], finger.proxy);
   double value = 0.0;
   for (int i = 0; i < 3; ++i) value += shares[i] * valueAtVertex(world, surface, look, corners[i]);

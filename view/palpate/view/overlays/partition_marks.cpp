@@ -40,7 +40,7 @@ void addPlane(const Box3& cell, int axis, double share, Lines& lines, Patches& p
 }  // namespace
 
 ShownPartition partitionOf(const scene::World& world) {
-  const auto source = world.hdb ? world.hdb : scene::buildHdbSource(world.scene, world.skin, world.surface);
+  const auto source = world.hdb ? world.hdb : scene::buildHdbSource(world.scene, world.body->skin, world.surface);
   return {source->partition, source->settings.edges_mm};
 }
 
@@ -71,7 +71,7 @@ void addHapticTriangles(const ShownPartition& shown, const scene::World& world, 
   hdb::findLeaves(*shown.partition, hdb::hapticBox(contact.proxy, shown.box_edges_mm), hits);
   for (const Index leaf : hits.leaves) {
     for (const Index t : hdb::trianglesOf(*shown.partition, shown.partition->nodes[leaf])) {
-      const Triangle& v = world.skin.triangles[t];
+      const Triangle& v = world.body->skin.triangles[t];
       patches.addTriangle(skin.at(v[0]), skin.at(v[1]), skin.at(v[2]), kHapticTrianglePaint);
     }
   }

@@ -137,9 +137,10 @@ SectionPlane sectionPlane(const scene::World& world, const contact::FingerOutput
   plane.origin = contact.anchor;
   plane.upward = contact.normal;
   if (contact.touch == contact::Touch::free) {
-    const auto nearest = tree::nearestPoint(world.surface.tree, contact.tip, std::numeric_limits<double>::max());
+    const auto nearest =
+        tree::nearestPoint(world.surface.geometry->tree, contact.tip, std::numeric_limits<double>::max());
     if (nearest.triangle == kNoIndex) return plane;
-    const auto& c = world.surface.tree.records[nearest.triangle].corners;
+    const auto& c = world.surface.geometry->tree.records[nearest.triangle].corners;
     plane.origin = nearest.closest.point;
     plane.upward = mesh::areaVector2(c[0], c[1], c[2]).normalized();
   }
@@ -151,7 +152,7 @@ SectionPlane sectionPlane(const scene::World& world, const contact::FingerOutput
 
 std::vector<SectionPoint> sectionCurve(const scene::World& world, const Deformed& deformed, const SectionPlane& plane,
                                        double half_width_mm) {
-  const tree::TriangleTree& tree = world.surface.tree;
+  const tree::TriangleTree& tree = world.surface.geometry->tree;
   const Side side(plane);
   const Index start = startOf(tree, plane, side);
   if (start == kNoIndex) return {};

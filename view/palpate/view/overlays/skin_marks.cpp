@@ -98,12 +98,12 @@ void addDisplacement(const Vec3& from, const Vec3& to, Lines& lines) {
 }  // namespace
 
 void addDisplacements(const scene::World& world, const DrawnSkin& skin, double spacing_mm, Lines& lines) {
-  std::vector<Moved> moved = movedVertices(world.deformable, skin, spacing_mm);
+  std::vector<Moved> moved = movedVertices(*world.deformable, skin, spacing_mm);
   std::stable_sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) { return a.cell < b.cell; });
   for (std::size_t i = 0; i < moved.size(); ++i) {
     if (i > 0 && moved[i].cell == moved[i - 1].cell) continue;
     const Index v = moved[i].vertex;
-    addDisplacement(world.deformable.restPosition(v).cast<double>(), skin.at(v), lines);
+    addDisplacement(world.deformable->restPosition(v).cast<double>(), skin.at(v), lines);
   }
 }
 
@@ -116,9 +116,9 @@ void addNormals(const DrawnSkin& skin, Index most, Lines& lines) {
 }
 
 void addRings(const scene::World& world, const DrawnSkin& skin, Index triangle, int rings, Lines& lines) {
-  if (triangle >= world.skin.triangles.size()) return;
-  const mesh::IndexRows& neighbours = world.deformable.neighbours;
-  const Triangle& corners = world.skin.triangles[triangle];
+  if (triangle >= world.body->skin.triangles.size()) return;
+  const mesh::IndexRows& neighbours = world.deformable->neighbours;
+  const Triangle& corners = world.body->skin.triangles[triangle];
   std::vector<Index> inner;
   std::vector<Index> ring(corners.begin(), corners.end());
   std::sort(ring.begin(), ring.end());

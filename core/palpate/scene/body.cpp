@@ -1,0 +1,57 @@
+#include "palpate/scene/body.h"
+
+#include <algorithm>
+
+#include "palpate/base/background.h"
+#include "palpate/scene/body_parts.h"
+
+namespace palpate::scene {
+
+namespace {
+
+template <class Extend>
+PlaneBlocks blocksOf(std::size_t count, const Extend& extend) {
+  PlaneBlocks blocks;
+  blocks.boxes.resize((count + PlaneBlocks::kSize - 1) / PlaneBlocks::kSize);
+  for (std::size_t i = 0; i < count; ++i) extend(i, blocks.boxes[i / PlaneBlocks::kSize]);
+  return blocks;
+}
+
+std::vector<std::uint8_t> frontOf(const Body& body) {
+  if (!body.closed || body.anatomy.landmarks.empty()) return {};
+  const std::vector<Vec3> normals = mesh::vertexNormals(body.skin);
+  std::vector<std::uint8_t> front(normals.size());
+  for (std::size_t v = 0; v < normals.size(); ++v) front[v] = normals[v].z() < 0 ? 1 : 0;
+  return front;
+}
+
+}  // namespace
+
+std::shared_ptr<const Body> builtBody(BodyParts parts, const Progress& progress) {
+  report(progress, "building the contact surface", 0.0);
+  const auto body = std::make_shared<Body>();
+  body->name = std::move(parts.name);
+  body->skin = std::move(parts.skin);
+  body->closed = parts.closed;
+  body->anatomy = std::move(parts.anatomy);
+  body->notes = std::move(parts.notes);
+  body->texture = std::move(parts.texture);
+  body->channels = std::move(parts.channels);
+  body->given_stiffness_n_per_mm = std::move(parts.given_stiffness_n_per_mm);
+  body->given_layers = std::move(parts.given_layers);
+  const mesh::TriangleMesh& skin = body->skin;
+  // Made beside the surface, which takes four times as long.
+  Background making_deformable([&] { body->deformable = deform::buildSkin(skin); });
+  body->geometry = contact::buildGeometry(skin, parts.self_intersecting);
+  body->box = mesh::boundingBox(skin);
+  body->vertex_blocks = blocksOf(
+      skin.positions.size(), [&](std::size_t v, Eigen::AlignedBox2d& box) { box.extend(skin.positions[v].head<2>()); });
+  body->triangle_blocks = blocksOf(skin.triangles.size(), [&](std::size_t t, Eigen::AlignedBox2d& box) {
+    for (const Index v : skin.triangles[t]) box.extend(skin.positions[v].head<2>());
+  });
+  body->front = frontOf(*body);
+  making_deformable.join();
+  return body;
+}
+
+}  // namespace palpate::scene

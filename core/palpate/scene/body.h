@@ -1,0 +1,62 @@
+// The body of a world: everything that only another body changes. Built once, immutable, shared by every world of it,
+// so that a moved slider or another dysfunction costs neither a copy nor a tree.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/body/torso.h"
+#include "palpate/body/trunk/trunk.h"
+#include "palpate/contact/surface.h"
+#include "palpate/deform/skin.h"
+#include "palpate/tissue/layered_tissue.h"
+
+namespace palpate::scene {
+
+/// What lies under the skin of a built-in body; empty for a mesh.
+struct Anatomy {
+  std::vector<body::Bone> bones;
+  std::vector<double> depth_mm;     ///< a skin vertex each: to the nearest bone
+  std::vector<Index> nearest_bone;  ///< a skin vertex each: index into `bones`
+  std::vector<body::SkinLandmark> landmarks;
+  std::optional<body::Support> support;  ///< what the body lies or sits on
+};
+
+struct SkinTexture;
+struct SkinChannels;
+
+/// Neighbours in memory are neighbours in space: the boxes, in the map plane, of so many vertices or triangles that
+/// follow each other. What changes in one place finds the few blocks that it reaches.
+struct PlaneBlocks {
+  static constexpr std::size_t kSize = 256;
+  std::vector<Eigen::AlignedBox2d> boxes;
+};
+
+struct Body {
+  std::string name;         ///< for reports: "torso" or the file's name
+  mesh::TriangleMesh skin;  ///< fit for contact, spatially ordered; triangle numbers everywhere are its own
+  bool closed = false;      ///< the skin has no border
+  std::shared_ptr<const contact::SurfaceGeometry> geometry;
+  deform::Skin deformable;  ///< without the thickness of thin parts, which the settings decide (World::deformable)
+  Anatomy anatomy;
+  std::vector<std::string> notes;                ///< what the user should know about it: repairs, a doubtful unit
+  std::shared_ptr<const SkinTexture> texture;    ///< a picture on the skin (skin_texture.h), or null
+  std::shared_ptr<const SkinChannels> channels;  ///< of the body's file (skin_channels.h), or null
+  /// What the body itself says, a skin vertex each, before dysfunctions; empty: the scene says.
+  std::vector<double> given_stiffness_n_per_mm;
+  std::shared_ptr<const tissue::LayeredTissue> given_layers;  ///< of the body itself (BodyParts), or null
+  Eigen::AlignedBox3d box;
+  PlaneBlocks vertex_blocks, triangle_blocks;
+  /// A skin vertex each, 1: it looks to the front, where the map plane, seen from behind, says nothing. Empty where the
+  /// body has no known front.
+  std::vector<std::uint8_t> front;
+};
+
+struct BodyParts;
+/// Throws Error for a mesh that cannot be felt.
+std::shared_ptr<const Body> builtBody(BodyParts parts, const Progress& progress);
+
+}  // namespace palpate::scene
