@@ -13,6 +13,7 @@
 #include "cli/kit/number_option.h"
 #include "palpate/base/error.h"
 #include "palpate/trace/forces_table.h"
+#include "report/charts/picture_file.h"
 #include "report/plot/forces_plot.h"
 
 namespace palpate::app {
@@ -31,12 +32,6 @@ struct PlotArguments {
   std::string title;
   double png_scale = 1.5;
 };
-
-bool isSvg(const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
-  if (extension != ".png" && extension != ".svg") throw Error::inFile(file.string(), "a plot is written as .png, .svg");
-  return extension == ".svg";
-}
 
 RunStrip* stripOf(std::vector<RunStrip>& strips, std::string_view finger) {
   const auto found = std::ranges::find(strips, finger, &RunStrip::finger);
@@ -96,11 +91,11 @@ ForcesPlot plotOf(const PlotArguments& arguments) {
 }
 
 void runPlot(const PlotArguments& arguments) {
-  const bool svg = isSvg(arguments.output);
+  checkPictureName(arguments.output);
   if (!(arguments.from_s < arguments.to_s)) throw Error("plot: --from must be below --to");
   const std::vector<RunStrip> strips = stripsFrom(arguments);
   const figures::Figure figure = forcesFigure(plotOf(arguments), strips);
-  svg ? figures::writeSvg(figure, arguments.output) : figures::writePng(figure, arguments.output, arguments.png_scale);
+  writePicture(figure, arguments.output, arguments.png_scale);
   fmt::print("{}: {} -> {}\n", arguments.table.string(), namesOf(strips), arguments.output.string());
 }
 
