@@ -1,6 +1,7 @@
 // `palpate`: reads the command line and hands over to the chosen subcommand, or to the program that holds it.
 #include <fmt/format.h>
 
+#include "cli/kit/command_pages.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/families.h"
 #include "cli/kit/progress_line.h"
@@ -26,11 +27,14 @@ void addFamilies(CLI::App& app) {
   commandGroup(app, "recording").group("Recordings");
 }
 
-/// `run` is the window with the modes of every package that is there.
+/// `run` is the window with the modes of every package that is there. A shell that asks what may come next asks whom
+/// the command is of.
 void handOver(const std::vector<std::string>& words) {
-  const FamilyCommand* command = familyOf(words);
+  const bool completes = !words.empty() && words.front() == kCompleteOption;
+  const std::vector<std::string> typed(words.begin() + (completes ? 1 : 0), words.end());
+  const FamilyCommand* command = familyOf(typed);
   if (command != nullptr) becomeFamily(*command, words);
-  if (!words.empty() && words.front() == "run" && !familyProgram("measure").empty()) {
+  if (!typed.empty() && typed.front() == "run" && !familyProgram("measure").empty()) {
     becomeFamily({.group = {}, .command = "run", .family = "measure", .what = {}}, words);
   }
 }

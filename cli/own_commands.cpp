@@ -17,7 +17,7 @@ void addOwnCommands(CLI::App& app) {
 
   CLI::App& recording = commandGroup(app, "recording");
   addRecordCommand(recording);
-  addSessionsCommand(recording);
+  addRecordingsCommand(recording);
   addInfoCommand(recording);
   addReplayCommand(recording);
   addTrimCommand(recording);

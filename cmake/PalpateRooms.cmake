@@ -9,7 +9,7 @@ function(palpate_add_rooms house prefix)
   set(folder ${PROJECT_SOURCE_DIR}/${house}/palpate)
   # These include themselves, once for each instruction set.
   set_property(SOURCE ${folder}/tree/wide_node.cpp ${folder}/deform/kernels/kernels.cpp PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
-  set_property(SOURCE ${folder}/engine/session_settings.cpp PROPERTY COMPILE_DEFINITIONS
+  set_property(SOURCE ${folder}/engine/recording_settings.cpp PROPERTY COMPILE_DEFINITIONS
                PALPATE_VERSION="${PROJECT_VERSION}") # recordings say what wrote them
   if(NOT PALPATE_THREADS)
     set_property(SOURCE ${folder}/base/host_environment.cpp PROPERTY COMPILE_DEFINITIONS PALPATE_NO_THREADS)

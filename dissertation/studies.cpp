@@ -8,7 +8,7 @@
 #include "measure/study/measuring_study.h"
 #endif
 #ifdef PALPATE_HAS_TEACH
-#include "teach/study/training_study.h"
+#include "teach/study/training_measurement.h"
 #endif
 
 namespace palpate::study {
@@ -24,7 +24,7 @@ std::vector<Study> builtStudies() {
       {"threshold", "How many triangles a leaf should hold, for five sizes of model", studyThreshold},
       {"profile", "The array of the half Gaussian: sizes 20 to 7000, nearest and linear (Figure 4.9)", studyProfile},
       {"interpolation",
-       "Gaussian radial interpolation: its width, and points left out and foretold (Figures 5.9 to 5.11)",
+       "Gaussian radial interpolation: its width, and points left out and predicted (Figures 5.9 to 5.11)",
        studyInterpolation},
       {"complexity", "What a search for leaves visits, against w and 0.8 n, 0.4 n (Tables 3.3, 3.4)", studyComplexity},
       {"rivals", "FSMD beside free form, masses and springs, finite elements: error, time, memory (Table 4.1)",

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "report/page/study.h"
+#include "report/page/study_page.h"
 
 namespace palpate::study {
 

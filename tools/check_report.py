@@ -50,7 +50,7 @@ class Records:
         self.settings = {(p["id"], p["version"]): tomllib.loads(p["text"]) for p in self.protocols}
         self.classes = {c["id"]: c["label"] for c in table(folder, "classes.csv")}
         self.trainees = sorted(table(folder, "trainees.csv"), key=lambda t: t["id"])
-        self.sittings = sorted(table(folder, "sessions.csv"), key=lambda s: s["start_ms"])
+        self.sessions = sorted(table(folder, "sessions.csv"), key=lambda s: s["start_ms"])
         self.blocks, self.trials, self.visits, self.events = {}, {}, {}, {}
         for block in sorted(table(folder, "blocks.csv"), key=lambda b: b["number"]):
             self.blocks.setdefault(block["session_id"], []).append(block)
@@ -377,14 +377,14 @@ def attention(answers, choices, threshold, slope):
 class Point:
     """A block with its trials."""
 
-    def __init__(self, records, sitting, block):
-        self.sitting, self.block = sitting, block
+    def __init__(self, records, session, block):
+        self.session, self.block = session, block
         self.choices, felt_ms = records.rules(block)
         trials = records.trials[block["id"]]
         self.start_ms = trials[0]["start_ms"]
         self.chosen = [(t, self.choices, felt_ms) for t in trials]
         self.answers = [(t["change"], t["correct"], min(t["sites_felt"], self.choices)) for t in trials if counts(t)]
-        self.kind, self.nth = sitting["kind"], 0
+        self.kind, self.nth = session["kind"], 0
         self.weights = self.threshold = None
         if block["method"] != "mastery" and len(self.answers) >= 10:
             self.weights = updated(prior_weights(), self.answers, self.choices)
@@ -398,7 +398,7 @@ class Point:
         return self.threshold is not None and self.kind in ("pre_test", "post_test", "retention")
 
     def hand(self):
-        return self.block["change_meaning"], self.choices, self.sitting["device"]
+        return self.block["change_meaning"], self.choices, self.session["device"]
 
     def likelihood(self):
         before = t_weights(prior_weights())
@@ -411,7 +411,7 @@ class Point:
         found = {"block": block["id"], "kind": self.kind, "nth": self.nth, "start_ms": self.start_ms,
                  "method": block["method"], "change_meaning": block["change_meaning"],
                  "protocol": block["protocol_id"], "protocol_version": block["protocol_version"],
-                 "device": self.sitting["device"], "choices": self.choices, "finished": block["finished"],
+                 "device": self.session["device"], "choices": self.choices, "finished": block["finished"],
                  "verdict": block["verdict"], "mastered_change": block["mastered_change"],
                  "trials": tally(self.chosen), "seconds": spread([t["seconds"] for t in asked]),
                  "places_felt": spread([t["sites_felt"] for t in asked]), "threshold": self.threshold}
@@ -464,7 +464,7 @@ def why_not(a, b):
         return "one is a change of compliance, the other of stiffness"
     if a.choices != b.choices:
         return "they asked about different numbers of places"
-    if a.sitting["device"] != b.sitting["device"]:
+    if a.session["device"] != b.session["device"]:
         return "they were felt with different devices"
     if (a.block["protocol_id"], a.block["protocol_version"]) != (b.block["protocol_id"], b.block["protocol_version"]):
         return "they follow different protocols"
@@ -610,15 +610,15 @@ def difference(before, now):
 class Trainee:
     def __init__(self, records, row):
         self.row, self.records = row, records
-        self.sittings = [s for s in records.sittings if s["trainee_id"] == row["id"]]
+        self.sessions = [s for s in records.sessions if s["trainee_id"] == row["id"]]
         self.points, self.tests, self.practice = [], [], []
-        for sitting in self.sittings:
-            for block in records.blocks.get(sitting["id"], []):
+        for session in self.sessions:
+            for block in records.blocks.get(session["id"], []):
                 if block["id"] not in records.trials:
                     continue
-                point = Point(records, sitting, block)
-                (self.tests if sitting["kind"] in TESTS else self.practice).extend(point.chosen)
-                if sitting["kind"] != "free":
+                point = Point(records, session, block)
+                (self.tests if session["kind"] in TESTS else self.practice).extend(point.chosen)
+                if session["kind"] != "free":
                     self.points.append(point)
         self.points.sort(key=lambda p: p.start_ms)
         seen = {}
@@ -652,7 +652,7 @@ class Trainee:
             return found
         found["curve"], found["learning"] = curves(self.points)
         found["sittings"] = []
-        for s in self.sittings:
+        for s in self.sessions:
             kinds = [e["kind"] for e in self.records.events.get(s["id"], [])]
             found["sittings"].append({**{key: s[key] for key in ("id", "kind", "start_ms", "end_ms", "app_version",
                                                                 "device", "file", "file_sha256")},

@@ -276,7 +276,7 @@ PALPATE_API const uint32_t* palpate_skin_changed(const palpate_skin* skin, size_
 PALPATE_API double palpate_skin_lift_mm(const palpate_skin* skin) PALPATE_NOEXCEPT;
 PALPATE_API void palpate_skin_release(palpate_skin* skin) PALPATE_NOEXCEPT;
 
-/* ---- sessions: recorded runs, read back (docs/reference/sessions.md) ----------------------------------------------
+/* ---- sessions: recorded runs, read back (docs/reference/recordings.md) ----------------------------------------------
  */
 
 typedef struct palpate_session palpate_session;

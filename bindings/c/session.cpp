@@ -4,21 +4,21 @@
 #include <vector>
 
 #include "answers.h"
-#include "palpate/engine/session_replay.h"
+#include "palpate/engine/recording_replay.h"
 #include "structs.h"
 #include "touch.h"
 #include "world_handle.h"
 
 struct palpate_session {
   explicit palpate_session(const std::filesystem::path& file) : reader(file) {}
-  palpate::trace::SessionReader reader;
+  palpate::trace::RecordingReader reader;
 };
 
 namespace palpate::c_api {
 
 namespace {
 
-palpate_session_facts factsOf(const trace::SessionFacts& session) noexcept {
+palpate_session_facts factsOf(const trace::RecordingFacts& session) noexcept {
   palpate_session_facts facts = {};
   facts.ticks_per_s = session.header.ticks_per_s;
   facts.seconds = session.seconds();
@@ -117,7 +117,7 @@ int32_t palpate_session_get_facts(const palpate_session* session, palpate_sessio
 int32_t palpate_session_get_finger(const palpate_session* session, size_t index,
                                    palpate_session_finger* finger) noexcept {
   if (session == nullptr || !c_api::isUsable(finger)) return PALPATE_ARGUMENT;
-  const std::vector<trace::SessionFinger>& fingers = session->reader.facts().fingers;
+  const std::vector<trace::RecordingFinger>& fingers = session->reader.facts().fingers;
   if (index >= fingers.size()) return PALPATE_ARGUMENT;
   palpate_session_finger plain = {};
   c_api::putText(fingers[index].name, plain.name);
@@ -154,7 +154,7 @@ int32_t palpate_session_world(palpate_session* session, uint64_t number, const c
                               palpate_error* error) noexcept {
   return c_api::answeredWith(out, error, [&] {
     require(session != nullptr, "the session is null");
-    const trace::SessionWorld recorded = session->reader.world(number);
+    const trace::RecordingWorld recorded = session->reader.world(number);
     const std::filesystem::path at = folder != nullptr ? c_api::pathOf(folder) : std::filesystem::path(recorded.folder);
     return c_api::handleOf(engine::builtWorld(recorded, at));
   });

@@ -21,7 +21,7 @@ namespace palpate::c_api {
 
 namespace {
 
-constexpr std::size_t kMostFingers = 4096;
+constexpr std::size_t kMaxFingers = 4096;
 
 /// Tells of a skin's array along one axis; null for another axis.
 const float* along(const palpate_skin* skin, int32_t axis,
@@ -54,7 +54,7 @@ int32_t palpate_skin_create(palpate_world* world, size_t fingers, int32_t strain
                             palpate_error* error) noexcept {
   return c_api::answeredWith(out, error, [&] {
     c_api::require(world != nullptr, "the world is null");
-    c_api::require(fingers >= 1 && fingers <= c_api::kMostFingers, "fingers is out of range: 1 to 4,096");
+    c_api::require(fingers >= 1 && fingers <= c_api::kMaxFingers, "fingers is out of range: 1 to 4,096");
     return std::make_unique<palpate_skin>(world->built.world, fingers, strain != 0).release();
   });
 }

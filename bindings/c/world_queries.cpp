@@ -1,7 +1,7 @@
 // What a world tells of itself: its skin, its places, where its vertices came from.
 #include "answers.h"
 #include "palpate/body/places.h"
-#include "palpate/engine/session_settings.h"
+#include "palpate/engine/recording_settings.h"
 #include "palpate/engine/skin_place.h"
 #include "structs.h"
 #include "world_handle.h"

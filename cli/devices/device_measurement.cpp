@@ -1,4 +1,4 @@
-#include "cli/devices/device_measurement.h"
+#include "cli/devices/devices_report.h"
 
 #include "cli/kit/interruption.h"
 #include "palpate/base/stopwatch.h"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "cli/devices/devices_report.h"
-#include "cli/devices/identify_run.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/interruption.h"

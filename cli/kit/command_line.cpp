@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "cli/kit/command_pages.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/progress_line.h"
@@ -124,9 +125,22 @@ int flushed(int exit_code) {
   return kWrongInput;
 }
 
+/// What shells and the build ask for, which is in no help. False for everything else.
+bool answered(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty()) return false;
+  const std::vector<std::string> rest(words.begin() + 1, words.end());
+  if (words.front() == kCompleteOption) {
+    for (const std::string& word : completionsOf(app, rest)) fmt::print("{}\n", word);
+    return true;
+  }
+  if (words.front() != kManOption) return false;
+  fmt::print("{}", manPage(app, rest.empty() ? app.get_name() : rest.front()));
+  return true;
+}
+
 int runToTheEnd(CLI::App& app, const std::vector<std::string>& words) {
   try {
-    return flushed(parse(app, words));
+    return flushed(answered(app, words) ? 0 : parse(app, words));
   } catch (const Ended&) {
     say(fmt::format("palpate: ended by {}\n", nameOfSignal(endAskedBy())));
   } catch (const std::system_error& error) {  // fmt's, when it cannot print
@@ -203,7 +217,7 @@ CLI::App& commandGroup(CLI::App& app, const std::string& name) {
   };
   static constexpr std::array kGroups = {
       Group{"body", "A body: made, fitted to a scan, repaired, looked into, mapped"},
-      Group{"recording", "Recorded sessions: made, listed, replayed, cut, reported, shared"},
+      Group{"recording", "Recordings: made, listed, replayed, cut, reported, shared"},
   };
   for (CLI::App* known : app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == name; }))
     return *known;

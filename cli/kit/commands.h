@@ -55,7 +55,7 @@ void addMapCommand(CLI::App& body);
 
 // Of `palpate recording`.
 void addRecordCommand(CLI::App& recording);
-void addSessionsCommand(CLI::App& recording);
+void addRecordingsCommand(CLI::App& recording);
 void addReplayCommand(CLI::App& recording);
 void addTrimCommand(CLI::App& recording);
 void addJoinCommand(CLI::App& recording);
@@ -86,7 +86,7 @@ void addBenchFrameCommand(CLI::App& bench);
 void addBenchLoadCommand(CLI::App& bench);
 void addBenchPartitionCommand(CLI::App& bench);
 void addBenchServoCommand(CLI::App& bench);
-void addBenchSessionCommand(CLI::App& bench);
+void addBenchRecordingCommand(CLI::App& bench);
 /// A page each.
 void addStudyPages(CLI::App& study);
 /// `palpate study all`.
@@ -98,7 +98,6 @@ void addTissueModuliCommand(CLI::App& tissue);
 void addTissueShowCommand(CLI::App& tissue);
 void addTissueSolveCommand(CLI::App& tissue);
 void addRealismCommand(CLI::App& tissue);
-void addFitCommand(CLI::App& tissue);
 void addFitForceCommand(CLI::App& fit);
 void addFitProfileCommand(CLI::App& fit);
 

@@ -16,7 +16,7 @@ namespace palpate::app {
 /// that has left become errors of the write instead of ends without a word.
 void listenForSignals();
 
-/// While one lives, a signal is only a wish: what works looks at endAskedBy().
+/// While one lives, a signal is only a request: what works looks at endAskedBy().
 class FinishesInOrder {
  public:
   FinishesInOrder();

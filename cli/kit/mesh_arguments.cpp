@@ -1,6 +1,12 @@
 #include "cli/kit/mesh_arguments.h"
 
-#include "cli/kit/unit_option.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/kit/number_option.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/base/text.h"
+#include "palpate/scene/words.h"
 
 namespace palpate::app {
 
@@ -10,6 +16,39 @@ void addMeshArguments(CLI::App& command, MeshArguments& arguments) {
   command.add_option("--group", arguments.options.group, "Only this group or object of an OBJ file");
   command.add_flag("--foreign", arguments.options.allow_foreign,
                    "Read other formats (3mf, dae, fbx, ...) through assimp; only for files you trust");
+}
+
+namespace {
+
+constexpr const char* kUnitOption = "--unit";
+
+double millimetresFrom(const std::string& word) {
+  if (const auto unit = valueNamed<scene::Unit>(word)) return millimetresOf(*unit);
+  if (parseNumber(word)) return numberFrom(kUnitOption, word, between(0.0, 1e9, "mm"));
+  throw CLI::ValidationError(kUnitOption, fmt::format("'{}' is neither one of {} nor a number of millimetres",
+                                                      oneLine(word), fmt::join(allWords<scene::Unit>(), ", ")));
+}
+
+}  // namespace
+
+CLI::Option* addUnit(CLI::App& command, double& unit_mm) {
+  const auto read = [&unit_mm](const std::string& word) { unit_mm = millimetresFrom(word); };
+  return command
+      .add_option_function<std::string>(kUnitOption, read,
+                                        "Unit of the mesh file, or how many millimetres it is: 25.4; auto: metres for "
+                                        "gltf and glb, mm for the others")
+      ->type_name(fmt::format("{}|{}", fmt::join(allWords<scene::Unit>(), "|"), kNumberType))
+      ->default_str("auto");
+}
+
+void useUnit(double unit_mm, scene::BodySettings& body) {
+  for (const auto& [word, unit] : WordsOf<scene::Unit>::kAll) {
+    if (scene::millimetresOf(unit) != unit_mm) continue;
+    body.unit = unit;
+    return;
+  }
+  body.unit = scene::Unit::millimetre;
+  body.scale *= unit_mm;
 }
 
 }  // namespace palpate::app

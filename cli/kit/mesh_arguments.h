@@ -5,6 +5,7 @@
 #include <string>
 
 #include "palpate/mesh/files/load.h"
+#include "palpate/scene/scene.h"
 
 namespace palpate::app {
 
@@ -15,5 +16,14 @@ struct MeshArguments {
 
 /// Adds MESH, --unit, --group and --foreign. `arguments` must outlive the command.
 void addMeshArguments(CLI::App& command, MeshArguments& arguments);
+
+// `--unit`: how long a unit of a mesh file is, the same option of every command that reads one.
+
+/// Adds --unit, a word (auto, mm, cm, dm, m, in) or a number of millimetres; 0, which is auto, is as the format says.
+/// `unit_mm` must outlive the command.
+CLI::Option* addUnit(CLI::App& command, double& unit_mm);
+
+/// The unit as a scene says it: one of its words, or millimetres and a factor.
+void useUnit(double unit_mm, scene::BodySettings& body);
 
 }  // namespace palpate::app

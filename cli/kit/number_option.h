@@ -101,19 +101,19 @@ std::string shown(const List& values) {
 
 template <class T>
 struct Form {
-  static constexpr int kMost = 1;
+  static constexpr int kMax = 1;
   using Number = T;
 };
 template <class T>
 struct Form<std::optional<T>> : Form<T> {};
 template <class T>
 struct Form<std::vector<T>> {
-  static constexpr int kMost = CLI::detail::expected_max_vector_size;
+  static constexpr int kMax = CLI::detail::expected_max_vector_size;
   using Number = T;
 };
 template <class T, std::size_t N>
 struct Form<std::array<T, N>> {
-  static constexpr int kMost = static_cast<int>(N);
+  static constexpr int kMax = static_cast<int>(N);
   using Number = T;
 };
 
@@ -133,7 +133,7 @@ CLI::Option* addNumber(CLI::App& command, const std::string& name, T& value, con
   CLI::Option* option = command.add_option(name, read, help + rangeWords(limits), false,
                                            [&value] { return number_option::shown(value); });
   option->type_name(std::integral<typename Form::Number> ? kCountType : kNumberType);
-  option->expected(Form::kMost);  // of a vector any number, one after the other or the option repeated
+  option->expected(Form::kMax);  // of a vector any number, one after the other or the option repeated
   return option;
 }
 

@@ -6,7 +6,6 @@
 #include <array>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/default_scene.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/scene/scene_file.h"

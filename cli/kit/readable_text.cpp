@@ -29,8 +29,8 @@ bool turnsText(std::uint32_t letter) {
 
 /// What XML 1.0 lets stand in a document, and no terminal acts on: without the controls of ASCII and of Latin 1.
 bool mayStand(std::uint32_t letter, int followers) {
-  constexpr std::uint32_t kLeast[] = {0, 0x80, 0x800, 0x10000};
-  if (letter < kLeast[followers] || letter > 0x10ffff) return false;
+  constexpr std::uint32_t kMin[] = {0, 0x80, 0x800, 0x10000};
+  if (letter < kMin[followers] || letter > 0x10ffff) return false;
   if (letter < 0x20) return letter == '\t' || letter == '\n';
   if ((letter >= 0x7f && letter < 0xa0) || turnsText(letter)) return false;
   return !(letter >= 0xd800 && letter < 0xe000) && letter != 0xfffe && letter != 0xffff;

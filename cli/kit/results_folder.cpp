@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kReport = "report.json";
 constexpr const char* kDefaultFolder = "results";
-constexpr std::size_t kMostReportBytes = std::size_t{1} << 24;
+constexpr std::size_t kMaxReportBytes = std::size_t{1} << 24;
 /// Names in a message.
-constexpr std::size_t kMostNames = 4;
+constexpr std::size_t kMaxNames = 4;
 
 /// Of this folder alone: a report is a file that anybody may have written.
 bool isPlainName(const std::string& name) { return !name.empty() && fs::path(name).filename() == name; }
@@ -29,7 +29,7 @@ bool isPlainName(const std::string& name) { return !name.empty() && fs::path(nam
 std::vector<std::string> listedFiles(const fs::path& folder) {
   std::vector<std::string> names;
   try {
-    const auto report = nlohmann::json::parse(readFile(folder / kReport, kMostReportBytes));
+    const auto report = nlohmann::json::parse(readFile(folder / kReport, kMaxReportBytes));
     for (const auto& file : report.at("files")) names.push_back(file.get<std::string>());
   } catch (const std::exception&) {
     // No report that lists files: the run is known by its usual names alone.
@@ -68,7 +68,7 @@ ResultsFolder resultsFolder(const std::optional<std::string>& wanted, bool overw
   results.earlier = filesOfRun(results.folder);
   if (overwrite || results.earlier.empty()) return results;
   std::vector<std::string> named = results.earlier;
-  if (named.size() > kMostNames) named.resize(kMostNames);
+  if (named.size() > kMaxNames) named.resize(kMaxNames);
   throw Error::inFile(
       results.folder.string(),
       fmt::format("holds another run ({}{}): --overwrite replaces it, --out {} is free", fmt::join(named, ", "),

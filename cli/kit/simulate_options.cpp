@@ -7,10 +7,9 @@
 #include <utility>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/default_scene.h"
+#include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/presets.h"
-#include "cli/kit/unit_option.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/scene/scene_file.h"
@@ -94,7 +93,7 @@ void addInputOptions(CLI::App& command, SimulateOptions& options) {
 
 void addSecondsOption(CLI::App& command, SimulateOptions& options) {
   addNumber(command, "--seconds", options.seconds, above(0.0, kLongestRunS, "s"),
-            "How long to run; left out: until the last finger has finished");
+            "How long to run (default: until the last finger has finished)");
 }
 
 scene::Scene sceneFor(const SimulateOptions& given) {

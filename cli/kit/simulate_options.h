@@ -26,7 +26,7 @@ struct SimulateOptions {
   std::vector<std::string> devices;  ///< that hold the first fingers, instead of their paths
   bool unsafe_stiffness = false;     ///< addUnsafeStiffness
   bool realtime = false;
-  bool session = false;
+  bool recording = false;
   bool pictures = true;
   bool plot = true;
   bool json = false;

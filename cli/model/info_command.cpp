@@ -1,9 +1,12 @@
 // `palpate body info MESH`: what a mesh file holds and what is wrong with it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,14 +17,68 @@
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
-#include "cli/model/table_info.h"
 #include "cli/model/triangle_shape.h"
-#include "cli/session/session_text.h"
+#include "cli/recording/recording_text.h"
+#include "palpate/base/error.h"
 #include "palpate/mesh/validate.h"
+#include "palpate/trace/forces_table.h"
 
 namespace palpate::app {
 
 namespace {
+
+// `palpate body info` on what is no mesh: a recorded table of forces, and a file that was not finished.
+//
+// The table is read as a replay reads it, so what is said here is what will be seen there.
+
+namespace fs = std::filesystem;
+
+std::vector<trace::RecordedFinger> fingersOf(const fs::path& file) {
+  if (trace::isForcesTable(file)) return trace::readForcesTable(file);
+  if (!fs::exists(file)) throw Error::inFile(file.string(), "no such file");
+  throw Error::inFile(file.string(),
+                      fmt::format("was not finished: the program ended while it wrote {}, which is as it was before; "
+                                  "this part of it is of no use",
+                                  file.stem().string()));
+}
+
+double peakForceN(const trace::RecordedFinger& finger) {
+  double peak = 0.0;
+  for (const Vec3& force : finger.force) peak = std::max(peak, force.norm());
+  return peak;
+}
+
+/// By its name: a table, or a file left unfinished.
+bool isTableOrUnfinished(const fs::path& file) { return trace::isForcesTable(file) || trace::isUnfinished(file); }
+
+/// In words, or as JSON. Throws Error for a table that cannot be read.
+std::string tableInfo(const fs::path& file) {
+  const std::vector<trace::RecordedFinger> fingers = fingersOf(file);
+  std::string text = "table       of forces, recorded by palpate\n";
+  if (trace::isUnfinished(file)) {
+    text +=
+        "unfinished  the recording could not be completed (a full disk, a killed program): a torn last row is left "
+        "out\n";
+  }
+  for (const trace::RecordedFinger& finger : fingers) {
+    text += fmt::format("finger      {}: {} rows, {:.3f} to {:.3f} s, peak {:.2f} N\n", finger.name,
+                        finger.time_s.size(), finger.time_s.front(), finger.time_s.back(), peakForceN(finger));
+  }
+  return text + fmt::format("to see it   palpate run --replay {}\n", file.string());
+}
+
+nlohmann::ordered_json tableInfoJson(const fs::path& file) {
+  nlohmann::ordered_json json = {{"file", file.string()}, {"kind", "forces"}, {"complete", !trace::isUnfinished(file)}};
+  json["fingers"] = nlohmann::ordered_json::array();
+  for (const trace::RecordedFinger& finger : fingersOf(file)) {
+    json["fingers"].push_back({{"name", finger.name},
+                               {"rows", finger.time_s.size()},
+                               {"from_s", finger.time_s.front()},
+                               {"to_s", finger.time_s.back()},
+                               {"peak_force_n", peakForceN(finger)}});
+  }
+  return json;
+}
 
 // --- the report, for a person and for a script ---
 
@@ -186,8 +243,9 @@ Inspection inspect(const InfoArguments& arguments) {
 }
 
 void runInfo(const InfoArguments& arguments) {
-  if (isSessionFile(arguments.mesh.file)) {
-    printReadable(arguments.json ? jsonText(sessionInfoJson(arguments.mesh.file)) : sessionInfo(arguments.mesh.file));
+  if (isRecordingFile(arguments.mesh.file)) {
+    printReadable(arguments.json ? jsonText(recordingInfoJson(arguments.mesh.file))
+                                 : recordingInfo(arguments.mesh.file));
     return;
   }
   if (isTableOrUnfinished(arguments.mesh.file)) {
@@ -210,7 +268,7 @@ void runInfo(const InfoArguments& arguments) {
 void addInfoCommand(CLI::App& group) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App& command = *group.add_subcommand(
-      "info", "Report what a mesh file holds and what is wrong with it, or a recorded table of forces or session");
+      "info", "Report what a mesh file holds and what is wrong with it, or a recorded table of forces or recording");
   addMeshArguments(command, arguments->mesh);
   command.add_flag("--no-self-intersections", arguments->quick,
                    "Do not look for self-intersections (the slowest check)");

@@ -1,5 +1,5 @@
-// `palpate body repair MESH -o OUT`: makes a mesh fit to be felt and says what was done. Of a session file what can
-// still be read (session/session_salvage.h).
+// `palpate body repair MESH -o OUT`: makes a mesh fit to be felt and says what was done. Of a recording file what can
+// still be read (salvageRecording).
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -10,17 +10,91 @@
 #include <utility>
 
 #include "cli/kit/commands.h"
+#include "cli/kit/json.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
-#include "cli/session/session_salvage.h"
+#include "cli/kit/readable_text.h"
+#include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/mesh/repair.h"
+#include "palpate/trace/recording_repair.h"
 
 namespace palpate::app {
 
 namespace {
+
+// What `palpate body repair` does with a recording: salvages it and says what was lost.
+
+using Json = nlohmann::ordered_json;
+
+/// "index: 150 samples, 0.300 to 0.449 s (ticks 300 to 449)"
+std::string textOf(const trace::RecordingRepair& repair, const trace::MissingTicks& missing) {
+  return fmt::format("{}: {} samples, {:.3f} to {:.3f} s (ticks {} to {})", repair.fingers.at(missing.finger),
+                     missing.count, static_cast<double>(missing.first) / repair.ticks_per_s,
+                     static_cast<double>(missing.last) / repair.ticks_per_s, missing.first, missing.last);
+}
+
+std::string textOf(const std::filesystem::path& out, const trace::RecordingRepair& repair) {
+  std::string text =
+      fmt::format("{}: {} samples in {} blocks, {} events, {} worlds, {} attachments salvaged\n", out.string(),
+                  repair.samples, repair.blocks, repair.events, repair.worlds, repair.attachments);
+  if (repair.nothingLost()) text += "  nothing was lost\n";
+  if (repair.blocks_lost > 0) {
+    text += fmt::format("  lost  {} blocks, {} samples that are known by their time\n", repair.blocks_lost,
+                        repair.samplesLost());
+  }
+  for (const trace::MissingTicks& lost : repair.lost) text += "  lost  " + textOf(repair, lost) + "\n";
+  if (repair.bytes_missing > 0) text += fmt::format("  lost  {} bytes at the file's end\n", repair.bytes_missing);
+  if (repair.header_lost) text += "  lost  the header: when it began, its rate (taken as 1000 a second), notes\n";
+  for (const std::string& other : repair.other) text += "  lost  " + other + "\n";
+  for (const std::string& note : repair.notes) text += "  note  " + note + "\n";
+  for (const trace::MissingTicks& gap : repair.gaps) text += "  gap   never recorded: " + textOf(repair, gap) + "\n";
+  return text;
+}
+
+Json jsonOf(const trace::RecordingRepair& repair, const std::vector<trace::MissingTicks>& missing) {
+  Json list = Json::array();
+  for (const trace::MissingTicks& one : missing) {
+    list.push_back({{"finger", repair.fingers.at(one.finger)},
+                    {"first_tick", one.first},
+                    {"last_tick", one.last},
+                    {"samples", one.count}});
+  }
+  return list;
+}
+
+Json jsonOf(const std::filesystem::path& out, const trace::RecordingRepair& repair) {
+  return {{"file", out.string()},
+          {"nothing_lost", repair.nothingLost()},
+          {"samples", repair.samples},
+          {"blocks", repair.blocks},
+          {"events", repair.events},
+          {"worlds", repair.worlds},
+          {"attachments", repair.attachments},
+          {"samples_lost", repair.samplesLost()},
+          {"blocks_lost", repair.blocks_lost},
+          {"lost", jsonOf(repair, repair.lost)},
+          {"bytes_missing", repair.bytes_missing},
+          {"header_lost", repair.header_lost},
+          {"other_lost", repair.other},
+          {"gaps", jsonOf(repair, repair.gaps)},
+          {"notes", repair.notes}};
+}
+
+/// A recording by its first bytes, or, where those are lost, by its name: "run.session", "run.session.2.partial".
+bool isOrWasRecording(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return isRecordingFile(file) || name.ends_with(".session") || name.find(".session.") != std::string::npos;
+}
+
+void salvageRecording(const std::filesystem::path& file, const std::filesystem::path& out, bool json) {
+  ProgressLine progress;
+  const trace::RecordingRepair repair = trace::repairRecording(file, out, progress.callback());
+  progress.clear();
+  printReadable(json ? jsonText(jsonOf(out, repair)) : textOf(out, repair));
+}
 
 struct RepairArguments {
   MeshArguments mesh;
@@ -132,7 +206,7 @@ void refuseMeshOptions(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
     if (option->count() == 0 || name == "mesh" || name == "--out" || name == "--json" || name == "--help") continue;
-    throw Error(fmt::format("repair: {} is for meshes, this is a session", name));
+    throw Error(fmt::format("repair: {} is for meshes, this is a recording", name));
   }
 }
 
@@ -141,12 +215,12 @@ void refuseMeshOptions(const CLI::App& command) {
 void addRepairCommand(CLI::App& group) {
   auto arguments = std::make_shared<RepairArguments>();
   CLI::App& command =
-      *group.add_subcommand("repair", "Make a mesh fit to be felt, or salvage a session, and say what was done");
+      *group.add_subcommand("repair", "Make a mesh fit to be felt, or salvage a recording, and say what was done");
   addMeshArguments(command, arguments->mesh);
   command
       .add_option("-o,--out", arguments->output,
                   "File to write: obj, stl or ply (mm); a ply keeps the numbers and colours of a ply's vertices. Of a "
-                  "session, a session")
+                  "recording, a recording")
       ->required();
   command.add_flag("--no-weld", arguments->no_weld, "Leave vertices at the same place apart");
   addNumber(command, "--weld-distance-mm", arguments->weld_distance_mm, between(0.0, 1e9, "mm"),
@@ -157,9 +231,9 @@ void addRepairCommand(CLI::App& group) {
   command.add_flag("--keep-holes", arguments->keep_holes, "Leave the small holes of nearly closed parts open");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &command] {
-    if (isOrWasSession(arguments->mesh.file)) {
+    if (isOrWasRecording(arguments->mesh.file)) {
       refuseMeshOptions(command);
-      salvageSession(arguments->mesh.file, arguments->output, arguments->json);
+      salvageRecording(arguments->mesh.file, arguments->output, arguments->json);
     } else {
       runRepair(*arguments);
     }

@@ -1,4 +1,3 @@
-#include "cli/render/contact_sheet.h"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,19 @@
-// The fingers of a scene at chosen moments: runs it without a device, as fast as it goes, and keeps what is asked for.
+// The fingers of a scene at chosen moments: runs it without a device, as fast as it goes, and keeps what is asked for;
+// and those of a recording.
 #pragma once
 
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "cli/render/render_options.h"
 #include "palpate/base/progress.h"
 #include "palpate/device/finger_path.h"
+#include "palpate/engine/recording_bundle.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
+#include "palpate/trace/recording_reader.h"
 
 namespace palpate::app {
 
@@ -23,5 +29,30 @@ void useFingersAt(std::size_t poses, double radius_mm, scene::Scene& scene);
 
 /// The paths of these fingers: from outside the skin, square to it, to the first place, and on.
 device::FingerPaths pathsToPoses(const scene::World& world, std::span<const Pose> poses);
+
+// A recording as what `palpate render` draws: its worlds, and its fingers at the moments that are asked for.
+
+class RecordedInput {
+ public:
+  /// Throws Error for options that say who touches the body, or how long.
+  explicit RecordedInput(const RenderOptions& options);
+
+  /// When the recording begins, s.
+  double beginS() const;
+  std::vector<servo::TickSamples> framesAt(const std::vector<double>& times_s);
+  /// The world that the frame was felt in, as the options want it seen; of no fingers, the one it began with. Built
+  /// again where it is another than that of the call before.
+  std::shared_ptr<const scene::World> worldOf(const servo::TickSamples& frame, const Progress& progress);
+  /// Where the last one is not the recorded one; empty: it is.
+  const std::string& note() const { return note_; }
+
+ private:
+  const RenderOptions& options_;
+  trace::RecordingReader recording_;
+  engine::CarriedFiles carried_;
+  std::uint32_t number_ = 0;
+  std::shared_ptr<const scene::World> world_;
+  std::string note_;
+};
 
 }  // namespace palpate::app

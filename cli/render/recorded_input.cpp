@@ -1,6 +1,6 @@
-#include "cli/render/recorded_input.h"
+#include "cli/render/moments.h"
 
-#include "cli/session/session_export.h"
+#include "cli/recording/recording_export.h"
 #include "palpate/base/error.h"
 
 namespace palpate::app {
@@ -13,35 +13,35 @@ void refuseOthers(const RenderOptions& options) {
                         scene.seconds > 0.0 || !options.poses.empty();
   if (!replaces) return;
   throw Error::inFile(scene.scene,
-                      "is a session: its body and its fingers are the recorded ones (no --mesh, "
+                      "is a recording: its body and its fingers are the recorded ones (no --mesh, "
                       "--trajectory, --radius-mm, --seconds, --pose)");
 }
 
 }  // namespace
 
 RecordedInput::RecordedInput(const RenderOptions& options)
-    : options_(options), session_(options.scene.scene), carried_(session_) {
+    : options_(options), recording_(options.scene.scene), carried_(recording_) {
   refuseOthers(options);
 }
 
 double RecordedInput::beginS() const {
-  const trace::SessionFacts& facts = session_.facts();
+  const trace::RecordingFacts& facts = recording_.facts();
   return static_cast<double>(facts.first_tick) / facts.header.ticks_per_s;
 }
 
 std::vector<servo::TickSamples> RecordedInput::framesAt(const std::vector<double>& times_s) {
-  return recordedFrames(session_, times_s);
+  return recordedFrames(recording_, times_s);
 }
 
 std::shared_ptr<const scene::World> RecordedInput::worldOf(const servo::TickSamples& frame, const Progress& progress) {
-  const auto first = static_cast<std::uint32_t>(session_.facts().first_world);
+  const auto first = static_cast<std::uint32_t>(recording_.facts().first_world);
   const std::uint32_t number = frame.empty() ? first : frame.front().world;
   if (world_ == nullptr || number != number_) {
     world_ = worldToSee(
-        session_, number, carried_.folder(), [this](scene::Scene& scene) { scene.view = viewOf(options_, scene.view); },
-        progress);
+        recording_, number, carried_.folder(),
+        [this](scene::Scene& scene) { scene.view = viewOf(options_, scene.view); }, progress);
     number_ = number;
-    note_ = noteOfAnotherWorld(session_, number, *world_);
+    note_ = noteOfAnotherWorld(recording_, number, *world_);
   }
   requireFitting(frame, *world_);
   return world_;

@@ -1,7 +1,7 @@
 // `palpate render`: pictures of a scene without a window or a display.
 //
 //   scene ─ build ─► world ─ run to the moment ─► fingers ─ deform ─► surface ─► Studio ─► PNG, one or a sequence; a
-//   session ───────► world ─ recorded ──────────►                                          film
+//   recording ───────► world ─ recorded ──────────►                                          film
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -16,12 +16,11 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
+#include "cli/recording/recording_text.h"
 #include "cli/render/film.h"
 #include "cli/render/moments.h"
 #include "cli/render/picture_series.h"
-#include "cli/render/recorded_input.h"
 #include "cli/render/render_options.h"
-#include "cli/session/session_text.h"
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
@@ -98,7 +97,7 @@ std::vector<servo::TickSamples> framesFor(const RenderOptions& options, const sc
   return framesAt(world, paths, times, progress);
 }
 
-/// What is drawn: of a scene that is run now, or of a session.
+/// What is drawn: of a scene that is run now, or of a recording.
 struct Input {
   std::vector<double> times;
   std::vector<servo::TickSamples> frames;
@@ -115,7 +114,7 @@ Input inputOfScene(const RenderOptions& options, const Progress& progress) {
   return input;
 }
 
-Input inputOfSession(const RenderOptions& options, const Progress& progress) {
+Input inputOfRecording(const RenderOptions& options, const Progress& progress) {
   const auto recorded = std::make_shared<RecordedInput>(options);
   Input input{{0.0}, {servo::TickSamples{}}, {}, [recorded] { return recorded->note(); }};
   if (!isAtRest(options)) {
@@ -176,11 +175,11 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   result.size = options.size;
   const std::vector<std::filesystem::path> files = filesOf(options);
   const auto started = Clock::now();
-  const bool is_recorded = isSessionFile(options.scene.scene);
+  const bool is_recorded = isRecordingFile(options.scene.scene);
   std::optional<FinishesInOrder> in_order;
-  if (is_recorded) in_order.emplace();  // files that the session carries lie in a folder that must go again
+  if (is_recorded) in_order.emplace();  // files that the recording carries lie in a folder that must go again
   const Input input =
-      is_recorded ? inputOfSession(options, endingWhenAsked(progress)) : inputOfScene(options, progress);
+      is_recorded ? inputOfRecording(options, endingWhenAsked(progress)) : inputOfScene(options, progress);
   std::shared_ptr<const scene::World> world = input.world_of(input.frames.front());
   requireScalar(options, *world);
   result.notes = world->notes;
@@ -199,7 +198,7 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   for (std::size_t i = 0; i < files.size() && endAskedBy() == 0; ++i) {
     report(progress, "drawing", static_cast<double>(i) / static_cast<double>(files.size()));
     const servo::TickSamples& frame = input.frames.at(i);
-    if (input.world_of(frame) != world) {  // a session may have gone on in another one
+    if (input.world_of(frame) != world) {  // a recording may have gone on in another one
       world = input.world_of(frame);
       settings = settingsFor(options, *world, result.size);
       series = std::make_unique<PictureSeries>(world, result.size);
@@ -282,7 +281,7 @@ void addPoses(CLI::App& command, RenderOptions& options) {
 
 void addMomentOptions(CLI::App& command, RenderOptions& options) {
   addNumber(command, "--at", options.at_s, between(0.0, kLongestRunS, "s"),
-            "Moment of the scene's run; left out (and no --pose): the body at rest");
+            "Moment of the scene's run (default, without --pose: the body at rest)");
   addPoses(command, options);
   addNumber(command, "--frames", options.frames, between(1, 9999), "Number of pictures")->capture_default_str();
   addNumber(command, "--fps", options.frames_per_s, between(0.1, 1000.0), "Pictures a second of the run")
@@ -312,7 +311,7 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--scalar", options.scalar, "Colour the skin by this number of the vertices of its PLY file");
   takesWord<ColourMap>(command.add_option("--scalar-map", options.scalar_map, "Its colours"));
   addNumber(command, "--scalar-range", options.scalar_range, between(-1e9, 1e9),
-            "Values of the two ends of its colours, LOW,HIGH; left out: its least and greatest")
+            "Values of the two ends of its colours, LOW,HIGH (default: its least and greatest)")
       ->delimiter(',')
       ->expected(2)
       ->allow_extra_args(false);
@@ -382,8 +381,7 @@ void drawAndTell(const RenderOptions& options, bool tells) {
 }
 
 void addRenderCommand(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("render", "Draw pictures of a scene or of a recorded session without a window");
+  CLI::App* command = app.add_subcommand("render", "Draw pictures of a scene or of a recording without a window");
   command->group("Touch");
   const auto options = std::make_shared<RenderOptions>();
   addInputOptions(*command, options->scene);

@@ -16,7 +16,7 @@ bool Playback::play(double now_s, window::Window& window, viewer::Viewer& viewer
     const viewer::ScriptEvent& event = script_[next_];
     if (event.kind == viewer::ScriptEvent::Kind::close) {
       if (next_ + 1 == script_.size()) return true;
-      viewer.session().request(viewer::Quit{});
+      viewer.state().request(viewer::Quit{});
     } else if (event.kind == viewer::ScriptEvent::Kind::size) {
       window.setSize(event.width, event.height);
     } else if (event.kind == viewer::ScriptEvent::Kind::head) {
@@ -38,10 +38,10 @@ void showFrames(window::Window& window, viewer::Viewer& viewer, Playback& playba
     const bool close = playback.play(now_s, window, viewer, events);
     if (window.closing()) {
       window.stayOpen();
-      viewer.session().request(viewer::Quit{});
+      viewer.state().request(viewer::Quit{});
     }
     if (close || viewer.wantsToQuit() || endAskedBy() != 0) return;
-    viewer.session().state.stereo.monitor_row = window.top();
+    viewer.state().state.stereo.monitor_row = window.top();
     viewer.frame(window.width(), window.height(), window.contentScale(), now_s, events);
     viewer.drawsItself() ? window.swap() : window.present(viewer.target());
     if (frame == 1) first_shown_s = secondsSince(started);

@@ -12,13 +12,12 @@
 
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
-#include "cli/kit/default_scene.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/interruption.h"
+#include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
-#include "cli/kit/unit_option.h"
 #include "cli/run/playback.h"
 #include "cli/run/run_modes.h"
 #include "palpate/base/background.h"
@@ -29,7 +28,7 @@
 #include "palpate/device/head/openxr_head.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/forces_table.h"
-#include "palpate/trace/session_reader.h"
+#include "palpate/trace/recording_reader.h"
 #include "palpate/window/window.h"
 #include "view/viewer/state/state_file.h"
 #include "view/viewer/viewer.h"
@@ -63,8 +62,8 @@ struct RunOptions {
   bool no_intro = false;
   bool no_shortcuts = false;
   bool no_state = false;
-  bool no_session = false;
-  std::string sessions;  ///< folder; empty: the user's own
+  bool no_recording = false;
+  std::string recordings;  ///< folder; empty: the user's own
   bool full_screen = false;
   bool verbose = false;
   bool keys = false;
@@ -91,11 +90,11 @@ void tell(const std::string& text) {
 }
 
 void tellFrame(std::uint64_t number, double now_s, viewer::Viewer& viewer) {
-  const viewer::Session& s = viewer.session();
+  const viewer::ViewerState& s = viewer.state();
   const contact::FingerOutput& finger = s.fingers[s.active_finger];
   const viewer::Message* message = s.messages.all().empty() ? nullptr : &s.messages.all().back();
   tell(fmt::format(
-      "frame {} t={:.3f} size={}x{} finger={} pressed={} depth={:.2f} force={:.2f} drag={:.2f} wish={:.2f} "
+      "frame {} t={:.3f} size={}x{} finger={} pressed={} depth={:.2f} force={:.2f} drag={:.2f} set_depth={:.2f} "
       "distance={:.0f} yaw={:.3f} body={} building={} panel={} overlays={} row={} recording={} changed={} question={} "
       "message={}\n",
       number, now_s, viewer.target().width(), viewer.target().height(), s.active_finger,
@@ -145,12 +144,12 @@ scene::Scene sceneToRun(const RunOptions& options) {
 }
 
 void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::Window& window) {
-  if (!options.no_state) viewer::writeState(viewer::stateFile(), {viewer.session().state, window.placement()});
+  if (!options.no_state) viewer::writeState(viewer::stateFile(), {viewer.state().state, window.placement()});
 }
 
 /// What cannot be completed at the end is told where somebody still reads.
 void finishViewer(const RunOptions& options, viewer::Viewer& viewer) {
-  viewer::Messages& messages = viewer.session().messages;
+  viewer::Messages& messages = viewer.state().messages;
   messages.markRead();
   const servo::LoopReport report = viewer.finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));
   if (options.verbose) tellServo(report);
@@ -171,22 +170,22 @@ void keepChanges(const viewer::Viewer& viewer) {
   }
 }
 
-/// What is remembered between runs is the user's; without it sessions need a folder that is named.
-std::filesystem::path sessionFolder(const RunOptions& options) {
-  if (options.no_session) return {};
-  if (!options.sessions.empty()) return std::filesystem::absolute(options.sessions);
-  return options.no_state ? std::filesystem::path() : viewer::sessionsFolder();
+/// What is remembered between runs is the user's; without it recordings need a folder that is named.
+std::filesystem::path recordingFolder(const RunOptions& options) {
+  if (options.no_recording) return {};
+  if (!options.recordings.empty()) return std::filesystem::absolute(options.recordings);
+  return options.no_state ? std::filesystem::path() : viewer::recordingsFolder();
 }
 
 /// What cannot be read opens no window.
 void checkReplays(const RunOptions& options) {
-  if (!options.beside.empty() && !trace::isSession(options.replay)) {
-    throw Error("--beside is for a session beside that of --replay");
+  if (!options.beside.empty() && !trace::isRecording(options.replay)) {
+    throw Error("--beside is for a recording beside that of --replay");
   }
   for (const std::string& file : {options.replay, options.beside}) {
     if (file.empty()) continue;
-    trace::isSession(file) ? static_cast<void>(trace::SessionReader(file))
-                           : static_cast<void>(trace::readForcesTable(file));
+    trace::isRecording(file) ? static_cast<void>(trace::RecordingReader(file))
+                             : static_cast<void>(trace::readForcesTable(file));
   }
 }
 
@@ -213,7 +212,7 @@ std::optional<Vec3> newestHead(HeadSource& heads) {
 /// Measured from where the head is expected: there the tracker was centred, or the headset first seen.
 void followHead(HeadSource& heads, viewer::Viewer& viewer, double now_s) {
   const std::optional<Vec3> place = newestHead(heads);
-  const viewer::HeadSettings& head = viewer.session().state.head;
+  const viewer::HeadSettings& head = viewer.state().state.head;
   if (place) viewer.headAt(head.expected_mm - head.offset_mm + *place, now_s);
 }
 
@@ -234,7 +233,7 @@ void runWindow(const RunOptions& options) {
   viewer::ViewerSettings settings;
   settings.intro = !options.no_intro && !state.remembered && options.play.empty();
   settings.output_folder = options.out;
-  settings.session_folder = sessionFolder(options);
+  settings.recording_folder = recordingFolder(options);
   settings.default_scene = standardScene();
   viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};
   view_state.input.shortcuts = !options.no_shortcuts;
@@ -244,9 +243,9 @@ void runWindow(const RunOptions& options) {
   building->join();  // without a display the window has thrown
   if (!options.devices.empty()) settings.devices = openedFor(*world, options.devices);
   viewer::Viewer viewer(world, std::move(view_state), std::move(settings), hostOf(window));
-  if (!state.note.empty()) viewer.session().report(viewer::Severity::warning, state.note);
-  if (!options.replay.empty()) viewer.session().request(viewer::OpenFile{options.replay});
-  viewer.session().beside_at_first = options.beside;
+  if (!state.note.empty()) viewer.state().report(viewer::Severity::warning, state.note);
+  if (!options.replay.empty()) viewer.state().request(viewer::OpenFile{options.replay});
+  viewer.state().beside_at_first = options.beside;
   const FinishesInOrder in_order;
   const StoppedBySignal stopped(viewer.emergencyStop());
   showFrames(window, viewer, playback, options.frames, [&](std::uint64_t frame, double now_s) {
@@ -283,9 +282,9 @@ void addRunCommand(CLI::App& app) {
   command->add_option("--play", options->play,
                       "Play an input script (docs/reference/viewer.md): time_s, event, values");
   command->add_option("--replay", options->replay,
-                      "Play a session, or press the same places again as a table of forces (CSV), to be stepped tick "
+                      "Play a recording, or press the same places again as a table of forces (CSV), to be stepped tick "
                       "by tick");
-  command->add_option("--beside", options->beside, "Play this session beside that of --replay");
+  command->add_option("--beside", options->beside, "Play this recording beside that of --replay");
   for (const OfferedMode& add : offeredModes()) options->modes.push_back(add(*command));
   takesOneOf(wordList<view::StereoMode>(),
              command->add_option("--stereo", options->stereo,
@@ -309,10 +308,9 @@ void addRunCommand(CLI::App& app) {
   command->add_flag("--no-intro", options->no_intro, "Do not show how to press in the first seconds");
   command->add_flag("--no-shortcuts", options->no_shortcuts, "Keys do nothing, but for F1 and Esc");
   command->add_flag("--no-state", options->no_state, "Neither read nor write what is remembered between runs");
-  command->add_flag("--no-session", options->no_session, "Do not record the last hour by itself");
-  command->add_option("--sessions", options->sessions,
-                      "Folder for the sessions that are recorded by themselves; left out: the user's own, or with "
-                      "--no-state none");
+  command->add_flag("--no-session", options->no_recording, "Do not record the last hour by itself");
+  command->add_option("--sessions", options->recordings,
+                      "Folder for recordings of the last hour (default: the user's own, or with --no-state none)");
   command->add_flag("--verbose", options->verbose, "Print a line for every frame, and the servo's report at the end");
   command->add_flag("--keys", options->keys, "Print the table of keys (Markdown) and stop");
   command->callback([=] {

@@ -22,9 +22,9 @@ namespace palpate::app::serving {
 
 namespace {
 
-constexpr std::size_t kLeastToken = 16;
-constexpr std::size_t kMostToken = 128;
-constexpr std::uint64_t kMostTokenFile = 4096;
+constexpr std::size_t kMinToken = 16;
+constexpr std::size_t kMaxToken = 128;
+constexpr std::uint64_t kMaxTokenFile = 4096;
 constexpr std::string_view kTokenFileStem = "serve-";
 
 bool isTokenLetter(char c) {
@@ -68,8 +68,8 @@ std::string_view wordOf(Role role) {
 }
 
 std::string faultOfToken(std::string_view token) {
-  if (token.size() < kLeastToken || token.size() > kMostToken) {
-    return fmt::format("a token has {} to {} letters, not {}", kLeastToken, kMostToken, token.size());
+  if (token.size() < kMinToken || token.size() > kMaxToken) {
+    return fmt::format("a token has {} to {} letters, not {}", kMinToken, kMaxToken, token.size());
   }
   if (!std::all_of(token.begin(), token.end(), isTokenLetter)) return "a token has letters, digits, - and _ only";
   return {};
@@ -95,7 +95,7 @@ Tokens completed(Tokens given) {
 }
 
 Role roleOf(const Tokens& tokens, std::string_view offered) noexcept {
-  if (offered.size() > kMostToken) return Role::none;
+  if (offered.size() > kMaxToken) return Role::none;
   const bool looks = equalInConstantTime(tokens.look, offered);
   const bool controls = equalInConstantTime(tokens.control, offered);
   const bool instructs = equalInConstantTime(tokens.instruct, offered);
@@ -124,7 +124,7 @@ Tokens readTokens(const std::filesystem::path& file) {
   if ((facts.st_mode & 0077) != 0) {
     throw Error::inFile(file.string(), "others may read or write it: chmod 600 " + file.string());
   }
-  const auto json = nlohmann::json::parse(readFile(file, kMostTokenFile), nullptr, false);
+  const auto json = nlohmann::json::parse(readFile(file, kMaxTokenFile), nullptr, false);
   if (!json.is_object()) throw Error::inFile(file.string(), R"(is not {"look": ..., "control": ..., "instruct": ...})");
   try {
     return completed({tokenOf(json, "look"), tokenOf(json, "control"), tokenOf(json, "instruct")});

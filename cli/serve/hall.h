@@ -11,34 +11,34 @@
 #include <string>
 #include <string_view>
 
+#include "cli/serve/access.h"
 #include "cli/serve/network.h"
-#include "cli/serve/visit_book.h"
 #include "cli/serve/wire.h"
 #include "palpate/base/stopwatch.h"
 
 namespace palpate::app::serving {
 
-using Request = boost::beast::http::request<boost::beast::http::empty_body>;
+using HttpRequest = boost::beast::http::request<boost::beast::http::empty_body>;
 using Frame = std::shared_ptr<const std::string>;
 
-class Onlooker;
+class Watcher;
 
 struct HallCounts {
-  std::atomic<std::uint64_t> onlookers{0}, most_onlookers{0}, frames_sent{0}, frames_skipped{0}, bytes_sent{0},
+  std::atomic<std::uint64_t> watchers{0}, most_watchers{0}, frames_sent{0}, frames_skipped{0}, bytes_sent{0},
       refused_token{0}, refused_origin{0}, refused_full{0}, malformed{0}, dropped{0}, hung_up{0};
 };
 
 struct Hall {
-  Hall(NetworkSettings of, Exhibits shown, ControlDesk at)
-      : settings(std::move(of)), exhibits(std::move(shown)), desk(std::move(at)) {}
+  Hall(NetworkSettings of, Exhibits shown, FingerControl at)
+      : settings(std::move(of)), exhibits(std::move(shown)), control(std::move(at)) {}
 
   const NetworkSettings settings;
   const Exhibits exhibits;
-  ControlDesk desk;
+  FingerControl control;
   int port = 0;
   HallCounts counts;
-  std::map<OnlookerId, std::shared_ptr<Onlooker>> onlookers;
-  OnlookerId last_id = 0;
+  std::map<WatcherId, std::shared_ptr<Watcher>> watchers;
+  WatcherId last_id = 0;
   VisitBook book;
   std::map<VisitId, std::function<void()>> hang_up;  ///< of those in the book
   VisitId last_visit = 0;
@@ -53,26 +53,26 @@ struct Hall {
   void tellState();
   void tellMessage(const std::string& words);
   void show(const Frame& frame);
-  void join(const std::shared_ptr<Onlooker>& onlooker, OnlookerId id);
-  void leave(OnlookerId id);
+  void join(const std::shared_ptr<Watcher>& watcher, WatcherId id);
+  void leave(WatcherId id);
   /// Hangs up on this visit, where it is one, to make room.
   void makeRoom(VisitId id);
 };
 
-/// Answers the requests that come over this socket, one after the other, and makes an onlooker of one that asks for the
+/// Answers the requests that come over this socket, one after the other, and makes a watcher of one that asks for the
 /// stream. Keeps itself alive.
 void beginVisit(Socket socket, Hall& hall);
 
 /// Completes the handshake and streams until it ends. Keeps itself alive; the hall knows it from the handshake on.
-void beginLooking(Wire wire, Hall& hall, Role role, const Request& request);
+void beginLooking(Wire wire, Hall& hall, Role role, const HttpRequest& request);
 
 /// For Hall: what everybody is told, and the end of everybody.
-void tell(Onlooker& onlooker, const std::string& state);
-void tellWords(Onlooker& onlooker, const std::string& message);
-void show(Onlooker& onlooker, const Frame& frame);
+void tell(Watcher& watcher, const std::string& state);
+void tellWords(Watcher& watcher, const std::string& message);
+void show(Watcher& watcher, const Frame& frame);
 /// Some times a second: who takes nothing is hung up on.
-void look(Onlooker& onlooker);
-void sendAway(Onlooker& onlooker);
+void look(Watcher& watcher);
+void sendAway(Watcher& watcher);
 
 inline constexpr std::uint32_t kMaxHeaderBytes = 8192;
 
@@ -81,7 +81,7 @@ inline constexpr std::uint32_t kMaxHeaderBytes = 8192;
 inline constexpr std::size_t kPieceBytes = 65536;
 
 /// A page sends sixty a second, a hasty one a hundred more.
-inline constexpr double kMaxWishesPerS = 200.0;
+inline constexpr double kMaxRequestsPerS = 200.0;
 
 /// The protocol that both sides name; a page's token stands beside it, where no log writes it down.
 inline constexpr std::string_view kProtocol = "palpate.1";

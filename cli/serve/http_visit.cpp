@@ -57,7 +57,7 @@ std::string_view tokenIn(beast::string_view authorization) {
 }
 
 /// Without what a query adds.
-std::string_view pathOf(const Request& request) {
+std::string_view pathOf(const HttpRequest& request) {
   const std::string_view target = viewOf(request.target());
   return target.substr(0, target.find('?'));
 }
@@ -181,7 +181,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     const Role role = admitted(token);
     if (role == Role::none) return;
     if (!speaks) return refuse(http::status::bad_request);
-    if (hall_.onlookers.size() >= hall_.settings.onlookers) {
+    if (hall_.watchers.size() >= hall_.settings.watchers) {
       ++hall_.counts.refused_full;
       return refuse(http::status::service_unavailable);
     }
@@ -268,7 +268,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
   const VisitId id_;
   beast::flat_buffer buffer_{2 * kMaxHeaderBytes};
   std::optional<http::request_parser<http::empty_body>> parser_;
-  Request request_;
+  HttpRequest request_;
   std::string own_text_;
 };
 

@@ -1,5 +1,5 @@
 // Strict: an unknown key, a number that is no number or out of range, or a word too many, and it is no message.
-#include "cli/serve/messages.h"
+#include "cli/serve/finger_control.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ class Members {
   }
   double number(const char* name, double least, double most) {
     const auto member = json_.find(name);
-    if (member == json_.end() || !member->is_number()) return fail(std::string(name) + " is no number"), 0.0;
+    if (member == json_.end() || !member->is_number()) return fail(std::string(name) + " must be a number"), 0.0;
     const auto value = member->get<double>();
     if (!(value >= least && value <= most)) fail(std::string(name) + " is out of range");
     return value;
@@ -65,12 +65,12 @@ class Members {
   std::string& why_;
 };
 
-constexpr std::size_t kMostFingers = 64;
+constexpr std::size_t kMaxFingers = 64;
 
-Wish pointOf(Members& members) {
+Request pointOf(Members& members) {
   Point point;
   members.only({"type", "finger", "pressed", "place", "normal", "depth_mm", "force_n"});
-  point.finger = members.count("finger", kMostFingers);
+  point.finger = members.count("finger", kMaxFingers);
   point.pressed = members.truth("pressed");
   point.place = members.place("place");
   point.normal = members.place("normal");
@@ -82,12 +82,12 @@ Wish pointOf(Members& members) {
   return point;
 }
 
-Wish sayOf(const Json& json, Members& members) {
+Request sayOf(const Json& json, Members& members) {
   members.only({"type", "text"});
   const auto text = json.find("text");
-  if (text == json.end() || !text->is_string()) return members.fail("text is no text"), Say{};
+  if (text == json.end() || !text->is_string()) return members.fail("text must be text"), Say{};
   Say say{text->get<std::string>()};
-  if (say.words.size() > kMostWords) members.fail("text is too long");
+  if (say.words.size() > kMaxWords) members.fail("text is too long");
   std::replace_if(
       say.words.begin(), say.words.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
       ' ');
@@ -96,34 +96,34 @@ Wish sayOf(const Json& json, Members& members) {
 
 }  // namespace
 
-std::optional<Wish> wishOf(std::string_view message, std::string& why) {
+std::optional<Request> requestOf(std::string_view message, std::string& why) {
   why.clear();
-  if (message.size() > kMostWishBytes) return why = "too long", std::nullopt;
+  if (message.size() > kMaxRequestBytes) return why = "too long", std::nullopt;
   const Json json = Json::parse(message, nullptr, false);
   if (!json.is_object()) return why = "no JSON object", std::nullopt;
   const auto type = json.find("type");
   if (type == json.end() || !type->is_string()) return why = "type is missing", std::nullopt;
   const auto word = type->get<std::string>();
   Members members(json, why);
-  Wish wish;
+  Request request;
   if (word == "finger") {
-    wish = pointOf(members);
+    request = pointOf(members);
   } else if (word == "lift") {
     members.only({"type", "finger"});
-    wish = Lift{members.count("finger", kMostFingers)};
+    request = Lift{members.count("finger", kMaxFingers)};
   } else if (word == "take" || word == "give") {
     members.only({"type"});
-    wish = word == "take" ? Wish(Take{}) : Wish(Give{});
+    request = word == "take" ? Request(Take{}) : Request(Give{});
   } else if (word == "pause") {
     members.only({"type", "on"});
-    wish = Pause{members.truth("on")};
+    request = Pause{members.truth("on")};
   } else if (word == "message") {
-    wish = sayOf(json, members);
+    request = sayOf(json, members);
   } else {
     why = "an unknown type";
   }
   if (!why.empty()) return std::nullopt;
-  return wish;
+  return request;
 }
 
 }  // namespace palpate::app::serving

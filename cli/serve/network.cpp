@@ -1,19 +1,27 @@
 // Boost.Asio, one thread and no lock: everything that comes from outside it is posted to it.
 #include "cli/serve/network.h"
 
+#include <arpa/inet.h>
 #include <fmt/format.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <netinet/in.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
+#include <memory>
+#include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
+#include "cli/serve/access.h"
 #include "cli/serve/hall.h"
-#include "cli/serve/own_addresses.h"
 #include "palpate/base/error.h"
 
 namespace palpate::app::serving {
@@ -22,25 +30,61 @@ namespace asio = boost::asio;
 
 namespace {
 
+// Under which addresses a browser reaches what listens at an address of this computer.
+
+std::string inBrackets(const std::string& host) {
+  return host.find(':') == std::string::npos ? host : "[" + host + "]";
+}
+
+/// Empty for what is no IP address, or no use to a browser.
+std::string hostOf(const sockaddr* address, bool v6_too) {
+  std::array<char, INET6_ADDRSTRLEN> text{};
+  if (address != nullptr && address->sa_family == AF_INET) {
+    ::inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(address)->sin_addr, text.data(), text.size());
+  } else if (address != nullptr && address->sa_family == AF_INET6 && v6_too) {
+    const in6_addr& v6 = reinterpret_cast<const sockaddr_in6*>(address)->sin6_addr;
+    if (!IN6_IS_ADDR_LINKLOCAL(&v6)) ::inet_ntop(AF_INET6, &v6, text.data(), text.size());
+  }
+  return inBrackets(text.data());
+}
+
+/// The address itself; for 0.0.0.0 and :: those of this computer's interfaces that are up, loopback last. IPv6 in
+/// brackets, link-local ones left out: a browser cannot name their interface.
+std::vector<std::string> reachableHosts(const std::string& host) {
+  const bool v6 = host == "::";
+  if (!v6 && host != "0.0.0.0") return {inBrackets(host)};
+  ifaddrs* first = nullptr;
+  if (::getifaddrs(&first) != 0) return {inBrackets(host)};
+  const std::unique_ptr<ifaddrs, decltype(&::freeifaddrs)> all(first, &::freeifaddrs);
+  std::vector<std::string> hosts;
+  for (const ifaddrs* at = first; at != nullptr; at = at->ifa_next) {
+    if ((at->ifa_flags & IFF_UP) == 0) continue;
+    const std::string found = hostOf(at->ifa_addr, v6);
+    if (!found.empty() && std::find(hosts.begin(), hosts.end(), found) == hosts.end()) hosts.push_back(found);
+  }
+  std::stable_partition(hosts.begin(), hosts.end(), [](const std::string& found) { return !isLoopback(found); });
+  return hosts.empty() ? std::vector<std::string>{inBrackets(host)} : hosts;
+}
+
 constexpr std::chrono::milliseconds kRound{50};
 constexpr int kRoundsPerState = 20;  // a second
 constexpr std::chrono::milliseconds kNoSocketsLeft{200};
 constexpr double kGoodbyeS = 1.0;
 /// Frames that wait for the thread; more would only be older.
-constexpr int kMostPosted = 2;
+constexpr int kMaxPosted = 2;
 
 asio::ip::address addressOf(const std::string& host) {
   boost::system::error_code error;
   const auto address = asio::ip::make_address(host == "localhost" ? "127.0.0.1" : host, error);
-  if (error) throw Error(fmt::format("--host {}: is no address of this computer, such as 127.0.0.1", host));
+  if (error) throw Error(fmt::format("--host {}: is not an address of this computer, such as 127.0.0.1", host));
   return address;
 }
 
 }  // namespace
 
-struct Network::Parts {
-  Parts(const NetworkSettings& settings, Exhibits exhibits, ControlDesk desk)
-      : hall(settings, std::move(exhibits), std::move(desk)), acceptor(events), rounds(events), retry(events) {}
+struct Network::Impl {
+  Impl(const NetworkSettings& settings, Exhibits exhibits, FingerControl control)
+      : hall(settings, std::move(exhibits), std::move(control)), acceptor(events), rounds(events), retry(events) {}
 
   void listen();
   void accept();
@@ -58,7 +102,7 @@ struct Network::Parts {
   std::thread thread;
 };
 
-void Network::Parts::listen() {
+void Network::Impl::listen() {
   const asio::ip::tcp::endpoint at(addressOf(hall.settings.host), static_cast<std::uint16_t>(hall.settings.port));
   boost::system::error_code error;
   acceptor.open(at.protocol(), error);
@@ -69,7 +113,7 @@ void Network::Parts::listen() {
   hall.port = acceptor.local_endpoint().port();
 }
 
-void Network::Parts::accept() {
+void Network::Impl::accept() {
   acceptor.async_accept([this](boost::system::error_code error, Socket socket) {
     if (hall.closing) return;
     if (error) {  // no sockets left: those that there are end sooner or later
@@ -84,11 +128,11 @@ void Network::Parts::accept() {
   });
 }
 
-/// Twenty times a second: silent fingers, stalled onlookers, news of the state; and at the end, who is still there.
-void Network::Parts::goRound(int round) {
-  hall.desk.tick(hall.now());
-  for (auto at = hall.onlookers.begin(); at != hall.onlookers.end();) look(*(at++)->second);
-  if (hall.closing && (hall.onlookers.empty() || hall.now() - goodbye_s > kGoodbyeS)) return events.stop();
+/// Twenty times a second: silent fingers, stalled watchers, news of the state; and at the end, who is still there.
+void Network::Impl::goRound(int round) {
+  hall.control.tick(hall.now());
+  for (auto at = hall.watchers.begin(); at != hall.watchers.end();) look(*(at++)->second);
+  if (hall.closing && (hall.watchers.empty() || hall.now() - goodbye_s > kGoodbyeS)) return events.stop();
   if (round % kRoundsPerState == 0) hall.tellState();
   rounds.expires_after(kRound);
   rounds.async_wait([this, round](boost::system::error_code stopped) {
@@ -96,7 +140,7 @@ void Network::Parts::goRound(int round) {
   });
 }
 
-void Network::Parts::run() {
+void Network::Impl::run() {
   while (true) {
     try {
       events.run();
@@ -107,33 +151,33 @@ void Network::Parts::run() {
   }
 }
 
-void Network::Parts::end() {
+void Network::Impl::end() {
   hall.closing = true;
   goodbye_s = hall.now();
   boost::system::error_code ignored;
   acceptor.close(ignored);
-  hall.desk.close(hall.now());
-  for (auto at = hall.onlookers.begin(); at != hall.onlookers.end();) sendAway(*(at++)->second);
+  hall.control.close(hall.now());
+  for (auto at = hall.watchers.begin(); at != hall.watchers.end();) sendAway(*(at++)->second);
 }
 
-Network::Network(const NetworkSettings& settings, Exhibits exhibits, ControlDesk desk)
-    : parts_(std::make_unique<Parts>(settings, std::move(exhibits), std::move(desk))) {
-  parts_->listen();
-  parts_->accept();
-  parts_->goRound(0);
-  parts_->thread = std::thread([parts = parts_.get()] { parts->run(); });
+Network::Network(const NetworkSettings& settings, Exhibits exhibits, FingerControl control)
+    : impl_(std::make_unique<Impl>(settings, std::move(exhibits), std::move(control))) {
+  impl_->listen();
+  impl_->accept();
+  impl_->goRound(0);
+  impl_->thread = std::thread([parts = impl_.get()] { parts->run(); });
 }
 
 Network::~Network() {
-  asio::post(parts_->events, [parts = parts_.get()] { parts->end(); });
-  parts_->thread.join();
-  parts_->hall.onlookers.clear();  // their sockets go before the events
+  asio::post(impl_->events, [parts = impl_.get()] { parts->end(); });
+  impl_->thread.join();
+  impl_->hall.watchers.clear();  // their sockets go before the events
 }
 
-int Network::port() const { return parts_->hall.port; }
+int Network::port() const { return impl_->hall.port; }
 
 std::vector<std::string> Network::addresses() const {
-  const NetworkSettings& settings = parts_->hall.settings;
+  const NetworkSettings& settings = impl_->hall.settings;
   std::vector<std::string> addresses;
   for (const std::string& host : reachableHosts(settings.host)) {
     addresses.push_back(fmt::format("{}://{}:{}", settings.tls ? "https" : "http", host, port()));
@@ -142,8 +186,8 @@ std::vector<std::string> Network::addresses() const {
 }
 
 void Network::show(std::shared_ptr<const std::string> frame) {
-  Parts* parts = parts_.get();
-  if (parts->posted.load() >= kMostPosted) return;
+  Impl* parts = impl_.get();
+  if (parts->posted.load() >= kMaxPosted) return;
   ++parts->posted;
   asio::post(parts->events, [parts, frame = std::move(frame)] {
     --parts->posted;
@@ -152,51 +196,51 @@ void Network::show(std::shared_ptr<const std::string> frame) {
 }
 
 void Network::tellVitals(nlohmann::ordered_json vitals) {
-  asio::post(parts_->events,
-             [parts = parts_.get(), vitals = std::move(vitals)]() mutable { parts->hall.vitals = std::move(vitals); });
+  asio::post(impl_->events,
+             [parts = impl_.get(), vitals = std::move(vitals)]() mutable { parts->hall.vitals = std::move(vitals); });
 }
 
 NetworkCounts Network::counts() const {
-  const HallCounts& counts = parts_->hall.counts;
-  return {counts.onlookers,  counts.most_onlookers, counts.frames_sent,    counts.frames_skipped,
-          counts.bytes_sent, counts.refused_token,  counts.refused_origin, counts.refused_full,
-          counts.malformed,  counts.dropped,        counts.hung_up};
+  const HallCounts& counts = impl_->hall.counts;
+  return {counts.watchers,   counts.most_watchers, counts.frames_sent,    counts.frames_skipped,
+          counts.bytes_sent, counts.refused_token, counts.refused_origin, counts.refused_full,
+          counts.malformed,  counts.dropped,       counts.hung_up};
 }
 
 // --- the hall
 
 std::string Hall::state() const {
   nlohmann::ordered_json json = {
-      {"type", "state"}, {"holder", desk.holder()}, {"paused", desk.paused()}, {"onlookers", onlookers.size()}};
+      {"type", "state"}, {"holder", control.holder()}, {"paused", control.paused()}, {"onlookers", watchers.size()}};
   if (!vitals.is_null()) json["servo"] = vitals;
   return json.dump();
 }
 
 void Hall::tellState() {
   const std::string text = state();
-  for (const auto& [id, onlooker] : onlookers) tell(*onlooker, text);
+  for (const auto& [id, watcher] : watchers) tell(*watcher, text);
 }
 
 void Hall::tellMessage(const std::string& words) {
   const std::string text = nlohmann::ordered_json{{"type", "message"}, {"text", words}}.dump();
-  for (const auto& [id, onlooker] : onlookers) tellWords(*onlooker, text);
+  for (const auto& [id, watcher] : watchers) tellWords(*watcher, text);
 }
 
 void Hall::show(const Frame& frame) {
   newest = frame;
-  for (const auto& [id, onlooker] : onlookers) serving::show(*onlooker, frame);
+  for (const auto& [id, watcher] : watchers) serving::show(*watcher, frame);
 }
 
-void Hall::join(const std::shared_ptr<Onlooker>& onlooker, OnlookerId id) {
-  onlookers.emplace(id, onlooker);
-  counts.onlookers = onlookers.size();
-  counts.most_onlookers = std::max<std::uint64_t>(counts.most_onlookers, onlookers.size());
+void Hall::join(const std::shared_ptr<Watcher>& watcher, WatcherId id) {
+  watchers.emplace(id, watcher);
+  counts.watchers = watchers.size();
+  counts.most_watchers = std::max<std::uint64_t>(counts.most_watchers, watchers.size());
 }
 
-void Hall::leave(OnlookerId id) {
-  if (onlookers.erase(id) == 0) return;
-  counts.onlookers = onlookers.size();
-  desk.left(id, now());
+void Hall::leave(WatcherId id) {
+  if (watchers.erase(id) == 0) return;
+  counts.watchers = watchers.size();
+  control.left(id, now());
   if (!closing) tellState();
 }
 

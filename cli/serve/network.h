@@ -1,8 +1,8 @@
 // The network side of `palpate serve`: one thread that hands out the page, the skin and sixty frames a second, and
-// hears what pages wish.
+// hears what pages request.
 //
-//   show(frame) ─► newest frame ─► each onlooker that is ready for one (the others skip it)
-//   page ─ Wish ─► ControlDesk ─► the servo's mouse links (triple buffers)
+//   show(frame) ─► newest frame ─► each watcher that is ready for one (the others skip it)
+//   page ─ Request ─► FingerControl ─► the servo's mouse links (triple buffers)
 //
 // The servo never waits for it, nor does the caller: what has no time is left out.
 #pragma once
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "cli/serve/access.h"
-#include "cli/serve/control_desk.h"
+#include "cli/serve/finger_control.h"
 #include "cli/serve/site.h"
 
 namespace boost::asio::ssl {
@@ -29,9 +29,9 @@ struct NetworkSettings {
   Tokens tokens;
   std::shared_ptr<boost::asio::ssl::context> tls;  ///< null: plain HTTP
   std::vector<std::string> origins;                ///< pages from there may look, besides the server's own
-  std::size_t onlookers = 64;                      ///< at once
+  std::size_t watchers = 64;                       ///< at once
   double handshake_s = 10.0;                       ///< for a request to be complete, that of TLS included
-  double silence_s = 20.0;                         ///< an onlooker that answers no ping for so long is gone
+  double silence_s = 20.0;                         ///< a watcher that answers no ping for so long is gone
   double stall_s = 5.0;                            ///< and one that takes nothing for so long
   double piece_s = 10.0;                           ///< for 64 KiB of an answer to be taken
 };
@@ -46,8 +46,8 @@ struct Exhibits {
 
 /// Since the start, but for the first.
 struct NetworkCounts {
-  std::uint64_t onlookers = 0;  ///< now
-  std::uint64_t most_onlookers = 0;
+  std::uint64_t watchers = 0;  ///< now
+  std::uint64_t most_watchers = 0;
   std::uint64_t frames_sent = 0;
   std::uint64_t frames_skipped = 0;  ///< by those that were not ready
   std::uint64_t bytes_sent = 0;      ///< of the frames
@@ -55,14 +55,14 @@ struct NetworkCounts {
   std::uint64_t refused_origin = 0;
   std::uint64_t refused_full = 0;
   std::uint64_t malformed = 0;  ///< requests and messages
-  std::uint64_t dropped = 0;    ///< onlookers that were silent or took nothing
+  std::uint64_t dropped = 0;    ///< watchers that were silent or took nothing
   std::uint64_t hung_up = 0;    ///< requests that got nowhere, for others that came
 };
 
 class Network {
  public:
   /// Listens when it returns. Throws Error: no such address, a port that is taken.
-  Network(const NetworkSettings& settings, Exhibits exhibits, ControlDesk desk);
+  Network(const NetworkSettings& settings, Exhibits exhibits, FingerControl control);
   /// Lets go the fingers, tells everybody that it ends and waits a second at most.
   ~Network();
   Network(const Network&) = delete;
@@ -81,8 +81,8 @@ class Network {
   NetworkCounts counts() const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpate::app::serving

@@ -24,7 +24,7 @@ void addAccess(CLI::App& command, serving::ServeOptions& options) {
   addNumber(command, "--port", options.port, between(0, 65535), "Port to listen at; 0: any that is free")
       ->capture_default_str();
   addToken(command, "--token", options.tokens.control,
-           "Who has it may move the finger, one at a time; left out: one is made and printed");
+           "Who has it may move the finger, one at a time (default: one is made and printed)");
   addToken(command, "--look-token", options.tokens.look, "Who has it looks on; likewise");
   addToken(command, "--instruct-token", options.tokens.instruct,
            "Who has it may take the finger from anybody, pause it and write to all; likewise");
@@ -45,7 +45,7 @@ void addAccess(CLI::App& command, serving::ServeOptions& options) {
                   "A page from there may look too, for a proxy: https://place.example; once for each")
       ->type_name("URL")
       ->allow_extra_args(false);
-  addNumber(command, "--onlookers", options.onlookers, between(1, 1000), "How many may look on at once")
+  addNumber(command, "--onlookers", options.watchers, between(1, 1000), "How many may look on at once")
       ->capture_default_str();
 }
 
@@ -58,15 +58,15 @@ void addServeFamily(CLI::App& app) {
   options->input.needs_fingers = false;
   addInputOptions(command, options->input);
   addNumber(command, "--seconds", options->input.seconds, above(0.0, 864000.0, "s"),
-            "End by itself after so long; left out: Ctrl+C ends it");
+            "End by itself after so long (default: Ctrl+C ends it)");
   addDeviceOption(command, options->devices,
                   "Holds the left finger, the right one when given again; the others are moved by pages");
   addAccess(command, *options);
   command.add_option("--site", options->site,
-                     "Folder of the page (tools/build-web); left out: the installed one, where there is one");
-  command.add_option("--record", options->session, "Record a session (docs/reference/sessions.md) into this file")
+                     "Folder of the page (tools/build-web) (default: the installed one, where there is one)");
+  command.add_option("--record", options->recording, "Record every tick into this file (docs/reference/recordings.md)")
       ->type_name("FILE");
-  command.add_flag("--overwrite", options->overwrite, "Replace a session of that name");
+  command.add_flag("--overwrite", options->overwrite, "Replace a recording of that name");
   command.add_flag("--json", options->json,
                    "Print one JSON line with address and file of tokens at the start, and one with counts at the end");
   command.callback([options, &command] {

@@ -14,14 +14,14 @@
 #include "cli/kit/json.h"
 #include "cli/kit/progress_line.h"
 #include "cli/run/playback.h"
-#include "cli/serve/tls.h"
+#include "cli/serve/wire.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/body/places.h"
 #include "palpate/device/back_ends.h"
-#include "palpate/engine/session_recorder.h"
-#include "palpate/engine/streamed_world.h"
+#include "palpate/engine/contact_stream.h"
+#include "palpate/engine/recorder.h"
 #include "view/viewer/world/live_servo.h"
 
 namespace palpate::app::serving {
@@ -90,8 +90,8 @@ Site siteFor(const ServeOptions& options) {
 }
 
 /// The hands of the servo, as pages see them.
-std::vector<DeskFinger> fingersOf(const scene::World& world, const ServeOptions& options) {
-  std::vector<DeskFinger> fingers;
+std::vector<ControlledFinger> fingersOf(const scene::World& world, const ServeOptions& options) {
+  std::vector<ControlledFinger> fingers;
   for (std::size_t i = 0; i < viewer::kFingers; ++i) {
     fingers.push_back({std::string(viewer::kFingerNames[i]), viewer::fingerRadius(world.scene, i),
                        i < options.devices.size() ? options.devices[i] : std::string()});
@@ -99,12 +99,12 @@ std::vector<DeskFinger> fingersOf(const scene::World& world, const ServeOptions&
   return fingers;
 }
 
-nlohmann::ordered_json factsOf(const scene::World& world, const std::vector<DeskFinger>& fingers,
+nlohmann::ordered_json factsOf(const scene::World& world, const std::vector<ControlledFinger>& fingers,
                                const std::string& skin) {
   Hash hash;
   for (const char byte : skin) hash.add(std::uint64_t{static_cast<unsigned char>(byte)});
   nlohmann::ordered_json hands = nlohmann::ordered_json::array();
-  for (const DeskFinger& finger : fingers) {
+  for (const ControlledFinger& finger : fingers) {
     hands.push_back({{"name", finger.name}, {"radius_mm", finger.radius_mm}, {"device", finger.device}});
   }
   nlohmann::ordered_json landmarks = nlohmann::ordered_json::array();
@@ -148,7 +148,7 @@ std::vector<device::Device> devicesOf(const viewer::LiveServo& servo) {
 }
 
 /// Presses the emergency stop for those that instruct, and releases only what it pressed.
-ControlDesk::HaltDevices haltOf(viewer::LiveServo& servo) {
+FingerControl::HaltDevices haltOf(viewer::LiveServo& servo) {
   if (!servo.anyHeld()) return {};
   return [stop = &servo.thread().emergencyStop(), pressed = false](bool halted) mutable {
     if (halted && !stop->pressed()) {
@@ -160,23 +160,23 @@ ControlDesk::HaltDevices haltOf(viewer::LiveServo& servo) {
   };
 }
 
-std::unique_ptr<engine::SessionRecorder> recorderFor(const ServeOptions& options, const scene::World& world,
-                                                     viewer::LiveServo& servo) {
-  if (options.session.empty()) return nullptr;
-  if (!options.overwrite && fs::exists(options.session)) {
-    throw Error::inFile(options.session.string(), "exists already: another name, or --overwrite");
+std::unique_ptr<engine::Recorder> recorderFor(const ServeOptions& options, const scene::World& world,
+                                              viewer::LiveServo& servo) {
+  if (options.recording.empty()) return nullptr;
+  if (!options.overwrite && fs::exists(options.recording)) {
+    throw Error::inFile(options.recording.string(), "exists already: another name, or --overwrite");
   }
   engine::RecorderSettings settings;
-  settings.file = options.session;
-  settings.header = engine::sessionHeader(world.scene.ticks_per_s);
+  settings.file = options.recording;
+  settings.header = engine::recordingHeader(world.scene.ticks_per_s);
   settings.header.notes = world.scene.title;
   for (std::size_t i = 0; i < viewer::kFingers; ++i) {
     device::Device page;
     page.name = "page";
     settings.fingers.push_back(
-        engine::sessionFinger(std::string(viewer::kFingerNames[i]), servo.isHeld(i) ? servo.device(i) : page));
+        engine::recordingFinger(std::string(viewer::kFingerNames[i]), servo.isHeld(i) ? servo.device(i) : page));
   }
-  return std::make_unique<engine::SessionRecorder>(servo.thread(), settings);
+  return std::make_unique<engine::Recorder>(servo.thread(), settings);
 }
 
 // --- sixty times a second
@@ -212,7 +212,7 @@ nlohmann::ordered_json vitalsJson(const servo::LoopVitals& vitals) {
 }
 
 void showUntilTheEnd(const ServeOptions& options, const scene::World& world, viewer::LiveServo& servo, Network& network,
-                     const engine::SessionRecorder* recorder) {
+                     const engine::Recorder* recorder) {
   FrameMaker frames(world);
   const std::vector<device::Device> devices = devicesOf(servo);
   const Clock::time_point began = Clock::now();
@@ -265,7 +265,7 @@ void printAddress(const ServeOptions& options, const Network& network, const Tok
 nlohmann::ordered_json reportJson(const NetworkCounts& counts, const servo::LoopReport& loop) {
   return {{"event", "ended"},
           {"ended_by", endAskedBy() == 0 ? "done" : std::string(nameOfSignal(endAskedBy()))},
-          {"most_onlookers", counts.most_onlookers},
+          {"most_onlookers", counts.most_watchers},
           {"frames_sent", counts.frames_sent},
           {"frames_skipped", counts.frames_skipped},
           {"bytes_sent", counts.bytes_sent},
@@ -286,8 +286,8 @@ void printReport(const ServeOptions& options, const NetworkCounts& counts, const
     fmt::print("{}\n", reportJson(counts, loop).dump());
     return;
   }
-  fmt::print("{} onlookers at most, {} frames; {} ticks, {} deadlines missed\n", counts.most_onlookers,
-             counts.frames_sent, loop.ticks, loop.overruns);
+  fmt::print("{} viewers at most, {} frames; {} ticks, {} deadlines missed\n", counts.most_watchers, counts.frames_sent,
+             loop.ticks, loop.overruns);
   const std::uint64_t refused = counts.refused_token + counts.refused_origin + counts.refused_full + counts.malformed +
                                 counts.dropped + counts.hung_up;
   if (refused == 0) return;
@@ -317,7 +317,7 @@ void serve(const ServeOptions& options) {
   settings.tokens = tokensFor(options);
   settings.origins = originsOf(options);
   if (!options.tls_cert.empty()) settings.tls = tlsFrom(options.tls_cert, options.tls_key);
-  settings.onlookers = options.onlookers;
+  settings.watchers = options.watchers;
   Exhibits exhibits;
   exhibits.site = siteFor(options);
   ProgressLine progress;
@@ -331,10 +331,10 @@ void serve(const ServeOptions& options) {
   viewer::LiveServo servo = servoFor(world, options);
   const StoppedBySignal stopped(servo.thread().emergencyStop());
   const auto recorder = recorderFor(options, *world, servo);
-  ControlDesk desk(
+  FingerControl control(
       fingersOf(*world, options), boxOf(*world),
       [&servo](std::size_t finger, const device::FingerTarget& target) { servo.point(finger, target); }, haltOf(servo));
-  std::optional<Network> network(std::in_place, settings, std::move(exhibits), std::move(desk));
+  std::optional<Network> network(std::in_place, settings, std::move(exhibits), std::move(control));
   const auto token_file = tokenFileFor(options, settings.tokens);
   printAddress(options, *network, settings.tokens, token_file->path, title);
   showUntilTheEnd(options, *world, servo, *network, recorder.get());

@@ -20,9 +20,9 @@ struct ServeOptions {
   std::filesystem::path token_file;
   std::filesystem::path tls_cert, tls_key;  ///< both or neither
   std::vector<std::string> origins;
-  std::size_t onlookers = 64;
-  std::filesystem::path site;     ///< empty: the installed one, or a page that says so
-  std::filesystem::path session;  ///< to record; empty: none
+  std::size_t watchers = 64;
+  std::filesystem::path site;       ///< empty: the installed one, or a page that says so
+  std::filesystem::path recording;  ///< to record; empty: none
   bool overwrite = false;
   bool json = false;
 };

@@ -133,11 +133,11 @@ Site::Site(const fs::path& folder) {
       continue;
     }
     if (!at->is_regular_file()) continue;
-    std::string content = readFile(at->path(), kMostSiteBytes);
+    std::string content = readFile(at->path(), kMaxSiteBytes);
     bytes += content.size();
-    if (bytes > kMostSiteBytes || files_.size() == kMostSiteFiles) {
+    if (bytes > kMaxSiteBytes || files_.size() == kMaxSiteFiles) {
       throw Error::inFile(folder.string(), fmt::format("more than {} files or {} MB: is this the page's folder?",
-                                                       kMostSiteFiles, kMostSiteBytes >> 20));
+                                                       kMaxSiteFiles, kMaxSiteBytes >> 20));
     }
     if (typeOf(relative).starts_with("text/html")) markServed(content);
     files_.emplace("/" + relative.generic_string(), siteFile(std::move(content), typeOf(relative)));

@@ -17,8 +17,8 @@ struct SiteFile {
   std::string policy;  ///< of a page, its Content-Security-Policy; otherwise empty
 };
 
-inline constexpr std::uint64_t kMostSiteBytes = std::uint64_t{256} << 20;
-inline constexpr std::size_t kMostSiteFiles = 4096;
+inline constexpr std::uint64_t kMaxSiteBytes = std::uint64_t{256} << 20;
+inline constexpr std::size_t kMaxSiteFiles = 4096;
 
 class Site {
  public:

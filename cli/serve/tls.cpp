@@ -1,4 +1,4 @@
-#include "cli/serve/tls.h"
+#include "cli/serve/wire.h"
 
 #include <fmt/format.h>
 #include <openssl/ssl.h>

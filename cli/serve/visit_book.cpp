@@ -1,4 +1,4 @@
-#include "cli/serve/visit_book.h"
+#include "cli/serve/access.h"
 
 #include <algorithm>
 

@@ -3,17 +3,26 @@
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ssl/context.hpp>
 #include <boost/beast/core/role.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket/ssl.hpp>
 #include <boost/beast/websocket/teardown.hpp>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
-#include "cli/serve/tls.h"
-
 namespace palpate::app::serving {
+
+// A certificate and its key out of two files, for `palpate serve` over TLS.
+
+using TlsContext = boost::asio::ssl::context;
+
+/// PEM: the certificate with those that it is signed by, and its key, which the group may read and others may not.
+/// TLS 1.2 and 1.3. Throws Error: no such files, another form, a key of another certificate, or one that others may
+/// read.
+std::shared_ptr<TlsContext> tlsFrom(const std::filesystem::path& certificate, const std::filesystem::path& key);
 
 using Socket = boost::asio::ip::tcp::socket;
 

@@ -5,8 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "cli/simulate/surface_files.h"
-#include "palpate/engine/session_settings.h"
+#include "palpate/engine/recording_settings.h"
 #include "palpate/servo/scripted_rig.h"
 
 namespace palpate::app {
@@ -81,28 +80,28 @@ RunRecorder::RunRecorder(const scene::World& world, const device::FingerPaths& p
   deepest_.file = "surface_deepest.ply";
 }
 
-void RunRecorder::keepSession(const servo::Rig& rig) {
+void RunRecorder::keepRecording(const servo::Rig& rig) {
   constexpr const char* kFile = "run.session";
-  trace::SessionHeader header = engine::sessionHeader(world_.scene.ticks_per_s);
+  trace::RecordingHeader header = engine::recordingHeader(world_.scene.ticks_per_s);
   header.notes = world_.scene.title;
-  std::vector<trace::SessionFinger> fingers;
+  std::vector<trace::RecordingFinger> fingers;
   for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
-    fingers.push_back(engine::sessionFinger(world_.scene.fingers[i].name, rig.fingers[i].device));
+    fingers.push_back(engine::recordingFinger(world_.scene.fingers[i].name, rig.fingers[i].device));
   }
-  session_.emplace(folder_ / kFile, header, fingers);
-  session_->add(engine::sessionWorld(world_, engine::feltWith(rig)));
+  recording_.emplace(folder_ / kFile, header, fingers);
+  recording_->add(engine::recordingWorld(world_, engine::feltWith(rig)));
   files_.emplace_back(kFile);
 }
 
-void RunRecorder::finishSession(std::string_view ended_by, std::uint64_t dropped) {
-  if (!session_) return;
-  session_->setDropped(dropped);
-  session_->finish(ended_by);
+void RunRecorder::finishRecording(std::string_view ended_by, std::uint64_t dropped) {
+  if (!recording_) return;
+  recording_->setDropped(dropped);
+  recording_->finish(ended_by);
 }
 
 void RunRecorder::add(const trace::Sample& sample) {
   if (forces_) forces_->add(sample);
-  if (session_) session_->add(sample);
+  if (recording_) recording_->add(sample);
   statistics_.add(sample);
   frame_.push_back(sample);
   if (frame_.size() < world_.scene.fingers.size()) return;

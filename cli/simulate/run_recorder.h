@@ -14,8 +14,8 @@
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
 #include "palpate/trace/forces_csv.h"
+#include "palpate/trace/recording_writer.h"
 #include "palpate/trace/sample.h"
-#include "palpate/trace/session_writer.h"
 
 namespace palpate::app {
 
@@ -63,8 +63,8 @@ class RunRecorder {
   /// Starts `forces.csv` in the folder when the scene wants it.
   RunRecorder(const scene::World& world, const device::FingerPaths& paths, const std::filesystem::path& folder);
 
-  /// Keeps the whole run as a session file besides (docs/reference/sessions.md).
-  void keepSession(const servo::Rig& rig);
+  /// Keeps the whole run as a recording file besides (docs/reference/recordings.md).
+  void keepRecording(const servo::Rig& rig);
 
   /// Samples in order; the fingers of a tick follow each other.
   void add(const trace::Sample& sample);
@@ -72,8 +72,8 @@ class RunRecorder {
   /// Finishes forces.csv and writes the surfaces: at the times the scene asks for, and where the fingers pressed
   /// deepest.
   void finish(const Progress& progress);
-  /// After `finish`: what ended the run, for the session.
-  void finishSession(std::string_view ended_by, std::uint64_t dropped);
+  /// After `finish`: what ended the run, for the recording.
+  void finishRecording(std::string_view ended_by, std::uint64_t dropped);
 
   const RunStatistics& statistics() const { return statistics_; }
   /// Names of the files written, in the folder.
@@ -99,7 +99,7 @@ class RunRecorder {
   const scene::World& world_;
   std::filesystem::path folder_;
   std::optional<trace::ForcesCsvWriter> forces_;
-  std::optional<trace::SessionWriter> session_;
+  std::optional<trace::RecordingWriter> recording_;
   RunStatistics statistics_;
   trace::ForcesCsvSettings times_;
   std::vector<Moment> moments_;
@@ -111,5 +111,11 @@ class RunRecorder {
   std::vector<std::string> files_;
   std::vector<std::string> notes_;
 };
+
+// The deformed skin as PLY files: what it looked like at a moment of the run.
+
+/// Writes the skin deformed by these fingers: positions, displacement and its parts, strain, stiffness, and the strain
+/// as colours. Throws Error.
+void writeSurface(const std::filesystem::path& file, const scene::World& world, const servo::TickSamples& frame);
 
 }  // namespace palpate::app

@@ -1,4 +1,4 @@
-#include "cli/simulate/servo_run.h"
+#include "cli/simulate/realtime_run.h"
 
 #include <fmt/format.h>
 

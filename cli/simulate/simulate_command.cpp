@@ -24,7 +24,7 @@ void runSimulate(const SimulateOptions& options) {
   const scene::Scene scene = sceneFor(options);
   const ResultsFolder results = resultsFolder(options.out, options.overwrite);
   SimulationResult result = simulate(
-      scene, {results.folder, options.realtime, options.devices, options.session, options.pictures, options.plot},
+      scene, {results.folder, options.realtime, options.devices, options.recording, options.pictures, options.plot},
       progress.display());
   progress.clear();
   result.preset = options.preset;
@@ -38,14 +38,14 @@ void runSimulate(const SimulateOptions& options) {
 void addOutputOptions(CLI::App& command, SimulateOptions& options) {
   command.add_option(
       "-o,--out", options.out,
-      "Folder for forces.csv, forces.png, surfaces (PLY), pictures.png and report.json; left out: results, or "
-      "results-2, ... where an earlier run is");
+      "Folder for forces.csv, forces.png, surfaces (PLY), pictures.png and report.json (default: results, or "
+      "results-2, ... where an earlier run is)");
   command.add_flag("--overwrite", options.overwrite, "Replace the run that is in the folder");
   command.add_flag("--realtime", options.realtime,
                    "Pace the servo loop by the clock, deform at 60 Hz beside it, and report how late it woke");
   command.add_flag(
-      "--session", options.session,
-      "Leave run.session, every tick to the bit, for `palpate recording replay` (docs/reference/sessions.md)");
+      "--session", options.recording,
+      "Leave run.session, every tick to the bit, for `palpate recording replay` (docs/reference/recordings.md)");
   command.add_flag("--pictures,!--no-pictures", options.pictures, "Leave pictures.png, what it looked like (default)");
   command.add_flag("--plot,!--no-plot", options.plot, "Leave forces.png, force, depth and lag over time (default)");
   command.add_flag("--json", options.json, "Print the report as JSON instead of the summary");

@@ -10,7 +10,7 @@
 #include "cli/kit/device_option.h"
 #include "cli/kit/families.h"
 #include "cli/kit/interruption.h"
-#include "cli/render/contact_sheet.h"
+#include "cli/render/picture_series.h"
 #include "cli/simulate/realtime_run.h"
 #include "cli/simulate/run_recorder.h"
 #include "palpate/base/error.h"
@@ -106,7 +106,7 @@ void run(const device::FingerPaths& paths, const SimulationSettings& settings, R
   const scene::World& world = *result.world;
   servo::Rig rig = servo::scriptedRig(world, paths);
   useDevices(settings, paths, rig, result);
-  if (settings.session) recorder.keepSession(rig);
+  if (settings.recording) recorder.keepRecording(rig);
   if (settings.realtime) {
     const auto record = [&](const trace::Sample& sample) { recorder.add(sample); };
     RealtimeReport report = runRealtime(world, rig, paths.ticks, record, progress);
@@ -200,7 +200,7 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
   RunRecorder recorder(world, paths, settings.folder);
   run(paths, settings, recorder, result, progress);
   recorder.finish(progress);
-  recorder.finishSession(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()), result.loop.dropped_samples);
+  recorder.finishRecording(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()), result.loop.dropped_samples);
 
   result.fingers = recorder.statistics().fingers();
   result.cover = coverOf(world, recorder.deepest());

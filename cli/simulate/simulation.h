@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "cli/simulate/run_recorder.h"
-#include "palpate/engine/bone_cover.h"
+#include "palpate/engine/living_skin.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
 
@@ -49,7 +49,7 @@ struct SimulationSettings {
   std::filesystem::path folder = "results";
   bool realtime = false;
   std::vector<std::string> devices = {};  ///< back ends that hold the first fingers (device/back_ends.h)
-  bool session = false;                   ///< leave a session file, which can be replayed bit for bit
+  bool recording = false;                 ///< leave a recording file, which can be replayed bit for bit
   bool pictures = true;                   ///< leave a contact sheet, where pictures can be drawn
   bool plot = true;                       ///< leave a plot of what was felt
 };

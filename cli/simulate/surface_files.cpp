@@ -1,4 +1,4 @@
-#include "cli/simulate/surface_files.h"
+#include "cli/simulate/run_recorder.h"
 
 #include "palpate/deform/strain.h"
 #include "palpate/engine/living_skin.h"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "palpate/hdb/partition.h"
@@ -52,5 +53,17 @@ struct AssignmentMeasurement {
 AssignmentMeasurement measureAssignments(const AssignmentPlan& plan, const Progress& progress);
 
 std::vector<AssignmentRow> rowsOf(const AssignmentMeasurement& found, hdb::TreeKind tree, hdb::Assignment assignment);
+
+// What the counts and times say of cases A, B and C: sentences made of nothing but the measurement.
+
+/// A paragraph each, most important first. The printed threshold must have been measured.
+std::vector<std::string> assignmentFindings(const AssignmentMeasurement& found);
+
+/// The row of that tree, case and threshold, which must have been measured.
+const AssignmentRow& rowOf(const AssignmentMeasurement& found, hdb::TreeKind tree, hdb::Assignment assignment,
+                           Index threshold);
+
+/// The largest of all rows.
+double worst(const AssignmentMeasurement& found, double AssignmentRow::*value);
 
 }  // namespace palpate::study

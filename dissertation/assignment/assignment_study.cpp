@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "dissertation/assignment/assignment_findings.h"
 #include "dissertation/assignment/assignment_measurement.h"
 #include "lab/measured/haptic_frames.h"
 #include "palpate/scene/words.h"

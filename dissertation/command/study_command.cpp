@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "cli/kit/commands.h"
-#include "cli/kit/default_scene.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
-#include "dissertation/errata/errata_report.h"
+#include "dissertation/errata/errata_study.h"
 #include "dissertation/figures/figure_study.h"
 #include "dissertation/numbers/numbers_study.h"
 #include "dissertation/report/report.h"

@@ -1,5 +1,5 @@
 // Each verdict is decided by the numbers that stand beside it; where they do not decide, none is given.
-#include "dissertation/complexity/complexity_findings.h"
+#include "dissertation/complexity/complexity_results.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "dissertation/complexity/complexity_findings.h"
 #include "dissertation/complexity/complexity_results.h"
 #include "palpate/scene/words.h"
 

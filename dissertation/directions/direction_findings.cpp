@@ -1,5 +1,5 @@
 // Each verdict is decided by the numbers that stand beside it; where they do not decide, none is given.
-#include "dissertation/directions/direction_findings.h"
+#include "dissertation/directions/direction_fields.h"
 
 #include <fmt/format.h>
 

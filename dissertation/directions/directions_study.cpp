@@ -9,7 +9,6 @@
 
 #include "dissertation/directions/axis_means.h"
 #include "dissertation/directions/direction_fields.h"
-#include "dissertation/directions/direction_findings.h"
 #include "lab/measured/back_map.h"
 #include "palpate/scene/words.h"
 #include "report/page/plot_parts.h"

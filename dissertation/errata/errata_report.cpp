@@ -1,4 +1,4 @@
-#include "dissertation/errata/errata_report.h"
+#include "dissertation/errata/errata_study.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 #include "palpate/base/text.h"
 #include "palpate/scene/words.h"
 #include "report/page/study_page.h"
-#include "report/page/text_table.h"
 
 namespace palpate::study {
 

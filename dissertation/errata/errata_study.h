@@ -5,12 +5,14 @@
 // touches through one, so the scene runs with contact.source = "surface" and through both trees.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "palpate/base/progress.h"
 #include "palpate/scene/errata.h"
 #include "palpate/scene/scene.h"
+#include "report/page/study_page.h"
 
 namespace palpate::study {
 
@@ -57,5 +59,19 @@ struct ErrataEffects {
 /// Takes a few seconds a row. Errata of the partition are measured with the contact source "hdb" (and point fingers) on
 /// both sides, in the tree they speak of. Throws Error for a scene that cannot be built.
 ErrataEffects studyErrata(const scene::Scene& scene, const Progress& progress = {});
+
+// The study of the errata as text, JSON, Markdown and CSV.
+
+/// The corrected runs, all switches together, then a row an erratum, as all reports show it.
+TextTable tableOf(const ErrataEffects& effects);
+/// What its columns mean.
+std::string errataLegend();
+
+std::string errataText(const ErrataEffects& effects);
+/// One object of three lists: "corrected" and "all_literal" with an object for each contact source and tree, "errata"
+/// with one for each erratum.
+std::string errataJson(const ErrataEffects& effects);
+/// errata.md, errata.csv and errata.json. Throws Error naming the file.
+void writeErrata(const ErrataEffects& effects, const std::filesystem::path& folder);
 
 }  // namespace palpate::study

@@ -1,5 +1,5 @@
 // Each verdict is decided by the numbers that stand beside it; where they do not decide, none is given.
-#include "dissertation/hdb/hdb_findings.h"
+#include "dissertation/hdb/hdb_measurement.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -192,7 +192,7 @@ std::string listFinding(const HdbMeasurement& found) {
       "that marks and unmarks what the faces of the box pass. With every list all forces and proxies {} the default "
       "finger's to the bit. On {} triangles the hybrid lists {} a tick, exactly those that the box meets, where the "
       "coherent list has {} and the leaves {}; it tests {} boxes a tick to follow the box and {} to find what is near "
-      "the finger, where the exact list is asked anew and {} are tested, and the coherent list tests {}. Its tick "
+      "the finger, where the exact list is asked again and {} are tested, and the coherent list tests {}. Its tick "
       "takes "
       "{} as long as with the exact list and {} as long as with the leaves; against the coherent list {}: {}. The "
       "default finger, which needs no list, takes {} of it. A finger's list takes {} bytes a triangle (coherent {}) "

@@ -8,15 +8,84 @@
 #include <memory>
 #include <vector>
 
-#include "dissertation/hdb/late_box.h"
 #include "lab/measured/finger_strokes.h"
 #include "lab/measured/haptic_frames.h"
-#include "lab/measured/skin_places.h"
+#include "lab/measured/model_meshes.h"
 #include "lab/workloads/workload_meshes.h"
+#include "palpate/contact/finger.h"
+#include "palpate/hdb/hdb_candidates.h"
+#include "palpate/hdb/hdb_finger.h"
 
 namespace palpate::study {
 
 namespace {
+
+// A finger whose haptic detecting box follows late, and how often it gets through the skin (3.3.3, E12).
+//
+//   stroke ─► stepHdb, tick by tick ─► a tick without contact is judged by the height of the skin above its tip
+//
+// Each stroke has a finger and a list of its own, whose refreshes are put off by another number of ticks: a puncture
+// depends on where in its delay the box is when the finger comes.
+
+struct LateBoxResult {
+  int strokes = 0;
+  int punctured = 0;         ///< strokes in which the tip was inside the body and nothing held it
+  double mean_listed = 0.0;  ///< triangles in the box's list, of the ticks in contact
+
+  double puncturedShare() const { return strokes > 0 ? static_cast<double>(punctured) / strokes : 0.0; }
+};
+
+/// Every stroke starts with a new finger and ends at its puncture. `box` says how large the box is and after how many
+/// ticks it follows; the phase differs from stroke to stroke.
+LateBoxResult strokeWithLateBox(const contact::Surface& surface, const std::shared_ptr<const hdb::HdbSurface>& box,
+                                const std::vector<std::vector<Vec3>>& strokes,
+                                const contact::FingerSettings& finger = {});
+
+// Above any skin of the benchmark's back, mm.
+constexpr double kSkyMm = 1000.0;
+
+// The skin is a height field: the tip is inside where a line from above meets skin before it.
+bool isUnderSkin(const contact::Surface& surface, const Vec3& tip) {
+  const Vec3 above(tip.x(), tip.y(), kSkyMm);
+  return tree::firstFrontCrossing(surface.geometry->tree, above, tip).triangle != kNoIndex;
+}
+
+struct Listed {
+  double sum = 0.0;
+  double ticks = 0.0;
+};
+
+bool isPunctured(const contact::Surface& surface, const contact::FingerSettings& finger, hdb::HdbCandidates& candidates,
+                 const std::vector<Vec3>& stroke, Listed& listed) {
+  contact::FingerState state;
+  for (const Vec3& tip : stroke) {
+    const contact::FingerOutput output = hdb::stepHdb(surface, finger, candidates, state, tip);
+    if (state.touching) {
+      listed.sum += static_cast<double>(candidates.size());
+      listed.ticks += 1.0;
+    } else if (isUnderSkin(surface, output.tip)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+LateBoxResult strokeWithLateBox(const contact::Surface& surface, const std::shared_ptr<const hdb::HdbSurface>& box,
+                                const std::vector<std::vector<Vec3>>& strokes, const contact::FingerSettings& finger) {
+  LateBoxResult result;
+  Listed listed;
+  std::uint32_t phase = 0;
+  for (const auto& stroke : strokes) {
+    hdb::HdbCandidates candidates(box);
+    if (stroke.empty()) continue;
+    for (std::uint32_t i = 0; i < phase; ++i) candidates.refresh(stroke.front());
+    phase = (phase + 3) % box->settings.ticks_per_refresh;  // 3: no divisor of the usual numbers of ticks
+    ++result.strokes;
+    if (isPunctured(surface, finger, candidates, stroke, listed)) ++result.punctured;
+  }
+  result.mean_listed = listed.ticks > 0.0 ? listed.sum / listed.ticks : 0.0;
+  return result;
+}
 
 using hdb::HdbQuery;
 using hdb::TreeKind;

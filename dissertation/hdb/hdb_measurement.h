@@ -1,13 +1,49 @@
 // What the study of the detecting box measures: its cost for every size, and when a finger gets through.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
-#include "dissertation/hdb/list_costs.h"
 #include "lab/measured/haptic_frames.h"
+#include "palpate/hdb/hdb_candidates.h"
 #include "report/page/study_page.h"
 
 namespace palpate::study {
+
+// The four ways to keep what may be touched, on the same strokes: what each list holds, tests, takes and costs.
+
+/// One way to keep the list on one model. All counts are means over the ticks of the strokes.
+struct ListRow {
+  std::size_t model = 0;  ///< triangles
+  hdb::HdbQuery query = hdb::HdbQuery::leaves;
+  double listed = 0.0;
+  double asked = 0.0;   ///< share of the ticks in which the partition was asked or the list moved
+  double moved = 0.0;   ///< boxes tested to make the linked list follow
+  double tested = 0.0;  ///< boxes tested to find what is near the finger
+  double tick_us = 0.0;
+  double make_us = 0.0;  ///< the list's room and first state, once per finger
+  double bytes = 0.0;    ///< of a finger's list
+  bool same = false;     ///< every force and proxy is the default finger's, to the bit
+};
+
+struct ListCosts {
+  std::vector<ListRow> rows;
+  std::vector<std::size_t> models;
+  std::vector<double> default_us;  ///< a tick of the default finger, per model
+  std::vector<double> build_us;    ///< the partition that all of them share, per model
+};
+
+struct ListPlan {
+  std::vector<std::size_t> models{2962, 41582, 200000};
+  int strokes = 12;
+  int runs = 3;
+};
+
+ListCosts measureLists(const ListPlan& plan);
+
+/// The row of that model and way; null where there is none.
+const ListRow* rowOf(const ListCosts& costs, std::size_t model, hdb::HdbQuery query);
 
 inline constexpr double kTenth = 0.1;  ///< the dissertation's example of a box that is too small
 
@@ -95,5 +131,20 @@ HdbMeasurement measureHdbSizes(const HdbPlan& plan, const Progress& progress);
 
 /// What was measured, drawn (hdb_figures.cpp).
 std::vector<StudyFigure> hdbFigures(const HdbMeasurement& found);
+
+// What the strokes and the costs say of the detecting box: sentences made of nothing but the measurement.
+
+/// A paragraph each, most important first.
+std::vector<std::string> hdbFindings(const HdbMeasurement& found);
+
+/// The largest and the smallest share of punctured strokes among the rows of these leads; 0 and 1 where there is none.
+double mostPunctured(const std::vector<PunctureRow>& rows, double from_lead = 0.0, double to_lead = 1e9);
+double leastPunctured(const std::vector<PunctureRow>& rows, double to_lead);
+
+/// The row of that speed and delay, or of the nearest one.
+const PunctureRow& rowAt(const std::vector<PunctureRow>& rows, double speed_mm_s, int delay_ticks);
+
+/// The smallest margin over depth that held all strokes of every depth; infinite where none did.
+double safeMargin(const HdbMeasurement& found);
 
 }  // namespace palpate::study

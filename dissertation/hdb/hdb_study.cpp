@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "dissertation/hdb/hdb_findings.h"
 #include "dissertation/hdb/hdb_measurement.h"
 #include "report/page/plot_parts.h"
 

@@ -1,7 +1,7 @@
 // All ways take the same strokes in the same run, each with a box of a quarter of the model that follows at every tick;
 // of some runs the shortest counts, because other load only ever adds.
 // Based on: Ji, dissertation 2008, 6.2 (4).
-#include "dissertation/hdb/list_costs.h"
+#include "dissertation/hdb/hdb_measurement.h"
 
 #include <algorithm>
 #include <memory>
@@ -17,7 +17,7 @@ namespace palpate::study {
 namespace {
 
 using hdb::HdbQuery;
-using Strokes = std::vector<std::vector<Vec3>>;
+using ListStrokes = std::vector<std::vector<Vec3>>;
 using Outputs = std::vector<contact::FingerOutput>;
 
 constexpr HdbQuery kQueries[] = {HdbQuery::leaves, HdbQuery::triangles, HdbQuery::coherent, HdbQuery::linked};
@@ -29,7 +29,7 @@ bool sameToTheBit(const Outputs& a, const Outputs& b) {
   });
 }
 
-void feelByDefault(const contact::Surface& surface, const Strokes& strokes, Outputs& outputs) {
+void feelByDefault(const contact::Surface& surface, const ListStrokes& strokes, Outputs& outputs) {
   outputs.clear();
   for (const auto& stroke : strokes) {
     contact::FingerState state;
@@ -39,7 +39,7 @@ void feelByDefault(const contact::Surface& surface, const Strokes& strokes, Outp
 
 /// One finger goes on from stroke to stroke, lifted in between: its list follows from one to the next.
 template <class Visit>
-void feel(const contact::Surface& surface, hdb::HdbCandidates& list, const Strokes& strokes, Outputs& outputs,
+void feel(const contact::Surface& surface, hdb::HdbCandidates& list, const ListStrokes& strokes, Outputs& outputs,
           Visit&& visit) {
   outputs.clear();
   for (const auto& stroke : strokes) {
@@ -52,7 +52,7 @@ void feel(const contact::Surface& surface, hdb::HdbCandidates& list, const Strok
 }
 
 ListRow rowOf(const contact::Surface& surface, const std::shared_ptr<const hdb::HdbSurface>& box,
-              const Strokes& strokes, const Outputs& expected, const ListPlan& plan) {
+              const ListStrokes& strokes, const Outputs& expected, const ListPlan& plan) {
   ListRow row{.model = box->partition->triangle_count, .query = box->settings.query};
   row.make_us = shortestMicroseconds(plan.runs, [&] { hdb::HdbCandidates made(box); });
   hdb::HdbCandidates list(box);
@@ -73,7 +73,7 @@ ListRow rowOf(const contact::Surface& surface, const std::shared_ptr<const hdb::
 void measureModel(std::size_t triangles, const ListPlan& plan, ListCosts& costs) {
   const mesh::TriangleMesh mesh = lab::backMesh(triangles);
   const contact::Surface surface = contactSurface(mesh);
-  const Strokes strokes = fingerStrokes({.count = plan.strokes, .speed_mm_s = kSpeedMmS});
+  const ListStrokes strokes = fingerStrokes({.count = plan.strokes, .speed_mm_s = kSpeedMmS});
   std::shared_ptr<const hdb::Partition> partition;
   costs.build_us.push_back(shortestMicroseconds(
       plan.runs, [&] { partition = std::make_shared<const hdb::Partition>(hdb::buildPartition(mesh, {})); }));

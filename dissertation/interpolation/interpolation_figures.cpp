@@ -1,4 +1,4 @@
-#include "dissertation/interpolation/interpolation_figures.h"
+#include "dissertation/interpolation/interpolation_findings.h"
 
 #include <fmt/format.h>
 

@@ -44,11 +44,11 @@ std::string diameterFinding(const InterpolationResults& results) {
       results.furthest_from_key_mm < kExactMm ? "gives 120" : "does NOT give 120", results.furthest_from_key_mm);
 }
 
-std::string foretoldFinding(const InterpolationResults& results) {
+std::string predictedFinding(const InterpolationResults& results) {
   const InterpolatorErrors& subjects = results.subjects;
   const double engine = subjects[1].rms_mm;
   return fmt::format(
-      "To be exact at the keys is one thing, the places between are another. Left out and foretold from the others, a "
+      "To be exact at the keys is one thing, the places between are another. Left out and predicted from the others, a "
       "subject's boundary is missed by {:.0f} mm by the engine's GRI, {:.0f} by the thin plate, {:.0f} by a plane and "
       "{:.0f} by the plain mean. Two subjects at the same point differ by {:.0f} mm. Best here: {}.",
       engine, subjects[3].rms_mm, subjects[4].rms_mm, subjects[0].rms_mm, results.scatter_mm,
@@ -82,7 +82,7 @@ std::string quadraticFinding(const InterpolationResults& results) {
       "A polynomial of degree 2 has six terms; with a point and its mirror image left out it was not determined in {} "
       "of "
       "{} cases.",
-      quadratic.undetermined, quadratic.undetermined + quadratic.foretold);
+      quadratic.undetermined, quadratic.undetermined + quadratic.predicted);
 }
 
 std::string widthFinding(const InterpolationResults& results) {
@@ -124,8 +124,8 @@ double bestRadius(const InterpolationResults& results) {
 }
 
 std::vector<std::string> interpolationFindings(const InterpolationResults& results) {
-  return {diameterFinding(results),  foretoldFinding(results), accuracyFinding(results),
-          quadraticFinding(results), widthFinding(results),    upDownFinding(results)};
+  return {diameterFinding(results),  predictedFinding(results), accuracyFinding(results),
+          quadraticFinding(results), widthFinding(results),     upDownFinding(results)};
 }
 
 }  // namespace palpate::study

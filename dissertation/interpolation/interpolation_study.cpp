@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "dissertation/interpolation/interpolation_figures.h"
 #include "dissertation/interpolation/interpolation_findings.h"
 #include "dissertation/numbers/table_5_1.h"
 #include "lab/measured/back_map.h"
@@ -131,7 +130,7 @@ InterpolationResults measuredResults(const StudySettings& settings) {
 Plot methodPlot(const InterpolationResults& results) {
   constexpr std::array kShort{"mean", "GRI, 150", "GRI, mean", "thin plate", "degree 1"};
   const double right = kShort.size() + 1.0;
-  Plot plot{.title = "A point left out, foretold from the others"};
+  Plot plot{.title = "A point left out, predicted from the others"};
   plot.x = {.from = 0.0, .to = right};
   plot.y = {.label = "error of the boundary, rms", .unit = "mm", .from = 0.0, .to = 35.0};
   Series means{.name = "means of the subjects", .stroke = Stroke::none, .marker = Marker::square};
@@ -198,7 +197,7 @@ std::vector<StudyFigure> figuresOf(const InterpolationResults& results, bool qui
       {"interpolation_methods", "What three interpolations make of the same seven key points.",
        backByInterpolator(step)},
       {"interpolation_left_out",
-       "Errors of foretold ellipses: by interpolation (degree 2 is far above), and of GRI over its "
+       "Errors of predicted ellipses: by interpolation (degree 2 is far above), and of GRI over its "
        "width.",
        left_out}};
 }
@@ -208,7 +207,7 @@ std::vector<StudyFigure> figuresOf(const InterpolationResults& results, bool qui
 StudyTable leftOutTable(const InterpolationResults& results) {
   StudyTable table{
       "interpolation_errors",
-      fmt::format("A point left out and foretold from the others; the scatter between subjects at one point is "
+      fmt::format("A point left out and predicted from the others; the scatter between subjects at one point is "
                   "{:.0f} mm. \"Half major axis over the back\" is what the map of all seven keys says.",
                   results.scatter_mm),
       {}};
@@ -225,13 +224,13 @@ StudyTable leftOutTable(const InterpolationResults& results) {
     const LeftOutErrors& means = results.means[i];
     const LeftOutErrors& subjects = results.subjects[i];
     const auto cell = [](const LeftOutErrors& errors, double value) {
-      return errors.foretold > 0 ? fmt::format("{:.1f}", value) : std::string("-");
+      return errors.predicted > 0 ? fmt::format("{:.1f}", value) : std::string("-");
     };
     const auto& [least, most] = results.range_mm[i];
     table.table.rows.push_back(
         {kInterpolatorNames[i], cell(means, means.rms_mm), cell(means, means.most_mm), cell(means, means.size_rms_mm),
          cell(subjects, subjects.rms_mm), cell(subjects, subjects.most_mm), cell(subjects, subjects.size_rms_mm),
-         fmt::format("{} of {}", subjects.undetermined, subjects.undetermined + subjects.foretold),
+         fmt::format("{} of {}", subjects.undetermined, subjects.undetermined + subjects.predicted),
          most > 0.0 ? fmt::format("{:.0f} to {:.0f}", least, most) : std::string("-")});
   }
   return table;
@@ -268,7 +267,7 @@ StudyPage studyInterpolation(const StudySettings& settings) {
           "interpolations do?",
       .findings = interpolationFindings(results),
       .method =
-          {"Ellipses are interpolated as log-Euclidean tensors by every method alike. The error of a foretold ellipse "
+          {"Ellipses are interpolated as log-Euclidean tensors by every method alike. The error of a predicted ellipse "
            "is the distance between the two boundaries, root mean square over all directions. P4 and P5 are left out "
            "together with their mirror images P6 and P7. Subjects: the 40 rows of Appendix C, five people dragged up "
            "and three down. GRI has an effect radius of 200 mm where nothing else is said. The basic circle of 150 mm "

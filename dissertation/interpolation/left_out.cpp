@@ -156,16 +156,16 @@ LeftOutErrors leftOutErrors(const std::vector<TensorSet>& sets, Interpolator int
         ++errors.undetermined;
         continue;
       }
-      const LogTensor foretold = (*field)(truth.place_mm);
-      const double boundary = boundaryRmsMm(foretold, truth.tensor);
-      const double size = maps::ellipseOf(foretold).half_major_mm - maps::ellipseOf(truth.tensor).half_major_mm;
+      const LogTensor predicted = (*field)(truth.place_mm);
+      const double boundary = boundaryRmsMm(predicted, truth.tensor);
+      const double size = maps::ellipseOf(predicted).half_major_mm - maps::ellipseOf(truth.tensor).half_major_mm;
       errors.rms_mm += boundary * boundary;
       errors.size_rms_mm += size * size;
       errors.most_mm = std::max(errors.most_mm, boundary);
-      ++errors.foretold;
+      ++errors.predicted;
     }
   }
-  const double n = std::max(1, errors.foretold);
+  const double n = std::max(1, errors.predicted);
   errors.rms_mm = std::sqrt(errors.rms_mm / n);
   errors.size_rms_mm = std::sqrt(errors.size_rms_mm / n);
   return errors;

@@ -1,7 +1,7 @@
 // How well an interpolation foresees a measured ellipse that it has not seen (leave one out).
 //
 // An ellipse map of a few key points is exact at every key whatever lies between, so being exact says nothing. What
-// counts is the ellipse at a place where nobody measured: each measured point is left out in turn and foretold from
+// counts is the ellipse at a place where nobody measured: each measured point is left out in turn and predicted from
 // the others.
 // Based on: Ji (2008), section 5.2; Stone, "Cross-validatory choice and assessment of statistical predictions", 1974.
 #pragma once
@@ -50,14 +50,14 @@ std::optional<TensorField> fieldThrough(const TensorSet& keys, Interpolator inte
 double boundaryRmsMm(const maps::LogTensor& a, const maps::LogTensor& b);
 
 struct LeftOutErrors {
-  double rms_mm = 0.0;       ///< of the boundary, over all points foretold
+  double rms_mm = 0.0;       ///< of the boundary, over all points predicted
   double most_mm = 0.0;      ///< the worst point
   double size_rms_mm = 0.0;  ///< of the half major axis
-  int foretold = 0;
+  int predicted = 0;
   int undetermined = 0;  ///< points that the rest does not determine
 };
 
-/// Each point of each set foretold from the rest of its set; its mirror image is left out with it.
+/// Each point of each set predicted from the rest of its set; its mirror image is left out with it.
 LeftOutErrors leftOutErrors(const std::vector<TensorSet>& sets, Interpolator interpolator, double effect_radius_mm);
 
 /// How far a subject's boundary is from the mean of the other subjects at the same point: what no map can foresee.

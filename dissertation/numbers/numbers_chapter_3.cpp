@@ -16,7 +16,7 @@ namespace {
 
 // A leaf holds at most this many triangles (3.3.1), and no model has more than 100k (3.3.4).
 constexpr double kThreshold = 1024.0;
-constexpr double kMostTriangles = 100000.0;
+constexpr double kMaxTriangles = 100000.0;
 
 void addTree(const std::string& table, int arity, const std::vector<PrintedTree>& columns, Rows& rows) {
   for (const PrintedTree& column : columns) {
@@ -36,7 +36,7 @@ double costOverLeaves(const PrintedNumbers& printed, int arity, const std::strin
   return hdb::visitedPerLeaf(arity, share, roundedW(arity, static_cast<int>(parsePrinted(height).value)));
 }
 
-double heightNeeded(int arity) { return std::ceil(hdb::heightOfCompleteTree(arity, kMostTriangles / kThreshold)); }
+double heightNeeded(int arity) { return std::ceil(hdb::heightOfCompleteTree(arity, kMaxTriangles / kThreshold)); }
 
 // A printed time and a printed rate can be the same measurement when the rate lies within what both roundings allow.
 NumberRow rateRow(const std::string& where, const PrintedTiming& timing) {

@@ -116,17 +116,17 @@ void addBackRows(const PrintedNumbers& printed, Rows& rows) {
   const Vec3 box = tree.bounds.sizes();
   const double of_longest_edge = std::pow(0.25 * box.maxCoeff(), 3.0) / box.prod();
   constexpr double kOfEachEdge = 1.0 / 64.0;
-  constexpr double kLeast = 0.02;
-  constexpr double kMost = 0.1;
+  constexpr double kMin = 0.02;
+  constexpr double kMax = 0.1;
   rows.push_back(statementRow({.where = "3.3.4",
                                .what = "HDB volume over the model's box",
                                .printed = "0.1 to 0.02",
                                .ours = fmt::format("{:.4f} or {:.4f}", of_longest_edge, kOfEachEdge),
-                               .tolerance = fmt::format("{} to {}", kLeast, kMost),
+                               .tolerance = fmt::format("{} to {}", kMin, kMax),
                                .source = Source::engine,
                                .erratum = Erratum::E12_box_edges,
                                .reason = "a quarter of the longest edge, or of each edge"},
-                              of_longest_edge <= kMost && kOfEachEdge >= kLeast));
+                              of_longest_edge <= kMax && kOfEachEdge >= kMin));
 }
 
 std::string percentRange(const Gain& gain) {

@@ -6,7 +6,6 @@
 
 #include "palpate/base/text.h"
 #include "report/page/study_page.h"
-#include "report/page/text_table.h"
 
 namespace palpate::study {
 

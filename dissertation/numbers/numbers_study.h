@@ -7,7 +7,7 @@
 
 #include "dissertation/numbers/number_row.h"
 #include "dissertation/numbers/printed_numbers.h"
-#include "report/page/text_table.h"
+#include "report/page/study_page.h"
 
 namespace palpate::study {
 

@@ -15,7 +15,7 @@ constexpr figures::Colour kRest{0.80, 0.80, 0.80};
 constexpr figures::Colour kInLeaves{0.35, 0.74, 0.35};
 constexpr figures::Colour kExact{0.94, 0.55, 0.16};
 /// More boxes than this are a tangle that hides the body.
-constexpr std::size_t kMostBoxes = 400;
+constexpr std::size_t kMaxBoxes = 400;
 
 figures::Colour figureColour(const std::array<std::uint8_t, 3>& bytes) {
   return {bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0, 1.0};
@@ -68,7 +68,7 @@ figures::MeshView leavesView(const mesh::TriangleMesh& mesh, const hdb::Partitio
   const std::size_t count = partition.leaves.size();
   figures::MeshView view = seenFrom(sight, fmt::format("{} leaves, a colour each", count));
   addLeaves(mesh, partition, view);
-  if (count <= kMostBoxes) view.lines.push_back(boxesOf(partition, partition.leaves, "boxes of the leaves"));
+  if (count <= kMaxBoxes) view.lines.push_back(boxesOf(partition, partition.leaves, "boxes of the leaves"));
   return view;
 }
 
@@ -107,8 +107,8 @@ figures::Figure partitionFigure(const mesh::TriangleMesh& mesh, const hdb::Parti
   figure.columns = 2;
   figure.panel_width_px = 560.0;
   figure.panel_height_px = 640.0;
-  if (partition.leaves.size() > kMostBoxes)
-    figure.note = fmt::format("Boxes of more than {} leaves are left out.", kMostBoxes);
+  if (partition.leaves.size() > kMaxBoxes)
+    figure.note = fmt::format("Boxes of more than {} leaves are left out.", kMaxBoxes);
   return figure;
 }
 

@@ -13,14 +13,14 @@ using hdb::Partition;
 namespace {
 
 constexpr int kRounds = 1000;
-constexpr double kMostSeconds = 0.5;  // for each of the two queries
+constexpr double kMaxSeconds = 0.5;  // for each of the two queries
 
 /// The times of up to kRounds calls in us.
 template <class Call>
 lab::Percentiles timesOf(const Call& call) {
   call();  // warm
   std::vector<double> times;
-  const auto end = Clock::now() + std::chrono::duration<double>(kMostSeconds);
+  const auto end = Clock::now() + std::chrono::duration<double>(kMaxSeconds);
   while (times.size() < kRounds && (times.empty() || Clock::now() < end)) {
     const auto start = Clock::now();
     call();

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cli/kit/json.h"
-#include "lab/commands/partition_options.h"
+#include "lab/commands/bench_arguments.h"
 
 namespace palpate::app {
 

@@ -1,5 +1,5 @@
 // Each verdict is decided by the numbers that stand beside it; where they do not decide, none is given.
-#include "dissertation/profile/profile_findings.h"
+#include "dissertation/profile/array_quality.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

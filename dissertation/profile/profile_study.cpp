@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dissertation/profile/profile_findings.h"
+#include "dissertation/profile/array_quality.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

@@ -1,5 +1,5 @@
 // Verdicts: how near beef comes to what was recorded, whether friction stays, whether any cycle gives energy.
-#include "dissertation/relaxation/relaxation_findings.h"
+#include "dissertation/relaxation/relaxation_measurement.h"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 // A flat sheet of layered tissue as the loin has it, felt by the product's own finger at 1 kHz. Based on: see
-// contact/relaxation.h; the two terms of beef are fitted to published curves (docs/explanation/relaxation.md).
+// contact/felt_force.h; the two terms of beef are fitted to published curves (docs/explanation/relaxation.md).
 #include "dissertation/relaxation/relaxation_measurement.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "palpate/contact/finger.h"
-#include "palpate/tissue/law_inverse.h"
+#include "palpate/tissue/force_law.h"
 #include "palpate/tissue/layered_library.h"
 #include "palpate/tissue/layered_tissue.h"
 

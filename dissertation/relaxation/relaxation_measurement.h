@@ -39,4 +39,11 @@ std::vector<double> returnTimes();
 
 RelaxationMeasurement measureRelaxation(bool quick, const Progress& progress);
 
+// What a measurement of skin that relaxes says, in sentences whose verdicts its numbers decide.
+
+/// Of the force at once, what is lost after so many seconds of holding; of the time of heldTimes() nearest to it.
+double lostAfter(const RelaxingSkin& skin, double seconds);
+
+std::vector<std::string> relaxationFindings(const RelaxationMeasurement& found);
+
 }  // namespace palpate::study

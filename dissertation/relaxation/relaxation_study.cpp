@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "dissertation/relaxation/relaxation_findings.h"
+#include "dissertation/relaxation/relaxation_measurement.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

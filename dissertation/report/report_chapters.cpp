@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "dissertation/errata/errata_report.h"
 #include "dissertation/errata/errata_study.h"
 #include "dissertation/figures/figure_study.h"
 #include "dissertation/numbers/numbers_study.h"
-#include "dissertation/report/report_findings.h"
 
 namespace palpate::study {
 

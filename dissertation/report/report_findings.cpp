@@ -1,5 +1,5 @@
 // Numbers, figures and errata in sentences: every verdict is decided by the numbers that stand beside it.
-#include "dissertation/report/report_findings.h"
+#include "dissertation/report/report.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

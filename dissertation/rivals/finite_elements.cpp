@@ -1,5 +1,5 @@
 // Bricks with averaged dilatation, their matrix, and the contact of the ball by an active set.
-#include "dissertation/rivals/finite_elements.h"
+#include "dissertation/rivals/rivals.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -147,8 +147,8 @@ PressedSurface FiniteElements::press(double central_depth_mm) {
   answers_.reserve(block_.nodesOfALevel());  // answers are kept by reference below
   std::vector<std::size_t> touched{block_.nodesOfALevel() / 2};
   PressedSurface pressed;
-  constexpr int kMostRounds = 50;
-  for (int round = 0; round < kMostRounds; ++round) {
+  constexpr int kMaxRounds = 50;
+  for (int round = 0; round < kMaxRounds; ++round) {
     const auto count = static_cast<Eigen::Index>(touched.size());
     Eigen::MatrixXd answer_between(count, count);
     Eigen::VectorXd depth(count);

@@ -1,5 +1,5 @@
 // Springs of the grid and their relaxation.
-#include "dissertation/rivals/mass_spring.h"
+#include "dissertation/rivals/rivals.h"
 
 #include <algorithm>
 #include <bit>
@@ -104,12 +104,12 @@ PressedSurface MassSpring::press(double central_depth_mm) {
   velocities_.assign(block_.nodes(), Vec3::Zero());
   forces_.assign(block_.nodes(), Vec3::Zero());
   touched_.assign(block_.nodesOfALevel(), false);
-  constexpr int kMostSteps = 5000;
+  constexpr int kMaxSteps = 5000;
   constexpr double kAtRest = 1e-3;
   double force = holdOutOfBall(central_depth_mm);
   double energy = 0.0;
   bool stopped = true;
-  for (steps_ = 1; steps_ < kMostSteps; ++steps_) {
+  for (steps_ = 1; steps_ < kMaxSteps; ++steps_) {
     addForces();
     const double moving = moveAll(stopped);
     force = holdOutOfBall(central_depth_mm);

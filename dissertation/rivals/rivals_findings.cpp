@@ -1,11 +1,9 @@
 // Errors, times and memory of each method at the common size, put into words.
-#include "dissertation/rivals/rivals_findings.h"
+#include "dissertation/rivals/rivals_measurement.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "dissertation/rivals/rivals_figures.h"
 
 namespace palpate::study {
 

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "dissertation/rivals/rivals_figures.h"
-#include "dissertation/rivals/rivals_findings.h"
+#include "dissertation/rivals/rivals_measurement.h"
 
 namespace palpate::study {
 

@@ -1,5 +1,5 @@
 // Times over all models, what was found twice over, and what was found too much, put into words.
-#include "dissertation/search/search_findings.h"
+#include "dissertation/search/search_measurement.h"
 
 #include <fmt/format.h>
 

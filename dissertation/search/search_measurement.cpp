@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "lab/measured/model_meshes.h"
-#include "lab/measured/skin_places.h"
 #include "lab/measured/stopwatch.h"
 #include "palpate/deform/region_by_rings.h"
 #include "palpate/hdb/haptic_box.h"

@@ -45,4 +45,9 @@ struct SearchMeasurement {
 };
 SearchMeasurement measureSearches(const SearchPlan& plan, const Progress& progress);
 
+// What the searches' measurement says: sentences made of nothing but its numbers.
+
+/// A paragraph each, most important first.
+std::vector<std::string> searchFindings(const SearchMeasurement& found);
+
 }  // namespace palpate::study

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "dissertation/search/search_findings.h"
+#include "dissertation/search/search_measurement.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

@@ -1,4 +1,4 @@
-#include "dissertation/stability/stability_findings.h"
+#include "dissertation/stability/stability_measurement.h"
 
 #include <fmt/format.h>
 

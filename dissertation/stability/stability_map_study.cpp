@@ -1,4 +1,4 @@
-#include "dissertation/stability/stability_map_study.h"
+#include "dissertation/stability/stability_measurement.h"
 
 #include <fmt/format.h>
 

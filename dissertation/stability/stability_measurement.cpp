@@ -16,7 +16,7 @@ using lab::Protection;
 
 constexpr std::array kStudiedHands{HandKind::stylus_x, HandKind::stylus_y, HandKind::stylus_z, HandKind::thimble,
                                    HandKind::arm};
-constexpr double kLeastStiffness = 0.1;
+constexpr double kMinStiffness = 0.1;
 
 LoopPlan loopPlan(scene::DeviceModel device, HandKind hand, bool controlled) {
   LoopPlan plan;
@@ -41,10 +41,10 @@ std::vector<TheoryRow> measuredTheory() {
 }
 
 double worstHand(LoopPlan plan, double factor) {
-  double least = kMostStiffness;
+  double least = kMaxStiffness;
   for (const HandKind hand : {HandKind::stylus_x, HandKind::stylus_z, HandKind::thimble}) {
     plan.hand = device::handModel(hand);
-    least = std::min(least, lab::onsetOf(plan, kLeastStiffness, least, factor));
+    least = std::min(least, lab::onsetOf(plan, kMinStiffness, least, factor));
   }
   return least;
 }
@@ -53,7 +53,7 @@ OnsetRow measuredOnset(scene::DeviceModel device, double delay, bool controlled,
   LoopPlan plan = loopPlan(device, HandKind::dead_load, controlled);
   plan.delay_ticks = delay;
   OnsetRow row{device, delay, controlled};
-  row.dead_load = lab::onsetOf(plan, kLeastStiffness, kMostStiffness, factor);
+  row.dead_load = lab::onsetOf(plan, kMinStiffness, kMaxStiffness, factor);
   row.worst_hand = worstHand(plan, factor);
   return row;
 }
@@ -80,9 +80,9 @@ RateRow measuredRate(double ticks_per_s, double factor) {
   for (const bool controlled : {false, true}) {
     plan.protection = controlled ? Protection::assumed : Protection::none;
     plan.hand = device::handModel(HandKind::dead_load);
-    (controlled ? row.on_dead : row.off_dead) = lab::onsetOf(plan, 0.05, kMostStiffness, factor);
+    (controlled ? row.on_dead : row.off_dead) = lab::onsetOf(plan, 0.05, kMaxStiffness, factor);
     plan.hand = device::handModel(HandKind::stylus_z);
-    (controlled ? row.on_hand : row.off_hand) = lab::onsetOf(plan, 0.05, kMostStiffness, factor);
+    (controlled ? row.on_hand : row.off_hand) = lab::onsetOf(plan, 0.05, kMaxStiffness, factor);
   }
   return row;
 }

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lab/loops/random_loops.h"
+#include "lab/loops/stability_map.h"
 #include "palpate/base/progress.h"
+#include "report/page/study_page.h"
 
 namespace palpate::study {
 
@@ -30,7 +33,7 @@ struct TheoryRow {
   double measured_n_per_mm = 0.0;
 };
 
-/// The stiffness at which a device stops resting after a kick, N/mm; `kMostStiffness` where it always rests.
+/// The stiffness at which a device stops resting after a kick, N/mm; `kMaxStiffness` where it always rests.
 struct OnsetRow {
   scene::DeviceModel device = scene::DeviceModel::unknown;
   double delay_ticks = 1.0;
@@ -38,7 +41,7 @@ struct OnsetRow {
   double dead_load = 0.0;
   double worst_hand = 0.0;
 };
-inline constexpr double kMostStiffness = 11.5;
+inline constexpr double kMaxStiffness = 11.5;
 
 /// Motion after a kick over delay (columns) and stiffness (rows), um, for one device.
 struct MotionMap {
@@ -90,5 +93,45 @@ struct StabilityMeasurement {
 inline constexpr scene::DeviceModel kMappedDevice = scene::DeviceModel::touch_x;
 
 StabilityMeasurement measureStability(const StabilityPlan& plan, const Progress& progress);
+
+// What the measurement of stability says, in sentences and numbers; decided by the numbers alone.
+
+/// The worst of all rows, in the units of the JSON keys.
+struct StabilityNumbers {
+  double theory_error_percent = 0.0;
+  double first_contact_force_n = 0.0;  ///< controlled, at most 3 N/mm, at 0.5 m/s
+  double port_energy_mj = 0.0;
+  double stiffness_bias_percent = 0.0;  ///< at most 1 N/mm
+};
+
+StabilityNumbers numbersOf(const StabilityMeasurement& found);
+
+/// Share of the random systems of this cell that oscillate; NaN where it was not measured.
+double oscillatingShare(const StabilityMeasurement& found, const lab::RandomCell& cell);
+
+std::vector<std::string> stabilityFindings(const StabilityMeasurement& found);
+
+/// By the names that programs know.
+std::vector<std::pair<std::string, double>> stabilityPairs(const StabilityMeasurement& found);
+
+// `palpate study stability --map`: what the product allows at every rate and delay, and what random systems do there.
+
+/// Of all cells, and of those where a session may start.
+struct StabilityMapTotals {
+  std::size_t cells = 0;
+  std::size_t allowed = 0;
+  std::size_t oscillates_bare = 0;
+  std::size_t oscillates_controlled = 0;
+  std::size_t controlled_above_bare = 0;  ///< cells
+  std::size_t oscillates_allowed = 0;     ///< controlled
+  double port_energy_allowed_mj_max = 0.0;
+};
+
+StabilityMapTotals totalsOf(const std::vector<lab::StabilityCell>& cells);
+
+StudyPage stabilityMapPage(const lab::StabilityMapPlan& plan, const std::vector<lab::StabilityCell>& cells);
+
+/// Quick: two rates, three delays, two systems a cell.
+StudyPage studyStabilityMap(const StudySettings& settings);
 
 }  // namespace palpate::study

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dissertation/stability/stability_findings.h"
-#include "dissertation/stability/stability_map_study.h"
 #include "dissertation/stability/stability_measurement.h"
 #include "palpate/scene/words.h"
 #include "report/page/plot_parts.h"
@@ -20,7 +18,7 @@ using device::HandKind;
 using lab::Protection;
 
 /// Less motion than this is drawn as rest, um.
-constexpr double kLeastMotion = 0.1;
+constexpr double kMinMotion = 0.1;
 
 std::string handTitle(HandKind hand) { return hand == HandKind::dead_load ? "dead load" : "stylus, fore and aft"; }
 
@@ -62,7 +60,7 @@ Plot mapPlot(const StabilityPlan& plan, const MotionMap& map) {
   field.rows = static_cast<int>(plan.stiffness.size());
   field.origin = {plan.delays.front(), -1.0};
   field.step = {plan.delays[1] - plan.delays[0], 2.0 / (field.rows - 1)};
-  for (const double motion : map.motion_um) field.values.push_back(std::log10(std::max(kLeastMotion, motion)));
+  for (const double motion : map.motion_um) field.values.push_back(std::log10(std::max(kMinMotion, motion)));
   field.label = "motion, 10^x um";
   field.from = -1.0;
   field.to = 5.0;
@@ -135,7 +133,7 @@ std::vector<StudyFigure> figuresOf(const StabilityMeasurement& found) {
 // ----------------------------------------------------------------------------------------------------------- tables
 
 std::string onsetText(double stiffness) {
-  return stiffness >= kMostStiffness ? "> 11.5" : fmt::format("{:.2f}", stiffness);
+  return stiffness >= kMaxStiffness ? "> 11.5" : fmt::format("{:.2f}", stiffness);
 }
 
 TextTable onsetTable(const StabilityMeasurement& found) {

@@ -1,5 +1,5 @@
 // Each verdict is decided by the numbers that stand beside it; where they do not decide, none is given.
-#include "dissertation/tables/rates_findings.h"
+#include "dissertation/tables/rendering_rates.h"
 
 #include <fmt/format.h>
 

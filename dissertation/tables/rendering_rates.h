@@ -67,4 +67,9 @@ struct RatesMeasurement {
 
 RatesMeasurement measureRates(const RatesPlan& plan, const Progress& progress);
 
+// What the measured rates say beside the printed ones: sentences made of nothing but the measurement.
+
+/// A paragraph each, most important first. `found` must have rows.
+std::vector<std::string> ratesFindings(const RatesMeasurement& found);
+
 }  // namespace palpate::study

@@ -8,7 +8,6 @@
 
 #include "dissertation/numbers/printed_numbers.h"
 #include "dissertation/tables/rate_curves.h"
-#include "dissertation/tables/rates_findings.h"
 #include "dissertation/tables/rendering_rates.h"
 #include "report/page/plot_parts.h"
 

@@ -1,5 +1,5 @@
 // Each verdict is decided by the numbers that stand beside it; where they do not decide, none is given.
-#include "dissertation/threshold/threshold_findings.h"
+#include "dissertation/threshold/threshold_measurement.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

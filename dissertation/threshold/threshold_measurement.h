@@ -47,4 +47,14 @@ ThresholdRow fastest(const std::vector<ThresholdRow>& rows);
 /// The row of that threshold, or of the nearest one.
 ThresholdRow rowAt(const std::vector<ThresholdRow>& rows, Index threshold);
 
+// What the frames say of the threshold: sentences made of nothing but the measurement.
+
+/// A paragraph each, most important first.
+std::vector<std::string> thresholdFindings(const ThresholdMeasurement& found);
+
+/// The time of a frame at the printed threshold over that at the fastest, of one model and tree.
+double lossAtPrinted(const std::vector<ThresholdRow>& rows);
+/// The same over all models and trees.
+Extent lossesAtPrinted(const ThresholdMeasurement& found);
+
 }  // namespace palpate::study

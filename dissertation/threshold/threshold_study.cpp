@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "dissertation/threshold/threshold_findings.h"
 #include "dissertation/threshold/threshold_measurement.h"
 #include "lab/measured/haptic_frames.h"
 #include "palpate/scene/words.h"

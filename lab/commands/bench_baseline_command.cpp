@@ -31,8 +31,8 @@ struct Baseline {
   std::vector<bench::KernelTime> kernels;
 };
 
-constexpr std::size_t kMostBytes = std::size_t{1} << 20;
-constexpr std::size_t kLeastTriangles = 1000, kMostTriangles = 4000000;
+constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
+constexpr std::size_t kMinTriangles = 1000, kMaxTriangles = 4000000;
 
 bench::KernelTime kernelFrom(const nlohmann::json& json) {
   bench::KernelTime time;
@@ -46,14 +46,14 @@ bench::KernelTime kernelFrom(const nlohmann::json& json) {
 
 /// Throws Error (file: cause) for a file that is no baseline or holds a ratio that is not above 0.
 Baseline readBaseline(const std::filesystem::path& file) {
-  const std::string text = readFile(file, kMostBytes);
+  const std::string text = readFile(file, kMaxBytes);
   try {
     const nlohmann::json json = nlohmann::json::parse(text);
     Baseline baseline;
     baseline.file = file.string();
     baseline.simd = json.value("machine", nlohmann::json::object()).value("simd", "");
     baseline.triangles = json.at("triangles").get<std::size_t>();
-    if (baseline.triangles < kLeastTriangles || baseline.triangles > kMostTriangles) {
+    if (baseline.triangles < kMinTriangles || baseline.triangles > kMaxTriangles) {
       throw Error("the number of triangles is not one of a benchmark's back");
     }
     for (const nlohmann::json& kernel : json.at("kernels")) baseline.kernels.push_back(kernelFrom(kernel));

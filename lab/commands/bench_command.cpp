@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cli/kit/commands.h"
+#include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
-#include "lab/commands/named_mesh.h"
 #include "lab/workloads/heldout_meshes.h"
 #include "lab/workloads/workload_meshes.h"
 #include "lab/workloads/workload_paths.h"
@@ -50,7 +50,7 @@ void printNames() {
 
 void addBenchCommand(CLI::App& study) {
   CLI::App& bench = *study.add_subcommand(
-      "bench", "Measure the finger, deformation, partitions, loading, servo loop, sessions, pictures");
+      "bench", "Measure the finger, deformation, partitions, loading, servo loop, recordings, pictures");
   bench.require_subcommand(0, 1);  // none: the regression guard
   addBenchBaseline(bench);
   addBenchContactCommand(bench);
@@ -59,7 +59,7 @@ void addBenchCommand(CLI::App& study) {
   addBenchLoadCommand(bench);
   addBenchPartitionCommand(bench);
   addBenchServoCommand(bench);
-  addBenchSessionCommand(bench);
+  addBenchRecordingCommand(bench);
   addWorkloadCommand(bench);
   bench.add_subcommand("list", "Name the benchmark meshes and trajectories")->callback(printNames);
 }

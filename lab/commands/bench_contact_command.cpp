@@ -13,14 +13,12 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
-#include "lab/commands/named_mesh.h"
-#include "lab/commands/partition_options.h"
 #include "lab/commands/peers_report.h"
 #include "lab/peers/judge.h"
 #include "lab/peers/peer.h"
 #include "lab/runs/contact_run.h"
-#include "lab/runs/hdb_run.h"
 #include "palpate/base/error.h"
 
 namespace palpate::app {

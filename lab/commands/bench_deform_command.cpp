@@ -7,8 +7,8 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
-#include "lab/commands/named_mesh.h"
 #include "lab/runs/deform_run.h"
 
 namespace palpate::app {
@@ -86,7 +86,7 @@ void addBenchDeformCommand(CLI::App& parent) {
   addNumbers(command, run);
   command.add_option("--mesh", arguments->mesh, std::string("In place of the back: ") + kMeshNamesHelp)
       ->excludes("--triangles");
-  addPlace(command, "--at", run.at, "With --mesh: where the fingers wander, mm; left out: around the highest place")
+  addPlace(command, "--at", run.at, "With --mesh: where the fingers wander, mm (default: around the highest place)")
       ->needs("--mesh");
   command.add_flag("--recompute-normals", run.recompute, "Recomputed instead of analytic normals");
   command.add_flag("--incremental-normals", run.incremental, "Normals from the list of changed triangles");

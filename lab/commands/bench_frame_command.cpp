@@ -1,18 +1,201 @@
 // `palpate study bench frame`: how long a picture takes, from the contact to the last pixel.
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
+#include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "lab/commands/bench_report.h"
-#include "lab/commands/frame_run.h"
+#include "lab/runs/deform_run.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/base/words.h"
+#include "palpate/contact/finger.h"
+#include "palpate/engine/living_skin.h"
+#include "palpate/tree/triangle_tree.h"
+#include "palpate/view/look.h"
+#include "palpate/view/offscreen.h"
+#include "palpate/view/painter.h"
+#include "palpate/view/stereo.h"
 
 namespace palpate::app {
 namespace {
+
+// Times whole pictures of a back under a finger that wanders: the numbers of `palpate study bench frame`.
+
+struct FrameRun {
+  std::size_t triangles = 41582;  ///< of the skin; the bones come on top
+  bool trunk = false;             ///< the closed built-in body, on which opaque skin hides the bones; else the torso
+  view::Shading shading = view::Shading::gouraud;
+  view::StereoMode stereo = view::StereoMode::mono;
+  int width = 1280;
+  int height = 720;
+  double skin_opacity = 1.0;
+  bool labels = true;
+  bool close = false;    ///< the camera stands near the finger, so that most of the skin is outside the picture
+  bool cull = true;      ///< false: skin outside the picture is drawn too
+  double seconds = 2.0;  ///< how long to repeat
+};
+
+/// Milliseconds a picture: mean over the finger's places, of each place's shortest time.
+struct FrameFigures {
+  std::size_t triangles = 0;       ///< of the skin
+  std::size_t bone_triangles = 0;  ///< beneath it
+  std::string renderer;            ///< what OpenGL says of itself
+  double deform_ms = 0.0;
+  double upload_ms = 0.0;
+  double draw_ms = 0.0;  ///< until the last pixel is there, labels and stereo included
+  double frameMs() const { return deform_ms + upload_ms + draw_ms; }
+  double fps = 0.0;                ///< 1000 / frame_ms: each step waits for the one before
+  double covered = 0.0;            ///< share of the window that the skin takes
+  double uploaded_vertices = 0.0;  ///< a picture
+  double first_frame_ms = 0.0;     ///< from nothing but the world to the first picture in memory
+};
+
+using bench::kPlaces;
+
+constexpr double kDepthMm = 8.0;
+/// How much of the body a near camera sees, from the lower to the upper edge.
+constexpr double kCloseMm = 100.0;
+/// As many bone triangles as the torso of 41,582 triangles has.
+constexpr std::size_t kBoneTriangles = 18296;
+
+std::shared_ptr<const scene::World> backOf(const FrameRun& run) {
+  scene::Scene scene;
+  scene.body.kind = run.trunk ? scene::BodyKind::trunk : scene::BodyKind::torso;
+  scene.body.triangles = run.triangles + kBoneTriangles;
+  scene.body.bone_triangles = kBoneTriangles;
+  return scene::build(scene);
+}
+
+/// A point finger pressed straight down at a place of the back.
+view::FingerMark fingerAt(const scene::World& world, const Vec2& place) {
+  constexpr double kAbove = 500.0;
+  const Vec3 above(place.x(), place.y(), kAbove), below(place.x(), place.y(), -kAbove);
+  const auto skin = tree::firstFrontCrossing(world.surface.geometry->tree, above, below).point;
+  contact::FingerState state;
+  view::FingerMark mark;
+  for (double height = 2.0; height >= -kDepthMm; height -= 0.1) {
+    mark.contact = contact::step(world.surface, {}, state, skin + height * Vec3::UnitZ());
+  }
+  return mark;
+}
+
+std::vector<view::FingerMark> wanderingFinger(const scene::World& world) {
+  const Vec2 beside_t6(30.0, 38.0);
+  std::vector<view::FingerMark> marks;
+  for (const Vec2& place : bench::placesAround(beside_t6)) marks.push_back(fingerAt(world, place));
+  return marks;
+}
+
+/// The whole chain from a contact to a picture, and its shortest times at each place.
+class Bench {
+ public:
+  Bench(const FrameRun& run, std::shared_ptr<const scene::World> world)
+      : world_(std::move(world)), target_(run.width, run.height), painter_(world_), skin_(*world_, {.strain = false}) {
+    const double aspect = static_cast<double>(run.width) / run.height;
+    settings_.camera = view::fitted(mesh::boundingBox(world_->body->skin), aspect);
+    if (run.close) goNear(wanderingFinger(*world_).front());
+    settings_.look.shading = run.shading;
+    settings_.look.cull = run.cull;
+    settings_.look.skin_opacity = run.skin_opacity;
+    settings_.stereo.mode = run.stereo;
+    if (!run.labels) settings_.labels = view::LabelSettings::none();
+    canvas_.framebuffer = target_.framebuffer();
+    canvas_.width = run.width;
+    canvas_.height = run.height;
+    for (auto& times : best_) times.fill(1e300);
+  }
+
+  void frame(const view::FingerMark& mark, std::size_t place) {
+    const auto start = Clock::now();
+    skin_.follow({&mark.contact, 1});
+    note(0, place, start);
+    const auto upload = Clock::now();
+    uploaded_ += painter_.renderer().update(skin_.surface());
+    note(1, place, upload);
+    const auto draw = Clock::now();
+    painter_.paint({{&mark, 1}, 0.0}, skin_.surface(), settings_, canvas_);
+    view::waitUntilDrawn();
+    note(2, place, draw);
+    ++frames_;
+  }
+
+  double mean(int step) const {
+    double sum = 0.0;
+    for (const double time : best_[step]) sum += time;
+    return sum / kPlaces;
+  }
+  double uploadedVertices() const { return static_cast<double>(uploaded_) / frames_; }
+  const view::Target& target() const { return target_; }
+
+  /// Pixels of the picture that differ from the one without skin.
+  double covered(const view::FingerMark& mark) {
+    const view::Image with = target_.read();
+    view::PictureSettings bare = settings_;
+    bare.look.skin_opacity = 0.0;
+    painter_.paint({{&mark, 1}, 0.0}, skin_.surface(), bare, canvas_);
+    const view::Image without = target_.read();
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < with.pixels.size(); ++i) different += with.pixels[i] != without.pixels[i] ? 1 : 0;
+    return static_cast<double>(different) / static_cast<double>(with.pixels.size());
+  }
+
+ private:
+  void goNear(const view::FingerMark& mark) {
+    settings_.camera.centre = mark.contact.proxy;
+    settings_.camera.distance_mm = 0.5 * kCloseMm / std::tan(0.5 * settings_.camera.height_rad);
+  }
+
+  void note(int step, std::size_t place, Clock::time_point start) {
+    best_[step][place] = std::min(best_[step][place], millisecondsSince(start));
+  }
+
+  std::shared_ptr<const scene::World> world_;
+  view::Target target_;
+  view::Painter painter_;
+  engine::LivingSkin skin_;
+  view::PictureSettings settings_;
+  view::Canvas canvas_;
+  std::array<std::array<double, kPlaces>, 3> best_{};
+  std::size_t uploaded_ = 0;
+  std::size_t frames_ = 0;
+};
+
+/// Throws Error where nothing can be drawn, and for counts the body cannot have.
+FrameFigures measureFrames(const FrameRun& run) {
+  const auto world = backOf(run);
+  const std::vector<view::FingerMark> marks = wanderingFinger(*world);
+  const auto start = Clock::now();
+  const view::OffscreenContext context;
+  Bench bench(run, world);
+  bench.frame(marks.front(), 0);
+  (void)bench.target().read();
+  FrameFigures figures;
+  figures.first_frame_ms = millisecondsSince(start);
+  const auto end = Clock::now() + std::chrono::duration<double>(run.seconds);
+  do {
+    for (std::size_t place = 0; place < marks.size(); ++place) bench.frame(marks[place], place);
+  } while (Clock::now() < end);
+  figures.triangles = world->body->skin.triangles.size();
+  for (const body::Bone& bone : world->body->anatomy.bones) figures.bone_triangles += bone.mesh.triangles.size();
+  figures.renderer = view::rendererWords();
+  figures.deform_ms = bench.mean(0);
+  figures.upload_ms = bench.mean(1);
+  figures.draw_ms = bench.mean(2);
+  figures.fps = 1000.0 / figures.frameMs();
+  figures.uploaded_vertices = bench.uploadedVertices();
+  figures.covered = bench.covered(marks.back());
+  return figures;
+}
 
 nlohmann::ordered_json jsonOf(const FrameFigures& f) {
   nlohmann::ordered_json json;
@@ -58,10 +241,9 @@ void addBenchFrameCommand(CLI::App& parent) {
             "Triangles of the skin; 18,296 of bones come on top")
       ->capture_default_str();
   command.add_flag("--trunk", run.trunk, "On the closed trunk (an even number of triangles) instead of the torso");
-  std::map<std::string, view::Shading> shadings{{"pbr", view::Shading::skin}};
-  for (const auto& [word, shading] : WordsOf<view::Shading>::kAll) shadings.emplace(word, shading);
-  command.add_option("--shading", run.shading, "gouraud, or skin (also called pbr)")
-      ->transform(CLI::CheckedTransformer(shadings));
+  Choices<view::Shading> shadings = choicesOf<view::Shading>();
+  shadings.insert(shadings.begin(), {"pbr", view::Shading::skin});
+  addChoice(command, "--shading", run.shading, shadings, "Light at the vertices, or skin (pbr: its earlier name)");
   command.add_option("--stereo", arguments->stereo, "Stereo mode: mono, sbs-half, sbs-full, anaglyph-dubois, ...")
       ->capture_default_str();
   addNumber(command, "--width", run.width, between(16, 8192, "pixels"), "Width of the picture")->capture_default_str();

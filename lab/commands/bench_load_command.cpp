@@ -1,20 +1,191 @@
 // `palpate study bench load`: how long a user waits, and how much memory it takes, from a mesh file to the first force.
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
-
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "cli/kit/progress_line.h"
+#include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
-#include "lab/commands/load_run.h"
-#include "lab/commands/named_mesh.h"
 #include "palpate/base/error.h"
+#include "palpate/base/hash.h"
+#include "palpate/base/progress.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/base/text.h"
+#include "palpate/contact/finger.h"
+#include "palpate/mesh/files/load.h"
+#include "palpate/scene/world.h"
 
 namespace palpate::app {
 namespace {
+
+// From a mesh file to the first force: the numbers of `palpate study bench load`.
+//
+// file -> scene::build (read and weld, repair, order, contact surface, deformation) -> one finger that presses.
+// Exactly what a user waits for between naming a file and feeling it.
+
+struct LoadStep {
+  std::string name;             ///< as the progress line calls it
+  double seconds = 0.0;         ///< all stretches of that name together
+  double peak_memory_gb = 0.0;  ///< of the process since its start, when the step ended
+};
+
+struct LoadFigures {
+  double seconds = 0.0;         ///< file to force
+  double peak_memory_gb = 0.0;  ///< of the process, 1e9 bytes; what was loaded before counts too
+  std::vector<LoadStep> steps;
+  std::size_t triangles = 0;  ///< of the skin that is felt, after repair
+  std::size_t vertices = 0;
+  double first_force_n = 0.0;
+  double tree_bytes_per_triangle = 0.0;     ///< tree and walk records
+  double tree_build_ns_per_triangle = 0.0;  ///< the same, built once more by itself
+  std::uint64_t hash = 0;                   ///< of skin and first force
+  double change_ms = 0.0;                   ///< until the world has another dysfunction; the median of some
+};
+
+/// The most memory this process ever had resident, 1e9 bytes; 0 where the system does not say.
+double peakMemoryGb() {
+#ifdef __linux__
+  rusage usage{};
+  if (getrusage(RUSAGE_SELF, &usage) == 0) return static_cast<double>(usage.ru_maxrss) * 1024.0 * 1e-9;
+#endif
+  return 0.0;
+}
+
+/// Reads the clock whenever the progress names another stage.
+class StageClock {
+ public:
+  explicit StageClock(const Progress& shown) : shown_(shown) {}
+
+  Progress callback() {
+    return [this](std::string_view stage, double done) {
+      if (current_ != stage) begin(stage);
+      report(shown_, stage, done);
+    };
+  }
+  void begin(std::string_view stage) {
+    end();
+    current_ = stage;
+    started_ = Clock::now();
+  }
+  std::vector<LoadStep> finish() {
+    end();
+    return std::move(steps_);
+  }
+
+ private:
+  void end() {
+    if (current_.empty()) return;
+    LoadStep& step = stepNamed(current_);
+    step.seconds += secondsSince(started_);
+    step.peak_memory_gb = peakMemoryGb();
+  }
+  LoadStep& stepNamed(const std::string& name) {
+    const auto found =
+        std::find_if(steps_.begin(), steps_.end(), [&](const LoadStep& step) { return step.name == name; });
+    if (found != steps_.end()) return *found;
+    return steps_.emplace_back(LoadStep{name});
+  }
+
+  const Progress& shown_;
+  std::string current_;
+  Clock::time_point started_;
+  std::vector<LoadStep> steps_;
+};
+
+/// Presses at some triangles in turn until one pushes back: a thin place or a pocket may not.
+contact::FingerOutput firstForce(const scene::World& world) {
+  constexpr std::size_t kMaxPlaces = 64;
+  const double depth = 1e-3 * world.surface.geometry->tree.diagonal;  // 0.5 mm on a back
+  const auto& records = world.surface.geometry->tree.records;
+  for (std::size_t place = 0; place < kMaxPlaces; ++place) {
+    const auto& [a, b, c] = records[place * records.size() / kMaxPlaces].corners;
+    const Vec3 middle = (a + b + c) / 3.0;
+    const Vec3 inwards = -mesh::areaVector2(a, b, c).stableNormalized() * depth;
+    contact::FingerState state;
+    (void)contact::step(world.surface, {}, state, middle - inwards);
+    contact::FingerOutput output = contact::step(world.surface, {}, state, middle + inwards);
+    if (output.force.squaredNorm() > 0.0) return output;
+  }
+  throw Error("the body gives no force anywhere");
+}
+
+std::uint64_t hashOf(const scene::World& world, const contact::FingerOutput& output) {
+  Hash hash;
+  for (const Vec3& position : world.body->skin.positions) hash.add(position);
+  for (const Triangle& triangle : world.body->skin.triangles) {
+    for (const Index vertex : triangle) hash.add(std::uint64_t{vertex});
+  }
+  hash.add(output.force);
+  hash.add(output.proxy);
+  return hash.value();
+}
+
+void measureTree(const mesh::TriangleMesh& skin, LoadFigures& figures) {
+  const auto triangles = static_cast<double>(skin.triangles.size());
+  const Clock::time_point start = Clock::now();
+  const tree::TriangleTree tree = tree::buildTriangleTree(skin);
+  figures.tree_build_ns_per_triangle = secondsSince(start) * 1e9 / triangles;
+  const std::size_t bytes = tree.nodes.size() * sizeof(tree::WideNode) +
+                            tree.records.size() * sizeof(tree::TriangleRecord) +
+                            tree.source_triangle.size() * sizeof(Index);
+  figures.tree_bytes_per_triangle = static_cast<double>(bytes) / triangles;
+}
+
+/// A dysfunction of 25 mm that moves by a millimetre a time, as under a slider.
+double changeMs(const scene::World& world) {
+  const Vec3 middle = world.body->box.center();
+  std::vector<double> times_ms;
+  for (int i = 0; i < 9; ++i) {
+    scene::Scene scene = world.scene;
+    scene.dysfunctions = {{.x_mm = middle.x() + i, .y_mm = middle.y(), .radius_mm = 25.0}};
+    const Clock::time_point start = Clock::now();
+    (void)scene::rebuilt(world, scene);
+    times_ms.push_back(1e3 * secondsSince(start));
+  }
+  std::ranges::nth_element(times_ms, times_ms.begin() + 4);
+  return times_ms[4];
+}
+
+/// Throws Error as scene::build does, and for a body that cannot be felt anywhere.
+LoadFigures measureLoad(const std::filesystem::path& file, const Progress& progress) {
+  scene::Scene scene;
+  scene.body.kind = scene::BodyKind::mesh;
+  scene.body.file = file;
+  LoadFigures figures;
+  StageClock clock(progress);
+  const Clock::time_point start = Clock::now();
+  const auto world = scene::build(scene, clock.callback());
+  clock.begin("first touch");
+  const contact::FingerOutput output = firstForce(*world);
+  figures.seconds = secondsSince(start);
+  figures.steps = clock.finish();
+  figures.peak_memory_gb = peakMemoryGb();
+  figures.triangles = world->body->skin.triangles.size();
+  figures.vertices = world->body->skin.positions.size();
+  figures.first_force_n = output.force.norm();
+  figures.hash = hashOf(*world, output);
+  report(progress, "building the tree once more", 0.0);
+  measureTree(world->body->skin, figures);
+  figures.change_ms = changeMs(*world);
+  return figures;
+}
+
+/// How long assimp alone takes to read the file, not welded, into the same arrays, s. Throws Error where it cannot.
+double assimpSeconds(const std::filesystem::path& file) {
+  mesh::LoadOptions options;
+  options.weld = false;
+  const Clock::time_point start = Clock::now();
+  (void)mesh::loadFromMemory(readFile(file, options.max_bytes), mesh::Format::foreign, file.string(), options);
+  return secondsSince(start);
+}
 
 struct LoadArguments {
   std::string file;

@@ -33,6 +33,6 @@ void printReport(nlohmann::ordered_json json, const std::string& text, bool as_j
 void addBenchBaseline(CLI::App& bench);  ///< no subcommand: `palpate study bench --baseline FILE`
 void addBenchLoadCommand(CLI::App& bench);
 void addBenchServoCommand(CLI::App& bench);
-void addBenchSessionCommand(CLI::App& bench);
+void addBenchRecordingCommand(CLI::App& bench);
 
 }  // namespace palpate::app

@@ -11,9 +11,9 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/simulate_options.h"
-#include "cli/simulate/servo_run.h"
+#include "cli/simulate/realtime_run.h"
 #include "lab/commands/bench_report.h"
-#include "lab/runs/safety_run.h"
+#include "lab/runs/servo_costs.h"
 
 namespace palpate::app {
 namespace {
@@ -68,7 +68,7 @@ std::string textOf(const servo::LoopReport& loop) {
 }
 
 /// Long enough for some thousand pairs of blocks.
-constexpr double kMostSafetyS = 3.0;
+constexpr double kMaxSafetyS = 3.0;
 
 void addSafety(const bench::SafetyCost& cost, nlohmann::ordered_json& json, std::string& text) {
   json["safety_us_per_tick"] = cost.safety_us;
@@ -93,9 +93,8 @@ void runServoBench(const ServoArguments& arguments) {
   endIfAsked();  // a part of it is no measurement
   nlohmann::ordered_json json = jsonOf(ours);
   std::string text = textOf(ours.loop);
-  addSafety(
-      bench::measureSafety(*world, device::pathsOf(*world), std::min(kMostSafetyS, 0.5 * arguments.input.seconds)),
-      json, text);
+  addSafety(bench::measureSafety(*world, device::pathsOf(*world), std::min(kMaxSafetyS, 0.5 * arguments.input.seconds)),
+            json, text);
   if (arguments.peers) {
     const auto naive = measureServo(*world, arguments.input.seconds, progress.display(), runSleepUntil).loop;
     endIfAsked();

@@ -1,22 +1,278 @@
 // `palpate study hunt`: random bodies and paths, judged by code that shares nothing with the finger; failing paths are
 // made short and written as cases.
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
+#include "cli/kit/mesh_arguments.h"
+#include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
-#include "lab/commands/hunt_options.h"
-#include "lab/commands/hunt_report.h"
+#include "lab/commands/bench_arguments.h"
 #include "lab/hunt/hunt.h"
+#include "lab/hunt/kept_case.h"
+#include "palpate/base/error.h"
 
 namespace palpate::app {
 
 namespace {
+
+// What `palpate study hunt` is asked, and the plan that it makes.
+
+struct HuntArguments {
+  std::size_t ticks = 1000000;
+  double seconds = 0.0;  ///< 0: by ticks
+  std::uint64_t seed = 1;
+  std::vector<double> radii_mm;
+  std::vector<std::string> meshes;
+  double unit_mm = 0.0, fit_mm = -1.0;
+  std::string group;
+  bool generated = false;
+  std::size_t bodies = 0;
+  double scale = 1.0;
+  std::size_t threads = 0;
+  std::string out;
+  std::size_t keep = 6;
+  std::vector<std::string> replay;
+  bool json = false;
+};
+
+/// A file whose body is smaller or larger than a finger can make sense of is brought to the size of a torso's half.
+constexpr double kMinDiagonalMm = 20.0, kMaxDiagonalMm = 10000.0, kFittedDiagonalMm = 400.0;
+
+/// `fit_mm` below 0: only where the size makes no sense. 0: never.
+void fit(lab::NamedBody& body, double fit_mm) {
+  const double diagonal = mesh::boundingBox(body.mesh).diagonal().norm();
+  if (!std::isfinite(diagonal) || !(diagonal > 0.0) || fit_mm == 0.0) return;
+  if (fit_mm < 0.0 && diagonal >= kMinDiagonalMm && diagonal <= kMaxDiagonalMm) return;
+  const double factor = (fit_mm > 0.0 ? fit_mm : kFittedDiagonalMm) / diagonal;
+  for (Vec3& p : body.mesh.positions) p *= factor;
+  if (fit_mm < 0.0)
+    say(fmt::format("palpate: {}: {:.3g} mm across, taken {:.6g} times as large (--fit-mm, --unit)\n", body.name,
+                    diagonal, factor));
+}
+
+lab::NamedBody outsideBody(const std::string& name, const HuntArguments& arguments, const Progress& progress) {
+  mesh::LoadOptions options;
+  options.unit_mm = arguments.unit_mm;
+  options.group = arguments.group;
+  options.keep_wrong_indices = true;
+  lab::NamedBody body{name, meshFrom(name, options, progress)};
+  fit(body, arguments.fit_mm);
+  return body;
+}
+
+void addBodyOptions(CLI::App& command, HuntArguments& a) {
+  command.add_option(
+      "--mesh", a.meshes,
+      "Body from outside, repeatable; alone, or with --generated beside the others. " + std::string(kMeshNamesHelp));
+  addUnit(command, a.unit_mm);
+  command.add_option("--group", a.group, "Only this group or object of OBJ files");
+  addNumber(command, "--fit-mm", a.fit_mm, between(0.0, 1e9, "mm"),
+            "Scale each file's body to this diagonal; 0: never (default: to 400 mm where it is below 20 mm or "
+            "above 10 m)");
+  command.add_flag("--generated", a.generated, "Generated bodies too, beside --mesh");
+  addNumber(command, "--bodies", a.bodies, between(0, 1e9), "Generated bodies; 0: one for every 20,000 ticks")
+      ->capture_default_str();
+  addNumber(command, "--scale", a.scale, between(1e-6, 1e6),
+            "Everything so many times as large: bodies, paths and fingers")
+      ->capture_default_str();
+}
+
+/// `arguments` must outlive the command.
+void addHuntOptions(CLI::App& command, HuntArguments& a) {
+  CLI::Option* ticks =
+      addNumber(command, "--ticks", a.ticks, between(1, 1e12), "Ticks (of 1 ms) to hunt for")->capture_default_str();
+  addNumber(command, "--seconds", a.seconds, between(1e-3, 1e7, "s"),
+            "Hunt for so long, by the clock, instead of --ticks")
+      ->excludes(ticks);
+  addNumber(command, "--seed", a.seed, {{0.0}}, "Of bodies and paths: the same seed gives the same hunt")
+      ->capture_default_str();
+  addNumber(command, "--radius-mm", a.radii_mm, between(0.0, 1000.0, "mm"),
+            "Radius of the finger, repeatable (default: 0, 0.5, 2, 5 and 8)");
+  addBodyOptions(command, a);
+  addNumber(command, "--threads", a.threads, between(0, 1024), "Threads; 0: as many as there are processors")
+      ->capture_default_str();
+  command.add_option("-o,--out", a.out,
+                     "Folder for failing cases, made short: body.ply, path.csv, scene.toml (palpate simulate runs it), "
+                     "note.txt");
+  addNumber(command, "--keep", a.keep, between(0, 1e6), "Cases that are written of each fault")->capture_default_str();
+  command.add_option("--replay", a.replay, "Judge a written case again instead of hunting, repeatable")
+      ->excludes("--mesh");
+  command.add_flag("--json", a.json, "Print one JSON object");
+}
+
+/// Reads the meshes. Throws Error naming the file.
+lab::HuntPlan planOf(const HuntArguments& arguments, const Progress& progress) {
+  lab::HuntPlan plan;
+  plan.ticks = arguments.ticks;
+  if (arguments.seconds > 0.0) plan.seconds = arguments.seconds;
+  plan.seed = arguments.seed;
+  if (!arguments.radii_mm.empty()) plan.radii_mm = arguments.radii_mm;
+  for (const std::string& name : arguments.meshes) plan.meshes.push_back(outsideBody(name, arguments, progress));
+  plan.generated = arguments.generated || arguments.meshes.empty();
+  plan.bodies = arguments.bodies;
+  plan.scale = arguments.scale;
+  plan.threads = arguments.threads;
+  return plan;
+}
+
+// What a hunt found: as text, as JSON, as folders of cases.
+
+/// Lines of the text report; the JSON has all of them.
+constexpr std::size_t kMaxLines = 20;
+
+double ticksPerSecond(const lab::HuntResult& result) {
+  return result.seconds > 0.0 ? static_cast<double>(result.ticks) / result.seconds : 0.0;
+}
+
+std::size_t ticksOf(const lab::HuntResult& result, lab::Fault fault) {
+  return result.fault_ticks[static_cast<std::size_t>(fault)];
+}
+
+nlohmann::ordered_json failingJson(const lab::FailingPath& path, const std::string& file) {
+  nlohmann::ordered_json json;
+  json["body"] = path.body;
+  json["seed"] = path.seed;
+  json["radius_mm"] = path.radius_mm;
+  json["tick"] = path.finding.first_tick;
+  json["kind"] = lab::nameOf(path.fault);
+  json["file"] = file.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(file);
+  json["ticks"] = path.finding.ticks;
+  json["what"] = path.finding.what;
+  json["measured"] = path.finding.measured;
+  json["bound"] = path.finding.bound;
+  return json;
+}
+
+std::string failingText(const lab::FailingPath& path, const std::string& file) {
+  return fmt::format("{:15} {:28} seed {:10} radius {:4} mm, tick {:4}: {} {:.6g} (bound {:.6g}), {} tick{}{}\n",
+                     lab::nameOf(path.fault), path.body, path.seed, path.radius_mm, path.finding.first_tick,
+                     path.finding.what, path.finding.measured, path.finding.bound, path.finding.ticks,
+                     path.finding.ticks == 1 ? "" : "s", file.empty() ? "" : " -> " + file);
+}
+
+/// Which failing paths are worth a case: at most `keep` of a fault, those of new kinds of bodies first.
+std::vector<std::size_t> chosen(const lab::HuntResult& result, std::size_t keep) {
+  std::vector<std::size_t> picks;
+  for (std::size_t f = 0; f < lab::kFaults; ++f) {
+    std::vector<std::size_t> fresh, more;
+    std::set<std::string> kinds;
+    for (std::size_t i = 0; i < result.failing.size(); ++i) {
+      const lab::FailingPath& path = result.failing[i];
+      if (path.fault != static_cast<lab::Fault>(f)) continue;
+      (kinds.insert(path.body.substr(0, path.body.find('#'))).second ? fresh : more).push_back(i);
+    }
+    fresh.insert(fresh.end(), more.begin(), more.end());
+    picks.insert(picks.end(), fresh.begin(), fresh.begin() + static_cast<std::ptrdiff_t>(std::min(keep, fresh.size())));
+  }
+  return picks;
+}
+
+lab::KeptCase caseOf(const lab::HuntPlan& plan, const lab::FailingPath& path) {
+  const mesh::TriangleMesh mesh = lab::huntedMesh(plan, path.body);
+  const contact::FingerSettings finger = lab::huntedFinger(path.radius_mm, plan.scale);
+  std::vector<Vec3> tips;
+  {
+    lab::HuntWorld world = lab::buildHuntWorld(mesh);
+    tips = lab::huntedTips(world.body, path.seed, path.radius_mm, plan.scale);
+  }
+  tips.resize(std::min(tips.size(), path.ticks));
+  // Making it short takes long: after a signal a case is kept as it was found.
+  lab::SmallCase small =
+      endAskedBy() == 0 ? lab::minimised(mesh, finger, tips, path.fault) : lab::SmallCase{mesh, tips};
+  lab::KeptCase kept{path.body,  path.seed,    path.radius_mm,        plan.scale,
+                     path.fault, path.finding, std::move(small.tips), std::move(small.mesh)};
+  kept.finding = lab::replay(kept).of(path.fault);
+  return kept;
+}
+
+/// `files`: for each failing path the folder of its case, or nothing.
+nlohmann::ordered_json huntJson(const lab::HuntPlan& plan, const lab::HuntResult& result,
+                                const std::vector<std::string>& files) {
+  nlohmann::ordered_json json;
+  json["complete"] = endAskedBy() == 0;
+  json["ended_by"] =
+      endAskedBy() == 0 ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(nameOfSignal(endAskedBy()));
+  json["ticks"] = result.ticks;
+  json["bodies"] = result.bodies;
+  json["falls"] = ticksOf(result, lab::Fault::fall);
+  json["missed_contacts"] = ticksOf(result, lab::Fault::missed_contact);
+  json["wrong_forces"] = ticksOf(result, lab::Fault::wrong_force);
+  json["steps_over_bound"] = ticksOf(result, lab::Fault::step);
+  json["held_in_air"] = ticksOf(result, lab::Fault::held_in_air);
+  json["held_through_body"] = result.held_through_ticks;
+  json["events"] = result.events;
+  json["failing_paths"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < result.failing.size(); ++i)
+    json["failing_paths"].push_back(failingJson(result.failing[i], files[i]));
+  json["paths"] = result.paths;
+  json["touching_ticks"] = result.touching_ticks;
+  json["seed"] = plan.seed;
+  json["scale"] = plan.scale;
+  json["radii_mm"] = plan.radii_mm;
+  json["seconds"] = result.seconds;
+  json["ticks_per_s"] = ticksPerSecond(result);
+  return json;
+}
+
+std::string huntText(const lab::HuntResult& result, const std::vector<std::string>& files) {
+  std::string text =
+      fmt::format("ticks             {} ({} in contact) on {} bodies along {} paths, {:.0f} ticks/s\n", result.ticks,
+                  result.touching_ticks, result.bodies, result.paths, ticksPerSecond(result));
+  if (endAskedBy() != 0) text += fmt::format("ended by {}, before it was done\n", nameOfSignal(endAskedBy()));
+  text += fmt::format("falls             {}\n", ticksOf(result, lab::Fault::fall));
+  text += fmt::format("missed contacts   {}\n", ticksOf(result, lab::Fault::missed_contact));
+  text += fmt::format("wrong forces      {}\n", ticksOf(result, lab::Fault::wrong_force));
+  text += fmt::format("steps over bound  {}\n", ticksOf(result, lab::Fault::step));
+  text += fmt::format("held in air       {}\n", ticksOf(result, lab::Fault::held_in_air));
+  text += fmt::format("held through body {}\n", result.held_through_ticks);
+  text += fmt::format("events            {}\n", result.events);
+  for (std::size_t i = 0; i < std::min(result.failing.size(), kMaxLines); ++i)
+    text += failingText(result.failing[i], files[i]);
+  if (result.failing.size() > kMaxLines)
+    text += fmt::format("... and {} more (--json has all)\n", result.failing.size() - kMaxLines);
+  return text;
+}
+
+std::string replayText(const std::string& folder, const lab::KeptCase& kept, const lab::HuntReport& report) {
+  std::string text = fmt::format("{}: {} ticks on {}, radius {} mm: {}\n", folder, report.ticks, kept.body,
+                                 kept.radius_mm, report.clean() ? "nothing wrong" : "");
+  for (std::size_t f = 0; f < lab::kFaults; ++f) {
+    const lab::Finding& finding = report.findings[f];
+    if (finding.ticks == 0) continue;
+    text += fmt::format("  {} in {} ticks from tick {}: {} {:.6g} (bound {:.6g})\n",
+                        lab::nameOf(static_cast<lab::Fault>(f)), finding.ticks, finding.first_tick, finding.what,
+                        finding.measured, finding.bound);
+  }
+  return text;
+}
+
+/// Makes the first failing paths of each fault short, of different kinds of bodies as far as there are, and writes them
+/// into --out. For each failing path its folder or nothing. Throws Error.
+std::vector<std::string> writeCases(const lab::HuntPlan& plan, const lab::HuntResult& result,
+                                    const HuntArguments& arguments, const Progress& progress) {
+  std::vector<std::string> files(result.failing.size());
+  const std::vector<std::size_t> picks = chosen(result, arguments.keep);
+  for (std::size_t n = 0; n < picks.size(); ++n) {
+    report(progress, "making cases short", static_cast<double>(n) / static_cast<double>(picks.size()));
+    const lab::KeptCase kept = caseOf(plan, result.failing[picks[n]]);
+    const std::filesystem::path folder = std::filesystem::path(arguments.out) / lab::folderNameOf(kept);
+    lab::writeCase(folder, kept);
+    files[picks[n]] = folder.string();
+  }
+  return files;
+}
 
 /// The answer of a hunt that found something: the command ran and says "no".
 [[noreturn]] void endWithFindings() { throw CLI::RuntimeError(1); }

@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t kTicksABody = 20000;
 /// A body's ticks are shared among threads in portions of at most so many.
 constexpr std::size_t kTicksAPortion = 250000;
-constexpr std::size_t kLeastPathTicks = 500, kMostPathTicks = 3000;
+constexpr std::size_t kMinPathTicks = 500, kMaxPathTicks = 3000;
 
 /// A seed that fits any reader of JSON.
 std::uint64_t mixed(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
@@ -224,7 +224,7 @@ std::vector<Vec3> huntedTips(JudgedBody& body, std::uint64_t seed, double radius
   Random random(seed);
   const std::vector<std::string> kinds = huntedPathKinds();
   const std::string& kind = kinds[random.below(kinds.size())];
-  const std::size_t ticks = kLeastPathTicks + random.below(kMostPathTicks - kLeastPathTicks + 1);
+  const std::size_t ticks = kMinPathTicks + random.below(kMaxPathTicks - kMinPathTicks + 1);
   return huntedPath(body, kind, {.ticks = ticks, .mm = mm, .radius_mm = radius_mm, .seed = random.bits()});
 }
 

@@ -1,5 +1,5 @@
 // Numbers are written with all their digits: a fault on a sliver is gone when a tip is rounded to a nanometre.
-// Data flow: hunt.h, minimise.h -> here -> a folder -> lab/tests/contact_bars, `palpate study hunt --replay`.
+// Data flow: hunt.h, minimise.cpp -> here -> a folder -> lab/tests/contact_bars, `palpate study hunt --replay`.
 #include "lab/hunt/kept_case.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@
 namespace palpate::lab {
 namespace {
 
-constexpr std::uint64_t kMostNoteBytes = 1 << 20;
+constexpr std::uint64_t kMaxNoteBytes = 1 << 20;
 constexpr double kTickS = 0.001;
 
 std::string pathText(const KeptCase& kept) {
@@ -51,7 +51,7 @@ std::string noteText(const KeptCase& kept) {
 /// "key: value" lines of a note.
 class Note {
  public:
-  explicit Note(const std::filesystem::path& file) : file_(file.string()), text_(readFile(file, kMostNoteBytes)) {}
+  explicit Note(const std::filesystem::path& file) : file_(file.string()), text_(readFile(file, kMaxNoteBytes)) {}
 
   std::string word(std::string_view key) const { return lineOf(key).word; }
   /// In a range; without one it may also be infinite or nan, as what was measured may be.
@@ -64,7 +64,7 @@ class Note {
   }
   Fault fault() const {
     const std::optional<Fault> fault = faultNamed(word("fault"));
-    if (!fault) throw Error::inFile(file_, fmt::format("'{}' is no fault", word("fault")));
+    if (!fault) throw Error::inFile(file_, fmt::format("'{}' is not a fault", word("fault")));
     return *fault;
   }
 

@@ -1,7 +1,7 @@
 // A new finger starts each path. A shorter one is kept when it shows a fault of the same kind, be it at another tick.
 // Later starts are tried in a bisection and the runs that are left out get shorter and shorter. Based on: Zeller and
 // Hildebrandt, "Simplifying and isolating failure-inducing input" (2002), without its complements.
-#include "lab/hunt/minimise.h"
+#include "lab/hunt/kept_case.h"
 
 #include <algorithm>
 #include <optional>

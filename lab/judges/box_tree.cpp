@@ -1,7 +1,7 @@
 // Built once a body, O(n log n); a query visits some tens of nodes and triangles, about a microsecond on 20,000.
-// Data flow: repaired mesh -> here -> hunt_judge.h, fast_winding.h. Own; the point of a triangle nearest to a place is
+// Data flow: repaired mesh -> here -> hunt_judge.h. The point of a triangle nearest to a place is
 // surface_side.h's.
-#include "lab/judges/box_tree.h"
+#include "lab/judges/hunt_judge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@
 namespace palpate::lab {
 namespace {
 
-constexpr Index kMostLeafTriangles = 4;
+constexpr Index kMaxLeafTriangles = 4;
 /// Median splits halve: 2^40 triangles are beyond any memory.
-constexpr std::size_t kMostDepth = 48;
+constexpr std::size_t kMaxDepth = 48;
 
 /// Six times the volume of a tetrahedron.
 double volume6(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) { return (b - a).cross(c - a).dot(d - a); }
@@ -39,7 +39,7 @@ int crossingOf(const std::array<Vec3, 3>& c, const Vec3& from, const Vec3& to, d
 /// Calls visit(slot) for the triangles in the leaves whose boxes, and those above them, are met.
 template <class Meets, class Visit>
 void visitSlots(const std::vector<BoxNode>& nodes, Meets&& meets, Visit&& visit) {
-  std::array<Index, 2 * kMostDepth> open;
+  std::array<Index, 2 * kMaxDepth> open;
   std::size_t size = 0;
   open[size++] = 0;
   while (size > 0) {
@@ -79,7 +79,7 @@ Index BoxTree::build(Index first, Index last, const mesh::TriangleMesh& mesh, co
     for (const Index v : mesh.triangles[order_[i]]) bounds.extend(mesh.positions[v]);
   }
   nodes_.push_back({bounds.min(), bounds.max(), first, last, 0});
-  if (last - first <= kMostLeafTriangles) return self;
+  if (last - first <= kMaxLeafTriangles) return self;
   Box3 spread;
   for (Index i = first; i < last; ++i) spread.extend(centres[order_[i]]);
   int axis = 0;
@@ -97,7 +97,7 @@ NearPoint BoxTree::nearest(const Vec3& place, double bound) const {
   NearPoint best;
   best.distance = bound;
   double best2 = bound * bound;
-  std::array<std::pair<Index, double>, kMostDepth> open;
+  std::array<std::pair<Index, double>, kMaxDepth> open;
   std::size_t size = 0;
   open[size++] = {0, distance2(nodes_[0], place)};
   while (size > 0) {

@@ -1,4 +1,4 @@
-// A flood over triangles from the touched ones, and the side that each triangle shows. Own; nothing of deform is used.
+// A flood over triangles from the touched ones, and the side that each triangle shows. Nothing of deform is used.
 #include "lab/judges/deform_check.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // A node that is far away counts as one dipole with its first correction; triangles nearby by their exact solid angles.
-// Data flow: box_tree.h -> here -> hunt_judge.h. A query is O(log n) where the point is not on the surface.
+// Data flow: box_tree.cpp -> here -> hunt_judge.h. A query is O(log n) where the point is not on the surface.
 // Based on: Barill, Dickson, Schmidt, Levin, Jacobson, "Fast winding numbers for soups and clouds" (2018), Taylor
 // expansion to its second term; Van Oosterom and Strackee, "The solid angle of a plane triangle" (1983).
-#include "lab/judges/fast_winding.h"
+#include "lab/judges/hunt_judge.h"
 
 #include <algorithm>
 #include <array>

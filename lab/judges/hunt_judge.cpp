@@ -125,7 +125,7 @@ void HuntJudge::judgeStep(const contact::FingerOutput& o) {
   if (step > bound + force_tolerance_) found(Fault::step, "force step, N", step, bound);
 }
 
-/// Inside from the side of a ball's centre, where the ball still holds the point; else asked anew.
+/// Inside from the side of a ball's centre, where the ball still holds the point; else asked again.
 bool HuntJudge::insideBall(const Vec3& point, double distance, ClearBall& ball) {
   const double moved = (point - ball.centre).norm();
   const bool known = moved < std::max(ball.radius, distance - body_.tolerance());  // the segment meets no surface

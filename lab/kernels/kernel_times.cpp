@@ -15,9 +15,9 @@ namespace palpate::bench {
 
 namespace {
 
-constexpr int kLeastRounds = 3;
+constexpr int kMinRounds = 3;
 /// A sample lasts at least this long, so that what it finds in the caches is its own.
-constexpr double kLeastSampleNs = 2e5;
+constexpr double kMinSampleNs = 2e5;
 
 volatile double kept;  // keeps the optimiser from leaving out work whose result nobody reads
 
@@ -49,7 +49,7 @@ class Shortest {
   static int repeatsFor(Work&& work) {
     const double start = processorNs();
     kept = work();
-    return static_cast<int>(std::clamp(kLeastSampleNs / (processorNs() - start + 1.0), 1.0, 1000.0));
+    return static_cast<int>(std::clamp(kMinSampleNs / (processorNs() - start + 1.0), 1.0, 1000.0));
   }
   int repeats_ = 0;
   double best_ns_ = 1e300;
@@ -85,7 +85,7 @@ std::vector<KernelTime> timeKernels(std::span<const Kernel> kernels, double seco
   std::vector<Pair> pairs(kernels.size());
   const Clock::time_point end =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  for (int round = 0; round < kLeastRounds || Clock::now() < end; ++round) {
+  for (int round = 0; round < kMinRounds || Clock::now() < end; ++round) {
     for (std::size_t k = 0; k < kernels.size(); ++k) pairs[k].sample(kernels[k], loops);
   }
   std::vector<KernelTime> times;

@@ -1,4 +1,4 @@
-// Kernels of the haptic detecting box: all triangles in it anew, and the list that follows the finger.
+// Kernels of the haptic detecting box: all triangles in it again, and the list that follows the finger.
 #include <memory>
 
 #include "lab/kernels/kernel_list.h"

@@ -1,9 +1,68 @@
 // What is done to a closed loop to see whether it is safe to touch: a kick, a tap, a slow press, a slide over a map.
 #pragma once
 
-#include "lab/loops/closed_loop.h"
+#include <array>
+#include <memory>
+
+#include "palpate/device/simulated_hand.h"
+#include "palpate/servo/device_limits.h"
+#include "palpate/servo/tick.h"
 
 namespace palpate::lab {
+
+// The servo's own tick on a flat plate, closed over a simulated hand: what tests and studies of stability run.
+//
+//   SimulatedHand ─ tip ─► servo::runTick [ contact, limiter ] ─ force ─► SimulatedHand
+//
+// The plate lies in z = 0 and is felt from above. Its stiffness may grow along x: a map.
+
+/// How much of the limiter takes part.
+enum class Protection : std::uint8_t {
+  none,        ///< the bare force, clamped to what the device takes
+  assumed,     ///< damping and friction of the device assumed, the delay uncertain by a tick
+  identified,  ///< both measured, the delay uncertain by half a tick
+};
+
+/// Limits that leave the stiffness as it is: what is asked is what is rendered.
+servo::LimiterSettings limitsOf(const device::DeviceProfile& device, double tick_s, double delay_ticks,
+                                Protection protection);
+
+struct PlateSettings {
+  double stiffness_n_per_mm = 1.0;
+  /// A map: the stiffness goes to this one between x = 0 and x = blend_mm. 0: one stiffness everywhere.
+  double other_n_per_mm = 0.0;
+  double blend_mm = 10.0;
+  double friction = 0.0;  ///< coefficient
+  tissue::ForceLaw law;
+};
+
+contact::Surface plateSurface(const PlateSettings& settings);
+
+struct LoopSettings {
+  device::SimulatedHandSettings hand;
+  servo::LimiterSettings limits;
+  PlateSettings plate;
+};
+
+class ClosedLoop {
+ public:
+  explicit ClosedLoop(const LoopSettings& settings);
+
+  device::SimulatedHand& hand() { return *hand_; }
+  /// Brings the contact to where the device is, which may be inside, and forgets how: as if it had rested there.
+  void settleContact();
+  const trace::Sample& tick();
+  servo::Rig& rig() { return rig_; }
+  const servo::LimiterState& limiter() const { return rig_.fingers.front().limiter; }
+  double tickS() const { return rig_.tick_s; }
+
+ private:
+  std::unique_ptr<contact::Surface> surface_;
+  std::unique_ptr<device::SimulatedHand> hand_;
+  servo::Rig rig_;
+  std::array<trace::Sample, 1> samples_;
+  std::uint64_t next_ = 0;
+};
 
 /// A device with a hand on it and how the loop runs; what every trial starts from.
 struct LoopPlan {

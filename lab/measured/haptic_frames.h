@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lab/literal/mesh.h"
-#include "lab/measured/skin_places.h"
+#include "lab/measured/model_meshes.h"
 #include "palpate/base/skin_place.h"
 #include "palpate/contact/surface.h"
 #include "palpate/hdb/haptic_box.h"

@@ -1,6 +1,10 @@
 // The meshes that stand in for the dissertation's models, which were never published.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
+#include "palpate/base/skin_place.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::study {
@@ -21,5 +25,14 @@ mesh::TriangleMesh openHandModel(std::size_t triangles);
 /// The border of the back seen along z, a closed polygon in mm.
 std::vector<Vec2> backOutline();
 bool isInside(const std::vector<Vec2>& polygon, const Vec2& place);
+
+// Places of a model where a study puts its finger.
+
+/// Spread over the surface by area, with the normals of their triangles; the same for the same mesh and seed. Throws
+/// Error for a mesh without area.
+std::vector<SkinPlace> skinPlaces(const mesh::TriangleMesh& mesh, int count, std::uint64_t seed = 1);
+
+/// The longest edge of any triangle, mm.
+double longestTriangleEdge(const mesh::TriangleMesh& mesh);
 
 }  // namespace palpate::study

@@ -1,6 +1,6 @@
 // Triangles are drawn by area, by search in its running sum; then a place within one.
 // Based on: Turk, "Generating random points in triangles", Graphics Gems, 1990.
-#include "lab/measured/skin_places.h"
+#include "lab/measured/model_meshes.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

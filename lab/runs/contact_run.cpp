@@ -16,7 +16,7 @@ namespace {
 /// A step longer than this is a teleport in the file (5 m/s at 1 kHz), not a movement.
 constexpr double kTeleportMm = 5.0;
 /// Ratios Ft / Fn are only read above this force: below it they are rounding over rounding.
-constexpr double kLeastNormalForceN = 1e-3;
+constexpr double kMinNormalForceN = 1e-3;
 
 bool inContact(const contact::FingerOutput& output) { return output.touch != contact::Touch::free; }
 
@@ -75,7 +75,7 @@ class FigureSum {
   }
   void addFriction(const contact::FingerOutput& now) {
     const double normal = now.force.dot(now.normal);
-    if (normal < kLeastNormalForceN) return;
+    if (normal < kMinNormalForceN) return;
     const double ratio = (now.force - normal * now.normal).norm() / normal;
     FrictionFigures& f = figures_.friction;
     if (now.touch == contact::Touch::slip) {

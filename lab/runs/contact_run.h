@@ -18,6 +18,7 @@
 #include "palpate/contact/finger.h"
 #include "palpate/contact/surface.h"
 #include "palpate/device/trajectory.h"
+#include "palpate/hdb/hdb_candidates.h"
 
 namespace palpate::bench {
 
@@ -86,5 +87,25 @@ ContactFigures figuresOf(ContactWorld& world, const FingerRun& run, const contac
 
 /// The tips in the world's units.
 std::vector<Vec3> scaledTips(const device::Trajectory& ticks, double scale);
+
+// Runs a finger of the HDB source along a benchmark path, to be compared with the default source.
+
+struct HdbRunSettings {
+  hdb::BuildSettings build;
+  double edge_mm = 0.0;  ///< of the box; 0: a quarter of the longest edge
+  hdb::HdbSettings hdb;  ///< its edges are set from edge_mm
+};
+
+struct HdbFigures {
+  ContactFigures contact;
+  std::size_t leaves = 0;
+  std::size_t most_listed = 0;  ///< triangles in the box's list
+  std::uint64_t queries = 0;    ///< of the partition
+  double edge_mm = 0.0;
+};
+
+/// In a world of scale 1. Throws Error for settings that do not go together.
+HdbFigures measureHdb(ContactWorld& world, const device::Trajectory& trajectory, const contact::FingerSettings& finger,
+                      const HdbRunSettings& settings, const Window& window = {});
 
 }  // namespace palpate::bench

@@ -32,7 +32,7 @@ constexpr double kFingersApartMm = 40.0;
 /// The literal deformation takes a thousand times as long as a frame may: every fourth place must do.
 constexpr int kLiteralStride = 4;
 /// Of applies whose time is kept for the percentiles.
-constexpr std::size_t kMostSamples = 100000;
+constexpr std::size_t kMaxSamples = 100000;
 
 Index triangleAt(const mesh::TriangleMesh& mesh, const Vec2& place) {
   Index best = 0;
@@ -198,7 +198,7 @@ void timeEngine(const deform::Skin& skin, const std::vector<Contacts>& places, c
   deform::DeformedSurface surface(skin);
   double moved = 0.0;
   for (const Contacts& contacts : places) moved += deformer.apply(contacts, surface).moved_vertices;
-  Timings timings(kMostSamples);
+  Timings timings(kMaxSamples);
   const auto before = lab::allocationsOfThisThread();
   repeat(kPlaces, run.seconds, timings, [&](std::size_t place) { deformer.apply(places[place], surface); });
   if (before) figures.allocations = *lab::allocationsOfThisThread() - *before;
@@ -234,7 +234,7 @@ ApplyFigures timeLiteral(const DeformRun& run) {
     deformation.apply(fingers);
     moved += deformation.movedNodes();
   }
-  Timings timings(kMostSamples);
+  Timings timings(kMaxSamples);
   repeat(touches.size(), run.seconds, timings, [&](std::size_t place) { deformation.apply(touches[place]); });
   ApplyFigures figures = figuresOf(std::move(timings), touches.size(), moved);
   deformation.apply(touches[0]);

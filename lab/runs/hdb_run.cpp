@@ -1,5 +1,5 @@
 // contact_run.h with the detecting box as the source of contact: same tips, same figures, and what the box did.
-#include "lab/runs/hdb_run.h"
+#include "lab/runs/contact_run.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,5 +1,5 @@
 // Each damage is one pass over the mesh and knows nothing of the shape.
-#include "lab/workloads/hunted_damage.h"
+#include "lab/workloads/hunted_bodies.h"
 
 #include <algorithm>
 #include <cmath>

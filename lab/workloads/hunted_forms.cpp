@@ -1,7 +1,7 @@
 // One function a form: unions of primitives with others cut out. What is thinner than a cell gets holes or is lost when
-// it is meshed: that too is a body. Data flow: random numbers -> here -> hunted_shapes.h. Own; the distances are those
-// of body/signed_distance.h.
-#include "lab/workloads/hunted_forms.h"
+// it is meshed: that too is a body. Data flow: random numbers -> here -> hunted_shapes.cpp. The distances are
+// those of body/signed_distance.h.
+#include "lab/workloads/hunted_bodies.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,11 @@
 // One mesher for every form: on a lattice of random place and size, evened out or made coarser at random.
-// Data flow: name and random numbers -> hunted_forms.h -> body::meshZeroSurface -> here -> hunted_bodies.h.
-#include "lab/workloads/hunted_shapes.h"
+// Data flow: name and random numbers -> hunted_forms.cpp -> body::meshZeroSurface -> here -> hunted_bodies.h.
+#include "lab/workloads/hunted_bodies.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "lab/workloads/hunted_forms.h"
 #include "palpate/base/error.h"
 #include "palpate/body/tetrahedra_mesher.h"
 #include "palpate/mesh/decimate.h"

@@ -1,7 +1,7 @@
 // Each path is a formula of the tick or a walk with a seed; those round a body ask every triangle, for they are made
 // once. As with the meshes, the order of operations decides the last digits.
 //
-// Own; Moeller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997), for the rays of `orbit`.
+// Moeller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997), for the rays of `orbit`.
 #include "lab/workloads/workload_paths.h"
 
 #include <fmt/format.h>

@@ -10,9 +10,9 @@
 #include "cli/kit/body_place.h"
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
-#include "cli/kit/default_scene.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/results_folder.h"
 #include "measure/commands/dots_report.h"
@@ -34,7 +34,7 @@ using measure::HeadTowards;
 using measure::Measurement;
 
 /// More, and a long tail's half axes are wrong by tens of percent.
-constexpr double kMostNullDriftMm = 0.3;
+constexpr double kMaxNullDriftMm = 0.3;
 constexpr const char* kKeyFile = "key_points.csv";
 constexpr const char* kReportFile = "measurement.json";
 constexpr const char* kOverlayFile = "overlay.png";
@@ -207,12 +207,12 @@ std::optional<measure::Finding> measureNull(const DotsArguments& arguments, Meas
   }
   measuring.pair.null_drift_mm = drift;
   if (!arguments.drift_mm) settings.drift_mm = std::max(settings.drift_mm, *drift);
-  if (*drift < kMostNullDriftMm + 0.005) return std::nullopt;  // as it is printed
+  if (*drift < kMaxNullDriftMm + 0.005) return std::nullopt;  // as it is printed
   return measure::Finding{
       measure::Severity::warning, "null_drift",
       fmt::format(
           "The body moved {:.2f} mm between the two pictures before, more than {} mm: hold the breath and repeat.",
-          *drift, kMostNullDriftMm)};
+          *drift, kMaxNullDriftMm)};
 }
 
 void measurePhotographs(const DotsArguments& arguments, Measuring& measuring) {
@@ -262,7 +262,7 @@ void addMeasureOptions(CLI::App& command, DotsArguments& a) {
       ->capture_default_str();
   command.add_option("--null", a.again, "A second picture before the press: how far the body moves by itself");
   addNumber(command, "--drift-mm", a.drift_mm, between(0.01, 20.0, "mm"),
-            "How far the body may have moved between the pictures (sd); left out: 0.4, or what --null found");
+            "How far the body may have moved between the pictures (sd) (default: 0.4, or what --null found)");
   addNumber(command, "--contact", a.contact, between(-1e5, 1e5, "px"),
             "X,Y: the marked contact in the first picture, from its top left pixel")
       ->delimiter(',')
@@ -284,7 +284,7 @@ void addOutputOptions(CLI::App& command, DotsArguments& a) {
   command.add_option("-o,--out", a.output,
                      "Folder for key_points.csv, measurement.json, overlay.png and dots.csv; or one file: .csv (key "
                      "points), .json, .png, .svg (overlay). Left out: only printed");
-  command.add_option("--overlay", a.overlay, "Where the overlay goes: .png, .svg; left out: as --out says");
+  command.add_option("--overlay", a.overlay, "Where the overlay goes: .png, .svg (default: as --out says)");
   addNumber(command, "--overlay-width", a.overlay_width_px, between(600.0, 8000.0, "px"), "Of the overlay as PNG")
       ->capture_default_str();
   command.add_flag("--overwrite", a.overwrite, "Replace an earlier measurement in the folder");

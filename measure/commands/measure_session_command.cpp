@@ -12,10 +12,10 @@
 
 #include "cli/kit/body_place.h"
 #include "cli/kit/commands.h"
-#include "cli/kit/default_scene.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
 #include "measure/commands/dots_report.h"
 #include "measure/pages/photograph_overlay.h"
@@ -247,7 +247,7 @@ void addInitOptions(CLI::App& command, MeasureSessionArguments& a) {
   of_init(command.add_option("--person", a.person, "A code with a digit, such as P07; never a name"));
   of_init(command
               .add_option("--points", a.points,
-                          "Where is measured, NAME=PLACE,...: P1=T5,P4=-100:5; left out: P1 to P5 of the dissertation")
+                          "Where is measured, NAME=PLACE,...: P1=T5,P4=-100:5 (default: P1 to P5 of the dissertation)")
               ->delimiter(',')
               ->allow_extra_args(false)
               ->type_name("NAME=PLACE"));

@@ -63,9 +63,9 @@ const Choices<TailFamily>& tails() {
   return all;
 }
 
-template <class Value, class Wish>
-void take(Value& value, const std::optional<Wish>& wish, double factor = 1.0) {
-  if (wish) value = static_cast<Value>(*wish * factor);
+template <class Value, class Request>
+void take(Value& value, const std::optional<Request>& request, double factor = 1.0) {
+  if (request) value = static_cast<Value>(*request * factor);
 }
 
 void changePress(const SynthesizeArguments& arguments, measure::Press& press) {

@@ -1,4 +1,4 @@
-#include "measure/study/judged_pair.h"
+#include "measure/study/measuring_measurement.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "measure/study/measuring_findings.h"
+#include "measure/study/measuring_measurement.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -60,12 +60,12 @@ std::string sdFinding(const MeasuringMeasurement& found) {
       rounded(all.worst_axis_sds), rounded(all.worst_axis_percent));
 }
 
-std::string spoiltFinding(const MeasuringMeasurement& found) {
+std::string corruptedFinding(const MeasuringMeasurement& found) {
   std::size_t bad = 0;
   std::size_t refused = 0;
   std::vector<std::string> through;
   std::vector<std::string> wrong;
-  for (const SpoiltNumbers& kind : spoiltNumbers(found)) {
+  for (const CorruptedNumbers& kind : corruptedNumbers(found)) {
     if (kind.kind.fate == Fate::refused) {
       bad += kind.pairs;
       refused += kind.refused;
@@ -137,9 +137,9 @@ std::string syntheticFinding() {
 }  // namespace
 
 std::vector<std::string> measuringFindings(const MeasuringMeasurement& found) {
-  return {barsFinding(found),   axisFinding(found),  otherFinding(found), sdFinding(found),
-          spoiltFinding(found), driftFinding(found), formFinding(found),  contourFinding(found),
-          dotsFinding(found),   timeFinding(found),  syntheticFinding()};
+  return {barsFinding(found),      axisFinding(found),  otherFinding(found), sdFinding(found),
+          corruptedFinding(found), driftFinding(found), formFinding(found),  contourFinding(found),
+          dotsFinding(found),      timeFinding(found),  syntheticFinding()};
 }
 
 }  // namespace palpate::study

@@ -4,12 +4,12 @@
 #include <functional>
 #include <span>
 
-#include "measure/study/exact_dots.h"
+#include "measure/study/outside_fields.h"
 #include "palpate/base/background.h"
 #include "palpate/base/random.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/measure/field/field_fit.h"
-#include "palpate/measure/synthesis/one_thread.h"
+#include "palpate/measure/synthesis/synthetic_pair.h"
 
 namespace palpate::study {
 
@@ -19,7 +19,7 @@ using measure::SyntheticCase;
 using measure::TailFamily;
 
 /// Numbers of streams: the pairs of one are not those of another.
-enum class Stream : std::uint64_t { good = 1, spoilt, drifted, half_space, windowed, lopsided, timed, outside };
+enum class Stream : std::uint64_t { good = 1, corrupted, drifted, half_space, windowed, lopsided, timed, outside };
 
 std::uint64_t seedOf(std::uint64_t seed, Stream stream, std::size_t i) {
   Random random(seed * 0x2545f4914f6cdd1dull + static_cast<std::uint64_t>(stream) * 1000003u + i);
@@ -63,11 +63,11 @@ std::vector<JudgedPair> measureGood(const MeasuringPlan& plan, const Progress& p
   return judged;
 }
 
-std::vector<JudgedSpoilt> measureSpoilt(const MeasuringPlan& plan, const Progress& progress) {
-  std::vector<JudgedSpoilt> judged(spoiltKinds().size() * plan.spoilt_each);
-  shareOut(judged.size(), progress, "spoilt pairs", [&](std::size_t i) {
-    const std::size_t kind = i / plan.spoilt_each;
-    const SpoiltPair pair = spoiltPair(kind, seedOf(plan.seed, Stream::spoilt, i), plan.megapixels);
+std::vector<JudgedCorrupted> measureCorrupted(const MeasuringPlan& plan, const Progress& progress) {
+  std::vector<JudgedCorrupted> judged(corruptedKinds().size() * plan.corrupted_each);
+  shareOut(judged.size(), progress, "corrupted pairs", [&](std::size_t i) {
+    const std::size_t kind = i / plan.corrupted_each;
+    const CorruptedPair pair = corruptedPair(kind, seedOf(plan.seed, Stream::corrupted, i), plan.megapixels);
     judged[i] = {kind, judgePair(pair.made, pair.truth, measure::measurePair(pair.before, pair.after, pair.settings))};
   });
   return judged;
@@ -138,7 +138,7 @@ double timeFits(const MeasuringPlan& plan) {
 
 MeasuringPlan measuringPlan(bool quick) {
   if (!quick) return {};
-  return {.cases = 8, .megapixels = 1.0, .large_every = 0, .spoilt_each = 1, .exact_each = 8};
+  return {.cases = 8, .megapixels = 1.0, .large_every = 0, .corrupted_each = 1, .exact_each = 8};
 }
 
 ExactPairs measureOutside(OutsideFamily family, std::uint64_t seed, std::size_t count, const Progress& progress) {
@@ -157,7 +157,7 @@ MeasuringMeasurement measureMeasuring(const MeasuringPlan& plan, const Progress&
   MeasuringMeasurement found;
   found.plan = plan;
   found.good = measureGood(plan, progress);
-  found.spoilt = measureSpoilt(plan, progress);
+  found.corrupted = measureCorrupted(plan, progress);
   found.drifted = measureExact(plan, {.name = "drift of 1.5 mm", .stream = Stream::drifted, .drift_mm = 1.5}, progress);
   found.breathing = measureExact(
       plan, {.name = "drift of 1.5 mm, told", .stream = Stream::drifted, .drift_mm = 1.5, .told_drift_mm = 1.5},

@@ -1,30 +1,98 @@
-// Synthetic pairs measured by the product and judged by their truth: good ones, spoilt ones, ones outside its formula.
+// Synthetic pairs measured by the product and judged by their truth: good ones, corrupted ones, ones outside its
+// formula.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "measure/study/judged_pair.h"
 #include "measure/study/outside_fields.h"
-#include "measure/study/spoilt_pairs.h"
 #include "palpate/base/progress.h"
+#include "palpate/measure/measurement.h"
+#include "palpate/measure/synthesis/synthetic_pair.h"
 
 namespace palpate::study {
+
+// What a measurement of a synthetic pair is worth: each number beside the truth.
+//
+//   SyntheticTruth, Measurement ─ judgePair ─► JudgedPair ─► shares and percentiles (measuring_numbers.h)
+
+/// A half axis against the true one.
+struct AxisError {
+  double percent = 0.0;         ///< signed
+  double stated_percent = 0.0;  ///< the sd that the measurement states
+  double inSds() const;
+};
+
+/// Half axes of one level.
+struct LevelErrors {
+  AxisError major;
+  AxisError minor;
+  double worsePercent() const;  ///< of the two, without sign
+  double worseInSds() const;
+};
+
+struct JudgedPair {
+  std::uint64_t seed = 0;
+  measure::TailFamily family = measure::TailFamily::compact;
+  double true_ratio = 1.0;
+  double true_half_major_mm = 0.0;
+  bool accepted = false;
+  std::vector<std::string> refusals;  ///< codes
+  std::vector<std::string> warnings;  ///< codes
+  std::string reason;                 ///< text of the first refusal
+  double seconds = 0.0;
+
+  // Of dots.
+  double found_before = 0.0;  ///< share of the true marks, also in no order
+  double found_after = 0.0;   ///< of those that are not hidden
+  double in_order = 0.0;      ///< share of the true dots that are in the grid
+  std::size_t strays_in_order = 0;
+  std::size_t matched = 0;
+  std::size_t wrong_matches = 0;
+
+  // Where there is a fit.
+  bool fitted = false;
+  LevelErrors at_2_mm;
+  LevelErrors at_4_mm;
+  double ratio_error = 0.0;
+  double direction_error_deg = 0.0;
+  double direction_sd_deg = 0.0;
+  double contact_error_mm = 0.0;
+  double contact_sd_mm = 0.0;
+  double drag_error_deg = 0.0;
+  std::string form;  ///< likeliest of the fitted ones
+  double form_share = 1.0;
+  AxisError peak;
+  bool peak_stated = false;
+  double displacement_rms_mm = 0.0;  ///< measured less true, drift taken off, over all rightly matched dots
+  double residual_rms_mm = 0.0;
+  double residual_pattern = 0.0;
+  double drift_in_sd = 0.0;
+
+  // As the dissertation reads it.
+  bool has_contour = false;
+  double chord_percent = 0.0;        ///< half the longest chord against the half major axis
+  double chord_direction_deg = 0.0;  ///< error
+};
+
+/// `truth` says also which marks there are; `case_family`: of the pair.
+JudgedPair judgePair(const measure::SyntheticCase& made, const measure::SyntheticTruth& truth,
+                     const measure::Measurement& measured);
 
 struct MeasuringPlan {
   std::uint64_t seed = 1;
   std::size_t cases = 100;  ///< good pairs, every second one with a long tail
   double megapixels = 2.0;
-  std::size_t large_every = 25;  ///< every so manyth good pair has 12 megapixels; 0: none
-  std::size_t spoilt_each = 4;   ///< of every kind
-  std::size_t exact_each = 60;   ///< pairs without pixels, of every kind
+  std::size_t large_every = 25;    ///< every so manyth good pair has 12 megapixels; 0: none
+  std::size_t corrupted_each = 4;  ///< of every kind
+  std::size_t exact_each = 60;     ///< pairs without pixels, of every kind
   double timed_megapixels = 12.0;
 };
 
 MeasuringPlan measuringPlan(bool quick);
 
-struct JudgedSpoilt {
+struct JudgedCorrupted {
   std::size_t kind = 0;
   JudgedPair judged;
 };
@@ -38,7 +106,7 @@ struct ExactPairs {
 struct MeasuringMeasurement {
   MeasuringPlan plan;
   std::vector<JudgedPair> good;
-  std::vector<JudgedSpoilt> spoilt;
+  std::vector<JudgedCorrupted> corrupted;
   ExactPairs drifted;     ///< moved by 1.5 mm, measured as if the breath had been held
   ExactPairs breathing;   ///< the same, and the measurement is told so
   ExactPairs half_space;  ///< elastic, outside the fitted formula
@@ -53,5 +121,37 @@ ExactPairs measureOutside(OutsideFamily family, std::uint64_t seed, std::size_t 
 
 /// The same for any number of threads, but for the times.
 MeasuringMeasurement measureMeasuring(const MeasuringPlan& plan, const Progress& progress);
+
+// Pairs of photographs that something is wrong with: what a measurement must refuse, and what it may not be wrong
+// about.
+
+/// What may become of a pair of a kind.
+enum class Fate : unsigned char {
+  refused,           ///< it must be
+  refused_or_right,  ///< accepted only where it is right
+  not_seen           ///< nothing in the pictures tells
+};
+
+struct CorruptedKind {
+  std::string name;
+  Fate fate = Fate::refused;
+};
+
+const std::vector<CorruptedKind>& corruptedKinds();
+
+struct CorruptedPair {
+  measure::SyntheticCase made;
+  measure::Photograph before;
+  measure::Photograph after;
+  measure::SyntheticTruth truth;
+  measure::MeasureSettings settings;
+};
+
+/// The kind by its place in corruptedKinds(); drawn from the seed.
+CorruptedPair corruptedPair(std::size_t kind, std::uint64_t seed, double megapixels);
+
+// What a measurement of synthetic pairs says, in sentences whose verdicts its numbers decide.
+
+std::vector<std::string> measuringFindings(const MeasuringMeasurement& found);
 
 }  // namespace palpate::study

@@ -14,7 +14,7 @@ using measure::TailFamily;
 
 namespace {
 
-/// An accepted spoilt pair is right within what good ones are held to, or twice its stated sd.
+/// An accepted corrupted pair is right within what good ones are held to, or twice its stated sd.
 constexpr double kRightPercent = 8.0;
 
 /// One value of every pair that a test picks.
@@ -95,19 +95,19 @@ std::vector<JudgedPair> ofFamily(const std::vector<JudgedPair>& pairs, TailFamil
   return chosen;
 }
 
-std::vector<SpoiltNumbers> spoiltNumbers(const MeasuringMeasurement& found) {
-  std::vector<SpoiltNumbers> kinds;
-  for (const SpoiltKind& kind : spoiltKinds()) kinds.push_back({.kind = kind});
-  for (const JudgedSpoilt& spoilt : found.spoilt) {
-    SpoiltNumbers& numbers = kinds[spoilt.kind];
+std::vector<CorruptedNumbers> corruptedNumbers(const MeasuringMeasurement& found) {
+  std::vector<CorruptedNumbers> kinds;
+  for (const CorruptedKind& kind : corruptedKinds()) kinds.push_back({.kind = kind});
+  for (const JudgedCorrupted& corrupted : found.corrupted) {
+    CorruptedNumbers& numbers = kinds[corrupted.kind];
     ++numbers.pairs;
-    if (!spoilt.judged.accepted) {
+    if (!corrupted.judged.accepted) {
       ++numbers.refused;
-      for (const std::string& code : spoilt.judged.refusals) addOnce(numbers.codes, code);
+      for (const std::string& code : corrupted.judged.refusals) addOnce(numbers.codes, code);
       continue;
     }
-    if (isRight(spoilt.judged)) ++numbers.right;
-    numbers.worst_percent = std::max(numbers.worst_percent, spoilt.judged.at_2_mm.worsePercent());
+    if (isRight(corrupted.judged)) ++numbers.right;
+    numbers.worst_percent = std::max(numbers.worst_percent, corrupted.judged.at_2_mm.worsePercent());
   }
   return kinds;
 }
@@ -145,7 +145,7 @@ std::vector<Bar> barsOf(const MeasuringMeasurement& found) {
   const DotNumbers dots = dotNumbers(found.good);
   std::size_t bad = 0;
   std::size_t refused = 0;
-  for (const SpoiltNumbers& kind : spoiltNumbers(found)) {
+  for (const CorruptedNumbers& kind : corruptedNumbers(found)) {
     if (kind.kind.fate != Fate::refused) continue;
     bad += kind.pairs;
     refused += kind.refused;
@@ -185,7 +185,7 @@ std::vector<std::pair<std::string, double>> measuringPairs(const MeasuringMeasur
   double bad = 0.0;
   double refused = 0.0;
   double worst = all.worst_axis_percent;
-  for (const SpoiltNumbers& kind : spoiltNumbers(found)) {
+  for (const CorruptedNumbers& kind : corruptedNumbers(found)) {
     if (kind.kind.fate == Fate::refused) {
       bad += static_cast<double>(kind.pairs);
       refused += static_cast<double>(kind.refused);

@@ -43,9 +43,9 @@ struct SetNumbers {
 SetNumbers numbersOf(const std::vector<JudgedPair>& pairs);
 std::vector<JudgedPair> ofFamily(const std::vector<JudgedPair>& pairs, measure::TailFamily family);
 
-/// What became of the pairs of one spoilt kind.
-struct SpoiltNumbers {
-  SpoiltKind kind;
+/// What became of the pairs of one corrupted kind.
+struct CorruptedNumbers {
+  CorruptedKind kind;
   std::size_t pairs = 0;
   std::size_t refused = 0;
   std::size_t right = 0;             ///< accepted, and within 8 % or 2 sd
@@ -54,7 +54,7 @@ struct SpoiltNumbers {
   std::size_t wrong() const { return pairs - refused - right; }
 };
 
-std::vector<SpoiltNumbers> spoiltNumbers(const MeasuringMeasurement& found);
+std::vector<CorruptedNumbers> corruptedNumbers(const MeasuringMeasurement& found);
 
 /// Of dots, over all good pairs.
 struct DotNumbers {

@@ -8,9 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/study/measuring_findings.h"
+#include "measure/study/measuring_measurement.h"
 #include "measure/study/measuring_numbers.h"
-#include "measure/study/outside_study.h"
 #include "palpate/measure/synthesis/synthetic_files.h"
 #include "report/page/plot_parts.h"
 
@@ -73,9 +72,9 @@ TextTable exactTable(const MeasuringMeasurement& found) {
   return table;
 }
 
-TextTable spoiltTable(const MeasuringMeasurement& found) {
+TextTable corruptedTable(const MeasuringMeasurement& found) {
   TextTable table{{"pair", "must be", "refused", "accepted and right", "accepted and wrong", "refused as"}, {}};
-  for (const SpoiltNumbers& kind : spoiltNumbers(found)) {
+  for (const CorruptedNumbers& kind : corruptedNumbers(found)) {
     const std::string fate = kind.kind.fate == Fate::refused            ? "refused"
                              : kind.kind.fate == Fate::refused_or_right ? "refused or right"
                                                                         : "(cannot be seen)";
@@ -135,8 +134,8 @@ TextTable caseTable(const MeasuringMeasurement& found) {
                    "direction off (deg)", "contact off (mm)", "drag off (deg)", "residual (mm)", "wrong matches"},
                   {}};
   for (const JudgedPair& pair : found.good) table.rows.push_back(caseRow("good", pair));
-  for (const JudgedSpoilt& pair : found.spoilt) {
-    table.rows.push_back(caseRow(spoiltKinds()[pair.kind].name, pair.judged));
+  for (const JudgedCorrupted& pair : found.corrupted) {
+    table.rows.push_back(caseRow(corruptedKinds()[pair.kind].name, pair.judged));
   }
   for (const ExactPairs* set :
        {&found.drifted, &found.breathing, &found.half_space, &found.windowed, &found.lopsided}) {
@@ -159,21 +158,21 @@ Series scatter(const MeasuringMeasurement& found, std::size_t family, const X& x
 }
 
 Plot sdPlot(const MeasuringMeasurement& found) {
-  static constexpr double kLeast = 0.1;
-  constexpr double kMost = 30.0;
+  static constexpr double kMin = 0.1;
+  constexpr double kMax = 30.0;
   Plot plot{.title = "Half axes of 2 mm: off and said"};
-  plot.x = {.label = "stated sd", .unit = "%", .scale = Scale::logarithmic, .from = kLeast, .to = kMost};
-  plot.y = {.label = "error", .unit = "%", .scale = Scale::logarithmic, .from = kLeast, .to = kMost};
+  plot.x = {.label = "stated sd", .unit = "%", .scale = Scale::logarithmic, .from = kMin, .to = kMax};
+  plot.y = {.label = "error", .unit = "%", .scale = Scale::logarithmic, .from = kMin, .to = kMax};
   for (std::size_t family = 0; family < kFamilies.size(); ++family) {
     plot.series.push_back(scatter(
         found, family, [](const JudgedPair& pair) { return pair.at_2_mm.major.stated_percent; },
-        [](const JudgedPair& pair) { return std::max(kLeast, std::abs(pair.at_2_mm.major.percent)); }));
+        [](const JudgedPair& pair) { return std::max(kMin, std::abs(pair.at_2_mm.major.percent)); }));
   }
   plot.series.push_back(
-      {.name = "1 sd", .x = {kLeast, kMost}, .y = {kLeast, kMost}, .stroke = Stroke::dashed, .colour = figures::kInk});
+      {.name = "1 sd", .x = {kMin, kMax}, .y = {kMin, kMax}, .stroke = Stroke::dashed, .colour = figures::kInk});
   plot.series.push_back({.name = "2 sd",
-                         .x = {kLeast, 0.5 * kMost},
-                         .y = {2.0 * kLeast, kMost},
+                         .x = {kMin, 0.5 * kMax},
+                         .y = {2.0 * kMin, kMax},
                          .stroke = Stroke::dotted,
                          .colour = figures::kInk});
   return plot;
@@ -242,21 +241,21 @@ StudyPage studyMeasuring(const StudySettings& settings) {
                  "camera of any tilt to 25 degrees, a body that moves by 0.3 mm between the pictures (breath held), a "
                  "stick and a hand, noise, JPEG. Each pair is measured by the product's own code, which sees nothing "
                  "but the two pictures, and judged by the truth.",
-                 fmt::format("{} good pairs, every second one with a long tail, of {} megapixels{}; {} spoilt pairs of "
-                             "every kind; and {} pairs without pixels of every other kind, whose dots are projected "
-                             "with 0.05 mm of noise and nothing painted. Seed {}; every pair's own seed stands in "
-                             "measuring_cases.csv.",
-                             plan.cases, plan.megapixels,
-                             plan.large_every > 0
-                                 ? fmt::format(", one of {} of {}", plan.large_every, plan.timed_megapixels)
-                                 : "",
-                             plan.spoilt_each, plan.exact_each, plan.seed),
+                 fmt::format(
+                     "{} good pairs, every second one with a long tail, of {} megapixels{}; {} corrupted pairs of "
+                     "every kind; and {} pairs without pixels of every other kind, whose dots are projected "
+                     "with 0.05 mm of noise and nothing painted. Seed {}; every pair's own seed stands in "
+                     "measuring_cases.csv.",
+                     plan.cases, plan.megapixels,
+                     plan.large_every > 0 ? fmt::format(", one of {} of {}", plan.large_every, plan.timed_megapixels)
+                                          : "",
+                     plan.corrupted_each, plan.exact_each, plan.seed),
                  "An error of half axes is that of the worse of the two; percentiles are of accepted pairs. The true "
                  "ellipse of a field outside the formula is the one through its contour by least squares.",
                  "Nothing here is real: no photograph of a living back was at hand."},
       .tables = {{"measuring_bars", "What is asked for and what is reached.", barTable(found)},
                  {"measuring_tails", "Good pairs.", setTable(found)},
-                 {"measuring_spoilt", "Pairs that something is wrong with.", spoiltTable(found)},
+                 {"measuring_spoilt", "Pairs that something is wrong with.", corruptedTable(found)},
                  {"measuring_other", "Without pixels: bodies that moved, and fields outside the formula.",
                   exactTable(found)},
                  {"measuring_direction", "Direction by the ratio of the axes.", ratioTable(found)},

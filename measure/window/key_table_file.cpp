@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostTableBytes = std::size_t{64} << 20;
+constexpr std::size_t kMaxTableBytes = std::size_t{64} << 20;
 /// Of a table that does not name its columns.
 constexpr std::string_view kPlainColumns = "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg";
 constexpr std::size_t kPlainCount = 6;
@@ -68,7 +68,7 @@ KeyTableFile readKeyTable(const fs::path& file) {
   if (!fs::exists(file, ignored)) return table;
   try {
     table.kind = KeyTableFile::Kind::other;
-    table.text = readFile(file, kMostTableBytes);
+    table.text = readFile(file, kMaxTableBytes);
     for (const maps::KeyPoint& key : maps::parseKeyPoints(table.text, file.string())) table.names.push_back(key.name);
     table.kind = KeyTableFile::Kind::key_points;
   } catch (const std::exception& error) {

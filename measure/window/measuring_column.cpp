@@ -1,4 +1,4 @@
-#include "measure/window/measuring_column.h"
+#include "measure/window/measuring_window.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -7,7 +7,6 @@
 #include <array>
 #include <filesystem>
 
-#include "measure/window/measuring_numbers.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 

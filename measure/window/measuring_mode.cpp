@@ -48,8 +48,8 @@ void resolvePlace(AcceptForm& form, std::span<const body::SkinLandmark> landmark
                                  form.at_mm->x(), form.at_mm->y());
 }
 
-fs::path tableOf(const MeasuringView& view, const Session& session) {
-  return (session.output_folder / view.form.table).lexically_normal();
+fs::path tableOf(const MeasuringView& view, const ViewerState& viewer) {
+  return (viewer.output_folder / view.form.table).lexically_normal();
 }
 
 /// What speaks against it, a sentence each.
@@ -60,7 +60,7 @@ std::string doubts(const measure::Measurement& measured, const KeyTableFile& tab
     if (finding.severity == measure::Severity::refusal) words += fmt::format("Refused: {}\n", finding.text);
   }
   if (table.kind == KeyTableFile::Kind::other) {
-    words += fmt::format("{} is no table of key points and would be written over.\n", file.string());
+    words += fmt::format("{} is not a table of key points and would be written over.\n", file.string());
   } else if (table.has(name)) {
     words += fmt::format("{} has a row \"{}\" already: it would be replaced.\n", file.string(), name);
   }
@@ -73,28 +73,28 @@ KeyTableRow rowOf(const measure::Measurement& measured, const std::string& name,
   return {std::string(trimmed(header)), std::string(trimmed(values))};
 }
 
-void useInScene(Session& session, const fs::path& file) {
-  session.scene.ellipses.key_points = file;
-  session.asks.changed |= kMapChange;
-  session.asks.step = "measured key points";
+void useInScene(ViewerState& viewer, const fs::path& file) {
+  viewer.scene.ellipses.key_points = file;
+  viewer.asks.changed |= kMapChange;
+  viewer.asks.step = "measured key points";
 }
 
 }  // namespace
 
-bool MeasuringMode::handle(const window::InputEvent& event, Session& session, bool typing) {
-  const Shown& shown = session.state.shown;
+bool MeasuringMode::handle(const window::InputEvent& event, ViewerState& viewer, bool typing) {
+  const Shown& shown = viewer.state.shown;
   if (!view_.open || event.kind != window::InputEvent::Kind::key || !event.down) return false;
   if (typing || shown.help || shown.messages || shown.open_dialog || shown.save_dialog) return false;
   return measuringKey(view_, event.key, event.modifiers, requests_);
 }
 
-bool MeasuringMode::handle(const window::Command& command, Session& session) {
+bool MeasuringMode::handle(const window::Command& command, ViewerState& viewer) {
   if (command.kind != window::Command::Kind::act) return false;
   if (command.action == window::Action::measure_person) {
     view_.open = !view_.open;
     return true;
   }
-  const Shown& shown = session.state.shown;
+  const Shown& shown = viewer.state.shown;
   const bool covered = shown.open_dialog || shown.save_dialog || shown.help || shown.messages;
   if (command.action != window::Action::cancel || !view_.open || covered) return false;
   view_.open = false;
@@ -107,57 +107,57 @@ std::optional<ModeMenuItem> MeasuringMode::menuItem() const {
 
 void MeasuringMode::draw(const FreeArea& area) { measuringWindow(view_, area, requests_); }
 
-bool MeasuringMode::handle(const Request& request, Session& session) {
+bool MeasuringMode::handle(const Request& request, ViewerState& viewer) {
   if (const auto* open = std::get_if<OpenFile>(&request)) {
     if (!isPhotograph(open->file)) return false;
-    handle(ShowPhoto{freePlace(view_), open->file}, session);
+    handle(ShowPhoto{freePlace(view_), open->file}, viewer);
     return true;
   }
   const bool undoes = std::holds_alternative<Undo>(request);
   if (undoes || std::holds_alternative<Redo>(request)) {
-    if (view_.open) takeBack(undoes, session);
+    if (view_.open) takeBack(undoes, viewer);
     return view_.open;
   }
   const auto* quit = std::get_if<Quit>(&request);
-  return quit != nullptr && !quit->sure && asksFirst(request, session);
+  return quit != nullptr && !quit->sure && asksFirst(request, viewer);
 }
 
 /// What was corrected in photographs stays while the view is closed, but goes with them.
-bool MeasuringMode::asksFirst(Waiting waiting, Session& session) {
+bool MeasuringMode::asksFirst(Waiting waiting, ViewerState& viewer) {
   if (!view_.unsaved) return false;
   waiting_ = std::move(waiting);
-  session.ask({.kind = Question::Kind::of_mode,
-               .words = "The dots of the photographs were corrected. Accept the measurement first?",
-               .answers = {"Accept", "Discard", "Stay"}});
+  viewer.ask({.kind = Question::Kind::of_mode,
+              .words = "The dots of the photographs were corrected. Accept the measurement first?",
+              .answers = {"Accept", "Discard", "Stay"}});
   return true;
 }
 
-bool MeasuringMode::answer(const Question& question, std::string_view chosen, Session& session) {
+bool MeasuringMode::answer(const Question& question, std::string_view chosen, ViewerState& viewer) {
   const std::optional<Waiting> waiting = std::exchange(waiting_, std::nullopt);
   if (!waiting) return false;
   if (chosen == question.answers.back()) return true;
   const auto* request = std::get_if<MeasuringRequest>(&*waiting);
   if (request != nullptr && std::holds_alternative<AcceptMeasurement>(*request)) {
-    handle(*request, session);
+    handle(*request, viewer);
     return true;
   }
-  if (chosen == question.answers.front() && accept(session, false) != Accepting::done) return true;
+  if (chosen == question.answers.front() && accept(viewer, false) != Accepting::done) return true;
   view_.unsaved = false;
   if (request != nullptr) {
     requests_.push_back(*request);
   } else {
-    session.request(std::get<Request>(*waiting));  // the scene may have been changed, too
+    viewer.request(std::get<Request>(*waiting));  // the scene may have been changed, too
   }
   return true;
 }
 
-void MeasuringMode::handle(const MeasuringRequest& request, Session& session) {
+void MeasuringMode::handle(const MeasuringRequest& request, ViewerState& viewer) {
   if (std::holds_alternative<CancelMeasuring>(request)) return work_.cancel();
   if (const auto* accepted = std::get_if<AcceptMeasurement>(&request)) {
-    accept(session, accepted->sure);
+    accept(viewer, accepted->sure);
     return;
   }
-  if (asksFirst(request, session)) return;
+  if (asksFirst(request, viewer)) return;
   if (const auto* photo = std::get_if<ShowPhoto>(&request)) {
     choosePhoto(view_, photo->place, photo->file);
   } else {
@@ -167,21 +167,21 @@ void MeasuringMode::handle(const MeasuringRequest& request, Session& session) {
   view_.open = true;
 }
 
-void MeasuringMode::takeBack(bool undoes, Session& session) {
+void MeasuringMode::takeBack(bool undoes, ViewerState& viewer) {
   const std::string words = undoes ? undoCorrection(view_) : redoCorrection(view_);
   const char* what = undoes ? "Undo" : "Redo";
-  session.report(Severity::info, words.empty() ? fmt::format("Nothing to {}", undoes ? "undo" : "redo")
-                                               : fmt::format("{}: {}", what, words));
+  viewer.report(Severity::info, words.empty() ? fmt::format("Nothing to {}", undoes ? "undo" : "redo")
+                                              : fmt::format("{}: {}", what, words));
 }
 
-void MeasuringMode::advance(Session& session, std::span<const body::SkinLandmark> landmarks) {
-  for (const MeasuringRequest& request : std::exchange(requests_, {})) handle(request, session);
+void MeasuringMode::advance(ViewerState& viewer, std::span<const body::SkinLandmark> landmarks) {
+  for (const MeasuringRequest& request : std::exchange(requests_, {})) handle(request, viewer);
   if (view_.open && view_.form.table.empty()) {
-    const fs::path& of_scene = session.scene.ellipses.key_points;
+    const fs::path& of_scene = viewer.scene.ellipses.key_points;
     view_.form.table = of_scene.empty() ? "key_points.csv" : fs::absolute(of_scene).string();
   }
   startMeasuring();
-  take(session);
+  take(viewer);
   view_.working = work_.busy();
   const MeasuringWork::State state = work_.state();
   view_.stage = state.stage;
@@ -208,7 +208,7 @@ void MeasuringMode::startMeasuring() {
   work_.request(std::move(job));
 }
 
-void MeasuringMode::take(Session& session) {
+void MeasuringMode::take(ViewerState& viewer) {
   auto result = work_.take();
   if (!result) return;
   MeasuringView& view = view_;
@@ -222,34 +222,34 @@ void MeasuringMode::take(Session& session) {
   if (result->measured) takeMeasured(view, result->measured, std::move(result->overlay), result->of_photographs);
   if (result->errors.empty()) return;
   view.failure = result->errors.front();
-  for (std::string& error : result->errors) session.report(Severity::error, std::move(error));
+  for (std::string& error : result->errors) viewer.report(Severity::error, std::move(error));
 }
 
-MeasuringMode::Accepting MeasuringMode::accept(Session& session, bool sure) {
+MeasuringMode::Accepting MeasuringMode::accept(ViewerState& viewer, bool sure) {
   MeasuringView& view = view_;
   if (const std::string obstacle = obstacleToAccept(view); !obstacle.empty()) {
-    session.report(Severity::warning, obstacle);
+    viewer.report(Severity::warning, obstacle);
     return Accepting::failed;
   }
   const std::string name = acceptedName(view.form);
-  const fs::path file = tableOf(view, session);
+  const fs::path file = tableOf(view, viewer);
   const KeyTableFile table = readKeyTable(file);
   if (const std::string against = doubts(*view.measured, table, file, name); !sure && !against.empty()) {
     waiting_ = MeasuringRequest(AcceptMeasurement{.sure = true});
-    session.ask(
+    viewer.ask(
         {.kind = Question::Kind::of_mode, .words = against + "Accept all the same?", .answers = {"Accept", "Cancel"}});
     return Accepting::asked;
   }
   try {
     writeFile(file, tableWith(table, rowOf(*view.measured, name, *view.form.at_mm)));
   } catch (const std::exception& error) {
-    session.report(Severity::error, error.what());
+    viewer.report(Severity::error, error.what());
     return Accepting::failed;
   }
   view.unsaved = false;
-  if (view.form.use_in_scene) useInScene(session, file);
-  session.report(Severity::info, fmt::format("{} is in {}{}", name, file.string(),
-                                             view.form.use_in_scene ? "; the skin follows it" : ""));
+  if (view.form.use_in_scene) useInScene(viewer, file);
+  viewer.report(Severity::info, fmt::format("{} is in {}{}", name, file.string(),
+                                            view.form.use_in_scene ? "; the skin follows it" : ""));
   return Accepting::done;
 }
 

@@ -6,17 +6,95 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 #include "measure/window/measuring_view.h"
-#include "measure/window/measuring_work.h"
+#include "palpate/base/progress.h"
 #include "palpate/body/torso.h"
-#include "palpate/view/flat_picture.h"
+#include "palpate/measure/measurement.h"
+#include "palpate/measure/overlay.h"
+#include "palpate/view/image.h"
+#include "palpate/view/offscreen.h"
 #include "view/viewer/modes/mode.h"
+#include "view/viewer/state/async_task.h"
 
 namespace palpate::viewer {
+
+// Photographs read and measured beside the display, one piece of work at a time: the newest request wins.
+//
+//   MeasuringJob ─ own thread: readPhotograph, measurePair │ measureDots, overlayOf ─► MeasuringResult, taken by a
+//   frame
+
+struct MeasuringJob {
+  std::array<std::string, 2> files =
+      {};  ///< photographs to be read, and if there are two measured; both empty: the marks
+  measure::DotPair marks = {};
+  measure::MeasureSettings settings = {};
+  std::vector<measure::Finding> of_photographs = {};  ///< what marks alone cannot tell; goes to their result
+  int width_px = 0;                                   ///< of the photographs that the marks are of
+  int height_px = 0;
+  bool ofPhotographs() const { return !files[0].empty() || !files[1].empty(); }
+};
+
+/// As it is shown: halved until it is small enough to be uploaded within a frame.
+struct ReadPhoto {
+  std::string file = {};
+  int width_px = 0;  ///< before that
+  int height_px = 0;
+  std::vector<std::string> notes = {};
+  view::Image image = {};
+};
+inline constexpr int kMaxShownPx = 2048;
+
+struct MeasuringResult {
+  bool of_photographs = false;
+  std::array<std::optional<ReadPhoto>, 2> photos = {};
+  std::shared_ptr<const measure::Measurement> measured = nullptr;
+  measure::Overlay overlay = {};
+  std::vector<measure::Finding> of_photographs_alone = {};  ///< for the next measuring of marks
+  std::vector<std::string> errors = {};
+};
+
+/// Throws what the progress throws; what files and marks have against it becomes errors.
+MeasuringResult measured(const MeasuringJob& job, const Progress& progress);
+
+class MeasuringWork {
+ public:
+  /// Gives up what is at work, and waits for its next sign of life.
+  ~MeasuringWork() { cancel(); }
+
+  /// At once, or when what is at work is done or has given up.
+  void request(MeasuringJob job);
+  /// No result will come.
+  void cancel();
+  bool busy() const { return work_.busy() || next_.has_value(); }
+  struct State {
+    std::string stage = {};
+    double done = 0.0;
+  };
+  State state() const;
+  /// A finished result, once. Begins what waits.
+  std::optional<MeasuringResult> take();
+
+ private:
+  void begin(MeasuringJob job);
+  void note(std::string_view stage, double done);
+
+  std::optional<MeasuringJob> next_;
+  std::atomic<bool> give_up_{false};
+  bool of_photographs_ = false;  ///< what is at work
+  mutable std::mutex mutex_;     // guards the state
+  State state_;
+  AsyncTask<MeasuringResult> work_;  // last: it uses the above
+};
 
 class MeasuringMode : public Mode {
  public:
@@ -27,32 +105,32 @@ class MeasuringMode : public Mode {
 
   Claims claims() const override { return {.window = false, .body = view_.open, .touch = view_.open}; }
   /// A key that means something to the photographs alone.
-  bool handle(const window::InputEvent& event, Session& session, bool typing) override;
+  bool handle(const window::InputEvent& event, ViewerState& viewer, bool typing) override;
   /// Opens and closes by its key, closes by Escape after everything that lies over it.
-  bool handle(const window::Command& command, Session& session) override;
+  bool handle(const window::Command& command, ViewerState& viewer) override;
   std::optional<ModeMenuItem> menuItem() const override;
   void draw(const FreeArea& area) override;
   /// A photograph that is opened, corrections that are taken back, and those that would be lost by leaving.
-  bool handle(const Request& request, Session& session) override;
-  bool answer(const Question& question, std::string_view chosen, Session& session) override;
-  void advance(const ModeWork& work) override { advance(work.session, work.world.body->anatomy.landmarks); }
+  bool handle(const Request& request, ViewerState& viewer) override;
+  bool answer(const Question& question, std::string_view chosen, ViewerState& viewer) override;
+  void advance(const ModeWork& work) override { advance(work.viewer, work.world.body->anatomy.landmarks); }
 
   /// Once a frame; the landmarks are those of the body at hand.
-  void advance(Session& session, std::span<const body::SkinLandmark> landmarks);
+  void advance(ViewerState& viewer, std::span<const body::SkinLandmark> landmarks);
 
   enum class Accepting : std::uint8_t { done, asked, failed };
   /// Asks first where the measuring refused it and where something in the file would be replaced, unless `sure`.
-  Accepting accept(Session& session, bool sure);
+  Accepting accept(ViewerState& viewer, bool sure);
 
  private:
   /// What waits for an answer.
   using Waiting = std::variant<Request, MeasuringRequest>;
 
-  void handle(const MeasuringRequest& request, Session& session);
-  bool asksFirst(Waiting waiting, Session& session);
-  void takeBack(bool undoes, Session& session);
+  void handle(const MeasuringRequest& request, ViewerState& viewer);
+  bool asksFirst(Waiting waiting, ViewerState& viewer);
+  void takeBack(bool undoes, ViewerState& viewer);
   void startMeasuring();
-  void take(Session& session);
+  void take(ViewerState& viewer);
 
   MeasuringView view_;
   MeasuringRequests requests_;

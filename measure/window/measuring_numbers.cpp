@@ -1,4 +1,4 @@
-#include "measure/window/measuring_numbers.h"
+#include "measure/window/measuring_window.h"
 
 #include <fmt/format.h>
 

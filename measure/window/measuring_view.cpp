@@ -240,7 +240,7 @@ void settingsChanged(MeasuringView& view) { view.stale = std::max(view.stale, St
 
 void zoomAbout(MeasuringView& view, const Vec2& place, double factor) {
   const double before = view.zoom;
-  view.zoom = std::clamp(view.zoom * factor, 1.0, kMostZoom);
+  view.zoom = std::clamp(view.zoom * factor, 1.0, kMaxZoom);
   view.middle = place + (view.middle - place) * (before / view.zoom);
   keepInside(view);
 }
@@ -262,7 +262,7 @@ bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers&
   } else if (key == window::Key::delete_key) {
     removeSelected(view);
   } else if (key == window::Key::home) {
-    zoomAbout(view, view.middle, 1.0 / kMostZoom);
+    zoomAbout(view, view.middle, 1.0 / kMaxZoom);
   } else if (const auto arrow = arrowOf(key)) {
     nudgeSelected(view, *arrow * (modifiers.shift ? kFineNudgePx : kNudgePx));
   } else if (const auto pressed = window::actionOf({key, modifiers})) {

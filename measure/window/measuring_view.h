@@ -130,7 +130,7 @@ struct MeasuringView {
   bool settled() const { return stale == Stale::nothing && !working; }
 };
 
-inline constexpr double kMostZoom = 40.0;
+inline constexpr double kMaxZoom = 40.0;
 inline constexpr double kNudgePx = 1.0;
 inline constexpr double kFineNudgePx = 0.2;
 

@@ -9,8 +9,6 @@
 #include <filesystem>
 #include <string>
 
-#include "measure/window/measuring_column.h"
-#include "measure/window/photo_panel.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {

@@ -1,12 +1,45 @@
 // The measuring view on the screen: a column of what is chosen, found and accepted, and the photographs beside it.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "measure/window/measuring_view.h"
+#include "palpate/measure/measurement.h"
 #include "view/viewer/panels/panels.h"
 
 namespace palpate::viewer {
 
 /// Fills the area, in a Gui frame that has begun.
 void measuringWindow(MeasuringView& view, const FreeArea& free, MeasuringRequests& requests);
+
+// Everything of the measuring view but the photographs: which they are, tools, settings, what was found, accepting.
+
+/// In the window that is being drawn.
+void measuringColumn(MeasuringView& view, MeasuringRequests& requests);
+
+// A photograph with what was found in it, to be zoomed, shifted, clicked and dragged on.
+
+/// What a panel shows.
+struct PhotoPanel {
+  Photo photo = Photo::before;
+  const measure::OverlayPanel* overlay = nullptr;  ///< or none yet
+  bool faded = false;
+  const char* path = "";  ///< "measuring/before"
+};
+/// In the rest of the window that is being drawn, so wide and high.
+void photoPanel(MeasuringView& view, const PhotoPanel& panel, const Vec2& size);
+
+// What was measured, in words and numbers with their standard deviations, line by line.
+
+struct MeasuredNumber {
+  std::string label;
+  std::string value;
+};
+/// Empty without a fit.
+std::vector<MeasuredNumber> measuredNumbers(const measure::Measurement& measured);
+
+/// "71.3 ± 1.2 mm", with so many decimals.
+std::string withSd(const measure::Estimate& estimate, int digits, const char* unit);
 
 }  // namespace palpate::viewer

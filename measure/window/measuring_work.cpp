@@ -1,6 +1,6 @@
 // Marks take some hundredths of a second, so one measuring of them is always finished: while a slider is pulled,
 // results follow it. Photographs take seconds and are given up at their next report of progress.
-#include "measure/window/measuring_work.h"
+#include "measure/window/measuring_mode.h"
 
 #include <algorithm>
 #include <cstring>
@@ -19,7 +19,7 @@ struct GivenUp : std::exception {};
 view::Image imageOf(const measure::Photograph& photo) {
   view::Image image(photo.width_px, photo.height_px);
   std::memcpy(image.pixels.data(), photo.rgb.data(), photo.rgb.size());
-  while (std::max(image.width, image.height) > kMostShownPx) {
+  while (std::max(image.width, image.height) > kMaxShownPx) {
     // Halving wants even sizes: an odd last row or column is left out.
     view::Image even(image.width / 2 * 2, image.height / 2 * 2);
     for (int y = 0; y < even.height; ++y) std::copy_n(&image.at(0, y), even.width, &even.at(0, y));

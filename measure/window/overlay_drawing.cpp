@@ -1,5 +1,5 @@
 // Sizes of an overlay are those of a panel 400 wide: here they grow with the panel, not with the zoom.
-#include "measure/window/overlay_drawing.h"
+#include "measure/window/photo_frame.h"
 
 #include <imgui.h>
 

@@ -4,6 +4,9 @@
 #include <algorithm>
 
 #include "palpate/base/vec.h"
+#include "palpate/measure/overlay.h"
+
+struct ImDrawList;
 
 namespace palpate::viewer {
 
@@ -26,5 +29,14 @@ struct PhotoFrame {
   Vec2 share(const Vec2& screen) const { return (toPhoto(screen) + Vec2::Constant(0.5)).cwiseQuotient(photo_px); }
   bool holds(const Vec2& px) const { return px.minCoeff() >= -0.5 && (photo_px - px).minCoeff() >= 0.5; }
 };
+
+// A panel of a measurement's overlay, drawn with ImGui over its photograph.
+
+void drawOverlay(ImDrawList& list, const measure::OverlayPanel& panel, const PhotoFrame& frame);
+/// Title, legend and the bar of 50 mm, in the corners of the area: what does not fit is left out, the
+/// legend also while a part of the photograph is seen.
+void drawOverlayWords(ImDrawList& list, const measure::OverlayPanel& panel, const PhotoFrame& frame);
+void drawMark(ImDrawList& list, const Vec2& at, measure::MarkForm form, const measure::OverlayColour& colour,
+              float radius);
 
 }  // namespace palpate::viewer

@@ -1,6 +1,6 @@
 // The mouse on a photograph: left by the tool, right and middle (with the tool "look" left, too) shift it, the wheel
 // zooms about the cursor.
-#include "measure/window/photo_panel.h"
+#include "measure/window/measuring_window.h"
 
 #include <imgui.h>
 
@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <string>
 
-#include "measure/window/overlay_drawing.h"
 #include "measure/window/photo_frame.h"
 #include "view/viewer/panels/widgets.h"
 

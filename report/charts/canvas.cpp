@@ -91,7 +91,7 @@ constexpr double kDescent = 0.24;
 
 }  // namespace
 
-struct Canvas::Sheet {
+struct Canvas::Impl {
   bool is_png = false;
   double width = 0.0;
   double height = 0.0;
@@ -104,15 +104,15 @@ struct Canvas::Sheet {
   std::vector<DrawnText> texts;
 };
 
-Canvas::Canvas(std::unique_ptr<Sheet> sheet) : sheet_(std::move(sheet)) {
-  sheet_->context = contextOn(sheet_->surface.get());
+Canvas::Canvas(std::unique_ptr<Impl> sheet) : impl_(std::move(sheet)) {
+  impl_->context = contextOn(impl_->surface.get());
 }
 Canvas::~Canvas() = default;
 Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 
 Canvas Canvas::png(double width_px, double height_px, double scale) {
-  auto sheet = std::make_unique<Sheet>();
+  auto sheet = std::make_unique<Impl>();
   sheet->is_png = true;
   sheet->width = width_px;
   sheet->height = height_px;
@@ -120,13 +120,13 @@ Canvas Canvas::png(double width_px, double height_px, double scale) {
                                                   static_cast<int>(std::lround(height_px * scale))));
   check(cairo_surface_status(sheet->surface.get()));
   Canvas canvas(std::move(sheet));
-  cairo_scale(canvas.sheet_->context.get(), scale, scale);
+  cairo_scale(canvas.impl_->context.get(), scale, scale);
   canvas.rectangle({0.0, 0.0, width_px, height_px}, std::nullopt, kPaper);
   return canvas;
 }
 
 Canvas Canvas::svg(double width_px, double height_px) {
-  auto sheet = std::make_unique<Sheet>();
+  auto sheet = std::make_unique<Impl>();
   sheet->width = width_px;
   sheet->height = height_px;
   sheet->surface.reset(cairo_svg_surface_create_for_stream(append, &sheet->bytes, width_px, height_px));
@@ -140,7 +140,7 @@ Canvas Canvas::svg(double width_px, double height_px) {
 void Canvas::path(std::span<const Vec2> points, bool closed, const std::optional<Pen>& pen,
                   const std::optional<Colour>& fill) {
   if (points.empty()) return;
-  cairo_t* context = sheet_->context.get();
+  cairo_t* context = impl_->context.get();
   cairo_new_path(context);
   for (const Vec2& point : points) cairo_line_to(context, point.x(), point.y());
   if (closed) cairo_close_path(context);
@@ -153,14 +153,14 @@ void Canvas::line(const Vec2& from, const Vec2& to, const Pen& pen) {
 }
 
 void Canvas::rectangle(const Rect& rect, const std::optional<Pen>& pen, const std::optional<Colour>& fill) {
-  cairo_rectangle(sheet_->context.get(), rect.left, rect.top, rect.width(), rect.height());
-  paintPath(sheet_->context.get(), pen, fill);
+  cairo_rectangle(impl_->context.get(), rect.left, rect.top, rect.width(), rect.height());
+  paintPath(impl_->context.get(), pen, fill);
 }
 
 void Canvas::disc(const Vec2& centre, double radius, const std::optional<Pen>& pen, const std::optional<Colour>& fill) {
-  cairo_new_path(sheet_->context.get());
-  cairo_arc(sheet_->context.get(), centre.x(), centre.y(), radius, 0.0, 2.0 * std::numbers::pi);
-  paintPath(sheet_->context.get(), pen, fill);
+  cairo_new_path(impl_->context.get());
+  cairo_arc(impl_->context.get(), centre.x(), centre.y(), radius, 0.0, 2.0 * std::numbers::pi);
+  paintPath(impl_->context.get(), pen, fill);
 }
 
 void Canvas::image(const Rect& place, int columns, int rows, const std::vector<std::uint32_t>& pixels) {
@@ -173,7 +173,7 @@ void Canvas::image(const Rect& place, int columns, int rows, const std::vector<s
                 target + static_cast<std::ptrdiff_t>(row) * stride);
   }
   cairo_surface_mark_dirty(image.get());
-  cairo_t* context = sheet_->context.get();
+  cairo_t* context = impl_->context.get();
   cairo_save(context);
   cairo_translate(context, place.left, place.top);
   cairo_scale(context, place.width() / columns, place.height() / rows);
@@ -184,9 +184,9 @@ void Canvas::image(const Rect& place, int columns, int rows, const std::vector<s
 }
 
 Rect Canvas::textBox(const Vec2& at, const std::string& text, const TextStyle& style) const {
-  setFont(sheet_->context.get(), style);
+  setFont(impl_->context.get(), style);
   cairo_text_extents_t extents;
-  cairo_text_extents(sheet_->context.get(), text.c_str(), &extents);
+  cairo_text_extents(impl_->context.get(), text.c_str(), &extents);
   const double width = extents.x_advance;
   const double height = (kAscent + kDescent) * style.size_px;
   if (style.upwards) {  // "across" runs upwards, "down" runs to the right
@@ -202,8 +202,8 @@ Rect Canvas::textBox(const Vec2& at, const std::string& text, const TextStyle& s
 void Canvas::text(const Vec2& at, const std::string& text, const TextStyle& style) {
   if (text.empty()) return;
   const Rect box = textBox(at, text, style);
-  sheet_->texts.push_back({text, box.left, box.top, box.right, box.bottom});
-  cairo_t* context = sheet_->context.get();
+  impl_->texts.push_back({text, box.left, box.top, box.right, box.bottom});
+  cairo_t* context = impl_->context.get();
   cairo_save(context);
   if (style.upwards) {
     cairo_translate(context, box.left + kAscent * style.size_px, box.bottom);
@@ -223,51 +223,51 @@ void Canvas::text(const Vec2& at, const std::string& text, const TextStyle& styl
   cairo_restore(context);
 }
 
-const std::vector<DrawnText>& Canvas::texts() const { return sheet_->texts; }
+const std::vector<DrawnText>& Canvas::texts() const { return impl_->texts; }
 
 void Canvas::beginClip(const Rect& rect) {
-  cairo_save(sheet_->context.get());
-  cairo_rectangle(sheet_->context.get(), rect.left, rect.top, rect.width(), rect.height());
-  cairo_clip(sheet_->context.get());
+  cairo_save(impl_->context.get());
+  cairo_rectangle(impl_->context.get(), rect.left, rect.top, rect.width(), rect.height());
+  cairo_clip(impl_->context.get());
 }
 
-void Canvas::endClip() { cairo_restore(sheet_->context.get()); }
+void Canvas::endClip() { cairo_restore(impl_->context.get()); }
 
 void Canvas::beginPicture(const Rect& rect) {
-  sheet_->picture_place = rect;
-  sheet_->picture.reset(cairo_image_surface_create(CAIRO_FORMAT_ARGB32,
-                                                   static_cast<int>(std::ceil(rect.width() * kPictureScale)),
-                                                   static_cast<int>(std::ceil(rect.height() * kPictureScale))));
-  check(cairo_surface_status(sheet_->picture.get()));
-  sheet_->outer = std::exchange(sheet_->context, contextOn(sheet_->picture.get()));
-  cairo_scale(sheet_->context.get(), kPictureScale, kPictureScale);
-  cairo_translate(sheet_->context.get(), -rect.left, -rect.top);
+  impl_->picture_place = rect;
+  impl_->picture.reset(cairo_image_surface_create(CAIRO_FORMAT_ARGB32,
+                                                  static_cast<int>(std::ceil(rect.width() * kPictureScale)),
+                                                  static_cast<int>(std::ceil(rect.height() * kPictureScale))));
+  check(cairo_surface_status(impl_->picture.get()));
+  impl_->outer = std::exchange(impl_->context, contextOn(impl_->picture.get()));
+  cairo_scale(impl_->context.get(), kPictureScale, kPictureScale);
+  cairo_translate(impl_->context.get(), -rect.left, -rect.top);
 }
 
 void Canvas::endPicture() {
-  sheet_->context = std::move(sheet_->outer);
-  cairo_t* context = sheet_->context.get();
+  impl_->context = std::move(impl_->outer);
+  cairo_t* context = impl_->context.get();
   cairo_save(context);
-  cairo_translate(context, sheet_->picture_place.left, sheet_->picture_place.top);
+  cairo_translate(context, impl_->picture_place.left, impl_->picture_place.top);
   cairo_scale(context, 1.0 / kPictureScale, 1.0 / kPictureScale);
-  cairo_set_source_surface(context, sheet_->picture.get(), 0.0, 0.0);
+  cairo_set_source_surface(context, impl_->picture.get(), 0.0, 0.0);
   cairo_paint(context);
   cairo_restore(context);
-  sheet_->picture.reset();
+  impl_->picture.reset();
 }
 
 std::string Canvas::finish() {
-  check(cairo_status(sheet_->context.get()));
+  check(cairo_status(impl_->context.get()));
   std::string bytes;
-  if (sheet_->is_png) {
-    check(cairo_surface_write_to_png_stream(sheet_->surface.get(), append, &bytes));
+  if (impl_->is_png) {
+    check(cairo_surface_write_to_png_stream(impl_->surface.get(), append, &bytes));
     return bytes;
   }
-  sheet_->context.reset();
-  cairo_surface_finish(sheet_->surface.get());
-  check(cairo_surface_status(sheet_->surface.get()));
-  sheet_->surface.reset();
-  return tidiedSvg(sheet_->bytes, sheet_->texts);
+  impl_->context.reset();
+  cairo_surface_finish(impl_->surface.get());
+  check(cairo_surface_status(impl_->surface.get()));
+  impl_->surface.reset();
+  return tidiedSvg(impl_->bytes, impl_->texts);
 }
 
 void drawMarker(Canvas& canvas, const Vec2& at, Marker marker, const Colour& colour, double size_px) {

@@ -75,9 +75,9 @@ class Canvas {
   std::string finish();
 
  private:
-  struct Sheet;
-  explicit Canvas(std::unique_ptr<Sheet> sheet);
-  std::unique_ptr<Sheet> sheet_;
+  struct Impl;
+  explicit Canvas(std::unique_ptr<Impl> sheet);
+  std::unique_ptr<Impl> impl_;
 };
 
 /// A marker of a series or a place.

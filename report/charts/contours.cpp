@@ -3,7 +3,7 @@
 // Marching squares with linear interpolation along the grid's edges, the pieces joined into lines; a cell with a corner
 // outside (NaN) has none.
 // Based on: Lorensen and Cline, "Marching cubes", 1987, in two dimensions.
-#include "report/charts/field.h"
+#include "report/charts/drawing.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // A field as an image of colours, bilinear between its values or in boxes, with its contour lines and their numbers
 // over it.
-#include "report/charts/field.h"
+#include "report/charts/drawing.h"
 
 #include <fmt/format.h>
 

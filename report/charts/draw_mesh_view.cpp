@@ -2,7 +2,6 @@
 // depth of their middle and painted from back to front. Long lines and sheets are cut so that the order holds along
 // them; where pieces cross each other it is approximate.
 // Based on: Newell, Newell, Sancha, "A solution to the hidden surface problem", 1972 (without its splitting).
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include "report/charts/drawing.h"
 #include "report/charts/legend.h"
 #include "report/charts/lettering.h"
+#include "report/charts/mesh_view.h"
 #include "report/charts/plot_layout.h"
 #include "report/charts/ticks.h"
 
@@ -244,6 +244,19 @@ void drawMeshView(Canvas& canvas, const MeshView& view, const Rect& panel) {
   }
   if (view.colour_key) drawColourKey(canvas, *view.colour_key, layout.colour_bar);
   drawLegend(canvas, legend, panel, layout.legend_top);
+}
+
+// Corners of a box are numbered by bits, one an axis: an edge changes one bit.
+
+std::vector<std::array<Vec3, 2>> boxEdges(const Eigen::AlignedBox3d& box) {
+  const auto corner = [&box](int i) { return box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)); };
+  std::vector<std::array<Vec3, 2>> edges;
+  for (int i = 0; i < 8; ++i) {
+    for (const int axis : {1, 2, 4}) {  // corners are numbered by bits: x, y, z
+      if ((i & axis) == 0) edges.push_back({corner(i), corner(i | axis)});
+    }
+  }
+  return edges;
 }
 
 }  // namespace palpate::figures

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "report/charts/drawing.h"
-#include "report/charts/field.h"
 #include "report/charts/legend.h"
 #include "report/charts/lettering.h"
 #include "report/charts/plot_layout.h"

@@ -19,7 +19,7 @@ void describe(pugi::xml_node svg, const std::vector<DrawnText>& texts) {
   svg.prepend_child("desc").text().set(description.c_str());
 }
 
-/// cairo's own names, "surface123" and "image45", numbered anew in the order in which they appear.
+/// cairo's own names, "surface123" and "image45", numbered again in the order in which they appear.
 class Renumbering {
  public:
   /// `text` with every such name in it replaced: alone (an id), behind # (a reference), or in url(#...).

@@ -15,7 +15,6 @@
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/words.h"
 #include "report/map/map_output.h"
-#include "report/map/map_scene.h"
 #include "report/map/map_sources.h"
 
 namespace palpate::app {
@@ -116,7 +115,7 @@ void addFileOptions(CLI::App& command, MapArguments& a) {
       ->required()
       ->allow_extra_args(false);
   addNumber(command, "--range", a.range, between(-1e9, 1e9),
-            "Values of the two ends of the colours, LOW,HIGH; left out: those of the data")
+            "Values of the two ends of the colours, LOW,HIGH (default: those of the data)")
       ->delimiter(',')
       ->expected(2)
       ->allow_extra_args(false);
@@ -141,7 +140,7 @@ void addSkinOptions(CLI::App& command, MapArguments& a) {
 
 void addKeyOption(CLI::App& command, MapArguments& a) {
   command.add_option("--keys", a.source.key_file,
-                     "Table of key points (docs/reference/maps.md); left out: the dissertation's");
+                     "Table of key points (docs/reference/maps.md) (default: the dissertation's)");
 }
 
 /// Last: what the scene says itself cannot be said beside it. `beside` are the options that can.
@@ -183,7 +182,7 @@ void addEllipses(CLI::App& parent) {
                                 "out: as --fidelity says"));
   takesOneOf(
       choiceNames<maps::DirectionBlend>(),
-      command.add_option("--directions", a.directions, "How directions are blended; left out: as --fidelity says"));
+      command.add_option("--directions", a.directions, "How directions are blended (default: as --fidelity says)"));
   command.add_option("--fidelity", a.fidelity, "Errata taken literally: corrected, literal, or a list such as E28,E29")
       ->capture_default_str();
   addSceneOption(command, a, {"--quantity"});

@@ -1,5 +1,5 @@
 // The numbers are the built world's own: nothing is computed a second time, so a map shows what a finger feels.
-#include "report/map/map_scene.h"
+#include "report/map/map_sources.h"
 
 #include <fmt/format.h>
 

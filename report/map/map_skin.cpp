@@ -1,6 +1,6 @@
 // Skins to draw a map over, and the skin as it looks from behind: its triangles rasterised into a grid, the uppermost
 // kept at every node (a depth buffer).
-#include "report/map/map_skin.h"
+#include "report/map/map_sources.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace palpate::app {
 namespace {
 
 /// 16 million nodes: a quarter of a gigabyte, and finer than any picture.
-constexpr double kMostNodes = 16e6;
+constexpr double kMaxNodes = 16e6;
 
 /// Twice the signed area of a triangle of the map plane.
 double doubleArea(const Vec2& a, const Vec2& b, const Vec2& c) {
@@ -84,7 +84,7 @@ MapSkin skinOfFile(const MeshArguments& arguments) {
 SkinGrid gridOver(const mesh::TriangleMesh& mesh, double step_mm) {
   const Eigen::AlignedBox3d box = mesh::boundingBox(mesh);
   const Vec2 nodes = box.sizes().head<2>() / step_mm + Vec2::Ones();
-  if (!(step_mm > 0.0) || !(nodes.prod() <= kMostNodes)) throw Error("map: the grid's step is too small");
+  if (!(step_mm > 0.0) || !(nodes.prod() <= kMaxNodes)) throw Error("map: the grid's step is too small");
   SkinGrid grid{box.min().head<2>(), step_mm, static_cast<int>(nodes.x()), static_cast<int>(nodes.y()), {}};
   grid.spots.resize(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
   std::vector<double> height(grid.spots.size(), -std::numeric_limits<double>::infinity());

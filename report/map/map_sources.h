@@ -2,6 +2,7 @@
 // bones: numbers for every vertex and every place, what is shown of them, and the key points they come from.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -11,15 +12,60 @@
 #include <utility>
 #include <vector>
 
+#include "cli/kit/mesh_arguments.h"
 #include "palpate/base/colour_map.h"
 #include "palpate/base/fidelity.h"
+#include "palpate/base/vec.h"
 #include "palpate/maps/contour_map.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/literal_ellipse_map.h"
 #include "palpate/maps/measured_stiffness.h"
-#include "report/map/map_skin.h"
+#include "palpate/mesh/triangle_mesh.h"
+#include "palpate/scene/world.h"
 
 namespace palpate::app {
+
+// What a map is drawn over: the built-in torso or back, or a mesh file; and how it looks from behind, on a grid.
+
+struct MapSkin {
+  std::string name;  ///< "torso", "back" or the file
+  mesh::TriangleMesh mesh;
+  std::vector<Vec3> normals;          ///< unit, a vertex each
+  std::vector<double> bone_depth_mm;  ///< a vertex each; empty where no bones are known
+};
+
+MapSkin builtInTorso(std::size_t triangles);
+MapSkin builtInBack(std::size_t triangles);
+/// As it is, without repair. Throws Error for a mesh without a triangle.
+MapSkin skinOfFile(const MeshArguments& arguments);
+
+/// Where the skin is met when looking along -z at one node of the grid.
+struct GridSpot {
+  Index triangle = kNoIndex;        ///< kNoIndex beside the skin
+  std::array<double, 3> weights{};  ///< barycentric
+};
+
+/// The map plane over the skin's bounding box. Nodes row by row from the lowest corner, x first.
+struct SkinGrid {
+  Vec2 origin = Vec2::Zero();
+  double step_mm = 1.0;
+  int columns = 0;
+  int rows = 0;
+  std::vector<GridSpot> spots;  ///< columns x rows
+
+  Vec2 node(std::size_t i) const {
+    const auto width = static_cast<std::size_t>(columns);
+    const std::size_t row = i / width;
+    return origin + step_mm * Vec2(static_cast<double>(i % width), static_cast<double>(row));
+  }
+};
+
+/// The uppermost triangle at every node. Throws Error for a step that is not above 0 or makes more than 16 million
+/// nodes.
+SkinGrid gridOver(const mesh::TriangleMesh& mesh, double step_mm);
+
+/// A value a vertex, interpolated at a place on the skin; NaN beside it.
+double valueAt(const mesh::TriangleMesh& mesh, const GridSpot& spot, const std::vector<double>& of_vertices);
 
 /// What the subcommands of `map` were told about their source.
 struct MapSource {
@@ -89,5 +135,19 @@ SkinMap depthOver(const MapSkin& skin);
 
 /// Places with their ellipses as outlines.
 std::vector<MapKey> drawnKeys(std::span<const maps::KeyPoint> keys);
+
+// The maps of a scene: of its body as it is felt there, with its dysfunctions, instead of a bare skin.
+
+/// The scene's body as it was built: mended and ordered, so its vertices are those of forces.csv's triangles.
+MapSkin skinOfScene(const scene::World& world);
+
+/// What a finger meets: the healthy body, then what is wrong with it.
+SkinMap stiffnessOfScene(const MapSkin& skin, const scene::World& world);
+/// Throws Error for a body without bones.
+SkinMap depthOfScene(const MapSkin& skin, const scene::World& world);
+/// `quantity` is half-major, aspect or direction.
+SkinMap ellipsesOfScene(const MapSkin& skin, const scene::World& world, const std::string& quantity);
+/// The boundaries of drags as the deformation has them. Throws Error for a scene whose drags have no contours.
+SkinMap contoursOfScene(const MapSkin& skin, const scene::World& world);
 
 }  // namespace palpate::app

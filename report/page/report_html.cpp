@@ -88,7 +88,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongTable = 30;
 constexpr std::uintmax_t kLargePicture = 250'000;
 constexpr double kScaleOfLargePictures = 1.2;  // pixels for 1/96 inch
-constexpr std::size_t kMostPictureBytes = std::size_t{64} << 20;
+constexpr std::size_t kMaxPictureBytes = std::size_t{64} << 20;
 
 std::string_view escapeOf(char letter) {
   switch (letter) {
@@ -152,8 +152,8 @@ std::string pictureUri(const StudyFigure& figure, const fs::path& folder) {
   if (std::min(svg_bytes, png_bytes) > kLargePicture) {
     return dataUri("png", figures::pngOf(figure.figure, kScaleOfLargePictures));
   }
-  return svg_bytes <= png_bytes ? dataUri("svg+xml", readFile(svg, kMostPictureBytes))
-                                : dataUri("png", readFile(png, kMostPictureBytes));
+  return svg_bytes <= png_bytes ? dataUri("svg+xml", readFile(svg, kMaxPictureBytes))
+                                : dataUri("png", readFile(png, kMaxPictureBytes));
 }
 
 std::string figureHtml(const StudyFigure& figure, const fs::path& folder) {

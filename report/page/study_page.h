@@ -7,8 +7,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -18,9 +20,21 @@
 
 #include "palpate/base/progress.h"
 #include "report/charts/figure.h"
-#include "report/page/text_table.h"
 
 namespace palpate::study {
+
+// A table of words as people read it on a terminal, in Markdown and in CSV.
+
+struct TextTable {
+  std::vector<std::string> headings;
+  std::vector<std::vector<std::string>> rows;  ///< as many cells each as there are headings
+};
+
+/// Columns padded to equal width, the last one ragged.
+std::string plainText(const TextTable& table);
+std::string markdownOf(const TextTable& table);
+/// Every cell in quotes.
+std::string csvOf(const TextTable& table);
 
 struct StudySettings {
   bool quick = false;  ///< smaller models, fewer repetitions: below 3 s, for tests; its times mean little
@@ -95,6 +109,20 @@ struct Extent {
     least = std::min(least, value);
     most = std::max(most, value);
   }
+};
+
+// A study that writes a page: its name, its help and how it is run.
+//
+// dissertation/studies.cpp lists them; `palpate study NAME`, `study all` and the report find them there.
+
+struct Study {
+  std::string name;  ///< of the subcommand
+  std::string what;  ///< its help, one line
+  std::function<StudyPage(const StudySettings& settings)> run;
+  bool draws = false;                   ///< its cases, from a seed: it takes --seed and --cases
+  bool maps = false;                    ///< it has a map of its own that takes minutes: it takes --map
+  std::vector<std::string> families{};  ///< of cases that it can be asked for alone: it takes --family
+  std::size_t family_cases = 0;         ///< cases of a family where --cases is not given
 };
 
 }  // namespace palpate::study

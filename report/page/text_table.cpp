@@ -1,4 +1,4 @@
-#include "report/page/text_table.h"
+#include "report/page/study_page.h"
 
 #include <fmt/format.h>
 

@@ -114,8 +114,8 @@ void addPlotCommand(CLI::App& recording) {
   CLI::App& command = *recording.add_subcommand("plot", "Draw a table of forces over time: force, depth, lag, states");
   command.add_option("TABLE", a.table, "forces.csv of `palpate simulate` or of the window")->required();
   command.add_option("-o,--out", a.output, "Picture to write: .png or .svg")->capture_default_str();
-  addNumber(command, "--from", a.from_s, between(-1e9, 1e9, "s"), "Begin at this time; left out: with the first row");
-  addNumber(command, "--to", a.to_s, between(-1e9, 1e9, "s"), "End at this time; left out: with the last row");
+  addNumber(command, "--from", a.from_s, between(-1e9, 1e9, "s"), "Begin at this time (default: with the first row)");
+  addNumber(command, "--to", a.to_s, between(-1e9, 1e9, "s"), "End at this time (default: with the last row)");
   command.add_option("--finger", a.fingers, "Only this finger, by its name; repeatable")->allow_extra_args(false);
   takesOneOf(
       columnWords(),
@@ -127,7 +127,7 @@ void addPlotCommand(CLI::App& recording) {
           ->delimiter(',')
           ->allow_extra_args(false)
           ->capture_default_str());
-  command.add_option("--title", a.title, "Above it; left out: the table's name");
+  command.add_option("--title", a.title, "Above it (default: the table's name)");
   addNumber(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel")->capture_default_str();
   command.callback([arguments] { runPlot(*arguments); });
 }

@@ -1,5 +1,5 @@
 // A step holds one tick at first; whenever the strip is full, neighbours are joined and steps become twice as long.
-#include "report/plot/run_strip.h"
+#include "report/plot/forces_plot.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@ namespace palpate::app {
 namespace {
 
 /// Twice as many as a picture of common width has columns.
-constexpr std::size_t kMostSteps = 2048;
+constexpr std::size_t kMaxSteps = 2048;
 
 FeltTick feltOf(const Vec3& force, const Vec3& device, double depth_mm, const Vec3& anchor, const Vec3& tip) {
   FeltTick tick;
@@ -63,17 +63,17 @@ void RunStrip::add(FeltTick tick) {
     ++in_last_;
     return;
   }
-  if (steps_.size() == kMostSteps) halve();
+  if (steps_.size() == kMaxSteps) halve();
   steps_.push_back(stepOf(tick));
   in_last_ = 1;
 }
 
 void RunStrip::halve() {
-  for (std::size_t i = 0; i < kMostSteps / 2; ++i) {
+  for (std::size_t i = 0; i < kMaxSteps / 2; ++i) {
     steps_[i] = steps_[2 * i];
     join(steps_[i], steps_[2 * i + 1]);
   }
-  steps_.resize(kMostSteps / 2);
+  steps_.resize(kMaxSteps / 2);
   ticks_a_step_ *= 2;
 }
 

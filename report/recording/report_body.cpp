@@ -85,7 +85,7 @@ double nearlyGreatest(const trace::TouchedSurface& surface, const std::vector<do
   return by_value.empty() || !(by_value.back().first > 0.0) ? 1.0 : by_value.back().first;
 }
 
-std::array<HeatValues, 2> heatsOf(const SessionReport& report, const trace::TouchedSurface& surface) {
+std::array<HeatValues, 2> heatsOf(const RecordingReport& report, const trace::TouchedSurface& surface) {
   HeatValues time{{}, 1.0, "Time in contact", "time", "s"};
   for (const double ticks : surface.ticks) time.values.push_back(ticks / report.statistics.ticks_per_s);
   HeatValues force{surface.peak_force_n, 1.0, "Peak force", "force", "N"};
@@ -172,7 +172,7 @@ Eigen::AlignedBox2d seenBoxOf(const trace::TouchedSurface& surface, const ShownP
   return box;
 }
 
-std::vector<ReportPicture> surfacePictures(const SessionReport& report, const trace::TouchedSurface& surface) {
+std::vector<ReportPicture> surfacePictures(const RecordingReport& report, const trace::TouchedSurface& surface) {
   const ReportSight sight = sightOf(surface);
   const ShownPart all{.across = sight.up.cross(sight.towards_viewer), .along = sight.up, .box = {}};
   ShownPart near = all;
@@ -205,18 +205,18 @@ struct PlanGrid {
   figures::Field force;
 };
 
-double reachOf(const SessionReport& report, std::uint32_t finger) {
-  return finger < report.body.reach_mm.size() ? report.body.reach_mm[finger] : trace::kLeastReachMm;
+double reachOf(const RecordingReport& report, std::uint32_t finger) {
+  return finger < report.body.reach_mm.size() ? report.body.reach_mm[finger] : trace::kMinReachMm;
 }
 
-PlanGrid emptyPlan(const SessionReport& report) {
-  constexpr double kMostCells = 300.0;  // along a side: more are no picture
+PlanGrid emptyPlan(const RecordingReport& report) {
+  constexpr double kMaxCells = 300.0;  // along a side: more are no picture
   Eigen::AlignedBox2d box;
   for (const trace::TouchedPlace& place : report.statistics.places) {
     const Vec2 reach = Vec2::Constant(reachOf(report, place.finger) + trace::kPlaceCellMm);
     box.extend(Vec2(place.place.head<2>() - reach)).extend(Vec2(place.place.head<2>() + reach));
   }
-  const double cell = std::max(0.5 * trace::kPlaceCellMm, box.sizes().maxCoeff() / kMostCells);
+  const double cell = std::max(0.5 * trace::kPlaceCellMm, box.sizes().maxCoeff() / kMaxCells);
   PlanGrid plan;
   figures::Field& field = plan.time;
   field.origin = box.min();
@@ -235,7 +235,7 @@ PlanGrid emptyPlan(const SessionReport& report) {
 }
 
 /// What lies within the finger's reach, above each other or not.
-void addToPlan(const SessionReport& report, const trace::TouchedPlace& place, PlanGrid& plan) {
+void addToPlan(const RecordingReport& report, const trace::TouchedPlace& place, PlanGrid& plan) {
   const figures::Field& grid = plan.time;
   const double cell = grid.step.x();
   const double reach = std::max(reachOf(report, place.finger), 0.75 * cell);
@@ -255,7 +255,7 @@ void addToPlan(const SessionReport& report, const trace::TouchedPlace& place, Pl
   }
 }
 
-ReportPicture planPicture(const SessionReport& report) {
+ReportPicture planPicture(const RecordingReport& report) {
   PlanGrid plan = emptyPlan(report);
   for (const trace::TouchedPlace& place : report.statistics.places) addToPlan(report, place, plan);
   figures::Figure figure;
@@ -279,7 +279,7 @@ ReportPicture planPicture(const SessionReport& report) {
 
 }  // namespace
 
-std::vector<ReportPicture> bodyPictures(const SessionReport& report) {
+std::vector<ReportPicture> bodyPictures(const RecordingReport& report) {
   if (report.statistics.places.empty()) return {};
   if (report.body.surface) return surfacePictures(report, *report.body.surface);
   return {planPicture(report)};

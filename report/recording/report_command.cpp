@@ -1,4 +1,4 @@
-// `palpate recording report`: what a recorded session was, as one page that needs nothing else, or as numbers. And the
+// `palpate recording report`: what a recording was, as one page that needs nothing else, or as numbers. And the
 // commands of palpate-report, of which it is one.
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/progress_line.h"
-#include "cli/session/session_text.h"
+#include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
+#include "report/recording/recording_report.h"
 #include "report/recording/report_delivery.h"
-#include "report/recording/session_report.h"
 
 namespace palpate::app {
 
@@ -22,7 +22,7 @@ struct ReportArguments {
   TimeSpan span;
 };
 
-trace::TickSpan reportSpan(const ReportArguments& arguments, const trace::SessionFacts& facts) {
+trace::TickSpan reportSpan(const ReportArguments& arguments, const trace::RecordingFacts& facts) {
   const trace::TickSpan span = ticksOf(arguments.span, facts.header.ticks_per_s);
   if (facts.samples > 0 && span.from > facts.last_tick) {
     throw Error::inFile(
@@ -38,12 +38,12 @@ void runReport(const ReportArguments& arguments) {
     throw Error::inFile(request.file.string(), "is a record of training: palpate train results report");
   }
   ProgressLine progress;
-  trace::SessionReader session(request.file);
+  trace::RecordingReader recording(request.file);
   const std::filesystem::path page = pageOf(request, standardPage(request.file));
-  const ReportSettings settings{request.file, arguments.folder, reportSpan(arguments, session.facts())};
-  const FinishesInOrder in_order;  // files that the session carries lie in a folder that must go again
+  const ReportSettings settings{request.file, arguments.folder, reportSpan(arguments, recording.facts())};
+  const FinishesInOrder in_order;  // files that the recording carries lie in a folder that must go again
   const trace::ReadingWatch watch(endIfAsked);
-  const SessionReport report = sessionReport(session, settings, progress.callback());
+  const RecordingReport report = recordingReport(recording, settings, progress.callback());
   const FinishedReport finished{.file = request.file,
                                 .page = request.wantsPage() ? reportPage(report, progress.callback()) : std::string(),
                                 .numbers = reportJson(report),
@@ -58,12 +58,12 @@ void addReportCommand(CLI::App& recording) {
   const auto arguments = std::make_shared<ReportArguments>();
   ReportArguments& a = *arguments;
   CLI::App& command = *recording.add_subcommand(
-      "report", "Tell what a recorded session was (forces, contacts, phases, maps of the body) as one HTML page");
-  command.add_option("FILE", a.request.file, "Session file")->required();
-  command.add_option("-o,--out", a.request.out, "Page to write; left out: the file's name with .html, in this folder");
+      "report", "Tell what a recording was (forces, contacts, phases, maps of the body) as one HTML page");
+  command.add_option("FILE", a.request.file, "Recording file")->required();
+  command.add_option("-o,--out", a.request.out, "Page to write (default: the file's name with .html, in this folder)");
   addTimeSpan(command, a.span);
   command.add_option("--folder", a.folder,
-                     "Where the files that the scene names lie now; left out: in the session, else where they lay");
+                     "Where the files that the scene names lie now (default: in the recording, else where they lay)");
   command.add_flag("--json", a.request.json,
                    "Print all numbers as one JSON object; a page is written then only with --out");
   command.callback([=] { runReport(*arguments); });

@@ -9,7 +9,7 @@
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "report/recording/session_report.h"
+#include "report/recording/recording_report.h"
 
 namespace palpate::app {
 
@@ -42,7 +42,7 @@ std::filesystem::path pageOf(const ReportRequest& request, const std::filesystem
     throw Error::inFile(page.string(), "is the file itself that is reported on");
   }
   if (request.out.empty() && isAnothers(page)) {
-    throw Error::inFile(page.string(), "is there already and is no report; name the page with --out");
+    throw Error::inFile(page.string(), "is there already and is not a report; name the page with --out");
   }
   return page;
 }

@@ -21,7 +21,7 @@ using trace::Phase;
 
 constexpr figures::Colour kAwayColour{0.86, 0.87, 0.89};
 /// Dotted lines of more marks than this hide what they mark.
-constexpr std::size_t kMostMarkLines = 40;
+constexpr std::size_t kMaxMarkLines = 40;
 
 struct MeasuredPanel {
   Measured measured;
@@ -37,7 +37,7 @@ struct ShownTime {
   double to_s = 1.0;
 };
 
-ShownTime shownTime(const SessionReport& report) {
+ShownTime shownTime(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
   return {report.secondsAt(ticks.first), report.secondsAt(ticks.last + 1)};
 }
@@ -58,13 +58,13 @@ void forEachRun(const trace::TickSeries& series, Measured measured, const Visit&
   }
 }
 
-double middleOf(const SessionReport& report, const trace::TickSeries& series, std::size_t bucket) {
+double middleOf(const RecordingReport& report, const trace::TickSeries& series, std::size_t bucket) {
   const double ticks = (static_cast<double>(bucket) + 0.5) * static_cast<double>(series.ticksABucket());
   return report.secondsAt(series.firstTick()) + ticks / report.statistics.ticks_per_s;
 }
 
 /// Means as a line, least to greatest as a band behind it.
-void addCourse(const SessionReport& report, const trace::TickSeries& series, const MeasuredPanel& panel,
+void addCourse(const RecordingReport& report, const trace::TickSeries& series, const MeasuredPanel& panel,
                const figures::Colour& colour, const std::string& name, Plot& plot) {
   const auto i = static_cast<std::size_t>(panel.measured);
   Shape band{.stroke = figures::Stroke::none, .colour = colour, .fill = figures::withAlpha(colour, 0.25)};
@@ -89,7 +89,7 @@ void addCourse(const SessionReport& report, const trace::TickSeries& series, con
   plot.series.push_back(std::move(line));
 }
 
-Plot coursePlot(const SessionReport& report, const MeasuredPanel& panel, bool named) {
+Plot coursePlot(const RecordingReport& report, const MeasuredPanel& panel, bool named) {
   Plot plot;
   plot.y = {.label = std::string(panel.label), .unit = std::string(panel.unit), .from = 0.0};
   for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
@@ -105,7 +105,7 @@ figures::Colour colourOf(Phase phase) {
 }
 
 /// A row of bars a finger, from the top down.
-Plot phasePlot(const SessionReport& report) {
+Plot phasePlot(const RecordingReport& report) {
   Plot plot;
   const std::size_t fingers = report.statistics.fingers.size();
   plot.y.from = -0.6;
@@ -129,12 +129,12 @@ Plot phasePlot(const SessionReport& report) {
   return plot;
 }
 
-void addMarks(const SessionReport& report, std::vector<Plot>& panels) {
+void addMarks(const RecordingReport& report, std::vector<Plot>& panels) {
   std::vector<double> times;
-  for (const trace::SessionEvent& event : report.events) {
+  for (const trace::RecordingEvent& event : report.events) {
     if (event.kind == "mark") times.push_back(report.secondsAt(event.tick));
   }
-  if (times.empty() || times.size() > kMostMarkLines) return;
+  if (times.empty() || times.size() > kMaxMarkLines) return;
   for (Plot& panel : panels) {
     const bool phases = &panel == &panels.back();
     double top = phases ? *panel.y.to : 0.0;
@@ -154,16 +154,16 @@ void addMarks(const SessionReport& report, std::vector<Plot>& panels) {
 }
 
 /// Of the names left of the frames, about: letters differ in width.
-double roomForNames(const SessionReport& report) {
+double roomForNames(const RecordingReport& report) {
   constexpr double kPixelsALetter = 7.8;
   constexpr double kLabelAndTicks = 30.0;
-  constexpr std::size_t kMostLetters = 24;
+  constexpr std::size_t kMaxLetters = 24;
   std::size_t letters = 6;
-  for (const trace::SessionFinger& finger : report.facts.fingers) letters = std::max(letters, finger.name.size());
-  return kLabelAndTicks + kPixelsALetter * static_cast<double>(std::min(letters, kMostLetters));
+  for (const trace::RecordingFinger& finger : report.facts.fingers) letters = std::max(letters, finger.name.size());
+  return kLabelAndTicks + kPixelsALetter * static_cast<double>(std::min(letters, kMaxLetters));
 }
 
-ReportPicture coursePicture(const SessionReport& report) {
+ReportPicture coursePicture(const RecordingReport& report) {
   std::vector<Plot> panels;
   for (const MeasuredPanel& panel : kPanels) panels.push_back(coursePlot(report, panel, panels.empty()));
   panels.push_back(phasePlot(report));
@@ -200,7 +200,7 @@ ReportPicture coursePicture(const SessionReport& report) {
 constexpr std::size_t kBars = 48;
 
 /// The greatest value that is shown: nearly all of every finger's ticks.
-double shownMost(const SessionReport& report, Measured measured) {
+double shownMost(const RecordingReport& report, Measured measured) {
   double most = 0.0;
   for (const trace::FingerStatistics& finger : report.statistics.fingers) {
     most = std::max(most, 1.1 * finger.of(measured).quantile(0.995));
@@ -230,7 +230,7 @@ figures::Series outlineOf(const trace::FixedHistogram& histogram, std::size_t bi
   return outline;
 }
 
-Plot distributionPlot(const SessionReport& report, const MeasuredPanel& panel) {
+Plot distributionPlot(const RecordingReport& report, const MeasuredPanel& panel) {
   Plot plot;
   plot.x = {.label = std::string(panel.label), .unit = std::string(panel.unit), .from = 0.0};
   plot.y = {.label = "share of the time in contact", .unit = "%", .from = 0.0};
@@ -249,7 +249,7 @@ Plot distributionPlot(const SessionReport& report, const MeasuredPanel& panel) {
   return plot;
 }
 
-ReportPicture distributionPicture(const SessionReport& report) {
+ReportPicture distributionPicture(const RecordingReport& report) {
   figures::Figure figure;
   figure.columns = 3;
   figure.panel_width_px = 320.0;
@@ -265,7 +265,7 @@ ReportPicture distributionPicture(const SessionReport& report) {
 
 }  // namespace
 
-std::vector<ReportPicture> coursePictures(const SessionReport& report) {
+std::vector<ReportPicture> coursePictures(const RecordingReport& report) {
   std::vector<ReportPicture> pictures;
   if (report.statistics.ticks.recorded == 0) return pictures;
   pictures.push_back(coursePicture(report));

@@ -1,11 +1,11 @@
-// The pictures of a session's report: what was felt over time, how often which size, and where on the body.
+// The pictures of a recording's report: what was felt over time, how often which size, and where on the body.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "report/charts/figure.h"
-#include "report/recording/session_report.h"
+#include "report/recording/recording_report.h"
 
 namespace palpate::app {
 
@@ -17,11 +17,11 @@ struct ReportPicture {
 };
 
 /// Force, depth and speed of each finger over time, with its phases below; and how often they were how large. None of a
-/// session without ticks; distributions only where something was touched.
-std::vector<ReportPicture> coursePictures(const SessionReport& report);
+/// recording without ticks; distributions only where something was touched.
+std::vector<ReportPicture> coursePictures(const RecordingReport& report);
 
 /// Time in contact and peak force on the body's surface, or on a plane where there is none. None where nothing was
 /// touched.
-std::vector<ReportPicture> bodyPictures(const SessionReport& report);
+std::vector<ReportPicture> bodyPictures(const RecordingReport& report);
 
 }  // namespace palpate::app

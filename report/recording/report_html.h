@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "report/charts/figure.h"
-#include "report/recording/session_report.h"
+#include "report/recording/recording_report.h"
 
 namespace palpate::app {
 
@@ -34,13 +34,13 @@ inline constexpr std::string_view kPageEnd = "</main>\n</body>\n</html>\n";
 /// The main results, a sentence each.
 std::string summaryOf(const std::vector<std::string>& sentences);
 
-// The tables of a session's report, each with what stands above it; empty where there is nothing to tell.
+// The tables of a recording's report, each with what stands above it; empty where there is nothing to tell.
 
-std::string sizesTable(const SessionReport& report);
-std::string phasesSection(const SessionReport& report);
-std::string contactsSection(const SessionReport& report);
-std::string safetySection(const SessionReport& report);
-std::string servoSection(const SessionReport& report);
-std::string eventsSection(const SessionReport& report);
+std::string sizesTable(const RecordingReport& report);
+std::string phasesSection(const RecordingReport& report);
+std::string contactsSection(const RecordingReport& report);
+std::string safetySection(const RecordingReport& report);
+std::string servoSection(const RecordingReport& report);
+std::string eventsSection(const RecordingReport& report);
 
 }  // namespace palpate::app

@@ -1,9 +1,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/kit/json.h"
-#include "cli/session/session_text.h"
+#include "cli/recording/recording_text.h"
 #include "palpate/body/places.h"
-#include "report/recording/session_report.h"
+#include "report/recording/recording_report.h"
 
 namespace palpate::app {
 
@@ -25,7 +25,7 @@ Json distributionJson(const trace::FixedHistogram& histogram) {
   return json;
 }
 
-Json seriesJson(const SessionReport& report, const trace::TickSeries& series) {
+Json seriesJson(const RecordingReport& report, const trace::TickSeries& series) {
   Json json = {{"from_s", report.secondsAt(series.firstTick())},
                {"step_s", report.statistics.seconds(series.ticksABucket())}};
   Json ticks = Json::array();
@@ -54,7 +54,7 @@ Json seriesJson(const SessionReport& report, const trace::TickSeries& series) {
   return json;
 }
 
-Json bitsJson(const SessionReport& report, const std::vector<StatusLine>& lines, std::size_t finger) {
+Json bitsJson(const RecordingReport& report, const std::vector<StatusLine>& lines, std::size_t finger) {
   Json json = Json::array();
   for (const StatusLine& line : lines) {
     if (line.finger != finger) continue;
@@ -66,7 +66,7 @@ Json bitsJson(const SessionReport& report, const std::vector<StatusLine>& lines,
   return json;
 }
 
-Json fingerReportJson(const SessionReport& report, std::size_t f) {
+Json fingerReportJson(const RecordingReport& report, std::size_t f) {
   const trace::FingerStatistics& finger = report.statistics.fingers[f];
   const auto seconds = [&](std::uint64_t ticks) { return report.statistics.seconds(ticks); };
   Json json = {{"name", report.facts.fingers[f].name},
@@ -92,7 +92,7 @@ Json fingerReportJson(const SessionReport& report, std::size_t f) {
   return json;
 }
 
-Json contactsJson(const SessionReport& report) {
+Json contactsJson(const RecordingReport& report) {
   Json json = Json::array();
   for (const trace::Contact& contact : report.statistics.contacts) {
     json.push_back({{"finger", contact.finger},
@@ -110,7 +110,7 @@ Json contactsJson(const SessionReport& report) {
   return json;
 }
 
-Json phasesJson(const SessionReport& report) {
+Json phasesJson(const RecordingReport& report) {
   Json json = Json::array();
   for (const trace::PhaseSpan& span : report.statistics.phases) {
     json.push_back({{"finger", span.finger},
@@ -121,7 +121,7 @@ Json phasesJson(const SessionReport& report) {
   return json;
 }
 
-Json ticksJson(const SessionReport& report) {
+Json ticksJson(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
   return {{"expected", ticks.expected()},
           {"recorded", ticks.recorded},
@@ -132,7 +132,7 @@ Json ticksJson(const SessionReport& report) {
           {"dropped_samples", report.facts.dropped}};
 }
 
-Json coverageJson(const SessionReport& report) {
+Json coverageJson(const RecordingReport& report) {
   const ReportBody& body = report.body;
   Json json = {{"body", body.name},
                {"tissue", body.tissue},
@@ -150,8 +150,8 @@ Json coverageJson(const SessionReport& report) {
 
 }  // namespace
 
-Json reportJson(const SessionReport& report) {
-  const trace::SessionStatistics& statistics = report.statistics;
+Json reportJson(const RecordingReport& report) {
+  const trace::RecordingStatistics& statistics = report.statistics;
   Json json = {{"file", report.file.string()}, {"session", factsJson(report.facts)}};
   json["from_s"] = report.secondsAt(statistics.ticks.first);
   json["seconds"] = statistics.seconds(statistics.ticks.expected());
@@ -176,7 +176,7 @@ Json reportJson(const SessionReport& report) {
   json["worlds"] = std::move(worlds);
   json["world_changes"] = statistics.world_changes;
   Json events = Json::array();
-  for (const trace::SessionEvent& event : report.events) {
+  for (const trace::RecordingEvent& event : report.events) {
     events.push_back({{"at_s", report.secondsAt(event.tick)},
                       {"finger", orNull(event.finger)},
                       {"kind", event.kind},
@@ -188,7 +188,7 @@ Json reportJson(const SessionReport& report) {
                    {"path_step_mm", trace::kPathStepMm},
                    {"light_force_n", trace::kLightForceN},
                    {"dwell_speed_mm_per_s", trace::kDwellSpeedMmPerS},
-                   {"least_phase_s", trace::kLeastPhaseS},
+                   {"least_phase_s", trace::kMinPhaseS},
                    {"back_normal_z", trace::kDorsalNormalZ}};
   return json;
 }

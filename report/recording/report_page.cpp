@@ -24,7 +24,7 @@ std::string momentWords(std::string moment) {
   return common ? moment.substr(0, 10) + " " + moment.substr(11, 8) + " UTC" : moment;
 }
 
-std::string lengthWords(const SessionReport& report) {
+std::string lengthWords(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
   std::string text = durationWords(report.facts.seconds());
   if (!report.whole && ticks.recorded > 0) {
@@ -34,7 +34,7 @@ std::string lengthWords(const SessionReport& report) {
   return text + fmt::format("; {} ticks a second", rounded(report.statistics.ticks_per_s, 4));
 }
 
-std::string bodyWords(const SessionReport& report) {
+std::string bodyWords(const RecordingReport& report) {
   std::vector<std::string> names;
   for (const std::string& body : report.bodies) {
     if (std::find(names.begin(), names.end(), body) == names.end()) names.push_back(body);
@@ -47,14 +47,14 @@ std::string bodyWords(const SessionReport& report) {
   return words;
 }
 
-std::string factsTable(const SessionReport& report) {
-  const trace::SessionFacts& facts = report.facts;
+std::string factsTable(const RecordingReport& report) {
+  const trace::RecordingFacts& facts = report.facts;
   std::string html = "<div class=\"wide\"><table class=\"facts\"><tbody>\n";
   html += factRow("Begun", momentWords(facts.header.started_utc));
   html += factRow("Ended", facts.ended_by.empty() ? "no end: it is being written, or its program was killed"
                                                   : momentWords(facts.ended_utc) + ", by: " + facts.ended_by);
   html += factRow("Length", lengthWords(report));
-  for (const trace::SessionFinger& finger : facts.fingers) {
+  for (const trace::RecordingFinger& finger : facts.fingers) {
     const bool scripted = finger.device == finger.name;  // a script is named like its finger
     html += factRow("Finger", scripted ? finger.name : finger.name + ", held by " + finger.device);
   }
@@ -82,7 +82,7 @@ std::string picturesHtml(const std::vector<ReportPicture>& pictures, const Progr
 
 // ---- the body
 
-std::string bodySection(const SessionReport& report, const Progress& progress) {
+std::string bodySection(const RecordingReport& report, const Progress& progress) {
   std::string html = picturesHtml(bodyPictures(report), progress);
   if (!report.body.why_not.empty()) {
     html += elementOf("p", report.body.why_not +
@@ -110,7 +110,7 @@ std::string bodySection(const SessionReport& report, const Progress& progress) {
 
 // ---- definitions
 
-std::string definitionsSection(const SessionReport& report) {
+std::string definitionsSection(const RecordingReport& report) {
   std::string reach;
   for (std::size_t f = 0; f < report.body.reach_mm.size() && f < report.facts.fingers.size(); ++f) {
     reach += fmt::format("{}{} {} mm", reach.empty() ? "" : ", ", report.facts.fingers[f].name,
@@ -137,12 +137,12 @@ std::string definitionsSection(const SessionReport& report) {
            "On the skin, a finger that presses with {} N or more and moves at {} mm/s or less palpates; one that "
            "is lighter or faster searches. A phase begins where this has held for {} s. These limits are this "
            "program's own; no norm has any.",
-           trace::kLightForceN, trace::kDwellSpeedMmPerS, trace::kLeastPhaseS)},
+           trace::kLightForceN, trace::kDwellSpeedMmPerS, trace::kMinPhaseS)},
       {"Touched skin",
        fmt::format(
            "All skin within the radius of the finger around the places where it was (at least {} mm), facing the "
            "same way. The back is the skin that leans less than 60 degrees from straight backwards.",
-           trace::kLeastReachMm) +
+           trace::kMinReachMm) +
            reach},
       {"Places",
        "Millimetres in the body's frame: x to the patient's right seen from behind, y to the head, z out of the back."},
@@ -155,14 +155,14 @@ std::string definitionsSection(const SessionReport& report) {
   return html + "</dl>\n";
 }
 
-std::string pageHead(const SessionReport& report) {
-  const std::string name = "Session " + report.file.filename().string();
+std::string pageHead(const RecordingReport& report) {
+  const std::string name = "Recording " + report.file.filename().string();
   return pageBegin(name) + summaryOf(reportSentences(report));
 }
 
 }  // namespace
 
-std::string reportPage(const SessionReport& report, const Progress& progress) {
+std::string reportPage(const RecordingReport& report, const Progress& progress) {
   std::string html = pageHead(report) + factsTable(report);
   html += picturesHtml(coursePictures(report), progress);
   html += sizesTable(report);

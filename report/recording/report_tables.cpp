@@ -17,19 +17,19 @@ using study::rounded;
 using trace::Measured;
 
 /// More rows are no table that anybody reads.
-constexpr std::size_t kMostRows = 60;
+constexpr std::size_t kMaxRows = 60;
 
-std::string fingerName(const SessionReport& report, std::size_t finger) { return report.facts.fingers[finger].name; }
+std::string fingerName(const RecordingReport& report, std::size_t finger) { return report.facts.fingers[finger].name; }
 
 std::string moreLine(std::uint64_t all, std::size_t shown, std::string_view things) {
   if (all <= shown) return {};
   return fmt::format(
       "<p class=\"quiet\">{} more {} are not shown here; --from and --to choose a part, --json lists {}.</p>\n",
       counted(static_cast<double>(all - shown)), things,
-      all <= trace::kMostListed ? "all" : fmt::format("the first {}", counted(trace::kMostListed)));
+      all <= trace::kMaxListed ? "all" : fmt::format("the first {}", counted(trace::kMaxListed)));
 }
 
-std::string phaseTimes(const SessionReport& report) {
+std::string phaseTimes(const RecordingReport& report) {
   std::vector<Cells> rows;
   for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
     const trace::FingerStatistics& finger = report.statistics.fingers[f];
@@ -48,13 +48,13 @@ std::string phaseTimes(const SessionReport& report) {
 }
 
 /// The longest ones, in the order of time.
-std::string longestPhases(const SessionReport& report) {
-  constexpr std::size_t kMostPhases = 20;
+std::string longestPhases(const RecordingReport& report) {
+  constexpr std::size_t kMaxPhases = 20;
   std::vector<trace::PhaseSpan> spans = report.statistics.phases;
   std::erase_if(spans, [](const trace::PhaseSpan& span) { return span.phase == trace::Phase::away; });
   const std::size_t all = spans.size();
   std::stable_sort(spans.begin(), spans.end(), [](const auto& a, const auto& b) { return a.ticks() > b.ticks(); });
-  if (spans.size() > kMostPhases) spans.erase(spans.begin() + kMostPhases, spans.end());
+  if (spans.size() > kMaxPhases) spans.erase(spans.begin() + kMaxPhases, spans.end());
   std::stable_sort(spans.begin(), spans.end(),
                    [](const auto& a, const auto& b) { return a.first_tick < b.first_tick; });
   std::vector<Cells> rows;
@@ -64,13 +64,13 @@ std::string longestPhases(const SessionReport& report) {
                     fmt::format("{:.2f}", report.statistics.seconds(span.ticks()))});
   }
   if (rows.empty()) return {};
-  return elementOf("p", all > kMostPhases ? fmt::format("The {} longest phases on the skin of {}:", kMostPhases,
-                                                        counted(static_cast<double>(all)))
-                                          : std::string("All phases on the skin:")) +
+  return elementOf("p", all > kMaxPhases ? fmt::format("The {} longest phases on the skin of {}:", kMaxPhases,
+                                                       counted(static_cast<double>(all)))
+                                         : std::string("All phases on the skin:")) +
          "\n" + tableOf("numbers", {"finger", "phase", "begin (s)", "length (s)"}, rows);
 }
 
-std::string bitsTable(const SessionReport& report, const std::vector<StatusLine>& lines) {
+std::string bitsTable(const RecordingReport& report, const std::vector<StatusLine>& lines) {
   std::vector<Cells> rows;
   for (const StatusLine& line : lines) {
     rows.push_back({fingerName(report, line.finger), line.name, std::string(line.meaning),
@@ -83,7 +83,7 @@ std::string bitsTable(const SessionReport& report, const std::vector<StatusLine>
 
 }  // namespace
 
-std::string sizesTable(const SessionReport& report) {
+std::string sizesTable(const RecordingReport& report) {
   struct Quantity {
     Measured measured;
     std::string_view name;
@@ -107,18 +107,18 @@ std::string sizesTable(const SessionReport& report) {
   return "<p>While in contact:</p>\n" + tableOf("numbers", {"", "mean", "median", "95 % are below", "largest"}, rows);
 }
 
-std::string phasesSection(const SessionReport& report) {
+std::string phasesSection(const RecordingReport& report) {
   const std::string times = phaseTimes(report);
   return times.empty() ? times : "<h2>Search and palpation</h2>\n" + times + longestPhases(report);
 }
 
-std::string contactsSection(const SessionReport& report) {
+std::string contactsSection(const RecordingReport& report) {
   std::string html = "<h2>Contacts</h2>\n";
   if (report.statistics.contact_count == 0) return html + "<p>No finger touched the skin.</p>\n";
   std::vector<trace::Contact> contacts = report.statistics.contacts;
   std::stable_sort(contacts.begin(), contacts.end(),
                    [](const auto& a, const auto& b) { return a.first_tick < b.first_tick; });
-  if (contacts.size() > kMostRows) contacts.erase(contacts.begin() + kMostRows, contacts.end());
+  if (contacts.size() > kMaxRows) contacts.erase(contacts.begin() + kMaxRows, contacts.end());
   const bool has_names = !report.body.landmarks.empty();
   std::vector<Cells> rows;
   for (const trace::Contact& contact : contacts) {
@@ -143,7 +143,7 @@ std::string contactsSection(const SessionReport& report) {
   return html + moreLine(report.statistics.contact_count, rows.size(), "contacts");
 }
 
-std::string safetySection(const SessionReport& report) {
+std::string safetySection(const RecordingReport& report) {
   std::string html = "<h2>Safety</h2>\n";
   html += elementOf("p", fmt::format("Emergency stops: {}.", emergencyStops(report))) + "\n";
   const std::vector<StatusLine> safety = safetyLines(report);
@@ -154,7 +154,7 @@ std::string safetySection(const SessionReport& report) {
   return html;
 }
 
-std::string servoSection(const SessionReport& report) {
+std::string servoSection(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
   if (ticks.recorded == 0) return {};
   std::vector<Cells> rows = {
@@ -179,11 +179,11 @@ std::string servoSection(const SessionReport& report) {
          "dropped.</p>\n";
 }
 
-std::string eventsSection(const SessionReport& report) {
+std::string eventsSection(const RecordingReport& report) {
   if (report.events.empty()) return {};
   std::vector<Cells> rows;
-  for (const trace::SessionEvent& event : report.events) {
-    if (rows.size() == kMostRows) break;
+  for (const trace::RecordingEvent& event : report.events) {
+    if (rows.size() == kMaxRows) break;
     const bool known = event.finger && *event.finger < report.facts.fingers.size();
     rows.push_back({fmt::format("{:.3f}", report.secondsAt(event.tick)), known ? fingerName(report, *event.finger) : "",
                     event.kind, event.text});

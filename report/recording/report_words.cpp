@@ -1,4 +1,4 @@
-// What the numbers of a session say in sentences, and the words for its bits.
+// What the numbers of a recording say in sentences, and the words for its bits.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +9,7 @@
 #include "palpate/servo/limiter.h"
 #include "report/page/study_page.h"
 #include "report/plot/forces_plot.h"
-#include "report/recording/session_report.h"
+#include "report/recording/recording_report.h"
 
 namespace palpate::app {
 
@@ -55,7 +55,7 @@ std::string plural(std::uint64_t count, std::string_view thing) {
   return fmt::format("{} {}{}", counted(static_cast<double>(count)), thing, count == 1 ? "" : "s");
 }
 
-std::vector<StatusLine> linesOf(const SessionReport& report, std::span<const StatusName> names,
+std::vector<StatusLine> linesOf(const RecordingReport& report, std::span<const StatusName> names,
                                 std::span<const std::string_view> meanings,
                                 trace::BitTallies trace::FingerStatistics::*tallies) {
   std::vector<StatusLine> lines;
@@ -74,7 +74,7 @@ std::vector<StatusLine> linesOf(const SessionReport& report, std::span<const Sta
 
 // ---- sentences
 
-std::string lengthSentence(const SessionReport& report) {
+std::string lengthSentence(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
   if (ticks.recorded == 0) return "Nothing was recorded: there is not a single tick.";
   const std::string what = report.whole ? "The recording" : "This part of the recording";
@@ -82,7 +82,7 @@ std::string lengthSentence(const SessionReport& report) {
                      plural(report.statistics.fingers.size(), "finger"));
 }
 
-const trace::Contact* strongestContact(const SessionReport& report, std::size_t finger) {
+const trace::Contact* strongestContact(const RecordingReport& report, std::size_t finger) {
   const trace::Contact* strongest = nullptr;
   for (const trace::Contact& contact : report.statistics.contacts) {
     if (contact.finger != finger) continue;
@@ -91,7 +91,7 @@ const trace::Contact* strongestContact(const SessionReport& report, std::size_t 
   return strongest;
 }
 
-std::string touchSentence(const SessionReport& report, std::size_t f) {
+std::string touchSentence(const RecordingReport& report, std::size_t f) {
   const trace::FingerStatistics& finger = report.statistics.fingers[f];
   const std::string& name = report.facts.fingers[f].name;
   if (finger.ticks == 0) return fmt::format("Nothing was recorded of {}.", name);
@@ -105,13 +105,13 @@ std::string touchSentence(const SessionReport& report, std::size_t f) {
                       fixedWords(force.mean(), 2), fixedWords(force.greatest(), 2), fixedWords(depth.mean(), 1),
                       fixedWords(depth.greatest(), 1));
   const trace::Contact* strongest = strongestContact(report, f);
-  if (strongest != nullptr && finger.contacts > 1 && report.statistics.contact_count <= trace::kMostListed) {
+  if (strongest != nullptr && finger.contacts > 1 && report.statistics.contact_count <= trace::kMaxListed) {
     text += fmt::format(" The hardest contact began at {:.2f} s.", report.secondsAt(strongest->first_tick));
   }
   return text;
 }
 
-std::string phaseSentence(const SessionReport& report, std::size_t f) {
+std::string phaseSentence(const RecordingReport& report, std::size_t f) {
   const trace::FingerStatistics& finger = report.statistics.fingers[f];
   if (finger.contacts == 0) return {};
   const std::uint64_t all = finger.phase_ticks[0] + finger.phase_ticks[1] + finger.phase_ticks[2];
@@ -124,7 +124,7 @@ std::string phaseSentence(const SessionReport& report, std::size_t f) {
       share(trace::Phase::away), fixedWords(finger.path_mm, 0));
 }
 
-std::string coverageSentence(const SessionReport& report) {
+std::string coverageSentence(const RecordingReport& report) {
   if (!report.body.surface) return report.body.why_not;
   const trace::TouchedSurface& surface = *report.body.surface;
   if (surface.touched_dorsal_mm2 == 0.0) {
@@ -137,12 +137,12 @@ std::string coverageSentence(const SessionReport& report) {
 }
 
 /// Empty for a recording within the safe limits.
-std::string unsafeSentence(const SessionReport& report) {
+std::string unsafeSentence(const RecordingReport& report) {
   return report.unsafe.empty() ? ""
                                : fmt::format("Recorded with --unsafe-stiffness ({}). ", fmt::join(report.unsafe, "; "));
 }
 
-std::string safetySentence(const SessionReport& report) {
+std::string safetySentence(const RecordingReport& report) {
   const std::uint64_t stops = emergencyStops(report);
   if (safetyLines(report).empty()) return unsafeSentence(report) + "The safety limits never had to act.";
   std::string words;
@@ -158,7 +158,7 @@ std::string safetySentence(const SessionReport& report) {
                                 : fmt::format("The emergency stop was pressed {}.", plural(stops, "time")));
 }
 
-std::string servoSentence(const SessionReport& report) {
+std::string servoSentence(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
   const std::string expected = counted(static_cast<double>(ticks.expected()));
   std::string text = fmt::format("All {} ticks were recorded.", expected);
@@ -177,7 +177,7 @@ std::string servoSentence(const SessionReport& report) {
 
 }  // namespace
 
-std::vector<std::string> reportSentences(const SessionReport& report) {
+std::vector<std::string> reportSentences(const RecordingReport& report) {
   std::vector<std::string> sentences = {lengthSentence(report)};
   if (report.statistics.ticks.recorded > 0) {
     for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
@@ -192,15 +192,15 @@ std::vector<std::string> reportSentences(const SessionReport& report) {
   return sentences;
 }
 
-std::vector<StatusLine> safetyLines(const SessionReport& report) {
+std::vector<StatusLine> safetyLines(const RecordingReport& report) {
   return linesOf(report, safetyStatusNames(), kSafetyMeanings, &trace::FingerStatistics::safety);
 }
 
-std::vector<StatusLine> contactLines(const SessionReport& report) {
+std::vector<StatusLine> contactLines(const RecordingReport& report) {
   return linesOf(report, contactStatusNames(), kContactMeanings, &trace::FingerStatistics::contact_status);
 }
 
-std::uint64_t emergencyStops(const SessionReport& report) {
+std::uint64_t emergencyStops(const RecordingReport& report) {
   std::uint64_t most = 0;
   for (const trace::FingerStatistics& finger : report.statistics.fingers) {
     most = std::max(most, finger.safety[std::countr_zero(std::uint32_t{servo::kEmergencyStop})].times);

@@ -13,14 +13,152 @@
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "palpate/tissue/fitting/smoothed_force.h"
+#include "palpate/tissue/fitting/force_rows.h"
+#include "report/charts/figure.h"
 #include "report/charts/picture_file.h"
-#include "solve/commands/force_fit_figure.h"
-#include "solve/commands/force_report.h"
+#include "solve/commands/fit_reports.h"
 
 namespace palpate::app {
 
 namespace {
+
+// Measured forces and the laws that were fitted to them, as a picture.
+
+using figures::Plot;
+using figures::Series;
+using tissue::ForceFit;
+using tissue::ForceForm;
+
+constexpr figures::Colour kRows{0.55, 0.55, 0.55};
+
+figures::Colour colourOf(ForceForm form) { return figures::seriesColour(static_cast<std::size_t>(form)); }
+
+figures::Stroke strokeOf(ForceForm form, ForceForm chosen) {
+  return form == chosen ? figures::Stroke::solid : figures::Stroke::dashed;
+}
+
+std::string nameWithRms(const ForceFit& fit) { return fmt::format("{}, {:.1f} %", nameOf(fit.form), 100.0 * fit.rms); }
+
+Series lawSeries(const ForceFit& fit, double from_mm, double to_mm, double scale, ForceForm chosen) {
+  constexpr int kPoints = 200;
+  Series law{.name = nameWithRms(fit), .stroke = strokeOf(fit.form, chosen), .colour = colourOf(fit.form)};
+  if (fit.form == chosen) law.width_px = 2.6;
+  for (int i = 0; i <= kPoints; ++i) {
+    const double depth = from_mm + (to_mm - from_mm) * i / kPoints;
+    law.x.push_back(depth);
+    law.y.push_back(scale * forceOf(fit, depth));
+  }
+  return law;
+}
+
+Series rowSeries(const std::string& name, const tissue::ForceCurve& curve) {
+  return {.name = name,
+          .x = curve.depth_mm,
+          .y = curve.force_n,
+          .stroke = figures::Stroke::none,
+          .marker = figures::Marker::circle,
+          .colour = kRows};
+}
+
+double deepestOf(const tissue::ForceCurve& curve) { return *std::ranges::max_element(curve.depth_mm); }
+
+// --- one curve
+
+Plot forcePlot(const FittedCurve& one, ForceForm chosen) {
+  Plot plot{.title = "force", .x = {.label = "depth", .unit = "mm"}, .y = {.label = "force", .unit = "N"}};
+  plot.series.push_back(rowSeries("measured", one.curve));
+  const double from = std::min(0.0, *std::ranges::min_element(one.curve.depth_mm));
+  for (const ForceFit& fit : one.fits) {
+    plot.series.push_back(lawSeries(fit, from, deepestOf(one.curve), 1.0, chosen));
+  }
+  return plot;
+}
+
+/// In the measure of the RMS.
+Plot missPlot(const FittedCurve& one, ForceForm chosen) {
+  Plot plot{
+      .title = "what is missed", .x = {.label = "depth", .unit = "mm"}, .y = {.label = "fit - measured", .unit = "%"}};
+  const double floor = 0.3 * *std::ranges::max_element(one.curve.force_n);
+  for (const ForceFit& fit : one.fits) {
+    Series miss{.name = std::string(nameOf(fit.form)),
+                .stroke = figures::Stroke::none,
+                .marker = fit.form == chosen ? figures::Marker::circle : figures::Marker::cross,
+                .colour = colourOf(fit.form)};
+    for (std::size_t i = 0; i < one.curve.depth_mm.size(); ++i) {
+      const double force = one.curve.force_n[i];
+      miss.x.push_back(one.curve.depth_mm[i]);
+      miss.y.push_back(100.0 * (forceOf(fit, one.curve.depth_mm[i]) - force) / std::max(force, floor));
+    }
+    plot.series.push_back(std::move(miss));
+  }
+  return plot;
+}
+
+// --- several
+
+/// In units of its own force at the reference depth, from the contact on.
+Series scaledRows(const FittedCurve& one) {
+  const ForceFit& power = fitOf(one.fits, ForceForm::power);
+  const double scale = 1.0 / (tissue::kReferenceDepthMm * power.secant.value);
+  const tissue::ForceRows rows = rowsOf(one.curve);
+  Series line{.colour = kRows, .width_px = 0.8};
+  for (Eigen::Index i = 0; i < rows.depth_mm.size(); ++i) {
+    line.x.push_back(rows.depth_mm[i] - power.offset.value);
+    line.y.push_back(scale * rows.force_n[i]);
+  }
+  return line;
+}
+
+Plot sharedPlot(const ForceResult& result) {
+  Plot plot{.title = "all curves, each by its own stiffness",
+            .x = {.label = "depth from the contact", .unit = "mm"},
+            .y = {.label = "force over that at 8 mm"}};
+  double deepest = 0.0;
+  for (const FittedCurve& one : result.curves) {
+    plot.series.push_back(scaledRows(one));
+    deepest = std::max(deepest, plot.series.back().x.back());
+  }
+  plot.series.front().name = "measured";
+  for (const ForceFit& fit : result.shared) {
+    const double scale = 1.0 / (tissue::kReferenceDepthMm * fit.secant.value);
+    plot.series.push_back(lawSeries(fit, 0.0, deepest, scale, result.chosen));
+  }
+  return plot;
+}
+
+/// Sorted: how many curves have an exponent up to this.
+Plot exponentPlot(const ForceResult& result) {
+  Plot plot{.title = "exponents of the places",
+            .x = {.label = "exponent of a power law"},
+            .y = {.label = "curves up to it", .unit = "%"}};
+  Series all{.marker = figures::Marker::circle};
+  for (const FittedCurve& one : result.curves) {
+    all.x.push_back(fitOf(one.fits, ForceForm::power).numbers.front().value);
+  }
+  std::ranges::sort(all.x);
+  for (std::size_t i = 0; i < all.x.size(); ++i) {
+    all.y.push_back(100.0 * (static_cast<double>(i) + 0.5) / static_cast<double>(all.x.size()));
+  }
+  plot.y.from = 0.0;
+  plot.y.to = 100.0;
+  plot.series.push_back(std::move(all));
+  return plot;
+}
+
+/// Rows, laws and what they miss of one curve; of several curves all of them over each other, and their exponents.
+figures::Figure forceFitFigure(const ForceResult& result) {
+  figures::Figure figure;
+  figure.title = result.file;
+  figure.columns = 2;
+  if (result.shared.empty()) {
+    figure.panels = {forcePlot(result.curves.front(), result.chosen), missPlot(result.curves.front(), result.chosen)};
+  } else {
+    figure.panels = {sharedPlot(result), exponentPlot(result)};
+  }
+  figure.note =
+      "Percentages are of max(force, 0.3 of the largest); in the legend their RMS. The chosen form is drawn through.";
+  return figure;
+}
 
 using tissue::ForceCurve;
 using tissue::ForceFit;

@@ -14,7 +14,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "report/charts/picture_file.h"
-#include "solve/commands/profile_report.h"
+#include "solve/commands/fit_reports.h"
 
 namespace palpate::app {
 
@@ -137,14 +137,14 @@ void addFitProfileCommand(CLI::App& parent) {
   CLI::App& command = *parent.add_subcommand("profile", "Find the shape of pressed skin from measured places");
   command.add_option("--data,CURVES", a.data, "Table depth_mm,r_mm,down_mm and, where it was measured, outward_mm")
       ->required();
-  command.add_option("--forces", a.forces, "Table depth_mm,force_n of the same place; left out: forces are 0, unknown");
+  command.add_option("--forces", a.forces, "Table depth_mm,force_n of the same place (default: forces are 0, unknown)");
   command.add_option("--layer", a.layers, "What lies there, NAME:THICKNESS:MODULUS from the skin down; repeatable")
       ->allow_extra_args(false);
   addNumber(command, "--indenter-radius-mm", a.indenter_radius_mm, between(0.1, 1000.0, "mm"), "Of the sphere");
   takesOneOf(profileFormWords(),
              command.add_option("--form", a.form, "Of the table; best: what foretells unseen places best"))
       ->capture_default_str();
-  command.add_option("-o,--out", a.output, "Table of layered tissue to write (docs/explanation/tissue.md)");
+  command.add_option("-o,--out", a.output, "Table of layered tissue to write (docs/reference/tissue-tables.md)");
   command.add_option("--profile", a.profile, "Table q,value to write, as profile_file of a scene reads it");
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");

@@ -1,4 +1,4 @@
-#include "solve/commands/force_report.h"
+#include "solve/commands/fit_reports.h"
 
 #include <fmt/format.h>
 
@@ -65,10 +65,10 @@ std::string fitsText(const std::vector<ForceFit>& fits, ForceForm chosen) {
 }
 
 std::string curvesText(const ForceResult& result) {
-  constexpr std::size_t kMostShown = 40;
+  constexpr std::size_t kMaxShown = 40;
   std::string text = fmt::format("{:<24}{:>6}{:>9}{:>14}{:>10}{:>8}  {}\n", "curve", "rows", "deepest", "N/mm at 8 mm",
                                  "exponent", "RMS", "best form");
-  for (std::size_t i = 0; i < std::min(result.curves.size(), kMostShown); ++i) {
+  for (std::size_t i = 0; i < std::min(result.curves.size(), kMaxShown); ++i) {
     const FittedCurve& one = result.curves[i];
     const ForceFit& power = fitOf(one.fits, ForceForm::power);
     const ForceFit& best = bestOf(one.fits);
@@ -76,7 +76,7 @@ std::string curvesText(const ForceResult& result) {
                         power.deepest_mm, power.secant.value, exponentOf(power), 100.0 * power.rms, nameOf(best.form),
                         100.0 * best.rms);
   }
-  if (result.curves.size() > kMostShown) text += fmt::format("... {} more\n", result.curves.size() - kMostShown);
+  if (result.curves.size() > kMaxShown) text += fmt::format("... {} more\n", result.curves.size() - kMaxShown);
   return text;
 }
 
@@ -140,9 +140,9 @@ std::string sceneKeys(const ForceResult& result) {
   const ForceFit& fit = fitOf(result.fits(), result.chosen);
   std::string keys = "[tissue]\n";
   const auto number = [&](std::size_t i) { return fit.numbers[i].value; };
-  constexpr double kLeastExponent = 1.0;  // that a scene takes
-  constexpr double kMostExponent = 3.0;
-  const bool known_power = fit.form == ForceForm::power && number(0) >= kLeastExponent && number(0) <= kMostExponent;
+  constexpr double kMinExponent = 1.0;  // that a scene takes
+  constexpr double kMaxExponent = 3.0;
+  const bool known_power = fit.form == ForceForm::power && number(0) >= kMinExponent && number(0) <= kMaxExponent;
   if (fit.form == ForceForm::linear) {
     keys += "force_law = \"linear\"\n";
   } else if (known_power) {

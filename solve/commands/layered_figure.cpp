@@ -1,4 +1,4 @@
-// Depths are told apart by the shade of an ordered colour map, stacks by colour and marker.
+// Depths are distinguished by the shade of an ordered colour map, stacks by colour and marker.
 #include "solve/commands/layered_figure.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "solve/commands/living_report.h"
+#include "solve/commands/realism_reports.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "solve/realism/limb_sites.h"
+#include "solve/realism/living_limbs.h"
 
 namespace palpate::app {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "solve/commands/profile_report.h"
+#include "solve/commands/fit_reports.h"
 
 namespace palpate::app {
 

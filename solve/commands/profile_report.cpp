@@ -1,4 +1,4 @@
-#include "solve/commands/profile_report.h"
+#include "solve/commands/fit_reports.h"
 
 #include <fmt/format.h>
 

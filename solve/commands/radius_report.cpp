@@ -1,5 +1,5 @@
 // The truth is solved now, each sphere on its own mesh; the product blends the shipped stacks as it does on a body.
-#include "solve/commands/radius_report.h"
+#include "solve/commands/realism_reports.h"
 
 #include <fmt/format.h>
 

@@ -10,8 +10,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "report/charts/picture_file.h"
-#include "solve/commands/living_report.h"
-#include "solve/commands/radius_report.h"
+#include "solve/commands/realism_reports.h"
 #include "solve/commands/realism_stacks.h"
 
 namespace palpate::app {
@@ -184,7 +183,7 @@ void addRealismCommand(CLI::App& tissue) {
       "realism",
       "How far the skin and the force are from finite elements of layered tissue (docs/explanation/realism.md)");
   command.add_option("--cases", a.cases,
-                     "JSON of solved presses to judge by; left out: six places of a body, solved now (some 30 s)");
+                     "JSON of solved presses to judge by (default: six places of a body, solved now (some 30 s))");
   CLI::Option& living =
       *command.add_option("--living", a.living,
                           "Compare with presses of an ultrasound probe on living limbs instead (N/mm): the list " +

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "solve/realism/realism_figures.h"
+#include "solve/realism/realism.h"
 
 namespace palpate::app {
 

@@ -158,7 +158,7 @@ void addTissueShowCommand(CLI::App& parent) {
   command.add_option("TABLE", a.files, "Tables of `palpate tissue solve` or `palpate tissue fit profile`")->required();
   command.add_option("-o,--out", a.output, "Picture to write: .png or .svg");
   addNumber(command, "--depth", a.depth_mm, above(0.0, 500.0, "mm"),
-            "Draw the skin at this depth; left out: at every depth of one table, at the deepest that several share");
+            "Draw the skin at this depth (default: at every depth of one table, at the deepest that several share)");
   addNumber(command, "--radius-mm", a.radius_mm, between(1.0, 10'000.0, "mm"), "Draw the skin as far as this");
   command.add_option("--title", a.title, "Above the picture");
   addNumber(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel")->capture_default_str();

@@ -47,10 +47,10 @@ std::vector<double> depthsFrom(const std::string& words) {
   std::ranges::replace(with_commas, ':', ',');
   const std::vector<double> three = numbersFrom("--depths", with_commas, limits);
   if (three.size() != 3) throw Error(fmt::format("--depths {}: a range is FROM:TO:STEP, as in 1:10:1", words));
-  constexpr double kMost = 200.0;
+  constexpr double kMax = 200.0;
   const double steps = std::floor((three[1] - three[0]) / three[2] + 1e-9);
-  if (!(steps >= 0.0 && steps < kMost)) {
-    throw Error(fmt::format("--depths {}: it must hold 1 to {:g} depths", words, kMost));
+  if (!(steps >= 0.0 && steps < kMax)) {
+    throw Error(fmt::format("--depths {}: it must hold 1 to {:g} depths", words, kMax));
   }
   std::vector<double> depths;
   for (int i = 0; i <= static_cast<int>(steps); ++i) depths.push_back(three[0] + i * three[2]);

@@ -4,6 +4,18 @@
 
 namespace palpate::app {
 
+namespace {
+
+/// `palpate tissue fit`: laws and shapes of tissue from what was measured.
+void addFitCommand(CLI::App& tissue) {
+  CLI::App& fit = *tissue.add_subcommand("fit", "Find force laws and skin profiles of measured tissue");
+  fit.require_subcommand(1);
+  addFitForceCommand(fit);
+  addFitProfileCommand(fit);
+}
+
+}  // namespace
+
 void addTissueCommand(CLI::App& app) {
   CLI::App& tissue = *app.add_subcommand(
       "tissue", "Layered tissue: solved and shown, force laws and profiles fitted, realism, published moduli");

@@ -1,5 +1,5 @@
 // Reads the cases key by key, so that a fault is told with its place.
-#include "solve/realism/fem_cases.h"
+#include "solve/realism/realism.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostBytes = 64u << 20u;
+constexpr std::size_t kMaxCaseBytes = 64u << 20u;
 
 [[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
   throw Error::inFile(file.string(), what);
@@ -81,7 +81,7 @@ bool isLayered(const tissue::LayerStack& stack) {
 FemCases readFemCases(const std::filesystem::path& file) {
   Json json;
   try {
-    json = Json::parse(readFile(file, kMostBytes));
+    json = Json::parse(readFile(file, kMaxCaseBytes));
   } catch (const Json::exception& error) {
     fail(file, fmt::format("not JSON: {}", error.what()));
   }

@@ -1,4 +1,4 @@
-#include "solve/realism/limb_sites.h"
+#include "solve/realism/living_limbs.h"
 
 #include <algorithm>
 #include <array>

@@ -8,9 +8,8 @@
 #include <string>
 #include <tuple>
 
-#include "palpate/elements/probe_solver.h"
+#include "palpate/elements/drag_solver.h"
 #include "palpate/tissue/published.h"
-#include "solve/realism/limb_sites.h"
 
 namespace palpate::lab {
 

@@ -1,4 +1,4 @@
-#include "solve/realism/living_tests.h"
+#include "solve/realism/living_limbs.h"
 
 #include <fmt/format.h>
 
@@ -10,13 +10,12 @@
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "solve/realism/limb_sites.h"
 
 namespace palpate::lab {
 
 namespace {
 
-constexpr std::uint64_t kMaxBytes = 16u << 20u;
+constexpr std::uint64_t kMaxLivingBytes = 16u << 20u;
 constexpr NumberRange kPeople{0.0, 1e6};
 constexpr NumberRange kCoverMm{4.0, 200.0};
 constexpr NumberRange kSkinMm{0.1, 10.0};
@@ -76,7 +75,7 @@ LivingTests readLivingTests(const std::filesystem::path& list_or_folder) {
   std::error_code ignored;
   const bool folder = std::filesystem::is_directory(list_or_folder, ignored);
   const std::filesystem::path file = folder ? list_or_folder / kLivingList : list_or_folder;
-  const std::string text = readFile(file, kMaxBytes);
+  const std::string text = readFile(file, kMaxLivingBytes);
   LivingTests result;
   Header header;
   forEachCsvRow(text, file.string(), [&](const CsvRow& row) {

@@ -7,14 +7,45 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "palpate/base/progress.h"
 #include "palpate/elements/drag_solver.h"
 #include "palpate/scene/world.h"
-#include "solve/realism/fem_cases.h"
+#include "palpate/tissue/layered_table.h"
 
 namespace palpate::lab {
+
+// Solved presses to be judged by: the skin's shape and the force of stacks of layers at single depths.
+//
+// The form: {"r": [radii, mm], "cases": [{"name", "layers_mm_kPa": [[mm, kPa], ...], "depth": mm, "u0": mm, "force_N",
+// "uz": [down / u0], "ur": [outward / u0]}, ...]}. Keys beyond these are left alone, but "friction": a case with any
+// other than "none" is listed as left out, since our fingertip is frictionless while it presses.
+
+struct FemCase {
+  std::string name;
+  tissue::LayerStack stack;
+  tissue::PressedShape truth;  ///< at the radii of the file
+};
+
+struct FemCases {
+  std::vector<double> radii_mm;
+  std::vector<FemCase> cases;
+  std::vector<std::string> left_out;  ///< "name at 5 mm: friction sticking"
+};
+
+/// True for more than one modulus.
+bool isLayered(const tissue::LayerStack& stack);
+
+/// Throws Error naming the file, the case and the key.
+FemCases readFemCases(const std::filesystem::path& file);
+
+/// The cases that a table holds, one a depth.
+FemCases casesOf(const tissue::LayeredTable& table, const std::string& name);
 
 /// What is judged.
 struct ShapeError {
@@ -43,5 +74,54 @@ double pressedForce(const scene::World& world, double radius_mm, double depth_mm
 
 /// A drag of the skin: RMS over 60 mm along and across, a square, of the share that follows.
 double dragError(const scene::World& world, const elements::DragField& truth);
+
+// The figure for realism: a row for each solved press, with the layered, the Gaussian and the literal skin beside it.
+
+/// A stack, solved; and the tissue that the product has for it.
+struct JudgedStack {
+  std::string name;
+  FemCases truth = {};
+  std::optional<elements::DragField> drag = {};  ///< solved too
+  std::shared_ptr<const tissue::LayeredTissue> tissue = nullptr;
+  double thickness_mm = 0.0;
+};
+
+struct JudgedPress {
+  std::string name;
+  double depth_mm = 0.0;
+  bool layered_stack = false;  ///< more than one modulus
+  double true_force_n = 0.0;
+  PressError layered;
+  PressError gaussian;
+  PressError literal;
+};
+
+struct JudgedDrag {
+  std::string name;
+  bool layered_stack = false;
+  double layered_rms = 0.0;  ///< fractions of the drag
+  double gaussian_rms = 0.0;
+};
+
+/// Of layered stacks; presses of at least `from_mm`.
+struct WorstErrors {
+  double normal_rms = 0.0;
+  double vector_rms = 0.0;
+  double force_error = 0.0;
+};
+
+struct RealismFigures {
+  std::vector<JudgedPress> presses;
+  std::vector<JudgedDrag> drags;
+  std::vector<std::string> left_out;
+
+  WorstErrors worst(PressError JudgedPress::*of, double from_mm) const;
+  double worstDrag(double JudgedDrag::*of) const;
+};
+
+/// Presses shallower than this are shown and not judged by the shape.
+inline constexpr double kJudgedFromMm = 5.0;
+
+RealismFigures judgeRealism(const std::vector<JudgedStack>& stacks, const Progress& progress = {});
 
 }  // namespace palpate::lab

@@ -1,5 +1,5 @@
 // Three worlds a stack, each pressed as often as there are solved depths.
-#include "solve/realism/realism_figures.h"
+#include "solve/realism/realism.h"
 
 #include <algorithm>
 #include <cmath>

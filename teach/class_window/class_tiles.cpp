@@ -1,4 +1,4 @@
-#include "teach/class_window/class_tiles.h"
+#include "teach/class_window/class_window.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -29,7 +29,7 @@ ImU32 inkOfText(float opacity = 1.0f) {
   return ImGui::ColorConvertFloat4ToU32(ink);
 }
 
-std::string kindWords(training::SittingKind kind) {
+std::string kindWords(training::SessionKind kind) {
   std::string words(wordFor(kind));
   std::replace(words.begin(), words.end(), '_', '-');
   return words;

@@ -10,7 +10,6 @@
 #include "palpate/view/scene_view.h"
 #include "palpate/window/gui.h"
 #include "palpate/window/window.h"
-#include "teach/class_window/class_tiles.h"
 
 namespace palpate::viewer {
 

@@ -32,7 +32,7 @@ using classroom::MqttSettings;
 
 constexpr double kPatienceS = 5.0;
 constexpr double kShutOutS = 1.5;  // a broker that lets nobody in says so sooner
-constexpr std::uint64_t kMostPemBytes = 65536;
+constexpr std::uint64_t kMaxPemBytes = 65536;
 
 struct Finding {
   std::string what = {};
@@ -60,7 +60,7 @@ Finding lifeOf(const classroom::CertificateLife& life) {
 
 Finding checkCertificate(const std::string& whose, const std::filesystem::path& file) {
   try {
-    return lifeOf({whose, file, classroom::daysLeft(readFile(file, kMostPemBytes))});
+    return lifeOf({whose, file, classroom::daysLeft(readFile(file, kMaxPemBytes))});
   } catch (const Error& error) {
     return {fmt::format("certificate of {}", whose), false, error.what()};
   }
@@ -86,7 +86,7 @@ std::vector<std::filesystem::path> keysIn(const std::filesystem::path& folder) {
 Finding checkConfiguration(const classroom::ClassFolder& folder) {
   const std::string outdated = classroom::outdatedConfiguration(folder);
   return {"configuration of the broker", outdated.empty(),
-          outdated.empty() ? "" : outdated + "; `palpate class renew` writes it anew"};
+          outdated.empty() ? "" : outdated + "; `palpate class renew` writes it again"};
 }
 
 Finding checkConnection(const Member& member) {

@@ -121,7 +121,7 @@ void addClassInitCommand(CLI::App& parent) {
                      "Name or address under which stations reach this computer, several: the first is used");
   addNumber(command, "--port", arguments->plan.port, between(1, 65535), "Of the broker")->capture_default_str();
   addNumber(command, "--retain-days", arguments->plan.retention.days, between(1, 36500, "days"),
-            "Rows are kept so many days after a sitting")
+            "Rows are kept so many days after a session")
       ->capture_default_str();
   addNumber(command, "--retain-samples-days", arguments->plan.retention.samples_days, between(1, 36500, "days"),
             "Session files, at the stations, so many")

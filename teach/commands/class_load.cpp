@@ -1,4 +1,4 @@
-#include "teach/commands/class_load.h"
+#include "teach/commands/class_commands.h"
 
 #include <fmt/format.h>
 
@@ -16,8 +16,8 @@
 #include "palpate/base/stopwatch.h"
 #include "palpate/classroom/mqtt_link.h"
 #include "palpate/classroom/station_link.h"
-#include "palpate/training/records/sha256.h"
 #include "palpate/training/records/trainee_code.h"
+#include "palpate/training/sha256.h"
 
 namespace palpate::app {
 
@@ -54,8 +54,8 @@ class LoadedStation {
   training::Uuid answer() {
     training::TrialRow trial;
     trial.id = newId();
-    trial.block = block_.id;
-    trial.sitting = sitting_.id;
+    trial.block_id = block_.id;
+    trial.session_id = session_.id;
     trial.number = ++trials_;
     trial.end_ms = training::utcMs();
     trial.start_ms = trial.end_ms - 20'000;
@@ -64,13 +64,13 @@ class LoadedStation {
     trial.site_true = 1 + static_cast<int>(random_.below(kSites));
     trial.site_answer = random_.below(2) == 0 ? trial.site_true : 1 + static_cast<int>(random_.below(kSites));
     trial.correct = trial.site_true == trial.site_answer;
-    trial.visited = kSites;
+    trial.sites_felt = kSites;
     trial.peak_force_n = 2.0;
     for (int site = 1; site <= kSites; ++site) trial.visits.push_back({site, 2, 700.0, 2.0, 1.2, 4.0});
     block_.trials = trials_;
     block_.threshold = 0.28 / std::sqrt(trials_);
-    block_.low = 0.6 * block_.threshold;
-    block_.high = 1.6 * block_.threshold;
+    block_.threshold_low = 0.6 * block_.threshold;
+    block_.threshold_high = 1.6 * block_.threshold;
     block_.finished = trials_ % kTrialsOfBlock == 0;
     wrong_in_a_row_ = trial.correct ? 0 : wrong_in_a_row_ + 1;
     block_.state_json += fmt::format("[{},{}]", trial.site_true, trial.site_answer);
@@ -78,10 +78,10 @@ class LoadedStation {
     const double trial_change = trial.change;
     store_.keep(std::vector<training::Row>{block_, std::move(trial)});
     classroom::StationState state;
-    state.sitting = sitting_.id;
-    state.trainee = sitting_.trainee;
+    state.session = session_.id;
+    state.trainee = session_.trainee_id;
     state.screen = training::Screen::trial;
-    state.kind = training::SittingKind::pre_test;
+    state.kind = training::SessionKind::pre_test;
     state.trial = trials_ + 1;
     state.trials_at_most = kTrialsOfBlock;
     state.change = trial_change;
@@ -101,24 +101,24 @@ class LoadedStation {
     trainee.class_id = member.class_id;
     trainee.created_ms = training::utcMs();
     training::ProtocolRow protocol{"load", 1, "", training::sha256Hex("load")};
-    sitting_.id = newId();
-    sitting_.trainee = trainee.id;
-    sitting_.station = member.station_id;
-    sitting_.start_ms = training::utcMs();
-    sitting_.app_version = "load";
+    session_.id = newId();
+    session_.trainee_id = trainee.id;
+    session_.station_id = member.station_id;
+    session_.start_ms = training::utcMs();
+    session_.app_version = "load";
     block_.id = newId();
-    block_.sitting = sitting_.id;
+    block_.session_id = session_.id;
     block_.protocol_id = protocol.id;
     store_.keep(training::ClassRow{.id = member.class_id});
     store_.keep(training::StationRow{member.station_id, member.name, "", "none", 0});
     store_.keep(trainee);
     store_.keep(protocol);
-    store_.keep(std::vector<training::Row>{sitting_, block_});
+    store_.keep(std::vector<training::Row>{session_, block_});
   }
 
   Store store_;
   Random random_;
-  training::SittingRow sitting_;
+  training::SessionRow session_;
   training::BlockRow block_;
   int trials_ = 0;
   int wrong_in_a_row_ = 0;

@@ -1,5 +1,5 @@
-// `palpate class load DIR`, which the help does not list: a class of simulated stations (class_load.h), and the servo
-// loop beside one station's link. tools/check-class runs it.
+// `palpate class load DIR`, which the help does not list: a class of simulated stations (class_commands.h), and the
+// servo loop beside one station's link. tools/check-class runs it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 #include <thread>
 #include <vector>
 
-#include "cli/kit/default_scene.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
-#include "cli/simulate/servo_run.h"
+#include "cli/simulate/realtime_run.h"
 #include "palpate/base/error.h"
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/station_link.h"
@@ -25,7 +25,6 @@
 #include "palpate/training/records/store.h"
 #include "palpate/training/records/trainee_code.h"
 #include "teach/commands/class_commands.h"
-#include "teach/commands/class_load.h"
 
 namespace palpate::app {
 

@@ -8,10 +8,10 @@
 #include <thread>
 
 #include "cli/kit/commands.h"
-#include "cli/kit/default_scene.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
@@ -42,8 +42,8 @@ struct ClassWatchArguments {
 /// What was measured before anybody watched.
 void rememberRecords(const std::string& file, classroom::ClassWatch& watch) {
   training::Store store = recordsAt(file, training::Store::Open::read_only);
-  for (const training::SittingRow& sitting : store.sittings()) {
-    for (const training::BlockRow& block : store.blocks(sitting.id)) watch.remember(sitting.trainee, block);
+  for (const training::SessionRow& session : store.sessions()) {
+    for (const training::BlockRow& block : store.blocks(session.id)) watch.remember(session.trainee_id, block);
   }
 }
 
@@ -76,7 +76,7 @@ void runClassWatch(const ClassWatchArguments& arguments) {
   const std::filesystem::path folder = arguments.folder;
   const bool whole = std::filesystem::exists(folder / "class.toml");
   const classroom::Member member = classroom::readMember(whole ? folder / "instructor" : folder);
-  if (member.role != classroom::Role::instructor) throw Error(arguments.folder + ": is no instructor's folder");
+  if (member.role != classroom::Role::instructor) throw Error(arguments.folder + ": is not an instructor's folder");
   const int days = classroom::daysLeft(readFile(member.certificate, 65536));
   for (const std::string& line : classroom::certificateWarnings({{"this window", member.certificate, days}})) {
     say(fmt::format("palpate: {}\n", line));

@@ -11,7 +11,7 @@
 #include "palpate/base/nearest_name.h"
 #include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/database_copy.h"
-#include "palpate/training/records/default_records.h"
+#include "palpate/training/records/store.h"
 #include "palpate/training/records/trainee_code.h"
 #include "teach/commands/results_commands.h"
 
@@ -20,24 +20,24 @@ namespace palpate::app {
 namespace {
 
 using training::BlockRow;
-using training::SittingRow;
+using training::SessionRow;
 using training::Store;
 using training::TraineeRow;
 
 /// Fewer letters of a pseudonym could be anybody's.
-constexpr std::size_t kLeastPseudonym = 4;
+constexpr std::size_t kMinPseudonym = 4;
 
 std::string resultsPercent(double share) { return fmt::format("{:.3g}", 100.0 * share); }
 
-std::string resultsKind(training::SittingKind kind) {
+std::string resultsKind(training::SessionKind kind) {
   std::string words(wordFor(kind));
   std::ranges::replace(words, '_', '-');
   return words;
 }
 
-std::size_t trialsOf(Store& store, const SittingRow& sitting) {
+std::size_t trialsOf(Store& store, const SessionRow& session) {
   std::size_t trials = 0;
-  for (const BlockRow& block : store.blocks(sitting.id)) trials += store.trials(block.id).size();
+  for (const BlockRow& block : store.blocks(session.id)) trials += store.trials(block.id).size();
   return trials;
 }
 
@@ -110,7 +110,7 @@ TraineeRow traineeCalled(Store& store, const std::string& code_or_id) {
   }
   std::vector<TraineeRow> found;
   for (const TraineeRow& trainee : store.trainees()) {
-    if (code_or_id.size() >= kLeastPseudonym && trainee.id.starts_with(code_or_id)) found.push_back(trainee);
+    if (code_or_id.size() >= kMinPseudonym && trainee.id.starts_with(code_or_id)) found.push_back(trainee);
   }
   if (found.size() == 1) return found.front();
   if (found.empty()) {
@@ -127,11 +127,11 @@ std::string whenWords(std::int64_t ms) {
 
 std::string thresholdWords(const BlockRow& block) {
   if (block.method == training::Method::mastery) {
-    return block.level ? fmt::format("level {} %", resultsPercent(*block.level)) : std::string();
+    return block.mastered_change ? fmt::format("level {} %", resultsPercent(*block.mastered_change)) : std::string();
   }
   if (block.threshold <= 0.0 || block.trials == 0) return {};
-  return fmt::format("{} % ({} to {} %)", resultsPercent(block.threshold), resultsPercent(block.low),
-                     resultsPercent(block.high));
+  return fmt::format("{} % ({} to {} %)", resultsPercent(block.threshold), resultsPercent(block.threshold_low),
+                     resultsPercent(block.threshold_high));
 }
 
 nlohmann::ordered_json blockJson(const BlockRow& block) {
@@ -141,24 +141,25 @@ nlohmann::ordered_json blockJson(const BlockRow& block) {
           {"finished", block.finished},
           {"trials", block.trials},
           {"threshold", block.threshold},
-          {"low", block.low},
-          {"high", block.high},
-          {"level", block.level ? nlohmann::ordered_json(*block.level) : nlohmann::ordered_json(nullptr)},
+          {"low", block.threshold_low},
+          {"high", block.threshold_high},
+          {"level",
+           block.mastered_change ? nlohmann::ordered_json(*block.mastered_change) : nlohmann::ordered_json(nullptr)},
           {"verdict", wordFor(block.verdict)}};
 }
 
-nlohmann::ordered_json sittingJson(Store& store, const SittingRow& sitting) {
+nlohmann::ordered_json sessionJson(Store& store, const SessionRow& session) {
   nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
-  for (const BlockRow& block : store.blocks(sitting.id)) blocks.push_back(blockJson(block));
-  return {{"sitting", sitting.id},        {"trainee", sitting.trainee},         {"kind", wordFor(sitting.kind)},
-          {"start_ms", sitting.start_ms}, {"end_ms", sitting.end_ms},           {"device", sitting.device},
-          {"file", sitting.file},         {"trials", trialsOf(store, sitting)}, {"blocks", blocks}};
+  for (const BlockRow& block : store.blocks(session.id)) blocks.push_back(blockJson(block));
+  return {{"sitting", session.id},        {"trainee", session.trainee_id},      {"kind", wordFor(session.kind)},
+          {"start_ms", session.start_ms}, {"end_ms", session.end_ms},           {"device", session.device},
+          {"file", session.file},         {"trials", trialsOf(store, session)}, {"blocks", blocks}};
 }
 
-std::string sittingLine(Store& store, const SittingRow& sitting) {
-  std::string line = fmt::format("{}  {}  {:9}  {:3} trials", whenWords(sitting.start_ms), sitting.trainee.substr(0, 8),
-                                 resultsKind(sitting.kind), trialsOf(store, sitting));
-  for (const BlockRow& block : store.blocks(sitting.id)) {
+std::string sessionLine(Store& store, const SessionRow& session) {
+  std::string line = fmt::format("{}  {}  {:9}  {:3} trials", whenWords(session.start_ms),
+                                 session.trainee_id.substr(0, 8), resultsKind(session.kind), trialsOf(store, session));
+  for (const BlockRow& block : store.blocks(session.id)) {
     const std::string measured = thresholdWords(block);
     if (!measured.empty()) line += ", " + measured;
     if (block.verdict != training::Verdict::none) line += fmt::format(", {}", wordFor(block.verdict));

@@ -55,8 +55,8 @@ std::string whenWords(std::int64_t ms);  ///< "2026-11-22 10:03", UTC
 /// "18 % (13 to 25 %)"; empty: none was measured.
 std::string thresholdWords(const training::BlockRow& block);
 nlohmann::ordered_json blockJson(const training::BlockRow& block);
-nlohmann::ordered_json sittingJson(training::Store& store, const training::SittingRow& sitting);
+nlohmann::ordered_json sessionJson(training::Store& store, const training::SessionRow& session);
 /// "2026-11-22 10:03  5d79b3cd  pre-test  40 trials, 18 % (13 to 25 %)"
-std::string sittingLine(training::Store& store, const training::SittingRow& sitting);
+std::string sessionLine(training::Store& store, const training::SessionRow& session);
 
 }  // namespace palpate::app

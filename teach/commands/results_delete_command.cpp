@@ -28,22 +28,22 @@ struct DeleteArguments {
 };
 
 struct RowsOf {
-  std::size_t sittings = 0;
+  std::size_t sessions = 0;
   std::size_t trials = 0;
 };
 
 RowsOf rowsOf(Store& store, const training::TraineeRow& trainee) {
   RowsOf rows;
-  for (const training::SittingRow& sitting : store.sittings(trainee.id)) {
-    ++rows.sittings;
-    for (const training::BlockRow& block : store.blocks(sitting.id)) rows.trials += store.trials(block.id).size();
+  for (const training::SessionRow& session : store.sessions(trainee.id)) {
+    ++rows.sessions;
+    for (const training::BlockRow& block : store.blocks(session.id)) rows.trials += store.trials(block.id).size();
   }
   return rows;
 }
 
 bool saidYes(const RowsOf& rows, const training::TraineeRow& trainee, std::string_view what) {
-  say(fmt::format("Delete trainee {} for ever: {} sittings, {} trials{}?\nType yes to delete: ", trainee.id,
-                  rows.sittings, rows.trials, what));
+  say(fmt::format("Delete trainee {} for ever: {} sessions, {} trials{}?\nType yes to delete: ", trainee.id,
+                  rows.sessions, rows.trials, what));
   std::string answer;
   std::getline(std::cin, answer);
   return trimmed(answer) == "yes";
@@ -58,10 +58,10 @@ void deleteInDatabase(const DeleteArguments& arguments, Store& copy, const train
   const std::string& left = database.notErased();
   if (arguments.results.json) {
     printDeletedJson(
-        {{"deleted", found && left.empty()}, {"sittings", rows.sittings}, {"trials", rows.trials}, {"not_done", left}});
+        {{"deleted", found && left.empty()}, {"sittings", rows.sessions}, {"trials", rows.trials}, {"not_done", left}});
   } else {
-    fmt::print("{} {}: {} sittings, {} trials; what still comes of them is not kept\n",
-               left.empty() ? "deleted in" : "only removed from the tables of", copy.file().string(), rows.sittings,
+    fmt::print("{} {}: {} sessions, {} trials; what still comes of them is not kept\n",
+               left.empty() ? "deleted in" : "only removed from the tables of", copy.file().string(), rows.sessions,
                rows.trials);
   }
   if (!left.empty()) {
@@ -76,7 +76,7 @@ void runResultsDelete(const DeleteArguments& arguments) {
   Store store = openedResults(arguments.results);
   const bool in_database = classroom::isDatabaseAddress(arguments.results.file);
   const training::TraineeRow trainee = traineeCalled(store, arguments.trainee);
-  const std::string_view what = in_database ? ", in the class's database" : ", their session files and their key";
+  const std::string_view what = in_database ? ", in the class's database" : ", their recordings and their key";
   if (!arguments.yes && !saidYes(rowsOf(store, trainee), trainee, what)) {
     fmt::print(stderr, "nothing was deleted (--yes does not ask)\n");
     throw CLI::RuntimeError(1);
@@ -85,13 +85,13 @@ void runResultsDelete(const DeleteArguments& arguments) {
   const training::Deleted deleted = deleteTrainee(store, trainee.id, "palpate train results");
   if (arguments.results.json) {
     return printDeletedJson({{"deleted", deleted.found},
-                             {"sittings", deleted.sittings},
+                             {"sittings", deleted.sessions},
                              {"trials", deleted.trials},
                              {"session_files", deleted.files},
                              {"key", deleted.key},
                              {"class_is_told", store.fillsOutbox()}});
   }
-  fmt::print("deleted: {} sittings, {} trials, {} session files{}\n", deleted.sittings, deleted.trials, deleted.files,
+  fmt::print("deleted: {} sessions, {} trials, {} recordings{}\n", deleted.sessions, deleted.trials, deleted.files,
              deleted.key ? ", the key" : "");
   fmt::print("{}Exports and backups that you made before are not reached.\n",
              store.fillsOutbox() ? "The class is told when it is next reached. " : "");
@@ -113,21 +113,21 @@ void runResultsPurge(const DeleteArguments& arguments) {
   if (!left.empty()) fmt::print(stderr, "palpate: NOT deleted for good: {}\n", left);
   if (arguments.results.json) {
     const nlohmann::ordered_json json = {{"purged", !arguments.dry_run},
-                                         {"sittings", purged.sittings},
+                                         {"sittings", purged.sessions},
                                          {"session_files", purged.files},
                                          {"trainees", purged.trainees}};
     fmt::print("{}\n", json.dump(2));
     return;
   }
-  fmt::print("{}: {} sittings, {} session files, {} trainees of whom nothing is left\n",
-             arguments.dry_run ? "old enough to go" : "gone", purged.sittings, purged.files, purged.trainees);
+  fmt::print("{}: {} sessions, {} recordings, {} trainees of whom nothing is left\n",
+             arguments.dry_run ? "old enough to go" : "gone", purged.sessions, purged.files, purged.trainees);
 }
 
 }  // namespace
 
 void addResultsDeleteCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<DeleteArguments>();
-  CLI::App& command = *parent.add_subcommand("delete", "Forget one trainee: rows, session files, key; the class too");
+  CLI::App& command = *parent.add_subcommand("delete", "Forget one trainee: rows, recordings, key; the class too");
   addResultsFile(command, arguments->results);
   addClassFolder(command, arguments->results);
   command.add_option("--trainee", arguments->trainee, kTraineeHelp)->required()->type_name("CODE");

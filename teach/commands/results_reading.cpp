@@ -1,4 +1,4 @@
-// What of the records can be read at a glance: sittings, one trainee, everybody, and whether all of it is whole.
+// What of the records can be read at a glance: sessions, one trainee, everybody, and whether all of it is whole.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace palpate::app {
 namespace {
 
 using training::BlockRow;
-using training::SittingRow;
+using training::SessionRow;
 using training::Store;
 using training::TraineeRow;
 using ResultsJson = nlohmann::ordered_json;
@@ -34,22 +34,22 @@ void runResultsList(const ReadingArguments& arguments) {
   const std::string whose = arguments.trainee.empty() ? "" : traineeCalled(store, arguments.trainee).id;
   ResultsJson json = ResultsJson::array();
   std::string text;
-  for (const SittingRow& sitting : store.sittings(whose)) {
-    json.push_back(sittingJson(store, sitting));
-    text += sittingLine(store, sitting);
+  for (const SessionRow& session : store.sessions(whose)) {
+    json.push_back(sessionJson(store, session));
+    text += sessionLine(store, session);
   }
   if (arguments.results.json) return printResults({{"file", store.file().string()}, {"sittings", json}});
-  printReadable(text.empty() ? fmt::format("{}: no sitting yet\n", store.file().string()) : text);
+  printReadable(text.empty() ? fmt::format("{}: no session yet\n", store.file().string()) : text);
 }
 
 /// Finished blocks that measured a threshold, oldest first.
 std::vector<BlockRow> measuredBlocks(Store& store, const TraineeRow& trainee) {
   std::vector<BlockRow> measured;
-  for (const SittingRow& sitting : store.sittings(trainee.id)) {
-    for (const BlockRow& block : store.blocks(sitting.id)) {
-      using training::SittingKind;
-      const bool test = sitting.kind == SittingKind::pre_test || sitting.kind == SittingKind::post_test ||
-                        sitting.kind == SittingKind::exam || sitting.kind == SittingKind::retention;
+  for (const SessionRow& session : store.sessions(trainee.id)) {
+    for (const BlockRow& block : store.blocks(session.id)) {
+      using training::SessionKind;
+      const bool test = session.kind == SessionKind::pre_test || session.kind == SessionKind::post_test ||
+                        session.kind == SessionKind::exam || session.kind == SessionKind::retention;
       if (test && block.finished && block.threshold > 0.0) measured.push_back(block);
     }
   }
@@ -58,7 +58,7 @@ std::vector<BlockRow> measuredBlocks(Store& store, const TraineeRow& trainee) {
 
 struct TraineeSummary {
   TraineeRow row;
-  std::size_t sittings = 0;
+  std::size_t sessions = 0;
   std::size_t trials = 0;
   std::int64_t last_ms = 0;
   std::optional<BlockRow> first = {}, last = {};  ///< of those that measured
@@ -66,10 +66,10 @@ struct TraineeSummary {
 
 TraineeSummary traineeSummary(Store& store, const TraineeRow& row) {
   TraineeSummary summary{.row = row};
-  for (const SittingRow& sitting : store.sittings(row.id)) {
-    ++summary.sittings;
-    summary.last_ms = std::max(summary.last_ms, std::max(sitting.start_ms, sitting.end_ms));
-    for (const BlockRow& block : store.blocks(sitting.id)) summary.trials += store.trials(block.id).size();
+  for (const SessionRow& session : store.sessions(row.id)) {
+    ++summary.sessions;
+    summary.last_ms = std::max(summary.last_ms, std::max(session.start_ms, session.end_ms));
+    for (const BlockRow& block : store.blocks(session.id)) summary.trials += store.trials(block.id).size();
   }
   const std::vector<BlockRow> measured = measuredBlocks(store, row);
   if (!measured.empty()) {
@@ -84,7 +84,7 @@ ResultsJson traineeSummaryJson(const TraineeSummary& summary) {
     return block ? blockJson(*block) : ResultsJson(nullptr);
   };
   return {{"trainee", summary.row.id},      {"class", summary.row.class_id},    {"created_ms", summary.row.created_ms},
-          {"consent", summary.row.consent}, {"sittings", summary.sittings},     {"trials", summary.trials},
+          {"consent", summary.row.consent}, {"sittings", summary.sessions},     {"trials", summary.trials},
           {"last_ms", summary.last_ms},     {"first", measured(summary.first)}, {"last", measured(summary.last)}};
 }
 
@@ -93,18 +93,18 @@ std::string measuredWords(const std::optional<BlockRow>& block) { return block ?
 void runResultsTrainee(const ReadingArguments& arguments) {
   Store store = openedResults(arguments.results);
   const TraineeSummary summary = traineeSummary(store, traineeCalled(store, arguments.trainee));
-  const std::vector<SittingRow> sittings = store.sittings(summary.row.id);
+  const std::vector<SessionRow> sessions = store.sessions(summary.row.id);
   if (arguments.results.json) {
     ResultsJson json = traineeSummaryJson(summary);
     json["list"] = ResultsJson::array();
-    for (const SittingRow& sitting : sittings) json["list"].push_back(sittingJson(store, sitting));
+    for (const SessionRow& session : sessions) json["list"].push_back(sessionJson(store, session));
     return printResults(json);
   }
-  std::string text = fmt::format("{}{}\n  {} sittings, {} trials, since {}\n  first measured {}, last {}\n",
+  std::string text = fmt::format("{}{}\n  {} sessions, {} trials, since {}\n  first measured {}, last {}\n",
                                  summary.row.id, summary.row.class_id.empty() ? "" : ", class " + summary.row.class_id,
-                                 summary.sittings, summary.trials, whenWords(summary.row.created_ms),
+                                 summary.sessions, summary.trials, whenWords(summary.row.created_ms),
                                  measuredWords(summary.first), measuredWords(summary.last));
-  for (const SittingRow& sitting : sittings) text += "  " + sittingLine(store, sitting);
+  for (const SessionRow& session : sessions) text += "  " + sessionLine(store, session);
   printReadable(text);
 }
 
@@ -116,8 +116,8 @@ void runResultsClass(const ReadingArguments& arguments) {
     const TraineeSummary summary = traineeSummary(store, row);
     json.push_back(traineeSummaryJson(summary));
     text +=
-        fmt::format("{}  {:10}  {:3} sittings  {:4} trials  first {:22}  last {}\n", row.id.substr(0, 8), row.class_id,
-                    summary.sittings, summary.trials, measuredWords(summary.first), measuredWords(summary.last));
+        fmt::format("{}  {:10}  {:3} sessions  {:4} trials  first {:22}  last {}\n", row.id.substr(0, 8), row.class_id,
+                    summary.sessions, summary.trials, measuredWords(summary.first), measuredWords(summary.last));
   }
   if (arguments.results.json) return printResults({{"file", store.file().string()}, {"trainees", json}});
   printReadable(text.empty() ? fmt::format("{}: no trainee yet\n", store.file().string()) : text);
@@ -131,9 +131,9 @@ void runResultsVerify(const ReadingArguments& arguments) {
                   {"ok", found.ok()},
                   {"trials", found.trials},
                   {"trainees", found.trainees},
-                  {"sittings", found.sittings},
+                  {"sittings", found.sessions},
                   {"blocks", found.blocks},
-                  {"session_files", found.session_files},
+                  {"session_files", found.recording_files},
                   {"recomputed", found.recomputed},
                   {"schema", training::kSchemaVersion},
                   {"faults", found.faults},
@@ -141,9 +141,9 @@ void runResultsVerify(const ReadingArguments& arguments) {
   } else {
     for (const std::string& fault : found.faults) printReadable("fault  " + readableLine(fault) + "\n");
     for (const std::string& note : found.notes) printReadable("note   " + readableLine(note) + "\n");
-    fmt::print("{}: {}; {} trainees, {} sittings, {} blocks ({} computed again), {} trials, {} session files\n",
-               store.file().string(), found.ok() ? "whole" : "NOT whole", found.trainees, found.sittings, found.blocks,
-               found.recomputed, found.trials, found.session_files);
+    fmt::print("{}: {}; {} trainees, {} sessions, {} blocks ({} computed again), {} trials, {} recordings\n",
+               store.file().string(), found.ok() ? "whole" : "NOT whole", found.trainees, found.sessions, found.blocks,
+               found.recomputed, found.trials, found.recording_files);
   }
   if (!found.ok()) throw CLI::RuntimeError(1);
 }
@@ -159,7 +159,7 @@ CLI::App& addReading(CLI::App& parent, const std::string& name, const std::strin
 
 void addResultsListCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<ReadingArguments>();
-  CLI::App& command = addReading(parent, "list", "The sittings, oldest first", runResultsList, arguments);
+  CLI::App& command = addReading(parent, "list", "The sessions, oldest first", runResultsList, arguments);
   addResultsFile(command, arguments->results);
   addClassFolder(command, arguments->results);
   command.add_option("--trainee", arguments->trainee, kTraineeHelp)->type_name("CODE");
@@ -181,7 +181,7 @@ void addResultsClassCommand(CLI::App& parent) {
 
 void addResultsVerifyCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<ReadingArguments>();
-  CLI::App& command = addReading(parent, "verify", "Whether rows, session files and results are whole and agree",
+  CLI::App& command = addReading(parent, "verify", "Whether rows, recordings and results are whole and agree",
                                  runResultsVerify, arguments);
   addResultsFile(command, arguments->results);
 }

@@ -1,4 +1,4 @@
-// `palpate train results replay`: one trial out of a locked session file, as a session that every other command knows.
+// `palpate train results replay`: one trial out of a locked recording, as a session that every other command knows.
 #include <fmt/format.h>
 
 #include <memory>
@@ -6,8 +6,8 @@
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
-#include "palpate/trace/session_edit.h"
-#include "palpate/training/records/session_files.h"
+#include "palpate/trace/recording_edit.h"
+#include "palpate/training/records/recording_files.h"
 #include "teach/commands/results_commands.h"
 
 namespace palpate::app {
@@ -24,8 +24,8 @@ struct TrialReplayArguments {
 training::TrialRow trialCalled(training::Store& store, const std::string& id) {
   if (const auto found = store.rows().trial(id)) return *found;
   std::vector<training::TrialRow> found;
-  for (const training::SittingRow& sitting : store.sittings()) {
-    for (const training::BlockRow& block : store.blocks(sitting.id)) {
+  for (const training::SessionRow& session : store.sessions()) {
+    for (const training::BlockRow& block : store.blocks(session.id)) {
       for (const training::TrialRow& trial : store.trials(block.id)) {
         if (id.size() >= 4 && trial.id.ends_with(id)) found.push_back(trial);
       }
@@ -39,19 +39,19 @@ training::TrialRow trialCalled(training::Store& store, const std::string& id) {
 void runTrialReplay(const TrialReplayArguments& arguments) {
   training::Store store = openedResults(arguments.results);
   const training::TrialRow trial = trialCalled(store, arguments.trial);
-  const auto sitting = store.rows().sitting(trial.sitting);
-  if (!sitting) throw Error(fmt::format("trial {} belongs to no sitting", trial.id));
+  const auto session = store.rows().session(trial.session_id);
+  if (!session) throw Error(fmt::format("trial {} belongs to no session", trial.id));
   if (store.holdsCopies()) {
     throw Error::inFile(store.file().string(),
                         "holds what stations sent; samples stay at the station: replay it there");
   }
   std::error_code error;
   if (std::filesystem::exists(arguments.out, error)) throw Error::inFile(arguments.out, "is there already");
-  const training::OpenedSession opened = training::SessionFiles(store).open(*sitting);
+  const training::OpenedRecording opened = training::RecordingFiles(store).open(*session);
   ProgressLine progress;
-  trace::SessionReader session(opened.file());
-  const trace::TrimSettings settings{{trial.file_tick0, trial.file_tick1}, false};
-  const trace::Trimmed trimmed = trace::trim(session, settings, arguments.out, progress.callback());
+  trace::RecordingReader recording(opened.file());
+  const trace::TrimSettings settings{{trial.file_tick_first, trial.file_tick_last}, false};
+  const trace::Trimmed trimmed = trace::trim(recording, settings, arguments.out, progress.callback());
   progress.clear();
   if (arguments.results.json) {
     const nlohmann::ordered_json json = {{"file", arguments.out},
@@ -71,10 +71,10 @@ void runTrialReplay(const TrialReplayArguments& arguments) {
 void addResultsReplayCommand(CLI::App& parent) {
   const auto arguments = std::make_shared<TrialReplayArguments>();
   CLI::App& command = *parent.add_subcommand(
-      "replay", "One trial as a session file, for palpate recording replay, run, render and report");
+      "replay", "One trial as a recording, for palpate recording replay, run, render and report");
   command.add_option("TRIAL", arguments->trial, "Its id, or the end of it")->required();
   addResultsFile(command, arguments->results);
-  command.add_option("-o,--out", arguments->out, "The session file to write")->required()->type_name("OUT.session");
+  command.add_option("-o,--out", arguments->out, "The recording to write")->required()->type_name("OUT.session");
   command.callback([arguments] { runTrialReplay(*arguments); });
 }
 

@@ -17,7 +17,6 @@
 #include "palpate/classroom/class_settings.h"
 #include "palpate/training/records/trainee_code.h"
 #include "teach/commands/train_options.h"
-#include "teach/commands/trainee_command.h"
 #include "teach/window/screen_tour.h"
 #include "teach/window/training_mode.h"
 #include "view/viewer/state/state_file.h"
@@ -36,22 +35,22 @@ viewer::TrainingSettings trainingSettings(const TrainOptions& options) {
   viewer::TrainingSettings settings;
   settings.records = recordsFile(options);
   settings.protocol = training::protocolNamed(options.protocol);
-  settings.desk.kind = kindAskedFor(options);
+  settings.sign_in.kind = kindAskedFor(options);
   if (isClassName(options.class_id)) {
-    settings.desk.class_id = options.class_id;
+    settings.sign_in.class_id = options.class_id;
   } else {
     settings.member = classroom::readMember(options.class_id);
-    settings.desk.class_id = settings.member->class_id;
-    settings.desk.trainee_key = settings.member->trainee_key;
+    settings.sign_in.class_id = settings.member->class_id;
+    settings.sign_in.trainee_key = settings.member->trainee_key;
   }
   if (!options.code.empty()) {
     const auto code = training::codeTyped(options.code);
-    if (!code) throw Error(fmt::format("--code '{}' is no code: a letter of it is wrong", options.code));
-    settings.desk.code = *code;
+    if (!code) throw Error(fmt::format("--code '{}' is not a code: a letter of it is wrong", options.code));
+    settings.sign_in.code = *code;
   }
   settings.thimble = options.thimble;
   settings.seed = options.seed;
-  settings.session_files = !options.no_session_file;
+  settings.recording_files = !options.no_recording_file;
   if (!options.no_speech) settings.speech = viewer::speechProgram();
   if (settings.records.has_parent_path()) makePrivateFolder(settings.records.parent_path());
   return settings;
@@ -114,7 +113,7 @@ void trainInWindow(const TrainOptions& options) {
   showFrames(window, viewer, playback, options.frames, [&](std::uint64_t, double) {
     if (options.verbose) teller.tell(training);
   });
-  viewer::Messages& messages = viewer.session().messages;
+  viewer::Messages& messages = viewer.state().messages;
   messages.markRead();
   viewer.finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));
   if (messages.unread() > 0) throw Error(messages.all().back().text);

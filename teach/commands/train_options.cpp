@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/default_scene.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/presets.h"
 #include "palpate/scene/scene_file.h"
-#include "palpate/training/records/default_records.h"
+#include "palpate/training/records/store.h"
 #include "view/viewer/world/world_swap.h"
 
 namespace palpate::app {
@@ -35,28 +35,28 @@ void addWindowOptions(CLI::App& command, TrainOptions& options) {
 
 void addTrainOptions(CLI::App& command, TrainOptions& options) {
   command.add_option("SCENE", options.scene, "Scene (TOML) or mesh file; without one: the built-in body");
-  command.add_option("--records", options.records, "File of results; left out: the user's own");
+  command.add_option("--records", options.records, "File of results (default: the user's own)");
   command
       .add_option("--protocol", options.protocol, "What is trained and tested: vhb, or a file (docs/howto/training.md)")
       ->capture_default_str();
-  takesOneOf(choiceNames<training::SittingKind>(),
-             command.add_option("--kind", options.kind, "Done at once after signing in; left out: chosen"));
+  takesOneOf(choiceNames<training::SessionKind>(),
+             command.add_option("--kind", options.kind, "Done at once after signing in (default: chosen)"));
   command.add_option("--class", options.class_id,
                      "The class that codes belong to: a word, or the station's file of `palpate class init`");
   command.add_option("--code", options.code, "Signs in at once with this code");
   addDeviceOption(command, options.devices, "Holds the finger instead of the mouse");
   command.add_option(
       "--thimble", options.thimble,
-      "What the finger wears in the device, for the record: \"rigid thimble\", \"pen\"; left out: asked");
+      "What the finger wears in the device, for the record: \"rigid thimble\", \"pen\" (default: asked)");
   addNumber(command, "--seed", options.seed, between(0, 9007199254740991.0),
-            "Of everything that is drawn; left out: the system's randomness");
+            "Of everything that is drawn (default: the system's randomness)");
   command.add_option("--trainee", options.trainee,
                      "A simulated trainee in place of a person, without a window: weber=0.2,lapse=0.02,sites=12,...");
-  addNumber(command, "--sittings", options.sittings, between(1, 1000), "Of a simulated trainee, one after the other");
+  addNumber(command, "--sittings", options.sessions, between(1, 1000), "Of a simulated trainee, one after the other");
   command.add_option("-o,--out", options.out,
                      "Folder for pictures that are saved; of a simulated trainee a file (JSON) with what it did");
   command.add_flag("--json", options.json, "Of a simulated trainee: print what it did as JSON");
-  command.add_flag("--no-session-file", options.no_session_file, "Do not keep trials tick by tick");
+  command.add_flag("--no-session-file", options.no_recording_file, "Do not keep trials tick by tick");
   command.add_flag("--verbose", options.verbose, "Say what happens, line by line");
   addWindowOptions(command, options);
 }
@@ -71,8 +71,8 @@ scene::Scene sceneToTrainOn(const TrainOptions& options) {
   return options.scene.empty() ? standard : viewer::sceneFromFile(options.scene, standard);
 }
 
-std::optional<training::SittingKind> kindAskedFor(const TrainOptions& options) {
-  return options.kind.empty() ? std::nullopt : choiceNamed<training::SittingKind>(options.kind);
+std::optional<training::SessionKind> kindAskedFor(const TrainOptions& options) {
+  return options.kind.empty() ? std::nullopt : choiceNamed<training::SessionKind>(options.kind);
 }
 
 }  // namespace palpate::app

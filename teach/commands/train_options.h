@@ -1,4 +1,4 @@
-// What `palpate train` was asked for: the same for the window and for a simulated trainee (trainee_run.h).
+// What `palpate train` was asked for: the same for the window and for a simulated trainee (trainee_course.h).
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,17 +17,17 @@ struct TrainOptions {
   std::string scene;             ///< scene or mesh file; empty: the built-in body
   std::string records;           ///< file of results; empty: recordsFile()
   std::string protocol = "vhb";  ///< built in, or a file
-  std::string kind;              ///< what is done, as WordsOf<SittingKind> spells it with hyphens; empty: chosen
+  std::string kind;              ///< what is done, as WordsOf<SessionKind> spells it with hyphens; empty: chosen
   std::string class_id;          ///< empty: none
   std::string code;              ///< signs in at once; empty: typed (a simulated trainee: made up from its seed)
   std::vector<std::string> devices;
   std::string thimble;                ///< recorded with the device: "rigid", "soft", "none"; empty: asked for
   std::optional<std::uint64_t> seed;  ///< nothing: the system's randomness
   std::string trainee;                ///< words of a simulated trainee (observerNamed); empty: a person at the window
-  int sittings = 1;                   ///< of a simulated trainee, one after the other
+  int sessions = 1;                   ///< of a simulated trainee, one after the other
   std::string out;                    ///< a simulated trainee: what it did, as a file; the window: folder for pictures
   bool json = false;
-  bool no_session_file = false;  ///< trials are not kept tick by tick
+  bool no_recording_file = false;  ///< trials are not kept tick by tick
 
   // Of the window.
   std::string play;
@@ -51,6 +51,24 @@ std::filesystem::path recordsFile(const TrainOptions& options);
 scene::Scene sceneToTrainOn(const TrainOptions& options);
 
 /// The kind that was asked for by name, if one was.
-std::optional<training::SittingKind> kindAskedFor(const TrainOptions& options);
+std::optional<training::SessionKind> kindAskedFor(const TrainOptions& options);
+
+// `palpate train --trainee WORDS`: a simulated trainee instead of a person, without a window.
+
+/// What only a simulated trainee can be asked for.
+struct TraineeOptions {
+  bool programme = false;  ///< the whole course: pre-test, six practices, post-test
+  bool fast = false;       ///< without a body
+  int trainees = 1;
+  double spread = 0.33;  ///< of the thresholds of several: SD of the logarithm
+  std::string hand = "thimble,touch_x";
+  std::string start = "2026-01-05T09:00:00Z";  ///< of the first session
+  int most_trials = 0;
+};
+
+void addTraineeOptions(CLI::App& command, TraineeOptions& options);
+
+/// The exit code: 0, or that of the signal that ended it. Throws Error.
+int runTrainee(const TrainOptions& options, const TraineeOptions& simulated);
 
 }  // namespace palpate::app

@@ -1,5 +1,5 @@
-// Options -> records, body, trainees -> their sittings, one line each, and a report for machines.
-#include "teach/commands/trainee_command.h"
+// Options -> records, body, trainees -> their sessions, one line each, and a report for machines.
+#include "teach/commands/train_options.h"
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ namespace palpate::app {
 namespace {
 
 using training::SatThrough;
-using training::SittingKind;
+using training::SessionKind;
 using Json = nlohmann::ordered_json;
 
 /// "2026-01-05T09:00:00Z" or "2026-01-05".
@@ -43,7 +43,7 @@ std::int64_t startMs(const std::string& words) {
   const char* rest = ::strptime(words.c_str(), "%Y-%m-%d", &time);
   if (rest != nullptr && *rest != '\0') rest = ::strptime(rest, "T%H:%M:%SZ", &time);
   if (rest == nullptr || *rest != '\0') {
-    throw Error(fmt::format("--start '{}' is no time like 2026-01-05T09:00:00Z", words));
+    throw Error(fmt::format("--start '{}' is not a time like 2026-01-05T09:00:00Z", words));
   }
   return std::int64_t{1000} * ::timegm(&time);
 }
@@ -52,7 +52,7 @@ std::string percentWords(double share) { return fmt::format("{:.3g}", 100.0 * sh
 
 int flaggedOf(const SatThrough& sat, int sites) {
   return static_cast<int>(
-      std::ranges::count_if(sat.trials, [&](const training::TrialRow& trial) { return trial.visited < sites; }));
+      std::ranges::count_if(sat.trials, [&](const training::TrialRow& trial) { return trial.sites_felt < sites; }));
 }
 
 int rightOf(const SatThrough& sat) {
@@ -60,21 +60,21 @@ int rightOf(const SatThrough& sat) {
 }
 
 std::string trialLine(const training::TrialRow& trial) {
-  const char* verdict = trial.timeout ? "no answer in time" : trial.correct ? "right" : "wrong";
+  const char* verdict = trial.timed_out ? "no answer in time" : trial.correct ? "right" : "wrong";
   return fmt::format("  trial {:2}: change {} %, site {}, answered {}: {}; {} felt, {:.1f} s\n", trial.number,
-                     percentWords(trial.change), trial.site_true, trial.site_answer, verdict, trial.visited,
+                     percentWords(trial.change), trial.site_true, trial.site_answer, verdict, trial.sites_felt,
                      trial.seconds);
 }
 
-std::string sittingLine(const SatThrough& sat, int sites, double wall_s) {
+std::string sessionLine(const SatThrough& sat, int sites, double wall_s) {
   const training::BlockRow& block = sat.block;
   std::string line = fmt::format("{}: {} trials, {} right", wordFor(sat.row.kind), sat.trials.size(), rightOf(sat));
   if (sat.resumed) line += ", went on with an earlier block";
   if (block.trials > 0) {
-    line += fmt::format("; T {} % ({} to {} %)", percentWords(block.threshold), percentWords(block.low),
-                        percentWords(block.high));
+    line += fmt::format("; T {} % ({} to {} %)", percentWords(block.threshold), percentWords(block.threshold_low),
+                        percentWords(block.threshold_high));
   }
-  if (block.level) line += fmt::format("; level {} %", percentWords(*block.level));
+  if (block.mastered_change) line += fmt::format("; level {} %", percentWords(*block.mastered_change));
   if (block.verdict != training::Verdict::none) line += fmt::format("; {}", wordFor(block.verdict));
   if (const int flagged = flaggedOf(sat, sites); flagged > 0) {
     line += fmt::format("; {} trials with places not felt", flagged);
@@ -99,9 +99,9 @@ Json satThroughJson(const SatThrough& sat, int sites) {
           {"counted", block.trials},
           {"flagged", flaggedOf(sat, sites)},
           {"threshold", block.threshold},
-          {"low", block.low},
-          {"high", block.high},
-          {"level", block.level ? Json(*block.level) : Json(nullptr)},
+          {"low", block.threshold_low},
+          {"high", block.threshold_high},
+          {"level", block.mastered_change ? Json(*block.mastered_change) : Json(nullptr)},
           {"verdict", wordFor(block.verdict)},
           {"simulated_s", sat.simulated_s}};
 }
@@ -133,7 +133,7 @@ class TraineeCommand {
     // What is wrong is said before a body is built.
     if (simulated.trainees > 1 && !options.code.empty()) throw Error("--code is one trainee's; --trainees are several");
     if (!options.code.empty() && !training::codeTyped(options.code)) {
-      throw Error(fmt::format("--code '{}' is no code: a letter of it is wrong", options.code));
+      throw Error(fmt::format("--code '{}' is not a code: a letter of it is wrong", options.code));
     }
     bench_.hand = device::handChoice(simulated.hand);
     bench_.protocol = training::protocolNamed(options.protocol);
@@ -162,7 +162,7 @@ class TraineeCommand {
     return simulated_.fast ? std::string(training::kNoBody) : training::deviceWords(bench_.hand);
   }
 
-  /// What the first sitting's rows refer to.
+  /// What the first session's rows refer to.
   void keepFirst(training::Store& store) {
     training::StationRow station = training::simulatedStation(start_ms_);
     station.device = deviceWords();
@@ -200,12 +200,12 @@ class TraineeCommand {
     const auto body = scene::build(scene, progress_.display());
     bench_.sites = training::sitesOn(*body, bench_.protocol);
     if (!simulated_.fast) bench_.body = body;
-    bench_.session_files = !options_.no_session_file;
+    bench_.recording_files = !options_.no_recording_file;
     bench_.stop = [] { return endAskedBy() != 0; };
     bench_.answered = [this](const training::TrialRow& trial) { answered(trial); };
   }
 
-  /// Of a class each sitting is too much to read.
+  /// Of a class each session is too much to read.
   bool tells() const { return !options_.json && (simulated_.trainees == 1 || options_.verbose); }
 
   void answered(const training::TrialRow& trial) {
@@ -218,10 +218,10 @@ class TraineeCommand {
     }
   }
 
-  std::vector<SittingKind> kinds() const {
+  std::vector<SessionKind> kinds() const {
     if (simulated_.programme) return training::vhbCourse();
-    const SittingKind kind = kindAskedFor(options_).value_or(SittingKind::pre_test);
-    return std::vector<SittingKind>(static_cast<std::size_t>(options_.sittings), kind);
+    const SessionKind kind = kindAskedFor(options_).value_or(SessionKind::pre_test);
+    return std::vector<SessionKind>(static_cast<std::size_t>(options_.sessions), kind);
   }
 
   void train(training::Store& store, int number) {
@@ -241,15 +241,15 @@ class TraineeCommand {
     course.start_ms = start_ms_;
     course.most_trials = simulated_.most_trials;
     person_ = code;
-    Json sittings = Json::array();
+    Json sessions = Json::array();
     if (tells()) fmt::print("trainee {}: {}\n", code, training::observerWords(course.observer));
     Clock::time_point began = Clock::now();
     training::sitCourse(store, bench_, course, [&](const SatThrough& sat) {
-      sittings.push_back(satThroughJson(sat, bench_.sites.choices()));
+      sessions.push_back(satThroughJson(sat, bench_.sites.choices()));
       if (sat.block.finished) finished_[sat.row.kind].push_back(sat.block.threshold);
       if (tells()) {
         progress_.clear();
-        fmt::print("{}", sittingLine(sat, bench_.sites.choices(), secondsSince(began)));
+        fmt::print("{}", sessionLine(sat, bench_.sites.choices(), secondsSince(began)));
         std::fflush(stdout);
       }
       began = Clock::now();
@@ -257,7 +257,7 @@ class TraineeCommand {
     trainees_.push_back({{"code", code},
                          {"trainee", row.id},
                          {"observer", training::observerWords(course.observer)},
-                         {"sittings", std::move(sittings)}});
+                         {"sittings", std::move(sessions)}});
   }
 
   void finish(const training::Store& store) {
@@ -296,7 +296,7 @@ class TraineeCommand {
   ProgressLine progress_;
   std::string person_;
   Json trainees_ = Json::array();
-  std::map<SittingKind, std::vector<double>> finished_;  ///< thresholds of finished blocks
+  std::map<SessionKind, std::vector<double>> finished_;  ///< thresholds of finished blocks
 };
 
 }  // namespace
@@ -319,7 +319,7 @@ void addTraineeOptions(CLI::App& command, TraineeOptions& options) {
                   "The simulated hand and its device, as for --device hand: thimble,touch_x or stylus_z,premium_3_0")
       ->capture_default_str()
       ->group(kGroup);
-  command.add_option("--start", options.start, "When the first sitting is, UTC")->capture_default_str()->group(kGroup);
+  command.add_option("--start", options.start, "When the first session is, UTC")->capture_default_str()->group(kGroup);
   addNumber(command, "--most-trials", options.most_trials, between(0, 1000),
             "Puts each block down after so many trials; 0: never")
       ->group(kGroup);

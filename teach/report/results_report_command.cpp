@@ -44,7 +44,7 @@ void addResultsReportCommand(CLI::App& parent) {
       .add_option("FILE", a.request.file, "Record of training (.results), or a class's PostgreSQL: postgresql://...")
       ->required();
   command.add_option("-o,--out", a.request.out,
-                     "Page to write; left out: the file's name with .html (of a database class.html), in this folder");
+                     "Page to write (default: the file's name with .html (of a database class.html), in this folder)");
   CLI::Option& trainee = *command.add_option("--trainee", a.settings.trainee,
                                              "One trainee, by code or by the first letters of the pseudonym");
   command.add_flag("--class", a.settings.whole_class, "All trainees, also where there is but one")->excludes(&trainee);

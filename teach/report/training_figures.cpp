@@ -28,7 +28,7 @@ using training::TrialStatistics;
 /// Where a change is said on an axis, per cent: the levels of the Virtual Haptic Back and their neighbours.
 constexpr std::array kSaidChanges = {2.0, 3.0, 5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0, 60.0, 80.0, 100.0};
 /// More words than this below an axis cover each other.
-constexpr std::size_t kMostOccasionWords = 9;
+constexpr std::size_t kMaxOccasionWords = 9;
 constexpr figures::Colour kQuartileColour{0.72, 0.75, 0.80};
 
 std::vector<figures::Tick> changeTicks(double least, double most) {
@@ -62,7 +62,7 @@ struct ShownChanges {
 
 figures::Axis occasionAxis(const std::vector<std::string>& words) {
   figures::Axis axis{.from = 0.5, .to = static_cast<double>(words.size()) + 0.5};
-  const std::size_t every = (words.size() + kMostOccasionWords - 1) / kMostOccasionWords;
+  const std::size_t every = (words.size() + kMaxOccasionWords - 1) / kMaxOccasionWords;
   for (std::size_t i = 0; i < words.size(); ++i) {
     axis.ticks.push_back({static_cast<double>(i + 1), i % every == 0 ? words[i] : ""});
   }

@@ -10,7 +10,7 @@
 #include "palpate/training/psychometric.h"
 #include "report/recording/report_html.h"
 #include "teach/report/training_figures.h"
-#include "teach/report/training_tables.h"
+#include "teach/report/training_report.h"
 
 namespace palpate::app {
 
@@ -165,7 +165,7 @@ class PageWriter {
         {"95 %", "Of T: the middle 95 % of what the answers leave open (posterior). Of shares: Wilson's interval."},
         {"So far",
          "What all blocks up to this one say together, where T may have wandered by a fifth from each to the "
-         "next. Another device begins anew."},
+         "next. Another device begins again."},
         {"Too early to call a change",
          "The difference of two results (of ln T) is no larger than the root of the sum "
          "of squares of the halves of their 95 % intervals."},

@@ -22,7 +22,7 @@ namespace palpate::app {
 
 namespace {
 
-using training::SittingKind;
+using training::SessionKind;
 using training::ThresholdPoint;
 using training::TraineeStatistics;
 using training::TrialStatistics;
@@ -65,7 +65,7 @@ std::string classWords(const std::vector<training::ClassRow>& classes, const std
 std::vector<training::Occasion> othersOf(const training::TrainingStatistics& all) {
   std::vector<training::Occasion> occasions = all.all.occasions;
   std::erase_if(occasions, [](const training::Occasion& occasion) {
-    return occasion.medians.count < static_cast<std::size_t>(kLeastOthers);
+    return occasion.medians.count < static_cast<std::size_t>(kMinOthers);
   });
   return occasions;
 }
@@ -77,7 +77,7 @@ void keepOne(TrainingReport& report, const WantedTrainee& wanted) {
   const std::string class_id = at->row.class_id;
   training::TrainingRecord others = report.record;
   std::erase_if(others.trainees, [&](const auto& one) { return one.row.class_id != class_id; });
-  if (others.trainees.size() >= static_cast<std::size_t>(kLeastOthers)) {
+  if (others.trainees.size() >= static_cast<std::size_t>(kMinOthers)) {
     report.others = othersOf(training::trainingStatistics(others, {.curves = false, .groups = false}));
   }
   report.class_words = classWords(report.record.classes, class_id);
@@ -124,7 +124,7 @@ std::string attentionSentence(const TraineeStatistics& trainee) {
 std::string examSentence(const TraineeStatistics& trainee) {
   const ThresholdPoint* exam = nullptr;
   for (const ThresholdPoint& point : trainee.points) {
-    if (point.kind == SittingKind::exam && point.finished) exam = &point;
+    if (point.kind == SessionKind::exam && point.finished) exam = &point;
   }
   if (exam == nullptr || exam->verdict == training::Verdict::none) return {};
   const std::array<std::string_view, 4> words = {"", "passed", "not yet", "to be repeated (too close to call)"};
@@ -188,7 +188,7 @@ std::vector<std::string> classSentences(const TrainingReport& report) {
   const training::Occasion* first = nullptr;
   const training::Occasion* last = nullptr;
   for (const training::Occasion& occasion : all.occasions) {
-    if (!training::isTest(occasion.kind) || occasion.kind == SittingKind::exam) continue;
+    if (!training::isTest(occasion.kind) || occasion.kind == SessionKind::exam) continue;
     if (first == nullptr) first = &occasion;
     last = &occasion;
   }
@@ -261,21 +261,21 @@ std::vector<std::string> trainingSentences(const TrainingReport& report) {
   return sentences;
 }
 
-std::string occasionWords(SittingKind kind, int nth) {
+std::string occasionWords(SessionKind kind, int nth) {
   switch (kind) {
-    case SittingKind::practice:
+    case SessionKind::practice:
       return fmt::format("practice {}", nth);
-    case SittingKind::mastery:
+    case SessionKind::mastery:
       return fmt::format("mastery {}", nth);
-    case SittingKind::pre_test:
+    case SessionKind::pre_test:
       return nth == 1 ? "pre-test" : fmt::format("pre-test {}", nth);
-    case SittingKind::post_test:
+    case SessionKind::post_test:
       return nth == 1 ? "post-test" : fmt::format("post-test {}", nth);
-    case SittingKind::exam:
+    case SessionKind::exam:
       return nth == 1 ? "examination" : fmt::format("examination {}", nth);
-    case SittingKind::retention:
+    case SessionKind::retention:
       return nth == 1 ? "retention test" : fmt::format("retention test {}", nth);
-    case SittingKind::free:
+    case SessionKind::free:
       break;
   }
   return "free exploration";

@@ -63,10 +63,10 @@ inline constexpr std::string_view kNotShown =
     "not show skill on patients: nobody has tested yet whether it carries over.";
 
 /// Of others' results a trainee may see quartiles only where so many stand behind them that nobody is recognised.
-inline constexpr int kLeastOthers = 5;
+inline constexpr int kMinOthers = 5;
 
 /// "pre-test", "practice 3".
-std::string occasionWords(training::SittingKind kind, int nth);
+std::string occasionWords(training::SessionKind kind, int nth);
 /// 018f3c1e-... -> "018f3c1e".
 std::string shortPseudonym(const training::Uuid& id);
 /// 0.1834 -> "18 %", 0.0734 -> "7.3 %".
@@ -75,5 +75,30 @@ std::string changeWords(double change);
 std::string thresholdWords(double median, double low, double high);
 /// 1763853600000 -> "2025-11-22".
 std::string dayWords(std::int64_t utc_ms);
+
+// The tables of a training report, as they stand in its page; empty where there is nothing to tell.
+
+/// What the numbers are of: file, class, times, devices, protocols, versions.
+std::string trainingFacts(const TrainingReport& report);
+
+/// Every block of a trainee with its result.
+std::string blocksTable(const training::TraineeStatistics& trainee);
+/// Fitted slope and lapse of blocks with a threshold.
+std::string fitsTable(const training::TraineeStatistics& trainee);
+std::string occasionsTable(const training::ClassStatistics& all);
+/// A row a trainee of a class.
+std::string traineesTable(const training::TrainingStatistics& statistics);
+
+std::string levelsTable(const training::TrialStatistics& trials, const std::string& what);
+/// `set`: the names of the sites; may be empty.
+std::string sitesTable(const training::TrialStatistics& trials, const training::SiteSet& set, const std::string& what);
+/// Force, speed, time: tests beside practice.
+std::string handlingTable(const training::TrialStatistics& tests, const training::TrialStatistics& practice);
+std::string secondsTable(const training::TrialStatistics& tests, const training::TrialStatistics& practice);
+std::string answersTable(const training::TrialStatistics& trials, const std::string& what);
+std::string qualitySection(const TrainingReport& report);
+
+/// A heading that opens what lies below it.
+std::string foldedHtml(const std::string& heading, const std::string& html);
 
 }  // namespace palpate::app

@@ -171,10 +171,10 @@ Json comparedJson(const training::TraineeStatistics& trainee) {
   return json;
 }
 
-Json sittingQualityJson(const training::SittingQuality& sitting) {
-  return {{"id", sitting.row.id},         {"kind", wordFor(sitting.row.kind)},      {"start_ms", sitting.row.start_ms},
-          {"end_ms", sitting.row.end_ms}, {"app_version", sitting.row.app_version}, {"device", sitting.row.device},
-          {"file", sitting.row.file},     {"file_sha256", sitting.row.file_sha256}, {"events", sitting.events}};
+Json sessionQualityJson(const training::SessionQuality& session) {
+  return {{"id", session.row.id},         {"kind", wordFor(session.row.kind)},      {"start_ms", session.row.start_ms},
+          {"end_ms", session.row.end_ms}, {"app_version", session.row.app_version}, {"device", session.row.device},
+          {"file", session.row.file},     {"file_sha256", session.row.file_sha256}, {"events", session.events}};
 }
 
 Json learningJson(const training::TraineeStatistics& trainee) {
@@ -210,8 +210,8 @@ Json traineeJson(const training::TraineeStatistics& trainee, bool whole) {
   }
   json["learning"] = learningJson(trainee);
   json["sittings"] = Json::array();
-  for (const training::SittingQuality& sitting : trainee.sittings)
-    json["sittings"].push_back(sittingQualityJson(sitting));
+  for (const training::SessionQuality& session : trainee.sessions)
+    json["sittings"].push_back(sessionQualityJson(session));
   json["fits"] = Json::array();
   for (const training::ThresholdPoint& point : trainee.points) {
     if (!point.threshold || !training::isTest(point.kind)) continue;

@@ -18,7 +18,7 @@ using training::TrialStatistics;
 
 /// As large as the skin within which a press counts for a site (ExplorationSettings::radius_mm).
 constexpr double kDiscMm = 15.0;
-/// Back pictures: skin that no disc hides, paler than elsewhere so that colours are told apart on it.
+/// Back pictures: skin that no disc hides, paler than elsewhere so that colours are distinguished on it.
 constexpr figures::Colour kBackColour{0.93, 0.87, 0.83};
 
 std::vector<figures::Tick> siteTicks(int sites, bool upside_down) {

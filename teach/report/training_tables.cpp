@@ -1,4 +1,4 @@
-#include "teach/report/training_tables.h"
+#include "teach/report/training_report.h"
 
 #include <fmt/format.h>
 
@@ -17,8 +17,8 @@ using training::TraineeStatistics;
 using training::TrialStatistics;
 
 constexpr std::string_view kNoValue = "–";
-/// More sittings than this are counted, not listed.
-constexpr std::size_t kMostSittings = 60;
+/// More sessions than this are counted, not listed.
+constexpr std::size_t kMaxSittings = 60;
 
 std::string shareWords(double share) { return fmt::format("{:.1f} %", 100.0 * share); }
 
@@ -97,11 +97,11 @@ struct MadeWith {
 MadeWith madeWith(const TrainingReport& report) {
   MadeWith made;
   for (const TraineeStatistics& trainee : report.statistics.trainees) {
-    for (const training::SittingQuality& sitting : trainee.sittings) {
-      made.devices.insert(sitting.row.device);
-      made.versions.insert(sitting.row.app_version);
-      if (made.first_ms == 0 || sitting.row.start_ms < made.first_ms) made.first_ms = sitting.row.start_ms;
-      made.last_ms = std::max(made.last_ms, sitting.row.start_ms);
+    for (const training::SessionQuality& session : trainee.sessions) {
+      made.devices.insert(session.row.device);
+      made.versions.insert(session.row.app_version);
+      if (made.first_ms == 0 || session.row.start_ms < made.first_ms) made.first_ms = session.row.start_ms;
+      made.last_ms = std::max(made.last_ms, session.row.start_ms);
     }
     for (const ThresholdPoint& point : trainee.points) {
       made.meanings.insert(std::string(wordFor(point.meaning)));
@@ -111,25 +111,25 @@ MadeWith madeWith(const TrainingReport& report) {
   return made;
 }
 
-std::string eventsWords(const training::SittingQuality& sitting) {
+std::string eventsWords(const training::SessionQuality& session) {
   std::string words;
-  for (const auto& [kind, count] : sitting.events) {
+  for (const auto& [kind, count] : session.events) {
     if (kind == "block" || kind == "screen") continue;  // of the ordinary course
     words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, kind);
   }
   return words.empty() ? std::string(kNoValue) : words;
 }
 
-std::string sittingsTable(const TraineeStatistics& trainee) {
+std::string sessionsTable(const TraineeStatistics& trainee) {
   std::vector<Cells> rows;
-  for (const training::SittingQuality& sitting : trainee.sittings) {
-    if (rows.size() == kMostSittings) break;
-    const training::SittingRow& row = sitting.row;
+  for (const training::SessionQuality& session : trainee.sessions) {
+    if (rows.size() == kMaxSittings) break;
+    const training::SessionRow& row = session.row;
     rows.push_back({dayWords(row.start_ms), std::string(wordFor(row.kind)), row.device, row.app_version,
-                    row.end_ms == 0 ? "not ended" : "ended", eventsWords(sitting),
+                    row.end_ms == 0 ? "not ended" : "ended", eventsWords(session),
                     row.file.empty() ? "none" : row.file});
   }
-  return tableOf("words", {"day", "kind", "device and thimble", "version", "", "events", "session file"}, rows);
+  return tableOf("words", {"day", "kind", "device and thimble", "version", "", "events", "recording"}, rows);
 }
 
 void addCheck(std::vector<Cells>& rows, std::string what, const TrialStatistics& tests, const TrialStatistics& practice,
@@ -329,7 +329,7 @@ std::string qualitySection(const TrainingReport& report) {
                                                     "changed, or written by another version.",
                                                     changed)) +
           "\n";
-  if (!report.of_class) html += sittingsTable(statistics.trainees.front());
+  if (!report.of_class) html += sessionsTable(statistics.trainees.front());
   std::vector<Cells> protocols;
   for (const training::ProtocolRow& row : report.record.protocols) {
     protocols.push_back({row.id, fmt::format("{}", row.version), row.sha256});

@@ -1,4 +1,4 @@
-#include "teach/study/asked_test.h"
+#include "teach/study/training_measurement.h"
 
 #include <algorithm>
 #include <atomic>
@@ -218,7 +218,7 @@ Posterior believed(const std::vector<Answer>& answers, int choices) {
   return posterior;
 }
 
-void inTwoThreads(std::size_t count, const std::function<void(std::size_t)>& work) {
+void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
   const auto take = [&] {
     for (std::size_t i = next++; i < count; i = next++) work(i);

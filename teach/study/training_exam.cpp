@@ -70,8 +70,8 @@ void measureLeftOut(TrainingMeasurement& found, const Progress& progress) {
     report(progress, "places left out", (12 - searched) / 7.0);
     std::vector<LeftOutRun> each(runs);
     const std::uint64_t cell = cellNumber(TrainingPart::exploration, static_cast<std::size_t>(searched));
-    inTwoThreads(runs,
-                 [&](std::size_t i) { each[i] = leftOutRun(kTruth, searched, runSeed(found.plan.seed, cell, i)); });
+    parallelFor(runs,
+                [&](std::size_t i) { each[i] = leftOutRun(kTruth, searched, runSeed(found.plan.seed, cell, i)); });
     std::vector<training::ThresholdSummary> corrected;
     std::vector<training::ThresholdSummary> naive;
     double usable = 0.0;
@@ -95,7 +95,7 @@ void measureExam(TrainingMeasurement& found, const Progress& progress) {
     std::vector<ExamRun> at_once(runs);
     std::vector<ExamRun> in_turn(runs);
     const std::uint64_t cell = cellNumber(TrainingPart::exam, t);
-    inTwoThreads(runs, [&](std::size_t i) {
+    parallelFor(runs, [&](std::size_t i) {
       const std::uint64_t seed = runSeed(found.plan.seed, cell, i);
       at_once[i] = examRun(fixed, truths[t], seed);
       in_turn[i] = examRun(sequential, truths[t], seed + 1);

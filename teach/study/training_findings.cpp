@@ -1,4 +1,4 @@
-#include "teach/study/training_findings.h"
+#include "teach/study/training_measurement.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -61,7 +61,7 @@ MethodRow methodRow(const TrainingMeasurement& found, AskedBy method, std::size_
     const double truth = found.truths[t];
     const std::uint64_t cell = cellNumber(TrainingPart::recovery, 10 * static_cast<std::size_t>(method) + t);
     std::vector<RecoveryRun> each(runs);
-    inTwoThreads(
+    parallelFor(
         runs, [&](std::size_t i) { each[i] = recoveryRun(method, truth, longest, runSeed(found.plan.seed, cell, i)); });
     std::vector<ThresholdSummary> reported;
     std::vector<double> rms(squares.size(), 0.0);
@@ -118,7 +118,7 @@ ReadingRow readingRow(const TrainingMeasurement& found, const std::string& name,
     const double aim = changeRight(trainee, std::sqrt(0.5));
     const std::uint64_t cell = cellNumber(TrainingPart::recovery, 500 + 10 * static_cast<std::size_t>(method) + t);
     std::vector<ToldReading> each(runs);
-    inTwoThreads(runs, [&](std::size_t i) {
+    parallelFor(runs, [&](std::size_t i) {
       each[i] = read(askedTest(method, trainee, kTestTrials, runSeed(found.plan.seed, cell, i)));
     });
     double sum = 0.0;
@@ -150,7 +150,7 @@ RecoveryCell blockCell(const BlockSettings& settings, const Psychometric& traine
                        std::uint64_t cell) {
   std::vector<ThresholdSummary> reported(runs);
   std::vector<double> trials(runs);
-  inTwoThreads(runs, [&](std::size_t i) {
+  parallelFor(runs, [&](std::size_t i) {
     const std::uint64_t run = runSeed(seed, cell, i);
     Block block(settings, run);
     Random random(run ^ 0x2c1b3c6dull);

@@ -2,7 +2,9 @@
 // how many trials.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,9 +12,54 @@
 #include "palpate/base/progress.h"
 #include "palpate/training/group_estimate.h"
 #include "palpate/training/learning_curve.h"
-#include "teach/study/asked_test.h"
+#include "palpate/training/posterior.h"
+#include "palpate/training/psychometric.h"
+#include "report/page/study_page.h"
 
 namespace palpate::study {
+
+// A test of a simulated trainee, who is nothing but a psychometric function: which changes a method asks for, and what
+// is answered.
+//
+//   method, trainee, seed ─ askedTest ─► answers ─► posterior after every trial ─► recovery.h
+//
+// What the product can ask it asks itself (training/block.h); the methods that it was chosen against are here.
+
+enum class AskedBy {
+  marginal_psi,
+  marginal_psi_vhb,  ///< the seven levels only
+  quest,             ///< at the posterior's mean
+  joint_psi,         ///< tells most about threshold, slope and lapse rate together
+  two_down,
+  three_down,
+  weighted,  ///< up by three steps, down by one: 75 %
+  constant,  ///< the seven levels by turns
+  mastery,   ///< the Virtual Haptic Back, up and down
+};
+
+std::string nameOf(AskedBy method);
+
+struct AskedTest {
+  std::vector<training::Answer> answers;
+  std::vector<double> reversals;  ///< of two_down: the changes at which it turned
+  double level = 0.0;             ///< of mastery: the smallest that was mastered; 0: none
+  double first_failed = 0.0;      ///< of mastery: the smallest mastered when a level was failed first; 0: none
+};
+
+/// `trials` of them; the trainee's guess says among how many places.
+AskedTest askedTest(AskedBy method, const training::Psychometric& trainee, int trials, std::uint64_t seed);
+
+/// Among twelve places, lapse rate 2 %, slope 1.8; among two 1.24.
+training::Psychometric usualTrainee(double threshold, int choices = 12);
+
+/// Posterior after all answers.
+training::Posterior believed(const std::vector<training::Answer>& answers, int choices = 12);
+
+/// `work(i)` for every i below `count`, by two threads where there are two. What it throws is thrown here.
+void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// Of the run `i` of a cell: no two cells share answers.
+std::uint64_t runSeed(std::uint64_t seed, std::uint64_t cell, std::size_t i);
 
 struct TrainingPlan {
   std::uint64_t seed = 1;
@@ -114,7 +161,7 @@ struct WorkedExample {
   training::GroupEstimate group_before;  ///< from all answers at once
   training::GroupEstimate group_after;
   training::GroupChange change;
-  // Over repeats with people drawn anew: how often 95 % intervals of the mean hold it.
+  // Over repeats with people drawn again: how often 95 % intervals of the mean hold it.
   double covered_by_groups = 0.0;
   double covered_by_medians = 0.0;
 };
@@ -145,5 +192,13 @@ TrainingMeasurement measureTraining(const TrainingPlan& plan, const Progress& pr
 /// Of one cell, by the reported summaries of its runs.
 RecoveryCell cellOf(double truth, const std::vector<training::ThresholdSummary>& reported,
                     const std::vector<double>& trials = {});
+
+// What tests of simulated trainees say, in sentences whose verdicts their numbers decide.
+
+std::vector<std::string> trainingFindings(const TrainingMeasurement& found);
+
+// `palpate study training`: whether tests of palpation give back the thresholds of simulated trainees.
+
+Study trainingStudy();
 
 }  // namespace palpate::study

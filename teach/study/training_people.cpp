@@ -96,7 +96,7 @@ GroupRun groupRun(const std::vector<double>& before, const std::vector<double>& 
   GroupRun run;
   run.before.resize(before.size());
   run.after.resize(after.size());
-  inTwoThreads(before.size(), [&](std::size_t i) {
+  parallelFor(before.size(), [&](std::size_t i) {
     run.before[i] = answersOf(before[i], kTrialsOfATest, runSeed(seed, 1, i));
     run.after[i] = answersOf(after[i], kTrialsOfATest, runSeed(seed, 2, i));
   });
@@ -140,7 +140,7 @@ std::vector<double> evenGroup(double mean, std::uint64_t seed) {
   return thresholds;
 }
 
-/// How often intervals of a group's mean hold it, its people drawn anew.
+/// How often intervals of a group's mean hold it, its people drawn again.
 void coverGroups(TrainingMeasurement& found, const Progress& progress) {
   std::size_t by_groups = 0;
   std::size_t by_medians = 0;
@@ -172,7 +172,7 @@ void coverGroups(TrainingMeasurement& found, const Progress& progress) {
 
 void measurePower(TrainingMeasurement& found, const Progress& progress) {
   const std::vector<int> sizes = {6, 7, 8, 10};
-  constexpr std::size_t kMostPeople = 10;
+  constexpr std::size_t kMaxPeople = 10;
   std::vector<std::size_t> seen(sizes.size(), 0);
   for (std::size_t repeat = 0; repeat < found.plan.repeats; ++repeat) {
     report(progress, "power", static_cast<double>(repeat) / static_cast<double>(found.plan.repeats));
@@ -180,7 +180,7 @@ void measurePower(TrainingMeasurement& found, const Progress& progress) {
     Random random(seed);
     std::vector<double> before;
     std::vector<double> after;
-    for (std::size_t i = 0; i < kMostPeople; ++i) {  // who was good before need not be good after
+    for (std::size_t i = 0; i < kMaxPeople; ++i) {  // who was good before need not be good after
       before.push_back(thresholdOf(kBefore, random.normal()));
       after.push_back(thresholdOf(kAfter, random.normal()));
     }
@@ -207,7 +207,7 @@ void measureLearning(TrainingMeasurement& found, const Progress& progress) {
     report(progress, "learning", static_cast<double>(cell) / 3.0);
     std::vector<LearningErrors> each(people);
     std::vector<double> held(people, -1.0);
-    inTwoThreads(people, [&](std::size_t i) {
+    parallelFor(people, [&](std::size_t i) {
       const auto sessions = sessionsOf(trials, runSeed(found.plan.seed, cellNumber(TrainingPart::learning, cell), i));
       each[i] = learningErrors(sessions);
       if (trials == kTrialsOfATest && i < 100) held[i] = heldByBand(*training::fitLearning(sessions));
@@ -235,7 +235,7 @@ void measureChanges(TrainingMeasurement& found, const Progress& progress) {
   for (const int trials : {20, 40}) {
     std::vector<int> alarmed(kPeople, 0);
     std::vector<int> seen(kPeople, 0);
-    inTwoThreads(kPeople, [&](std::size_t i) {
+    parallelFor(kPeople, [&](std::size_t i) {
       const std::uint64_t seed = runSeed(found.plan.seed, cellNumber(TrainingPart::changes, cell), i);
       const auto result = [&](double truth, std::uint64_t part) {
         return believed(answersOf(truth, trials, seed + part)).summary();

@@ -1,5 +1,4 @@
 // The study of training: whether tests of thresholds give back what simulated trainees have.
-#include "teach/study/training_study.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +6,7 @@
 #include <cmath>
 
 #include "report/page/plot_parts.h"
-#include "teach/study/training_findings.h"
+#include "teach/study/training_measurement.h"
 #include "teach/study/training_numbers.h"
 
 namespace palpate::study {
@@ -295,7 +294,7 @@ std::vector<std::string> methodTexts(const TrainingMeasurement& found) {
                   "it.",
                   counted(static_cast<double>(plan.runs)), counted(static_cast<double>(plan.beside_runs)),
                   plan.all ? fmt::format(", {} of what lies outside the model", plan.robust_runs) : "", plan.seed),
-      "Who leaves places out feels so many of twelve, drawn anew in each trial, and answers among them with the "
+      "Who leaves places out feels so many of twelve, drawn again in each trial, and answers among them with the "
       "threshold that an ideal observer has among so many; where the target is not among them the answer is wrong.",
       "The 89 trainees lie evenly over a lognormal of 0.30 around 28 %, then 14 %, before and after unrelated: with "
       "what a test of 40 trials adds, the published spread. Howell et al., BMC Medical Education 8:14, 2008."};

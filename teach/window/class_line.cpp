@@ -10,27 +10,27 @@ void ClassLine::felt(const trace::Sample& sample) {
   if (newer || sample.contact.force.norm() > pressing_.contact.force.norm()) pressing_ = sample;
 }
 
-void ClassLine::follow(const training::Sitting* sitting) {
-  if (sitting == nullptr) {
+void ClassLine::follow(const training::Session* session) {
+  if (session == nullptr) {
     if (std::exchange(told_, false)) link_.clearState();
     seen_.reset();
     return;
   }
-  const Seen now{sitting->screen(), sitting->trialNumber(), sitting->paused()};
+  const Seen now{session->screen(), session->trialNumber(), session->paused()};
   if (seen_ != now) {
     seen_ = now;
     told_ = true;
-    link_.publishState(classroom::stateOf(*sitting));
+    link_.publishState(classroom::stateOf(*session));
   }
-  const auto& sites = sitting->plan().sites.sites;
+  const auto& sites = session->plan().sites.sites;
   const auto pressed =
-      std::ranges::count_if(sites, [&](const training::Site& site) { return sitting->visited(site.number); });
+      std::ranges::count_if(sites, [&](const training::Site& site) { return session->visited(site.number); });
   link_.publishLive({.finger_mm = pressing_.contact.tip,
                      .force_n = pressing_.contact.force.norm(),
                      .depth_mm = pressing_.contact.depth_mm,
-                     .site = sitting->touchedSite(),
+                     .site = session->touchedSite(),
                      .sites_pressed = static_cast<int>(pressed),
-                     .phase = sitting->screen()});
+                     .phase = session->screen()});
 }
 
 }  // namespace palpate::viewer

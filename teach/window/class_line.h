@@ -1,6 +1,6 @@
 // What the training window tells a class and hears from its instructor, once a frame; without a class nothing.
 //
-//   sitting, samples ─► ClassLine ─► classroom::StationLink ─► class        instructor ─► takeCommand ─► desk
+//   session, samples ─► ClassLine ─► classroom::StationLink ─► class        instructor ─► takeCommand ─► desk
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 #include "palpate/classroom/station_link.h"
 #include "palpate/trace/sample.h"
-#include "palpate/training/sitting.h"
+#include "palpate/training/session/session.h"
 
 namespace palpate::viewer {
 
@@ -20,7 +20,7 @@ class ClassLine {
 
   void felt(const trace::Sample& sample);
   /// Once a frame; null: nobody sits.
-  void follow(const training::Sitting* sitting);
+  void follow(const training::Session* session);
   void safety(const std::string& words) { link_.publishSafety(words); }
   std::optional<classroom::Command> takeCommand() { return link_.takeCommand(); }
   /// For the edge of the screen; empty: all is well.

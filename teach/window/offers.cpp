@@ -1,4 +1,4 @@
-#include "teach/window/offers.h"
+#include "teach/window/training_words.h"
 
 #include <fmt/format.h>
 
@@ -12,29 +12,29 @@ namespace palpate::viewer {
 
 namespace {
 
-using training::SittingKind;
+using training::SessionKind;
 
 constexpr double kDayMs = 86400e3;
 
 struct KindWords {
-  SittingKind kind;
+  SessionKind kind;
   const char* name;
   const char* line;
 };
 /// As they stand on the screen.
 constexpr std::array<KindWords, 7> kKindWords = {{
-    {SittingKind::pre_test, "Test before practice", "How small a change you find now. Answers are not told."},
-    {SittingKind::practice, "Practice", "After each answer you hear whether it was right."},
-    {SittingKind::mastery, "Mastery", "Step by step to smaller changes, three of four right."},
-    {SittingKind::post_test, "Test after practice", "The same test again, to see what has changed."},
-    {SittingKind::exam, "Examination", "Pass, not yet, or repeat. Answers are not told."},
-    {SittingKind::retention, "Test of what has stayed", "A week or more after the last test."},
-    {SittingKind::free, "Free exploration", "Feel whatever you like. Nothing is asked."},
+    {SessionKind::pre_test, "Test before practice", "How small a change you find now. Answers are not told."},
+    {SessionKind::practice, "Practice", "After each answer you hear whether it was right."},
+    {SessionKind::mastery, "Mastery", "Step by step to smaller changes, three of four right."},
+    {SessionKind::post_test, "Test after practice", "The same test again, to see what has changed."},
+    {SessionKind::exam, "Examination", "Pass, not yet, or repeat. Answers are not told."},
+    {SessionKind::retention, "Test of what has stayed", "A week or more after the last test."},
+    {SessionKind::free, "Free exploration", "Feel whatever you like. Nothing is asked."},
 }};
 
 /// When the newest test ended whose result could fade; 0: there is none.
 std::int64_t lastTestMs(const TrainingPast& past) {
-  return std::max(past.of(SittingKind::post_test).last_ms, past.of(SittingKind::exam).last_ms);
+  return std::max(past.of(SessionKind::post_test).last_ms, past.of(SessionKind::exam).last_ms);
 }
 
 /// Whole days that are left until what has stayed can be tested.
@@ -43,17 +43,17 @@ int daysToWait(const TrainingPast& past, const training::Protocol& protocol, std
   return std::max(0, static_cast<int>(std::ceil(protocol.least_days_to_retention - since_days)));
 }
 
-SittingKind suggestion(const TrainingPast& past, bool retention_due) {
+SessionKind suggestion(const TrainingPast& past, bool retention_due) {
   for (const KindWords& words : kKindWords) {
-    if (words.kind != SittingKind::free && past.of(words.kind).interrupted) return words.kind;
+    if (words.kind != SessionKind::free && past.of(words.kind).interrupted) return words.kind;
   }
-  if (past.of(SittingKind::pre_test).finished == 0) return SittingKind::pre_test;
-  if (retention_due && past.of(SittingKind::retention).finished == 0) return SittingKind::retention;
-  const int practices = past.of(SittingKind::practice).finished + past.of(SittingKind::mastery).finished;
-  if (practices < kPracticesOfCourse) return SittingKind::practice;
-  if (past.of(SittingKind::post_test).finished == 0) return SittingKind::post_test;
-  if (past.of(SittingKind::exam).finished == 0) return SittingKind::exam;
-  return SittingKind::practice;
+  if (past.of(SessionKind::pre_test).finished == 0) return SessionKind::pre_test;
+  if (retention_due && past.of(SessionKind::retention).finished == 0) return SessionKind::retention;
+  const int practices = past.of(SessionKind::practice).finished + past.of(SessionKind::mastery).finished;
+  if (practices < kPracticesOfCourse) return SessionKind::practice;
+  if (past.of(SessionKind::post_test).finished == 0) return SessionKind::post_test;
+  if (past.of(SessionKind::exam).finished == 0) return SessionKind::exam;
+  return SessionKind::practice;
 }
 
 std::string waitingWords(const TrainingPast& past, int days) {
@@ -64,24 +64,24 @@ std::string waitingWords(const TrainingPast& past, int days) {
 
 }  // namespace
 
-TrainingPast::OfKind TrainingPast::of(SittingKind kind) const {
+TrainingPast::OfKind TrainingPast::of(SessionKind kind) const {
   const auto found = kinds.find(kind);
   return found == kinds.end() ? OfKind{} : found->second;
 }
 
-std::string nameOfKind(SittingKind kind) {
+std::string nameOfKind(SessionKind kind) {
   const auto found = std::ranges::find(kKindWords, kind, &KindWords::kind);
   return found->name;
 }
 
 TrainingPast trainingPastOf(training::Store& store, const std::string& trainee) {
   TrainingPast past;
-  for (const training::SittingRow& sitting : store.sittings(trainee)) {
-    TrainingPast::OfKind& of = past.kinds[sitting.kind];
-    for (const training::BlockRow& block : store.blocks(sitting.id)) {
+  for (const training::SessionRow& session : store.sessions(trainee)) {
+    TrainingPast::OfKind& of = past.kinds[session.kind];
+    for (const training::BlockRow& block : store.blocks(session.id)) {
       if (!block.finished) continue;
       ++of.finished;
-      of.last_ms = std::max(of.last_ms, sitting.end_ms);
+      of.last_ms = std::max(of.last_ms, session.end_ms);
     }
   }
   for (auto& [kind, of] : past.kinds) of.interrupted = store.interrupted(trainee, kind).has_value();
@@ -91,15 +91,15 @@ TrainingPast trainingPastOf(training::Store& store, const std::string& trainee) 
 std::vector<Offer> offersFor(const TrainingPast& past, const training::Protocol& protocol, std::int64_t now_ms) {
   const bool tested = lastTestMs(past) > 0;
   const int days = daysToWait(past, protocol, now_ms);
-  const SittingKind suggested = suggestion(past, tested && days == 0);
+  const SessionKind suggested = suggestion(past, tested && days == 0);
   std::vector<Offer> offers;
   for (const KindWords& words : kKindWords) {
     Offer offer{words.kind, words.name, words.line, true, words.kind == suggested};
-    if (words.kind == SittingKind::retention && (!tested || days > 0)) {
+    if (words.kind == SessionKind::retention && (!tested || days > 0)) {
       offer.enabled = false;
       offer.line = waitingWords(past, days);
     }
-    if (past.of(words.kind).interrupted && words.kind != SittingKind::free) {
+    if (past.of(words.kind).interrupted && words.kind != SessionKind::free) {
       offer.enabled = true;
       offer.line = "Goes on where it stopped.";
     }

@@ -82,7 +82,7 @@ class Tour {
   }
 
   void practice() {
-    choose(training::SittingKind::practice);
+    choose(training::SessionKind::practice);
     take("device-check");
     pressSite(4);
     key(Key::enter);
@@ -115,7 +115,7 @@ class Tour {
   }
 
   void test() {
-    choose(training::SittingKind::pre_test);
+    choose(training::SessionKind::pre_test);
     settle();
     key(Key::space);
     settle();
@@ -139,7 +139,7 @@ class Tour {
   }
 
   void free() {
-    choose(training::SittingKind::free);
+    choose(training::SessionKind::free);
     settle();
     take("free-exploration");
     key(Key::enter);
@@ -149,8 +149,8 @@ class Tour {
 
   // --- hands
 
-  Screen screen() const { return training_->sitting()->screen(); }
-  int truth() const { return training_->sitting()->hidden()->site; }
+  Screen screen() const { return training_->session()->screen(); }
+  int truth() const { return training_->session()->hidden()->site; }
 
   void frame(const std::vector<window::InputEvent>& events = {}) {
     viewer_->frame(settings_.width, settings_.height, 1.0, now_s_ += kTourFrameS, events);
@@ -193,7 +193,7 @@ class Tour {
     frames(2);
   }
 
-  void choose(training::SittingKind kind) {
+  void choose(training::SessionKind kind) {
     const std::string name = nameOfKind(kind);
     for (std::size_t i = 0; i < 10; ++i) {
       const TrainingScreen& shown = training_->screen();
@@ -207,11 +207,11 @@ class Tour {
   void answer(int site) {
     settle();
     for (int i = 0; i < 2 && screen() == Screen::trial; ++i) {
-      const int before = training_->sitting()->trialNumber();
+      const int before = training_->session()->trialNumber();
       key(Key::backspace);
       text(fmt::format("{}", site));
       key(Key::enter);
-      if (screen() != Screen::trial || training_->sitting()->trialNumber() != before) return;
+      if (screen() != Screen::trial || training_->session()->trialNumber() != before) return;
     }
   }
 
@@ -222,7 +222,7 @@ class Tour {
     text(fmt::format("{}", site));
     key(trial ? Key::space : kKeyT);
     const auto end = now_s_ + 2.0;
-    const auto pressed = [&] { return training_->sitting()->visited(site); };
+    const auto pressed = [&] { return training_->session()->visited(site); };
     while (now_s_ < end && !(trial && pressed())) {
       frame();
       std::this_thread::sleep_for(std::chrono::milliseconds(16));

@@ -8,8 +8,8 @@
 
 #include "palpate/base/error.h"
 #include "palpate/training/records/trainee_code.h"
-#include "palpate/training/trial_scene.h"
-#include "teach/window/site_marks.h"
+#include "palpate/training/session/trial_scene.h"
+#include "teach/window/training_painting.h"
 
 namespace palpate::viewer {
 
@@ -55,35 +55,35 @@ training::StationRow stationOf(training::Store& store, const std::optional<class
 TrainingMode::TrainingMode(TrainingSettings settings)
     : settings_(std::move(settings)),
       store_(settings_.records, training::Store::Open::create_too),
-      desk_(store_, settings_.protocol, settings_.desk),
+      sign_in_(store_, settings_.protocol, settings_.sign_in),
       voice_(settings_.speech),
       thimble_(settings_.thimble) {
   tidying_.start([records = settings_.records] {
     training::Store store(records, training::Store::Open::existing);
-    return training::SessionFiles(store).lockLeftBehind();
+    return training::RecordingFiles(store).lockLeftBehind();
   });
   compose();
 }
 
 TrainingMode::~TrainingMode() { TrainingMode::finish("interrupted"); }
 
-void TrainingMode::begin(Session& session, const scene::World& world, window::Gui& gui) {
+void TrainingMode::begin(ViewerState& viewer, const scene::World& world, window::Gui& gui) {
   const auto& landmarks = world.body->anatomy.landmarks;
   sites_ = settings_.protocol.sites.empty() ? training::twelveSites(landmarks)
                                             : training::sitesNamed(landmarks, settings_.protocol.sites);
-  base_ = session.scene;
+  base_ = viewer.scene;
   if (settings_.member) {
-    const std::string app = engine::sessionHeader(session.ticks_per_s).software;
-    class_ = std::make_unique<ClassLine>(*settings_.member, store_, classroom::StationInfo{app, session.held_by});
+    const std::string app = engine::recordingHeader(viewer.ticks_per_s).software;
+    class_ = std::make_unique<ClassLine>(*settings_.member, store_, classroom::StationInfo{app, viewer.held_by});
   }
-  ViewState& state = session.state;
+  ViewState& state = viewer.state;
   state.shown = {.panel = true, .panel_right = true, .plots = false, .numbers = false, .reach = false};
   state.hints = false;
   const view::Shading shading = state.look.shading;
   state.look = {};
   state.look.shading = shading;
   state.touch = {.by = device::PressBy::force, .force_n = kMousePressN};
-  session.mark_vertex = false;
+  viewer.mark_vertex = false;
   gui.useLargeLetters();
 }
 
@@ -95,15 +95,15 @@ bool TrainingMode::clockRuns() const { return run_ && !world_.waiting() && state
 
 TrialWorld::Body TrainingMode::wanted() const {
   // While something is asked there is nothing to be felt: nobody searches while the clock stands still.
-  if (!run_ || state_ != State::going_on || run_->sitting().paused()) return {};
-  const training::Sitting& sitting = run_->sitting();
-  const bool of_trial = sitting.screen() == Screen::trial || sitting.screen() == Screen::feedback;
-  int trial = of_trial ? sitting.trialNumber() : 0;
-  if (sitting.screen() == Screen::feedback) trial = static_cast<int>(sitting.trials().back().number);
-  return {sitting.hidden(), trial};
+  if (!run_ || state_ != State::going_on || run_->session().paused()) return {};
+  const training::Session& session = run_->session();
+  const bool of_trial = session.screen() == Screen::trial || session.screen() == Screen::feedback;
+  int trial = of_trial ? session.trialNumber() : 0;
+  if (session.screen() == Screen::feedback) trial = static_cast<int>(session.trials().back().number);
+  return {session.hidden(), trial};
 }
 
-void TrainingMode::layBody(Session& session, WorldSwap& world_swap) {
+void TrainingMode::layBody(ViewerState& viewer, WorldSwap& world_swap) {
   if (!run_) return;
   if (world_.waiting() && !world_swap.failure().empty()) {
     state_ = State::trouble;
@@ -111,14 +111,14 @@ void TrainingMode::layBody(Session& session, WorldSwap& world_swap) {
   }
   const TrialWorld::Body body = wanted();
   if (!world_.request(body)) return;
-  const training::SittingPlan& plan = run_->sitting().plan();
-  world_swap.lay(training::trialScene(base_, plan.protocol, plan.kind, plan.sites, body.hidden), session);
+  const training::SessionPlan& plan = run_->session().plan();
+  world_swap.lay(training::trialScene(base_, plan.protocol, plan.kind, plan.sites, body.hidden), viewer);
   compose();
 }
 
 void TrainingMode::worldCame(const scene::World& world) {
   if (!run_ || !world_.waiting()) return;
-  const training::SittingPlan& plan = run_->sitting().plan();
+  const training::SessionPlan& plan = run_->session().plan();
   const auto hidden = world_.requested() ? world_.requested()->hidden : std::nullopt;
   world_.taken(sameHidden(world.scene, training::trialScene(base_, plan.protocol, plan.kind, plan.sites, hidden)));
 }
@@ -129,8 +129,8 @@ void TrainingMode::feel(const trace::Sample& sample) {
   if (class_) class_->felt(sample);
   const bool came = world_.feel(sample.world);
   if (!run_ || world_.waiting() || state_ != State::going_on) return;
-  if (came && run_->sitting().screen() == Screen::trial && world_.begins()) run_->sitting().ready(now());
-  run_->sitting().feel(sample, now());
+  if (came && run_->session().screen() == Screen::trial && world_.begins()) run_->session().ready(now());
+  run_->session().feel(sample, now());
 }
 
 void TrainingMode::takeButton(std::uint32_t buttons) {
@@ -138,18 +138,18 @@ void TrainingMode::takeButton(std::uint32_t buttons) {
   const bool pressed = down != 0 && buttons_ == 0;
   buttons_ = down;
   if (!pressed || !run_ || state_ != State::going_on || world_.waiting()) return;
-  if (run_->sitting().screen() != Screen::trial) return clicks_.push_back({TrainingAct::next, 0});
-  if (const int site = run_->sitting().touchedSite(); site != 0) {
+  if (run_->session().screen() != Screen::trial) return clicks_.push_back({TrainingAct::next, 0});
+  if (const int site = run_->session().touchedSite(); site != 0) {
     clicks_.push_back({TrainingAct::pick_site, site});
     clicks_.push_back({TrainingAct::answer, 0});
   } else {
-    desk_.tell("Touch the place that you mean, then press the button.");
+    sign_in_.tell("Touch the place that you mean, then press the button.");
   }
 }
 
 // --- what is seen
 
-void TrainingMode::look(const Sight& sight, const Session& session) {
+void TrainingMode::look(const Sight& sight, const ViewerState& viewer) {
   seen_.clear();
   for (const training::Site& site : sites_.sites) {
     SeenSite seen;
@@ -165,7 +165,7 @@ void TrainingMode::look(const Sight& sight, const Session& session) {
     seen_.push_back(seen);
   }
   if (std::exchange(keyboard_.moved, false) && keyboard_.place) {
-    sight.pointer.demonstrate(session.active_finger, *keyboard_.place, keyboard_.presses);
+    sight.pointer.demonstrate(viewer.active_finger, *keyboard_.place, keyboard_.presses);
   }
 }
 
@@ -186,7 +186,7 @@ void TrainingMode::adjust(view::PictureSettings& picture) const {
 TrainingOver TrainingMode::over() const {
   switch (state_) {
     case State::going_on:
-      return run_ && run_->sitting().paused() ? TrainingOver::paused : TrainingOver::none;
+      return run_ && run_->session().paused() ? TrainingOver::paused : TrainingOver::none;
     case State::leaving:
     case State::quitting:
       return TrainingOver::leaving;
@@ -200,7 +200,7 @@ TrainingOver TrainingMode::over() const {
 
 TrainingView TrainingMode::view() const {
   TrainingView view;
-  desk_.describe(view);
+  sign_in_.describe(view);
   if (kind_) view.stage = TrainingStage::thimble;
   view.over = over();
   view.trouble = trouble_;
@@ -210,7 +210,7 @@ TrainingView TrainingMode::view() const {
   view.force_share = holder_.force_share;
   view.ratios_kept_to_n = holder_.ratios_kept_to_n;
   view.focus = focus_;
-  view.sitting = sitting();
+  view.session = session();
   view.now = now();
   view.waiting = world_.waiting();
   view.picked = picked_;
@@ -218,10 +218,10 @@ TrainingView TrainingMode::view() const {
   return view;
 }
 
-/// A sitting that has not begun shows the door it came through.
+/// A session that has not begun shows the door it came through.
 void TrainingMode::compose() {
   TrainingView shown = view();
-  if (shown.stage == TrainingStage::sitting && !run_) shown.stage = TrainingStage::choice;
+  if (shown.stage == TrainingStage::session && !run_) shown.stage = TrainingStage::choice;
   screen_ = screenOf(shown);
   if (std::exchange(screen_title_, screen_.title) != screen_.title) {
     focus_ = 0;
@@ -240,7 +240,7 @@ void TrainingMode::speak() {
   voice_.advance();
   if (!voice_.can()) return;
   if (run_ && state_ == State::going_on) {
-    const training::Said said = run_->sitting().said();
+    const training::Said said = run_->session().said();
     if (std::exchange(spoken_, said.number) != said.number) voice_.say(said.text);
     spoken_title_ = screen_.title;
   } else if (std::exchange(spoken_title_, screen_.title) != screen_.title) {
@@ -250,7 +250,7 @@ void TrainingMode::speak() {
 
 // --- what is asked for
 
-bool TrainingMode::handle(const window::InputEvent& event, Session& /*session*/, bool /*typing*/) {
+bool TrainingMode::handle(const window::InputEvent& event, ViewerState& /*viewer*/, bool /*typing*/) {
   const TrainingStroke stroke = strokeOf(event, screen_);
   using Kind = TrainingStroke::Kind;
   switch (stroke.kind) {
@@ -268,7 +268,7 @@ bool TrainingMode::handle(const window::InputEvent& event, Session& /*session*/,
       typed(stroke.text);
       break;
     case Kind::erase:
-      run_ ? (digits_.clear(), picked_ = 0, void()) : desk_.erase();
+      run_ ? (digits_.clear(), picked_ = 0, void()) : sign_in_.erase();
       break;
     case Kind::walk:
       walk(stroke.by);
@@ -283,7 +283,7 @@ bool TrainingMode::handle(const window::InputEvent& event, Session& /*session*/,
 
 /// A number that is typed picks its site: the digits together where there is such a site, else the last one alone.
 void TrainingMode::typed(const std::string& letters) {
-  if (!run_) return desk_.type(letters);
+  if (!run_) return sign_in_.type(letters);
   if (screen_.place != TrainingPlace::body) return;
   const std::int64_t now_ms = training::utcMs();
   if (now_ms - std::exchange(digits_ms_, now_ms) > kSameNumberMs) digits_.clear();
@@ -306,7 +306,7 @@ void TrainingMode::walk(const Vec2& by) {
   keyboard_.press(false);
 }
 
-bool TrainingMode::handle(const window::Command& command, Session& /*session*/) {
+bool TrainingMode::handle(const window::Command& command, ViewerState& /*viewer*/) {
   using CommandKind = window::Command::Kind;
   switch (command.kind) {
     case CommandKind::act: {
@@ -342,20 +342,20 @@ bool TrainingMode::handleOver(TrainingAct act) {
 
 void TrainingMode::leaveNow(bool quits) {
   if (run_) {
-    run_->sitting().leave(now());
-    endSitting();
+    run_->session().leave(now());
+    endSession();
   }
   quit_ = quit_ || quits;
 }
 
-void TrainingMode::actOnSitting(TrainingAct act, int value) {
-  training::Sitting& sitting = run_->sitting();
+void TrainingMode::actOnSession(TrainingAct act, int value) {
+  training::Session& session = run_->session();
   switch (act) {
     case TrainingAct::next:
-      if (sitting.screen() == Screen::finished) return endSitting();
-      if (world_.waiting() && sitting.screen() == Screen::feedback) return;
-      sitting.next(now());
-      picked_ = sitting.screen() == Screen::feedback ? picked_ : 0;
+      if (session.screen() == Screen::finished) return endSession();
+      if (world_.waiting() && session.screen() == Screen::feedback) return;
+      session.next(now());
+      picked_ = session.screen() == Screen::feedback ? picked_ : 0;
       break;
     case TrainingAct::pick_site:
       picked_ = value;
@@ -363,20 +363,20 @@ void TrainingMode::actOnSitting(TrainingAct act, int value) {
       return;
     case TrainingAct::answer:
       if (picked_ == 0 || world_.waiting()) return;
-      if (sitting.answer(picked_, now())) {
-        picked_ = sitting.screen() == Screen::feedback && sitting.hidden() ? sitting.hidden()->site : 0;
+      if (session.answer(picked_, now())) {
+        picked_ = session.screen() == Screen::feedback && session.hidden() ? session.hidden()->site : 0;
         digits_.clear();
       }
       break;
     case TrainingAct::pause:
-      sitting.pause(now());
+      session.pause(now());
       break;
     case TrainingAct::go_on:
-      sitting.goOn(now());
+      session.goOn(now());
       break;
     case TrainingAct::leave:
       // What is over already needs no question.
-      if (sitting.screen() == Screen::block_summary || sitting.screen() == Screen::finished) return leaveNow(false);
+      if (session.screen() == Screen::block_summary || session.screen() == Screen::finished) return leaveNow(false);
       state_ = State::leaving;
       return;
     default:
@@ -385,72 +385,72 @@ void TrainingMode::actOnSitting(TrainingAct act, int value) {
   if (keyboard_.presses) keyboard_.press(false);
 }
 
-void TrainingMode::handle(const TrainingClick& click, Session& session, LiveServo& servo) {
+void TrainingMode::handle(const TrainingClick& click, ViewerState& viewer, LiveServo& servo) {
   if (click.act == TrainingAct::quit) {
     quit_ = quit_ || mayQuit();
   } else if (handleOver(click.act)) {
     return;
   } else if (run_) {
-    actOnSitting(click.act, click.value);
+    actOnSession(click.act, click.value);
   } else if (kind_) {
     if (click.act == TrainingAct::choose && static_cast<std::size_t>(click.value) < kThimbles.size()) {
       thimble_ = kThimbles[static_cast<std::size_t>(click.value)].word;
-      beginSitting(session, servo);
+      beginSession(viewer, servo);
     } else if (click.act == TrainingAct::no) {
       kind_.reset();
-      desk_.comeBack();
+      sign_in_.comeBack();
     }
   } else {
     try {
-      desk_.act(click.act, click.value);
+      sign_in_.act(click.act, click.value);
     } catch (const Error& error) {
-      desk_.tell(error.what());
+      sign_in_.tell(error.what());
     }
   }
 }
 
-bool TrainingMode::handle(const Request& request, Session& /*session*/) {
+bool TrainingMode::handle(const Request& request, ViewerState& /*viewer*/) {
   return std::holds_alternative<Quit>(request) && !mayQuit();
 }
 
 bool TrainingMode::mayQuit() {
-  if (!run_ || run_->sitting().screen() == Screen::finished || run_->sitting().screen() == Screen::block_summary) {
+  if (!run_ || run_->session().screen() == Screen::finished || run_->session().screen() == Screen::block_summary) {
     return true;
   }
   state_ = State::quitting;
   return false;
 }
 
-// --- a sitting
+// --- a session
 
-training::SittingPlan TrainingMode::planOf(training::SittingKind kind, const Session& session) {
-  training::SittingPlan plan;
+training::SessionPlan TrainingMode::planOf(training::SessionKind kind, const ViewerState& viewer) {
+  training::SessionPlan plan;
   plan.protocol = settings_.protocol;
-  if (!session.held.empty()) {
+  if (!viewer.held.empty()) {
     plan.protocol.base_n_per_mm =
-        training::renderableBase(plan.protocol, base_, device::profileOf(base_.safety.device, session.held));
+        training::renderableBase(plan.protocol, base_, device::profileOf(base_.safety.device, viewer.held));
   }
   plan.kind = kind;
   plan.sites = sites_;
   plan.seed = settings_.seed.value_or(training::systemRandom()[0] >> 1);
-  plan.tick_s = 1.0 / session.ticks_per_s;
-  const training::TraineeRow& trainee = desk_.trainee();
-  training::SittingRow& row = plan.row;
+  plan.tick_s = 1.0 / viewer.ticks_per_s;
+  const training::TraineeRow& trainee = sign_in_.trainee();
+  training::SessionRow& row = plan.row;
   row.id = training::uuidOf(training::utcMs(), training::systemRandom());
-  row.trainee = trainee.id;
-  row.app_version = engine::sessionHeader(session.ticks_per_s).software;
+  row.trainee_id = trainee.id;
+  row.app_version = engine::recordingHeader(viewer.ticks_per_s).software;
   row.device = holder_.mouse ? "mouse" : fmt::format("{}, {}", holder_.words, thimble_);
-  if (settings_.session_files) row.file = training::SessionFiles::nameFor(row.id);
+  if (settings_.recording_files) row.file = training::RecordingFiles::nameFor(row.id);
   if (const auto interrupted = store_.interrupted(trainee.id, kind)) plan.resumed = interrupted->block;
   if (const auto before = store_.lastMeasured(trainee.id); before && before->threshold > 0.0) {
-    plan.before = training::ShownThreshold{before->threshold, before->low, before->high};
+    plan.before = training::ShownThreshold{before->threshold, before->threshold_low, before->threshold_high};
   }
   plan.familiar = familiar_ == trainee.id + row.device;
   return plan;
 }
 
-void TrainingMode::beginSitting(Session& session, LiveServo& servo) {
-  const training::SittingKind kind = *std::exchange(kind_, std::nullopt);
+void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {
+  const training::SessionKind kind = *std::exchange(kind_, std::nullopt);
   try {
     training::StationRow station = stationOf(store_, settings_.member);
     station.device = holder_.words;
@@ -460,25 +460,25 @@ void TrainingMode::beginSitting(Session& session, LiveServo& servo) {
                                      member->retention.samples_days});
     }
     // Anew for the class, which may have forgotten somebody who was away for long.
-    if (const auto trainee = store_.trainee(desk_.trainee().id)) store_.keep(*trainee);
+    if (const auto trainee = store_.trainee(sign_in_.trainee().id)) store_.keep(*trainee);
     store_.keep(training::protocolRowOf(settings_.protocol));
-    training::SittingPlan plan = planOf(kind, session);
-    plan.row.station = station.id;
-    run_ = std::make_unique<SittingRun>(store_, servo, std::move(plan), now());
+    training::SessionPlan plan = planOf(kind, viewer);
+    plan.row.station_id = station.id;
+    run_ = std::make_unique<SessionRun>(store_, servo, std::move(plan), now());
   } catch (const Error& error) {
-    return desk_.comeBack(error.what());
+    return sign_in_.comeBack(error.what());
   }
   spoken_ = 0;
   picked_ = 0;
   keepRows();
 }
 
-void TrainingMode::endSitting() {
+void TrainingMode::endSession() {
   const std::string words = run_->finish("done", now());
   run_.reset();
   world_.clear();
   state_ = State::going_on;
-  desk_.comeBack(words.empty() ? "Saved." : words);
+  sign_in_.comeBack(words.empty() ? "Saved." : words);
 }
 
 void TrainingMode::keepRows() {
@@ -488,38 +488,38 @@ void TrainingMode::keepRows() {
 }
 
 /// For the record: a force that was cut off is no force of the trainee's.
-void TrainingMode::followSafety(const Session& session) {
-  if (std::exchange(stopped_, session.devices.stopped) == session.devices.stopped) return;
+void TrainingMode::followSafety(const ViewerState& viewer) {
+  if (std::exchange(stopped_, viewer.devices.stopped) == viewer.devices.stopped) return;
   if (class_) class_->safety(stopped_ ? "emergency stop" : "ok");
   if (!run_) return;
-  run_->sitting().safety(stopped_ ? "emergency stop" : "emergency stop released", now());
+  run_->session().safety(stopped_ ? "emergency stop" : "emergency stop released", now());
 }
 
 /// What an instructor may ask: nothing of it touches device or force.
 void TrainingMode::followClass() {
   if (!class_) return;
-  class_->follow(sitting());
+  class_->follow(session());
   while (const auto command = class_->takeCommand()) {
     using Kind = classroom::CommandKind;
     if (command->kind == Kind::message) {
       message_ = command->text;
       if (state_ == State::going_on) state_ = State::message;
     } else if (run_ && command->kind == Kind::pause) {
-      run_->sitting().pause(now());
+      run_->session().pause(now());
     } else if (run_ && command->kind == Kind::go_on) {
-      run_->sitting().goOn(now());
+      run_->session().goOn(now());
     } else if (run_ && command->kind == Kind::next_block) {
       leaveNow(state_ == State::quitting);
     }
   }
 }
 
-TrainingMode::Holder TrainingMode::holderOf(const Session& session, LiveServo& servo) {
+TrainingMode::Holder TrainingMode::holderOf(const ViewerState& viewer, LiveServo& servo) {
   Holder holder;
-  holder.mouse = !session.devices.anyHeld();
-  if (!holder.mouse) holder.words = session.held_by;
-  holder.force_share = session.devices.stiffness_factor;
-  holder.ratios_kept_to_n = session.devices.ratios_kept_to_n;
+  holder.mouse = !viewer.devices.anyHeld();
+  if (!holder.mouse) holder.words = viewer.held_by;
+  holder.force_share = viewer.devices.stiffness_factor;
+  holder.ratios_kept_to_n = viewer.devices.ratios_kept_to_n;
   for (std::size_t i = 0; i < kFingers; ++i) {
     if (!servo.isHeld(i)) continue;
     const device::Workspace& workspace = servo.opened(i).workspace;
@@ -529,30 +529,30 @@ TrainingMode::Holder TrainingMode::holderOf(const Session& session, LiveServo& s
 }
 
 void TrainingMode::advance(const ModeWork& work) {
-  Session& session = work.session;
+  ViewerState& viewer = work.viewer;
   LiveServo& servo = work.servo;
-  holder_ = holderOf(session, servo);
-  for (const TrainingClick& click : std::exchange(clicks_, {})) handle(click, session, servo);
-  if (const auto chosen = desk_.takeChosen()) {
+  holder_ = holderOf(viewer, servo);
+  for (const TrainingClick& click : std::exchange(clicks_, {})) handle(click, viewer, servo);
+  if (const auto chosen = sign_in_.takeChosen()) {
     kind_ = chosen;
-    if (holder_.mouse || !thimble_.empty()) beginSitting(session, servo);
+    if (holder_.mouse || !thimble_.empty()) beginSession(viewer, servo);
   }
   if (clockRuns()) {
     clock_s_ += work.elapsed_s;
-    run_->sitting().tick(now());
+    run_->session().tick(now());
   }
   if (run_) {
-    const Screen screen = run_->sitting().screen();
-    const training::Said said = run_->sitting().said();
+    const Screen screen = run_->session().screen();
+    const training::Said said = run_->session().said();
     if (std::exchange(said_, said.number) != said.number) said_s_ = clock_s_;
     if (screen == Screen::instruction || screen == Screen::trial) {
-      familiar_ = desk_.trainee().id + run_->sitting().plan().row.device;
+      familiar_ = sign_in_.trainee().id + run_->session().plan().row.device;
     }
   }
-  followSafety(session);
+  followSafety(viewer);
   followClass();
   keepRows();
-  layBody(session, work.world_swap);
+  layBody(viewer, work.world_swap);
   speak();
   compose();
 }

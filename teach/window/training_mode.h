@@ -1,11 +1,11 @@
 // The training window: what `palpate train` puts in the place of menus and panels. From events to acts, from acts to a
-// sitting, from the sitting to the body that is felt, to the screen, to the voice and to the record.
+// session, from the session to the body that is felt, to the screen, to the voice and to the record.
 //
-//   InputEvent, click, device's button ─► act ─► FrontDesk │ Sitting ─► rows ─► Store
-//   Sitting::hidden ─ trialScene ─► WorldSwap (built beside, handed to the servo) ─► the trial's clock begins
-//   servo ─ samples ─► Sitting::feel
+//   InputEvent, click, device's button ─► act ─► SignIn │ Session ─► rows ─► Store
+//   Session::hidden ─ trialScene ─► WorldSwap (built beside, handed to the servo) ─► the trial's clock begins
+//   servo ─ samples ─► Session::feel
 //
-// While a sitting goes on nothing of the window can be reached that would tell more than the finger does.
+// While a session goes on nothing of the window can be reached that would tell more than the finger does.
 #pragma once
 
 #include <memory>
@@ -15,10 +15,9 @@
 
 #include "palpate/view/painter.h"
 #include "teach/window/class_line.h"
-#include "teach/window/front_desk.h"
-#include "teach/window/sitting_run.h"
+#include "teach/window/session_run.h"
+#include "teach/window/sign_in.h"
 #include "teach/window/training_keys.h"
-#include "teach/window/trial_world.h"
 #include "teach/window/voice.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/state/async_task.h"
@@ -28,10 +27,10 @@ namespace palpate::viewer {
 struct TrainingSettings {
   std::filesystem::path records;
   training::Protocol protocol = training::builtInProtocol();
-  FrontDeskSettings desk = {};
+  SignInSettings sign_in = {};
   std::string thimble = {};                      ///< of a device; empty: asked for
-  std::optional<std::uint64_t> seed = {};        ///< nothing: the system's randomness, another one for each sitting
-  bool session_files = true;                     ///< trials are kept tick by tick
+  std::optional<std::uint64_t> seed = {};        ///< nothing: the system's randomness, another one for each session
+  bool recording_files = true;                   ///< trials are kept tick by tick
   std::optional<std::string> speech = {};        ///< program
   std::optional<classroom::Member> member = {};  ///< of a class that is told live
 };
@@ -48,19 +47,19 @@ class TrainingMode : public Mode {
   }
   /// Sites of this body, a plain look, a mouse that presses with a force. Throws Error for a body that does not have
   /// the places of the protocol.
-  void begin(Session& session, const scene::World& world, window::Gui& gui) override;
+  void begin(ViewerState& viewer, const scene::World& world, window::Gui& gui) override;
   void worldCame(const scene::World& world) override;
   void feel(const trace::Sample& sample) override;
   /// The sites with room around them.
   std::optional<Eigen::AlignedBox3d> homeBox() const override;
   /// Where sites are seen, and the keyboard's finger.
-  void look(const Sight& sight, const Session& session) override;
-  bool handle(const window::InputEvent& event, Session& session, bool typing) override;
+  void look(const Sight& sight, const ViewerState& viewer) override;
+  bool handle(const window::InputEvent& event, ViewerState& viewer, bool typing) override;
   /// Of the commands of the mouse and the keys that are left, those that a test allows go on to the viewer.
-  bool handle(const window::Command& command, Session& session) override;
+  bool handle(const window::Command& command, ViewerState& viewer) override;
   void draw(const FreeArea& area) override;
   /// The window is to be closed: while a block goes on it asks first.
-  bool handle(const Request& request, Session& session) override;
+  bool handle(const Request& request, ViewerState& viewer) override;
   /// Obeys what was asked for, keeps rows, has the world changed that a trial needs.
   void advance(const ModeWork& work) override;
   bool wantsToQuit() const override { return quit_; }
@@ -69,7 +68,7 @@ class TrainingMode : public Mode {
   std::string finish(std::string_view ended_by) override;
 
   const TrainingScreen& screen() const { return screen_; }
-  const training::Sitting* sitting() const { return run_ ? &run_->sitting() : nullptr; }
+  const training::Session* session() const { return run_ ? &run_->session() : nullptr; }
   bool waiting() const { return world_.waiting(); }
 
  private:
@@ -93,28 +92,28 @@ class TrainingMode : public Mode {
     double ratios_kept_to_n = 0.0;
     std::uint32_t ignored_buttons = 0;  ///< clutch and stop
   };
-  static Holder holderOf(const Session& session, LiveServo& servo);
+  static Holder holderOf(const ViewerState& viewer, LiveServo& servo);
 
   bool mayQuit();
   training::Moment now() const;
   bool clockRuns() const;
   TrainingOver over() const;
   TrainingView view() const;
-  void handle(const TrainingClick& click, Session& session, LiveServo& servo);
+  void handle(const TrainingClick& click, ViewerState& viewer, LiveServo& servo);
   bool handleOver(TrainingAct act);
-  void actOnSitting(TrainingAct act, int value);
+  void actOnSession(TrainingAct act, int value);
   void typed(const std::string& letters);
   void walk(const Vec2& by);
   void takeButton(std::uint32_t buttons);
-  void beginSitting(Session& session, LiveServo& servo);
-  void endSitting();
+  void beginSession(ViewerState& viewer, LiveServo& servo);
+  void endSession();
   void leaveNow(bool quits);
-  training::SittingPlan planOf(training::SittingKind kind, const Session& session);
+  training::SessionPlan planOf(training::SessionKind kind, const ViewerState& viewer);
   void keepRows();
-  void followSafety(const Session& session);
+  void followSafety(const ViewerState& viewer);
   void followClass();
   TrialWorld::Body wanted() const;
-  void layBody(Session& session, WorldSwap& world_swap);
+  void layBody(ViewerState& viewer, WorldSwap& world_swap);
   void speak();
   void compose();
 
@@ -122,12 +121,12 @@ class TrainingMode : public Mode {
   training::Store store_;
   AsyncTask<int> tidying_;  ///< locks what a killed run left open
   std::unique_ptr<ClassLine> class_;
-  FrontDesk desk_;
+  SignIn sign_in_;
   Voice voice_;
   training::SiteSet sites_;
   scene::Scene base_;
-  std::optional<training::SittingKind> kind_;  ///< chosen, waits for the thimble
-  std::unique_ptr<SittingRun> run_;
+  std::optional<training::SessionKind> kind_;  ///< chosen, waits for the thimble
+  std::unique_ptr<SessionRun> run_;
   State state_ = State::going_on;
   std::string message_;
   std::string trouble_;

@@ -1,7 +1,7 @@
 // What a trainee sees, as plain data: every word, button and mark of a screen. The painting (training_painting.h) only
 // puts it where it belongs, so a test that reads this has read all that is on the screen.
 //
-//   front desk, sitting ─ screenOf (training_words.h) ─► TrainingScreen ─► painting, speech
+//   front desk, session ─ screenOf (training_words.h) ─► TrainingScreen ─► painting, speech
 //                                                              a key, a click ─► TrainingAct ─► desk
 #pragma once
 
@@ -39,7 +39,7 @@ struct TrainingButton {
   bool enabled = true;
 };
 
-/// How a site is drawn. Never told apart by colour alone: each has a shape of its own.
+/// How a site is drawn. Never distinguished by colour alone: each has a shape of its own.
 struct SiteMark {
   int number = 0;
   bool pressed = false;  ///< enough: its dot is filled

@@ -12,7 +12,7 @@ namespace palpate::viewer {
 namespace {
 
 using training::Screen;
-using training::SittingKind;
+using training::SessionKind;
 
 /// A device that gives this share of the forces, or more, gives them whole.
 constexpr double kWholeForce = 0.995;
@@ -117,17 +117,17 @@ TrainingScreen thimbleScreen(const TrainingView& view) {
   return screen;
 }
 
-// --- a sitting
+// --- a session
 
 void addSites(const TrainingView& view, TrainingScreen& screen) {
-  const training::Sitting& sitting = *view.sitting;
-  const bool asks = sitting.screen() == Screen::trial && !view.waiting;
-  const int truth = sitting.feelsTruth() && sitting.hidden() ? sitting.hidden()->site : 0;
-  for (const training::Site& site : sitting.plan().sites.sites) {
+  const training::Session& session = *view.session;
+  const bool asks = session.screen() == Screen::trial && !view.waiting;
+  const int truth = session.feelsTruth() && session.hidden() ? session.hidden()->site : 0;
+  for (const training::Site& site : session.plan().sites.sites) {
     SiteMark mark{.number = site.number};
-    mark.pressed = asks && sitting.visited(site.number);
+    mark.pressed = asks && session.visited(site.number);
     mark.picked = view.picked == site.number && !view.waiting;
-    mark.touched = sitting.touchedSite() == site.number && !view.waiting;
+    mark.touched = session.touchedSite() == site.number && !view.waiting;
     mark.is_true = truth == site.number;
     screen.sites.push_back(mark);
   }
@@ -136,7 +136,7 @@ void addSites(const TrainingView& view, TrainingScreen& screen) {
 }
 
 TrainingButton answerButton(const TrainingView& view) {
-  const training::Site* site = view.sitting->plan().sites.numbered(view.picked);
+  const training::Site* site = view.session->plan().sites.numbered(view.picked);
   TrainingButton answer = button(TrainingAct::answer, "Answer");
   if (site != nullptr) answer.label = fmt::format("Answer: {}", training::spoken(*site));
   answer.enabled = site != nullptr && !view.waiting;
@@ -148,20 +148,20 @@ void trialButtons(const TrainingView& view, TrainingScreen& screen) {
   screen.keys = view.by_mouse ? "Number and Enter answer. Arrows go from place to place, Space presses and lifts. "
                                 "P pauses, Esc leaves."
                               : "Number and Enter answer, or the device's button on the place. P pauses, Esc leaves.";
-  if (!view.waiting) screen.time_left = view.sitting->shareOfTimeLeft(view.now);
+  if (!view.waiting) screen.time_left = view.session->shareOfTimeLeft(view.now);
 }
 
 /// Practice alone says how far it is and what was right.
-void addProgress(const training::Sitting& sitting, TrainingScreen& screen) {
-  const int most = sitting.trialsAtMost();
-  const int number = sitting.trialNumber();
-  const bool ended = sitting.result().has_value();
+void addProgress(const training::Session& session, TrainingScreen& screen) {
+  const int most = session.trialsAtMost();
+  const int number = session.trialNumber();
+  const bool ended = session.result().has_value();
   const int answered = ended ? most : std::max(0, number - 1);
   if (most > 0) screen.done = std::min(1.0, static_cast<double>(answered) / most);
-  if (!sitting.showsProgress() || number == 0) return;
-  const auto& trials = sitting.trials();
+  if (!session.showsProgress() || number == 0) return;
+  const auto& trials = session.trials();
   const auto right = std::ranges::count_if(trials, [](const training::TrialRow& trial) { return trial.correct; });
-  const int shown = sitting.screen() == Screen::feedback ? number - 1 : number;
+  const int shown = session.screen() == Screen::feedback ? number - 1 : number;
   screen.progress = fmt::format("Trial {} of {}", std::max(1, shown), most);
   if (!trials.empty()) screen.progress += fmt::format(" · {} of {} right", right, trials.size());
 }
@@ -176,34 +176,34 @@ void addTouchKeys(const TrainingView& view, TrainingScreen& screen) {
   if (view.by_mouse) screen.keys += " Arrows go from place to place, T presses and lifts.";
 }
 
-/// The sentence of the sitting is what is read first; a trial's own stands above what has just been said.
+/// The sentence of the session is what is read first; a trial's own stands above what has just been said.
 void addSaid(const TrainingView& view, TrainingScreen& screen) {
-  const training::Sitting& sitting = *view.sitting;
-  const std::string said = sitting.said().text;
-  if (sitting.screen() != Screen::trial) {
+  const training::Session& session = *view.session;
+  const std::string said = session.said().text;
+  if (session.screen() != Screen::trial) {
     screen.title = said;
     return;
   }
-  screen.title = training::instruction(sitting.plan().protocol, sitting.plan().kind);
+  screen.title = training::instruction(session.plan().protocol, session.plan().kind);
   const bool over = said == training::answerSaved() && view.said_long_ago;
   if (said != screen.title && !over) screen.notice = said;
 }
 
-TrainingScreen cardOfSitting(const TrainingView& view, TrainingScreen screen) {
-  const training::Sitting& sitting = *view.sitting;
+TrainingScreen cardOfSession(const TrainingView& view, TrainingScreen screen) {
+  const training::Session& session = *view.session;
   screen.place = TrainingPlace::card;
   screen.sites.clear();
-  switch (sitting.screen()) {
+  switch (session.screen()) {
     case Screen::instruction:
-      screen.lines = {training::greeting(sitting.plan().kind),
+      screen.lines = {training::greeting(session.plan().kind),
                       "A dot fills when its place was pressed enough. The ring shows the time."};
-      if (sitting.plan().kind == SittingKind::mastery) screen.lines.pop_back();
+      if (session.plan().kind == SessionKind::mastery) screen.lines.pop_back();
       nextButton("Start", screen);
       return screen;
     case Screen::block_summary:
-      nextButton(sitting.showsProgress() ? "Another block" : "Finish", screen);
+      nextButton(session.showsProgress() ? "Another block" : "Finish", screen);
       screen.buttons.back().label = "Finish";
-      if (!sitting.showsProgress()) screen.buttons.pop_back();
+      if (!session.showsProgress()) screen.buttons.pop_back();
       return screen;
     default:
       screen.buttons = {button(TrainingAct::next, "Back to the choice")};
@@ -212,14 +212,14 @@ TrainingScreen cardOfSitting(const TrainingView& view, TrainingScreen screen) {
   }
 }
 
-TrainingScreen sittingScreen(const TrainingView& view) {
+TrainingScreen sessionScreen(const TrainingView& view) {
   TrainingScreen screen;
   screen.place = TrainingPlace::body;
   screen.corner = view.code;
-  const training::Sitting& sitting = *view.sitting;
+  const training::Session& session = *view.session;
   addSaid(view, screen);
   addSites(view, screen);
-  switch (sitting.screen()) {
+  switch (session.screen()) {
     case Screen::device_check:
       screen.sites.clear();
       if (view.by_mouse) screen.lines = {"Press with the left mouse button on the back. The wheel presses deeper."};
@@ -240,14 +240,14 @@ TrainingScreen sittingScreen(const TrainingView& view) {
       addTouchKeys(view, screen);
       break;
     case Screen::trial:
-      addProgress(sitting, screen);
+      addProgress(session, screen);
       trialButtons(view, screen);
       break;
     case Screen::feedback:
-      addProgress(sitting, screen);
-      if (!sitting.trials().empty()) {
+      addProgress(session, screen);
+      if (!session.trials().empty()) {
         screen.outcome =
-            sitting.trials().back().correct ? TrainingScreen::Outcome::right : TrainingScreen::Outcome::wrong;
+            session.trials().back().correct ? TrainingScreen::Outcome::right : TrainingScreen::Outcome::wrong;
       }
       nextButton("Next", screen);
       addTouchKeys(view, screen);
@@ -258,7 +258,7 @@ TrainingScreen sittingScreen(const TrainingView& view) {
       addTouchKeys(view, screen);
       break;
     default:
-      screen = cardOfSitting(view, std::move(screen));
+      screen = cardOfSession(view, std::move(screen));
   }
   if (view.waiting && screen.place == TrainingPlace::body) screen.notice = kOneMoment;
   return screen;
@@ -280,8 +280,8 @@ TrainingScreen stageScreen(const TrainingView& view) {
       return choiceScreen(view);
     case TrainingStage::thimble:
       return thimbleScreen(view);
-    case TrainingStage::sitting:
-      return sittingScreen(view);
+    case TrainingStage::session:
+      return sessionScreen(view);
   }
   return {};
 }

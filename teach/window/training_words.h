@@ -1,21 +1,64 @@
 // From where a trainee is to what the screen says: words, buttons and marks of every screen of the training window.
 //
-//   TrainingView (front desk or sitting, and what was typed and picked) ─ screenOf ─► TrainingScreen
+//   TrainingView (front desk or session, and what was typed and picked) ─ screenOf ─► TrainingScreen
 //
 // Pure. What a test hides never gets this far: of the hidden place it reads nothing but, in feedback, which site it
 // was.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "palpate/training/sitting.h"
-#include "teach/window/offers.h"
+#include "palpate/training/protocol.h"
+#include "palpate/training/session/session.h"
 #include "teach/window/training_screen.h"
 
+namespace palpate::training {
+class Store;
+}
+
 namespace palpate::viewer {
+
+// What a trainee may do next, and what is suggested: test, practise, test again, be examined, come back after a week.
+//
+//   sessions and blocks of the record ─ TrainingPast ─ offersFor ─► Offer, one for each kind, one of them suggested
+//
+// Pure. The order is that of the published course: six practices between the two tests.
+// Based on: Howell et al., BMC Medical Education 8:14, 2008.
+
+/// What the record says about a trainee.
+struct TrainingPast {
+  struct OfKind {
+    int finished = 0;  ///< blocks
+    bool interrupted = false;
+    std::int64_t last_ms = 0;  ///< when the newest finished one ended
+  };
+  std::map<training::SessionKind, OfKind> kinds;
+  bool empty() const { return kinds.empty(); }
+  OfKind of(training::SessionKind kind) const;
+};
+
+TrainingPast trainingPastOf(training::Store& store, const std::string& trainee);
+
+struct Offer {
+  training::SessionKind kind = training::SessionKind::practice;
+  std::string name;
+  std::string line;  ///< what it is, or why not yet
+  bool enabled = true;
+  bool suggested = false;
+};
+
+/// Practices of the published course between its two tests.
+inline constexpr int kPracticesOfCourse = 6;
+
+/// In the order of a course; exactly one is suggested.
+std::vector<Offer> offersFor(const TrainingPast& past, const training::Protocol& protocol, std::int64_t now_ms);
+
+/// "Practice", "Test before practice".
+std::string nameOfKind(training::SessionKind kind);
 
 enum class TrainingStage : std::uint8_t {
   sign_in,
@@ -25,7 +68,7 @@ enum class TrainingStage : std::uint8_t {
   hand,
   choice,
   thimble,
-  sitting,
+  session,
 };
 
 /// What lies over a stage and is answered first.
@@ -58,11 +101,11 @@ struct TrainingView {
   double force_share = 1.0;       ///< of the body's forces, what the device can render (DevicesShown::stiffness_factor)
   double ratios_kept_to_n = 0.0;  ///< above this force places differ less than they do; 0: nowhere
   std::size_t focus = 0;
-  const training::Sitting* sitting = nullptr;
+  const training::Session* session = nullptr;
   training::Moment now = {};
   bool waiting = false;  ///< for the body of the trial
   int picked = 0;
-  bool said_long_ago = false;  ///< what the sitting said last
+  bool said_long_ago = false;  ///< what the session said last
 };
 
 TrainingScreen screenOf(const TrainingView& view);

@@ -20,9 +20,9 @@ void expect(bool kept) {
 }
 
 /// What the fuzzer says next; zeros where it has said everything.
-class Wishes {
+class Requests {
  public:
-  Wishes(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
+  Requests(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
   bool any() const { return size_ > 0; }
 
   template <class Number>
@@ -71,15 +71,15 @@ class Wishes {
 template <class Struct>
 class Given {
  public:
-  explicit Given(Wishes& wishes) : Given(wishes, wishes.structureSize(sizeof(Struct))) {}
-  Given(Wishes& wishes, std::size_t size) : size_(size), bytes_(std::malloc(std::max(size, sizeof(std::size_t)))) {
+  explicit Given(Requests& requests) : Given(requests, requests.structureSize(sizeof(Struct))) {}
+  Given(Requests& requests, std::size_t size) : size_(size), bytes_(std::malloc(std::max(size, sizeof(std::size_t)))) {
     std::memset(bytes_.get(), 0, std::max(size, sizeof(std::size_t)));
-    for (std::size_t at = 0; at + 8 <= size && wishes.seldom(); at += 8) {
-      const auto word = wishes.next<std::uint64_t>();
+    for (std::size_t at = 0; at + 8 <= size && requests.seldom(); at += 8) {
+      const auto word = requests.next<std::uint64_t>();
       std::memcpy(static_cast<char*>(bytes_.get()) + at, &word, sizeof word);
     }
     std::memcpy(bytes_.get(), &size, sizeof size);
-    is_null_ = wishes.seldom();
+    is_null_ = requests.seldom();
   }
   Struct* get() const { return is_null_ ? nullptr : static_cast<Struct*>(bytes_.get()); }
   bool has(std::size_t end) const { return !is_null_ && size_ % alignof(Struct) == 0 && size_ >= end; }
@@ -130,118 +130,121 @@ struct Made {
 };
 
 template <class Handle>
-Handle* oneOf(Wishes& wishes, const std::vector<Handle*>& handles) {
-  return handles.empty() || wishes.seldom() ? nullptr : handles[wishes.below(handles.size())];
+Handle* oneOf(Requests& requests, const std::vector<Handle*>& handles) {
+  return handles.empty() || requests.seldom() ? nullptr : handles[requests.below(handles.size())];
 }
 
 template <class Handle>
-Handle* taken(Wishes& wishes, std::vector<Handle*>& handles) {
+Handle* taken(Requests& requests, std::vector<Handle*>& handles) {
   if (handles.empty()) return nullptr;
-  std::swap(handles[wishes.below(handles.size())], handles.back());
+  std::swap(handles[requests.below(handles.size())], handles.back());
   Handle* handle = handles.back();
   handles.pop_back();
   return handle;
 }
 
 /// A sheet of 3 x 3 vertices, seldom with something wrong in it.
-void makeWorld(Wishes& wishes, Made& made) {
-  const bool spoilt = wishes.below(4) == 3;
+void makeWorld(Requests& requests, Made& made) {
+  const bool corrupted = requests.below(4) == 3;
   std::vector<double> positions;
   for (int i = 0; i < 9; ++i) {
     for (const double coordinate : {10.0 * (i % 3), 10.0 * static_cast<int>(i / 3), 0.0}) {
-      positions.push_back(spoilt && wishes.seldom() ? wishes.coordinate() : coordinate);
+      positions.push_back(corrupted && requests.seldom() ? requests.coordinate() : coordinate);
     }
   }
   std::vector<std::int32_t> corners;
   for (const int a : {0, 1, 3, 4}) {
     for (const int corner : {a, a + 1, a + 4, a, a + 4, a + 3}) {
-      corners.push_back(spoilt && wishes.seldom() ? wishes.next<std::int8_t>() : corner);
+      corners.push_back(corrupted && requests.seldom() ? requests.next<std::int8_t>() : corner);
     }
   }
-  const std::vector<double> stiffness(9, wishes.seldom() ? wishes.coordinate() : 0.5);
-  const std::string scene = wishes.seldom() ? wishes.text() : "";
-  const Given<palpate_arrays> arrays(wishes);
+  const std::vector<double> stiffness(9, requests.seldom() ? requests.coordinate() : 0.5);
+  const std::string scene = requests.seldom() ? requests.text() : "";
+  const Given<palpate_arrays> arrays(requests);
   const auto put = [&](std::size_t offset, const auto& value) {
     if (arrays.has(offset + sizeof value))
       std::memcpy(reinterpret_cast<char*>(arrays.operator->()) + offset, &value, sizeof value);
   };
   const double* const no_positions = nullptr;
   const void* const none = nullptr;
-  put(offsetof(palpate_arrays, positions_mm), wishes.seldom() ? no_positions : positions.data());
+  put(offsetof(palpate_arrays, positions_mm), requests.seldom() ? no_positions : positions.data());
   put(offsetof(palpate_arrays, positions_mm_f32), none);
   put(offsetof(palpate_arrays, vertices), std::size_t{9});
   put(offsetof(palpate_arrays, corners), corners.data());
   put(offsetof(palpate_arrays, corners_i64), none);
-  put(offsetof(palpate_arrays, triangles), wishes.seldom() ? std::numeric_limits<std::size_t>::max() : std::size_t{8});
+  put(offsetof(palpate_arrays, triangles),
+      requests.seldom() ? std::numeric_limits<std::size_t>::max() : std::size_t{8});
   put(offsetof(palpate_arrays, stiffness_n_per_mm), stiffness.data());
   put(offsetof(palpate_arrays, scene_toml), scene.c_str());
   arrays.expectSize();
-  const Error error(wishes);
+  const Error error(requests);
   palpate_world* world = nullptr;
   expectHandle(palpate_world_from_arrays(arrays.get(), &world, error.get()), error, world);
   if (world != nullptr) made.worlds.push_back(world);
 }
 
 /// From texts: those that would build a whole body are left out, they take a second.
-void makeWorldFromText(Wishes& wishes, Made& made) {
-  const Error error(wishes);
+void makeWorldFromText(Requests& requests, Made& made) {
+  const Error error(requests);
   palpate_world* world = nullptr;
-  const std::string text = wishes.text();
-  switch (wishes.below(4)) {
+  const std::string text = requests.text();
+  switch (requests.below(4)) {
     case 0:
       expectHandle(palpate_world_load(("/no/" + text).c_str(), &world, error.get()), error, world);
       break;
     case 1:
-      expectHandle(palpate_world_torso(wishes.below(100) + 1, &world, error.get()), error, world);
+      expectHandle(palpate_world_torso(requests.below(100) + 1, &world, error.get()), error, world);
       break;
     case 2:
       expectHandle(palpate_world_parse(("body = 3\n" + text).c_str(), text.c_str(), &world, error.get()), error, world);
       break;
     default:
-      expectHandle(palpate_world_rebuilt(oneOf(wishes, made.worlds), text.c_str(), nullptr, &world, error.get()), error,
-                   world);
+      expectHandle(palpate_world_rebuilt(oneOf(requests, made.worlds), text.c_str(), nullptr, &world, error.get()),
+                   error, world);
   }
   if (world != nullptr) made.worlds.push_back(world);
 }
 
-void askWorld(Wishes& wishes, const Made& made) {
-  const palpate_world* world = oneOf(wishes, made.worlds);
-  const Given<palpate_world_facts> facts(wishes);
+void askWorld(Requests& requests, const Made& made) {
+  const palpate_world* world = oneOf(requests, made.worlds);
+  const Given<palpate_world_facts> facts(requests);
   expect((palpate_world_get_facts(world, facts.get()) == PALPATE_OK) == (world != nullptr && facts.has(8)));
   facts.expectSize();
   size_t count = 0;
-  const uint32_t* map = palpate_world_map(world, wishes.next<std::int8_t>(), wishes.seldom() ? nullptr : &count);
+  const uint32_t* map = palpate_world_map(world, requests.next<std::int8_t>(), requests.seldom() ? nullptr : &count);
   for (size_t i = 0; i < count; ++i) expect(map[i] == PALPATE_NONE || map[i] < 1000);
-  const Given<palpate_place> place(wishes);
-  const Error error(wishes);
-  expectAnswer(palpate_world_place(world, wishes.seldom() ? nullptr : wishes.text().c_str(), place.get(), error.get()),
-               error);
-  palpate_world_landmark(world, wishes.next<std::size_t>(), place.get());
-  palpate_world_note(world, wishes.next<std::uint8_t>());
-  const Given<palpate_finger_settings> settings(wishes);
-  palpate_world_finger_settings(world, wishes.next<std::size_t>(), settings.get());
+  const Given<palpate_place> place(requests);
+  const Error error(requests);
+  expectAnswer(
+      palpate_world_place(world, requests.seldom() ? nullptr : requests.text().c_str(), place.get(), error.get()),
+      error);
+  palpate_world_landmark(world, requests.next<std::size_t>(), place.get());
+  palpate_world_note(world, requests.next<std::uint8_t>());
+  const Given<palpate_finger_settings> settings(requests);
+  palpate_world_finger_settings(world, requests.next<std::size_t>(), settings.get());
   settings.expectSize();
 }
 
-void makeFinger(Wishes& wishes, Made& made) {
-  const Given<palpate_finger_settings> settings(wishes);
-  const Error error(wishes);
-  if (wishes.below(4) != 0 && settings.has(8)) {
+void makeFinger(Requests& requests, Made& made) {
+  const Given<palpate_finger_settings> settings(requests);
+  const Error error(requests);
+  if (requests.below(4) != 0 && settings.has(8)) {
     std::size_t size = 0;
     std::memcpy(&size, settings.operator->(), sizeof size);
     palpate_finger_settings_init(settings.get(), size);
     settings.expectSize();
-    if (settings.has(16)) settings->radius_mm = wishes.seldom() ? wishes.coordinate() : wishes.below(3);
+    if (settings.has(16)) settings->radius_mm = requests.seldom() ? requests.coordinate() : requests.below(3);
   }
   palpate_finger* finger = nullptr;
-  expectHandle(palpate_finger_create(oneOf(wishes, made.worlds), settings.get(), &finger, error.get()), error, finger);
+  expectHandle(palpate_finger_create(oneOf(requests, made.worlds), settings.get(), &finger, error.get()), error,
+               finger);
   if (finger != nullptr) made.fingers.push_back(finger);
 }
 
-void step(Wishes& wishes, const Made& made) {
-  palpate_finger* finger = oneOf(wishes, made.fingers);
-  const Given<palpate_touch> touch(wishes);
-  const double tip[3] = {wishes.coordinate(), wishes.coordinate(), wishes.coordinate()};
+void step(Requests& requests, const Made& made) {
+  palpate_finger* finger = oneOf(requests, made.fingers);
+  const Given<palpate_touch> touch(requests);
+  const double tip[3] = {requests.coordinate(), requests.coordinate(), requests.coordinate()};
   const int32_t code = palpate_finger_step(finger, tip, touch.get());
   touch.expectSize();
   expect((code == PALPATE_OK) == (finger != nullptr && touch.has(8)));
@@ -251,38 +254,39 @@ void step(Wishes& wishes, const Made& made) {
   expect(is_place || touch->status == PALPATE_TIP_LOST);
 }
 
-void rollout(Wishes& wishes, const Made& made) {
-  const std::size_t count = wishes.below(6);
-  const std::size_t stride = wishes.structureSize(sizeof(palpate_touch));
+void rollout(Requests& requests, const Made& made) {
+  const std::size_t count = requests.below(6);
+  const std::size_t stride = requests.structureSize(sizeof(palpate_touch));
   std::vector<double> tips(3 * count);
-  for (double& tip : tips) tip = wishes.coordinate();
+  for (double& tip : tips) tip = requests.coordinate();
   const std::unique_ptr<char[]> touches(new char[count * stride + 1]);  // as malloc: aligned for any structure
-  palpate_finger_rollout(oneOf(wishes, made.fingers), wishes.seldom() ? nullptr : tips.data(), count,
-                         wishes.seldom() ? nullptr : reinterpret_cast<palpate_touch*>(touches.get()), stride);
+  palpate_finger_rollout(oneOf(requests, made.fingers), requests.seldom() ? nullptr : tips.data(), count,
+                         requests.seldom() ? nullptr : reinterpret_cast<palpate_touch*>(touches.get()), stride);
 }
 
-void makeSkin(Wishes& wishes, Made& made) {
-  const Error error(wishes);
+void makeSkin(Requests& requests, Made& made) {
+  const Error error(requests);
   palpate_skin* skin = nullptr;
-  const std::size_t fingers = wishes.seldom() ? wishes.next<std::size_t>() : wishes.below(5);
-  expectHandle(palpate_skin_create(oneOf(wishes, made.worlds), fingers, wishes.next<std::int8_t>(), &skin, error.get()),
-               error, skin);
+  const std::size_t fingers = requests.seldom() ? requests.next<std::size_t>() : requests.below(5);
+  expectHandle(
+      palpate_skin_create(oneOf(requests, made.worlds), fingers, requests.next<std::int8_t>(), &skin, error.get()),
+      error, skin);
   if (skin != nullptr) made.skins.push_back(skin);
 }
 
-void apply(Wishes& wishes, const Made& made) {
-  palpate_skin* skin = oneOf(wishes, made.skins);
-  Given<palpate_touch> touch(wishes);
-  palpate_finger* finger = oneOf(wishes, made.fingers);
-  const double tip[3] = {wishes.coordinate(), wishes.coordinate(), wishes.coordinate()};
-  if (!wishes.seldom()) palpate_finger_step(finger, tip, touch.get());
-  if (touch.has(48) && wishes.below(3) == 0) {
-    touch->touch = wishes.next<std::int8_t>() % 4;
-    touch->depth_mm = wishes.coordinate();
+void apply(Requests& requests, const Made& made) {
+  palpate_skin* skin = oneOf(requests, made.skins);
+  Given<palpate_touch> touch(requests);
+  palpate_finger* finger = oneOf(requests, made.fingers);
+  const double tip[3] = {requests.coordinate(), requests.coordinate(), requests.coordinate()};
+  if (!requests.seldom()) palpate_finger_step(finger, tip, touch.get());
+  if (touch.has(48) && requests.below(3) == 0) {
+    touch->touch = requests.next<std::int8_t>() % 4;
+    touch->depth_mm = requests.coordinate();
   }
   std::size_t size = 0;
   std::memcpy(&size, touch.operator->(), sizeof size);
-  palpate_skin_apply(skin, touch.get(), wishes.seldom() ? 0 : 1, size);
+  palpate_skin_apply(skin, touch.get(), requests.seldom() ? 0 : 1, size);
   const size_t vertices = palpate_skin_vertices(skin);
   for (int axis = -1; axis < 4; ++axis) {
     const float* positions = palpate_skin_positions(skin, axis);
@@ -293,52 +297,53 @@ void apply(Wishes& wishes, const Made& made) {
   for (size_t i = 0; i < count; ++i) expect(changed[2 * i] < changed[2 * i + 1]);
 }
 
-void askSession(Wishes& wishes, Made& made) {
-  const Error error(wishes);
+void askSession(Requests& requests, Made& made) {
+  const Error error(requests);
   if (made.session == nullptr) {
-    const char* file = wishes.seldom() ? nullptr : PALPATE_SOURCE_DIR "/tests/data/sessions/version_1/press.session";
+    const char* file = requests.seldom() ? nullptr : PALPATE_SOURCE_DIR "/tests/data/sessions/version_1/press.session";
     expectHandle(palpate_session_open(file, &made.session, error.get()), error, made.session);
     return;
   }
-  const Given<palpate_session_facts> facts(wishes);
+  const Given<palpate_session_facts> facts(requests);
   palpate_session_get_facts(made.session, facts.get());
   facts.expectSize();
-  const Given<palpate_session_finger> finger(wishes);
-  palpate_session_get_finger(made.session, wishes.next<std::uint8_t>(), finger.get());
+  const Given<palpate_session_finger> finger(requests);
+  palpate_session_get_finger(made.session, requests.next<std::uint8_t>(), finger.get());
   finger.expectSize();
-  const std::size_t room = wishes.below(9);
-  const std::size_t stride = wishes.structureSize(sizeof(palpate_sample));
-  const std::size_t touch_stride = wishes.structureSize(sizeof(palpate_touch));
+  const std::size_t room = requests.below(9);
+  const std::size_t stride = requests.structureSize(sizeof(palpate_sample));
+  const std::size_t touch_stride = requests.structureSize(sizeof(palpate_touch));
   const std::unique_ptr<char[]> samples(new char[room * stride + 1]);
   const std::unique_ptr<char[]> touches(new char[room * touch_stride + 1]);
   size_t count = 0;
-  expectAnswer(palpate_session_read(made.session, wishes.next<std::uint8_t>(), wishes.next<std::uint64_t>(),
-                                    wishes.seldom() ? nullptr : reinterpret_cast<palpate_sample*>(samples.get()),
-                                    stride, wishes.seldom() ? nullptr : reinterpret_cast<palpate_touch*>(touches.get()),
-                                    touch_stride, room, wishes.seldom() ? nullptr : &count, error.get()),
-               error);
+  expectAnswer(
+      palpate_session_read(made.session, requests.next<std::uint8_t>(), requests.next<std::uint64_t>(),
+                           requests.seldom() ? nullptr : reinterpret_cast<palpate_sample*>(samples.get()), stride,
+                           requests.seldom() ? nullptr : reinterpret_cast<palpate_touch*>(touches.get()), touch_stride,
+                           room, requests.seldom() ? nullptr : &count, error.get()),
+      error);
   expect(count <= room);
 }
 
-void release(Wishes& wishes, Made& made) {
-  switch (wishes.below(6)) {
+void release(Requests& requests, Made& made) {
+  switch (requests.below(6)) {
     case 0:
-      palpate_world_release(taken(wishes, made.worlds));
+      palpate_world_release(taken(requests, made.worlds));
       break;
     case 1:
-      palpate_finger_release(taken(wishes, made.fingers));
+      palpate_finger_release(taken(requests, made.fingers));
       break;
     case 2:
-      palpate_skin_release(taken(wishes, made.skins));
+      palpate_skin_release(taken(requests, made.skins));
       break;
     case 3: {
-      palpate_world* world = oneOf(wishes, made.worlds);
+      palpate_world* world = oneOf(requests, made.worlds);
       palpate_world_retain(world);
       if (world != nullptr) made.worlds.push_back(world);
       break;
     }
     case 4:
-      palpate_finger_lift(oneOf(wishes, made.fingers));
+      palpate_finger_lift(oneOf(requests, made.fingers));
       break;
     default:
       palpate_session_close(made.session);
@@ -349,16 +354,16 @@ void release(Wishes& wishes, Made& made) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  Wishes wishes(data, size);
+  Requests requests(data, size);
   Made made;
-  using Call = void (*)(Wishes&, Made&);
+  using Call = void (*)(Requests&, Made&);
   const Call calls[] = {
-      [](Wishes& w, Made& m) { makeWorld(w, m); },  [](Wishes& w, Made& m) { makeWorldFromText(w, m); },
-      [](Wishes& w, Made& m) { askWorld(w, m); },   [](Wishes& w, Made& m) { makeFinger(w, m); },
-      [](Wishes& w, Made& m) { step(w, m); },       [](Wishes& w, Made& m) { rollout(w, m); },
-      [](Wishes& w, Made& m) { makeSkin(w, m); },   [](Wishes& w, Made& m) { apply(w, m); },
-      [](Wishes& w, Made& m) { askSession(w, m); }, [](Wishes& w, Made& m) { release(w, m); },
+      [](Requests& w, Made& m) { makeWorld(w, m); },  [](Requests& w, Made& m) { makeWorldFromText(w, m); },
+      [](Requests& w, Made& m) { askWorld(w, m); },   [](Requests& w, Made& m) { makeFinger(w, m); },
+      [](Requests& w, Made& m) { step(w, m); },       [](Requests& w, Made& m) { rollout(w, m); },
+      [](Requests& w, Made& m) { makeSkin(w, m); },   [](Requests& w, Made& m) { apply(w, m); },
+      [](Requests& w, Made& m) { askSession(w, m); }, [](Requests& w, Made& m) { release(w, m); },
   };
-  for (int i = 0; i < 64 && wishes.any(); ++i) calls[wishes.below(std::size(calls))](wishes, made);
+  for (int i = 0; i < 64 && requests.any(); ++i) calls[requests.below(std::size(calls))](requests, made);
   return 0;
 }

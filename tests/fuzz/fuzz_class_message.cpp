@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "palpate/classroom/class_board.h"
+#include "palpate/classroom/class_watch.h"
 #include "palpate/classroom/messages.h"
 
 namespace {

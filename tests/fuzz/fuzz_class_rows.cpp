@@ -19,19 +19,19 @@ using namespace palpate::classroom;
 
 constexpr const char* kIds[] = {"018f3c1e-0000-7000-8000-000000000001", "018f3c1e-0000-7000-8000-000000000002"};
 
-/// What s01 has sent: a trainee with a sitting.
+/// What s01 has sent: a trainee with a session.
 std::vector<SentRow> ownedRows() {
   const training::Uuid s01 = stationIdOf("c", "s01");
   training::TraineeRow trainee;
   trainee.id = kIds[0];
   trainee.class_id = "c";
-  training::SittingRow sitting;
-  sitting.id = kIds[1];
-  sitting.trainee = kIds[0];
-  sitting.station = s01;
+  training::SessionRow session;
+  session.id = kIds[1];
+  session.trainee_id = kIds[0];
+  session.station_id = s01;
   return {{training::StationRow{s01, "s01", "", "", 0}, s01, "s01", 100},
           {trainee, s01, "s01", 100},
-          {sitting, s01, "s01", 100}};
+          {session, s01, "s01", 100}};
 }
 
 }  // namespace
@@ -65,9 +65,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   }
   const auto trainee = store.trainee(kIds[0]);
-  const auto sitting = store.rows().sitting(kIds[1]);
-  const bool whole = trainee && sitting && training::rowJson(*trainee) == training::rowJson(owned[1].row) &&
-                     training::rowJson(*sitting) == training::rowJson(owned[2].row);
+  const auto session = store.rows().session(kIds[1]);
+  const bool whole = trainee && session && training::rowJson(*trainee) == training::rowJson(owned[1].row) &&
+                     training::rowJson(*session) == training::rowJson(owned[2].row);
   if (!whole) __builtin_trap();
   return 0;
 }

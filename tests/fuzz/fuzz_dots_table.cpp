@@ -11,7 +11,7 @@
 namespace {
 
 /// Enough for a grid and a fit; of more dots the contour takes seconds under the sanitizers.
-constexpr std::size_t kMostMarks = 40;
+constexpr std::size_t kMaxMarks = 40;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace palpate::measure;
   try {
     const DotPair pair = parseDotTable({reinterpret_cast<const char*>(data), size}, "fuzz.csv");
-    if (pair.before.size() > kMostMarks || pair.after.size() > kMostMarks) return 0;
+    if (pair.before.size() > kMaxMarks || pair.after.size() > kMaxMarks) return 0;
     const Measurement measured = measureDots(pair);
     if (measured.accepted() && !std::isfinite(measured.fit->at_2_mm.half_major_mm.value)) __builtin_trap();
     for (const OverlayPanel& panel : overlayOf(measured).panels) {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "palpate/base/error.h"
-#include "palpate/body/fitting/fit_file.h"
+#include "palpate/body/fitting/body_fit.h"
 
 namespace {
 

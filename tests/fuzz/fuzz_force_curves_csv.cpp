@@ -6,8 +6,8 @@
 
 #include "palpate/base/error.h"
 #include "palpate/tissue/fitting/force_fit.h"
-#include "palpate/tissue/fitting/smoothed_force.h"
-#include "palpate/tissue/force_table.h"
+#include "palpate/tissue/fitting/force_rows.h"
+#include "palpate/tissue/user_profile.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace palpate::tissue;

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "palpate/base/error.h"
-#include "palpate/tissue/force_table.h"
+#include "palpate/tissue/user_profile.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace palpate::tissue;

@@ -1,6 +1,6 @@
 #include "mesh_fuzz.h"
 
-// glTF and GLB are told apart by their first bytes.
+// glTF and GLB are distinguished by their first bytes.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return palpate::fuzzMesh(data, size, palpate::mesh::Format::gltf);
 }

@@ -13,12 +13,12 @@
 namespace {
 
 /// Larger ones pass through the same code, only longer.
-constexpr std::size_t kMostPixels = 300'000;
+constexpr std::size_t kMaxPixels = 300'000;
 
 void decode(std::string_view bytes) {
   using namespace palpate::measure;
   const PictureHeader header = readPictureHeader(bytes, "fuzz");
-  if (header.width_px * header.height_px > kMostPixels) return;
+  if (header.width_px * header.height_px > kMaxPixels) return;
   const Photograph picture = decodePhotograph(std::as_bytes(std::span(bytes)), "fuzz");
   const auto pixels = static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px);
   if (picture.rgb.size() != 3 * pixels || pixels == 0) __builtin_trap();

@@ -103,9 +103,9 @@ TEST(Seams, APrintOrAnExitWouldBeSeen) {
 /// The servo loop, the drain of its samples, the recorder of sessions, the builder of worlds and drivers that wait are
 /// threads themselves.
 TEST(Seams, ColdWorkAsksOnePlaceForThreads) {
-  expectOnlyIn({"base/host_environment.cpp", "device/detail/driver_thread.", "engine/servo_thread.",
-                "engine/session_recorder.", "engine/world_builder.", "servo/sample_drain.", "classroom/station_link.",
-                "classroom/mqtt_link.", "classroom/collector."},
+  expectOnlyIn({"base/host_environment.cpp", "device/detail/driver_thread.", "engine/servo_thread.", "engine/recorder.",
+                "engine/world_builder.", "servo/loop.", "classroom/station_link.", "classroom/mqtt_link.",
+                "classroom/collector."},
                kThreads);
 }
 

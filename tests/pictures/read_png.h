@@ -11,8 +11,8 @@ namespace palpate::support {
 
 /// Throws Error naming the file.
 inline view::Image readPng(const std::filesystem::path& file) {
-  constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
-  view::Image image = view::decodeImage(readFile(file, kMostBytes));
+  constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 30;
+  view::Image image = view::decodeImage(readFile(file, kMaxBytes));
   if (image.pixels.empty()) throw Error::inFile(file.string(), "is not a picture that can be read");
   return image;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/serve/control_desk.h"
+#include "cli/serve/finger_control.h"
 #include "cli/serve/hall.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_settings.h"
@@ -30,7 +30,7 @@ std::vector<LimitRow> limitRows() {
   namespace serving = app::serving;
   const serving::NetworkSettings serve;
   const serving::VisitLimits visits;
-  const serving::DeskLimits desk;
+  const serving::ControlLimits control;
   return {
       {"`--device remote`", "port, UDP", fmt::format("{}", kRemotePort)},
       {"`--device remote`", "listens at, unless told otherwise", kRemoteAddress},
@@ -44,26 +44,26 @@ std::vector<LimitRow> limitRows() {
       {"`serve`", "connections without a token", fmt::format("{}", visits.strangers)},
       {"`serve`", "of them of one address beyond loopback", fmt::format("{}", visits.strangers_of_one)},
       {"`serve`", "connections with a token", fmt::format("{}", visits.known)},
-      {"`serve`", "viewers", fmt::format("{}", serve.onlookers)},
+      {"`serve`", "viewers", fmt::format("{}", serve.watchers)},
       {"`serve`", "bytes of a request's head", fmt::format("{}", serving::kMaxHeaderBytes)},
       {"`serve`", "time for a request, TLS included, s", fmt::format("{}", serve.handshake_s)},
       {"`serve`", "time for a piece of an answer to be taken, s", fmt::format("{}", serve.piece_s)},
       {"`serve`", "bytes of such a piece", fmt::format("{}", serving::kPieceBytes)},
       {"`serve`", "silence of a viewer, s", fmt::format("{}", serve.silence_s)},
       {"`serve`", "time in which a viewer must take something, s", fmt::format("{}", serve.stall_s)},
-      {"`serve`", "bytes of a page's message", fmt::format("{}", serving::kMostWishBytes)},
-      {"`serve`", "messages of a page in a second", fmt::format("{}", serving::kMaxWishesPerS)},
-      {"`serve`", "force of a page's finger, N", fmt::format("{}", desk.force_n)},
-      {"`serve`", "silence until a page's finger is lifted, s", fmt::format("{}", desk.silence_s)},
+      {"`serve`", "bytes of a page's message", fmt::format("{}", serving::kMaxRequestBytes)},
+      {"`serve`", "messages of a page in a second", fmt::format("{}", serving::kMaxRequestsPerS)},
+      {"`serve`", "force of a page's finger, N", fmt::format("{}", control.force_n)},
+      {"`serve`", "silence until a page's finger is lifted, s", fmt::format("{}", control.silence_s)},
       {"`class`", "port of the broker, TCP with TLS", fmt::format("{}", classroom::kStandardPort)},
-      {"`class`", "bytes of a message", fmt::format("{}", classroom::kMostMessageBytes)},
+      {"`class`", "bytes of a message", fmt::format("{}", classroom::kMaxMessageBytes)},
       {"`class`", "a row may be dated after now by, s", fmt::format("{}", classroom::kClockSkewMs / 1000)},
       {"`class`", "disk of a station between two purges, MB", fmt::format("{}", classroom::kStationBytes >> 20)},
       {"device", "force where its type is unknown, N", fmt::format("{}", DeviceProfile{}.force_n)},
       {"device", "how far a scene may loosen a guard, times its default", fmt::format("{}", servo::kLoosestGuard)},
       {"device", "quickest ramp of a start inside, s", fmt::format("{}", servo::kQuickestRampS)},
       {"files", "bytes of a scene", fmt::format("{}", scene::kMaxSceneBytes)},
-      {"files", "pixels of a photograph", fmt::format("{}", measure::kMostPixels)},
+      {"files", "pixels of a photograph", fmt::format("{}", measure::kMaxPixels)},
   };
 }
 

@@ -15,8 +15,8 @@ bool CameraControl::act(window::Action action) {
   using window::Action;
   switch (action) {
     case Action::centre_on_finger:
-      if (const auto& place = pointer_.placeOf(session_.active_finger)) {
-        flyTo(view::centredOn(session_.camera, place->point));
+      if (const auto& place = pointer_.placeOf(viewer_.active_finger)) {
+        flyTo(view::centredOn(viewer_.camera, place->point));
       }
       return true;
     case Action::next_view:
@@ -42,19 +42,19 @@ bool CameraControl::act(window::Action action) {
 
 void CameraControl::setView(view::StandardView side) {
   standard_view_ = static_cast<int>(side);
-  const Shown& shown = session_.state.shown;
-  if (const auto box = modes_.homeBox()) return flyTo(viewOf(*box, shown, side, session_.size_points));
-  flyTo(homeView(*world_, shown, side, session_.size_points));
+  const Shown& shown = viewer_.state.shown;
+  if (const auto box = modes_.homeBox()) return flyTo(viewOf(*box, shown, side, viewer_.size_points));
+  flyTo(homeView(*world_, shown, side, viewer_.size_points));
 }
 
 void CameraControl::flyTo(const view::Camera& camera) {
-  session_.opened.camera_moved = true;
-  pointer_.fly(camera, session_, kFlightS);
+  viewer_.opened.camera_moved = true;
+  pointer_.fly(camera, viewer_, kFlightS);
 }
 
 void CameraControl::showBody(const view::Camera& camera) {
   standard_view_ = static_cast<int>(view::StandardView::back);
-  pointer_.fly(camera, session_, kFlightS);
+  pointer_.fly(camera, viewer_, kFlightS);
 }
 
 }  // namespace palpate::viewer

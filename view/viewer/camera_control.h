@@ -4,16 +4,16 @@
 #include "view/viewer/editing/pointer.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/state/home_view.h"
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
 
 class CameraControl {
  public:
   /// All must outlive it.
-  CameraControl(Session& session, Pointer& pointer, const Modes& modes,
+  CameraControl(ViewerState& viewer, Pointer& pointer, const Modes& modes,
                 const std::shared_ptr<const scene::World>& world)
-      : session_(session), pointer_(pointer), modes_(modes), world_(world) {}
+      : viewer_(viewer), pointer_(pointer), modes_(modes), world_(world) {}
 
   /// True if the action was about the camera, and then it was done.
   bool act(window::Action action);
@@ -24,7 +24,7 @@ class CameraControl {
   void showBody(const view::Camera& camera);
 
  private:
-  Session& session_;
+  ViewerState& viewer_;
   Pointer& pointer_;
   const Modes& modes_;
   const std::shared_ptr<const scene::World>& world_;

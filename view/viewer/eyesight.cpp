@@ -2,26 +2,26 @@
 
 namespace palpate::viewer {
 
-void Eyesight::keepUsable(Session& session) {
-  view::StereoMode& mode = session.state.stereo.mode;
+void Eyesight::keepUsable(ViewerState& viewer) {
+  view::StereoMode& mode = viewer.state.stereo.mode;
   const view::UsableMode usable = view::usableMode(mode, quad_buffer_offered_, last_usable_);
   if (usable.mode != mode) {
-    session.report(Severity::warning, usable.note + "; a screen for shutter glasses needs `--stereo quad-buffer`");
+    viewer.report(Severity::warning, usable.note + "; a screen for shutter glasses needs `--stereo quad-buffer`");
   }
   mode = last_usable_ = usable.mode;
 }
 
-view::StereoSettings Eyesight::settings(Session& session) {
-  session.quad_buffer_offered = quad_buffer_offered_;
-  keepUsable(session);
-  view::StereoSettings stereo = session.state.stereo;
-  const HeadSettings& head = session.state.head;
+view::StereoSettings Eyesight::settings(ViewerState& viewer) {
+  viewer.quad_buffer_offered = quad_buffer_offered_;
+  keepUsable(viewer);
+  view::StereoSettings stereo = viewer.state.stereo;
+  const HeadSettings& head = viewer.state.head;
   head_.settings.expected_mm = head.expected_mm;
   head_.settings.offset_mm = head.offset_mm;
-  session.head.eyes_mm = head_.eyesAt(session.now_s);
-  session.head.state = head_.stateAt(session.now_s);
+  viewer.head.eyes_mm = head_.eyesAt(viewer.now_s);
+  viewer.head.state = head_.stateAt(viewer.now_s);
   stereo.head.reset();
-  if (head.on) stereo.head = view::TrackedHead{session.head.eyes_mm, head.screen_height_mm};
+  if (head.on) stereo.head = view::TrackedHead{viewer.head.eyes_mm, head.screen_height_mm};
   return stereo;
 }
 

@@ -7,7 +7,7 @@
 
 #include "palpate/window/head_tracker.h"
 #include "palpate/window/input.h"
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
 
@@ -19,11 +19,12 @@ class Eyesight {
   /// Where the eyes were measured (HeadTracker::measured).
   void headAt(const Vec3& eyes_mm, double now_s) { head_.measured(eyes_mm, now_s); }
 
-  /// Once a frame. A mode that is not offered is taken back, with a message; the session learns where the head is.
-  view::StereoSettings settings(Session& session);
+  /// Once a frame. A mode that is not offered is taken back, with a message; the viewer's state learns where the head
+  /// is.
+  view::StereoSettings settings(ViewerState& viewer);
 
  private:
-  void keepUsable(Session& session);
+  void keepUsable(ViewerState& viewer);
 
   bool quad_buffer_offered_;
   view::StereoMode last_usable_ = view::StereoMode::mono;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "palpate/base/stopwatch.h"
-#include "view/viewer/editing/rings.h"
+#include "view/viewer/editing/pointer.h"
 #include "view/viewer/state/free_area.h"
 #include "view/viewer/state/home_view.h"
 
@@ -22,7 +22,7 @@ bool isAway(const contact::FingerOutput& finger) { return finger.tip.z() > 0.5 *
 
 std::vector<view::FingerMark> marksBeside(const FrameParts& frame) {
   std::vector<view::FingerMark> marks;
-  const TouchHistory::Moment& moment = frame.replay.momentBeside(frame.session.replay);
+  const TouchHistory::Moment& moment = frame.replay.momentBeside(frame.viewer.replay);
   const std::vector<double>& radius_mm = frame.replay.beside()->touch.radius_mm;
   for (std::size_t i = 0; i < std::min(kFingers, radius_mm.size()); ++i) {
     if (isAway(moment[i].contact)) continue;
@@ -37,10 +37,10 @@ std::vector<view::FingerMark> marksBeside(const FrameParts& frame) {
 }
 
 /// The twelve edges of what each device that holds a finger reaches, where the clutch has moved it.
-void addReach(const Session& session, std::vector<view::Lines>& lines) {
+void addReach(const ViewerState& viewer, std::vector<view::Lines>& lines) {
   constexpr double kReachPx = 1.6;
-  for (std::size_t i = 0; i < kFingers && session.state.shown.reach; ++i) {
-    const FingerHeld& held = session.devices.fingers[i];
+  for (std::size_t i = 0; i < kFingers && viewer.state.shown.reach; ++i) {
+    const FingerHeld& held = viewer.devices.fingers[i];
     device::DeviceFrame frame = held.workspace.frame;
     frame.origin_mm += held.reading.shift_mm;
     const std::vector<Vec3> corners = device::reachOf(held.able, frame);
@@ -56,27 +56,27 @@ void addReach(const Session& session, std::vector<view::Lines>& lines) {
 
 /// None while the past is looked at: they are where the fingers are now.
 std::vector<view::Lines> rings(const FrameParts& frame) {
-  const Session& session = frame.session;
-  if (session.ruler.active) return rulerLines(session.ruler);
-  if (session.editor.active) return dysfunctionRings(session, frame.pointer, frame.world);
+  const ViewerState& viewer = frame.viewer;
+  if (viewer.ruler.active) return rulerLines(viewer.ruler);
+  if (viewer.editor.active) return dysfunctionRings(viewer, frame.pointer, frame.world);
   std::vector<view::Lines> marks;
-  if (!session.replay.frozen) marks = fingerRings(session, frame.pointer);
-  if (session.reading && session.vertex_panel_open && session.mark_vertex) {
-    marks.push_back(vertexMark(*session.reading, frame.world, frame.model.surface()));
+  if (!viewer.replay.frozen) marks = fingerRings(viewer, frame.pointer);
+  if (viewer.reading && viewer.vertex_panel_open && viewer.mark_vertex) {
+    marks.push_back(vertexMark(*viewer.reading, frame.world, frame.model.surface()));
   }
-  addReach(session, marks);
+  addReach(viewer, marks);
   return marks;
 }
 
 view::PictureSettings pictureSettings(const FrameParts& frame) {
-  const Session& session = frame.session;
+  const ViewerState& viewer = frame.viewer;
   view::PictureSettings picture;
-  picture.camera = session.camera;
-  picture.look = session.state.look;
-  if (session.simple_shading) picture.look.shading = view::Shading::gouraud;
-  picture.look.light_background = session.state.theme == window::Theme::light;
+  picture.camera = viewer.camera;
+  picture.look = viewer.state.look;
+  if (viewer.simple_shading) picture.look.shading = view::Shading::gouraud;
+  picture.look.light_background = viewer.state.theme == window::Theme::light;
   picture.stereo = frame.stereo;
-  picture.labels.numbers = session.state.shown.numbers;
+  picture.labels.numbers = viewer.state.shown.numbers;
   for (const auto& mode : frame.modes) mode->adjust(picture);
   return picture;
 }
@@ -97,22 +97,22 @@ bool drawsItself(const view::StereoSettings& stereo, bool quad_buffer) {
 }
 
 std::vector<view::FingerMark> FramePainter::fingerMarks(const FrameParts& frame) {
-  const Session& session = frame.session;
+  const ViewerState& viewer = frame.viewer;
   const RecordedTouch* recorded = frame.replay.recorded();
   std::vector<view::FingerMark> marks;
   for (std::size_t i = 0; i < kFingers; ++i) {
-    peaks_[i].follow(session.fingers[i], session.now_s);
-    if (!session.finger_present[i] || isAway(session.fingers[i])) continue;
+    peaks_[i].follow(viewer.fingers[i], viewer.now_s);
+    if (!viewer.finger_present[i] || isAway(viewer.fingers[i])) continue;
     const bool has_radius = recorded != nullptr && i < recorded->radius_mm.size();
-    const double radius = has_radius ? recorded->radius_mm[i] : fingerRadius(session.scene, i);
+    const double radius = has_radius ? recorded->radius_mm[i] : fingerRadius(viewer.scene, i);
     const bool left = i == 0;
-    marks.push_back({.contact = session.fingers[i],
+    marks.push_back({.contact = viewer.fingers[i],
                      .radius_mm = recorded != nullptr && radius <= 0.0 ? kDrawnPointMm : radius,
                      .colour = left ? view::kLeftFinger : view::kRightFinger,
                      .haptic_radius_mm = radius,
                      .left = left,
-                     .outline = i == session.active_finger ? 0.0 : kOutline,
-                     .lifted = peaks_[i].shown(session.now_s)});
+                     .outline = i == viewer.active_finger ? 0.0 : kOutline,
+                     .lifted = peaks_[i].shown(viewer.now_s)});
   }
   return marks;
 }
@@ -126,28 +126,28 @@ void FramePainter::paint(const FrameParts& frame, window::Gui::Choice windows) {
   const bool itself = drawsItself(frame.stereo, frame.quad_buffer);
   if (frame.replay.beside() != nullptr && !itself) return paintBeside(frame, windows);
   const Clock::time_point started = Clock::now();
-  Session& session = frame.session;
+  ViewerState& viewer = frame.viewer;
   view::Canvas canvas = canvasOn(frame.target, frame.pixels_per_point);
   if (itself) canvas.framebuffer = 0;
   canvas.quad_buffer = frame.quad_buffer;
-  const auto width = static_cast<float>(session.size_points.x());
-  const auto height = static_cast<float>(session.size_points.y());
-  const FreeArea free = freeArea(session.state.shown, width, height);
+  const auto width = static_cast<float>(viewer.size_points.x());
+  const auto height = static_cast<float>(viewer.size_points.y());
+  const FreeArea free = freeArea(viewer.state.shown, width, height);
   canvas.covered = {free.left, free.top, width - free.right, height - free.below};
   const auto over = [&](const view::EyePicture& eye) { frame.gui.present(eye.width, eye.height, windows); };
   const std::vector<view::FingerMark> fingers = fingerMarks(frame);
   const std::vector<view::Lines> shown_rings = rings(frame);
   frame.model.painter().paint(
-      {.fingers = fingers, .time_s = session.now_s, .lift_mm = frame.model.lift(), .marks = shown_rings},
+      {.fingers = fingers, .time_s = viewer.now_s, .lift_mm = frame.model.lift(), .marks = shown_rings},
       frame.model.surface(), pictureSettings(frame), canvas, over);
-  session.performance.draw_ms = millisecondsSince(started);
+  viewer.performance.draw_ms = millisecondsSince(started);
 }
 
 /// Each in a half of what the panels leave free.
 void FramePainter::paintBeside(const FrameParts& frame, window::Gui::Choice windows) {
-  const Session& session = frame.session;
-  const auto shown_width = static_cast<float>(session.size_points.x());
-  const FreeArea free = freeArea(session.state.shown, shown_width, static_cast<float>(session.size_points.y()));
+  const ViewerState& viewer = frame.viewer;
+  const auto shown_width = static_cast<float>(viewer.size_points.x());
+  const FreeArea free = freeArea(viewer.state.shown, shown_width, static_cast<float>(viewer.size_points.y()));
   const auto pixels = [&](float points) {
     return static_cast<int>(frame.pixels_per_point * static_cast<double>(points));
   };
@@ -168,19 +168,19 @@ void FramePainter::paintBeside(const FrameParts& frame, window::Gui::Choice wind
 
 /// One of two bodies, by one eye, in the middle of its half and so far away that what is as wide as high has room.
 void FramePainter::paintHalf(const FrameParts& frame, LiveModel& model, std::span<const view::FingerMark> fingers) {
-  const Session& session = frame.session;
+  const ViewerState& viewer = frame.viewer;
   view::PictureSettings picture = pictureSettings(frame);
   picture.stereo.mode = view::StereoMode::mono;
-  picture.camera = cameraOfFreePart(picture.camera, session.state.shown, session.size_points);
+  picture.camera = cameraOfFreePart(picture.camera, viewer.state.shown, viewer.size_points);
   picture.camera.distance_mm *= std::max(1.0, static_cast<double>(half_->height()) / half_->width());
-  model.painter().paint({.fingers = fingers, .time_s = session.now_s, .lift_mm = model.lift()}, model.surface(),
-                        picture, canvasOn(*half_, frame.pixels_per_point));
+  model.painter().paint({.fingers = fingers, .time_s = viewer.now_s, .lift_mm = model.lift()}, model.surface(), picture,
+                        canvasOn(*half_, frame.pixels_per_point));
 }
 
 /// Drawn on white and on black.
 view::CutOut FramePainter::paintClear(const FrameParts& frame) {
   view::PictureSettings picture = pictureSettings(frame);
-  picture.look.shading = frame.session.state.look.shading;
+  picture.look.shading = frame.viewer.state.look.shading;
   picture.stereo.mode = view::StereoMode::mono;
   picture.labels = view::LabelSettings::none();
   const std::vector<view::FingerMark> fingers = fingerMarks(frame);
@@ -189,7 +189,7 @@ view::CutOut FramePainter::paintClear(const FrameParts& frame) {
     view::Target target(kClearSupersampling * frame.target.width(), kClearSupersampling * frame.target.height());
     view::Canvas canvas = canvasOn(target, kClearSupersampling * frame.pixels_per_point);
     canvas.supersampling = kClearSupersampling;
-    frame.model.painter().paint({.fingers = fingers, .time_s = frame.session.now_s, .lift_mm = frame.model.lift()},
+    frame.model.painter().paint({.fingers = fingers, .time_s = frame.viewer.now_s, .lift_mm = frame.model.lift()},
                                 frame.model.surface(), picture, canvas);
     return view::reduced(target.read(), kClearSupersampling);
   };

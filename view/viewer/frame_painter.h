@@ -4,23 +4,40 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "palpate/view/cut_out.h"
+#include "palpate/contact/finger.h"
+#include "palpate/view/finger_pose.h"
+#include "palpate/view/image.h"
 #include "palpate/view/offscreen.h"
 #include "palpate/window/gui.h"
 #include "view/viewer/editing/pointer.h"
 #include "view/viewer/modes/mode.h"
-#include "view/viewer/plots/press_peak.h"
 #include "view/viewer/replay_player.h"
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 #include "view/viewer/world/live_model.h"
 
 namespace palpate::viewer {
 
+// The most that a press came to, kept readable for a moment after the finger was lifted. Pure.
+
+class PressPeak {
+ public:
+  /// Once a frame.
+  void follow(const contact::FingerOutput& contact, double now_s);
+  /// Nothing while the finger touches, and when the press is long over.
+  std::optional<view::Peak> shown(double now_s) const;
+
+ private:
+  view::Peak most_;
+  std::optional<double> lifted_s_;
+  bool touching_ = false;
+};
+
 /// What is painted, of this frame alone.
 struct FrameParts {
-  Session& session;
+  ViewerState& viewer;
   LiveModel& model;
   const scene::World& world;
   const Pointer& pointer;

@@ -1,9 +1,9 @@
-#include "view/viewer/leaving.h"
+#include "view/viewer/request_handler.h"
 
 #include <fmt/format.h>
 
 #include "palpate/trace/forces_table.h"
-#include "palpate/trace/session_reader.h"
+#include "palpate/trace/recording_reader.h"
 
 namespace palpate::viewer {
 
@@ -12,7 +12,7 @@ namespace {
 struct LeavesTheScene {
   /// A recording is looked at in the scene that there is.
   bool operator()(const OpenFile& request) const {
-    return !request.sure && !trace::isForcesTable(request.file) && !trace::isSession(request.file);
+    return !request.sure && !trace::isForcesTable(request.file) && !trace::isRecording(request.file);
   }
   bool operator()(const OpenBuiltIn& request) const { return !request.sure; }
   bool operator()(const Reload& request) const { return !request.sure; }
@@ -23,29 +23,29 @@ struct LeavesTheScene {
   }
 };
 
-std::string nameOf(const Session& session) {
-  return session.document.file.empty() ? session.world.name : session.document.file.filename().string();
+std::string nameOf(const ViewerState& viewer) {
+  return viewer.document.file.empty() ? viewer.world.name : viewer.document.file.filename().string();
 }
 
 }  // namespace
 
-bool mustAskFirst(const Request& request, Session& session) {
-  if (!std::visit(LeavesTheScene(), request) || !session.history.changed()) return false;
-  session.ask({.kind = Question::Kind::leave,
-               .words = fmt::format("{} was changed. Save it first?", nameOf(session)),
-               .then = request});
+bool mustAskFirst(const Request& request, ViewerState& viewer) {
+  if (!std::visit(LeavesTheScene(), request) || !viewer.history.changed()) return false;
+  viewer.ask({.kind = Question::Kind::leave,
+              .words = fmt::format("{} was changed. Save it first?", nameOf(viewer)),
+              .then = request});
   return true;
 }
 
-std::string_view answerOf(window::Key key, const Session& session) {
-  if (!session.question) return {};
-  const std::vector<std::string>& answers = session.question->answers;
+std::string_view answerOf(window::Key key, const ViewerState& viewer) {
+  if (!viewer.question) return {};
+  const std::vector<std::string>& answers = viewer.question->answers;
   if (key == window::Key::enter || key == window::Key::pad_enter) return answers.front();
   return key == window::Key::escape ? answers.back() : std::string_view();
 }
 
-std::string titleOf(const Session& session) {
-  return fmt::format("{}{} - Palpate", nameOf(session), session.history.changed() ? " *" : "");
+std::string titleOf(const ViewerState& viewer) {
+  return fmt::format("{}{} - Palpate", nameOf(viewer), viewer.history.changed() ? " *" : "");
 }
 
 }  // namespace palpate::viewer

@@ -1,7 +1,7 @@
 // What is shown in place of the present: the last minute of this run, a recording, a table of forces that is felt
 // again, the scene's own fingers; and a second recording beside it.
 //
-//   file ─ ReplayLoader, on its own thread ─► RecordedTouch ─► Session::replay, plots, model ─ left ─► the present
+//   file ─ ReplayLoader, on its own thread ─► RecordedTouch ─► Recording::replay, plots, model ─ left ─► the present
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "view/viewer/files/recorded_touch.h"
-#include "view/viewer/state/session.h"
 #include "view/viewer/state/touch_history.h"
+#include "view/viewer/state/viewer_state.h"
 #include "view/viewer/world/live_model.h"
 
 namespace palpate::viewer {
@@ -22,11 +22,12 @@ class ReplayPlayer {
   explicit ReplayPlayer(double ticks_per_s) : history_(ticks_per_s) {}
 
   /// Begins to read a recording or a table of forces, to be shown alone or beside the one that is shown.
-  void load(const std::string& file, bool beside, const std::shared_ptr<const scene::World>& world, Session& session);
+  void load(const std::string& file, bool beside, const std::shared_ptr<const scene::World>& world,
+            ViewerState& viewer);
   /// The scene's own fingers, or an end of them.
-  void playScript(const std::shared_ptr<const scene::World>& world, Session& session);
+  void playScript(const std::shared_ptr<const scene::World>& world, ViewerState& viewer);
   /// What has been read is shown, frozen at its beginning.
-  void take(const std::shared_ptr<const scene::World>& world, LiveModel& model, Session& session);
+  void take(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer);
 
   /// A tick of a finger, while the present is shown.
   void add(const trace::Sample& sample) { history_.add(sample); }
@@ -36,7 +37,7 @@ class ReplayPlayer {
   /// Once a frame: time passes, and a recording that is no longer frozen is left. The moment to be shown; null: the
   /// present.
   const TouchHistory::Moment* advance(const std::shared_ptr<const scene::World>& world, LiveModel& model,
-                                      Session& session, double elapsed_s);
+                                      ViewerState& viewer, double elapsed_s);
 
   /// Null: the history of this run, or the present.
   const RecordedTouch* recorded() const { return recorded_ ? &*recorded_ : nullptr; }
@@ -55,8 +56,8 @@ class ReplayPlayer {
 
  private:
   const TouchHistory& history() const { return recorded_ ? recorded_->history : history_; }
-  void show(RecordedTouch touch, LiveModel& model, Session& session);
-  void leave(const std::shared_ptr<const scene::World>& world, LiveModel& model, Session& session);
+  void show(RecordedTouch touch, LiveModel& model, ViewerState& viewer);
+  void leave(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer);
 
   TouchHistory history_;  ///< of this run
   ReplayLoader loader_;

@@ -2,28 +2,41 @@
 // waits for an answer if something would be lost, then to the part of the viewer that it is about.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "view/viewer/camera_control.h"
 #include "view/viewer/devices/device_control.h"
 #include "view/viewer/files/outputs.h"
-#include "view/viewer/files/session_keeper.h"
+#include "view/viewer/files/recording_keeper.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/replay_player.h"
-#include "view/viewer/state/session.h"
-#include "view/viewer/viewer_host.h"
+#include "view/viewer/state/viewer_state.h"
 #include "view/viewer/world/world_swap.h"
 
 namespace palpate::viewer {
 
+// What only a window can do for the viewer; members may be empty.
+
+struct ViewerHost {
+  std::function<void()> toggle_full_screen;
+  std::function<void(const std::string&)> set_clipboard;
+  std::function<std::string()> clipboard;
+  std::function<void(bool)> show_cursor;
+  std::function<void(const std::string&)> set_title;
+  /// Framebuffer 0 has a picture for each eye; the viewer then draws quad-buffer stereo into it (drawsItself).
+  bool quad_buffer = false;
+};
+
 /// The parts of the viewer that requests are about; all must outlive the handler.
 struct RequestParts {
-  Session& session;
+  ViewerState& viewer;
   WorldSwap& world_swap;
   DeviceControl& devices;
-  SessionKeeper& keeper;
+  RecordingKeeper& keeper;
   Outputs& outputs;
   ReplayPlayer& replay;
   CameraControl& camera;
@@ -77,5 +90,17 @@ class RequestHandler {
   RequestParts parts_;
   bool quits_ = false;
 };
+
+// What has to be asked before it is done, because something would be lost by it.
+
+/// Whether the request throws changes away and has not been asked about; then the viewer's state asks, and it waits in
+/// there.
+bool mustAskFirst(const Request& request, ViewerState& viewer);
+
+/// The answer to the viewer's question that a key means, or none.
+std::string_view answerOf(window::Key key, const ViewerState& viewer);
+
+/// The window's title: what is open, and a star when there is something to save.
+std::string titleOf(const ViewerState& viewer);
 
 }  // namespace palpate::viewer

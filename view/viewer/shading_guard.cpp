@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
 
@@ -12,7 +12,7 @@ namespace {
 
 /// A frame that was in time takes back as much of the suspicion as several slow ones of its length brought.
 constexpr double kForgiving = 2.0;
-constexpr double kMostPatience = 64.0;
+constexpr double kMaxPatience = 64.0;
 
 }  // namespace
 
@@ -30,29 +30,29 @@ ShadingGuard::Change ShadingGuard::frame(double between_s, double cost_s, bool c
   spare_s_ = spare ? spare_s_ + between_s : 0.0;
   if (spare_s_ < patience_ * settings_.spare_for_s) return Change::none;
   simple_ = false;
-  patience_ = std::min(kMostPatience, 2.0 * patience_);
+  patience_ = std::min(kMaxPatience, 2.0 * patience_);
   spare_s_ = 0.0;
-  return Change::as_wished;
+  return Change::as_requested;
 }
 
-void guardShading(ShadingGuard& guard, Session& session, double elapsed_s, bool counts) {
-  const ViewState& state = session.state;
+void guardShading(ShadingGuard& guard, ViewerState& viewer, double elapsed_s, bool counts) {
+  const ViewState& state = viewer.state;
   if (!state.simpler_when_slow || state.look.shading == view::Shading::gouraud) {
     guard.reset();
   } else {
-    const bool gains = counts && !session.building && !session.recording.sequence;
-    const auto change = guard.frame(elapsed_s, 1e-3 * session.performance.frame_ms, gains);
+    const bool gains = counts && !viewer.building && !viewer.recording.sequence;
+    const auto change = guard.frame(elapsed_s, 1e-3 * viewer.performance.frame_ms, gains);
     if (change == ShadingGuard::Change::simpler) {
       // The menu bar says so as long as it lasts; a plate over the picture would hide what is slow already.
-      session.messages.note(fmt::format("Pictures came {:.0f} times a second, so the skin is drawn smooth for now; "
-                                        "Show > shading decides for good",
-                                        session.performance.frames_per_s),
-                            session.now_s);
-    } else if (change == ShadingGuard::Change::as_wished) {
-      session.messages.note("There is time to spare: the skin is drawn as before", session.now_s);
+      viewer.messages.note(fmt::format("Pictures came {:.0f} times a second, so the skin is drawn smooth for now; "
+                                       "Show > shading decides for good",
+                                       viewer.performance.frames_per_s),
+                           viewer.now_s);
+    } else if (change == ShadingGuard::Change::as_requested) {
+      viewer.messages.note("There is time to spare: the skin is drawn as before", viewer.now_s);
     }
   }
-  session.simple_shading = guard.simple();
+  viewer.simple_shading = guard.simple();
 }
 
 }  // namespace palpate::viewer

@@ -1,6 +1,7 @@
-// Draws the skin simpler while pictures come too slowly, and as it was wished again when there is time to spare. Pure.
+// Draws the skin simpler while pictures come too slowly, and as it was requested again when there is time to spare.
+// Pure.
 //
-//   time between frames, time that a frame took ─► ShadingGuard ─► simple or as wished, and a word to the user
+//   time between frames, time that a frame took ─► ShadingGuard ─► simple or as requested, and a word to the user
 //
 // It never changes the user's choice: what it does lies over it, and choosing a shading switches it off
 // (ViewState::simpler_when_slow).
@@ -8,7 +9,7 @@
 
 namespace palpate::viewer {
 
-struct Session;
+struct ViewerState;
 
 struct ShadingGuardSettings {
   double slow_s = 1.0 / 30.0;  ///< between two pictures; beyond it a drag no longer looks like one motion
@@ -24,12 +25,12 @@ class ShadingGuard {
   using Settings = ShadingGuardSettings;
   explicit ShadingGuard(const Settings& settings = {}) : settings_(settings) {}
 
-  enum class Change : unsigned char { none, simpler, as_wished };
+  enum class Change : unsigned char { none, simpler, as_requested };
   /// Once a frame: the time since the frame before and what this one cost to draw. `counts` is false for frames that
   /// say nothing: while another thread loads a body, or when nothing is gained by drawing simpler.
   Change frame(double between_s, double cost_s, bool counts);
   bool simple() const { return simple_; }
-  /// The user chose: as wished at once, and no opinion any more.
+  /// The user chose: as requested at once, and no opinion any more.
   void reset() { *this = ShadingGuard(settings_); }
 
  private:
@@ -40,8 +41,8 @@ class ShadingGuard {
   double spare_s_ = 0.0;
 };
 
-/// Once a frame: has the guard decide how the session's skin is drawn, and the user told. `counts`: something is gained
+/// Once a frame: has the guard decide how the viewer's skin is drawn, and the user told. `counts`: something is gained
 /// by drawing simpler.
-void guardShading(ShadingGuard& guard, Session& session, double elapsed_s, bool counts);
+void guardShading(ShadingGuard& guard, ViewerState& viewer, double elapsed_s, bool counts);
 
 }  // namespace palpate::viewer

@@ -10,10 +10,10 @@
 #include "palpate/base/stopwatch.h"
 #include "view/viewer/editing/acts.h"
 #include "view/viewer/editing/dysfunction_editor.h"
-#include "view/viewer/leaving.h"
 #include "view/viewer/panels/gui_layout.h"
 #include "view/viewer/panels/hints.h"
 #include "view/viewer/panels/widgets.h"
+#include "view/viewer/request_handler.h"
 #include "view/viewer/state/home_view.h"
 
 namespace palpate::viewer {
@@ -38,87 +38,87 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
       model_(std::make_unique<LiveModel>(world)),
       world_swap_(world),
       devices_(servo_, world_swap_),
-      keeper_(servo_, settings_.session_folder),
+      keeper_(servo_, settings_.recording_folder),
       replay_(servo_.thread().ticksPerS()),
       outputs_(settings_.output_folder),
       modes_(std::move(settings_.modes)),
-      camera_(session_, pointer_, modes_, world_),
-      requests_({session_, world_swap_, devices_, keeper_, outputs_, replay_, camera_, modes_, host_,
+      camera_(viewer_, pointer_, modes_, world_),
+      requests_({viewer_, world_swap_, devices_, keeper_, outputs_, replay_, camera_, modes_, host_,
                  settings_.default_scene, world_}),
       eyesight_(host_.quad_buffer) {
-  session_.state = std::move(state);
-  session_.scene = world->scene;
-  session_.document = documentOf(world->scene.file);
-  session_.output_folder = outputs_.folder();
+  viewer_.state = std::move(state);
+  viewer_.scene = world->scene;
+  viewer_.document = documentOf(world->scene.file);
+  viewer_.output_folder = outputs_.folder();
   takeFacts();
-  session_.profile.knots = world->deformation.normal_profile.knots;
-  session_.held = servo_.abilities();
-  session_.ticks_per_s = servo_.thread().ticksPerS();
-  world_swap_.planNow(session_);  // tells the session what the limits are
-  for (SampleHistory& plot : session_.plots.fingers) plot = SampleHistory(session_.ticks_per_s);
-  input_.settings = session_.state.input;
-  session_.performance.graphics = view::rendererWords();
-  devices_.begin(session_);
-  for (const auto& mode : modes_) mode->begin(session_, *world, gui_);
+  viewer_.profile.knots = world->deformation.normal_profile.knots;
+  viewer_.held = servo_.abilities();
+  viewer_.ticks_per_s = servo_.thread().ticksPerS();
+  world_swap_.planNow(viewer_);  // tells the viewer's state what the limits are
+  for (SampleHistory& plot : viewer_.plots.fingers) plot = SampleHistory(viewer_.ticks_per_s);
+  input_.settings = viewer_.state.input;
+  viewer_.performance.graphics = view::rendererWords();
+  devices_.begin(viewer_);
+  for (const auto& mode : modes_) mode->begin(viewer_, *world, gui_);
 }
 
 Viewer::~Viewer() = default;
 
 void Viewer::takeFacts() {
-  const bool other_file = session_.world.channels != world_->body->channels;
-  session_.world = factsOf(*world_);
+  const bool other_file = viewer_.world.channels != world_->body->channels;
+  viewer_.world = factsOf(*world_);
   if (!other_file) return;
-  const std::string words = useChannelsOf(*world_, session_.state.look);
-  if (!words.empty()) session_.report(Severity::info, words);
+  const std::string words = useChannelsOf(*world_, viewer_.state.look);
+  if (!words.empty()) viewer_.report(Severity::info, words);
 }
 
 servo::LoopReport Viewer::finish(std::string_view ended_by) {
   servo::LoopReport report = servo_.thread().stop();
   takeSamples();
   for (const auto& mode : modes_) {
-    if (const std::string words = mode->finish(ended_by); !words.empty()) session_.report(Severity::error, words);
+    if (const std::string words = mode->finish(ended_by); !words.empty()) viewer_.report(Severity::error, words);
   }
-  keeper_.finish(session_, ended_by);
-  outputs_.finish(session_);
+  keeper_.finish(viewer_, ended_by);
+  outputs_.finish(viewer_);
   return report;
 }
 
 void Viewer::frame(int width, int height, double scale, double now_s, std::span<const window::InputEvent> events) {
   const Clock::time_point started = Clock::now();
-  const double elapsed_s = seen_ ? std::max(1e-4, now_s - session_.now_s) : 1.0 / 60.0;
-  session_.now_s = now_s;
+  const double elapsed_s = seen_ ? std::max(1e-4, now_s - viewer_.now_s) : 1.0 / 60.0;
+  viewer_.now_s = now_s;
   makeTarget(width, height);
   takeWorld();
-  replay_.take(world_, *model_, session_);
+  replay_.take(world_, *model_, viewer_);
   followServo(elapsed_s);
-  const double points = scale * session_.state.text_size;
-  if (std::exchange(theme_, session_.state.theme) != session_.state.theme) gui_.setTheme(session_.state.theme);
-  stereo_ = eyesight_.settings(session_);
+  const double points = scale * viewer_.state.text_size;
+  if (std::exchange(theme_, viewer_.state.theme) != viewer_.state.theme) gui_.setTheme(viewer_.state.theme);
+  stereo_ = eyesight_.settings(viewer_);
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, width, height);
-  session_.size_points = Vec2(eye.seen_width, eye.seen_height) / points;
-  gui_.begin(session_.size_points, points, elapsed_s, asOneEyeSees(events, stereo_.mode, width, height));
+  viewer_.size_points = Vec2(eye.seen_width, eye.seen_height) / points;
+  gui_.begin(viewer_.size_points, points, elapsed_s, asOneEyeSees(events, stereo_.mode, width, height));
   showCursor();
   lookAround();
   handle(events);
   intro_.advance(pointer_, *world_, now_s);
-  pointer_.advance(session_);
+  pointer_.advance(viewer_);
   placeRulerLabel();
-  drawGui(session_, modes_);
-  const Asks& asks = session_.asks;
+  drawGui(viewer_, modes_);
+  const Asks& asks = viewer_.asks;
   const bool held = ImGui::IsAnyItemActive();
   const bool any = held || !events.empty() || asks.changed != kNothing || !asks.requests.empty();
   gui_.end();
   useChanges(elapsed_s);
-  if (!session_.opening && !modes_.claims().window)
-    session_.history.follow(session_, {held, session_.editor.before.has_value(), any});
+  if (!viewer_.opening && !modes_.claims().window)
+    viewer_.history.follow(viewer_, {held, viewer_.editor.before.has_value(), any});
   tellTitle();
   pointServo();
   paintAndKeep(points);
-  Performance& performance = session_.performance;
+  Performance& performance = viewer_.performance;
   performance.frame_ms = millisecondsSince(started);
   frame_s_ += kRateSmoothing * (elapsed_s - frame_s_);
   performance.frames_per_s = 1.0 / frame_s_;
-  guardShading(shading_guard_, session_, elapsed_s, seen_ && !modes_.claims().body);
+  guardShading(shading_guard_, viewer_, elapsed_s, seen_ && !modes_.claims().body);
   seen_ = true;
 }
 
@@ -131,18 +131,18 @@ void Viewer::makeTarget(int width, int height) {
 void Viewer::lookAround() {
   if (!seen_) {
     // The column of a mode stands in any window: the body keeps to what it leaves.
-    if (!modes_.claims().window && session_.size_points.x() < kNarrowPoints) session_.state.shown.panel = false;
-    session_.camera = homeView(*world_, session_.state.shown, view::StandardView::back, session_.size_points);
-    takeSceneLook(*world_, session_, session_.size_points);
+    if (!modes_.claims().window && viewer_.size_points.x() < kNarrowPoints) viewer_.state.shown.panel = false;
+    viewer_.camera = homeView(*world_, viewer_.state.shown, view::StandardView::back, viewer_.size_points);
+    takeSceneLook(*world_, viewer_, viewer_.size_points);
     beginScene();
     if (modes_.homeBox()) camera_.setView(view::StandardView::back);
-    if (settings_.intro && !session_.state.reduced_motion) intro_.begin(*world_, session_.now_s);
+    if (settings_.intro && !viewer_.state.reduced_motion) intro_.begin(*world_, viewer_.now_s);
   }
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, target_->width(), target_->height());
-  eyes_ = view::eyesOf(session_.camera, stereo_, eye.aspect());
+  eyes_ = view::eyesOf(viewer_.camera, stereo_, eye.aspect());
   pointer_.look({eyes_.screen, eyes_.middle, Vec2(target_->width(), target_->height()), stereo_.mode}, world_);
-  const Sight sight{frustum(), session_.size_points, target_->width() / session_.size_points.x(), pointer_};
-  for (const auto& mode : modes_) mode->look(sight, session_);
+  const Sight sight{frustum(), viewer_.size_points, target_->width() / viewer_.size_points.x(), pointer_};
+  for (const auto& mode : modes_) mode->look(sight, viewer_);
 }
 
 /// Of the middle of both eyes.
@@ -155,26 +155,26 @@ view::Frustum Viewer::frustum() const {
 void Viewer::takeWorld() {
   const WorldSwap::Shown shown = world_swap_.takeShown(servo_.thread());
   if (!shown.world) return;
-  const bool other_scene = std::exchange(session_.opening, false);
+  const bool other_scene = std::exchange(viewer_.opening, false);
   world_ = shown.world;
   model_->setWorld(world_);
   for (const auto& mode : modes_) mode->worldCame(*world_);
   takeFacts();
-  if (session_.profile.handle < 0) session_.profile.knots = world_->deformation.normal_profile.knots;
+  if (viewer_.profile.handle < 0) viewer_.profile.knots = world_->deformation.normal_profile.knots;
   if (!shown.other_body) return;
   devices_.bodyChanged();
-  session_.reading.reset();
+  viewer_.reading.reset();
   replay_.clear();
-  freeze(session_.replay, false);
+  freeze(viewer_.replay, false);
   pointer_.reset();
   std::vector<window::Command> lifted;
   input_.handle({.kind = window::InputEvent::Kind::focus}, {}, lifted);
   if (!seen_) return;
-  session_.ruler = {};
-  view::Camera camera = homeView(*world_, session_.state.shown, view::StandardView::back, session_.size_points);
+  viewer_.ruler = {};
+  view::Camera camera = homeView(*world_, viewer_.state.shown, view::StandardView::back, viewer_.size_points);
   if (other_scene) {
-    const view::Camera before = session_.camera;
-    if (takeSceneLook(*world_, session_, session_.size_points)) camera = std::exchange(session_.camera, before);
+    const view::Camera before = viewer_.camera;
+    if (takeSceneLook(*world_, viewer_, viewer_.size_points)) camera = std::exchange(viewer_.camera, before);
     beginScene();
   }
   camera_.showBody(camera);
@@ -182,59 +182,59 @@ void Viewer::takeWorld() {
 
 /// Nothing of it has been changed yet. What has no file is saved as it is seen, habits included.
 void Viewer::beginScene() {
-  const bool of_file = !session_.document.file.empty();
-  session_.opened = {.look = of_file ? session_.state.look : view::Look{},
-                     .stereo = of_file ? session_.state.stereo : view::StereoSettings{}};
-  session_.history.begin(session_);
+  const bool of_file = !viewer_.document.file.empty();
+  viewer_.opened = {.look = of_file ? viewer_.state.look : view::Look{},
+                    .stereo = of_file ? viewer_.state.stereo : view::StereoSettings{}};
+  viewer_.history.begin(viewer_);
 }
 
 void Viewer::followServo(double elapsed_s) {
   takeSamples();
-  Performance& performance = session_.performance;
+  Performance& performance = viewer_.performance;
   performance.servo = servo_.thread().vitals();
   performance.dropped_samples = servo_.thread().droppedSamples();
-  const TouchHistory::Moment* past = replay_.advance(world_, *model_, session_, elapsed_s);
+  const TouchHistory::Moment* past = replay_.advance(world_, *model_, viewer_, elapsed_s);
   past != nullptr ? show(*past) : show(servo_.thread().contacts());
 }
 
 void Viewer::show(std::span<const trace::Sample> contacts) {
-  for (std::size_t i = 0; i < kFingers; ++i) session_.fingers[i] = contacts[i].contact;
+  for (std::size_t i = 0; i < kFingers; ++i) viewer_.fingers[i] = contacts[i].contact;
   const LiveModel::Times times = model_->follow(contacts);
-  session_.performance.deform_ms = times.deform_ms;
-  session_.performance.upload_ms = times.upload_ms;
+  viewer_.performance.deform_ms = times.deform_ms;
+  viewer_.performance.upload_ms = times.upload_ms;
 }
 
 void Viewer::takeSamples() {
   trace::Sample sample;
   while (servo_.thread().pop(sample)) {
-    outputs_.addSample(session_, sample);
-    devices_.felt(sample, session_);
+    outputs_.addSample(viewer_, sample);
+    devices_.felt(sample, viewer_);
     for (const auto& mode : modes_) mode->feel(sample);
-    if (session_.replay.frozen) continue;  // what is studied stays as it is
-    session_.plot(sample);
+    if (viewer_.replay.frozen) continue;  // what is studied stays as it is
+    viewer_.plot(sample);
     replay_.add(sample);
   }
 }
 
 void Viewer::handle(std::span<const window::InputEvent> events) {
-  input_.settings = session_.state.input;
-  input_.useFinger(session_.active_finger);
+  input_.settings = viewer_.state.input;
+  input_.useFinger(viewer_.active_finger);
   std::vector<window::Command> commands;
   for (const window::InputEvent& event : events) {
     using EventKind = window::InputEvent::Kind;
-    if (devices_.handle(event, gui_.wantsText(), session_)) continue;
-    if (event.kind == EventKind::drop && !modes_.claims().window) session_.request(OpenFile{event.text});
+    if (devices_.handle(event, gui_.wantsText(), viewer_)) continue;
+    if (event.kind == EventKind::drop && !modes_.claims().window) viewer_.request(OpenFile{event.text});
     if (event.kind == EventKind::move || event.kind == EventKind::button) intro_.end(pointer_);
-    if (session_.question && event.kind == EventKind::key) {
-      const std::string_view chosen = event.down ? answerOf(event.key, session_) : std::string_view();
-      if (!chosen.empty()) session_.request(AnswerQuestion{std::string(chosen)});
+    if (viewer_.question && event.kind == EventKind::key) {
+      const std::string_view chosen = event.down ? answerOf(event.key, viewer_) : std::string_view();
+      if (!chosen.empty()) viewer_.request(AnswerQuestion{std::string(chosen)});
       continue;
     }
-    if (modes_.handle(event, session_, gui_.wantsText())) continue;
+    if (modes_.handle(event, viewer_, gui_.wantsText())) continue;
     window::Situation situation;
-    situation.over_gui = gui_.wantsMouse() || session_.question || modes_.claims().touch;
+    situation.over_gui = gui_.wantsMouse() || viewer_.question || modes_.claims().touch;
     situation.gui_wants_text = gui_.wantsText();
-    situation.editing = session_.editor.active || session_.ruler.active;
+    situation.editing = viewer_.editor.active || viewer_.ruler.active;
     situation.on_skin = event.kind == EventKind::button && pointer_.skinAt(event.at).has_value();
     commands.clear();
     input_.handle(event, situation, commands);
@@ -243,71 +243,71 @@ void Viewer::handle(std::span<const window::InputEvent> events) {
 }
 
 void Viewer::handle(const window::Command& command) {
-  if (modes_.handle(command, session_)) return;
-  countHint(command, session_.hint, session_.state.hints);
+  if (modes_.handle(command, viewer_)) return;
+  countHint(command, viewer_.hint, viewer_.state.hints);
   if (command.kind == Kind::act) return actOn(command);
   // With nothing selected the wheel has nothing to size, so it zooms.
-  if (command.kind == Kind::edit_size && (session_.ruler.active || session_.editor.selected < 0)) {
+  if (command.kind == Kind::edit_size && (viewer_.ruler.active || viewer_.editor.selected < 0)) {
     window::Command zoom = command;
     zoom.kind = Kind::zoom;
-    pointer_.apply(zoom, session_);
+    pointer_.apply(zoom, viewer_);
     return;
   }
   if (command.kind == Kind::press) {
-    if (const auto place = pointer_.skinAt(command.at)) session_.reading = readVertex(*world_, place->point);
+    if (const auto place = pointer_.skinAt(command.at)) viewer_.reading = readVertex(*world_, place->point);
   }
-  if (pointer_.apply(command, session_)) return;
-  if (session_.ruler.active) return measure(command);
+  if (pointer_.apply(command, viewer_)) return;
+  if (viewer_.ruler.active) return measure(command);
   const auto place = pointer_.skinAt(command.at);
   std::optional<Vec2> on_map;
   if (place) on_map = Vec2(place->point.x(), place->point.y());
-  applyEdit(command, on_map, session_.dysfunctions());
+  applyEdit(command, on_map, viewer_.dysfunctions());
 }
 
 void Viewer::actOn(const window::Command& command) {
-  if (replayKey(command.action, command.fine, session_.replay)) return;
-  if (pointer_.step(command.action, command.fine, session_)) return;
-  if (!camera_.act(command.action)) perform(command.action, session_);
+  if (replayKey(command.action, command.fine, viewer_.replay)) return;
+  if (pointer_.step(command.action, command.fine, viewer_)) return;
+  if (!camera_.act(command.action)) perform(command.action, viewer_);
 }
 
 void Viewer::measure(const window::Command& command) {
   if (command.kind != Kind::edit_grab) return;
-  if (const auto place = pointer_.skinAt(command.at)) measureAt(*place, world_->surface, session_.ruler);
+  if (const auto place = pointer_.skinAt(command.at)) measureAt(*place, world_->surface, viewer_.ruler);
 }
 
 /// Beside its second end, as the middle of both eyes sees it.
 void Viewer::placeRulerLabel() {
-  Ruler& ruler = session_.ruler;
+  Ruler& ruler = viewer_.ruler;
   if (ruler.ends.size() < 2) return;
   const Vec2 seen = view::seenAt(frustum(), ruler.ends[1].point);
-  ruler.label = seen.allFinite() ? Vec2(seen.cwiseProduct(session_.size_points)) : Vec2(0.5 * session_.size_points);
+  ruler.label = seen.allFinite() ? Vec2(seen.cwiseProduct(viewer_.size_points)) : Vec2(0.5 * viewer_.size_points);
 }
 
 void Viewer::tellTitle() {
-  std::string title = titleOf(session_);
+  std::string title = titleOf(viewer_);
   if (!host_.set_title || title == title_ || modes_.claims().window) return;
   title_ = std::move(title);
   host_.set_title(title_);
 }
 
 void Viewer::useChanges(double elapsed_s) {
-  for (const Request& request : std::exchange(session_.asks.requests, {})) requests_.handle(request);
-  devices_.advance(session_, *world_);
-  keeper_.advance(session_);
+  for (const Request& request : std::exchange(viewer_.asks.requests, {})) requests_.handle(request);
+  devices_.advance(viewer_, *world_);
+  keeper_.advance(viewer_);
   for (const auto& mode : modes_) {
-    mode->advance({session_, servo_, world_swap_, *world_, elapsed_s});
+    mode->advance({viewer_, servo_, world_swap_, *world_, elapsed_s});
     quit_ = quit_ || mode->wantsToQuit();
   }
   quit_ = quit_ || requests_.quits();
-  world_swap_.advance(session_, servo_.thread());
-  session_.asks.changed = kNothing;
+  world_swap_.advance(viewer_, servo_.thread());
+  viewer_.asks.changed = kNothing;
 }
 
 void Viewer::pointServo() {
   const RecordedTouch* recorded = replay_.recorded();
   for (std::size_t i = 0; i < kFingers; ++i) {
-    const device::FingerTarget target = pointer_.target(i, session_);
-    session_.finger_present[i] =
+    const device::FingerTarget target = pointer_.target(i, viewer_);
+    viewer_.finger_present[i] =
         recorded != nullptr ? i < recorded->radius_mm.size() : target.present || servo_.isHeld(i);
     servo_.point(i, target);
   }
@@ -322,18 +322,18 @@ void Viewer::showCursor() {
 
 /// Pictures are kept without what lies over them for a moment, unless that was asked for too.
 void Viewer::paintAndKeep(double scale) {
-  const FrameParts parts{session_, *model_,  *world_, pointer_,          replay_, modes_,
-                         gui_,     *target_, stereo_, host_.quad_buffer, scale};
-  const bool twice = outputs_.wantsNoPopUps(session_) && gui_.leavesOut(staysInPictures);
+  const FrameParts parts{viewer_, *model_,  *world_, pointer_,          replay_, modes_,
+                         gui_,    *target_, stereo_, host_.quad_buffer, scale};
+  const bool twice = outputs_.wantsNoPopUps(viewer_) && gui_.leavesOut(staysInPictures);
   painter_.paint(parts, twice ? staysInPictures : nullptr);
-  outputs_.frameDrawn(session_, [this] { return target_->read(); });
+  outputs_.frameDrawn(viewer_, [this] { return target_->read(); });
   if (const auto picture = outputs_.takeSavedPicture(); !picture.empty()) keeper_.attachPicture(picture);
   if (twice) painter_.paint(parts);
   if (!outputs_.takeClearPicture()) return;
   try {
-    outputs_.saveClearPicture(session_, painter_.paintClear(parts));
+    outputs_.saveClearPicture(viewer_, painter_.paintClear(parts));
   } catch (const std::exception& error) {
-    session_.report(Severity::error, error.what());
+    viewer_.report(Severity::error, error.what());
   }
 }
 

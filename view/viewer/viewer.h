@@ -19,15 +19,14 @@
 #include "view/viewer/editing/pointer.h"
 #include "view/viewer/eyesight.h"
 #include "view/viewer/files/outputs.h"
-#include "view/viewer/files/session_keeper.h"
+#include "view/viewer/files/recording_keeper.h"
 #include "view/viewer/frame_painter.h"
 #include "view/viewer/modes/mode.h"
-#include "view/viewer/panels/intro.h"
+#include "view/viewer/panels/hints.h"
 #include "view/viewer/replay_player.h"
 #include "view/viewer/request_handler.h"
 #include "view/viewer/shading_guard.h"
-#include "view/viewer/state/session.h"
-#include "view/viewer/viewer_host.h"
+#include "view/viewer/state/viewer_state.h"
 #include "view/viewer/world/live_model.h"
 #include "view/viewer/world/live_servo.h"
 #include "view/viewer/world/world_swap.h"
@@ -39,7 +38,7 @@ struct ViewerSettings {
   std::filesystem::path output_folder = ".";      ///< for pictures, tables and scenes without a file
   scene::Scene default_scene;                     ///< for "Built-in torso"
   std::vector<OpenedDevice> devices;              ///< that hold the first fingers instead of the mouse
-  std::filesystem::path session_folder = {};      ///< for the session that is recorded by itself; empty: none is
+  std::filesystem::path recording_folder = {};    ///< for the viewer's state that is recorded by itself; empty: none is
   std::vector<std::unique_ptr<Mode>> modes = {};  ///< that the window has beside feeling the body; the first goes first
 };
 
@@ -66,12 +65,12 @@ class Viewer {
   bool wantsToQuit() const { return quit_; }
   /// Press it from any thread or signal handler; lives as long as the viewer.
   servo::EmergencyStop& emergencyStop() { return servo_.thread().emergencyStop(); }
-  Session& session() { return session_; }
+  ViewerState& state() { return viewer_; }
   const window::Input& input() const { return input_; }
   const Pointer& pointer() const { return pointer_; }
   const scene::World& world() const { return model_->world(); }
   /// For an end that cannot ask: a changed scene beside the one it came from; which, or empty. Throws Error.
-  std::filesystem::path keepChanges() const { return outputs_.keepChanges(session_); }
+  std::filesystem::path keepChanges() const { return outputs_.keepChanges(viewer_); }
   /// Ends the servo; its report of the whole run. The session says what ended it. Nothing may be called afterwards.
   servo::LoopReport finish(std::string_view ended_by = "done");
 
@@ -98,7 +97,7 @@ class Viewer {
 
   ViewerSettings settings_;
   ViewerHost host_;
-  Session session_;
+  ViewerState viewer_;
   window::Input input_;
   Pointer pointer_;
   std::shared_ptr<const scene::World> world_;
@@ -106,7 +105,7 @@ class Viewer {
   std::unique_ptr<LiveModel> model_;
   WorldSwap world_swap_;
   DeviceControl devices_;
-  SessionKeeper keeper_;
+  RecordingKeeper keeper_;
   ReplayPlayer replay_;
   Outputs outputs_;
   Modes modes_;  ///< after the servo: what they record ends before it

@@ -1,6 +1,7 @@
 // The measured loop, for node: a mesh file and a path in, the hash of all that was felt and the time of a tick out.
 //
-// The same steps in the same order as `palpate study bench contact` (lab/runs/contact_run.h), so that both can be compared.
+// The same steps in the same order as `palpate study bench contact` (lab/runs/contact_run.h), so that both can be
+// compared.
 #include <algorithm>
 #include <memory>
 #include <vector>
@@ -78,8 +79,8 @@ PALPATE_EXPORT const char* palpate_bench_run(const char* table, std::size_t leng
         device::resampled(device::parseTrajectory({table, length}, "path.csv"), settings.tick_s).tip_mm;
     warmUp(*measured, settings, tips);
     const Run run = runAlong(*measured, settings, tips);
-    report = fmt::format(R"({{"hash":"{:016x}","ticks":{},"p50_us":{:.4f},"p99_us":{:.4f}}})", run.hash.value(), tips.size(),
-                         percentile(run.tick_us, 0.5), percentile(run.tick_us, 0.99));
+    report = fmt::format(R"({{"hash":"{:016x}","ticks":{},"p50_us":{:.4f},"p99_us":{:.4f}}})", run.hash.value(),
+                         tips.size(), percentile(run.tick_us, 0.5), percentile(run.tick_us, 0.99));
   });
 }
 

@@ -7,16 +7,45 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "engine/frame_packer.h"
-#include "engine/recording.h"
+#include "palpate/contact/finger_state.h"
 #include "palpate/device/mouse_finger.h"
 #include "palpate/engine/simulator.h"
 
 namespace palpate::web {
+
+// What the fingers felt, tick by tick, to be taken along as the table that `palpate` reads (trace/forces_csv.h).
+
+/// Ticks of fingers that are kept: five minutes of one. The oldest go first.
+inline constexpr std::size_t kMaxRecorded = 300'000;
+
+class Recording {
+ public:
+  void add(std::uint64_t tick, std::size_t finger, const contact::FingerOutput& felt);
+  std::size_t size() const { return rows_.size(); }
+  /// The whole table, header and all.
+  std::string asForcesCsv() const;
+
+ private:
+  /// Of a FingerOutput what the table has: a third of its size.
+  struct Row {
+    std::uint64_t tick;
+    Vec3 tip, proxy, anchor, force;
+    double depth_mm;
+    Index triangle;
+    std::uint32_t status;
+    std::uint8_t finger;
+    contact::Touch touch;
+  };
+  std::deque<Row> rows_;
+};
 
 inline constexpr std::size_t kFingers = 2;
 /// Of both fingers: a fingertip.
@@ -42,7 +71,7 @@ class LiveBody {
   void packFrame(FramePacker& frame, bool all);
 
   const Recording& recording() const { return recording_; }
-  /// Forgets what was recorded; time begins anew.
+  /// Forgets what was recorded; time begins again.
   void recordAnew();
 
  private:

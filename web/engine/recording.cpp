@@ -1,12 +1,12 @@
 // Rows are kept short and become samples again when they are written.
-#include "engine/recording.h"
+#include "engine/live_body.h"
 
 #include "palpate/trace/forces_rows.h"
 
 namespace palpate::web {
 
 void Recording::add(std::uint64_t tick, std::size_t finger, const contact::FingerOutput& felt) {
-  if (rows_.size() == kMostRecorded) rows_.pop_front();
+  if (rows_.size() == kMaxRecorded) rows_.pop_front();
   rows_.push_back({tick, felt.tip, felt.proxy, felt.anchor, felt.force, felt.depth_mm, felt.triangle, felt.status,
                    static_cast<std::uint8_t>(finger), felt.touch});
 }

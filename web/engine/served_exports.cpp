@@ -1,14 +1,86 @@
 // What a page calls that shows a body felt elsewhere: ServedSkin in plain C names. The functions are those of
 // web/page/served_skin.js.
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "engine/exports.h"
-#include "engine/served_skin.h"
+#include "engine/frame_packer.h"
+#include "palpate/deform/deformer.h"
+#include "palpate/engine/contact_stream.h"
 
 namespace palpate::web {
 
 namespace {
+
+// The skin of a body that is felt elsewhere (`palpate serve`): its bytes in, and for each frame of contacts the same
+// surface that the far side has.
+//
+//   skin, forms ─ decode ─► deform::Skin, Deformer          frame ─ decode ─► contacts ─► surface ─► ranges, values
+//
+// The breath lifts what was deformed at rest: that is how the far side shows it too.
+
+class ServedSkin {
+ public:
+  /// Throws Error for bytes that are none, and for forms that make no sense.
+  ServedSkin(std::string_view skin_bytes, std::string_view forms_bytes);
+  ServedSkin(const ServedSkin&) = delete;
+  ServedSkin& operator=(const ServedSkin&) = delete;
+
+  const deform::Skin& skin() const { return skin_; }
+  /// False for bytes that are no frame of this skin: then nobody touches it.
+  bool follow(std::string_view frame_bytes);
+  const engine::StreamedFrame& newest() const { return frame_; }
+
+  /// What changed since the last pack, or all; the breath moves all.
+  void pack(bool all);
+  const std::vector<std::uint32_t>& ranges() const { return packer_.ranges(); }
+  const std::vector<float>& values() const { return values_; }
+
+ private:
+  std::vector<float> breath_share_;
+  deform::Skin skin_;
+  deform::Deformer deformer_;
+  deform::DeformedSurface surface_;
+  engine::StreamedFrame frame_;
+  FramePacker packer_;
+  std::vector<float> values_;
+  double packed_lift_mm_ = 0.0;
+
+  ServedSkin(engine::StreamedSkin streamed, const deform::FormSettings& forms);
+};
+
+ServedSkin::ServedSkin(std::string_view skin_bytes, std::string_view forms_bytes)
+    : ServedSkin(engine::decodeSkin(skin_bytes), engine::decodeForms(forms_bytes)) {}
+
+ServedSkin::ServedSkin(engine::StreamedSkin streamed, const deform::FormSettings& forms)
+    : breath_share_(std::move(streamed.breath_share)),
+      skin_(deform::buildSkin(streamed.mesh)),
+      deformer_(skin_, forms),
+      surface_(skin_) {}
+
+bool ServedSkin::follow(std::string_view frame_bytes) {
+  const bool taken = engine::decodeFrame(frame_bytes, static_cast<Index>(skin_.triangles.size()), frame_);
+  deformer_.apply(frame_.contacts, surface_);
+  return taken;
+}
+
+void ServedSkin::pack(bool all) {
+  const bool moved = !breath_share_.empty() && frame_.lift_mm != std::exchange(packed_lift_mm_, frame_.lift_mm);
+  all || moved ? packer_.packAll(surface_) : packer_.pack(surface_);
+  values_ = packer_.values();
+  if (breath_share_.empty()) return;
+  float* z = values_.data() + 2;
+  for (std::size_t i = 0; i + 1 < ranges().size(); i += 2) {
+    for (std::uint32_t v = ranges()[i]; v < ranges()[i + 1]; ++v, z += kFloatsOfVertex) {
+      *z += static_cast<float>(frame_.lift_mm) * breath_share_[v];
+    }
+  }
+}
 
 std::unique_ptr<ServedSkin> served;
 

@@ -27,27 +27,29 @@
 namespace std {  // NOLINT(cert-dcl58-cpp): see above
 
 template <class To, class From>
-  requires(sizeof(To) == sizeof(From) && is_trivially_copyable_v<To> && is_trivially_copyable_v<From>)
-constexpr To bit_cast(const From& from) noexcept {
+requires(sizeof(To) == sizeof(From) && is_trivially_copyable_v<To> && is_trivially_copyable_v<From>) constexpr To
+    bit_cast(const From& from) noexcept {
   return __builtin_bit_cast(To, from);
 }
 
 /// Decimal numbers as the standard has them, by musl's strtod: nearest double, no locale. What strtod takes beyond the
 /// standard (leading blanks, a plus, hexadecimal) is refused before it is asked.
 template <class Real>
-  requires(is_same_v<Real, double> || is_same_v<Real, float>)
-from_chars_result from_chars(const char* first, const char* last, Real& value) {
+requires(is_same_v<Real, double> || is_same_v<Real, float>) from_chars_result
+    from_chars(const char* first, const char* last, Real& value) {
   const char* digits = first;
   if (digits != last && *digits == '-') ++digits;
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  if (digits == last || (!is_digit(*digits) && *digits != '.' && !is_letter(*digits))) return {first, errc::invalid_argument};
+  if (digits == last || (!is_digit(*digits) && *digits != '.' && !is_letter(*digits)))
+    return {first, errc::invalid_argument};
   // Of "0x1p3" the standard takes the 0.
   const bool hexadecimal = last - digits >= 2 && digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X');
   const string copy(first, hexadecimal ? digits + 1 : last);
   char* end = nullptr;
   errno = 0;
-  const Real read = is_same_v<Real, float> ? static_cast<Real>(strtof(copy.c_str(), &end)) : static_cast<Real>(strtod(copy.c_str(), &end));
+  const Real read = is_same_v<Real, float> ? static_cast<Real>(strtof(copy.c_str(), &end))
+                                           : static_cast<Real>(strtod(copy.c_str(), &end));
   if (end == copy.c_str()) return {first, errc::invalid_argument};
   const char* stop = first + (end - copy.c_str());
   // Too large, or so small that nothing is left of it; what is merely not normal is a number.
@@ -101,7 +103,8 @@ constexpr bool any_of(const R& range, Predicate holds) {
 }
 template <class R, class T, class Projection = identity_projection>
 constexpr auto find(R&& range, const T& wanted, Projection of = {}) {
-  return std::find_if(std::begin(range), std::end(range), [&](auto&& value) { return std::invoke(of, value) == wanted; });
+  return std::find_if(std::begin(range), std::end(range),
+                      [&](auto&& value) { return std::invoke(of, value) == wanted; });
 }
 template <class R, class Predicate>
 constexpr auto find_if(R&& range, Predicate holds) {
@@ -140,7 +143,7 @@ constexpr void transform(R&& range, Out out, F change) {
   std::transform(std::begin(range), std::end(range), out, change);
 }
 template <class A, class B, class Out, class F>
-  requires requires(const B& b) { std::begin(b); }
+requires requires(const B& b) { std::begin(b); }
 constexpr void transform(const A& a, const B& b, Out out, F change) {
   std::transform(std::begin(a), std::end(a), std::begin(b), out, change);
 }

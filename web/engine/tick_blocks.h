@@ -1,5 +1,5 @@
-// How long a tick takes, in WebAssembly (bench_exports.cpp) and in native code (web/tests/reference.cpp): timed by the same
-// lines, or the two could not be compared.
+// How long a tick takes, in WebAssembly (bench_exports.cpp) and in native code (web/tests/reference.cpp): timed by the
+// same lines, or the two could not be compared.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace palpate::web {
 
-/// Ticks between two readings of the clock. One alone is not timed: a call out of WebAssembly takes half as long as it, and
-/// more or less from run to run.
+/// Ticks between two readings of the clock. One alone is not timed: a call out of WebAssembly takes half as long as it,
+/// and more or less from run to run.
 inline constexpr std::size_t kTicksOfBlock = 20;
 
 /// A new finger along the tips, into `outputs` (one a tip); the mean time of a tick, us, of each block.

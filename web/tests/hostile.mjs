@@ -30,7 +30,7 @@ test('a plain plate is felt', () => {
 const refused = {
   'an empty file': ['empty.stl', new Uint8Array(0)],
   'one byte': ['one.stl', text('s')],
-  'a text that is no mesh': ['letter.obj', text('Dear Sir or Madam')],
+  'a text that is not a mesh': ['letter.obj', text('Dear Sir or Madam')],
   'a picture by another name': ['cat.ply', new Uint8Array([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0])],
   'an unknown ending': ['body.docx', text('PK')],
   'no ending': ['body', text('solid')],

@@ -261,7 +261,7 @@ test('a mesh of one\'s own, dropped on the page, is felt; and the torso comes ba
   quiet(tab);
 });
 
-test('a file that is no mesh is answered in words, and the touch goes on', async () => {
+test('a file that is not a mesh is answered in words, and the touch goes on', async () => {
   const bad = join(scratch, 'letter.obj');
   writeFileSync(bad, 'Dear Sir or Madam');
   const tab = await opened();
@@ -299,7 +299,7 @@ test('a mesh that takes too long is given up, and the body before is felt again'
   await tab.ask("document.getElementById('give-up').click()");
   assert.match(await tab.ask("document.getElementById('waiting-words').textContent"), /old body/);
   await tab.until("document.getElementById('waiting').hidden && palpate.body.landmarks.length > 0", 60);
-  assert.equal(await tab.ask("document.getElementById('message').hidden"), true, 'it was wished, so it is no fault');
+  assert.equal(await tab.ask("document.getElementById('message').hidden"), true, 'it was wished, so it is not a fault');
   await tab.press(...MIDDLE);
   await untilForce(tab);
   await tab.release(...MIDDLE);

@@ -66,19 +66,19 @@ test('one page presses, another sees it, and who instructs halts it', { timeout:
   assert.equal(await hand.ask('crossOriginIsolated'), true);
   writeFileSync(join(drawn, 'served_hand.png'), await hand.screenshot());
 
-  const onlooker = await opened('look');
-  await pressing(onlooker);
-  await says(onlooker, 'Somebody has the finger');
-  assert.ok(await onlooker.ask('document.querySelector("#served-take").hidden'));
-  writeFileSync(join(drawn, 'served_onlooker.png'), await onlooker.screenshot());
+  const watcher = await opened('look');
+  await pressing(watcher);
+  await says(watcher, 'Somebody has the finger');
+  assert.ok(await watcher.ask('document.querySelector("#served-take").hidden'));
+  writeFileSync(join(drawn, 'served_watcher.png'), await watcher.screenshot());
 
   const teacher = await opened('instruct');
   await teacher.click('#served-pause');
-  await says(onlooker, 'it is paused');
-  await free(teacher); // the onlooker's page is hidden behind it: a browser draws it no more
+  await says(watcher, 'it is paused');
+  await free(teacher); // the watcher's page is hidden behind it: a browser draws it no more
   await teacher.ask("(() => { const e = document.querySelector('#served-text'); e.value = '<b>softer</b>'; e.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter'})); })()");
-  await says(onlooker, '<b>softer</b>');
-  for (const tab of [hand, onlooker, teacher]) assert.deepEqual(tab.complaints, []);
+  await says(watcher, '<b>softer</b>');
+  for (const tab of [hand, watcher, teacher]) assert.deepEqual(tab.complaints, []);
   await hand.release(...MIDDLE); // or it would have the finger again after the next start of the server
   await hand.close();
 });
@@ -95,14 +95,14 @@ test('a page comes back by itself when the server does', { timeout: 240000 }, as
 });
 
 test('a page that comes to be hidden lifts its finger, and does not knock', { timeout: 240000 }, async () => {
-  const onlooker = await opened('look');
+  const watcher = await opened('look');
   const hand = await opened('control', other);
   await hand.press(...MIDDLE);
-  await pressing(onlooker);
+  await pressing(watcher);
   await other.open('about:blank'); // in front of it
-  await free(onlooker);
+  await free(watcher);
   for (let i = 0; i < 30; ++i) {
-    assert.equal(await onlooker.ask('palpate.newest.fingers[0].touch'), 0);
+    assert.equal(await watcher.ask('palpate.newest.fingers[0].touch'), 0);
     await pause(100);
   }
 });

@@ -137,7 +137,7 @@ class World:
         threads: fingers are shared among so many, where there is work enough for them
         out: a dict of C-ordered arrays that are written instead of fresh ones; says the fields where `fields` does not
 
-        Every finger starts anew: nothing is kept between two calls. The interpreter's lock is released, Ctrl-C interrupts. Raises ValueError for shapes, TypeError for what is no number, palpate.Error for settings.
+        Every finger starts again: nothing is kept between two calls. The interpreter's lock is released, Ctrl-C interrupts. Raises ValueError for shapes, TypeError for what is not a number, palpate.Error for settings.
         """
 
 class FingerSettings:
@@ -268,7 +268,7 @@ class Finger:
         """One tick with the tip (3,) here, mm; FingerSettings.tick_s after the last. A ball's tip is its centre.
 
         An array of float64 is fastest. A tip that is not finite is lost: status 1, no force, and the finger stays as it was.
-        Raises TypeError for what is no number, ValueError for another shape. The interpreter's lock is kept.
+        Raises TypeError for what is not a number, ValueError for another shape. The interpreter's lock is kept.
         """
     @overload
     def step(self, x: float, y: float, z: float) -> Touch:
@@ -469,7 +469,7 @@ class Session:
     """
 
     def __init__(self, file: Union[str, os.PathLike[str]]) -> None:
-        """Raises Error for what is no session, is damaged, or of a later version."""
+        """Raises Error for what is not a session, is damaged, or of a later version."""
     @property
     def header(self) -> dict[str, Any]:
         """dict: started_utc, ended_utc, ended_by, software, machine, ticks_per_s, notes, tags,

@@ -5,7 +5,7 @@
         assert run.replay().identical
     palpate.sessions.repair("torn.session", "mended.session").samples_lost
 
-docs/reference/sessions.md says what is in a file; palpate.devices.Loop and drive record one.
+docs/reference/recordings.md says what is in a file; palpate.devices.Loop and drive record one.
 """
 
 from __future__ import annotations

@@ -9,7 +9,6 @@
 #include <future>
 
 #include "arrays.h"
-#include "bind_loops.h"
 #include "bindings.h"
 #include "device_handle.h"
 #include "dicts.h"

@@ -277,7 +277,7 @@ constexpr const char* kStepDoc =
     "1. step(self: palpate._core.Finger, tip: numpy.typing.ArrayLike) -> palpate._core.Touch\n\n"
     "One tick with the tip (3,) here, mm; FingerSettings.tick_s after the last. A ball's tip is its centre.\n\n"
     "An array of float64 is fastest. A tip that is not finite is lost: status 1, no force, and the finger stays as it "
-    "was.\nRaises TypeError for what is no number, ValueError for another shape. The interpreter's lock is kept.\n\n"
+    "was.\nRaises TypeError for what is not a number, ValueError for another shape. The interpreter's lock is kept.\n\n"
     "2. step(self: palpate._core.Finger, x: float, y: float, z: float) -> palpate._core.Touch\n\n"
     "The same with three numbers.";
 PyMethodDef step_method = {"step", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&step)), METH_FASTCALL,

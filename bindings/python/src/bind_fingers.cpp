@@ -5,7 +5,7 @@
 
 #include "bindings.h"
 #include "busy.h"
-#include "crew.h"
+#include "thread_pool.h"
 #include "felt_fields.h"
 #include "felt_finger.h"
 
@@ -32,11 +32,11 @@ class FingersHandle {
         fingers_(fingersOn(*world_->world, settingsOf(*world_->world, settings, count))),
         commanded_(count, nowhere()),
         felt_(count),
-        crew_(threads) {}
+        pool_(threads) {}
 
   const WorldPointer& world() const { return world_; }
   std::size_t size() const { return fingers_.size(); }
-  std::size_t threads() const { return crew_.threads(); }
+  std::size_t threads() const { return pool_.threads(); }
 
   FeltDict step(const ArrayLike& given, std::size_t substeps, const MaybeFields& fields, const MaybeOut& out) {
     const Busy::Guard guard(busy_, "Fingers");
@@ -92,7 +92,7 @@ class FingersHandle {
   void close() {
     const Busy::Guard guard(busy_, "Fingers");
     const Unlocked free;
-    crew_.close();
+    pool_.close();
   }
 
  private:
@@ -112,9 +112,9 @@ class FingersHandle {
     };
     const std::size_t parts = (size() + kFingersAPart - 1) / kFingersAPart;
     if (size() * substeps < 2 * kTicksWorthAThread) {  // not worth waking anybody
-      Crew(1).share(parts, part_of_them, interrupts);
+      ThreadPool(1).share(parts, part_of_them, interrupts);
     } else {
-      crew_.share(parts, part_of_them, interrupts);
+      pool_.share(parts, part_of_them, interrupts);
     }
   }
 
@@ -133,7 +133,7 @@ class FingersHandle {
   std::vector<FeltFinger> fingers_;
   std::vector<Vec3> commanded_;              ///< where each was sent last; not finite: nowhere
   std::vector<contact::FingerOutput> felt_;  ///< of each one's last tick
-  Crew crew_;
+  ThreadPool pool_;
   Busy busy_;
 };
 

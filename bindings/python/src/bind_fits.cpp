@@ -1,6 +1,6 @@
 // Fits for Python: a force law from force by depth, a shape from pressed skin, and least squares within bounds for
 // whatever a script can compute. palpate.fit is made of these.
-#include "bind_fits.h"
+#include "bindings.h"
 
 #include <fmt/format.h>
 #include <pybind11/functional.h>

@@ -1,5 +1,5 @@
 // Loop, a servo loop that a script turns; and drive, the engine's own servo thread for some seconds.
-#include "bind_loops.h"
+#include "bindings.h"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -14,8 +14,8 @@
 #include "hand_loop.h"
 #include "interrupts.h"
 #include "palpate/base/error.h"
+#include "palpate/engine/recorder.h"
 #include "palpate/engine/servo_thread.h"
-#include "palpate/engine/session_recorder.h"
 
 namespace palpate::python {
 
@@ -182,10 +182,10 @@ engine::RecorderSettings recorderFor(const Drive& drive) {
   const scene::World& world = *drive.world->world;
   engine::RecorderSettings settings;
   settings.file = *drive.session;
-  settings.header = engine::sessionHeader(world.scene.ticks_per_s);
+  settings.header = engine::recordingHeader(world.scene.ticks_per_s);
   settings.header.notes = drive.notes.empty() ? world.scene.title : drive.notes;
   for (std::size_t i = 0; i < drive.devices.size(); ++i) {
-    settings.fingers.push_back(engine::sessionFinger(nameOfFinger(world, i), drive.devices[i]));
+    settings.fingers.push_back(engine::recordingFinger(nameOfFinger(world, i), drive.devices[i]));
   }
   return settings;
 }
@@ -194,7 +194,7 @@ servo::LoopReport driven(const Drive& drive, Interrupts& interrupts) {
   engine::ServoPlan plan = engine::servoPlan(drive.world->world, drive.settings);
   plan.limiter = limitsFor(*drive.world->world, drive.devices);
   engine::ServoThread servo(std::move(plan), drive.devices);
-  std::optional<engine::SessionRecorder> recorder;
+  std::optional<engine::Recorder> recorder;
   if (drive.session) recorder.emplace(servo, recorderFor(drive));
   try {
     waitOut(servo, drive.seconds, interrupts);

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "bindings.h"
-#include "crew.h"
+#include "thread_pool.h"
 #include "felt_fields.h"
 #include "felt_finger.h"
 
@@ -36,8 +36,8 @@ FeltDict rollout(const WorldPointer& world, const ArrayLike& given, const MaybeS
   const double* from = tips.data();
   const std::size_t worth = std::max<std::size_t>(1, count * ticks / kTicksWorthAThread);
   unlocked([&](Interrupts& interrupts) {
-    Crew crew(std::min({threads, worth, std::max<std::size_t>(1, count)}));
-    crew.share(
+    ThreadPool pool(std::min({threads, worth, std::max<std::size_t>(1, count)}));
+    pool.share(
         count,
         [&](std::size_t i, const Pause& pause) {
           rollOne(fingers[i], from + 3 * ticks * i, ticks, felt.rows(), ticks * i, pause);
@@ -88,8 +88,8 @@ void bindRollout(py::module_& module) {
       "threads: fingers are shared among so many, where there is work enough for them\n"
       "out: a dict of C-ordered arrays that are written instead of fresh ones; says the fields where `fields` does "
       "not\n\n"
-      "Every finger starts anew: nothing is kept between two calls. The interpreter's lock is released, Ctrl-C "
-      "interrupts. Raises ValueError for shapes, TypeError for what is no number, palpate.Error for settings.",
+      "Every finger starts again: nothing is kept between two calls. The interpreter's lock is released, Ctrl-C "
+      "interrupts. Raises ValueError for shapes, TypeError for what is not a number, palpate.Error for settings.",
       py::arg("tips"), py::kw_only(), py::arg("settings") = py::none(), py::arg("fields") = py::none(),
       py::arg("threads") = 1, py::arg("out") = py::none());
   module.def(

@@ -10,11 +10,9 @@
 #include <tuple>
 
 #include "arrays.h"
-#include "bind_fits.h"
 #include "bindings.h"
 #include "palpate/base/error.h"
 #include "palpate/tissue/force_law.h"
-#include "palpate/tissue/law_inverse.h"
 #include "palpate/tissue/layered_library.h"
 #include "palpate/tissue/profile.h"
 #include "palpate/tissue/published.h"
@@ -63,7 +61,7 @@ ForceLaw tableLaw(const ArrayLike& depth_mm, const ArrayLike& force_n, double re
   }
   ForceLaw law{.kind = ForceLaw::Kind::table, .reference_depth_mm = reference_depth_mm};
   const py::ssize_t first = depths.size() > 0 && depths.at(0) == 0.0 && forces.at(0) == 0.0 ? 1 : 0;
-  if (depths.size() - first > static_cast<py::ssize_t>(tissue::ForceTable::kMostRows)) {
+  if (depths.size() - first > static_cast<py::ssize_t>(tissue::ForceTable::kMaxRows)) {
     throw py::value_error("depth_mm: at most 64 rows; palpate.fit.force averages more");
   }
   for (py::ssize_t row = first; row < depths.size(); ++row) {
@@ -169,7 +167,8 @@ void bindLayers(py::module_& module) {
           [](const std::filesystem::path& file) {
             return Layers{tissue::LayeredTissue({tissue::nodeOf(tissue::readLayeredTable(file))})};
           },
-          py::arg("file"), "Of a table that `palpate tissue solve` or `palpate tissue fit profile` wrote. Raises Error.")
+          py::arg("file"),
+          "Of a table that `palpate tissue solve` or `palpate tissue fit profile` wrote. Raises Error.")
       .def_property_readonly(
           "thinnest_mm", [](const Layers& l) { return l.tissue.thinnest(); }, "The thinnest solved stack, mm.")
       .def_property_readonly(

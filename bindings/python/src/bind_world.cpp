@@ -354,7 +354,7 @@ void bindPlaces(py::class_<WorldHandle, WorldPointer>& world) {
             py::arg("xy"));
 }
 
-std::string reprOf(const WorldHandle& self) {
+std::string worldRepr(const WorldHandle& self) {
   return fmt::format("<World: {}, {} vertices, {} triangles>", self.world->body->name, self.world->body->skin.positions.size(),
                      self.world->body->skin.triangles.size());
 }
@@ -380,7 +380,7 @@ void bindWorld(py::module_& module) {
   world.def_property_readonly(
       "fingers", [](const WorldHandle& self) { return self.world->scene.fingers.size(); },
       "How many fingers the scene describes.");
-  world.def("__repr__", &reprOf, "In a few words.");
+  world.def("__repr__", &worldRepr, "In a few words.");
 }
 
 }  // namespace palpate::python

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "palpate/device/device_profile.h"
-#include "palpate/engine/session_settings.h"
+#include "palpate/engine/recording_settings.h"
 #include "palpate/servo/device_limits.h"
 
 namespace palpate::python {
@@ -51,14 +51,14 @@ HandLoop::HandLoop(WorldPointer world, std::vector<DevicePointer> devices, HandL
   rig_ = servo::rigOf(std::move(parts));
   samples_.resize(rig_.fingers.size());
   if (!settings.session) return;
-  std::vector<trace::SessionFinger> fingers;
+  std::vector<trace::RecordingFinger> fingers;
   for (std::size_t i = 0; i < held.size(); ++i) {
-    fingers.push_back(engine::sessionFinger(nameOfFinger(felt, i), held[i]));
+    fingers.push_back(engine::recordingFinger(nameOfFinger(felt, i), held[i]));
   }
-  trace::SessionHeader header = engine::sessionHeader(felt.scene.ticks_per_s);
+  trace::RecordingHeader header = engine::recordingHeader(felt.scene.ticks_per_s);
   header.notes = settings.notes.empty() ? felt.scene.title : settings.notes;
   writer_.emplace(*settings.session, header, fingers);
-  writer_->add(engine::sessionWorld(felt, engine::feltWith(rig_)));
+  writer_->add(engine::recordingWorld(felt, engine::feltWith(rig_)));
 }
 
 HandLoop::~HandLoop() { rest(); }
@@ -82,7 +82,7 @@ void HandLoop::lift(std::size_t finger) { servo::forgetTouch(rig_.fingers[finger
 
 void HandLoop::mark(const std::string& text) {
   if (!writer_) throw py::value_error("mark: this loop records no session");
-  writer_->add(trace::SessionEvent{tick_ == 0 ? 0 : tick_ - 1, std::nullopt, "mark", text});
+  writer_->add(trace::RecordingEvent{tick_ == 0 ? 0 : tick_ - 1, std::nullopt, "mark", text});
 }
 
 void HandLoop::rest() {

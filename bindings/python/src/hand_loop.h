@@ -1,7 +1,7 @@
 // A servo loop that a script turns by hand: tick by tick through contact and limiter to the devices, and into a
 // session.
 //
-//   script's tips or devices ─► servo::runTick ─► samples ─► trace::SessionWriter
+//   script's tips or devices ─► servo::runTick ─► samples ─► trace::RecordingWriter
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 #include "device_handle.h"
 #include "palpate/servo/tick.h"
-#include "palpate/trace/session_writer.h"
+#include "palpate/trace/recording_writer.h"
 #include "world_handle.h"
 
 namespace palpate::python {
@@ -65,7 +65,7 @@ class HandLoop {
   std::vector<std::shared_ptr<Vec3>> tips_;  ///< of a loop without devices
   servo::Rig rig_;
   std::vector<trace::Sample> samples_;
-  std::optional<trace::SessionWriter> writer_;
+  std::optional<trace::RecordingWriter> writer_;
   std::uint64_t tick_ = 0;
   bool closed_ = false;
 };

@@ -128,7 +128,7 @@ TEST(Devices, ListsThePluginsOfTheFoldersAndWhyOneDoesNotLoad) {
   const support::CommandResult result = support::runPalpate("devices");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   for (const std::string& words : {"double: a double (plugin:" + (folder / "good.so").string() + ")",
-                                   (folder / "odd.so").string() + " is no plugin"}) {
+                                   (folder / "odd.so").string() + " is not a plugin"}) {
     EXPECT_NE(result.out.find(words), std::string::npos) << words << "\n" << result.out;
   }
 }

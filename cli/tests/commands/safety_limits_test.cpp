@@ -15,13 +15,13 @@ using nlohmann::json;
 using support::CommandResult;
 using support::runPalpate;
 
-const std::string kWish = PALPATE_TEST_DATA "/safety/wish_stiffness_cap.toml";
+const std::string kRequest = PALPATE_TEST_DATA "/safety/wish_stiffness_cap.toml";
 
 class SafetyLimits : public testing::Test {
  protected:
   CommandResult run(const std::string& arguments) const { return runPalpate(arguments, folder_.path()); }
   CommandResult simulate(const std::string& arguments) const {
-    return run("simulate --no-pictures --no-plot --json " + kWish + " " + arguments);
+    return run("simulate --no-pictures --no-plot --json " + kRequest + " " + arguments);
   }
   static json reportOf(const CommandResult& result) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -30,7 +30,7 @@ class SafetyLimits : public testing::Test {
   support::TemporaryFolder folder_;
 };
 
-TEST_F(SafetyLimits, ASceneCannotWishPastTheCapOrTheWeakestKnownForce) {
+TEST_F(SafetyLimits, ASceneCannotRequestPastTheCapOrTheWeakestKnownForce) {
   const CommandResult result = simulate("--out run --session");
   const json report = reportOf(result);
   EXPECT_NEAR(report["device"]["stiffness_factor"].get<double>(), 0.1333, 0.0002);
@@ -67,7 +67,7 @@ TEST_F(SafetyLimits, ConsentOnTheCommandLineIsSaidInReportAndRecording) {
 }
 
 TEST_F(SafetyLimits, ARecordingWithoutAWindowSaysIt) {
-  const std::string scene = "recording new " + kWish + " --seconds 0.3 --json -o ";
+  const std::string scene = "recording new " + kRequest + " --seconds 0.3 --json -o ";
   const CommandResult unsafe = run(scene + "unsafe.session --unsafe-stiffness");
   EXPECT_NE(unsafe.err.find("palpate: UNSAFE"), std::string::npos) << unsafe.err;
   EXPECT_EQ(reportOf(unsafe)["safety_notes"].size(), 1u);
@@ -76,7 +76,7 @@ TEST_F(SafetyLimits, ARecordingWithoutAWindowSaysIt) {
 }
 
 TEST_F(SafetyLimits, NoSceneFileGivesTheConsent) {
-  std::string text = readFile(kWish, 10000);
+  std::string text = readFile(kRequest, 10000);
   text.replace(text.find("[safety]"), 8, "[safety]\nunsafe_stiffness = true");
   writeFile(folder_ / "scene.toml", text);
   const CommandResult result = run("simulate --no-pictures --no-plot scene.toml");
@@ -96,7 +96,7 @@ TEST_F(SafetyLimits, TrainingAndServersTakeNoConsent) {
 }
 
 TEST_F(SafetyLimits, OfAHeldDeviceAreReportedAsTheyHeld) {
-  std::string text = readFile(kWish, 10000);
+  std::string text = readFile(kRequest, 10000);
   text.replace(text.find("delay_ticks = 3"), 15, "delay_ticks = 1");
   writeFile(folder_ / "scene.toml", text);
   const json report =
@@ -113,7 +113,7 @@ TEST_F(SafetyLimits, OfAHeldDeviceAreReportedAsTheyHeld) {
 }
 
 TEST_F(SafetyLimits, TheDeviceThatOpenedDecidesNotTheOneThatTheSceneNames) {
-  std::string text = readFile(kWish, 10000);
+  std::string text = readFile(kRequest, 10000);
   text.replace(text.find("[safety]"), 8, "[safety]\ndevice = \"premium_3_0\"\npassivity = false");
   text.replace(text.find("delay_ticks = 3"), 15, "delay_ticks = 1");
   writeFile(folder_ / "scene.toml", text);

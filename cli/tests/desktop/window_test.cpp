@@ -101,7 +101,7 @@ TEST_F(Window, TheWheelZoomsAndWhilePressingDeepens) {
   ASSERT_TRUE(program->hand(std::string(kOnSkin) + " click 4"));
   EXPECT_TRUE(program->until([&](const Values& v) { return numberIn(v, "distance") < distance - 1.0; }));
   ASSERT_TRUE(program->hand("mousedown 1 click 5 click 5"));
-  EXPECT_TRUE(program->until([](const Values& v) { return numberIn(v, "wish") == 7.0; }));
+  EXPECT_TRUE(program->until([](const Values& v) { return numberIn(v, "set_depth") == 7.0; }));
   program->hand("mouseup 1");
 }
 

@@ -47,11 +47,11 @@ std::optional<engine::StreamedFrame> frameWith(PlainStream& stream, bool touchin
 
 TEST(Serve, ShowsADeformedSkinToWhoLooksOnWhileAnotherPresses) {
   ServedCommand server;
-  PlainStream onlooker(server.port(), kLookToken);
-  ASSERT_EQ(onlooker.status(), 101) << onlooker.head();
-  EXPECT_NE(onlooker.head().find("Sec-WebSocket-Protocol: palpate.1\r\n"), std::string::npos);
-  EXPECT_EQ(onlooker.head().find(kLookToken), std::string::npos);
-  const auto hello = nlohmann::json::parse(onlooker.receiveText("hello").value_or("{}"));
+  PlainStream watcher(server.port(), kLookToken);
+  ASSERT_EQ(watcher.status(), 101) << watcher.head();
+  EXPECT_NE(watcher.head().find("Sec-WebSocket-Protocol: palpate.1\r\n"), std::string::npos);
+  EXPECT_EQ(watcher.head().find(kLookToken), std::string::npos);
+  const auto hello = nlohmann::json::parse(watcher.receiveText("hello").value_or("{}"));
   EXPECT_EQ(hello["role"], "look");
   EXPECT_EQ(hello["fingers"].size(), 2u);
   EXPECT_EQ(hello["triangles"], 800);
@@ -69,28 +69,28 @@ TEST(Serve, ShowsADeformedSkinToWhoLooksOnWhileAnotherPresses) {
     hand.say(press());
     std::this_thread::sleep_for(std::chrono::milliseconds(16));
   }
-  auto frame = frameWith(onlooker, true);
-  while (frame && frame->fingers[0].depth_mm < 4.0) frame = frameWith(onlooker, true);  // it is on its way down
+  auto frame = frameWith(watcher, true);
+  while (frame && frame->fingers[0].depth_mm < 4.0) frame = frameWith(watcher, true);  // it is on its way down
   ASSERT_TRUE(frame);
   ASSERT_EQ(frame->contacts.size(), 1u);
   EXPECT_GT(frame->fingers[0].force.z(), 0.1);
   EXPECT_GT(deformer.apply(frame->contacts, surface).moved_vertices, 5u);
-  EXPECT_TRUE(onlooker.receiveText(R"("holder":2)")) << "everybody is told who has the finger";
+  EXPECT_TRUE(watcher.receiveText(R"("holder":2)")) << "everybody is told who has the finger";
 }
 
 TEST(Serve, AFingerIsLetGoWhenItsConnectionDies) {
   ServedCommand server;
-  PlainStream onlooker(server.port(), kLookToken);
+  PlainStream watcher(server.port(), kLookToken);
   {
     PlainStream hand(server.port(), kControlToken);
     for (int i = 0; i < 20; ++i) {
       hand.say(press());
       std::this_thread::sleep_for(std::chrono::milliseconds(16));
     }
-    ASSERT_TRUE(frameWith(onlooker, true));
+    ASSERT_TRUE(frameWith(watcher, true));
   }  // no goodbye
-  EXPECT_TRUE(frameWith(onlooker, false, 2.0)) << "it still presses";
-  EXPECT_TRUE(onlooker.receiveText(R"("holder":0)"));
+  EXPECT_TRUE(frameWith(watcher, false, 2.0)) << "it still presses";
+  EXPECT_TRUE(watcher.receiveText(R"("holder":0)"));
 }
 
 TEST(Serve, AFingerOfWhichNothingIsHeardIsLetGoThoughItsConnectionLives) {
@@ -181,11 +181,11 @@ TEST(Serve, OneAtATimeHasTheFingerAndWhoInstructsTakesIt) {
   PlainStream first(server.port(), kControlToken);
   PlainStream second(server.port(), kControlToken);
   PlainStream teacher(server.port(), kInstructToken);
-  PlainStream onlooker(server.port(), kLookToken);
-  onlooker.say(press());
-  EXPECT_NE(onlooker.receiveText("refused").value_or("").find("looking on"), std::string::npos);
-  onlooker.say(R"({"type":"message","text":"hello"})");
-  EXPECT_TRUE(onlooker.receiveText("only who instructs"));
+  PlainStream watcher(server.port(), kLookToken);
+  watcher.say(press());
+  EXPECT_NE(watcher.receiveText("refused").value_or("").find("looking on"), std::string::npos);
+  watcher.say(R"({"type":"message","text":"hello"})");
+  EXPECT_TRUE(watcher.receiveText("only who instructs"));
   first.say(R"({"type":"take"})");
   ASSERT_TRUE(first.receiveText(R"("holder":1)"));
   second.say(R"({"type":"take"})");
@@ -193,14 +193,14 @@ TEST(Serve, OneAtATimeHasTheFingerAndWhoInstructsTakesIt) {
   second.say(press());
   EXPECT_TRUE(second.receiveText("somebody else"));
   first.say(press());
-  ASSERT_TRUE(frameWith(onlooker, true));
+  ASSERT_TRUE(frameWith(watcher, true));
   teacher.say(R"({"type":"take"})");
   ASSERT_TRUE(first.receiveText(R"("holder":3)"));
   first.say(press());
   EXPECT_TRUE(first.receiveText("somebody else"));
-  ASSERT_TRUE(frameWith(onlooker, false)) << "a finger that is taken rises first";
+  ASSERT_TRUE(frameWith(watcher, false)) << "a finger that is taken rises first";
   teacher.say(R"({"type":"message","text":"softer, please"})");
-  EXPECT_TRUE(onlooker.receiveText("softer, please"));
+  EXPECT_TRUE(watcher.receiveText("softer, please"));
   teacher.say(R"({"type":"pause","on":true})");
   ASSERT_TRUE(first.receiveText(R"("paused":true)"));
   teacher.say(press());
@@ -209,10 +209,10 @@ TEST(Serve, OneAtATimeHasTheFingerAndWhoInstructsTakesIt) {
   teacher.say(R"({"type":"give"})");
   ASSERT_TRUE(second.receiveText(R"("holder":0)"));
   second.say(press());
-  EXPECT_TRUE(frameWith(onlooker, true));
+  EXPECT_TRUE(frameWith(watcher, true));
 }
 
-TEST(Serve, ThereIsRoomForSoManyOnlookersAndNoMore) {
+TEST(Serve, ThereIsRoomForSoManyWatchersAndNoMore) {
   ServedCommand server({"--onlookers", "2"});
   const PlainStream one(server.port(), kLookToken);
   auto two = std::make_unique<PlainStream>(server.port(), kLookToken);
@@ -393,7 +393,7 @@ double p99Of(int port) {
 }
 
 // Loose on a machine that does other things: tools/check-serve measures with care.
-TEST(Serve, FiftyOnlookersGetTheirFramesAndTheServoDoesNotFeelThem) {
+TEST(Serve, FiftyWatchersGetTheirFramesAndTheServoDoesNotFeelThem) {
   ServedCommand server;
   const MovingHand hand(server.port());
   std::vector<double> alone, watched;
@@ -417,7 +417,7 @@ TEST(Serve, FiftyOnlookersGetTheirFramesAndTheServoDoesNotFeelThem) {
   EXPECT_GT(server.report()["frames_sent"], 50 * 100);
 }
 
-TEST(Serve, ASlowOnlookerSkipsFramesAndADeadOneIsDroppedWhileOthersSeeAll) {
+TEST(Serve, ASlowWatcherSkipsFramesAndADeadOneIsDroppedWhileOthersSeeAll) {
   ServedCommand server;
   const MovingHand hand(server.port());
   PlainStream stuck(server.port(), kLookToken, {}, nullptr, 2048);  // reads nothing from now on
@@ -425,13 +425,13 @@ TEST(Serve, ASlowOnlookerSkipsFramesAndADeadOneIsDroppedWhileOthersSeeAll) {
   Crowd crowd(server.port(), 1);
   int frames = 0;
   int rounds = 0;
-  const auto onlookers = [&] {
+  const auto watchers = [&] {
     PlainWire wire(server.port());
     const auto state = nlohmann::json::parse(ask(wire, "GET", "/served/state", bearer(kLookToken)).body);
     return state["onlookers"].get<int>();
   };
-  EXPECT_EQ(onlookers(), 3);
-  while (onlookers() == 3 && rounds < 40) {
+  EXPECT_EQ(watchers(), 3);
+  while (watchers() == 3 && rounds < 40) {
     frames += crowd.framesOf(1.0)[0];
     ++rounds;
   }
@@ -500,7 +500,8 @@ TEST(Serve, WhatIsUnsafeOrWrongIsRefusedInOneLine) {
     return result.err;
   };
   EXPECT_NE(refusal("--host 0.0.0.0 --port 0").find("give --token"), std::string::npos);
-  EXPECT_NE(refusal("--host place.example --port 0 --token " + kControlToken).find("is no address"), std::string::npos);
+  EXPECT_NE(refusal("--host place.example --port 0 --token " + kControlToken).find("is not an address"),
+            std::string::npos);
   EXPECT_NE(refusal("--port " + port).find("in use"), std::string::npos);
   EXPECT_NE(refusal("--token short").find("16 to 128"), std::string::npos);
   EXPECT_NE(refusal("--token 'sixteen letters!'").find("letters, digits"), std::string::npos);

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "palpate/base/number_range.h"
@@ -32,5 +33,17 @@ double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_
 
 /// True when the row names columns instead of holding values, that is when its first field is not a number.
 bool looksLikeCsvHeader(const CsvRow& row);
+
+// Text as a cell of a table that a spreadsheet may open.
+
+/// What becomes of a text that a spreadsheet would take for a formula: one that begins with = + - @, their full-width
+/// forms, a tab or a line end.
+enum class CsvText {
+  safe,  ///< an apostrophe stands before it; a number stays what it is
+  raw,   ///< nothing: for programs, which take no formulas
+};
+
+/// Quoted where it holds a comma, a quote or a line end.
+std::string csvTextCell(std::string_view text, CsvText kind = CsvText::safe);
 
 }  // namespace palpate

@@ -1,4 +1,4 @@
-// Words for limits. Cold path. Own.
+// Words for limits. Cold path.
 #include "palpate/base/number_range.h"
 
 #include <fmt/format.h>
@@ -10,12 +10,12 @@ namespace palpate {
 namespace {
 
 /// Larger whole numbers are no longer exact, and no longer readable either.
-constexpr double kMostDigits = 1e15;
+constexpr double kMaxDigits = 1e15;
 
 }  // namespace
 
 std::string readableNumber(double value) {
-  if (!(std::abs(value) < kMostDigits) || value != std::floor(value)) return fmt::format("{}", value);
+  if (!(std::abs(value) < kMaxDigits) || value != std::floor(value)) return fmt::format("{}", value);
   std::string digits = fmt::format("{:.0f}", std::abs(value));
   for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, ",");
   return value < 0.0 ? "-" + digits : digits;

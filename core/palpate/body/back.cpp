@@ -1,5 +1,5 @@
 // Outline in the plane -> exact number of triangles -> lifted onto the smooth skin: skin_outline.h, outline_mesher.h,
-// skin_surface.h. The bones are made only where their relief is wanted. Own.
+// skin_surface.h. The bones are made only where their relief is wanted.
 #include "palpate/body/back.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// All bones in one box tree (mesh/nearest.h); each search starts with the answer of the point before as its reach. Own.
-#include "palpate/body/bone_depth.h"
+// All bones in one box tree (mesh/nearest.h); each search starts with the answer of the point before as its reach.
+#include "palpate/body/bones.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // Puts the 43 bones together: shape (bone_shapes.h), reduce (mesh/decimate.h), place, mirror, warp, scale. Only 12
-// ribs, one scapula and 17 half vertebrae are ever built and reduced; the rest are mirror images. Own.
+// ribs, one scapula and 17 half vertebrae are ever built and reduced; the rest are mirror images.
 #include "palpate/body/bones.h"
 
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr std::size_t kScapulaRight = kBoneCount - 2;
 constexpr double kFineCellMm = 1.5;
 constexpr double kCoarseCellMm = 2.0;
 constexpr std::size_t kFineFrom = 40000;  // triangles
-constexpr double kLeastCellMm = 0.5;
+constexpr double kMinCellMm = 0.5;
 constexpr double kLargestCellMm = 3.0;  // beyond it the mesher loses the thin parts
 
 constexpr double kScapulaCell = 1.25;  // relative to the vertebrae: it is larger and smoother
@@ -49,7 +49,7 @@ void check(const BonesSettings& settings) {
   if (settings.triangles < kFewestBoneTriangles) {
     throw Error("the bones need at least " + std::to_string(kFewestBoneTriangles) + " triangles");
   }
-  if (settings.cell_mm != 0.0 && !(settings.cell_mm >= kLeastCellMm && settings.cell_mm <= kLargestCellMm)) {
+  if (settings.cell_mm != 0.0 && !(settings.cell_mm >= kMinCellMm && settings.cell_mm <= kLargestCellMm)) {
     throw Error("the grid of the bones must lie between 0.5 and 3 mm");
   }
 }

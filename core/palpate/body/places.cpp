@@ -1,5 +1,4 @@
 // Words are compared as sets, so that "PSIS left" is "left PSIS"; what follows a direction and a number is a distance.
-// Own.
 #include "palpate/body/places.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Lines of the fitted table (skin_table.h) joined from the flank up to the neck, unrolled by the angle. Own.
+// Lines of the fitted table (skin_table.h) joined from the flank up to the neck, unrolled by the angle.
 #include "palpate/body/skin_outline.h"
 
 #include <algorithm>

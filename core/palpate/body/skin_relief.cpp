@@ -1,7 +1,7 @@
-// Distance to bone (bone_depth.h) on a grid of 150 x 167 sites over the bare skin -> a bump a group of bones -> two
+// Distance to bone (bones.h) on a grid of 150 x 167 sites over the bare skin -> a bump a group of bones -> two
 // blurs along the arc length, the wider taken off -> coefficients of a spline on the radius.
 //
-// Own; the bump less its wider blur is a difference of Gaussians (Marr and Hildreth, "Theory of edge detection", 1980),
+// The bump less its wider blur is a difference of Gaussians (Marr and Hildreth, "Theory of edge detection", 1980),
 // and all sizes are our choice.
 #include "palpate/body/skin_relief.h"
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "palpate/body/bone_depth.h"
+#include "palpate/body/bones.h"
 #include "palpate/body/skin_outline.h"
 #include "palpate/body/skin_table.h"
 

@@ -1,7 +1,7 @@
 // Radius = table + detail, both B-splines over (angle, height); position and tangents from it in cylinder coordinates,
 // taken through the warp by its Jacobian, scaled at the end.
 //
-// Own; the table is fitted by tools/fit_skin.py (provenance in skin_table.cpp).
+// The table is fitted by tools/fit_skin.py (provenance in skin_table.cpp).
 #include "palpate/body/skin_surface.h"
 
 #include <algorithm>

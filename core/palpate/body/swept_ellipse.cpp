@@ -1,4 +1,4 @@
-// Stations -> rings with ends -> triangles. Own.
+// Stations -> rings with ends -> triangles.
 #include "palpate/body/swept_ellipse.h"
 
 #include <algorithm>

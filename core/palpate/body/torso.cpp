@@ -1,5 +1,5 @@
 // Bones -> relief on the skin -> both bent and scaled alike -> skin cut into what triangles are left -> depth of the
-// nearest bone under every vertex, from which the stiffness map is made (maps/stiffness_map.h). Own.
+// nearest bone under every vertex, from which the stiffness map is made (maps/stiffness_map.h).
 #include "palpate/body/torso.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
-#include "palpate/body/bone_depth.h"
+#include "palpate/body/bones.h"
 #include "palpate/body/skin_table.h"
 #include "palpate/body/spine_line.h"
 
@@ -24,7 +24,7 @@ std::size_t boneTriangles(const TorsoSettings& settings) {
   if (settings.bone_triangles == 0) {
     const auto share = static_cast<std::size_t>(kBoneShare * static_cast<double>(settings.triangles));
     // More than the grid of the bones holds cannot be given to them; the skin takes the rest.
-    return std::clamp<std::size_t>(share / 2 * 2, kFewestBoneTriangles, kMostBoneTriangles);
+    return std::clamp<std::size_t>(share / 2 * 2, kFewestBoneTriangles, kMaxBoneTriangles);
   }
   if (settings.bone_triangles + kFewestTriangles > settings.triangles)
     throw Error("too few triangles are left for the skin");
@@ -99,7 +99,7 @@ Torso makeBackOverBones(const BackSettings& settings) {
   // Of the same size as the skin's, and never so few that the relief of the skin would need others.
   const auto as_fine =
       static_cast<std::size_t>(kBoneShare / (1.0 - kBoneShare) * static_cast<double>(settings.triangles));
-  const std::size_t bone_triangles = std::clamp<std::size_t>(as_fine / 2 * 2, kReliefBoneTriangles, kMostBoneTriangles);
+  const std::size_t bone_triangles = std::clamp<std::size_t>(as_fine / 2 * 2, kReliefBoneTriangles, kMaxBoneTriangles);
   Torso back = bodyOf(settings.shape, SkinExtent::patch, settings.triangles, bone_triangles);
   keepBonesAbove(mesh::boundingBox(back.skin.mesh).min().y(), back);
   setDepths(back);

@@ -17,7 +17,7 @@ struct TorsoSettings {
   SkinSettings shape{1750, {}, 1};  ///< a natural back
 };
 /// The grid that the bones are drawn from holds no more.
-inline constexpr std::size_t kMostBoneTriangles = 60000;
+inline constexpr std::size_t kMaxBoneTriangles = 60000;
 inline constexpr std::size_t kFewestTorsoTriangles = kFewestTriangles + kFewestBoneTriangles;
 /// Of the skin alone: the model of section 2.1.
 inline constexpr std::size_t kDissertationBackTriangles = 2962;

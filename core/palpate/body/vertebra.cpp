@@ -17,7 +17,7 @@ constexpr int kRelaxRounds = 3;
 constexpr double kEndplateEdge = 2.5;    // mm, rounding of the rim of the endplates
 constexpr double kLaminaOverhang = 2.0;  // mm from the canal's wall to the middle of the lamina
 constexpr double kCanalLift = 0.5;       // mm by which the canal cuts into the body's dorsal wall
-constexpr double kLeastTransverseRoot = 4.2;
+constexpr double kMinTransverseRoot = 4.2;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
@@ -124,7 +124,7 @@ struct Parts {
         {c + 2.5, a.pedicle_y, a.root_z + 3.0}, {c - 1.6, -0.62 * r.height, a.root_z + 5.5}, Vec3::UnitZ(), {4.1, 2.5}};
   }
   static Capsule makeTransverse(const VertebraRow& r) {
-    return {transverseRoot(r), transverseTip(r), std::max(1.15 * r.transverse_radius, kLeastTransverseRoot),
+    return {transverseRoot(r), transverseTip(r), std::max(1.15 * r.transverse_radius, kMinTransverseRoot),
             r.transverse_radius};
   }
   static PlateCapsule makeSpinousRoot(const VertebraRow& r) {

@@ -13,7 +13,6 @@
 #include <cmath>
 
 #include "palpate/contact/friction.h"
-#include "palpate/contact/relaxation.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
@@ -25,7 +24,7 @@ constexpr double kFarthestTip = 1e6;
 
 /// What friction may take of the step. More (a mu_static above 2.3) would keep a first contact from being felt whole,
 /// for which the step has to reach as far as the tip moved; friction's own steps may then pass the bound.
-constexpr double kMostFriction = 2.5;
+constexpr double kMaxFriction = 2.5;
 
 /// A step within this share of its bound is within it: rounding of two norms.
 constexpr double kStepRounding = 1e-9;
@@ -57,11 +56,11 @@ Press fadingPress(const Surface& surface, const Vec3& tip, FingerState& state) {
 /// Almost always that changes nothing: tip and proxy cannot move apart faster. It does where the press itself leaps:
 /// a tip that comes out of the far side of a limb, a proxy that finds its way round a rim. False when nothing is felt.
 bool followPress(const Surface& surface, double most_mm, const Vec3& tip, Press& press, FingerState& state) {
-  const Vec3 wish = press.touching ? Vec3(press.felt_depth_mm * press.normal) : Vec3::Zero();
-  const Vec3 change = wish - state.felt;
+  const Vec3 request = press.touching ? Vec3(press.felt_depth_mm * press.normal) : Vec3::Zero();
+  const Vec3 change = request - state.felt;
   const double size = change.norm();
   if (size <= most_mm * (1.0 + kStepRounding) + directionlessDepth(surface)) {
-    state.felt = wish;
+    state.felt = request;
     return press.touching;
   }
   state.felt += (most_mm / size) * change;
@@ -110,7 +109,7 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
                         double tip_moved_mm, FingerState& state) noexcept {
   const double most_mm = feltBound(settings, tip_moved_mm);
   // Friction at its most turns and shrinks with the normal force, which it makes longer by this factor.
-  const double with_friction = std::min(std::hypot(1.0, settings.mu_static), kMostFriction);
+  const double with_friction = std::min(std::hypot(1.0, settings.mu_static), kMaxFriction);
   if (!followPress(surface, most_mm / with_friction, tip, press, state)) {
     state.force = Vec3::Zero();
     return leftOutput(surface, settings, tip, state);

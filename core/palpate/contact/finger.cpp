@@ -28,7 +28,7 @@ void require(bool holds, const char* what) {
 }
 
 void checkRelaxation(const Relaxation& relaxation) {
-  const auto is_share = [](double value) { return value >= 0.0 && value <= kMostRelaxation; };
+  const auto is_share = [](double value) { return value >= 0.0 && value <= kMaxRelaxation; };
   require(is_share(relaxation.share) && is_share(relaxation.share_2) && is_share(relaxation.share + relaxation.share_2),
           "the shares of relaxation must be >= 0 and together at most 0.9");
   require(relaxation.time_s > 0.0 && relaxation.time_2_s > 0.0, "the times of relaxation must be > 0");

@@ -13,10 +13,10 @@
 namespace palpate::contact {
 
 /// Of the force, what all terms of relaxation together may take: tissue that gave way altogether would be no tissue.
-inline constexpr double kMostRelaxation = 0.9;
+inline constexpr double kMaxRelaxation = 0.9;
 
 /// How the force falls while the skin is held: by which share of what it would be at once, and over which time
-/// (relaxation.h). Two terms at most; a share of 0 is none.
+/// (felt_force.h). Two terms at most; a share of 0 is none.
 struct Relaxation {
   double share = 0.0;
   double time_s = 1.0;
@@ -67,8 +67,8 @@ struct SurfacePoint {
 /// Where a sphere stood on the skin when its centre came to rest: its next tick need not ask the whole skin again.
 /// Holds only where the centre has not moved since; never changes what is felt.
 struct StandingPlaces {
-  static constexpr int kMost = 8;  ///< a sphere that stands on more asks anew
-  std::array<SurfacePoint, kMost> places;
+  static constexpr int kMax = 8;  ///< a sphere that stands on more asks again
+  std::array<SurfacePoint, kMax> places;
   int count = -1;  ///< -1: not known
 };
 
@@ -80,7 +80,7 @@ struct Dent {
   Index triangle = kNoIndex;  ///< of the mesh
 };
 
-/// What the skin remembers of having been pressed (relaxation.h); zeros without relaxation.
+/// What the skin remembers of having been pressed (felt_force.h); zeros without relaxation.
 struct SkinMemory {
   std::array<double, 2> under_mm{};  ///< the eased depth of each term, effective: of the skin under the finger
   std::array<double, 2> left_mm{};   ///< of the dent that it left

@@ -7,7 +7,7 @@
 //
 // Based on: Kobbelt, Vorsatz, Seidel, "Multiresolution hierarchies on unstructured triangle meshes" (1999) for the
 // projection along blended normals; Morgenbesser and Srinivasan (1996) for shading forces.
-#include "palpate/contact/force_shading.h"
+#include "palpate/contact/surface_walk.h"
 
 #include <cmath>
 
@@ -15,8 +15,8 @@ namespace palpate::contact {
 
 namespace {
 
-constexpr int kMostHops = 60;
-constexpr int kMostNewtonSteps = 8;
+constexpr int kMaxHops = 60;
+constexpr int kMaxNewtonSteps = 8;
 /// Barycentric: how far outside counts as on the edge, and when Newton has arrived.
 constexpr double kOnEdge = 1e-9;
 constexpr double kArrived = 1e-12;
@@ -47,7 +47,7 @@ Patch patchOf(const Surface& surface, const tree::TriangleRecord& record) {
 Solution solve(const Patch& patch, const Vec3& tip) {
   Solution x;
   x.s = (patch.pointAt(x.v, x.w) - tip).norm();
-  for (int i = 0; i < kMostNewtonSteps && !x.found; ++i) {
+  for (int i = 0; i < kMaxNewtonSteps && !x.found; ++i) {
     const Vec3 normal = patch.normalAt(x.v, x.w);
     const Vec3 residual = patch.pointAt(x.v, x.w) - x.s * normal - tip;
     const Vec3 by_v = patch.along_v - x.s * patch.normal_v;
@@ -83,7 +83,7 @@ int violatedEdge(const Solution& x) {
 
 std::optional<ShadedProxy> shadedProxy(const Surface& surface, const SurfacePoint& proxy, const Vec3& tip) noexcept {
   Index triangle = proxy.triangle;
-  for (int hop = 0; hop < kMostHops; ++hop) {
+  for (int hop = 0; hop < kMaxHops; ++hop) {
     const tree::TriangleRecord& record = surface.geometry->tree.records[triangle];
     const Patch patch = patchOf(surface, record);
     const Solution x = solve(patch, tip);

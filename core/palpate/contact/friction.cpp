@@ -21,7 +21,7 @@ namespace palpate::contact {
 namespace {
 
 /// Of an offset's tangential part: an offset up to 60 degrees off the skin counts whole.
-constexpr double kMostStretch = 2.0;
+constexpr double kMaxStretch = 2.0;
 
 /// The place of the skin nearest to `target`, found from where the anchor was; from the proxy when the proxy has moved
 /// somewhere else (the anchor would be left behind on another part of the skin).
@@ -34,25 +34,26 @@ SurfacePoint dragged(const Surface& surface, const FingerState& state, const Vec
   return walkToNearest(surface, state.proxy, target, pull_mm).at;
 }
 
-/// Of the pulls between the wished one and the one that would change the force least, the first that keeps the step.
+/// Of the pulls between the requested one and the one that would change the force least, the first that keeps the step.
 /// The latter lies in the friction cone too (`longest_mm`), which comes before the step.
-Vec3 withinStep(const Pressure& press, const Vec3& wish, double longest_mm, double most_n, const Vec3& force_before) {
+Vec3 withinStep(const Pressure& press, const Vec3& request, double longest_mm, double most_n,
+                const Vec3& force_before) {
   const double stiffness = press.tangential_n_per_mm;
-  const Vec3 change = press.force_n * press.normal + stiffness * wish - force_before;
+  const Vec3 change = press.force_n * press.normal + stiffness * request - force_before;
   const double too_much = change.squaredNorm() - most_n * most_n;
-  if (!(too_much > 0.0) || !(stiffness > 0.0)) return wish;
+  if (!(too_much > 0.0) || !(stiffness > 0.0)) return request;
   const Vec3 left = force_before / stiffness;
   Vec3 gentlest = left - left.dot(press.normal) * press.normal;
   const double length = gentlest.norm();
   if (length > longest_mm) gentlest *= longest_mm / length;
   // |change + share way| = most_n
-  const Vec3 way = stiffness * (gentlest - wish);
+  const Vec3 way = stiffness * (gentlest - request);
   const double a = way.squaredNorm();
   const double b = change.dot(way);
-  if (!(a > 0.0)) return wish;
+  if (!(a > 0.0)) return request;
   const double root2 = b * b - a * too_much;
   const double share = root2 > 0.0 ? (-b - std::sqrt(root2)) / a : -b / a;
-  return wish + std::clamp(share, 0.0, 1.0) * (gentlest - wish);
+  return request + std::clamp(share, 0.0, 1.0) * (gentlest - request);
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ Grip gripOf(const Vec3& proxy, const Vec3& normal, const Vec3& anchor, const Gri
   const double length = tangential.norm();
   // As long as the whole offset: wrapping around a bump does not hide displacement. But never much longer than what is
   // tangential, or an offset that points along the normal would pull in the direction of its rounding.
-  const double stretched = std::min(offset.norm(), kMostStretch * length);
+  const double stretched = std::min(offset.norm(), kMaxStretch * length);
   const bool slips = stretched > (slipped_before ? limits.slipping_mm : limits.sticking_mm);
   const double kept = slips ? limits.slipping_mm : stretched;
   if (length == 0.0 || kept == 0.0) return {Vec3::Zero(), slips};

@@ -3,7 +3,7 @@
 //
 // The walk of a point stops where the entangled triangles begin, so it cannot slide through another sheet; from there
 // the sphere goes on, and where the sphere stands on a triangle that is not entangled the point goes on again. The two
-// differ by the sphere's radius, a force of 0.025 N on a back, which feltOutput spreads. Own.
+// differ by the sphere's radius, a force of 0.025 N on a back, which feltOutput spreads.
 #include "palpate/contact/press.h"
 #include "palpate/contact/sides.h"
 #include "palpate/contact/surface_walk.h"

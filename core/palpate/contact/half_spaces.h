@@ -17,16 +17,16 @@ struct HalfSpace {
 /// tested before it moves).
 class HalfSpaces {
  public:
-  static constexpr int kMost = 48;
+  static constexpr int kMax = 48;
   void clear() { size_ = 0; }
   void add(const HalfSpace& plane) {
-    if (size_ < kMost) planes_[size_++] = plane;
+    if (size_ < kMax) planes_[size_++] = plane;
   }
   int size() const { return size_; }
   const HalfSpace& operator[](int i) const { return planes_[i]; }
 
  private:
-  std::array<HalfSpace, kMost> planes_;
+  std::array<HalfSpace, kMax> planes_;
   int size_ = 0;
 };
 

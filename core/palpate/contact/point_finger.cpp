@@ -16,7 +16,6 @@
 #include <optional>
 
 #include "palpate/contact/border.h"
-#include "palpate/contact/force_shading.h"
 #include "palpate/contact/sides.h"
 #include "palpate/contact/surface_walk.h"
 
@@ -25,7 +24,7 @@ namespace palpate::contact {
 namespace {
 
 /// Sheets that one tick can land on one after the other, each left at once. Beyond it the last contact is kept: safe.
-constexpr int kMostSheets = 8;
+constexpr int kMaxSheets = 8;
 
 void land(const tree::Crossing& crossing, FingerState& state) {
   state.touching = true;
@@ -123,7 +122,7 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
   }
   const double path = pathBound(settings, (tip - state.tip).norm());
   Press press;
-  for (int sheet = 0; sheet < kMostSheets; ++sheet) {
+  for (int sheet = 0; sheet < kMaxSheets; ++sheet) {
     const WalkResult walk = walkOnOneSheet(surface, state.proxy, tip, path);
     state.proxy = walk.at;
     state.guarded = walk.stopped;

@@ -1,9 +1,9 @@
-// Own; the winding number names its sources.
+// The winding number names its sources.
 #include "palpate/contact/sides.h"
 
 #include "palpate/contact/press.h"
 #include "palpate/contact/surface_walk.h"
-#include "palpate/tree/winding_number.h"
+#include "palpate/tree/triangle_tree.h"
 
 namespace palpate::contact {
 

@@ -9,7 +9,7 @@ namespace palpate::contact {
 
 /// Whether a tip whose proxy is `lag` mm away, too deep to be felt, is out of the body. A closed surface tells by its
 /// winding number, of parts that overlap too. Of a body with holes, or a sheet, that tells less: there the tip has to
-/// be in front of the nearest place besides, and that must not be the border. About 1 us (tree/winding_number.h).
+/// be in front of the nearest place besides, and that must not be the border. About 1 us (tree/triangle_tree.h).
 bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept;
 
 /// Whether a tip that is held at `place` is in free air with nothing between: it is out of the body, and the straight

@@ -11,7 +11,7 @@
 //
 // Based on: Ruspini, Kolarov, Khatib, "The haptic display of complex graphical environments" (1997) for a sphere as
 // proxy among planes; Kelley, "The cutting-plane method for solving convex programs" (1960).
-#include "palpate/contact/sphere_descent.h"
+#include "palpate/contact/sphere_feet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,6 @@
 
 #include "palpate/contact/border.h"
 #include "palpate/contact/press.h"
-#include "palpate/contact/sphere_feet.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
@@ -31,8 +30,8 @@ constexpr double kSettled = 1e-5;   ///< a centre that would move less than this
 constexpr double kOutlook = 0.001;  ///< skin within this of the sphere takes part in the first plan
 constexpr double kSlack = 1e-9;     ///< of the planes: far above rounding, far below kTight
 
-constexpr int kMostRounds = 24;  ///< trials in a tick, about 1 us each at 40,000 triangles
-constexpr int kMostPushes = 12;
+constexpr int kMaxRounds = 24;  ///< trials in a tick, about 1 us each at 40,000 triangles
+constexpr int kMaxPushes = 12;
 constexpr int kFullTrials = 4;                    ///< trials that cut further before the step is shortened
 constexpr int kStepsAhead = 24;                   ///< steps gone in thought before the place is asked for
 constexpr int kPathTrials = 12;                   ///< to use up the path
@@ -175,7 +174,7 @@ void feetAt(const SphereTask& task, const Vec3& centre, const StandingPlaces& st
 }
 
 void remember(const Feet& feet, StandingPlaces& standing) {
-  standing.count = feet.count <= StandingPlaces::kMost ? feet.count : -1;
+  standing.count = feet.count <= StandingPlaces::kMax ? feet.count : -1;
   for (int i = 0; i < standing.count; ++i) standing.places[i] = feet.feet[i].at;
 }
 
@@ -187,7 +186,7 @@ bool isFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) noexcep
 
 bool pushOut(const SphereTask& task, Vec3& centre) noexcept {
   Feet feet;
-  for (int i = 0; i < kMostPushes; ++i) {
+  for (int i = 0; i < kMaxPushes; ++i) {
     findFeet(task.surface, centre, task.radius, feet);
     if (feet.count == 0) break;
     const Foot& foot = feet.feet[feet.lowest()];
@@ -217,7 +216,7 @@ bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot, StandingP
   feetAt(task, centre, standing, feet);
   settle_at(centre);
   double tried = 0.0;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     Vec3 goal = centre;
     const bool any = nextGoal(task, planes, goal);
     const double length = (goal - centre).norm();

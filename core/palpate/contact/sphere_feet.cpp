@@ -73,7 +73,7 @@ bool isKnown(const Feet& feet, const SurfacePoint& place, double distance) {
 }
 
 void keep(const Foot& foot, Feet& feet) {
-  if (feet.count < Feet::kMost) {
+  if (feet.count < Feet::kMax) {
     feet.feet[feet.count++] = foot;
     return;
   }

@@ -5,7 +5,7 @@
 // The centre C is a local minimum of |x - D| over the places where the sphere fits, reached from C of the last tick.
 // Nine ticks of ten on a back are settled directly: the sphere touches in one point, the place where a point finger's
 // proxy would be, and the sphere stands on it exactly. The rest (valleys, folds, small bumps) descends
-// (sphere_descent.h).
+// (sphere_feet.h).
 //
 // The contact ends when C reaches D, so the force leaves as continuously as it came.
 //
@@ -19,7 +19,6 @@
 #include "palpate/contact/finger.h"
 #include "palpate/contact/press.h"
 #include "palpate/contact/sides.h"
-#include "palpate/contact/sphere_descent.h"
 #include "palpate/contact/sphere_feet.h"
 #include "palpate/contact/surface_walk.h"
 
@@ -30,7 +29,7 @@ namespace {
 // ---- first contact --------------------------------------------------------------------------------------------------
 
 /// Steps of one advance, and the share of the radius that counts as there.
-constexpr int kMostAdvances = 32;
+constexpr int kMaxAdvances = 32;
 constexpr double kArrived = 1e-5;
 
 /// Whether the skin lies between the centre and the foot. From inside a body the fronts of other parts may be near, but
@@ -67,7 +66,7 @@ bool overlapsFront(const Surface& surface, const Vec3& centre, double radius) {
 /// Where a sphere that moves from `from` to `to` first touches: steps as long as the distance to the skin allows.
 Vec3 advance(const Surface& surface, const Vec3& from, const Vec3& to, double radius) {
   Vec3 centre = from;
-  for (int i = 0; i < kMostAdvances; ++i) {
+  for (int i = 0; i < kMaxAdvances; ++i) {
     const double left = (to - centre).norm();
     if (left == 0.0) break;
     const SurfacePoint front = nearestFront(surface, centre, radius + left);

@@ -90,7 +90,7 @@ void neighboursOf(const Surface& surface, Index record, int corner, std::vector<
 }
 
 /// Whether a vertex is the middle that repair gave an edge to tell it from another between the same two vertices
-/// (mesh/fans.h): it lies in the middle of two neighbours that have an edge of their own as well.
+/// (mesh/repair_steps.h): it lies in the middle of two neighbours that have an edge of their own as well.
 bool anyEdgeTwice(const mesh::TriangleMesh& mesh, const Surface& surface) {
   std::vector<std::uint8_t> done(mesh.positions.size(), 0);
   std::vector<Index> around, beyond;

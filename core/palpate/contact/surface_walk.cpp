@@ -23,7 +23,7 @@ using tree::TriangleRecord;
 namespace {
 
 /// Triangles looked at in one tick before the walk pauses: 1,000 take about 20 us, and only a teleport needs so many.
-constexpr int kMostMoves = 1000;
+constexpr int kMaxMoves = 1000;
 
 struct Candidate {
   ClosestOnTriangle closest;
@@ -66,7 +66,7 @@ WalkResult walk(const Surface& surface, const SurfacePoint& from, const Vec3& ta
   if (stops_at(from.triangle)) return {from, false, true};
   SurfacePoint here = from;
   Candidate next = closestIn(surface, from.triangle, target);
-  for (int moves = 0; moves < kMostMoves; ++moves) {
+  for (int moves = 0; moves < kMaxMoves; ++moves) {
     const Vec3 piece = next.closest.point - here.position;
     const double length = piece.norm();
     if (length > path_mm) {

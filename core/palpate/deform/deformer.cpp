@@ -15,7 +15,6 @@
 #include "palpate/deform/normals.h"
 #include "palpate/deform/plan.h"
 #include "palpate/deform/strain.h"
-#include "palpate/deform/together.h"
 
 namespace palpate::deform {
 
@@ -42,7 +41,7 @@ FormSettings withDefaultForms(const Settings& settings) {
 
 /// A drag that falls off by so much per mm along itself leaves a tenth of the length of what it pushes together; at 1
 /// skin turns over.
-constexpr double kMostDragSlope = 0.9;
+constexpr double kMaxDragSlope = 0.9;
 
 /// How far the caps let a vertex move when all contacts pull it the same way.
 double mostMotion(const Settings& settings) {
@@ -205,7 +204,7 @@ template <class Displacement>
 Vec3 Deformer::Pipeline<Displacement>::withoutFold(const typename Displacement::Frame& frame,
                                                    const Vec3& shift_mm) const noexcept {
   const double slope = displacement_.dragSlope(frame, shift_mm);
-  return slope > kMostDragSlope ? Vec3(shift_mm * (kMostDragSlope / slope)) : shift_mm;
+  return slope > kMaxDragSlope ? Vec3(shift_mm * (kMaxDragSlope / slope)) : shift_mm;
 }
 
 template <class Displacement>

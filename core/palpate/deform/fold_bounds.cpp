@@ -1,7 +1,7 @@
 // Cones of normals and widest angles, block by block when a skin is built, and the test against them.
 //
 // Data flow: triangles of the rest shape -> Skin::fold_bounds; these and the contacts' slopes -> mayFold, for each
-// block that moves, 60 times a second -> which blocks shear_limit.cpp looks into. Own.
+// block that moves, 60 times a second -> which blocks shear_limit.cpp looks into.
 #include "palpate/deform/fold_bounds.h"
 
 #include <algorithm>

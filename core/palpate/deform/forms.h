@@ -2,7 +2,7 @@
 // of combining, and which errata as printed.
 //
 // With the defaults all of it is what the fast displacement does; needsForms says what takes the general one.
-// docs/explanation/deformation.md has a table of what each form is for.
+// docs/reference/deformation-forms.md has a table of what each form is for.
 // Based on: Ji, dissertation 2008, chapter 4, with E18, E20, E21, E24 and E25.
 #pragma once
 

@@ -2,7 +2,7 @@
 // double.
 //
 // One of the two things that Deformer's pipeline can be filled with (the other: fast_displacement.h). Some 20 times the
-// time of the kernels (docs/explanation/deformation.md), and still far below a frame for a fingertip. With default
+// time of the kernels (docs/reference/benchmarks.md), and still far below a frame for a fingertip. With default
 // forms both give the same surface within 1e-4 mm. Based on: Ji, dissertation 2008, sections 4.2 to 4.6, with E14, E15,
 // E18, E19, E21 and E23 in both readings.
 #pragma once

@@ -1,5 +1,5 @@
-// Adjacency turned into words of 64: made when a skin is built, moved through by region_by_blocks.cpp. Own.
-#include "palpate/deform/group_graph.h"
+// Adjacency turned into words of 64: made when a skin is built, moved through by region_by_blocks.cpp.
+#include "palpate/deform/skin.h"
 
 #include <algorithm>
 

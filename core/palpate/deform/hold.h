@@ -2,7 +2,7 @@
 //
 // Data flow: frames, movers, regions and edges of the plan (plan.h), displaced surface -> what of it is in doubt ->
 // ShearLimit -> surface, normals of what was held. What is certain costs a test a block: edges at which the formulae
-// move next to nothing, blocks that no contact shears much (fold_bounds.h). Own.
+// move next to nothing, blocks that no contact shears much (fold_bounds.h).
 #pragma once
 
 #include "palpate/deform/normals.h"

@@ -3,7 +3,7 @@
 // Data flow: ContactLanes -> find -> blocks and their vertices -> plan (plan.h). Boxes and vertices are tested by
 // kernels.cpp, words are flooded by group_graph.cpp.
 // Based on: Ji, dissertation 2008, section 4.5, with E23; the flood by words is not in it.
-#include "palpate/deform/region_by_blocks.h"
+#include "palpate/deform/fast_displacement.h"
 
 namespace palpate::deform {
 
@@ -43,7 +43,7 @@ bool RegionByBlocks::reached(Index vertex) const noexcept {
   return (tiles_[blockOf(block)].reached & bitOf(block)) != 0 || (rim_[block].reached & bitOf(vertex)) != 0;
 }
 
-/// The tile, its blocks told apart on the first call.
+/// The tile, its blocks distinguished on the first call.
 RegionByBlocks::Tile& RegionByBlocks::tileAt(const Query& query, Index tile) noexcept {
   Tile& here = tiles_[tile];
   if (here.known) return here;

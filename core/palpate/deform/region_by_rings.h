@@ -1,5 +1,5 @@
 // Which vertices belong to a contact, ring by ring of neighbour nodes: for regions of any shape, and as printed. Second
-// step of an apply, beside region_by_blocks.h.
+// step of an apply, beside region_by_blocks.cpp.
 //
 // The search of the dissertation's section 4.5 with the corrections of E23, which finds what RegionByBlocks finds; or
 // its literal stopping rule: all neighbours of a whole ring make the next one, and the first ring without a vertex

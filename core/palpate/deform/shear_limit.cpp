@@ -3,7 +3,7 @@
 // Data flow: regions and amplitudes of the plan, displaced surface -> here, behind every displacement -> positions and
 // displacements of the surface; which vertices were held back -> their normals. Costs about 0.1 us a vertex of a region
 // with an edge, about 10 ns a triangle of a doubtful block, and nothing else.
-// Own; the projection after Mueller, Heidelberger, Hennix, Ratcliff, "Position based dynamics", 2007.
+// The projection after Mueller, Heidelberger, Hennix, Ratcliff, "Position based dynamics", 2007.
 #include "palpate/deform/shear_limit.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ constexpr int kTurns = 200;
 /// ten on scanned hands.
 constexpr int kSeamTurns = 50;
 /// Triangles in one turn, two hundred times what scanned bodies need; more are no matter of single triangles.
-constexpr std::size_t kMostFolds = 4096;
+constexpr std::size_t kMaxFolds = 4096;
 /// Of shortening everything. Each leaves at most nine tenths.
 constexpr int kShortenings = 60;
 /// A vertex is held back if it goes beyond its room by more than rounding.
@@ -134,8 +134,8 @@ ShearLimit::ShearLimit(const Skin& skin, std::size_t most_pulls)
   held_.reserve(skin.vertices);
   pinning_.reserve(skin.vertices);
   torn_.reserve(most_pulls);
-  folds_.reserve(kMostFolds);
-  next_folds_.reserve(kMostFolds);
+  folds_.reserve(kMaxFolds);
+  next_folds_.reserve(kMaxFolds);
 }
 
 void ShearLimit::start() noexcept {
@@ -297,7 +297,7 @@ bool ShearLimit::findFolds(const DeformedBlock& surface, const BlockSet& doubtfu
   });
   for (const Index v : pinning_) findFoldsAt(surface, v);
   for (const Index v : held_) findFoldsAt(surface, v);
-  return folds_.size() < kMostFolds;
+  return folds_.size() < kMaxFolds;
 }
 
 void ShearLimit::findFoldsAt(const DeformedBlock& surface, Index vertex) noexcept {
@@ -305,7 +305,7 @@ void ShearLimit::findFoldsAt(const DeformedBlock& surface, Index vertex) noexcep
 }
 
 void ShearLimit::listIfFolded(Index triangle, const DeformedBlock& surface) noexcept {
-  if (folds_.size() < kMostFolds && Fold(skin_, skin_.triangles[triangle], surface).isFolded()) listFold(triangle);
+  if (folds_.size() < kMaxFolds && Fold(skin_, skin_.triangles[triangle], surface).isFolded()) listFold(triangle);
 }
 
 void ShearLimit::listFold(Index triangle) noexcept {
@@ -324,7 +324,7 @@ bool ShearLimit::drawAllTogether(const DeformedBlock& surface) noexcept {
     for (const Index t : next_folds_) {
       for (const Index corner : skin_.triangles[t]) {
         for (const Index beside : skin_.triangles_of_vertex[corner]) {
-          if (folds_.size() == kMostFolds) return false;
+          if (folds_.size() == kMaxFolds) return false;
           if (Fold(skin_, skin_.triangles[beside], surface).isFolded()) listFold(beside);
         }
       }

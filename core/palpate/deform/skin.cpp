@@ -1,4 +1,4 @@
-// Builds a skin at load time: rest shape in streams, who is joined to whom, boxes around blocks. Own.
+// Builds a skin at load time: rest shape in streams, who is joined to whom, boxes around blocks.
 #include "palpate/deform/skin.h"
 
 #include <fmt/format.h>

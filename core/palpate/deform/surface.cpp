@@ -1,6 +1,6 @@
 // Ten streams in one allocation, which start at other places of their pages than the rest shape's (FloatStreams): a
 // kernel that reads those and writes these would stall otherwise.
-// Data flow: the deformer's kernels, normals and strain -> here, block by block -> changed() -> upload, files. Own.
+// Data flow: the deformer's kernels, normals and strain -> here, block by block -> changed() -> upload, files.
 #include "palpate/deform/surface.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Projected Gauss-Seidel sweeps over the few contacts there are.
 //
-// Data flow: couplings and wishes of the plan -> here -> its amplitudes and shifts.
+// Data flow: couplings and requests of the plan -> here -> its amplitudes and shifts.
 // Based on: Cottle, Pang, Stone, "The linear complementarity problem" (1992); E25.
-#include "palpate/deform/together.h"
+#include "palpate/deform/plan.h"
 
 #include <algorithm>
 
@@ -15,8 +15,8 @@ namespace {
 /// Two contacts coupled by g approach their solution by g^2 a sweep; what is still missing after n sweeps is at most
 /// depth / (e n) whatever g: 0.007 mm of 10.
 constexpr int kSweeps = 512;
-/// Of the wish: a finger in the bulge around another presses that down too. Bulges are below a tenth.
-constexpr double kMostAmplitude = 1.5;
+/// Of the request: a finger in the bulge around another presses that down too. Bulges are below a tenth.
+constexpr double kMaxAmplitude = 1.5;
 /// mm; far below what a float surface can show.
 constexpr double kSettled = 1e-12;
 
@@ -32,7 +32,7 @@ void solveDepths(const Coupling& coupling, std::span<const double> depths_mm,
       const double wanted = std::max(0.0, depths_mm[i]);
       double missing = wanted;
       for (std::size_t j = 0; j < coupling.size(); ++j) missing -= j == i ? 0.0 : coupling(i, j) * amplitudes_mm[j];
-      missing = std::clamp(missing, 0.0, kMostAmplitude * wanted);
+      missing = std::clamp(missing, 0.0, kMaxAmplitude * wanted);
       change = std::max(change, std::abs(missing - amplitudes_mm[i]));
       amplitudes_mm[i] = missing;
     }

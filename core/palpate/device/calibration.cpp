@@ -1,6 +1,6 @@
 // Both clouds about their middles -> covariance -> its singular vectors are the rotation, kept from mirroring; the
-// scale is what is left, the origin follows. Cold path. Based on: Umeyama 1991 (calibration.h).
-#include "palpate/device/calibration.h"
+// scale is what is left, the origin follows. Cold path. Based on: Umeyama 1991 (device_frame.h).
+#include "palpate/device/device_frame.h"
 
 #include <fmt/format.h>
 
@@ -14,10 +14,10 @@ namespace palpate::device {
 
 namespace {
 
-constexpr double kLeastApartMm = 20.0;     // of the two that are farthest apart
-constexpr double kLeastWidthShare = 0.15;  // of the triangle, over its longest side
-constexpr double kLeastScale = 0.05;
-constexpr double kMostScale = 20.0;
+constexpr double kMinApartMm = 20.0;     // of the two that are farthest apart
+constexpr double kMinWidthShare = 0.15;  // of the triangle, over its longest side
+constexpr double kMinScale = 0.05;
+constexpr double kMaxScale = 20.0;
 
 /// The longest way between two of the places, and how far any is from that line.
 struct Spread {
@@ -47,15 +47,15 @@ Spread spreadOf(std::span<const Vec3> places) {
 void requireSpread(std::span<const Vec3> places, const char* whose) {
   const auto is_number = [](const Vec3& place) { return place.allFinite(); };
   if (!std::all_of(places.begin(), places.end(), is_number)) {
-    throw Error(fmt::format("calibration: a place of the {} is no number", whose));
+    throw Error(fmt::format("calibration: the places of the {} must be finite", whose));
   }
   const Spread spread = spreadOf(places);
-  if (spread.length < kLeastApartMm) {
+  if (spread.length < kMinApartMm) {
     throw Error(
         fmt::format("calibration: the places of the {} lie within {:.1f} mm: take them at least {:.0f} mm apart", whose,
-                    spread.length, kLeastApartMm));
+                    spread.length, kMinApartMm));
   }
-  if (spread.width < kLeastWidthShare * spread.length) {
+  if (spread.width < kMinWidthShare * spread.length) {
     throw Error(
         fmt::format("calibration: the places of the {} lie nearly on a line ({:.1f} mm beside one of {:.1f} mm): "
                     "take the corners of a triangle",
@@ -94,9 +94,9 @@ Calibration calibrationOf(std::span<const Vec3> of_device, std::span<const Vec3>
   DeviceFrame& frame = calibration.frame;
   frame.axes = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
   frame.mm = svd.singularValues().dot(sign) / device_square;
-  if (!(frame.mm >= kLeastScale && frame.mm <= kMostScale)) {
+  if (!(frame.mm >= kMinScale && frame.mm <= kMaxScale)) {
     throw Error(fmt::format("calibration: a millimetre of the device would be {:.3g} of the body; {} to {} may be",
-                            frame.mm, kLeastScale, kMostScale));
+                            frame.mm, kMinScale, kMaxScale));
   }
   frame.origin_mm = body_middle - frame.mm * (frame.axes * device_middle);
   double square = 0.0;

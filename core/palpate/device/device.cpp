@@ -1,4 +1,4 @@
-// A path in memory as a device: the tick is the index. The path is shared, not copied, and read without a lock. Own.
+// A path in memory as a device: the tick is the index. The path is shared, not copied, and read without a lock.
 #include "palpate/device/device.h"
 
 #include <algorithm>

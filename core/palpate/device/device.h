@@ -21,7 +21,7 @@ namespace palpate::device {
 /// becomes zero.
 enum FaultBit : std::uint32_t {
   kNoPose = 1u << 0,         ///< no position yet, or one that is not a number
-  kStalePose = 1u << 1,      ///< the newest position is older than kMostPoseTicks
+  kStalePose = 1u << 1,      ///< the newest position is older than kMaxPoseTicks
   kDriverError = 1u << 2,    ///< the driver reported an error; Device::explain says it in words
   kNotCalibrated = 1u << 3,  ///< it does not know where it is: it wants to be moved or put back by hand
   kClosed = 1u << 4,
@@ -39,7 +39,7 @@ enum NoteBit : std::uint32_t {
 inline const Vec3 kNoPlace = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
 
 /// A position may be this many ticks old and is still one; a force is forgotten likewise.
-inline constexpr std::uint64_t kMostPoseTicks = 2;
+inline constexpr std::uint64_t kMaxPoseTicks = 2;
 
 /// Where a device's rhythm comes from.
 enum class Rhythm : std::uint8_t {

@@ -1,4 +1,4 @@
-// "y,z,x" -> rows of a rotation. A list that would mirror the hand is refused: left would be felt as right. Own.
+// "y,z,x" -> rows of a rotation. A list that would mirror the hand is refused: left would be felt as right.
 #include "palpate/device/device_frame.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // Where a device stands in the body frame: which of its axes points where, how long its unit is, where its middle lies.
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "palpate/base/vec.h"
@@ -20,5 +21,24 @@ struct DeviceFrame {
 /// The rotation that words like "y,z,x" or "x,-z,y" name: which device axis the body's x, y and z are. Throws Error for
 /// what is no such list, and for a mirror image.
 Mat3 axesNamed(std::string_view words);
+
+// Where the space of a device lies in the body, from places that were touched: the tip held on places that are known.
+//
+//   three places of the device, three of the body -> rotation, scale, origin, and how badly they go together
+//
+// The closed form of Umeyama, "Least-squares estimation of transformation parameters between two point patterns", IEEE
+// Trans. PAMI 13 (1991), after Horn (1987).
+
+/// Places that are enough.
+inline constexpr std::size_t kCalibrationPlaces = 3;
+
+struct Calibration {
+  DeviceFrame frame;         ///< from the device's places to the body's
+  double residual_mm = 0.0;  ///< root of the mean square of what is left between the places, in the body
+};
+
+/// Least squares over three or more pairs. Throws Error, saying which and why, for places of another number, that are
+/// no numbers, too near to each other or to a line, and for a scale that no scene may have.
+Calibration calibrationOf(std::span<const Vec3> of_device, std::span<const Vec3> of_body);
 
 }  // namespace palpate::device

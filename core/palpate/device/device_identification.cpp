@@ -5,8 +5,8 @@
 //
 // so each half swing gives linear equations; integrals, not derivatives, because the places are counts of an encoder.
 // A half swing that begins with a jump of the spring begins at rest (v0 = 0) when the force arrives, which is what the
-// delay is told by: the one that leaves the least residual. Own.
-#include "palpate/device/device_identification.h"
+// delay is told by: the one that leaves the least residual.
+#include "palpate/device/device_profile.h"
 
 #include <fmt/format.h>
 
@@ -24,27 +24,27 @@ namespace {
 
 constexpr double kStiffest = 0.2;  // N/mm
 constexpr double kUnknownForce = 0.5;
-constexpr double kMostForce = 2.0;
+constexpr double kMaxForce = 2.0;
 constexpr double kForceShare = 0.2;
 constexpr double kStronger = 1.4;
 constexpr double kFreely = 1.25;  // reaches
 /// A device that is let go stays within this many reaches, and slower than that, mm/s.
-constexpr double kMostReaches = 2.5;
-constexpr double kMostSpeed = 2000.0;
-constexpr double kMostGapTicks = 2.0;  // for longer, no driver holds its force
+constexpr double kMaxReaches = 2.5;
+constexpr double kMaxSpeed = 2000.0;
+constexpr double kMaxGapTicks = 2.0;  // for longer, no driver holds its force
 /// Within this for so long, a device rests, mm.
 constexpr double kStill = 0.15;
 constexpr double kStillS = 0.1;
-constexpr double kLeastSwingS = 0.15;
+constexpr double kMinSwingS = 0.15;
 constexpr double kLongestSwingS = 2.0;
 constexpr double kLongestRestS = 4.0;
 constexpr double kLongestS = 60.0;
 
 /// A half swing moves the device at least so far, mm, and turns back by at least so much.
-constexpr double kLeastSwing = 1.5;
+constexpr double kMinSwing = 1.5;
 constexpr double kTurn = 0.3;
 constexpr double kTrimS = 0.004;  // left out at a turning point: its tick is not known so well
-constexpr std::size_t kLeastSamples = 12;
+constexpr std::size_t kMinSamples = 12;
 constexpr double kLongestDelay = 8.0;  // ticks
 /// 1 kg = 1e-3 N s^2/mm.
 constexpr double kKilogram = 1e-3;
@@ -81,9 +81,9 @@ void addHalfSwings(const SwingRecord& record, std::size_t jump, std::size_t end,
   double sign = record.force_n[jump] > 0.0 ? 1.0 : -1.0;
   for (std::size_t from = jump; from < end;) {
     const Turn turn = turnOf(place, from, end, sign);
-    if (std::abs(place[turn.first] - place[from]) < kLeastSwing) return;
+    if (std::abs(place[turn.first] - place[from]) < kMinSwing) return;
     const std::size_t begin = from == jump ? jump : from + trim;
-    if (begin + kLeastSamples + trim < turn.first) all.push_back({begin, turn.first - trim, sign, from == jump});
+    if (begin + kMinSamples + trim < turn.first) all.push_back({begin, turn.first - trim, sign, from == jump});
     from = turn.last;
     sign = -sign;
   }
@@ -200,7 +200,7 @@ double bestDelay(const SwingRecord& record, const std::vector<HalfSwing>& swings
 SwingPlan swingPlan(const Capabilities& able, double tick_s) {
   SwingPlan plan;
   plan.tick_s = tick_s;
-  plan.most_force_n = able.max_force_n > 0.0 ? std::min(kMostForce, kForceShare * able.max_force_n) : kUnknownForce;
+  plan.most_force_n = able.max_force_n > 0.0 ? std::min(kMaxForce, kForceShare * able.max_force_n) : kUnknownForce;
   return plan;
 }
 
@@ -209,7 +209,7 @@ Swings::Swings(const SwingPlan& plan) : plan_(plan), force_n_(plan.first_force_n
   record_.tick_s = plan.tick_s;
   record_.place_mm.reserve(ticks);
   record_.force_n.reserve(ticks);
-  record_.jumps.reserve(static_cast<std::size_t>(kLongestS / kLeastSwingS));
+  record_.jumps.reserve(static_cast<std::size_t>(kLongestS / kMinSwingS));
 }
 
 Vec3 Swings::stop(const char* why) noexcept {
@@ -224,10 +224,10 @@ const char* Swings::refusal(std::uint64_t tick, const Vec3& tip) const noexcept 
   const std::size_t known = record_.place_mm.size();
   if (known == 0) return nullptr;
   const double gap = static_cast<double>(tick) - static_cast<double>(known) + 1.0;
-  if (gap > 1.0 + kMostGapTicks) return "the loop was away for too long";
-  if ((tip - start_).norm() > kMostReaches * plan_.reach_mm) return "it went too far away";
+  if (gap > 1.0 + kMaxGapTicks) return "the loop was away for too long";
+  if ((tip - start_).norm() > kMaxReaches * plan_.reach_mm) return "it went too far away";
   const double step = std::abs(tip.x() - start_.x() - record_.place_mm.back());
-  if (step > kMostSpeed * plan_.tick_s * gap) return "it moved too fast";
+  if (step > kMaxSpeed * plan_.tick_s * gap) return "it moved too fast";
   if (static_cast<double>(tick) * plan_.tick_s >= kLongestS) return "it took too long";
   const bool restless = !swinging_ && static_cast<double>(phase_ticks_) * plan_.tick_s > kLongestRestS;
   return restless ? "it does not come to rest: it is held, or not in balance" : nullptr;
@@ -285,7 +285,7 @@ Vec3 Swings::tick(std::uint64_t tick, const Vec3& tip) noexcept {
   watchRest(place);
   const auto still = [&] { return static_cast<double>(still_ticks_) * plan_.tick_s >= kStillS; };
   const double phase_s = static_cast<double>(phase_ticks_) * plan_.tick_s;
-  if (swinging_ && phase_s >= kLeastSwingS && (still() || phase_s >= kLongestSwingS)) endSwing();
+  if (swinging_ && phase_s >= kMinSwingS && (still() || phase_s >= kLongestSwingS)) endSwing();
   if (!swinging_ && still() && swung_ >= plan_.swings) return stop(nullptr);
   if (!swinging_ && still()) beginSwing(place);
   travelled_ = std::max(travelled_, std::abs(place - from_));

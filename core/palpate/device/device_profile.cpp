@@ -1,5 +1,5 @@
 // Force and stiffness: the device table of CHAI3D 3.3.0 and, for the Omni, what its driver reports as nominal.
-// Inverse3, and everything that is mechanics: assumed. Own.
+// Inverse3, and everything that is mechanics: assumed.
 #include "palpate/device/device_profile.h"
 
 #include <algorithm>

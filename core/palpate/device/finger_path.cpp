@@ -207,7 +207,7 @@ std::vector<Vec3> tipsOf(const scene::World& world, const scene::Finger& finger,
 /// Vertices to try, the highest first: spread over those that face up and are not on a border, or over all vertices
 /// when there is none such.
 std::vector<Index> places(const scene::World& world) {
-  constexpr std::size_t kMost = 200;  // a try costs a few hundred queries, so all of them well under a second
+  constexpr std::size_t kMax = 200;  // a try costs a few hundred queries, so all of them well under a second
   std::vector<Index> facing_up;
   std::vector<Index> all;
   for (Index v = 0; v < world.body->skin.positions.size(); ++v) {
@@ -219,7 +219,7 @@ std::vector<Index> places(const scene::World& world) {
   std::stable_sort(candidates.begin(), candidates.end(), [&](Index a, Index b) {
     return world.body->skin.positions[a].z() > world.body->skin.positions[b].z();
   });
-  const std::size_t stride = (candidates.size() + kMost - 1) / kMost;
+  const std::size_t stride = (candidates.size() + kMax - 1) / kMax;
   std::vector<Index> spread;
   for (std::size_t i = 0; i < candidates.size(); i += stride) spread.push_back(candidates[i]);
   return spread;

@@ -1,6 +1,6 @@
 // Place and depth follow by the closed form of critical damping, so any tick length is stable; the direction turns by a
 // first-order lag. Press by force goes deeper by the missing force over the secant stiffness felt so far.
-// Data flow: FingerTarget (60 Hz) and the force of the last tick -> here, at 1 kHz before the contact -> tip. Own.
+// Data flow: FingerTarget (60 Hz) and the force of the last tick -> here, at 1 kHz before the contact -> tip.
 #include "palpate/device/mouse_finger.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 /// What stands for a stiffness until there is one, N/mm: the soft end of a back, so that the first approach is quick
 /// and never hits hard.
 constexpr double kSoftGuess = 0.3;
-constexpr double kLeastStiffness = 0.02;
+constexpr double kMinStiffness = 0.02;
 
 /// One tick of a critically damped follower; exact for a target that stands still, whatever the tick.
 template <class T>
@@ -76,7 +76,7 @@ void MouseFinger::turn(const FingerTarget& target) noexcept {
 void MouseFinger::pressByForce(const FingerTarget& target, const Vec3& felt_force) noexcept {
   const double felt = felt_force.dot(normal_);
   const bool touches = felt > 0.0 && depth_ > 0.0;
-  const double stiffness = touches ? std::max(kLeastStiffness, felt / depth_) : kSoftGuess;
+  const double stiffness = touches ? std::max(kMinStiffness, felt / depth_) : kSoftGuess;
   const double missing = (target.force_n - std::max(0.0, felt)) / stiffness;
   depth_speed_ = std::clamp(missing / settings_.force_s, -settings_.fastest_mm_per_s, settings_.fastest_mm_per_s);
   depth_ = std::clamp(depth_ + depth_speed_ * settings_.tick_s, -settings_.hover_mm, target.max_depth_mm);

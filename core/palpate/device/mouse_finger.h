@@ -1,4 +1,4 @@
-// The mouse as a finger: a place on the skin and a wish (this deep, or this strong) become the path of a tip that a
+// The mouse as a finger: a place on the skin and a request (this deep, or this strong) become the path of a tip that a
 // hand could have made. Pure: one step a servo tick, no clock, no window.
 //
 //   60 Hz: cursor ─ picking ─► FingerTarget ─ triple buffer ─► 1 kHz: MouseFinger::step ─► tip ─► contact::step

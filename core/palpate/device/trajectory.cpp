@@ -1,5 +1,5 @@
 // Rows are checked as they come; resampling walks both time axes once. Times are written in decimals, so a row within a
-// millionth of a tick of one counts as on it, and comes back bit by bit. Cold path. Own.
+// millionth of a tick of one counts as on it, and comes back bit by bit. Cold path.
 #include "palpate/device/trajectory.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ constexpr double kMaxTicks = 5e7;
 /// Rows this close to a tick, in ticks, are on it: times are written in decimal and so are off by rounding.
 constexpr double kOnTick = 1e-6;
 
-/// Finer clocks than a nanosecond's are no longer told apart beyond this.
+/// Finer clocks than a nanosecond's are no longer distinguished beyond this.
 constexpr NumberRange kTimesS{-1e9, 1e9};
 constexpr NumberRange kCoordinatesMm{-kMaxCoordinateMm, kMaxCoordinateMm};
 

@@ -1,5 +1,5 @@
 // place -> frame -> shift of the clutch -> tip; a force the other way, turned only. The clutch is two places: where the
-// finger stays, and how far it is from where the device would have it. Own.
+// finger stays, and how far it is from where the device would have it.
 #include "palpate/device/workspace.h"
 
 #include <algorithm>
@@ -75,10 +75,10 @@ Vec3 clutchedTip(ClutchState& state, const DeviceFrame& frame, const Vec3& place
 }
 
 void WorkspaceLink::adoptWorkspace() noexcept {
-  const Workspace& wished = workspace_.newest();
-  now_.state.elsewhere = !(wished == at_work_);
+  const Workspace& requested = workspace_.newest();
+  now_.state.elsewhere = !(requested == at_work_);
   if (!now_.state.elsewhere) return;
-  at_work_ = wished;
+  at_work_ = requested;
   clutch_state_ = {};
 }
 

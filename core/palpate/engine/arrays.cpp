@@ -1,6 +1,6 @@
 // Follows every vertex and triangle through mending and sorting. Vertices are followed by scene::mendedBody; triangles
 // leave no trace and are found again by their corners, of which mending keeps the names: a sorted list and a search
-// each. Load time. Own.
+// each. Load time.
 #include "palpate/engine/arrays.h"
 
 #include <fmt/format.h>
@@ -89,8 +89,8 @@ namespace arrays {
 void checkCounts(std::size_t coordinates, std::size_t corners) {
   if (coordinates % 3 != 0) throw Error(fmt::format("arrays: {} coordinates are not three a vertex", coordinates));
   if (corners % 3 != 0) throw Error(fmt::format("arrays: {} corners are not three a triangle", corners));
-  constexpr std::size_t kMost = std::numeric_limits<Index>::max() - 1;
-  if (coordinates / 3 > kMost || corners / 3 > kMost) {
+  constexpr std::size_t kMax = std::numeric_limits<Index>::max() - 1;
+  if (coordinates / 3 > kMax || corners / 3 > kMax) {
     throw Error("arrays: more vertices or triangles than 32-bit indices can name");
   }
 }

@@ -20,7 +20,7 @@
 namespace palpate::engine {
 
 /// No place, length, force or coefficient is larger; mm, N.
-inline constexpr double kMostWire = 1e9;
+inline constexpr double kMaxWire = 1e9;
 
 namespace wire {
 
@@ -117,7 +117,7 @@ class WireReader {
   template <class Real>
   void real(Real& value) {
     value = wire::realOf<Real>(whole<wire::BitsOf<Real>>());
-    if (std::abs(value) <= static_cast<Real>(kMostWire)) return;
+    if (std::abs(value) <= static_cast<Real>(kMaxWire)) return;
     fail("a number that is not finite, or too large");
     value = 0;
   }

@@ -1,4 +1,4 @@
-// Each structure is walked once, for writing and for reading. Own.
+// Each structure is walked once, for writing and for reading.
 #include "palpate/engine/contact_stream.h"
 
 #include <fmt/format.h>
@@ -106,10 +106,10 @@ void walkFrame(Wire& wire, Frame& frame) {
   wire.text(kFrameBegins);
   walkTick(wire, frame.tick);
   wire.real(frame.lift_mm);
-  walkCount(wire, frame.fingers, kMostStreamedFingers);
-  walkCount(wire, frame.contacts, kMostStreamedContacts);
-  const std::size_t fingers = std::min<std::size_t>(frame.fingers.size(), kMostStreamedFingers);
-  const std::size_t contacts = std::min<std::size_t>(frame.contacts.size(), kMostStreamedContacts);
+  walkCount(wire, frame.fingers, kMaxStreamedFingers);
+  walkCount(wire, frame.contacts, kMaxStreamedContacts);
+  const std::size_t fingers = std::min<std::size_t>(frame.fingers.size(), kMaxStreamedFingers);
+  const std::size_t contacts = std::min<std::size_t>(frame.contacts.size(), kMaxStreamedContacts);
   for (std::size_t i = 0; i < fingers; ++i) walkFinger(wire, frame.fingers[i]);
   for (std::size_t i = 0; i < contacts; ++i) walkContact(wire, frame.contacts[i]);
 }

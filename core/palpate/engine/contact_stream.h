@@ -18,14 +18,16 @@
 #include "palpate/deform/contact.h"
 #include "palpate/deform/forms.h"
 #include "palpate/mesh/triangle_mesh.h"
+#include "palpate/scene/world.h"
+#include "palpate/trace/sample.h"
 
 namespace palpate::engine {
 
 /// Of the bytes; every message begins with its kind and this. Both sides must have the same.
 inline constexpr char kStreamVersion = '1';
 
-inline constexpr std::uint32_t kMostStreamedFingers = 64;
-inline constexpr std::uint32_t kMostStreamedContacts = 1024;
+inline constexpr std::uint32_t kMaxStreamedFingers = 64;
+inline constexpr std::uint32_t kMaxStreamedContacts = 1024;
 
 struct StreamedSkin {
   mesh::TriangleMesh mesh;
@@ -61,10 +63,24 @@ std::string encodedForms(const deform::FormSettings& forms);
 /// Throws Error likewise. Whether a profile is one is for Deformer to say.
 deform::FormSettings decodeForms(std::string_view bytes);
 
-/// Replaces `bytes`; allocates only while they grow. Not more than kMostStreamedFingers and kMostStreamedContacts.
+/// Replaces `bytes`; allocates only while they grow. Not more than kMaxStreamedFingers and kMaxStreamedContacts.
 void encodeFrame(const StreamedFrame& frame, std::string& bytes);
 /// Replaces `frame`. False for bytes that are no frame for a skin of so many triangles: then it is empty, a body that
 /// nobody touches. Allocates only while lists grow.
 bool decodeFrame(std::string_view bytes, Index triangles, StreamedFrame& frame);
+
+// A world and its fingers as they are sent.
+
+/// The skin with what the breath makes of it. Cold.
+std::string encodedSkinOf(const scene::World& world);
+
+/// The forms that LivingSkin has for so many fingers, strain included.
+std::string encodedFormsOf(const scene::World& world, std::size_t fingers);
+
+/// A frame with room for so many fingers and their dents.
+StreamedFrame frameFor(std::size_t fingers);
+
+/// What these samples of one tick make of the skin; `frame` comes from frameFor. No allocation.
+void fillFrame(const scene::World& world, std::span<const trace::Sample> samples, StreamedFrame& frame) noexcept;
 
 }  // namespace palpate::engine

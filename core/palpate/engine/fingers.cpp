@@ -1,5 +1,5 @@
 // Scene -> settings of its fingers, and the checks that a change of world makes before anything is changed. sameBody
-// reads both meshes to the end; cold path. Own.
+// reads both meshes to the end; cold path.
 #include "palpate/engine/fingers.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // The forms of the deformation as bytes: part of contact_stream.h. One walk names every setting; one that is added to
-// FormSettings and not here fails the test that looks at its size. Own.
+// FormSettings and not here fails the test that looks at its size.
 #include <fmt/format.h>
 
 #include "palpate/base/error.h"
@@ -13,14 +13,14 @@ namespace {
 constexpr std::string_view kFormsBegin = "PFM1";
 static_assert(kFormsBegin.back() == kStreamVersion);
 
-constexpr std::size_t kMostTableSteps = 1'000'000;  // as tissue::ProfileCurve takes them
-constexpr std::uint32_t kMostKnots = 100'000;
+constexpr std::size_t kMaxTableSteps = 1'000'000;  // as tissue::ProfileCurve takes them
+constexpr std::uint32_t kMaxKnots = 100'000;
 
 template <class Wire, class Profile>
 void walkProfile(Wire& wire, Profile& profile) {
   wire.word(profile.kind, tissue::ProfileKind::user);
   wire.word(profile.rim, tissue::ProfileRim::smooth);
-  wire.count(profile.table_entries, std::size_t{2}, kMostTableSteps);
+  wire.count(profile.table_entries, std::size_t{2}, kMaxTableSteps);
   wire.word(profile.lookup, tissue::TableLookup::linear);
   wire.real(profile.two_gaussians.narrow);
   wire.real(profile.two_gaussians.wide);
@@ -29,7 +29,7 @@ void walkProfile(Wire& wire, Profile& profile) {
   wire.real(profile.power.exponent);
   wire.word(profile.interpolation, tissue::UserInterpolation::linear);
   auto knots = static_cast<std::uint32_t>(profile.knots.size());
-  wire.count(knots, std::uint32_t{0}, kMostKnots);
+  wire.count(knots, std::uint32_t{0}, kMaxKnots);
   if constexpr (Wire::kReads) profile.knots.resize(wire.has(std::uint64_t{16} * knots) ? knots : 0);
   for (auto& knot : profile.knots) {
     wire.real(knot.q);
@@ -47,7 +47,7 @@ void walkCommon(Wire& wire, Common& common) {
   wire.word(common.normals, deform::Normals::incremental);
   wire.word(common.strain, true);
   wire.word(common.limit_shear, true);
-  wire.count(common.max_contacts, std::size_t{0}, std::size_t{kMostStreamedContacts});
+  wire.count(common.max_contacts, std::size_t{0}, std::size_t{kMaxStreamedContacts});
 }
 
 template <class Wire, class Fidelity>

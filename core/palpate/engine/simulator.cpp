@@ -1,5 +1,5 @@
 // A finger is a solver, its settings and what it touches; a tick is one servo::touch, without the limiter that a hand
-// on a device needs. A change of world does all that can throw first. Own.
+// on a device needs. A change of world does all that can throw first.
 #include "palpate/engine/simulator.h"
 
 #include <algorithm>

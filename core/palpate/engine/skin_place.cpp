@@ -1,5 +1,5 @@
 // Words -> a point over or under the skin (body/places.h) -> the skin above or below it, on the side of the body that
-// the landmark is on. Cold. Own.
+// the landmark is on. Cold.
 #include "palpate/engine/skin_place.h"
 
 #include "palpate/body/places.h"

@@ -1,5 +1,4 @@
-// Own.
-#include "palpate/engine/streamed_world.h"
+#include "palpate/engine/contact_stream.h"
 
 #include <algorithm>
 #include <vector>

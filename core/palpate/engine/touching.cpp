@@ -1,4 +1,4 @@
-// 60 times a second for each finger; no allocation. Own.
+// 60 times a second for each finger; no allocation.
 #include "palpate/engine/touching.h"
 
 #include <algorithm>

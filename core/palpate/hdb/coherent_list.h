@@ -26,7 +26,7 @@ struct CoherentList {
   void prepareFor(const Partition& partition);
 };
 
-/// Makes the list hold what `box` meets. True when it had to be queried anew. Allocates nothing after prepareFor.
+/// Makes the list hold what `box` meets. True when it had to be queried again. Allocates nothing after prepareFor.
 bool follow(CoherentList& list, const Partition& partition, const Box3& box, double margin = kCoherentMargin) noexcept;
 
 }  // namespace palpate::hdb

@@ -200,7 +200,7 @@ void growCopying(Growth& growth, const mesh::TriangleMesh& mesh) {
     const auto [a, b, c] = mesh.triangles[t];
     parts.push_back(Part::of({mesh.positions[a], mesh.positions[b], mesh.positions[c]}, t));
   }
-  const double allowance = kMostEntriesPerTriangle * static_cast<double>(parts.size());
+  const double allowance = kMaxEntriesPerTriangle * static_cast<double>(parts.size());
   CopyingGrowth<Part>(growth).grow(0, std::move(parts), allowance, 1.0);
 }
 

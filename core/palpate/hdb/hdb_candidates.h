@@ -24,7 +24,7 @@ namespace palpate::hdb {
 enum class HdbQuery : std::uint8_t {
   leaves,     ///< all triangles of the leaves that it meets: the dissertation's haptic process
   triangles,  ///< the triangles that it meets
-  coherent,   ///< those and some from a margin, listed anew only when the box leaves the margin (future work 4)
+  coherent,   ///< those and some from a margin, listed again only when the box leaves the margin (future work 4)
   linked      ///< those that it meets, in a hybrid of tree and linked list that follows the box (future work 4)
 };
 

@@ -29,7 +29,7 @@ class LiteralGrowth {
 
   void grow(Index node, const std::vector<Traveller>& travellers) {
     const bool small = travellers.size() <= growth_.most_in_leaf;
-    if (small || growth_.nodes[node].level >= kMostOctreeLevels || allEqual(travellers)) {
+    if (small || growth_.nodes[node].level >= kMaxOctreeLevels || allEqual(travellers)) {
       fillLeaf(node, travellers);
       return;
     }

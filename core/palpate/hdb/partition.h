@@ -86,11 +86,11 @@ inline Vec3 splitPoint(const Box3& cell) { return 0.5 * (cell.min() + cell.max()
 inline int splitAxis(int level) { return level % 3; }
 
 /// Beyond these depths a node stays a leaf, whatever it holds: cells of 2^-32 of the model tell nothing apart.
-inline constexpr int kMostOctreeLevels = 32;
-inline constexpr int kMostBspLevels = 3 * kMostOctreeLevels;
+inline constexpr int kMaxOctreeLevels = 32;
+inline constexpr int kMaxBspLevels = 3 * kMaxOctreeLevels;
 /// With A and B a mesh of n triangles gets at most this many times n entries; where cutting on would need more, leaves
 /// stay larger than the threshold. Long slivers that cross every plane would fill any memory otherwise.
-inline constexpr double kMostEntriesPerTriangle = 16.0;
+inline constexpr double kMaxEntriesPerTriangle = 16.0;
 
 /// Throws Error for a threshold of 0, an index out of range, a coordinate that is not usable, or more entries than
 /// Index can count. `progress` may throw to stop the work. About 0.2 us and 70 bytes a triangle with case C.

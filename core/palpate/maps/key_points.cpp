@@ -76,7 +76,7 @@ FurtherColumns readHeader(const CsvRow& row) {
   for (const std::string_view name : row.fields.subspan(kFields)) {
     if (!isFurtherColumn(name)) {
       throw Error::atLine(row.file, row.line,
-                          fmt::format("'{}' is no column of key points; behind {} may follow {}, {}", oneLine(name),
+                          fmt::format("'{}' is not a column of key points; behind {} may follow {}, {}", oneLine(name),
                                       kHeader, kStiffnessColumn, fmt::join(kMeasuredColumns, ", ")));
     }
     if (std::ranges::find(further.names, name) != further.names.end()) {

@@ -1,6 +1,6 @@
 // From each border half-edge a walk around the fan of triangles at its start leads to the next one; runs of them are
-// cut into loops wherever they come back to a vertex. Own.
-#include "palpate/mesh/border_loops.h"
+// cut into loops wherever they come back to a vertex.
+#include "palpate/mesh/holes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 /// Gaps up to this (radian) the wrong way count as none: the sides of a crack overlap a little.
 constexpr double kOverlapAngle = 0.3;
 /// More fans in one vertex are a fault of another kind.
-constexpr std::size_t kMostFans = 16;
+constexpr std::size_t kMaxFans = 16;
 
 /// Border half-edges, which run against the border: the border arrives where one starts and leaves from where one ends.
 struct BorderVertex {
@@ -60,7 +60,7 @@ class Pairing {
   void pair(Index vertex, const BorderVertex& at) {
     if (at.arriving.size() == 1) {
       next_[at.arriving[0]] = at.leaving[0];
-    } else if (at.arriving.size() <= kMostFans) {
+    } else if (at.arriving.size() <= kMaxFans) {
       pairAcrossGaps(vertex, at);
     }
   }

@@ -1,4 +1,4 @@
-// One pass over the edges. Own; closed in the sense of a cycle of simplicial homology, which self-intersections and
+// One pass over the edges. Closed in the sense of a cycle of simplicial homology, which self-intersections and
 // edges of many triangles may be in.
 #include "palpate/mesh/closure.h"
 

@@ -1,7 +1,7 @@
 // Each vertex of the loop is looked for on all its edges; then every piece of an edge must have its opposite.
 //
-// Own; as the zipping of Turk and Levoy, "Zippered polygon meshes from range images", 1994, for borders that coincide.
-#include "palpate/mesh/cracks.h"
+// As the zipping of Turk and Levoy, "Zippered polygon meshes from range images", 1994, for borders that coincide.
+#include "palpate/mesh/holes.h"
 
 #include <algorithm>
 #include <array>
@@ -9,14 +9,12 @@
 #include <span>
 #include <utility>
 
-#include "palpate/mesh/loop_triangulation.h"
-
 namespace palpate::mesh {
 
 namespace {
 
 /// Loops of more edges are no cracks that a mesh program leaves (2,000: 4 million distances, 20 ms).
-constexpr std::size_t kMostCrackEdges = 2000;
+constexpr std::size_t kMaxCrackEdges = 2000;
 
 /// How far along the way from `from` to `to` (0..1) the point is, when it is near the inside of that way.
 std::optional<double> placeOn(const Vec3& from, const Vec3& to, const Vec3& point, double width) {
@@ -82,7 +80,7 @@ std::vector<Triangle> fanOf(const Triangle& t, const SideSplit& split) {
 }  // namespace
 
 std::optional<std::vector<SideSplit>> planCrack(const TriangleMesh& mesh, const BorderLoop& loop, double width) {
-  if (loop.vertices.size() > kMostCrackEdges) return std::nullopt;
+  if (loop.vertices.size() > kMaxCrackEdges) return std::nullopt;
   std::vector<SideSplit> splits;
   std::vector<std::pair<Index, Index>> pieces;
   std::vector<std::pair<double, Index>> on_edge;

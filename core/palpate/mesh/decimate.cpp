@@ -87,7 +87,7 @@ constexpr double kHold = 1e-3;
 // Cost of an edge's squared length times its squared length, so that flat regions collapse short edges first.
 constexpr double kLengthCost = 1e-6;
 // A triangle may turn by at most acos(0.2) = 78 degrees in one collapse.
-constexpr double kLeastTurnCosine = 0.2;
+constexpr double kMinTurnCosine = 0.2;
 // A triangle below this share of the area around an edge is dust (a mesher leaves some): its own normal means nothing,
 // so it is judged by the normal of the whole neighbourhood.
 constexpr double kDust = 0.01;
@@ -369,8 +369,8 @@ class Decimator {
 
   static bool spoils(const Vec3& before, const Vec3& after, const Vec3& around) {
     const double dust = kDust * around.norm();
-    if (before.norm() > dust) return before.dot(after) <= kLeastTurnCosine * before.norm() * after.norm();
-    return after.norm() > dust && around.dot(after) <= kLeastTurnCosine * around.norm() * after.norm();
+    if (before.norm() > dust) return before.dot(after) <= kMinTurnCosine * before.norm() * after.norm();
+    return after.norm() > dust && around.dot(after) <= kMinTurnCosine * around.norm() * after.norm();
   }
 
   void collapse(Index a, Index b, const Vec3& point, const Quadric& sum) {

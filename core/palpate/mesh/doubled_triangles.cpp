@@ -2,7 +2,7 @@
 // one way against the other; opposite pairs that are left and hang together are one sheet, and how its rim meets the
 // rest of the surface says what becomes of it.
 //
-// Own; a mesh whose every edge is used as often one way as the other is a cycle of simplicial homology, and taking away
+// A mesh whose every edge is used as often one way as the other is a cycle of simplicial homology, and taking away
 // a triangle together with its opposite leaves it one.
 #include "palpate/mesh/doubled_triangles.h"
 

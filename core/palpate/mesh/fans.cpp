@@ -1,9 +1,9 @@
 // Half-edges are joined first (by angle where an edge has several faces), then corners across joints become fans, fans
 // get vertices, and edges that would still be mistaken for one another get a middle.
 //
-// Own; akin to Rossignac and Cardoze, "Matchmaker: manifold BReps for non-manifold r-sets" (1999), faces paired by
+// Akin to Rossignac and Cardoze, "Matchmaker: manifold BReps for non-manifold r-sets" (1999), faces paired by
 // angle around an edge, and Gueziec, Taubin, Lazarus, Horn, "Cutting and stitching" (2001), copies of vertices.
-#include "palpate/mesh/fans.h"
+#include "palpate/mesh/repair_steps.h"
 
 #include <algorithm>
 #include <array>

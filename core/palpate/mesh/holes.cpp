@@ -1,7 +1,7 @@
 // Border loops are weighed against the part that they belong to; those of nearly closed parts get a filling of least
 // area, and keep it unless it folds back on the surface or crosses it.
 //
-// Own; triangulations as named in loop_triangulation.h.
+// Triangulations as named in loop_triangulation.cpp.
 #include "palpate/mesh/holes.h"
 
 #include <algorithm>
@@ -13,7 +13,6 @@
 
 #include "palpate/mesh/components.h"
 #include "palpate/mesh/intersections.h"
-#include "palpate/mesh/loop_triangulation.h"
 #include "palpate/mesh/slivers.h"
 
 namespace palpate::mesh {
@@ -21,7 +20,7 @@ namespace palpate::mesh {
 namespace {
 
 /// For all holes of a mesh, in candidates for a triangle (2 ns each): a few seconds.
-constexpr double kMostFillingWork = 2e9;
+constexpr double kMaxFillingWork = 2e9;
 /// A filling that turns back by more than 170 degrees at its border lies on the surface beside it.
 constexpr double kFoldCosine = -0.985;
 
@@ -122,7 +121,7 @@ class HoleSearch {
       if (!part.nearlyClosed() || joinSides(hole)) continue;
       const auto n = static_cast<double>(sizeOf(i));
       work += n * n * n / 6.0;
-      hole.fate = sizeOf(i) > kMostHoleEdges || work > kMostFillingWork ? HoleFate::too_long : HoleFate::fillable;
+      hole.fate = sizeOf(i) > kMaxHoleEdges || work > kMaxFillingWork ? HoleFate::too_long : HoleFate::fillable;
       if (hole.fate == HoleFate::too_long) continue;
       fill(hole, triangles);
       part.hole_area_mm2 += hole.area_mm2 - leastArea(mesh_, hole.loop);

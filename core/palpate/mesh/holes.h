@@ -7,15 +7,78 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "palpate/base/progress.h"
-#include "palpate/mesh/border_loops.h"
-#include "palpate/mesh/cracks.h"
+#include "palpate/base/vec.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::mesh {
+
+// Borders as closed runs of edges: what would have to be filled to close a mesh.
+//
+// Read by `surfaceState` (how open is it) and `findHoles` (what may be filled).
+
+/// A closed run of border edges that comes to no vertex twice.
+struct BorderLoop {
+  /// In the direction in which triangles that fill it run along them: vertex i to vertex i + 1, the last to the first.
+  std::vector<Index> vertices;
+  /// The one half-edge at each of these edges; it runs the other way.
+  std::vector<Index> half_edges;
+};
+
+struct Borders {
+  std::size_t edges = 0;  ///< of exactly one triangle
+  std::vector<BorderLoop> loops;
+  std::vector<Index> unclosed;  ///< half-edges whose run ends where it is not clear which one is next
+};
+
+/// Where several fans of triangles meet in a border vertex, a run leads across the gap to the next fan: cracks around a
+/// patch that hangs on its corners are loops of their own. A run that comes back to a vertex is cut there into two
+/// loops. Indices must be within range.
+Borders findBorders(const TriangleMesh& mesh, const EdgeUses& edges);
+
+/// Half the length of the sum of cross products, mm^2: no surface with this border is smaller.
+double leastArea(const TriangleMesh& mesh, const BorderLoop& loop);
+
+/// Area of the fan of triangles from the loop's middle, mm^2: there is a surface with this border that is as small.
+double fanArea(const TriangleMesh& mesh, const BorderLoop& loop);
+
+double lengthOf(const TriangleMesh& mesh, const BorderLoop& loop);
+
+// The smallest surface over a closed run of edges, from its own vertices alone.
+
+struct LoopTriangulation {
+  std::vector<Triangle> triangles;  ///< of places in the run; each runs along it
+  double area = 0.0;                ///< mm^2
+};
+
+/// Triangulates the run; none when every way needs a diagonal that is not `allowed` (asked with two places, i < j, that
+/// are no neighbours). Time grows with the cube of the number of vertices: 1 ms for 60, 30 ms for 200.
+std::optional<LoopTriangulation> triangulateLoop(std::span<const Vec3> loop,
+                                                 const std::function<bool(Index, Index)>& allowed);
+
+// Cracks: border loops without width, where one side has vertices that the other does not know (T-junctions).
+//
+// `findHoles` asks for a plan before it thinks of filling; nothing is filled where sides can be joined.
+
+/// Vertices to put on one side of a triangle, in the order in which the half-edge comes to them.
+struct SideSplit {
+  Index half_edge;
+  std::vector<Index> vertices;
+};
+
+/// What joins the sides of the loop: every vertex that lies within `width` mm of an edge across splits it. None when
+/// that does not match each edge with its opposite. Time grows with the square of the loop.
+std::optional<std::vector<SideSplit>> planCrack(const TriangleMesh& mesh, const BorderLoop& loop, double width);
+
+/// Does it; no half-edge may come twice. Triangles that are split keep one piece in their place, the others come at the
+/// end.
+void splitSides(TriangleMesh& mesh, std::vector<SideSplit> splits);
 
 /// A part is nearly closed when all its holes together have at most this share of its area: a round hole in a ball is
 /// then as wide as a fifth of the ball at most. A hand that ends at the wrist has 4 %, a sheet about 100 %.
@@ -24,7 +87,7 @@ inline constexpr double kNearlyClosedShare = 0.01;
 /// of the border: a slit's own width however long it is, a round hole's radius.
 inline constexpr double kWidestHoleShare = 0.02;
 /// Longer borders stay open: the time to fill grows with the cube (30 ms for this many).
-inline constexpr std::size_t kMostHoleEdges = 200;
+inline constexpr std::size_t kMaxHoleEdges = 200;
 /// Loops narrower than this share of the diagonal are cracks: their sides are joined instead of filled. A hundred times
 /// the rounding of single precision, and 20 um of a man: nothing that can be felt.
 inline constexpr double kCrackShare = 1e-5;
@@ -33,7 +96,7 @@ enum class HoleFate : std::uint8_t {
   fillable,
   part_open,  ///< a border of something that is open
   too_wide,
-  too_long,  ///< more than kMostHoleEdges, or more of them than there is time for
+  too_long,  ///< more than kMaxHoleEdges, or more of them than there is time for
   no_room    ///< every filling would cross the surface, fold back on it or use an edge that two triangles have
 };
 

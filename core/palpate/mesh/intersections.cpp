@@ -300,8 +300,8 @@ class SelfSearch {
  private:
   /// Starting a thread costs some tasks of a small mesh.
   std::size_t workers() const {
-    constexpr std::size_t kLeastTriangles = 20000;
-    return tree_->order.size() < kLeastTriangles ? 1 : std::min(processors(), tasks_.size());
+    constexpr std::size_t kMinTriangles = 20000;
+    return tree_->order.size() < kMinTriangles ? 1 : std::min(processors(), tasks_.size());
   }
 
   void work(const Progress& progress) {

@@ -2,7 +2,7 @@
 //
 // Based on: Barequet, Sharir, "Filling gaps in the boundary of a polyhedron", 1995 (minimum area, cubic time); Liepa,
 // "Filling holes in meshes", 2003 (the same programme, diagonals that are edges already are forbidden).
-#include "palpate/mesh/loop_triangulation.h"
+#include "palpate/mesh/holes.h"
 
 #include <limits>
 

@@ -18,7 +18,7 @@ namespace palpate::mesh {
 inline constexpr Index kCompactGroup = 64;
 
 /// The given points (indices into `points`), sorted into groups; within a group they keep their order. Deterministic on
-/// every machine: equal coordinates are told apart by place in `order`. NaN and infinity count as 0.
+/// every machine: equal coordinates are distinguished by place in `order`. NaN and infinity count as 0.
 std::vector<Index> inCompactGroups(std::span<const Vec3> points, std::span<const Index> order);
 
 /// For each new index the old one.

@@ -1,4 +1,4 @@
-// The order of the steps, and what each of them is called in the report. Own; the steps name their sources.
+// The order of the steps, and what each of them is called in the report. The steps name their sources.
 #include "palpate/mesh/repair.h"
 
 #include <fmt/format.h>
@@ -10,11 +10,10 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/components.h"
 #include "palpate/mesh/doubled_triangles.h"
-#include "palpate/mesh/fans.h"
 #include "palpate/mesh/holes.h"
 #include "palpate/mesh/intersections.h"
-#include "palpate/mesh/parts/hairline_gaps.h"
-#include "palpate/mesh/parts/open_parts.h"
+#include "palpate/mesh/open_parts.h"
+#include "palpate/mesh/repair_steps.h"
 #include "palpate/mesh/slivers.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/mesh/weld.h"
@@ -216,7 +215,7 @@ class Repairing {
   void warnOfHolesLeft() {
     if (const std::size_t count = holes_.count(HoleFate::too_long); count > 0) {
       result_.warnings.push_back(fmt::format("{} left open in a nearly closed part: more than {} border edges",
-                                             holesOf(count), kMostHoleEdges));
+                                             holesOf(count), kMaxHoleEdges));
     }
     if (const std::size_t count = holes_.count(HoleFate::no_room); count > 0) {
       result_.warnings.push_back(

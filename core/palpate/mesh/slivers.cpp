@@ -1,7 +1,7 @@
 // Passes of two steps until no sliver is left: needles (a short edge) collapse, caps (a corner on the long edge) are
 // sewn to the neighbour across.
 //
-// Own; needles and caps as in Botsch and Kobbelt, "A robust procedure to eliminate degenerate faces from triangle
+// Needles and caps as in Botsch and Kobbelt, "A robust procedure to eliminate degenerate faces from triangle
 // meshes" (2001), which cuts the mesh by planes where this splits one neighbour.
 #include "palpate/mesh/slivers.h"
 

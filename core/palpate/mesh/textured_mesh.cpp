@@ -1,5 +1,5 @@
 // The texture of one mesh on another mesh of the same surface: each corner asks for the nearest place of the textured
-// one and takes its barycentric shares there. Load time, after repair and reordering (scene/skin_texture.cpp). Own.
+// one and takes its barycentric shares there. Load time, after repair and reordering (scene/skin_texture.cpp).
 #include "palpate/mesh/textured_mesh.h"
 
 #include "palpate/mesh/nearest.h"

@@ -1,5 +1,5 @@
 // One pass a trait, each over the triangles that the passes before it found sound; `repair` mends in the same order.
-// Own; self-intersections, slivers and windings name their sources in their files.
+// Self-intersections, slivers and windings name their sources in their files.
 #include "palpate/mesh/validate.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include "palpate/mesh/doubled_triangles.h"
 #include "palpate/mesh/holes.h"
 #include "palpate/mesh/intersections.h"
-#include "palpate/mesh/parts/open_parts.h"
+#include "palpate/mesh/open_parts.h"
 #include "palpate/mesh/slivers.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/mesh/weld.h"

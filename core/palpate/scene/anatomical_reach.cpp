@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "palpate/scene/beneath/tissue_beneath.h"
-#include "palpate/scene/section_walk.h"
 #include "palpate/tree/closest_on_triangle.h"
 
 namespace palpate::scene {
@@ -23,11 +22,11 @@ constexpr double kNoFold = 0.15;
 /// Ways are told by chords of about this length: what is finer is relief.
 constexpr double kChordMm = 4.0;
 /// No factor goes further: beyond, what was solved says nothing.
-constexpr double kLeastFactor = 0.25;
-constexpr double kMostFactor = 1.6;
+constexpr double kMinFactor = 0.25;
+constexpr double kMaxFactor = 1.6;
 constexpr double kFarBoneMm = 1e3;
 /// Of the tissue at rest, what the skin goes down by at most.
-constexpr double kMostOfTissue = 0.9;
+constexpr double kMaxOfTissue = 0.9;
 
 /// Where the skin goes down by 2 mm of a press of 8, as a share of the region.
 double quarterOf(const tissue::PressCurves& press) {
@@ -81,7 +80,7 @@ double squaredCosine(const Vec3& unit, const Vec3& other) noexcept {
 }
 
 double logFactor(double reach_mm, double flat_mm) noexcept {
-  return std::log(std::clamp(reach_mm / flat_mm, kLeastFactor, kMostFactor));
+  return std::log(std::clamp(reach_mm / flat_mm, kMinFactor, kMaxFactor));
 }
 
 /// Between the two vertices of an edge.
@@ -143,7 +142,7 @@ struct AnatomicalReach::Cover {
     if (!(place < kSteps)) return;
     const auto i = static_cast<std::size_t>(place);
     const double share = moved[i] + (place - static_cast<double>(i)) * (moved[i + 1] - moved[i]);
-    if (share * deepest_mm > kMostOfTissue * tissue_mm) deepest_mm = kMostOfTissue * tissue_mm / share;
+    if (share * deepest_mm > kMaxOfTissue * tissue_mm) deepest_mm = kMaxOfTissue * tissue_mm / share;
   }
 };
 
@@ -210,14 +209,14 @@ AnatomicalReach::Rates AnatomicalReach::flatRates(Index triangle, const tree::Tr
 
 void AnatomicalReach::walk(const tree::TriangleTree& tree, Index record, const Vec3& point, const Vec3& normal,
                            Way& way, Cover& cover) const noexcept {
-  constexpr int kMostCrossings = 4000;  // a way of metres on the densest body
+  constexpr int kMaxCrossings = 4000;  // a way of metres on the densest body
   SectionWalk walk(tree, record, point, normal, way.ahead);
   SectionWalk::Crossing at;
   FoldCost folds(way.fold_cost);
   double ahead = 0.0;
   double up = 0.0;
   Rates rates = way.here;
-  for (int i = 0; i < kMostCrossings && !way.done(); ++i) {
+  for (int i = 0; i < kMaxCrossings && !way.done(); ++i) {
     if (!walk.next(at)) return way.goOn(ahead, rates);
     if (cover.step_mm > 0.0) cover.keep((at.point - point).norm(), valueAt(nearest_mm_, at));
     const double step = way.ahead.dot(at.point - point) - ahead;
@@ -234,15 +233,15 @@ void AnatomicalReach::walk(const tree::TriangleTree& tree, Index record, const V
 }
 
 PlaceReach AnatomicalReach::at(const tree::TriangleTree& tree, Index triangle, const Vec3& point,
-                               const Vec3& unit_normal, const ReachWish& wish) const noexcept {
+                               const Vec3& unit_normal, const ReachRequest& request) const noexcept {
   PlaceReach place;
   place.first = maps::liftedOntoSurface({1.0, 1.0, 0.0}, unit_normal).half_major;
   place.second = unit_normal.cross(place.first);
-  const bool presses = wish.press != nullptr && !log_beneath_.empty();
-  const bool drags = wish.drag_tenth.half_major.norm() > 0.0;
+  const bool presses = request.press != nullptr && !log_beneath_.empty();
+  const bool drags = request.drag_tenth.half_major.norm() > 0.0;
   if (triangle >= record_of_triangle_.size() || !(presses || drags)) return place;
   const Rates here = flatRates(triangle, tree, point);
-  Cover cover(presses ? wish.press : nullptr);
+  Cover cover(presses ? request.press : nullptr);
   for (std::size_t i = 0; i < kDirections; ++i) {
     Way way;
     way.ahead = std::cos(angleOf(i)) * place.first + std::sin(angleOf(i)) * place.second;
@@ -250,8 +249,8 @@ PlaceReach AnatomicalReach::at(const tree::TriangleTree& tree, Index triangle, c
     way.press.share = presses ? 0.0 : 1.0;
     way.drag.share = drags ? 0.0 : 1.0;
     if (drags) {
-      way.drag_mm = 1.0 / maps::locationRatio(wish.drag_tenth, way.ahead);
-      way.fold_cost = kFoldCostAlong + (kFoldCost - kFoldCostAlong) * squaredCosine(way.ahead, wish.drag);
+      way.drag_mm = 1.0 / maps::locationRatio(request.drag_tenth, way.ahead);
+      way.fold_cost = kFoldCostAlong + (kFoldCost - kFoldCostAlong) * squaredCosine(way.ahead, request.drag);
     }
     walk(tree, record_of_triangle_[triangle], point, unit_normal, way, cover);
     if (presses) place.press[i] = logFactor(way.press.reach_mm, here.press_mm);

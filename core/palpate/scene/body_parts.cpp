@@ -7,7 +7,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "palpate/body/fitting/fit_file.h"
+#include "palpate/body/fitting/body_fit.h"
 #include "palpate/body/fitting/fitted_body.h"
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"

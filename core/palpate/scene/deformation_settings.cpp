@@ -1,5 +1,5 @@
 // Reads the files that forms name and adds what other tables say of them: fidelity and the kind of strain.
-// Data flow: Scene -> here, first of all in scene::build, so that a missing file is told at once -> World. Own.
+// Data flow: Scene -> here, first of all in scene::build, so that a missing file is told at once -> World.
 #include "palpate/scene/deformation_settings.h"
 
 #include "palpate/maps/contour_map.h"

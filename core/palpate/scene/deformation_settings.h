@@ -25,7 +25,7 @@ struct DeformationSettings {
   std::filesystem::path contours;  ///< for shape "contour"; empty: by the anatomy
 };
 
-/// A place whose skin follows a curve of its own (curves/place_curves.h).
+/// A place whose skin follows a curve of its own (place_curves.h).
 struct PlaceProfile {
   double x_mm = 0.0;
   double y_mm = 0.0;

@@ -38,7 +38,7 @@ struct HealthySettings {
 
 struct HealthyTissue {
   HealthySettings settings;
-  bool lasts = true;                       ///< false: a file or key points decide it too, and it is made anew
+  bool lasts = true;                       ///< false: a file or key points decide it too, and it is made again
   PlacedTissue tissue;                     ///< layers and their thickness; empty where there are none
   std::vector<double> stiffness_n_per_mm;  ///< a skin vertex each
   std::vector<SteepPlace> steepest;        ///< of each of Body::triangle_blocks

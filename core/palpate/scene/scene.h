@@ -15,7 +15,6 @@
 #include "palpate/hdb/hdb_candidates.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/measured_stiffness.h"
-#include "palpate/maps/natural_variation.h"
 #include "palpate/maps/stiffness_map.h"
 #include "palpate/scene/deformation_settings.h"
 #include "palpate/scene/safety_settings.h"
@@ -52,7 +51,7 @@ struct BodySettings {
   std::string group;   ///< only this group of an OBJ file; empty = all
   bool repair = true;  ///< false: refuse a mesh that is not fit
   TextureSource texture;
-  std::filesystem::path fit;  ///< what gives it bones and names (body/fitting/fit_file.h); empty: none
+  std::filesystem::path fit;  ///< what gives it bones and names (body/fitting/body_fit.h); empty: none
 };
 
 enum class StiffnessSource : std::uint8_t { automatic, depth, points, constant };

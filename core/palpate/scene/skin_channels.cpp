@@ -1,4 +1,4 @@
-// Load time; range and histogram are taken once, so that a panel need not. Own.
+// Load time; range and histogram are taken once, so that a panel need not.
 #include "palpate/scene/skin_channels.h"
 
 #include <algorithm>

@@ -12,11 +12,11 @@
 #include "palpate/deform/finger_contact.h"
 #include "palpate/deform/shear_limit.h"
 #include "palpate/mesh/triangle_mesh.h"
-#include "palpate/scene/curves/place_curves.h"
+#include "palpate/scene/place_curves.h"
 #include "palpate/scene/tissue_of_body.h"
-#include "palpate/tissue/law_inverse.h"
+#include "palpate/tissue/force_law.h"
 #include "palpate/tissue/profile.h"
-#include "palpate/tree/thickness.h"
+#include "palpate/tree/triangle_tree.h"
 
 namespace palpate::scene {
 
@@ -42,7 +42,7 @@ maps::SurfaceEllipse dragRegion(const World& world, const contact::FingerOutput&
   return world.ellipses.on(place, finger.normal);
 }
 
-/// mm: how deep skin is that stays at this effective depth by itself (contact/relaxation.h).
+/// mm: how deep skin is that stays at this effective depth by itself (contact/felt_force.h).
 double depthAtRest(const World& world, double rest_mm, Index triangle, double finger_mm) noexcept {
   const std::vector<double>& tissue_mm = world.surface.tissue_mm;
   if (triangle >= world.body->skin.triangles.size()) return 0.0;

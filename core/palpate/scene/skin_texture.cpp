@@ -1,6 +1,6 @@
 // A mesh file is read a second time, with coordinates, because the skin keeps places and triangles only; then each
 // corner of the skin looks its coordinates up by place (mesh/textured_mesh.h). The picture stays as its file's
-// bytes; only the first are looked at, so that a wrong file is told already here. Load time. Own.
+// bytes; only the first are looked at, so that a wrong file is told already here. Load time.
 #include "palpate/scene/skin_texture.h"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace palpate::scene {
 namespace {
 
 /// Far more than a photograph of a back needs; bounds what a wrong file name can cost.
-constexpr std::size_t kMostPictureBytes = std::size_t{256} << 20;
+constexpr std::size_t kMaxPictureBytes = std::size_t{256} << 20;
 
 bool isPicture(std::string_view bytes) { return bytes.starts_with("\x89PNG\r\n") || bytes.starts_with("\xff\xd8\xff"); }
 
@@ -28,7 +28,7 @@ bool isGltf(const std::filesystem::path& file) {
 }
 
 std::string pictureFrom(const std::filesystem::path& file) {
-  if (!isGltf(file)) return readFile(file, kMostPictureBytes);
+  if (!isGltf(file)) return readFile(file, kMaxPictureBytes);
   std::string picture = mesh::basePictureOf(file);
   if (picture.empty()) throw Error::inFile(file.string(), "has no base colour texture");
   return picture;

@@ -12,7 +12,7 @@
 #include "palpate/base/error.h"
 #include "palpate/maps/ellipse.h"
 #include "palpate/scene/anatomical_reach.h"
-#include "palpate/scene/beneath/bone_width.h"
+#include "palpate/scene/beneath/tissue_beneath.h"
 #include "palpate/tissue/layered_library.h"
 #include "palpate/tissue/narrow_bone.h"
 
@@ -175,15 +175,15 @@ maps::SurfaceContour contourOfPlace(const World& world, const deform::Contact& c
 
 /// The regions of flat skin over even tissue become those of the place. `tenth_q`: where a tenth of the drag is left.
 void followAnatomy(const World& world, double tenth_q, deform::Contact& contact) noexcept {
-  ReachWish wish{.press = &contact.layered->press};
+  ReachRequest request{.press = &contact.layered->press};
   const bool drags = contact.drag_mm.norm() > kShortestDragMm;
   if (drags) {
-    wish.drag_tenth = scaled(contact.tangential_region, tenth_q);
-    wish.drag = contact.drag_mm;
+    request.drag_tenth = scaled(contact.tangential_region, tenth_q);
+    request.drag = contact.drag_mm;
   }
   const Vec3 normal = contact.normal.normalized();
   const PlaceReach place =
-      world.reach->at(world.surface.geometry->tree, contact.anchor_triangle, contact.anchor, normal, wish);
+      world.reach->at(world.surface.geometry->tree, contact.anchor_triangle, contact.anchor, normal, request);
   contact.depth_mm = std::min(contact.depth_mm, place.deepest_mm);
   contact.normal_region = bentEllipse(contact.normal_region, place.press, place);
   if (!drags) return;
@@ -273,10 +273,10 @@ std::shared_ptr<const AnatomicalReach> reachOf(const Scene& scene, const mesh::T
 }
 
 maps::SurfaceContour anatomicalContour(const World& world, const deform::Contact& contact) noexcept {
-  const ReachWish wish{nullptr, scaled(contact.tangential_region, 1.0 / deform::kTwoMmBoundary), contact.drag_mm};
+  const ReachRequest request{nullptr, scaled(contact.tangential_region, 1.0 / deform::kTwoMmBoundary), contact.drag_mm};
   const Vec3 normal = contact.normal.normalized();
   const PlaceReach place =
-      world.reach->at(world.surface.geometry->tree, contact.anchor_triangle, contact.anchor, normal, wish);
+      world.reach->at(world.surface.geometry->tree, contact.anchor_triangle, contact.anchor, normal, request);
   return bentContour(contact.tangential_region, dragFactors(world.scene, place), place);
 }
 

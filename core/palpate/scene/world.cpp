@@ -19,12 +19,12 @@
 #include "palpate/deform/shear_limit.h"
 #include "palpate/scene/anatomical_reach.h"
 #include "palpate/scene/body_parts.h"
-#include "palpate/scene/curves/place_curves.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/scene/healthy_tissue.h"
+#include "palpate/scene/place_curves.h"
 #include "palpate/scene/skin_channels.h"
-#include "palpate/tissue/force_table.h"
-#include "palpate/tree/thickness.h"
+#include "palpate/tissue/user_profile.h"
+#include "palpate/tree/triangle_tree.h"
 
 namespace palpate::scene {
 

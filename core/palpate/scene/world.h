@@ -11,13 +11,42 @@
 
 #include "palpate/base/progress.h"
 #include "palpate/contact/finger_state.h"
+#include "palpate/deform/forms.h"
 #include "palpate/hdb/hdb_candidates.h"
 #include "palpate/maps/literal_ellipse_map.h"
 #include "palpate/scene/body.h"
+#include "palpate/scene/deformation_settings.h"
 #include "palpate/scene/scene.h"
-#include "palpate/scene/tissue_choice.h"
+#include "palpate/tissue/force_law.h"
 
 namespace palpate::scene {
+
+// Which tissue and which force law a scene comes to, and what stands in the way of layers where it asks for them.
+//
+// Layers have curves, regions and a law of their own. A scene that writes a profile, a region or a printed form of
+// either cannot have both: it gets the half Gaussian and, with the law "layered", Hooke's. Reports and panels name what
+// acts (inWords), World::notes say why (tissueNote).
+
+struct Scene;
+
+struct TissueChoice {
+  TissueModel model = TissueModel::layered;                      ///< that acts
+  tissue::ForceLaw::Kind law = tissue::ForceLaw::Kind::layered;  ///< likewise
+  /// What takes the place of layers that the scene asks for, as it stands in a scene file; or that there are no bones.
+  /// Empty: layered as asked for, or another tissue as asked for.
+  std::vector<std::string> instead_of_layers = {};
+  bool has_bones = true;
+};
+
+/// `forms`: formsOf(scene).
+TissueChoice tissueChoice(const Scene& scene, const deform::FormSettings& forms, bool has_bones);
+
+/// "layered tissue, force by its layers", "half-Gaussian tissue, force F = k d"
+std::string inWords(const TissueChoice& choice);
+
+/// A line for World::notes: what the scene does not get that it asks for, why, and how stiff the body is now; empty
+/// where it gets what it asks for, and for a mesh without bones, which never has layers.
+std::string tissueNote(const Scene& scene, const TissueChoice& choice, const std::vector<double>& stiffness_n_per_mm);
 
 class AnatomicalReach;
 struct HealthyTissue;
@@ -35,7 +64,7 @@ struct World {
   std::shared_ptr<const tissue::LayeredTissue> layered = nullptr;
   /// How the regions of press and drag follow bones and folds (anatomical_reach.h); null where they do not.
   std::shared_ptr<const AnatomicalReach> reach = nullptr;
-  /// Places whose skin follows curves of their own (curves/place_curves.h); null where there are none.
+  /// Places whose skin follows curves of their own (place_curves.h); null where there are none.
   std::shared_ptr<const PlaceCurves> place_curves = nullptr;
   std::optional<body::BreathField> breath = {};  ///< how the skin moves; none: it does not
   std::vector<std::string> notes;                ///< what the user should know: repairs, a doubtful unit

@@ -21,10 +21,10 @@ namespace {
 /// What the delay may be wrong by: a tick and an amplifier that nobody measured, or 1.5 ms. What is assumed too long
 /// damps, which a device with hardly any friction needs: with less it rings on for a second under a dead load.
 constexpr double kAmplifierS = 0.0005;
-constexpr double kLeastMarginS = 0.0015;
+constexpr double kMinMarginS = 0.0015;
 constexpr double kIdentifiedMarginTicks = 0.5;
 
-double assumedMarginTicks(double tick_s) { return std::max(tick_s + kAmplifierS, kLeastMarginS) / tick_s; }
+double assumedMarginTicks(double tick_s) { return std::max(tick_s + kAmplifierS, kMinMarginS) / tick_s; }
 
 /// The share of a device's damping and friction that is counted on. Of assumed ones nothing: a device with 0 to 15 % of
 /// the friction that was assumed kept a limit cycle alive within a tenth of it.
@@ -61,7 +61,7 @@ bool isHeavy(const device::DeviceProfile& profile) {
   return profile.mass_kg * profile.motion_scale >= kHeavyKg;
 }
 
-constexpr double kMostPassivityForce = 1.5;
+constexpr double kMaxPassivityForce = 1.5;
 constexpr double kPassivityShare = 0.4;  // of the largest force
 
 bool isIdentified(const scene::SafetySettings& safety) {
@@ -163,7 +163,7 @@ PassivitySettings passivityOf(const scene::SafetySettings& safety, const device:
   settings.friction_n = trust.friction * (identified ? safety.device_friction_n : profile.friction_n);
   settings.mass_kg = profile.mass_kg;
   settings.encoder_mm = profile.encoder_mm;
-  settings.most_n = std::min(kMostPassivityForce, kPassivityShare * force_n);
+  settings.most_n = std::min(kMaxPassivityForce, kPassivityShare * force_n);
   return settings;
 }
 

@@ -30,9 +30,9 @@ void requireStable(const device::DeviceProfile& profile, const scene::SafetySett
 /// Where nothing is stable: what paths from files, which close no loop, are scaled to, N/mm.
 inline constexpr double kSoftestCap = 0.05;
 
-/// A scene's safety settings as they hold on that device: what a scene asks for is a wish, what the device needs a hard
-/// minimum. The delay is at least what its back end knows of. Where a hand may be on the device, passivity and soft
-/// contact stay on and guards within kLoosestGuard of their defaults; --unsafe-stiffness gives up the first two.
+/// A scene's safety settings as they hold on that device: what a scene asks for is a request, what the device needs a
+/// hard minimum. The delay is at least what its back end knows of. Where a hand may be on the device, passivity and
+/// soft contact stay on and guards within kLoosestGuard of their defaults; --unsafe-stiffness gives up the first two.
 scene::SafetySettings heldSafety(const scene::SafetySettings& asked, const device::DeviceProfile& profile);
 
 /// How many times its default a guard of [safety] (max_age_ticks, max_jump_mm, ...) may be on a device.

@@ -1,6 +1,6 @@
 // Chooses per finger between contact::step and hdb::stepHdb: one branch that the processor always guesses right. A
 // surface that breathes stays where it is, and the tip moves against it: the field is so smooth that forces keep their
-// direction to 0.02. Own.
+// direction to 0.02.
 #include "palpate/servo/finger_solver.h"
 
 #include <utility>

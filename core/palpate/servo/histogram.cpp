@@ -1,7 +1,7 @@
 // Bins: values below 2^6 have one each; above, the six bits after the leading one choose among 64 in an octave. That is
 // a shift and no logarithm, cheap enough for the tick; percentiles count through all bins.
 //
-// Own; HdrHistogram (Tene) has bins of this kind.
+// HdrHistogram (Tene) has bins of this kind.
 #include "palpate/servo/histogram.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Observer, then controller. The work of the model is the trapezoid of two ticks (exact for springs), the work of the
-// device is that of the held, delayed, clamped force. Based on: see passivity.h.
-#include "palpate/servo/passivity.h"
+// device is that of the held, delayed, clamped force. Based on: see limiter.h.
+#include "palpate/servo/limiter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,17 +10,17 @@ namespace palpate::servo {
 namespace {
 
 /// Slower than this the direction of the motion is noise, and the damping needed would have no bound, mm/s.
-constexpr double kLeastSpeed = 0.1;
+constexpr double kMinSpeed = 0.1;
 /// The greatest damping: N s/mm, as a share of the mass that stops in a tick, and in N for one step of the encoder.
-constexpr double kMostDamping = 0.020;
+constexpr double kMaxDamping = 0.020;
 constexpr double kMassShare = 0.22;
 constexpr double kForceOfAStep = 0.4;
 /// The controller may pull into the surface by this much, N.
-constexpr double kMostPull = 0.05;
+constexpr double kMaxPull = 0.05;
 /// A force that is taken away is no kick, so where much was lost more may be taken than added: up to twice as much, for
 /// 2 mJ. Without it a tap at 0.5 m/s on 3 N/mm leaves 1.3 mJ at the device's port, with it none; always twice as much
 /// would come back in one tick at the end, as a step.
-constexpr double kMostTaken = 2.0;
+constexpr double kMaxTaken = 2.0;
 constexpr double kLossOfMore = 2.0;  // N mm
 /// Samples without contact after which a loss is forgotten.
 constexpr int kForgetTicks = 2;
@@ -53,7 +53,7 @@ void observe(const PassivitySettings& settings, PassivityState& state, const Pas
 
 double mostDamping(const PassivitySettings& settings, double tick_s) {
   return std::min(
-      {kMostDamping, kMassShare * settings.mass_kg * kKilogram / tick_s, kForceOfAStep * tick_s / settings.encoder_mm});
+      {kMaxDamping, kMassShare * settings.mass_kg * kKilogram / tick_s, kForceOfAStep * tick_s / settings.encoder_mm});
 }
 
 /// Along the model's force only: across it, it would brake sliding.
@@ -62,11 +62,11 @@ Vec3 control(const PassivitySettings& settings, const PassivityState& state, con
   const double strength = tick.model.norm();
   const double speed =
       strength > 0.0 ? tick.model.dot(tick.motion + state.motion_before) / (2.0 * strength * tick.tick_s) : 0.0;
-  if (!(std::abs(speed) > kLeastSpeed)) return Vec3::Zero();
+  if (!(std::abs(speed) > kMinSpeed)) return Vec3::Zero();
   const double damping = std::min(state.loss_n_mm / (tick.tick_s * speed * speed), mostDamping(settings, tick.tick_s));
-  const double most_added = std::min(settings.most_n, strength + kMostPull);
-  const double share = std::min(kMostTaken, 1.0 + state.loss_n_mm / kLossOfMore);
-  const double most_taken = std::min(share * settings.most_n, strength + kMostPull);
+  const double most_added = std::min(settings.most_n, strength + kMaxPull);
+  const double share = std::min(kMaxTaken, 1.0 + state.loss_n_mm / kLossOfMore);
+  const double most_taken = std::min(share * settings.most_n, strength + kMaxPull);
   const double force = std::clamp(-damping * speed, -most_taken, most_added);
   return (force / strength) * tick.model;
 }

@@ -1,4 +1,4 @@
-// World + paths -> a chain a finger. Load time. Own.
+// World + paths -> a chain a finger. Load time.
 #include "palpate/servo/scripted_rig.h"
 
 #include <utility>

@@ -1,4 +1,4 @@
-// device pose -> guardTip -> touch -> limitForce -> device force, for one finger after the other. Own.
+// device pose -> guardTip -> touch -> limitForce -> device force, for one finger after the other.
 #include "palpate/servo/tick.h"
 
 #include <utility>

@@ -31,7 +31,7 @@ void forgetTouch(FingerChain& finger) noexcept;
 /// Puts a device in the finger's hand. One that takes no forces closes no loop.
 void giveDevice(FingerChain& finger, device::Device device);
 
-/// The same in a running loop, in exchange for the device before, which gets zero force; touch and limiter start anew.
+/// The same in a running loop, in exchange for the device before, which gets zero force; touch and limiter start again.
 /// Allocates and frees nothing.
 void exchangeDevice(FingerChain& finger, device::Device& device) noexcept;
 

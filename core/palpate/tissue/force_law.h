@@ -48,14 +48,14 @@ struct LayeredForce {
 };
 
 /// A measured law: effective depth by depth, straight between the rows and with its last slope beyond them. Read from a
-/// file by force_table.h. Before the first row it is straight from the origin. Its unit does not matter: the law is
+/// file by user_profile.h. Before the first row it is straight from the origin. Its unit does not matter: the law is
 /// scaled so that it agrees with the map at the reference depth.
 struct ForceTable {
   /// A measured curve has some ten rows; 64 keep a law within a kilobyte and a look-up within six comparisons.
-  static constexpr std::uint32_t kMostRows = 64;
+  static constexpr std::uint32_t kMaxRows = 64;
   std::uint32_t rows = 0;
-  std::array<double, kMostRows> depth_mm{};      ///< > 0, increasing
-  std::array<double, kMostRows> effective_mm{};  ///< >= 0, not decreasing: the force, in any unit
+  std::array<double, kMaxRows> depth_mm{};      ///< > 0, increasing
+  std::array<double, kMaxRows> effective_mm{};  ///< >= 0, not decreasing: the force, in any unit
 };
 
 struct ForceLaw {
@@ -148,5 +148,17 @@ double cappedForce(const LayeredForce& layers, double stiffness_n_per_mm, double
 /// map's stiffness, wherever on the skin; 1 for the linear law. A limit on how fast a force may change has to allow for
 /// it.
 double steepestFactor(const ForceLaw& law, double depth_mm, double finger_mm = 0.0) noexcept;
+
+// From how strong back to how deep: a force law read the other way.
+//
+// The finger never asks for it; the display does, once a finger and frame, to show skin that pushes back with no more
+// than it has left (contact/felt_force.h).
+
+/// The least depth at which the law's effective depth reaches this, mm: h(result) = effective_mm to rounding. 0 for
+/// what is not positive; no deeper than 1 m. Any thread.
+double depthOf(const ForceLaw& law, double effective_mm, const PressedPlace& place) noexcept;
+inline double depthOf(const ForceLaw& law, double effective_mm, double tissue_mm = 0.0) noexcept {
+  return depthOf(law, effective_mm, PressedPlace{.tissue_mm = tissue_mm});
+}
 
 }  // namespace palpate::tissue

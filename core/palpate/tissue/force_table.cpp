@@ -1,6 +1,6 @@
 // Rows are checked one by one as they are read, so that a mistake is told with its line; a force at stiffness 1 N/mm is
-// the effective depth of the law (force_law.h). Own.
-#include "palpate/tissue/force_table.h"
+// the effective depth of the law (force_law.h).
+#include "palpate/tissue/user_profile.h"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ void append(ForceTable& table, const CsvRow& row) {
     if (force != 0.0) fail(row, "force_n must be 0 at depth 0");
     return;
   }
-  if (table.rows == ForceTable::kMostRows) fail(row, fmt::format("more than {} rows", ForceTable::kMostRows));
+  if (table.rows == ForceTable::kMaxRows) fail(row, fmt::format("more than {} rows", ForceTable::kMaxRows));
   const double last_depth = table.rows == 0 ? 0.0 : table.depth_mm[table.rows - 1];
   const double last_force = table.rows == 0 ? 0.0 : table.effective_mm[table.rows - 1];
   if (!(depth > last_depth)) fail(row, fmt::format("depth_mm must increase, but {} follows {}", depth, last_depth));

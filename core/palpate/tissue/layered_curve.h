@@ -6,7 +6,7 @@
 // same bend are blended by blending coefficients. Seven terms follow the finite element profiles of layered tissue,
 // bulges included, within 0.6 % of the depth (docs/explanation/realism.md); one division and ten multiplications serve
 // eight vertices at once, where a table of them would be gathered lane by lane. Based on: the power tail (1 + q^2)^-p
-// of a drag over layered tissue, of which v is the case p = 1. Own.
+// of a drag over layered tissue, of which v is the case p = 1.
 #pragma once
 
 #include <array>

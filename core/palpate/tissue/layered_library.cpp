@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kShares = std::size(kFatShares);
 constexpr double kSkinMm = 2.0;
-constexpr double kLeastMuscleMm = 3.0;
+constexpr double kMinMuscleMm = 3.0;
 
 class NodeReader {
  public:
@@ -112,7 +112,7 @@ LayerStack libraryStack(double thickness_mm, double fat_share) {
 
 double libraryFatShare(double thickness_mm, double fat_mm) {
   const double under_skin = thickness_mm - kSkinMm;
-  return std::clamp(std::min(fat_mm, under_skin - kLeastMuscleMm) / under_skin, kFatShares[0], kFatShares[kShares - 1]);
+  return std::clamp(std::min(fat_mm, under_skin - kMinMuscleMm) / under_skin, kFatShares[0], kFatShares[kShares - 1]);
 }
 
 std::span<const double> libraryThicknesses() { return kThicknessesMm; }

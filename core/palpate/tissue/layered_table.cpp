@@ -1,5 +1,5 @@
 // Stacks and tables are checked number by number, so that a mistake is told with its place; the JSON is read by the
-// reader that bounds a stranger's file and written with every digit. Own.
+// reader that bounds a stranger's file and written with every digit.
 #include "palpate/tissue/layered_table.h"
 
 #include <fmt/format.h>
@@ -21,10 +21,10 @@ namespace palpate::tissue {
 namespace {
 
 constexpr int kTableVersion = 1;
-constexpr std::uint64_t kMostTableBytes = 64'000'000;
-constexpr std::size_t kMostLayers = 16;
-constexpr std::size_t kMostRadii = 10'000;
-constexpr std::size_t kMostShapes = 1'000;
+constexpr std::uint64_t kMaxTableBytes = 64'000'000;
+constexpr std::size_t kMaxLayers = 16;
+constexpr std::size_t kMaxRadii = 10'000;
+constexpr std::size_t kMaxShapes = 1'000;
 constexpr std::size_t kMaxFingers = 100;
 constexpr std::size_t kLongestLayerName = 40;
 
@@ -58,7 +58,7 @@ bool isPlain(char c) {
 
 void check(const Layer& layer, std::string_view where) {
   if (layer.name.size() > kLongestLayerName || !std::ranges::all_of(layer.name, isPlain)) {
-    throw Error(fmt::format("{}: '{}' is no name: up to {} letters, digits, blanks, '-', '_', '.'", where,
+    throw Error(fmt::format("{}: '{}' is not a name: up to {} letters, digits, blanks, '-', '_', '.'", where,
                             oneLine(layer.name), kLongestLayerName));
   }
   demand(kThickness, layer.thickness_mm, where, "thickness", "mm");
@@ -69,7 +69,7 @@ void check(const Layer& layer, std::string_view where) {
 
 void checkRadii(const std::vector<double>& radii) {
   if (radii.size() < 2) throw Error("radii_mm: at least two are needed");
-  if (radii.size() > kMostRadii) throw Error(fmt::format("radii_mm: more than {}", kMostRadii));
+  if (radii.size() > kMaxRadii) throw Error(fmt::format("radii_mm: more than {}", kMaxRadii));
   if (radii.front() != 0.0) throw Error(fmt::format("radii_mm: the first must be 0, not {}", radii.front()));
   for (std::size_t i = 1; i < radii.size(); ++i) {
     demand(kTableRadii, radii[i], "radii_mm", fmt::format("radius {}", i + 1), "mm");
@@ -111,8 +111,7 @@ void check(const DragShape& drag, std::size_t radii) {
 void check(const FingerForces& finger, const std::string& where) {
   demand(kIndenterRadius, finger.radius_mm, where, "radius_mm", "mm");
   if (finger.depths_mm.empty()) throw Error(where + ": depths_mm: at least one is needed");
-  if (finger.depths_mm.size() > kMostShapes)
-    throw Error(fmt::format("{}: depths_mm: more than {}", where, kMostShapes));
+  if (finger.depths_mm.size() > kMaxShapes) throw Error(fmt::format("{}: depths_mm: more than {}", where, kMaxShapes));
   if (finger.force_n.size() != finger.depths_mm.size()) {
     throw Error(
         fmt::format("{}: force_n has {} numbers for {} depths", where, finger.force_n.size(), finger.depths_mm.size()));
@@ -207,7 +206,7 @@ double numberIn(const mesh::JsonValue& of, std::string_view name) {
   try {
     return value.number();
   } catch (const Error&) {
-    value.fail(fmt::format("\"{}\" is no number", name));
+    value.fail(fmt::format("\"{}\" must be a number", name));
   }
 }
 
@@ -217,7 +216,7 @@ std::vector<double> numbersIn(const mesh::JsonValue& of, std::string_view name) 
   try {
     for (const mesh::JsonValue& item : list.items()) numbers.push_back(item.number());
   } catch (const Error&) {
-    list.fail(fmt::format("\"{}\" is no list of numbers", name));
+    list.fail(fmt::format("\"{}\" must be a list of numbers", name));
   }
   return numbers;
 }
@@ -291,7 +290,7 @@ double totalThickness(const LayerStack& stack) {
 
 void check(const LayerStack& stack) {
   if (stack.layers.empty()) throw Error("stack: at least one layer is needed");
-  if (stack.layers.size() > kMostLayers) throw Error(fmt::format("stack: more than {} layers", kMostLayers));
+  if (stack.layers.size() > kMaxLayers) throw Error(fmt::format("stack: more than {} layers", kMaxLayers));
   for (std::size_t i = 0; i < stack.layers.size(); ++i) check(stack.layers[i], fmt::format("layer {}", i + 1));
   demand(kPoisson, stack.poisson, "stack", "Poisson's ratio");
 }
@@ -302,7 +301,7 @@ void check(const LayeredTable& table) {
   demand(kIndenterRadius, table.indenter_radius_mm, "table", "indenter_radius_mm", "mm");
   checkRadii(table.radii_mm);
   if (table.shapes.empty()) throw Error("shapes: at least one is needed");
-  if (table.shapes.size() > kMostShapes) throw Error(fmt::format("shapes: more than {}", kMostShapes));
+  if (table.shapes.size() > kMaxShapes) throw Error(fmt::format("shapes: more than {}", kMaxShapes));
   for (std::size_t i = 0; i < table.shapes.size(); ++i) {
     const std::string where = fmt::format("shape {}", i + 1);
     check(table.shapes[i], table.radii_mm.size(), where);
@@ -332,7 +331,7 @@ LayeredTable parseLayeredTable(std::string_view json, std::string_view name) {
   const mesh::JsonDocument document(json, {.file = name});
   const mesh::JsonValue root = document.root();
   const mesh::JsonValue version = root["palpate_layered_table"];
-  if (!version) root.fail("is no table of layered tissue: it has no \"palpate_layered_table\"");
+  if (!version) root.fail("is not a table of layered tissue: it has no \"palpate_layered_table\"");
   if (version.number() != kTableVersion) version.fail("is a table of another version");
   LayeredTable table;
   table.stack = stackFrom(member(root, "stack"));
@@ -352,7 +351,7 @@ LayeredTable parseLayeredTable(std::string_view json, std::string_view name) {
 }
 
 LayeredTable readLayeredTable(const std::filesystem::path& file) {
-  return parseLayeredTable(readFile(file, kMostTableBytes), file.string());
+  return parseLayeredTable(readFile(file, kMaxTableBytes), file.string());
 }
 
 void writeLayeredTable(const std::filesystem::path& file, const LayeredTable& table) {

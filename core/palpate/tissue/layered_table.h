@@ -78,8 +78,8 @@ struct LayeredTable {
 /// fall with the depth, numbers that are not finite.
 void check(const LayeredTable& table);
 
-/// Writes and reads JSON (docs/explanation/tissue.md has the form). Reading throws Error naming the file and the key;
-/// files of at most 64 MB.
+/// Writes and reads JSON (docs/reference/tissue-tables.md has the form). Reading throws Error naming the file and the
+/// key; files of at most 64 MB.
 void writeLayeredTable(const std::filesystem::path& file, const LayeredTable& table);
 LayeredTable readLayeredTable(const std::filesystem::path& file);
 /// `name` stands for the file in messages.

@@ -16,8 +16,8 @@ namespace {
 
 /// Displacements below this share of the depth end a region: half of what 0.3 mm pixels show of a 10 mm press.
 constexpr double kNothing = 0.006;
-constexpr double kLeastRadiusMm = 35.0;
-constexpr double kMostRadiusMm = 70.0;
+constexpr double kMinRadiusMm = 35.0;
+constexpr double kMaxRadiusMm = 70.0;
 /// Of a drag: the rim over the half axis where a tenth is left. The tail of the solution beyond is faded out.
 constexpr double kRimOverTenth = 1.8;
 constexpr double kLongestDragMm = 150.0;
@@ -43,7 +43,7 @@ double radiusOf(const LayeredTable& table) {
         radius = std::max(radius, table.radii_mm[i]);
     }
   }
-  return std::min(std::clamp(radius, kLeastRadiusMm, kMostRadiusMm), table.radii_mm.back());
+  return std::min(std::clamp(radius, kMinRadiusMm, kMaxRadiusMm), table.radii_mm.back());
 }
 
 /// N/mm: of a finger that one stack was solved for less deep than its neighbours; steeper than any that was.

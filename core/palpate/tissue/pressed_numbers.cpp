@@ -1,4 +1,4 @@
-// Table -> numbers for people. Own.
+// Table -> numbers for people.
 #include "palpate/tissue/pressed_numbers.h"
 
 #include <fmt/format.h>

@@ -16,7 +16,7 @@ namespace palpate::tissue {
 namespace {
 
 /// More would only cost memory: nearest entries of a million are 4e-6 apart.
-constexpr std::size_t kMostTableEntries = 1'000'000;
+constexpr std::size_t kMaxTableEntries = 1'000'000;
 
 void requireProfile(bool holds, const char* message) {
   if (!holds) throw Error(message);
@@ -25,7 +25,7 @@ void requireProfile(bool holds, const char* message) {
 bool isPositive(double value) { return value > 0.0 && std::isfinite(value); }
 
 void check(const ProfileSettings& settings) {
-  requireProfile(settings.table_entries >= 2 && settings.table_entries <= kMostTableEntries,
+  requireProfile(settings.table_entries >= 2 && settings.table_entries <= kMaxTableEntries,
                  "profile: a table needs 2 to 1000000 entries");
   requireProfile(isPositive(settings.two_gaussians.narrow) && isPositive(settings.two_gaussians.wide) &&
                      std::isfinite(settings.two_gaussians.wide_weight),

@@ -42,9 +42,9 @@ std::span<const PublishedFriction> publishedFriction() {
   static constexpr std::array kFriction = {
       PublishedFriction{"dry living skin", 0.31, 0.61, "published, 0.46 +- 0.15", "its identifier is not at hand"},
       PublishedFriction{"wet kidney", 0.14, 0.29, "recordings of a ball drawn over it",
-                        "own fits, docs/explanation/tissue.md"},
+                        "own fits, docs/reference/tissue-tables.md"},
       PublishedFriction{"silicone phantoms", 0.20, 0.84, "recordings of a ball drawn over them",
-                        "own fits, docs/explanation/tissue.md"},
+                        "own fits, docs/reference/tissue-tables.md"},
   };
   return kFriction;
 }

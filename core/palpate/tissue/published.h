@@ -2,7 +2,7 @@
 //
 // A small library of numbers with their sources, to be looked at and chosen from. Published stiffness of one tissue
 // spreads over two or three powers of ten, with the method, the load and the person: the defaults bracket people, they
-// represent nobody. docs/explanation/tissue.md says so wherever a number is shown.
+// represent nobody. docs/reference/tissue-tables.md says so wherever a number is shown.
 #pragma once
 
 #include <span>

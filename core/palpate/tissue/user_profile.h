@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "palpate/tissue/force_law.h"
 #include "palpate/tissue/profile_curve.h"
 
 namespace palpate::tissue {
@@ -31,5 +32,15 @@ std::vector<double> knotSlopes(std::span<const ProfileKnot> knots, UserInterpola
 /// At 0 <= q <= 1. O(log rows), no allocation.
 ProfilePoint interpolatedKnots(std::span<const ProfileKnot> knots, std::span<const double> slopes,
                                UserInterpolation interpolation, double q) noexcept;
+
+// Reads a measured force law from a table: depth_mm,force_n, the force being that where the stiffness is 1 N/mm.
+
+/// Rows `depth_mm,force_n`, a header line allowed. Depths increase, forces do not decrease; a first row 0,0 may be
+/// written or left out. Throws Error: file:line for a row that is not two numbers or breaks that order, for more than
+/// ForceTable::kMaxRows rows; the file's name when it has no row below the skin or cannot be read.
+ForceTable readForceTable(const std::filesystem::path& file);
+
+/// The same from text; `name` stands for the file in messages.
+ForceTable parseForceTable(std::string_view text, std::string_view name);
 
 }  // namespace palpate::tissue

@@ -1,5 +1,4 @@
-// Own.
-#include "palpate/trace/bounded_series.h"
+#include "palpate/trace/finger_course.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +59,7 @@ void SeriesBucket::add(const SeriesBucket& other) {
 
 void TickSeries::add(std::uint64_t tick, const MeasuredValues& values, bool touching) {
   if (buckets_.empty()) first_tick_ = tick;
-  while ((tick - first_tick_) / ticks_a_bucket_ >= kMostBuckets) halve();
+  while ((tick - first_tick_) / ticks_a_bucket_ >= kMaxBuckets) halve();
   const auto number = static_cast<std::size_t>((tick - first_tick_) / ticks_a_bucket_);
   if (number >= buckets_.size()) buckets_.resize(number + 1);
   SeriesBucket& bucket = buckets_[number];

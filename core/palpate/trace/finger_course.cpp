@@ -1,4 +1,3 @@
-// Own.
 #include "palpate/trace/finger_course.h"
 
 #include <algorithm>
@@ -10,7 +9,7 @@ namespace palpate::trace {
 namespace {
 
 /// A rate that nobody has must not make a window that fills the memory.
-constexpr double kMostWindowTicks = 1000.0;
+constexpr double kMaxWindowTicks = 1000.0;
 
 /// Whether so many ticks are missing between two that a run ends there.
 bool isGap(std::uint64_t before, std::uint64_t after, std::uint64_t gap_ticks) {
@@ -26,7 +25,7 @@ std::uint64_t ticksIn(double seconds, double ticks_per_s) {
 FingerMotion::FingerMotion(double ticks_per_s)
     : ticks_per_s_(ticks_per_s),
       window_ticks_(static_cast<std::uint64_t>(
-          std::min(static_cast<double>(ticksIn(kSpeedWindowS, ticks_per_s)), kMostWindowTicks))) {}
+          std::min(static_cast<double>(ticksIn(kSpeedWindowS, ticks_per_s)), kMaxWindowTicks))) {}
 
 FingerSpeeds FingerMotion::add(const Sample& sample) {
   if (sample.forgot != 0) places_.clear();
@@ -95,7 +94,7 @@ Phase phaseOf(bool touching, double force_n, double proxy_speed_mm_per_s) {
 }
 
 PhaseRuns::PhaseRuns(std::uint32_t finger, double ticks_per_s)
-    : gap_ticks_(ticksIn(kJoinedGapS, ticks_per_s)), least_ticks_(ticksIn(kLeastPhaseS, ticks_per_s)) {
+    : gap_ticks_(ticksIn(kJoinedGapS, ticks_per_s)), least_ticks_(ticksIn(kMinPhaseS, ticks_per_s)) {
   current_.finger = finger;
 }
 

@@ -20,7 +20,7 @@ struct Sample {
   contact::FingerOutput contact;
   Vec3 device_force = Vec3::Zero();  ///< what the limiter let through, N
   std::uint32_t safety = 0;          ///< servo::SafetyBit; 0 = the contact's force went through unchanged
-  /// What the loop has given beyond the skin's law and not taken back yet (servo/passivity.h), N mm. Not in tables.
+  /// What the loop has given beyond the skin's law and not taken back yet (servo/limiter.h), N mm. Not in tables.
   double loss_n_mm = 0.0;
   std::uint32_t world = 0;    ///< counts the worlds of a run: which one was felt
   std::uint32_t forgot = 0;   ///< ForgetBits

@@ -77,8 +77,8 @@ class ExactSum {
   }
 
  private:
-  static constexpr int kMostTerms = 96;  // 24 triple products of 4 doubles
-  std::array<double, kMostTerms> terms_;
+  static constexpr int kMaxTerms = 96;  // 24 triple products of 4 doubles
+  std::array<double, kMaxTerms> terms_;
   int size_ = 0;
 };
 

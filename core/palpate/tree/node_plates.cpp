@@ -7,7 +7,7 @@
 // Where the surface ends, folds over by more than 45 degrees or has triangles without area, nothing is excluded.
 //
 // Based on: Johnson and Cohen, "Spatialized normal cone hierarchies" (2001); Ericson (2005), 4.6 for slabs.
-#include "palpate/tree/node_plates.h"
+#include "palpate/tree/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace palpate::tree {
 namespace {
 
 /// Larger children have a box only: seen from a finger they are no plate.
-constexpr Index kMostTriangles = 1024;
+constexpr Index kMaxTriangles = 1024;
 /// Added to the sine of a spread: above the rounding of normals kept as floats, below half a step.
 constexpr double kSineSlack = 1e-3;
 /// Added to the top of a plate, in its steps: above the rounding of a query's floats.
@@ -99,7 +99,7 @@ class PlateFiller {
       const ChildLink link = node.children[i];
       const Range range =
           link.isLeaf() ? Range{link.firstTriangle(), link.firstTriangle() + link.triangleCount()} : fill(link.node());
-      if (range.end - range.begin <= kMostTriangles) setPlate(node, i, range);
+      if (range.end - range.begin <= kMaxTriangles) setPlate(node, i, range);
       all = {std::min(all.begin, range.begin), std::max(all.end, range.end)};
     }
     return all;
@@ -108,7 +108,7 @@ class PlateFiller {
  private:
   static void setNoPlate(WideNode& node, int slot) {
     node.facing[0][slot] = node.facing[1][slot] = 0;
-    node.top[slot] = kMostTop;
+    node.top[slot] = kMaxTop;
     node.spread[slot] = kAnySpread;
   }
 
@@ -142,8 +142,8 @@ class PlateFiller {
   }
 
   static std::int8_t topSteps(double share) {
-    const double steps = std::ceil(kMostTop * share + kTopSlack);
-    return static_cast<std::int8_t>(std::clamp(steps, -1.0 * kMostTop, 1.0 * kMostTop));
+    const double steps = std::ceil(kMaxTop * share + kTopSlack);
+    return static_cast<std::int8_t>(std::clamp(steps, -1.0 * kMaxTop, 1.0 * kMaxTop));
   }
 
   /// Cosine of the widest angle from `axis` to a normal of the cone; -1 for any.

@@ -1,6 +1,6 @@
 // One short segment a vertex, asked from its far end: what it enters there is the side where the part ends.
 // Data flow: tree and vertices of a body at load -> here -> deform::Skin::thickness_mm.
-#include "palpate/tree/thickness.h"
+#include "palpate/tree/triangle_tree.h"
 
 #include <cmath>
 #include <limits>

@@ -27,7 +27,7 @@ struct alignas(32) TriangleRecord {
   std::array<Index, 3> vertices;    ///< vertex of the mesh at each corner
 };
 
-/// A part of the surface as one small plate: what a far point sees of it (winding_number.h). In the unit frame.
+/// A part of the surface as one small plate: what a far point sees of it (windingNumber). In the unit frame.
 struct FarPlate {
   std::array<float, 3> middle{};
   std::array<float, 3> area{};  ///< sum of its area vectors
@@ -46,12 +46,12 @@ struct TriangleTree {
   double diagonal = 0.0;  ///< of the mesh's box, mm: what tolerances are relative to
 };
 
-/// Throws Error for a mesh without triangles, with more than ChildLink::kMostTriangles, with an index out of range or a
+/// Throws Error for a mesh without triangles, with more than ChildLink::kMaxTriangles, with an index out of range or a
 /// coordinate that is not finite. About 0.5 us and 150 bytes a triangle.
 TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh);
 
 /// The tree's nodes cannot nest deeper than this (the builder sees to it), which bounds the stack of every query.
-inline constexpr int kMostTreeLevels = 64;
+inline constexpr int kMaxTreeLevels = 64;
 
 struct NearestPoint {
   ClosestOnTriangle closest;
@@ -81,7 +81,7 @@ struct PendingChild {
   ChildLink child;
 };
 
-inline constexpr int kMostPending = kMostTreeLevels * (kNodeWidth - 1) + 1;
+inline constexpr int kMaxPending = kMaxTreeLevels * (kNodeWidth - 1) + 1;
 
 PointQuery pointQuery(const TriangleTree& tree, const Vec3& point) noexcept;
 SegmentQuery segmentQuery(const TriangleTree& tree, const Vec3& from, const Vec3& to) noexcept;
@@ -103,7 +103,7 @@ template <class Bounds, class Visit>
 void visitNearestFirst(const TriangleTree& tree, const Vec3& point, double squared_limit, Bounds&& bounds_of,
                        Visit&& visit) noexcept {
   const PointQuery query = pointQuery(tree, point);
-  PendingChild stack[kMostPending];
+  PendingChild stack[kMaxPending];
   stack[0] = {0.0f, ChildLink::toNode(0)};
   float unit_limit = unitSquaredDistance(tree, squared_limit);
   for (int size = 1; size > 0;) {
@@ -164,7 +164,7 @@ NearestPoint nearestPointIf(const TriangleTree& tree, const Vec3& point, double 
 template <class Visit>
 void visitTrianglesAlong(const TriangleTree& tree, const Vec3& from, const Vec3& to, Visit&& visit) noexcept {
   const SegmentQuery query = detail::segmentQuery(tree, from, to);
-  ChildLink stack[detail::kMostPending];
+  ChildLink stack[detail::kMaxPending];
   stack[0] = ChildLink::toNode(0);
   for (int size = 1; size > 0;) {
     const ChildLink next = stack[--size];
@@ -195,5 +195,34 @@ Crossing firstFrontCrossingIf(const TriangleTree& tree, const Vec3& from, const 
   });
   return first;
 }
+
+// The plates of a triangle tree's nodes (wide_node.h): how the surface in each child faces, how thick it is across that
+// direction and how far its normals spread.
+
+/// Fills them from the tree's records; the last step of buildTriangleTree. About 0.1 us a triangle.
+void fillPlates(TriangleTree& tree);
+
+// Inside or outside: how often a surface winds round a point.
+
+/// What the surface below each child of a node looks like from afar: one small plate with its area and facing. Fills
+/// TriangleTree::far_plates; called by buildTriangleTree.
+void fillFarPlates(TriangleTree& tree);
+
+/// The generalised winding number: 1 inside a closed surface and 0 outside of it (negative in a part that is inside
+/// out, more than 1 where bodies overlap, in between where a sheet is open). Within 0.05 of the exact sum of solid
+/// angles for bodies; a point on the surface is in between. About 1 us at 3,000 triangles and 3 us at 1,000,000.
+double windingNumber(const TriangleTree& tree, const Vec3& point) noexcept;
+
+// How thick a body is under each of its vertices, as far as a dent can be deep.
+
+/// The way from a place of the skin along `inwards` (unit) to where it leaves the body, at most `most_mm`: infinite
+/// where it does not leave within that. mm. About 0.3 us.
+double wayThrough(const TriangleTree& tree, const Vec3& place, const Vec3& inwards, double most_mm) noexcept;
+
+/// Per vertex of `tree`'s mesh the way against `normals[v]` (unit, out of the body) from the vertex to where it leaves
+/// the body, at most `most_mm`: infinite where it does not leave within that. mm. About 0.3 us a vertex: it looks no
+/// farther. A normal may be zero or not finite: infinite.
+std::vector<float> thicknessUpTo(const TriangleTree& tree, const std::vector<Vec3>& positions,
+                                 const std::vector<Vec3>& normals, double most_mm);
 
 }  // namespace palpate::tree

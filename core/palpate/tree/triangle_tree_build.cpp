@@ -11,9 +11,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/mesh/topology.h"
-#include "palpate/tree/node_plates.h"
 #include "palpate/tree/triangle_tree.h"
-#include "palpate/tree/winding_number.h"
 
 namespace palpate::tree {
 
@@ -21,10 +19,10 @@ namespace {
 
 constexpr std::size_t kLeafTriangles = 4;  // fewer cost nodes, more cost triangle tests
 constexpr int kBins = 16;
-/// Below this level ranges are halved by count, so that no input can nest deeper than kMostTreeLevels: 28 bits of
+/// Below this level ranges are halved by count, so that no input can nest deeper than kMaxTreeLevels: 28 bits of
 /// triangles are used up after 28 more levels.
 constexpr int kHeuristicLevels = 32;
-static_assert(kHeuristicLevels + 28 < kMostTreeLevels);
+static_assert(kHeuristicLevels + 28 < kMaxTreeLevels);
 
 struct Box {
   std::array<float, 3> low = {INFINITY, INFINITY, INFINITY};
@@ -176,7 +174,7 @@ class Builder {
     float cost() const { return count == 0 ? 0.0f : box.halfArea() * static_cast<float>(count); }
   };
 
-  /// Returns where the right part begins; range.begin or range.end when the triangles could not be told apart.
+  /// Returns where the right part begins; range.begin or range.end when the triangles could not be distinguished.
   std::size_t partitionByHeuristic(const Range& range, int axis, float low, float high, Range& left, Range& right) {
     const float scale = static_cast<float>(kBins) / (high - low);
     const auto bin_of = [&](const Item& item) {
@@ -240,8 +238,8 @@ class Builder {
 
 void check(const mesh::TriangleMesh& mesh) {
   if (mesh.triangles.empty()) throw Error("triangle tree: the mesh has no triangles");
-  if (mesh.triangles.size() > ChildLink::kMostTriangles) {
-    throw Error("triangle tree: more than " + std::to_string(ChildLink::kMostTriangles) + " triangles");
+  if (mesh.triangles.size() > ChildLink::kMaxTriangles) {
+    throw Error("triangle tree: more than " + std::to_string(ChildLink::kMaxTriangles) + " triangles");
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const Index vertex : mesh.triangles[t]) {

@@ -110,7 +110,7 @@ HWY_INLINE hn::Vec<D> plateDistance2(D d, const WideNode& node, const PointQuery
   const auto zero = hn::Zero(d);
   const auto radius = hn::Sqrt(sight.radius2);
   const auto height = dot<D>(sight.facing, sight.way);
-  const auto top = hn::Mul(hn::Mul(fromBytes(d, node.top + lane), hn::Set(d, 1.0f / kMostTop)),
+  const auto top = hn::Mul(hn::Mul(fromBytes(d, node.top + lane), hn::Set(d, 1.0f / kMaxTop)),
                            hn::Mul(radius, hn::Sqrt(sight.facing2)));
   const auto height_rounding = hn::Set(d, kFacingLength * query.slack);
   const auto above = hn::Max(hn::Sub(hn::Sub(height, top), height_rounding), zero);

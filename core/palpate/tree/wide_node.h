@@ -15,18 +15,18 @@ inline constexpr int kNodeWidth = 8;
 /// What a node's slot points to: another node or a run of triangles, packed in 32 bits.
 class ChildLink {
  public:
-  static constexpr std::uint32_t kMostTrianglesPerLeaf = 8;
-  static constexpr std::uint32_t kMostTriangles = 1u << 28;
+  static constexpr std::uint32_t kMaxTrianglesPerLeaf = 8;
+  static constexpr std::uint32_t kMaxTriangles = 1u << 28;
 
   ChildLink() = default;
   static ChildLink toNode(std::uint32_t node) { return ChildLink(node); }
-  /// 1 to kMostTrianglesPerLeaf triangles, from the triangle `first` on.
+  /// 1 to kMaxTrianglesPerLeaf triangles, from the triangle `first` on.
   static ChildLink toLeaf(std::uint32_t first, std::uint32_t count) {
     return ChildLink(kLeafBit | ((count - 1) << 28) | first);
   }
   bool isLeaf() const { return (bits_ & kLeafBit) != 0; }
   std::uint32_t node() const { return bits_; }
-  std::uint32_t firstTriangle() const { return bits_ & (kMostTriangles - 1); }
+  std::uint32_t firstTriangle() const { return bits_ & (kMaxTriangles - 1); }
   std::uint32_t triangleCount() const { return ((bits_ >> 28) & 7u) + 1; }
 
  private:
@@ -39,7 +39,7 @@ class ChildLink {
 ///
 /// Beside its box each child has a *plate*: the plane across its facing that it stays below, and how far the normals of
 /// its surface turn away from that facing. A box is as thick as the surface in it is tilted, a plate only as the
-/// surface in it is bent, so that of a smooth surface only what is really near is looked at (node_plates.h).
+/// surface in it is bent, so that of a smooth surface only what is really near is looked at (node_plates.cpp).
 struct alignas(64) WideNode {
   float low[3][kNodeWidth];
   float high[3][kNodeWidth];
@@ -50,7 +50,7 @@ struct alignas(64) WideNode {
 };
 
 inline constexpr int kFacingLength = 127;
-inline constexpr int kMostTop = 127;
+inline constexpr int kMaxTop = 127;
 /// Rounded up; the widest spread that is told is 45 degrees.
 inline constexpr float kSpreadStep = 0.70710678f / 254.0f;
 /// No normal is excluded.

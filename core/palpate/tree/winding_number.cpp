@@ -6,7 +6,7 @@
 //
 // Based on: Barill, Dickson, Schmidt, Levin, Jacobson, "Fast winding numbers for soups and clouds" (2018), of first
 // order; Van Oosterom and Strackee, "The solid angle of a plane triangle" (1983).
-#include "palpate/tree/winding_number.h"
+#include "palpate/tree/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +76,7 @@ FarPlate plateOf(const TriangleTree& tree, const Part& part, const Run& run) {
 
 bool isUsed(const WideNode& node, int child) { return node.low[0][child] <= node.high[0][child]; }
 
-/// Recursion is as deep as the tree, kMostTreeLevels at most; every level reads its triangles once.
+/// Recursion is as deep as the tree, kMaxTreeLevels at most; every level reads its triangles once.
 Part fillNode(TriangleTree& tree, std::uint32_t node_index, Run& run) {
   Part sum;
   bool any = false;
@@ -109,7 +109,7 @@ void fillFarPlates(TriangleTree& tree) {
 }
 
 double windingNumber(const TriangleTree& tree, const Vec3& point) noexcept {
-  ChildLink stack[detail::kMostPending];
+  ChildLink stack[detail::kMaxPending];
   stack[0] = ChildLink::toNode(0);
   double angle = 0.0;
   const Vec3 unit = (point - tree.center) * tree.to_unit;

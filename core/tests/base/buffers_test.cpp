@@ -2,7 +2,7 @@
 
 #include <thread>
 
-#include "palpate/base/ring_buffer.h"
+#include "palpate/base/handover.h"
 #include "palpate/base/triple_buffer.h"
 
 namespace palpate {

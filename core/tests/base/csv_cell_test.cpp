@@ -1,4 +1,4 @@
-#include "palpate/base/csv_cell.h"
+#include "palpate/base/csv.h"
 
 #include <gtest/gtest.h>
 

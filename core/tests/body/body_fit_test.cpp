@@ -11,7 +11,6 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
-#include "palpate/body/fitting/fit_file.h"
 #include "palpate/body/fitting/fitted_body.h"
 #include "palpate/body/places.h"
 #include "palpate/mesh/nearest.h"

@@ -1,5 +1,5 @@
 // Depth to bone: the least distance to any bone, and which one, against looking at every triangle.
-#include "palpate/body/bone_depth.h"
+#include "palpate/body/bones.h"
 
 #include <gtest/gtest.h>
 

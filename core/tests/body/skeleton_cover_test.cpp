@@ -11,8 +11,8 @@
 namespace palpate::body {
 namespace {
 
-constexpr double kLeastCoverMm = 4.0;
-constexpr double kLeastSpinousCoverMm = 5.5;
+constexpr double kMinCoverMm = 4.0;
+constexpr double kMinSpinousCoverMm = 5.5;
 
 TEST(SkeletonCover, EveryBoneLiesUnderTheSkinOfTheTrunk) {
   const Trunk trunk = makeTrunk();
@@ -27,9 +27,9 @@ TEST(SkeletonCover, EveryBoneLiesUnderTheSkinOfTheTrunk) {
       least = std::min(least, depth);
       if (std::abs(p.x()) < 12.0) least_spinous = std::min(least_spinous, depth);
     }
-    EXPECT_GT(least, kLeastCoverMm) << bone.name;
+    EXPECT_GT(least, kMinCoverMm) << bone.name;
     if (bone.kind == BoneKind::vertebra) {
-      EXPECT_GT(least_spinous, kLeastSpinousCoverMm) << bone.name;
+      EXPECT_GT(least_spinous, kMinSpinousCoverMm) << bone.name;
     }
     // Its vertices are one side of the skin, then: the one that decides is the nearest.
     EXPECT_GT(support::windingNumber(trunk.skin, nearest_to_skin), 0.5) << bone.name;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "palpate/base/error.h"
-#include "palpate/body/bone_depth.h"
+#include "palpate/body/bones.h"
 
 namespace palpate::body {
 namespace {

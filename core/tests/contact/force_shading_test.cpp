@@ -1,4 +1,4 @@
-#include "palpate/contact/force_shading.h"
+#include "palpate/contact/surface_walk.h"
 
 #include <algorithm>
 

@@ -10,8 +10,8 @@
 
 #include "core/tests/deform/folded_shapes.h"
 #include "core/tests/deform/stage.h"
-#include "palpate/deform/edge_distances.h"
 #include "palpate/deform/fast_displacement.h"
+#include "palpate/deform/shear_limit.h"
 #include "palpate/mesh/reorder.h"
 #include "palpate/tissue/profile.h"
 

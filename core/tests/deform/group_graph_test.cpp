@@ -1,4 +1,4 @@
-#include "palpate/deform/group_graph.h"
+#include "palpate/deform/skin.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "palpate/deform/region_by_blocks.h"
+#include "palpate/deform/fast_displacement.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 
 #include "core/tests/deform/scalar_reference.h"
 #include "core/tests/deform/shapes.h"
-#include "palpate/deform/fast_displacement.h"
 
 namespace palpate::deform {
 

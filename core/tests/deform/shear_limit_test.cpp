@@ -147,7 +147,7 @@ TEST(ShearLimit, NoSpikeStandsUpWhereFingersPressTheBanksOfAGap) {
   }
 }
 
-// A plate that is thinner than the press: the thickness is said, not found (tree/thickness.h finds it).
+// A plate that is thinner than the press: the thickness is said, not found (tree/triangle_tree.h finds it).
 TEST(ShearLimit, ADentGoesInByAtMostNineTenthsOfAThinPart) {
   for (const Way way : bothWays()) {
     Stage stage(test::sheetOf(60, 60, [](double s, double t) { return Vec3(60 * s, 60 * t, 0); }), {}, way);

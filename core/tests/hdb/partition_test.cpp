@@ -99,7 +99,7 @@ TEST(Partition, StoresEveryTriangleAndWithTheMajorityOnce) {
       if (settings.assignment == Assignment::Majority) {
         EXPECT_EQ(partition.triangles.size(), specimen.mesh.triangles.size());
       }
-      const auto most = kMostEntriesPerTriangle * static_cast<double>(specimen.mesh.triangles.size());
+      const auto most = kMaxEntriesPerTriangle * static_cast<double>(specimen.mesh.triangles.size());
       EXPECT_LE(static_cast<double>(partition.triangles.size()), most);
     });
   }

@@ -1,5 +1,5 @@
 // Skin that relaxes through the detecting box is that of the walk over the surface.
-#include "palpate/contact/relaxation.h"
+#include "palpate/contact/felt_force.h"
 
 #include "core/tests/hdb/hdb_track.h"
 #include "palpate/base/random.h"

@@ -84,7 +84,7 @@ TEST(KeyPoints, AMeasuredTableThatDoesNotFitItsHeaderIsRefused) {
   EXPECT_EQ(messageForTable(header + "\nP1,0,0,100,1,0,18,up\n"), "keys.csv:2: drag_deg is not a number: 'up'");
   EXPECT_EQ(messageForTable(header + ",peak_mm\n"), "keys.csv:1: two columns are called peak_mm");
   EXPECT_EQ(messageForTable(header + ",colour\n"),
-            "keys.csv:1: 'colour' is no column of key points; behind "
+            "keys.csv:1: 'colour' is not a column of key points; behind "
             "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg may follow stiffness_n_per_mm, "
             "half_major_4_mm, peak_mm, tail_p, drift_mm, rim_mm, drag_deg, sd_half_major_mm, sd_ratio, "
             "sd_direction_deg, sd_half_major_4_mm, sd_peak_mm");

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "palpate/mesh/loop_triangulation.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"
 #include "palpate/mesh/winding.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/tissue/law_inverse.h"
+#include "palpate/tissue/force_law.h"
 #include "palpate/tissue/layered_library.h"
 #include "support/error_message.h"
 

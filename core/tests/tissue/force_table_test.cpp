@@ -1,4 +1,4 @@
-#include "palpate/tissue/force_table.h"
+#include "palpate/tissue/user_profile.h"
 
 #include <gtest/gtest.h>
 
@@ -43,8 +43,8 @@ TEST(ForceTable, NamesTheLineThatIsWrong) {
 
 TEST(ForceTable, HoldsADeclaredNumberOfRows) {
   std::string text;
-  for (std::uint32_t i = 1; i <= ForceTable::kMostRows; ++i) text += std::to_string(i) + "," + std::to_string(i) + "\n";
-  EXPECT_EQ(parseForceTable(text, "f.csv").rows, ForceTable::kMostRows);
+  for (std::uint32_t i = 1; i <= ForceTable::kMaxRows; ++i) text += std::to_string(i) + "," + std::to_string(i) + "\n";
+  EXPECT_EQ(parseForceTable(text, "f.csv").rows, ForceTable::kMaxRows);
   EXPECT_EQ(messageFor(text + "65,65\n"), "f.csv:65: more than 64 rows");
 }
 

@@ -1,5 +1,5 @@
 // A law read backwards and forwards again is what it was.
-#include "palpate/tissue/law_inverse.h"
+#include "palpate/tissue/force_law.h"
 
 #include <gtest/gtest.h>
 

@@ -64,8 +64,8 @@ TEST(LayerStack, NamesTheLayerAndTheNumberThatMakeNoSense) {
   EXPECT_EQ(fault({"fat", 8.0, 0.0}), "layer 2: Young's modulus = 0 is out of range: 0.01 to 1,000,000 kPa");
   EXPECT_EQ(fault({"fat", std::nan(""), 10.0}), "layer 2: thickness = nan is out of range: 0.1 to 500 mm");
   EXPECT_EQ(fault({"fat", 8.0, 10.0}, 0.5), "stack: Poisson's ratio = 0.5 is out of range: 0 to 0.499");
-  EXPECT_NE(fault({"f\"at", 8.0, 10.0}).find("layer 2: 'f\"at' is no name"), std::string::npos);
-  EXPECT_NE(fault({std::string(41, 'a'), 8.0, 10.0}).find("is no name"), std::string::npos);
+  EXPECT_NE(fault({"f\"at", 8.0, 10.0}).find("layer 2: 'f\"at' is not a name"), std::string::npos);
+  EXPECT_NE(fault({std::string(41, 'a'), 8.0, 10.0}).find("is not a name"), std::string::npos);
   EXPECT_EQ(support::messageOf([] { check(LayerStack{}); }), "stack: at least one layer is needed");
   LayerStack many{.layers = std::vector<Layer>(17, Layer{"fat", 8.0, 10.0})};
   EXPECT_EQ(support::messageOf([&] { check(many); }), "stack: more than 16 layers");
@@ -179,11 +179,13 @@ TEST(LayeredTable, IsWrittenAndReadAsAFile) {
 }
 
 TEST(LayeredTable, NamesFileAndKeyOfWhatItCannotRead) {
-  EXPECT_EQ(faultOfText("{}"), "t.json:1: is no table of layered tissue: it has no \"palpate_layered_table\"");
+  EXPECT_EQ(faultOfText("{}"), "t.json:1: is not a table of layered tissue: it has no \"palpate_layered_table\"");
   EXPECT_EQ(faultOfText(changedText("table\": 1", "table\": 2")), "t.json:2: is a table of another version");
   EXPECT_EQ(faultOfText(changedText("\"force_n\": 4.16, ", "")), "t.json:15: has no \"force_n\"");
-  EXPECT_EQ(faultOfText(changedText("\"force_n\": 4.16", "\"force_n\": \"4\"")), "t.json:15: \"force_n\" is no number");
-  EXPECT_EQ(faultOfText(changedText("[0, 5, 40]", "[0, [5], 40]")), "t.json:10: \"radii_mm\" is no list of numbers");
+  EXPECT_EQ(faultOfText(changedText("\"force_n\": 4.16", "\"force_n\": \"4\"")),
+            "t.json:15: \"force_n\" must be a number");
+  EXPECT_EQ(faultOfText(changedText("[0, 5, 40]", "[0, [5], 40]")),
+            "t.json:10: \"radii_mm\" must be a list of numbers");
   EXPECT_EQ(faultOfText(changedText("[0, 5, 40]", "[0, 50, 40]")),
             "t.json: radii_mm: must increase, but 40 follows 50");
   EXPECT_EQ(faultOfText(changedText("0.31", "1e999")).substr(0, 7), "t.json:");

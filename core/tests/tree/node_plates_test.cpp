@@ -1,5 +1,5 @@
 // The bounds of the tree's plates, against brute force: what they leave out must hold nothing.
-#include "palpate/tree/node_plates.h"
+#include "palpate/tree/triangle_tree.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,7 +10,6 @@
 #include "lab/workloads/heldout_meshes.h"
 #include "lab/workloads/workload_meshes.h"
 #include "palpate/base/random.h"
-#include "palpate/tree/triangle_tree.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::tree {

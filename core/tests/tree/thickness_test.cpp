@@ -1,5 +1,5 @@
 // How thick bodies of known measures are under their vertices.
-#include "palpate/tree/thickness.h"
+#include "palpate/tree/triangle_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "palpate/tree/winding_number.h"
+#include "palpate/tree/triangle_tree.h"
 
 #include <gtest/gtest.h>
 

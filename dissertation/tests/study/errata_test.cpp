@@ -5,9 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "dissertation/errata/errata_report.h"
 #include "dissertation/errata/errata_study.h"
-#include "dissertation/report/report_findings.h"
+#include "dissertation/report/report.h"
 #include "palpate/base/error.h"
 #include "palpate/hdb/literal_traversal.h"
 #include "palpate/mesh/files/save.h"

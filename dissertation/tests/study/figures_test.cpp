@@ -7,7 +7,7 @@
 
 #include <set>
 
-#include "dissertation/report/report_findings.h"
+#include "dissertation/report/report.h"
 #include "lab/measured/model_meshes.h"
 #include "lab/measured/pressed_skin.h"
 #include "palpate/base/text.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "dissertation/interpolation/interpolation_figures.h"
+#include "dissertation/interpolation/interpolation_findings.h"
 #include "dissertation/interpolation/left_out.h"
 #include "report/tests/report/page_numbers.h"
 #include "report/tests/report/texts_apart.h"
@@ -56,7 +56,7 @@ TEST(LeftOut, APlaneForeseesWhatChangesLinearly) {
 }
 
 TEST(LeftOut, APointThatIsLeftOutDoesNotForetellItself) {
-  // Nothing of P1's neighbours reaches it with 10 mm: the basic circle is foretold everywhere.
+  // Nothing of P1's neighbours reaches it with 10 mm: the basic circle is predicted everywhere.
   const TensorSet set = meanSet(ForceDirection::up);
   const maps::LogTensor circle(std::log(150.0), 0.0, 0.0);
   double squares = 0.0;
@@ -64,7 +64,7 @@ TEST(LeftOut, APointThatIsLeftOutDoesNotForetellItself) {
     if (!key.mirrored) squares += std::pow(boundaryRmsMm(circle, key.tensor), 2.0) / 5.0;
   }
   const LeftOutErrors errors = leftOutErrors({set}, Interpolator::gri, 10.0);
-  EXPECT_EQ(errors.foretold, 5);
+  EXPECT_EQ(errors.predicted, 5);
   EXPECT_NEAR(errors.rms_mm, std::sqrt(squares), 1e-9);
 }
 

@@ -1,4 +1,4 @@
-#include "dissertation/hdb/list_costs.h"
+#include "dissertation/hdb/hdb_measurement.h"
 
 #include <gtest/gtest.h>
 

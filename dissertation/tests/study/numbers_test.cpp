@@ -11,7 +11,7 @@
 #include "dissertation/numbers/printed_numbers.h"
 #include "dissertation/numbers/table_5_1.h"
 #include "dissertation/profile/array_quality.h"
-#include "dissertation/report/report_findings.h"
+#include "dissertation/report/report.h"
 #include "palpate/base/text.h"
 #include "support/error_message.h"
 #include "support/golden.h"

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dissertation/assignment/assignment_findings.h"
-#include "dissertation/complexity/complexity_findings.h"
-#include "dissertation/hdb/hdb_findings.h"
-#include "dissertation/tables/rates_findings.h"
-#include "dissertation/threshold/threshold_findings.h"
+#include "dissertation/assignment/assignment_measurement.h"
+#include "dissertation/complexity/complexity_results.h"
+#include "dissertation/hdb/hdb_measurement.h"
+#include "dissertation/tables/rendering_rates.h"
+#include "dissertation/threshold/threshold_measurement.h"
 #include "palpate/hdb/complexity.h"
 #include "report/tests/report/says.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "dissertation/relaxation/relaxation_findings.h"
+#include "dissertation/relaxation/relaxation_measurement.h"
 #include "dissertation/studies.h"
 #include "report/tests/report/page_numbers.h"
 #include "report/tests/report/says.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "dissertation/search/search_findings.h"
+#include "dissertation/search/search_measurement.h"
 #include "lab/measured/model_meshes.h"
 #include "palpate/mesh/topology.h"
 #include "report/tests/report/says.h"

@@ -2,9 +2,9 @@
 // sentence.
 #include <gtest/gtest.h>
 
-#include "dissertation/directions/direction_findings.h"
+#include "dissertation/directions/direction_fields.h"
 #include "dissertation/interpolation/interpolation_findings.h"
-#include "dissertation/profile/profile_findings.h"
+#include "dissertation/profile/array_quality.h"
 #include "report/tests/report/says.h"
 
 namespace palpate::study {
@@ -75,7 +75,7 @@ namespace {
 InterpolationResults someInterpolations() {
   InterpolationResults results;
   for (std::size_t i = 0; i < kInterpolators.size(); ++i) {
-    results.subjects[i] = {.rms_mm = 25.0 - static_cast<double>(i % 4), .foretold = 40};
+    results.subjects[i] = {.rms_mm = 25.0 - static_cast<double>(i % 4), .predicted = 40};
     results.range_mm[i] = {133.0, 179.0};
   }
   results.scatter_mm = 21.0;

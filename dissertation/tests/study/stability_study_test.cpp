@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include "dissertation/stability/stability_findings.h"
-#include "dissertation/stability/stability_map_study.h"
+#include "dissertation/stability/stability_measurement.h"
 #include "report/tests/report/says.h"
 
 namespace palpate::study {

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLinks = 40;
+constexpr int kMaxLinks = 40;
 constexpr mode_t kNewFileMode = 0666;  // less the umask
 constexpr mode_t kOwnerMode = 0600;
 
@@ -49,7 +49,7 @@ fs::path linkOfAnybody(const fs::path& file) {
 /// reads and follows itself.
 void refuseLinksOfAnybody(fs::path target) {
   std::error_code error;
-  for (int i = 0; i < kMostLinks; ++i) {
+  for (int i = 0; i < kMaxLinks; ++i) {
     if (const fs::path link = linkOfAnybody(target); !link.empty()) {
       throw Error::inFile(link.string(), "is a link in a folder that everybody may write to: name what it leads to");
     }
@@ -63,7 +63,7 @@ void refuseLinksOfAnybody(fs::path target) {
 /// The file that a chain of links means: renaming onto a link would replace the link.
 fs::path withoutLinks(fs::path target) {
   std::error_code error;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(target, error)); ++i) {
+  for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(target, error)); ++i) {
     const fs::path next = fs::read_symlink(target, error);
     if (error) break;
     target = target.parent_path() / next;  // an absolute one replaces all

@@ -1,4 +1,4 @@
-// The table of back ends. Cold path. Own.
+// The table of back ends. Cold path.
 #include "palpate/device/back_ends.h"
 
 #include <fmt/format.h>

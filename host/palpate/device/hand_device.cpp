@@ -1,5 +1,5 @@
 // A tick of the servo is a tick of the hand. Deadlines that a paced loop slept through pass here too: the motor holds
-// its force for two of them, as drivers do, and lets go. Own.
+// its force for two of them, as drivers do, and lets go.
 #include "palpate/device/hand_device.h"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 constexpr double kReachMm = 80.0;
 
 /// A loop that was away for longer left the hand alone: it rests by then.
-constexpr std::uint64_t kMostCatchUpTicks = 500;
+constexpr std::uint64_t kMaxCatchUpTicks = 500;
 
 std::vector<std::string> handWords() {
   std::vector<std::string> words = wordList<HandKind>();
@@ -40,9 +40,8 @@ class HandDevice {
 
   Vec3 readTip(std::uint64_t tick) noexcept {
     if (tick < due_) due_ = tick;  // a servo may count from 0 again
-    const std::uint64_t missed = std::min(tick - due_, kMostCatchUpTicks);
-    for (std::uint64_t i = 0; i < missed; ++i)
-      pass(tick - missed + i, i < kMostPoseTicks ? force_ : Vec3(Vec3::Zero()));
+    const std::uint64_t missed = std::min(tick - due_, kMaxCatchUpTicks);
+    for (std::uint64_t i = 0; i < missed; ++i) pass(tick - missed + i, i < kMaxPoseTicks ? force_ : Vec3(Vec3::Zero()));
     due_ = tick;
     return hand_.readTip();
   }

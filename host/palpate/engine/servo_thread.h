@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "palpate/base/handover.h"
-#include "palpate/engine/session_settings.h"
+#include "palpate/engine/recording_settings.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
 
@@ -36,7 +36,7 @@ struct ServoPlan {
   std::vector<std::optional<device::Device>> devices = {};
 };
 
-/// A world as the servo feels it: what a session has to know to feel it again.
+/// A world as the servo feels it: what a recording has to know to feel it again.
 struct FeltWorld {
   std::uint32_t number = 0;  ///< trace::Sample::world
   std::shared_ptr<const scene::World> world;
@@ -83,7 +83,7 @@ class ServoThread {
   servo::EmergencyStop& emergencyStop() { return links_.emergency_stop; }
   std::size_t droppedSamples() const { return links_.samples.dropped(); }
 
-  // For whoever records (session_recorder.h), one at a time.
+  // For whoever records (recorder.h), one at a time.
 
   /// From the next tick on every sample goes into a ring of its own as well. The listener hears of the world at work,
   /// of the one that is on its way, and of each that is offered later, before any sample names it; on the owner's

@@ -1,6 +1,6 @@
-// One worker, one wish at a time, under one lock that is never held while a world is built or freed. Wishes are
+// One worker, one request at a time, under one lock that is never held while a world is built or freed. Requests are
 // numbered; a build that is not the newest any more throws GivenUp out of its own progress report. That is no
-// std::exception, so no handler on its way takes it for a failure. Own.
+// std::exception, so no handler on its way takes it for a failure.
 #include "palpate/engine/world_builder.h"
 
 #include <exception>
@@ -33,17 +33,17 @@ WorldBuilder::~WorldBuilder() {
   thread_.join();
 }
 
-void WorldBuilder::wish(BuildWish wish) {
-  replaceWish(std::move(wish));
+void WorldBuilder::request(BuildRequest request) {
+  replaceRequest(std::move(request));
   wake_.notify_all();
 }
 
-void WorldBuilder::cancel() { replaceWish(std::nullopt); }
+void WorldBuilder::cancel() { replaceRequest(std::nullopt); }
 
-void WorldBuilder::replaceWish(std::optional<BuildWish> wish) {
+void WorldBuilder::replaceRequest(std::optional<BuildRequest> request) {
   std::optional<BuildResult> unwanted;  // whole worlds: freed after the lock
   const std::lock_guard lock(mutex_);
-  std::swap(next_, wish);
+  std::swap(next_, request);
   std::swap(result_, unwanted);
   ++newest_;
 }
@@ -67,7 +67,7 @@ void WorldBuilder::run() {
   while (true) {
     wake_.wait(lock, [this] { return quit_ || next_; });
     if (quit_) return;
-    BuildWish wish = *std::exchange(next_, std::nullopt);
+    BuildRequest request = *std::exchange(next_, std::nullopt);
     const std::uint64_t number = newest_;
     busy_ = true;
     began_ = Clock::now();
@@ -75,7 +75,7 @@ void WorldBuilder::run() {
     lock.unlock();
     std::optional<BuildResult> result;
     try {
-      result = build(std::move(wish), number);
+      result = build(std::move(request), number);
     } catch (const GivenUp&) {
     }
     lock.lock();
@@ -88,13 +88,14 @@ void WorldBuilder::run() {
   }
 }
 
-BuildResult WorldBuilder::build(BuildWish wish, std::uint64_t number) {
-  BuildResult result{std::move(wish), nullptr, {}};
+BuildResult WorldBuilder::build(BuildRequest request, std::uint64_t number) {
+  BuildResult result{std::move(request), nullptr, {}};
   const palpate::Progress listen = [&](std::string_view stage, double done) { note(number, stage, done); };
   try {
-    scene::Scene& scene = result.wish.scene;
-    if (result.wish.read) scene = result.wish.read();
-    result.world = result.wish.body ? scene::rebuilt(*result.wish.body, scene, listen) : scene::build(scene, listen);
+    scene::Scene& scene = result.request.scene;
+    if (result.request.read) scene = result.request.read();
+    result.world =
+        result.request.body ? scene::rebuilt(*result.request.body, scene, listen) : scene::build(scene, listen);
     if (check_) check_(*result.world);
   } catch (const std::exception& error) {
     result.world = nullptr;

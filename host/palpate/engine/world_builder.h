@@ -1,8 +1,11 @@
-// Builds worlds beside everything else: the old body stays touchable until the new one is there, the newest wish wins.
+// Builds worlds beside everything else: the old body stays touchable until the new one is there, the newest request
+// wins.
 //
-//   wish ─► worker thread of low priority [ read? ─ scene::build or rebuilt ─ check? ] ─► take ─► ServoThread::change
+//   request ─► worker thread of low priority [ read? ─ scene::build or rebuilt ─ check? ] ─► take ─►
+//   ServoThread::change
 //
-// A build is given up at its next sign of life (a progress report) when a newer wish, a cancellation or the end comes.
+// A build is given up at its next sign of life (a progress report) when a newer request, a cancellation or the end
+// comes.
 #pragma once
 
 #include <atomic>
@@ -19,9 +22,9 @@
 
 namespace palpate::engine {
 
-struct BuildWish {
+struct BuildRequest {
   scene::Scene scene;
-  /// Its body is used as it is, when there is one: only what lies on it is built anew.
+  /// Its body is used as it is, when there is one: only what lies on it is built again.
   std::shared_ptr<const scene::World> body;
   /// Makes the scene first, on the worker's thread, in place of the one above: for scenes that must be read from a
   /// file. May throw. Usually empty.
@@ -29,7 +32,7 @@ struct BuildWish {
 };
 
 struct BuildResult {
-  BuildWish wish;
+  BuildRequest request;
   std::shared_ptr<const scene::World> world;  ///< null if it failed
   std::string error;                          ///< why, in one line
 };
@@ -52,31 +55,31 @@ class WorldBuilder {
   WorldBuilder(const WorldBuilder&) = delete;
   WorldBuilder& operator=(const WorldBuilder&) = delete;
 
-  /// Replaces whatever was wished before, also a result that nobody took.
-  void wish(BuildWish wish);
-  /// Forgets the newest wish: no result will come.
+  /// Replaces whatever was requested before, also a result that nobody took.
+  void request(BuildRequest request);
+  /// Forgets the newest request: no result will come.
   void cancel();
-  /// The result of the newest wish once it is there, at most once. Never waits for the work.
+  /// The result of the newest request once it is there, at most once. Never waits for the work.
   std::optional<BuildResult> take();
   /// Of the work under way, if any.
   std::optional<BuildProgress> progress() const;
 
  private:
   void run();
-  void replaceWish(std::optional<BuildWish> wish);
-  BuildResult build(BuildWish wish, std::uint64_t number);
+  void replaceRequest(std::optional<BuildRequest> request);
+  BuildResult build(BuildRequest request, std::uint64_t number);
   void note(std::uint64_t number, std::string_view stage, double done);
 
   Check check_;
   mutable std::mutex mutex_;  // guards all but the atomic
   std::condition_variable wake_;
-  std::optional<BuildWish> next_;
+  std::optional<BuildRequest> next_;
   std::optional<BuildResult> result_;
   BuildProgress progress_;
   Clock::time_point began_;
   bool busy_ = false;
   bool quit_ = false;
-  std::atomic<std::uint64_t> newest_{0};  // number of the newest wish or cancellation
+  std::atomic<std::uint64_t> newest_{0};  // number of the newest request or cancellation
   std::thread thread_;                    // last: it uses all of the above
 };
 

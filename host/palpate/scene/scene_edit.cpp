@@ -1,10 +1,10 @@
 // A value becomes a file of one key and is read by the file's own reader, into a copy of the scene that takes its place
-// when all went well. A parse and a copy a change: cold path. Own.
+// when all went well. A parse and a copy a change: cold path.
 #include "palpate/scene/scene_edit.h"
 
 #include <algorithm>
 
-#include "palpate/scene/keys/scene_keys.h"
+#include "palpate/scene/detail/scene_keys.h"
 
 namespace palpate::scene {
 

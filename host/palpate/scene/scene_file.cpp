@@ -1,5 +1,5 @@
 // Text -> TOML tree -> the keys before the first table -> each table by its own reader (scene_keys.h) -> Scene. What no
-// single table can see, two fingers of one name, is checked last. The documentation is made of the same tables. Own.
+// single table can see, two fingers of one name, is checked last. The documentation is made of the same tables.
 #include "palpate/scene/scene_file.h"
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/load.h"
+#include "palpate/scene/detail/scene_keys.h"
 #include "palpate/scene/detail/toml_table.h"
-#include "palpate/scene/keys/scene_keys.h"
 
 namespace palpate::scene {
 
@@ -76,7 +76,7 @@ std::string keysAsMarkdown() {
           std::find_if(sections().begin(), sections().end(), [&](const Section& s) { return s.title == row.table; });
       text += fmt::format("\n### {}\n\n", row.table.empty() ? "Before the first table" : "`" + row.table + "`");
       if (section != sections().end()) text += section->about + "\n\n";
-      text += "| key | takes | left out | meaning |\n|---|---|---|---|\n";
+      text += "| key | takes | default | meaning |\n|---|---|---|---|\n";
       table = row.table;
     }
     text += fmt::format("| `{}` | {} | {} | {} |\n", row.key, row.takes,

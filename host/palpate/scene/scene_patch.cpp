@@ -1,17 +1,16 @@
 // Both scenes as rows of keys -> rows that differ -> changes of the text, by the places that the parser noted -> the
 // new text, read once more: it counts only if it says what it should. Places that stand several times ([[finger]]) are
-// told apart by what stayed the same, as in a comparison of two files.
+// distinguished by what stayed the same, as in a comparison of two files.
 //
 // Based on: Hunt and McIlroy, "An algorithm for differential file comparison", 1976 (longest common subsequence). Cold
-// path. Own.
-#include "palpate/scene/scene_patch.h"
+// path.
+#include "palpate/scene/scene_writer.h"
 
 #include <algorithm>
 #include <map>
 
 #include "palpate/base/error.h"
-#include "palpate/scene/keys/scene_keys.h"
-#include "palpate/scene/scene_writer.h"
+#include "palpate/scene/detail/scene_keys.h"
 
 namespace palpate::scene {
 

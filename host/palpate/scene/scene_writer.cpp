@@ -1,5 +1,5 @@
 // Data flow: Scene -> rows of scene_keys.h -> lines, what reads like the default left out, file names made relative ->
-// OutputFile. Cold path. Own.
+// OutputFile. Cold path.
 #include "palpate/scene/scene_writer.h"
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "palpate/base/output_file.h"
-#include "palpate/scene/keys/scene_keys.h"
+#include "palpate/scene/detail/scene_keys.h"
 
 namespace palpate::scene {
 

@@ -5,7 +5,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "palpate/scene/scene.h"
@@ -14,7 +16,7 @@
 namespace palpate::scene {
 
 /// The text. Files that the scene names are written relative to `folder` where they lie under it, else with their full
-/// path. Comments of the file the scene came from are lost; scene_patch.h keeps them.
+/// path. Comments of the file the scene came from are lost; patchedScene keeps them.
 std::string sceneAsToml(const Scene& scene, const std::filesystem::path& folder = {});
 
 /// The row's value as it stands in a file of this folder: names of files that lie under it are relative to it.
@@ -25,5 +27,14 @@ std::string linesOf(const std::vector<KeyRow>& rows, const std::vector<KeyRow>& 
 
 /// Writes it, complete or not at all. Throws Error naming the file.
 void save(const Scene& scene, const std::filesystem::path& file);
+
+// Saves a scene into the file that a person wrote: only the lines of what was changed are touched, so that comments,
+// order and layout stay. The TOML library reads comments away and cannot write them again; it does say where each key
+// and value stands.
+
+/// The text of a scene file, changed to say what `scene` says; `file` is where it will lie. Lines that hold nothing but
+/// a comment are never lost. Nothing when the text does not read back as the scene: it is no scene file, or holds its
+/// tables in a form that is not patched (keys to be added to `friction.static = 1`, or tables to a list in brackets).
+std::optional<std::string> patchedScene(std::string_view text, const Scene& scene, const std::filesystem::path& file);
 
 }  // namespace palpate::scene

@@ -1,6 +1,6 @@
 // Paced: wake -> before_tick -> the tick between two readings of the clock -> rings and buffers -> once a second
 // vitals. Headless: the same measured tick into a sink, with no clock to wait for. Neither allocates after the start; a
-// wake that came too late is a fault for the limiter. Own.
+// wake that came too late is a fault for the limiter.
 #include "palpate/servo/loop.h"
 
 #include <algorithm>

@@ -7,12 +7,14 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <span>
+#include <thread>
 #include <vector>
 
+#include "palpate/base/handover.h"
 #include "palpate/base/progress.h"
-#include "palpate/base/ring_buffer.h"
 #include "palpate/base/triple_buffer.h"
 #include "palpate/servo/histogram.h"
 #include "palpate/servo/pacing.h"
@@ -98,5 +100,31 @@ struct PacedSettings {
 /// Runs paced ticks on the calling thread until the deadline of tick `ticks` - 1 has passed or `links.stop` is set. At
 /// the end every device gets zero force.
 LoopReport runPaced(Rig& rig, std::uint64_t ticks, const PacedSettings& settings, LoopLinks& links);
+
+// Takes samples out of the ring on a thread of its own, so that files are written beside the servo loop and not in it.
+
+class SampleDrain {
+ public:
+  using Sink = std::function<void(const trace::Sample&)>;
+
+  /// Starts the thread; `sink` gets every sample of `links` in order. It may throw: see join.
+  SampleDrain(LoopLinks& links, Sink sink);
+  ~SampleDrain();
+  SampleDrain(const SampleDrain&) = delete;
+  SampleDrain& operator=(const SampleDrain&) = delete;
+
+  /// Waits until the loop has finished and the ring is empty. Throws what the sink threw; after that samples were
+  /// dropped.
+  void join();
+
+ private:
+  void run();
+  void emptyRing();
+
+  LoopLinks& links_;
+  Sink sink_;
+  std::exception_ptr failure_;
+  std::thread thread_;
+};
 
 }  // namespace palpate::servo

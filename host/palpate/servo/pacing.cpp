@@ -1,5 +1,5 @@
 // Deadline k is start + k periods in whole nanoseconds: nothing adds up. Sleep on the monotonic clock to an absolute
-// time, so a sleep that was interrupted is just asked for again; the rest by reading the clock. Own.
+// time, so a sleep that was interrupted is just asked for again; the rest by reading the clock.
 #include "palpate/servo/pacing.h"
 
 #include <algorithm>

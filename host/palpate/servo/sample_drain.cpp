@@ -1,7 +1,7 @@
 // Polls: to be woken would cost the servo a system call. After the sink threw it goes on emptying the ring without it,
 // so that the loop's count of dropped samples stays the loop's own.
-// Data flow: ring buffer of LoopLinks -> here, on a thread of its own -> sink, which writes files. Own.
-#include "palpate/servo/sample_drain.h"
+// Data flow: ring buffer of LoopLinks -> here, on a thread of its own -> sink, which writes files.
+#include "palpate/servo/loop.h"
 
 #include <chrono>
 

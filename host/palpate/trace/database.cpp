@@ -70,8 +70,8 @@ int flagsOf(Database::Mode mode) {
 std::string wordsFor(sqlite3* database) {
   if (database == nullptr) return "out of memory";
   const int code = ::sqlite3_errcode(database) & 0xff;  // without what it extends
-  if (code == SQLITE_CORRUPT) return "is damaged; `palpate body repair` salvages what is left of a session";
-  if (code == SQLITE_NOTADB) return "is no session file";
+  if (code == SQLITE_CORRUPT) return "is damaged; `palpate body repair` salvages what is left of a recording";
+  if (code == SQLITE_NOTADB) return "is not a recording file";
   if (code == SQLITE_INTERRUPT) return "takes longer to read than a file of its size can need: it is not read further";
   const int told = ::sqlite3_system_errno(database);  // 0 where it has been forgotten on the way here
   const int reason = code == SQLITE_FULL ? ENOSPC : told != 0 ? told : errno;

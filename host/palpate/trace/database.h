@@ -4,7 +4,7 @@
 // ours), its sizes are limited, and a statement that takes more steps than a file of its size can need is ended. Which
 // tables it may have is known_schema.h's.
 //
-// Everything of a session file goes through here; nobody else includes sqlite3.h.
+// Everything of a recording file goes through here; nobody else includes sqlite3.h.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Columns are taken by their number, so the header must be the writer's word for word: a table of another version is
 // refused, not misread.
-// Data flow: forces.csv -> here, at load time -> a replay in the window, a plot. Own.
+// Data flow: forces.csv -> here, at load time -> a replay in the window, a plot.
 #include "palpate/trace/forces_table.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace palpate::trace {
 namespace {
 
 /// An hour of two fingers takes about that much.
-constexpr std::size_t kMostBytes = std::size_t{2} << 30;
+constexpr std::size_t kMaxBytes = std::size_t{2} << 30;
 // Columns of forcesCsvHeader().
 constexpr std::size_t kTime = 0;
 constexpr std::size_t kFinger = 1;
@@ -57,10 +57,10 @@ contact::Touch touchFrom(const CsvRow& row) {
 }
 
 std::uint32_t bitsFrom(const CsvRow& row, std::size_t column, std::string_view name) {
-  constexpr double kMost = 4294967295.0;
+  constexpr double kMax = 4294967295.0;
   const double bits = csvNumber(row, column, name);
-  if (bits >= 0.0 && bits <= kMost && bits == std::floor(bits)) return static_cast<std::uint32_t>(bits);
-  throw Error::atLine(row.file, row.line, fmt::format("{} is no set of bits: {}", name, row.fields[column]));
+  if (bits >= 0.0 && bits <= kMax && bits == std::floor(bits)) return static_cast<std::uint32_t>(bits);
+  throw Error::atLine(row.file, row.line, fmt::format("{} is not a set of bits: {}", name, row.fields[column]));
 }
 
 ForcesRow rowFrom(const CsvRow& row) {
@@ -80,12 +80,12 @@ ForcesRow rowFrom(const CsvRow& row) {
 [[noreturn]] void failForHeader(const CsvRow& row, std::span<const std::string_view> header) {
   const auto different = std::ranges::mismatch(row.fields, header);
   if (different.in1 == row.fields.begin() || different.in1 == row.fields.end()) {
-    throw Error::atLine(row.file, row.line, "is no table of forces: it begins with other columns");
+    throw Error::atLine(row.file, row.line, "is not a table of forces: it begins with other columns");
   }
   const auto column = different.in1 - row.fields.begin();
   const std::string_view wanted = different.in2 == header.end() ? "nothing" : *different.in2;
   throw Error::atLine(row.file, row.line,
-                      fmt::format("is no table of forces: column {} is '{}' instead of {}", column + 1,
+                      fmt::format("is not a table of forces: column {} is '{}' instead of {}", column + 1,
                                   different.in1->substr(0, 40), wanted));
 }
 
@@ -136,7 +136,7 @@ void forEachForcesRow(std::string_view text, std::string_view name,
 }
 
 void forEachForcesRow(const std::filesystem::path& file, const std::function<void(const ForcesRow&)>& visit) {
-  std::string text = readFile(file, kMostBytes);
+  std::string text = readFile(file, kMaxBytes);
   // Of a table that was not finished the last row may be torn.
   if (isUnfinished(file)) text.resize(text.rfind('\n') + 1);
   forEachForcesRow(text, file.string(), visit);

@@ -20,7 +20,7 @@ KnownSchema schemaMadeBy(const std::string& statements);
 bool isKnown(const KnownSchema& known, std::string_view statement);
 
 /// Throws Error naming the first table, index, view or trigger of the file that is not `known`. `what` the file should
-/// be: "a session". Ask a file nothing else before.
+/// be: "a recording". Ask a file nothing else before.
 void requireKnownSchema(Database& database, const KnownSchema& known, std::string_view what);
 
 }  // namespace palpate::trace

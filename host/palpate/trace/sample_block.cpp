@@ -1,4 +1,4 @@
-// zlib at its fastest level: a block of 200 ticks takes some 0.1 ms, on the writer's thread. Own.
+// zlib at its fastest level: a block of 200 ticks takes some 0.1 ms, on the writer's thread.
 #include "palpate/trace/sample_block.h"
 
 #include <fmt/format.h>
@@ -165,8 +165,8 @@ std::string inflated(std::string_view bytes, std::size_t size) {
 std::span<const SampleColumn> sampleColumns() { return kColumns; }
 
 SampleBlock packSamples(std::span<const Sample> samples) {
-  if (samples.empty() || samples.size() > kMostBlockRows) {
-    throw Error(fmt::format("a block of {} samples: 1 to {} will do", samples.size(), kMostBlockRows));
+  if (samples.empty() || samples.size() > kMaxBlockRows) {
+    throw Error(fmt::format("a block of {} samples: 1 to {} will do", samples.size(), kMaxBlockRows));
   }
   std::string raw(rowBytes(kColumns) * samples.size(), '\0');
   char* plane = raw.data();
@@ -189,7 +189,7 @@ SampleBlock packSamples(std::span<const Sample> samples) {
 SampleColumn columnOf(std::string_view name, std::string_view type) {
   constexpr std::array<std::string_view, 3> kTypes = {"f64", "u64", "u32"};
   const auto* const found = std::find(kTypes.begin(), kTypes.end(), type);
-  if (found == kTypes.end()) throw Error(fmt::format("column {}: '{}' is no type of numbers", name, type));
+  if (found == kTypes.end()) throw Error(fmt::format("column {}: '{}' is not a type of numbers", name, type));
   for (const SampleColumn& column : kColumns) {
     if (column.name != name) continue;
     if (column.type != type) throw Error(fmt::format("column {} is {} instead of {}", name, type, column.type));
@@ -200,7 +200,7 @@ SampleColumn columnOf(std::string_view name, std::string_view type) {
 
 std::vector<Sample> unpackSamples(std::string_view bytes, std::uint32_t crc32, std::size_t rows, std::uint32_t finger,
                                   std::span<const SampleColumn> columns) {
-  if (rows == 0 || rows > kMostBlockRows) throw Error(fmt::format("a block of {} rows", rows));
+  if (rows == 0 || rows > kMaxBlockRows) throw Error(fmt::format("a block of {} rows", rows));
   if (checksumOf(bytes) != crc32) throw Error("a block is damaged: its checksum is another");
   const std::string raw = inflated(bytes, rowBytes(columns) * rows);
   std::vector<Sample> samples(rows);

@@ -1,10 +1,10 @@
-// A block of samples as bytes, and back to the same bits: what a session file holds.
+// A block of samples as bytes, and back to the same bits: what a recording file holds.
 //
 //   samples of one finger ─ packSamples ─► bytes + checksum ─ table `blocks` ─► unpackSamples ─► the same samples
 //
 // A block is written column by column. A value's bits are XORed with those of the row before, so that what changes
 // little is mostly zeros; the bytes of a column stand sorted by their place in the number, so that the zeros stand
-// together; deflate (zlib) makes them small. docs/reference/sessions.md reads a block in thirty lines of Python.
+// together; deflate (zlib) makes them small. docs/reference/recordings.md reads a block in thirty lines of Python.
 #pragma once
 
 #include <cstdint>
@@ -37,14 +37,14 @@ std::span<const SampleColumn> sampleColumns();
 SampleColumn columnOf(std::string_view name, std::string_view type);
 
 /// Most rows of a block; more in a file are refused.
-inline constexpr std::size_t kMostBlockRows = 100000;
+inline constexpr std::size_t kMaxBlockRows = 100000;
 
 struct SampleBlock {
   std::string bytes;        ///< deflated
   std::uint32_t crc32 = 0;  ///< of `bytes`, as zlib has it
 };
 
-/// The finger is not part of the bytes. Throws Error for no samples and for more than kMostBlockRows.
+/// The finger is not part of the bytes. Throws Error for no samples and for more than kMaxBlockRows.
 SampleBlock packSamples(std::span<const Sample> samples);
 
 /// What the columns do not have keeps its default. Throws Error for a wrong checksum, for bytes that are not those of

@@ -1,6 +1,6 @@
 // Based on: the SQLite project's "Database File Format", sections 1.3 (header), 1.5 (freelist), 1.6 (b-tree pages,
 // cells and their overflow), 2.1 (records), 4 (write-ahead log).
-#include "palpate/trace/sqlite_pages.h"
+#include "palpate/trace/recording_remains.h"
 
 #include <algorithm>
 #include <bit>
@@ -17,7 +17,7 @@ constexpr std::size_t kHeaderBytes = 100;
 constexpr std::size_t kLogHeaderBytes = 32;
 constexpr std::size_t kFrameHeaderBytes = 24;
 /// More columns than any table here has.
-constexpr std::size_t kMostValues = 64;
+constexpr std::size_t kMaxValues = 64;
 
 constexpr unsigned kIndexNode = 2;
 constexpr unsigned kIndexLeaf = 10;
@@ -93,7 +93,7 @@ bool readRecord(std::string_view bytes, std::uint64_t size, RawRow& row) {
   const std::string_view types = bytes.substr(0, *header);
   while (at < types.size()) {
     const auto type = varint(types, at);
-    if (!type || row.values.size() >= kMostValues) return false;
+    if (!type || row.values.size() >= kMaxValues) return false;
     const auto width = widthOf(*type);
     if (!width || *width > size || place + *width > size) return false;
     if (place + *width > bytes.size()) row.whole = false;
@@ -143,7 +143,7 @@ SqlitePages::SqlitePages(const std::filesystem::path& file)
     : name_(file.string()), file_(file), log_(file.string() + "-wal") {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
-    throw Error::inFile(name_, std::filesystem::exists(file, error) ? "is no file" : "no such file");
+    throw Error::inFile(name_, std::filesystem::exists(file, error) ? "is not a file" : "no such file");
   }
   if (!file_.isOpen()) throw Error::inFile(name_, "cannot be read");
   readHeader();

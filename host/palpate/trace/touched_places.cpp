@@ -1,6 +1,6 @@
 // The skin is cut finer only where a place reaches it (found by the triangle tree); the small triangles are then found
-// from each place through a grid of their centres, as wide as the farthest reach. Own.
-#include "palpate/trace/touched_places.h"
+// from each place through a grid of their centres, as wide as the farthest reach.
+#include "palpate/trace/recording_statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@ constexpr double kFarthestPlaceMm = 1e6;
 /// 25 pieces long.
 constexpr double kPieceShare = 0.25;
 /// Of the whole skin; a mesh that would need more is cut more coarsely.
-constexpr std::size_t kMostPieces = 200'000;
-constexpr int kMostCuts = 8;
+constexpr std::size_t kMaxPieces = 200'000;
+constexpr int kMaxCuts = 8;
 
 std::int64_t cellOf(double mm, double cell_mm) { return static_cast<std::int64_t>(std::floor(mm / cell_mm)); }
 
@@ -70,7 +70,7 @@ Reached reachedBy(const mesh::TriangleMesh& skin, std::span<const TouchedPlace> 
 
 /// Into how many strips each side of a triangle is cut so that none is longer.
 int stripsOf(double side_mm, double longest_mm) {
-  return std::clamp(static_cast<int>(std::ceil(side_mm / longest_mm)), 1, 1 << kMostCuts);
+  return std::clamp(static_cast<int>(std::ceil(side_mm / longest_mm)), 1, 1 << kMaxCuts);
 }
 
 /// A triangle as strips^2 small ones of its own shape.
@@ -102,7 +102,7 @@ mesh::TriangleMesh cutSkin(const mesh::TriangleMesh& skin, const std::vector<boo
       if (reached[t]) pieces += std::pow(stripsOf(longestSide(skin, skin.triangles[t]), longest_mm), 2.0);
     }
     const auto reached_triangles = static_cast<double>(std::count(reached.begin(), reached.end(), true));
-    if (pieces <= std::max(static_cast<double>(kMostPieces), reached_triangles)) break;
+    if (pieces <= std::max(static_cast<double>(kMaxPieces), reached_triangles)) break;
   }
   mesh::TriangleMesh cut;
   for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
@@ -193,7 +193,7 @@ void PlaceCollector::add(const Sample& sample) {
                    cellOf(felt.proxy.z(), kPlaceCellMm)};
   auto found = cells_.find(key);
   if (found == cells_.end()) {
-    if (cells_.size() >= kMostPlaces) {
+    if (cells_.size() >= kMaxPlaces) {
       ++left_out_;
       return;
     }
@@ -222,13 +222,13 @@ std::vector<TouchedPlace> PlaceCollector::places() const {
 TouchedSurface touchedSurface(const mesh::TriangleMesh& skin, std::span<const TouchedPlace> places,
                               std::span<const double> reach_mm) {
   std::vector<double> reach(reach_mm.begin(), reach_mm.end());
-  for (double& mm : reach) mm = std::max(mm, kLeastReachMm);
+  for (double& mm : reach) mm = std::max(mm, kMinReachMm);
   std::uint32_t fingers = 0;
   for (const TouchedPlace& place : places) fingers = std::max(fingers, place.finger + 1);
-  reach.resize(std::max<std::size_t>(reach.size(), fingers), kLeastReachMm);
+  reach.resize(std::max<std::size_t>(reach.size(), fingers), kMinReachMm);
   const auto [least, most] = std::minmax_element(reach.begin(), reach.end());
-  const double shortest_reach = reach.empty() ? kLeastReachMm : *least;
-  const double longest_reach = reach.empty() ? kLeastReachMm : *most;
+  const double shortest_reach = reach.empty() ? kMinReachMm : *least;
+  const double longest_reach = reach.empty() ? kMinReachMm : *most;
 
   const Reached reached = reachedBy(skin, places, reach);
   TouchedSurface surface;

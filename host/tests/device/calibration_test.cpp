@@ -1,6 +1,6 @@
 // Three places that were touched: the transformation comes back exactly, places that do not tell it are refused in
 // words, and what does not fit is said.
-#include "palpate/device/calibration.h"
+#include "palpate/device/device_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -90,7 +90,7 @@ TEST(Calibration, RefusesWhatDoesNotTellAPlace) {
   EXPECT_NE(refusal(Places(3, Vec3(1, 1, 1)), kCorners).find("lie within 0.0 mm"), std::string::npos);
   Places none = kCorners;
   none[1].y() = std::nan("");
-  EXPECT_NE(refusal(none, kCorners).find("no number"), std::string::npos);
+  EXPECT_NE(refusal(none, kCorners).find("must be finite"), std::string::npos);
   EXPECT_NE(refusal({kCorners[0], kCorners[1]}, kCorners).find("2 places of the device"), std::string::npos);
   EXPECT_NE(refusal(kCorners, touched({.axes = Mat3::Identity(), .mm = 25.0}, kCorners)).find("0.05 to 20"),
             std::string::npos);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "palpate/device/hardware/forcedimension_api.h"
+#include "palpate/device/hardware/forcedimension_driver.h"
 #include "palpate/device/hardware/openhaptics_session.h"
 #include "palpate/scene/words.h"
 

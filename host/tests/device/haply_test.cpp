@@ -11,7 +11,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
 #include "palpate/device/hardware/haply_message.h"
-#include "palpate/device/hardware/haply_service.h"
+#include "palpate/device/hardware/haply_session.h"
 #include "support/wait_for.h"
 
 namespace palpate::device {
@@ -350,9 +350,8 @@ TEST(HaplyMessage, IsRefusedWithAReason) {
   for (const char* text : {"", "hello", "[]", "{}", "null", R"({"inverse3":7})", R"({"inverse3":[)"}) {
     EXPECT_GT(haply::parseReply(text).wrong.size(), 10u) << text;
   }
-  EXPECT_GT(
-      haply::parseReply(R"({"inverse3":[],"p":")" + std::string(haply::kMostReplyBytes, 'x') + "\"}").wrong.size(),
-      10u);
+  EXPECT_GT(haply::parseReply(R"({"inverse3":[],"p":")" + std::string(haply::kMaxReplyBytes, 'x') + "\"}").wrong.size(),
+            10u);
 }
 
 TEST(HaplyMessage, HoldsNoPlaceThatIsNone) {

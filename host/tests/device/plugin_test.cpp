@@ -12,7 +12,7 @@
 #include "host/tests/device/conformance_bench.h"
 #include "palpate/base/error.h"
 #include "palpate/device/hardware/plugin_checks.h"
-#include "palpate/device/hardware/plugin_library.h"
+#include "palpate/device/hardware/plugin_driver.h"
 
 namespace palpate::device {
 namespace {

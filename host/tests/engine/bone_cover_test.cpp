@@ -1,5 +1,5 @@
 // The skin never sinks into a bone: pressed as deep as it goes where bones lie near, its distance to the drawn bones.
-#include "palpate/engine/bone_cover.h"
+#include "palpate/engine/living_skin.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <random>
 
-#include "palpate/body/bone_depth.h"
+#include "palpate/body/bones.h"
 #include "palpate/body/places.h"
-#include "palpate/engine/living_skin.h"
 #include "support/changed_body.h"
 
 namespace palpate::engine {

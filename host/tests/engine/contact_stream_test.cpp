@@ -13,7 +13,6 @@
 #include "palpate/device/finger_path.h"
 #include "palpate/engine/byte_wire.h"
 #include "palpate/engine/living_skin.h"
-#include "palpate/engine/streamed_world.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/servo/loop.h"
 #include "palpate/servo/scripted_rig.h"
@@ -300,7 +299,7 @@ TEST(ContactStream, NoBitThatFlipsGivesAContactThatIsNone) {
     }
     for (const deform::Contact& contact : frame.contacts) {
       ASSERT_LT(contact.anchor_triangle, 2u) << bit;
-      ASSERT_TRUE(contact.anchor.cwiseAbs().maxCoeff() <= kMostWire && std::isfinite(contact.depth_mm)) << bit;
+      ASSERT_TRUE(contact.anchor.cwiseAbs().maxCoeff() <= kMaxWire && std::isfinite(contact.depth_mm)) << bit;
       ASSERT_LE(contact.tangential_contour.contour.count, maps::kMaxContourRadii) << bit;
     }
   }

@@ -1,4 +1,4 @@
-// Skin that relaxes, on its way through loop, session and display.
+// Skin that relaxes, on its way through loop, recording and display.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 #include "palpate/base/random.h"
 #include "palpate/engine/fingers.h"
 #include "palpate/engine/living_skin.h"
+#include "palpate/engine/recording_replay.h"
+#include "palpate/engine/recording_settings.h"
 #include "palpate/engine/servo_thread.h"
-#include "palpate/engine/session_replay.h"
-#include "palpate/engine/session_settings.h"
-#include "palpate/trace/session_rest.h"
+#include "palpate/trace/recording_rest.h"
 #include "support/counted.h"
 
 namespace palpate::engine {
@@ -63,9 +63,9 @@ class Relaxation : public testing::Test {
   /// How much the force was relaxed at most, mm.
   double record(int ticks) const {
     const auto felt_in = world();
-    trace::SessionWriter writer(file(), sessionHeader(1000.0), {{"left", "script"}, {"right", "script"}});
+    trace::RecordingWriter writer(file(), recordingHeader(1000.0), {{"left", "script"}, {"right", "script"}});
     servo::Rig rig = rigOn(felt_in);
-    writer.add(sessionWorld(*felt_in, feltWith(rig)));
+    writer.add(recordingWorld(*felt_in, feltWith(rig)));
     std::vector<trace::Sample> samples(2);
     double most = 0.0;
     for (std::uint64_t tick = 0; tick < static_cast<std::uint64_t>(ticks); ++tick) {
@@ -81,15 +81,15 @@ class Relaxation : public testing::Test {
   support::TemporaryFolder folder_;
 };
 
-TEST_F(Relaxation, IsFeltAgainFromASessionToTheBit) {
+TEST_F(Relaxation, IsFeltAgainFromARecordingToTheBit) {
   EXPECT_GT(record(3000), 0.5);
   {
-    trace::SessionReader session(file());
-    const ReplayReport report = replay(session);
+    trace::RecordingReader recording(file());
+    const ReplayReport report = replay(recording);
     EXPECT_TRUE(report.identical()) << (report.first_difference ? report.first_difference->field : "notes");
     EXPECT_EQ(report.ticks, 6000u);
     int dents = 0;
-    session.forEachTick({}, [&](std::span<const trace::Sample> samples) {
+    recording.forEachTick({}, [&](std::span<const trace::Sample> samples) {
       for (const trace::Sample& sample : samples) dents += sample.contact.dent.rest_mm > 0.1 ? 1 : 0;
       return true;
     });
@@ -97,11 +97,11 @@ TEST_F(Relaxation, IsFeltAgainFromASessionToTheBit) {
   }
   trace::Database(file(), trace::Database::Mode::write)
       .run("UPDATE settings SET contact = replace(contact, 'relaxation = 0.3', 'relaxation = 0.2999')");
-  trace::SessionReader session(file());
-  EXPECT_TRUE(replay(session).first_difference) << "it is felt with the settings that it was recorded with";
+  trace::RecordingReader recording(file());
+  EXPECT_TRUE(replay(recording).first_difference) << "it is felt with the settings that it was recorded with";
 }
 
-TEST(RestOfASession, WaitsUntilTheDentIsGone) {
+TEST(RestOfARecording, WaitsUntilTheDentIsGone) {
   trace::Sample sample;
   EXPECT_TRUE(trace::rests(sample));
   sample.contact.dent.rest_mm = 1e-5;
@@ -157,7 +157,7 @@ TEST(LivingSkinThatRelaxes, HasRoomForEveryFingersDentAndAllocatesNothing) {
   EXPECT_GT(deepest(skin), 0.5);
 }
 
-TEST(SettingsOfASession, HaveTheRelaxation) {
+TEST(SettingsOfARecording, HaveTheRelaxation) {
   contact::FingerSettings contact;
   contact.relaxation = {0.1, 1.0 / 3.0, 0.2, 7.0};
   const contact::Relaxation back = contactSettingsFrom(asText(contact)).relaxation;
@@ -165,7 +165,7 @@ TEST(SettingsOfASession, HaveTheRelaxation) {
   EXPECT_EQ(back.time_s, 1.0 / 3.0);
   EXPECT_EQ(back.share_2, 0.2);
   EXPECT_EQ(back.time_2_s, 7.0);
-  EXPECT_FALSE(contactSettingsFrom("radius_mm = 8\n").relaxation.on()) << "sessions from before there was any";
+  EXPECT_FALSE(contactSettingsFrom("radius_mm = 8\n").relaxation.on()) << "recordings from before there was any";
 }
 
 }  // namespace

@@ -248,10 +248,10 @@ TEST(ServoThread, APartitionCanBeReplacedUnderAFinger) {
   ASSERT_TRUE(waitFor(servo, [&] { return servo.contacts()[0].contact.depth_mm > 2.99; }));
   WorldBuilder builder;
   for (const std::size_t threshold : {16, 512, 32}) {
-    BuildWish wish{world->scene, world, {}};
-    wish.scene.partition.build.threshold = threshold;
-    wish.scene.partition.build.tree = threshold == 512 ? hdb::TreeKind::Bsp : hdb::TreeKind::Octree;
-    builder.wish(wish);
+    BuildRequest request{world->scene, world, {}};
+    request.scene.partition.build.threshold = threshold;
+    request.scene.partition.build.tree = threshold == 512 ? hdb::TreeKind::Bsp : hdb::TreeKind::Octree;
+    builder.request(request);
     std::optional<BuildResult> result;
     while (!(result = builder.take())) std::this_thread::yield();
     ASSERT_TRUE(result->world) << result->error;

@@ -21,11 +21,11 @@ struct Balls {
     mesh::save(folder / "small.ply", zoo::sphere(40.0, 3));
     mesh::save(folder / "large.ply", zoo::sphere(40.0, 6));
   }
-  BuildWish wish(const std::string& name) const {
-    BuildWish wish;
-    wish.scene.body.kind = scene::BodyKind::mesh;
-    wish.scene.body.file = folder / name;
-    return wish;
+  BuildRequest request(const std::string& name) const {
+    BuildRequest request;
+    request.scene.body.kind = scene::BodyKind::mesh;
+    request.scene.body.file = folder / name;
+    return request;
   }
   support::TemporaryFolder folder;
 };
@@ -41,11 +41,11 @@ void waitUntilIdle(const WorldBuilder& builder) {
   while (builder.progress()) std::this_thread::yield();
 }
 
-TEST(WorldBuilder, HandsOverWhatWasWishedOnce) {
+TEST(WorldBuilder, HandsOverWhatWasRequestedOnce) {
   const Balls balls;
   WorldBuilder builder;
   EXPECT_FALSE(builder.take());
-  builder.wish(balls.wish("small.ply"));
+  builder.request(balls.request("small.ply"));
   const BuildResult result = resultOf(builder);
   ASSERT_TRUE(result.world) << result.error;
   EXPECT_EQ(result.world->body->name, "small.ply");
@@ -56,7 +56,7 @@ TEST(WorldBuilder, HandsOverWhatWasWishedOnce) {
 TEST(WorldBuilder, TellsWhatIsWrongWithAFile) {
   const Balls balls;
   WorldBuilder builder;
-  builder.wish(balls.wish("missing.ply"));
+  builder.request(balls.request("missing.ply"));
   const BuildResult result = resultOf(builder);
   EXPECT_FALSE(result.world);
   EXPECT_NE(result.error.find("missing.ply"), std::string::npos) << result.error;
@@ -66,46 +66,46 @@ TEST(WorldBuilder, ReadsTheSceneBesideTheCaller) {
   const Balls balls;
   WorldBuilder builder;
   std::thread::id reader;
-  BuildWish wish;
-  wish.read = [&] {
+  BuildRequest request;
+  request.read = [&] {
     reader = std::this_thread::get_id();
-    return balls.wish("small.ply").scene;
+    return balls.request("small.ply").scene;
   };
-  builder.wish(wish);
+  builder.request(request);
   EXPECT_EQ(resultOf(builder).world->body->name, "small.ply");
   EXPECT_NE(reader, std::this_thread::get_id());
-  wish.read = []() -> scene::Scene { throw Error("no scene today"); };
-  builder.wish(wish);
+  request.read = []() -> scene::Scene { throw Error("no scene today"); };
+  builder.request(request);
   EXPECT_EQ(resultOf(builder).error, "no scene today");
 }
 
 TEST(WorldBuilder, AWorldCanBeRefusedBeforeAnybodySeesIt) {
   const Balls balls;
   WorldBuilder builder([](const scene::World& world) { throw Error("not " + world.body->name); });
-  builder.wish(balls.wish("small.ply"));
+  builder.request(balls.request("small.ply"));
   const BuildResult result = resultOf(builder);
   EXPECT_FALSE(result.world);
   EXPECT_EQ(result.error, "not small.ply");
 }
 
-TEST(WorldBuilder, OnlyTheNewestWishCounts) {
+TEST(WorldBuilder, OnlyTheNewestRequestCounts) {
   const Balls balls;
   WorldBuilder builder;
-  for (int i = 0; i < 20; ++i) builder.wish(balls.wish("large.ply"));
-  builder.wish(balls.wish("small.ply"));
+  for (int i = 0; i < 20; ++i) builder.request(balls.request("large.ply"));
+  builder.request(balls.request("small.ply"));
   EXPECT_EQ(resultOf(builder).world->body->name, "small.ply");
   waitUntilIdle(builder);
   EXPECT_FALSE(builder.take());
 }
 
-TEST(WorldBuilder, ACancelledWishLeavesNothingEvenWhenItWasDone) {
+TEST(WorldBuilder, ACancelledRequestLeavesNothingEvenWhenItWasDone) {
   const Balls balls;
   WorldBuilder builder;
-  builder.wish(balls.wish("large.ply"));
+  builder.request(balls.request("large.ply"));
   builder.cancel();
   waitUntilIdle(builder);
   EXPECT_FALSE(builder.take());
-  builder.wish(balls.wish("small.ply"));
+  builder.request(balls.request("small.ply"));
   waitUntilIdle(builder);
   builder.cancel();
   EXPECT_FALSE(builder.take());
@@ -114,12 +114,12 @@ TEST(WorldBuilder, ACancelledWishLeavesNothingEvenWhenItWasDone) {
 TEST(WorldBuilder, ReusesABody) {
   const Balls balls;
   WorldBuilder builder;
-  builder.wish(balls.wish("small.ply"));
+  builder.request(balls.request("small.ply"));
   const auto first = resultOf(builder).world;
-  BuildWish wish{first->scene, first, {}};
-  wish.scene.stiffness.constant_n_per_mm = 2.0;
-  wish.scene.body.file = "not/looked/at.ply";
-  builder.wish(wish);
+  BuildRequest request{first->scene, first, {}};
+  request.scene.stiffness.constant_n_per_mm = 2.0;
+  request.scene.body.file = "not/looked/at.ply";
+  builder.request(request);
   const auto second = resultOf(builder).world;
   ASSERT_TRUE(second);
   EXPECT_EQ(second->surface.stiffness_n_per_mm.at(0), 2.0);
@@ -129,7 +129,7 @@ TEST(WorldBuilder, ReusesABody) {
 TEST(WorldBuilder, ReportsProgressWhileItBuilds) {
   const Balls balls;
   WorldBuilder builder;
-  builder.wish(balls.wish("large.ply"));
+  builder.request(balls.request("large.ply"));
   std::vector<std::string> stages;
   std::optional<BuildResult> result;
   while (!(result = builder.take())) {
@@ -153,14 +153,14 @@ TEST(WorldBuilder, GivesUpWhatItBuildsWhenItIsDestroyed) {
   bool finished = false;
   {
     WorldBuilder builder([&](const scene::World&) { finished = true; });
-    BuildWish wish;
-    wish.read = [&] {
+    BuildRequest request;
+    request.read = [&] {
       under_way = true;
       while (!leaving) std::this_thread::yield();
       std::this_thread::sleep_for(std::chrono::milliseconds(50));  // the destructor has begun by now
-      return balls.wish("large.ply").scene;
+      return balls.request("large.ply").scene;
     };
-    builder.wish(wish);
+    builder.request(request);
     while (!under_way) std::this_thread::yield();
     leaving = true;
   }
@@ -168,7 +168,7 @@ TEST(WorldBuilder, GivesUpWhatItBuildsWhenItIsDestroyed) {
 }
 
 // Also the test that ThreadSanitizer watches.
-TEST(WorldBuilder, ManyThreadsWishAndTakeAtOnce) {
+TEST(WorldBuilder, ManyThreadsRequestAndTakeAtOnce) {
   const Balls balls;
   WorldBuilder builder;
   std::vector<std::thread> threads;
@@ -176,7 +176,7 @@ TEST(WorldBuilder, ManyThreadsWishAndTakeAtOnce) {
     threads.emplace_back([&, t] {
       Random random(static_cast<std::uint64_t>(t));
       for (int i = 0; i < 200; ++i) {
-        if (random.below(8) == 0) builder.wish(balls.wish("small.ply"));
+        if (random.below(8) == 0) builder.request(balls.request("small.ply"));
         if (random.below(40) == 0) builder.cancel();
         const auto progress = builder.progress();
         EXPECT_LE(progress ? progress->done : 0.0, 1.0);
@@ -187,7 +187,7 @@ TEST(WorldBuilder, ManyThreadsWishAndTakeAtOnce) {
     });
   }
   for (std::thread& thread : threads) thread.join();
-  builder.wish(balls.wish("small.ply"));
+  builder.request(balls.request("small.ply"));
   EXPECT_TRUE(resultOf(builder).world);
 }
 

@@ -88,7 +88,7 @@ TEST(OutputFile, FollowsNoLinkInAFolderWhereAnybodyMayLayOne) {
   EXPECT_EQ(support::messageOf([&] { writeFile(folder / "far.csv", "new"); }), (open / "laid.csv").string() + refusal);
   EXPECT_EQ(readFile(folder / "mine.csv", 100), "mine");
   writeFile(open / "plain.csv", "new");
-  EXPECT_EQ(readFile(open / "plain.csv", 100), "new") << "what is no link is written there as anywhere";
+  EXPECT_EQ(readFile(open / "plain.csv", 100), "new") << "what is not a link is written there as anywhere";
 }
 
 TEST(OutputFile, ForItsOwnerAloneIsSoFromTheFirstByte) {

@@ -8,8 +8,7 @@
 #include <random>
 
 #include "palpate/tissue/fitting/force_rows.h"
-#include "palpate/tissue/fitting/smoothed_force.h"
-#include "palpate/tissue/force_table.h"
+#include "palpate/tissue/user_profile.h"
 #include "support/error_message.h"
 
 namespace palpate::tissue {
@@ -80,7 +79,7 @@ TEST(ForceFit, FindsItWhereTheNoiseDoesNotGrowWithTheForce) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const ForceFit fit = fitForce(curve.with(seed), ForceForm::power, {});
     EXPECT_NEAR(fit.numbers.at(0).value, 1.6, 0.04) << "seed " << seed;
-    EXPECT_GE(fit.noise_floor, 0.5) << "told apart from noise that grows with the force";
+    EXPECT_GE(fit.noise_floor, 0.5) << "distinguished from noise that grows with the force";
   }
 }
 

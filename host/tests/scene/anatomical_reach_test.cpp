@@ -8,8 +8,7 @@
 #include <cmath>
 #include <string>
 
-#include "palpate/body/bone_depth.h"
-#include "palpate/scene/section_walk.h"
+#include "palpate/body/bones.h"
 #include "palpate/tissue/layered_library.h"
 #include "support/golden.h"
 
@@ -131,12 +130,12 @@ void judge(const Ground& ground, const AnatomicalReach& reach, const nlohmann::j
   const Vec3 tangent = Vec3::UnitY().cross(normal);
   const maps::SurfaceEllipse region = flatEllipse(flat, tangent);
   const tissue::PressCurves curves = layers().pressAt(thickness, 8.0);
-  ReachWish wish{.press = kind.press ? &curves : nullptr};
+  ReachRequest request{.press = kind.press ? &curves : nullptr};
   if (!kind.press) {
-    wish.drag_tenth = region;
-    wish.drag = kind.along_y ? Vec3::UnitY() : tangent;
+    request.drag_tenth = region;
+    request.drag = kind.along_y ? Vec3::UnitY() : tangent;
   }
-  const PlaceReach place = reach.at(ground.tree, triangle, at.closest.point, normal, wish);
+  const PlaceReach place = reach.at(ground.tree, triangle, at.closest.point, normal, request);
   const DirectedFactors& factors = kind.press ? place.press : place.drag;
   const maps::SurfaceContour contour = bentContour(region, factors, place);
   const maps::SurfaceEllipse ellipse = bentEllipse(region, factors, place);

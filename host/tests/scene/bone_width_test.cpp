@@ -1,12 +1,12 @@
 // Posts, ridges and planes under a flat skin: how narrow each is found to be.
-#include "palpate/scene/beneath/bone_width.h"
+#include "palpate/scene/beneath/tissue_beneath.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "palpate/body/bone_depth.h"
+#include "palpate/body/bones.h"
 #include "palpate/tissue/narrow_bone.h"
 
 namespace palpate::scene {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "palpate/scene/scene_file.h"
-#include "palpate/scene/scene_patch.h"
 #include "palpate/scene/scene_writer.h"
 #include "support/error_message.h"
 

@@ -15,7 +15,7 @@
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/skin_contact.h"
 #include "palpate/scene/world.h"
-#include "palpate/tree/winding_number.h"
+#include "palpate/tree/triangle_tree.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::scene {

@@ -1,4 +1,4 @@
-#include "palpate/scene/curves/place_curves.h"
+#include "palpate/scene/place_curves.h"
 
 #include <gtest/gtest.h>
 

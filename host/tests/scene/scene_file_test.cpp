@@ -180,7 +180,7 @@ TEST(SceneFile, NamesTheLineOfWhatIsNotToml) {
 TEST(SceneFile, AMeshIsToldApartFromAScene) {
   try {
     load("scan.OBJ");
-    ADD_FAILURE() << "a mesh is no scene";
+    ADD_FAILURE() << "a mesh is not a scene";
   } catch (const Error& error) {
     EXPECT_EQ(std::string(error.what()),
               "scan.OBJ: is a mesh, not a scene; a scene names it by file = \"...\" in [body]");

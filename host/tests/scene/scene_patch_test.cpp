@@ -1,4 +1,4 @@
-#include "palpate/scene/scene_patch.h"
+#include "palpate/scene/scene_writer.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_edit.h"
 #include "palpate/scene/scene_file.h"
-#include "palpate/scene/scene_writer.h"
 
 namespace palpate::scene {
 namespace {

@@ -1,6 +1,6 @@
 // Which tissue and law a scene comes to. That every key that changes them is announced is tried key by key, on what a
 // finger feels and the skin does, not on what the choice says of itself.
-#include "palpate/scene/tissue_choice.h"
+#include "palpate/scene/world.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,6 @@
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/skin_contact.h"
 #include "palpate/scene/words.h"
-#include "palpate/scene/world.h"
 #include "support/mesh_zoo.h"
 
 namespace palpate::scene {

@@ -26,7 +26,7 @@ std::shared_ptr<const scene::World> breathing(const std::string& more = "") {
   return scene::build(scene::parse(kScene + more, "breathing.toml"));
 }
 
-/// The skin of the world where its breath has taken it, built anew.
+/// The skin of the world where its breath has taken it, built again.
 contact::Surface movedSurface(const scene::World& world, double lift_mm) {
   mesh::TriangleMesh skin = world.body->skin;
   for (Vec3& p : skin.positions) p = world.breath->moved(p, lift_mm);

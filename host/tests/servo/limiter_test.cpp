@@ -311,7 +311,7 @@ RC_GTEST_PROP(Limiter, IsAlwaysFiniteAndBounded, (std::uint64_t seed)) {
 
 // ---- the scene's own numbers
 
-TEST(DeviceLimits, HoldWhatTheDeviceTakesWhateverTheSceneWishes) {
+TEST(DeviceLimits, HoldWhatTheDeviceTakesWhateverTheSceneRequests) {
   scene::SafetySettings safety;
   EXPECT_EQ(device::largestForceN(safety, device::profileOf(safety.device)), 3.3);
   safety.device = scene::DeviceModel::omega_3;
@@ -333,31 +333,32 @@ TEST(DeviceLimits, HoldWhatTheDeviceTakesWhateverTheSceneWishes) {
 }
 
 TEST(DeviceLimits, NoSceneAsksPastThemAndOnlyTheCommandLineLiftsThem) {
-  scene::SafetySettings wish;
-  wish.stiffness_cap_n_per_mm = 5.0;
-  wish.nominal_force_n = 100.0;
-  wish.delay_ticks = 3.0;
+  scene::SafetySettings request;
+  request.stiffness_cap_n_per_mm = 5.0;
+  request.nominal_force_n = 100.0;
+  request.delay_ticks = 3.0;
   const device::DeviceProfile unknown;
-  EXPECT_NEAR(stiffnessCap(wish, unknown, 0.001), 2.0 / 3.0, 1e-12);
-  EXPECT_EQ(device::largestForceN(wish, unknown), 3.3);
-  const std::vector<std::string> notes = safetyNotes(wish, unknown, 0.001);
+  EXPECT_NEAR(stiffnessCap(request, unknown, 0.001), 2.0 / 3.0, 1e-12);
+  EXPECT_EQ(device::largestForceN(request, unknown), 3.3);
+  const std::vector<std::string> notes = safetyNotes(request, unknown, 0.001);
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_NE(notes[0].find("stiffness_cap_n_per_mm = 5 is more than device, rate and delay"), std::string::npos);
   EXPECT_NE(notes[1].find("nominal_force_n = 100 is more than an unknown device takes: 3.3 N"), std::string::npos);
-  EXPECT_FALSE(limiterSettings(wish, unknown, 0.001).unsafe);
+  EXPECT_FALSE(limiterSettings(request, unknown, 0.001).unsafe);
 
-  wish.unsafe_stiffness = true;
-  EXPECT_EQ(stiffnessCap(wish, unknown, 0.001), 5.0);
-  EXPECT_EQ(device::largestForceN(wish, unknown), 100.0);
-  EXPECT_TRUE(limiterSettings(wish, unknown, 0.001).unsafe);
-  ASSERT_EQ(safetyNotes(wish, unknown, 0.001).size(), 1u);
-  EXPECT_TRUE(safetyNotes(wish, unknown, 0.001)[0].starts_with(kUnsafeMark));
+  request.unsafe_stiffness = true;
+  EXPECT_EQ(stiffnessCap(request, unknown, 0.001), 5.0);
+  EXPECT_EQ(device::largestForceN(request, unknown), 100.0);
+  EXPECT_TRUE(limiterSettings(request, unknown, 0.001).unsafe);
+  ASSERT_EQ(safetyNotes(request, unknown, 0.001).size(), 1u);
+  EXPECT_TRUE(safetyNotes(request, unknown, 0.001)[0].starts_with(kUnsafeMark));
 
   device::Capabilities driver;
   driver.takes_force = true;
   driver.max_force_n = 8.0;
-  EXPECT_EQ(device::largestForceN(wish, device::profileOf(wish.device, driver)), 8.0) << "a driver's word still bounds";
-  EXPECT_EQ(device::largestForceN(wish, device::profileOf(scene::DeviceModel::omni)), 3.3) << "it can do no more";
+  EXPECT_EQ(device::largestForceN(request, device::profileOf(request.device, driver)), 8.0)
+      << "a driver's word still bounds";
+  EXPECT_EQ(device::largestForceN(request, device::profileOf(scene::DeviceModel::omni)), 3.3) << "it can do no more";
 
   scene::SafetySettings modest;
   modest.unsafe_stiffness = true;

@@ -10,7 +10,6 @@
 
 #include "palpate/base/error.h"
 #include "palpate/device/device.h"
-#include "palpate/servo/sample_drain.h"
 
 namespace palpate::servo {
 namespace {

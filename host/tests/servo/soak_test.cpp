@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "host/tests/device/conformance_bench.h"
-#include "lab/loops/closed_loop.h"
+#include "lab/loops/loop_trials.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/servo/loop.h"
 #include "support/counted.h"

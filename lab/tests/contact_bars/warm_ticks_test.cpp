@@ -1,7 +1,7 @@
 // 100,000 warm ticks ask nothing of the system: no memory, no lock, no page.
 #include <algorithm>
 
-#include "lab/runs/hdb_run.h"
+#include "lab/runs/contact_run.h"
 #include "lab/tests/contact_bars/bars.h"
 
 namespace palpate::bars {

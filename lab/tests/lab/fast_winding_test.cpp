@@ -1,5 +1,5 @@
 // The quick winding number beside the exact sum over all triangles, near, far, inside and outside.
-#include "lab/judges/fast_winding.h"
+#include "lab/judges/hunt_judge.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,6 @@
 #include "lab/judges/surface_side.h"
 #include "lab/workloads/heldout_meshes.h"
 #include "lab/workloads/hunted_bodies.h"
-#include "lab/workloads/hunted_damage.h"
 #include "palpate/base/random.h"
 
 namespace palpate::lab {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "lab/hunt/kept_case.h"
-#include "lab/hunt/minimise.h"
 #include "lab/workloads/heldout_meshes.h"
 #include "palpate/base/error.h"
 #include "support/temporary_folder.h"

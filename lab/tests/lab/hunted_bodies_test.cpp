@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "lab/workloads/hunted_damage.h"
-#include "lab/workloads/hunted_shapes.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"

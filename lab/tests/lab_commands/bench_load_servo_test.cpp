@@ -1,4 +1,4 @@
-// `palpate study bench load`, `palpate study bench servo` and `palpate study bench session` from the outside.
+// `palpate study bench load`, `palpate study bench servo` and `palpate study bench recording` from the outside.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -70,8 +70,8 @@ TEST(BenchServoCommand, MeasuresLatenessAndComputeTimeApart) {
   EXPECT_TRUE(json["ratio_to"].contains("sleep_until"));
 }
 
-TEST(BenchSessionCommand, MeasuresWhatASessionCosts) {
-  const auto result = runPalpate("study bench session --seconds 3 --hours 0.01 --json");
+TEST(BenchRecordingCommand, MeasuresWhatARecordingCosts) {
+  const auto result = runPalpate("study bench recording --seconds 3 --hours 0.01 --json");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["fingers"], 2);
@@ -83,7 +83,7 @@ TEST(BenchSessionCommand, MeasuresWhatASessionCosts) {
   EXPECT_GT(json["replay_times_real_time"].get<double>(), 0.0);
   EXPECT_GT(json["seek_s"].get<double>(), 0.0);
   if (!support::timesAreJudged()) return;
-  EXPECT_LT(json["record_us_per_tick"].get<double>(), 0.25) << "0.09 us on a quiet core (docs/reference/sessions.md)";
+  EXPECT_LT(json["record_us_per_tick"].get<double>(), 0.25) << "0.09 us on a quiet core (docs/reference/benchmarks.md)";
   EXPECT_GT(json["replay_times_real_time"].get<double>(), 100.0) << "250 times on a quiet core";
   EXPECT_LT(json["seek_s"].get<double>(), 0.2);
 }

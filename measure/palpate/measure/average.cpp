@@ -25,13 +25,13 @@ using maps::LogTensor;
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSectorDeg = 45.0;
 /// Two drags closer than this do not tell the tissue from the drag (axes, so 90 is the most).
-constexpr double kLeastBetweenDragsDeg = 60.0;
+constexpr double kMinBetweenDragsDeg = 60.0;
 constexpr double kHardlyDeg = 10.0;
 constexpr double kHardlyResultant = 0.6;
 /// As many further presses as the scatter of all points counts for at one.
 constexpr double kPooledPresses = 2.0;
 /// The error below which a stated one is not believed: half a percent of size.
-constexpr double kLeastLogSd = 0.005;
+constexpr double kMinLogSd = 0.005;
 constexpr std::size_t kDraws = 4000;
 
 maps::Ellipse ellipseOf(const PressRow& press) {
@@ -66,7 +66,7 @@ std::optional<Mat3> statedCovariance(const PressRow& press) {
   const Vec2 along = doubled(ellipse.direction_rad);
   const Vec2 across(-along.y(), along.x());
   const double turn = 2.0 * half_difference * *press.sd_direction_deg * kRadPerDeg;
-  Mat3 covariance = kLeastLogSd * kLeastLogSd * Mat3::Identity();
+  Mat3 covariance = kMinLogSd * kMinLogSd * Mat3::Identity();
   covariance(0, 0) += size * size + half_ratio * half_ratio;
   covariance.bottomRightCorner<2, 2>() +=
       half_ratio * half_ratio * along * along.transpose() + turn * turn * across * across.transpose();
@@ -339,7 +339,7 @@ PointMean pointMean(const std::vector<Group>& groups, const PooledScatter& of_pe
   point.mean = point.drags.front().mean;
   if (point.drags.size() > 1) {
     OverDrags all = overDrags(point.drags);
-    if (betweenDrags(groups) >= kLeastBetweenDragsDeg) point.along_drag = takeOutDrag(point.drags, all);
+    if (betweenDrags(groups) >= kMinBetweenDragsDeg) point.along_drag = takeOutDrag(point.drags, all);
     point.mean = meanOf(maps::ellipseOf(all.mean), all.error);
     countIn(point.mean, presses);
   }

@@ -1,6 +1,6 @@
 // Based on: Ji, dissertation 2008, section 5.1 (contour of 2 mm, longest chord, extent across it); Halir and Flusser,
 // "Numerically stable direct least squares fitting of ellipses", 1998 (through OpenCV).
-#include "palpate/measure/contour_reading.h"
+#include "palpate/measure/field_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 constexpr int kContourRays = 180;
 constexpr double kRayStepMm = 3.0;
 constexpr double kFarthestMm = 400.0;
-constexpr double kLeastOfContour = 0.5;  // of the rays: less is no contour
+constexpr double kMinOfContour = 0.5;  // of the rays: less is no contour
 constexpr double kDiffersSd = 2.0;
 
 struct Traced {
@@ -102,7 +102,7 @@ std::optional<ContourReading> readContour(std::span<const MeasuredDot> dots, con
   const ThinPlate motion(places, motions, spacing_mm, 0.0);
   const Vec2 contact(fit.contact_x_mm.value, fit.contact_y_mm.value);
   const Traced two = trace(motion, chart, contact, 2.0);
-  if (two.inside_share < kLeastOfContour) return {};
+  if (two.inside_share < kMinOfContour) return {};
   ContourReading reading;
   reading.contour_2_mm = two.contour;
   reading.inside_share = two.inside_share;

@@ -2,7 +2,7 @@
 // is taken first, and what does not fit its neighbours is dropped in the end. No full rectangle is needed, and neither
 // tilt nor a bent back matters. Two things that would go wrong silently: a seed must start from its shortest pair, or
 // half of the pictures lock onto the diagonals with every second dot; and a round takes only its best third.
-#include "palpate/measure/dot_grid.h"
+#include "palpate/measure/dots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,6 @@
 #include <numeric>
 #include <optional>
 #include <utility>
-
-#include "palpate/measure/local_trend.h"
 
 namespace palpate::measure {
 
@@ -23,13 +21,13 @@ constexpr double kOpposite = 0.25;    // |v + w| of a pair, of its length
 constexpr double kAcross = 0.5;       // cosine between the two pairs of a seed, at most
 constexpr double kLengthRatio = 1.8;  // of the two pairs, at most: perspective and tilt
 constexpr std::size_t kSeeds = 5;
-constexpr double kReach = 0.27;         // a dot is on a site within so much of the spacing
-constexpr double kAreaWeight = 0.04;    // of the spacing, for a dot of e times the neighbours' area
-constexpr int kForetellingSites = 2;    // sites that foretell another; also the farthest jump over a gap
-constexpr double kLeastOutlier = 0.08;  // of the spacing
+constexpr double kReach = 0.27;       // a dot is on a site within so much of the spacing
+constexpr double kAreaWeight = 0.04;  // of the spacing, for a dot of e times the neighbours' area
+constexpr int kForetellingSites = 2;  // sites that foretell another; also the farthest jump over a gap
+constexpr double kMinOutlier = 0.08;  // of the spacing
 constexpr double kOutlierMedians = 4.5;
 constexpr int kCleanings = 6;
-constexpr std::size_t kLeastGrid = 9;  // fewer is chance
+constexpr std::size_t kMinGrid = 9;  // fewer is chance
 
 using Site = std::pair<int, int>;  // column, row
 using Sites = std::map<Site, std::size_t>;
@@ -246,7 +244,7 @@ class Lattice {
 
   /// A wrong dot makes its neighbours misfit too: only the worst of a neighbourhood is one.
   static bool isOutlier(const std::map<Site, double>& misfits, const Site& site, double misfit, double median) {
-    if (misfit <= std::max(kLeastOutlier, kOutlierMedians * median)) return false;
+    if (misfit <= std::max(kMinOutlier, kOutlierMedians * median)) return false;
     for (int dc = -1; dc <= 1; ++dc) {
       for (int dr = -1; dr <= 1; ++dr) {
         const auto beside = misfits.find({site.first + dc, site.second + dr});
@@ -311,7 +309,7 @@ DotGrid growGrid(std::span<const Dot> dots) {
   std::vector<bool> in_grid(dots.size(), false);
   if (largest) {
     const double irregularity = largest->clean();
-    if (largest->sites().size() >= kLeastGrid) {
+    if (largest->sites().size() >= kMinGrid) {
       grid.irregularity = irregularity;
       setSites(dots, largest->sites(), grid);
       for (const auto& [site, dot] : largest->sites()) in_grid[dot] = true;

@@ -1,11 +1,9 @@
-#include "palpate/measure/dot_matching.h"
+#include "palpate/measure/dots.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
-
-#include "palpate/measure/local_trend.h"
 
 namespace palpate::measure {
 
@@ -16,11 +14,11 @@ constexpr double kFarthestShift = 0.6;  // beyond half of it the next dot is nea
 constexpr double kCluster = 0.06;
 constexpr double kAtRest = 0.12;
 constexpr double kGrowing = 0.2;
-constexpr double kForetold = 0.12;
+constexpr double kPredicted = 0.12;
 constexpr int kSitesAround = 2;  // sites that foretell how the next one moved
 // Area in the second picture over the first, of the usual ratio: outside, something covers a part of the dot.
-constexpr double kLeastAreaRatio = 0.75;
-constexpr double kMostAreaRatio = 1.33;
+constexpr double kMinAreaRatio = 0.75;
+constexpr double kMaxAreaRatio = 1.33;
 
 /// The motion that most dots share, px.
 Vec2 commonShift(const DotGrid& grid, std::span<const Dot> after) {
@@ -90,8 +88,8 @@ DotsBySite sitesOf(const DotGrid& grid) {
 }
 
 /// How a dot moved, as its matched neighbours have it; none with fewer than two.
-std::optional<Vec2> foretoldMotion(const DotGrid& grid, const DotsBySite& sites, std::span<const Dot> after,
-                                   const DotMatch& match, std::size_t dot) {
+std::optional<Vec2> predictedMotion(const DotGrid& grid, const DotsBySite& sites, std::span<const Dot> after,
+                                    const DotMatch& match, std::size_t dot) {
   std::vector<Neighbour> neighbours;
   const GridSite site = grid.dots[dot].site;
   for (int dc = -kSitesAround; dc <= kSitesAround; ++dc) {
@@ -124,7 +122,7 @@ void growInwards(const DotGrid& grid, std::span<const Dot> after, DotMatch& matc
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < grid.dots.size(); ++i) {
       if (match.of[i]) continue;
-      const auto motion = foretoldMotion(grid, sites, after, match, i);
+      const auto motion = predictedMotion(grid, sites, after, match, i);
       if (!motion) continue;
       const auto nearest = nearestMark(after, used, grid.dots[i].dot.place_px + *motion, kGrowing * grid.spacing_px);
       if (nearest) candidates.push_back({i, *nearest});
@@ -161,7 +159,7 @@ void dropHalfHidden(const DotGrid& grid, std::span<const Dot> after, DotMatch& m
   for (std::size_t i = 0; i < match.of.size(); ++i) {
     if (!match.of[i] || ratio_of(i) == 0.0) continue;
     const double relative = ratio_of(i) / *middle;
-    if (relative < kLeastAreaRatio || relative > kMostAreaRatio) match.of[i].reset();
+    if (relative < kMinAreaRatio || relative > kMaxAreaRatio) match.of[i].reset();
   }
 }
 
@@ -178,8 +176,8 @@ DotMatch matchDots(const DotGrid& grid, std::span<const Dot> after) {
   return match;
 }
 
-DotMatch matchAt(const DotGrid& grid, std::span<const Vec2> foretold_px, std::span<const Dot> after) {
-  DotMatch match = mutualMatch(foretold_px, after, kForetold * grid.spacing_px);
+DotMatch matchAt(const DotGrid& grid, std::span<const Vec2> predicted_px, std::span<const Dot> after) {
+  DotMatch match = mutualMatch(predicted_px, after, kPredicted * grid.spacing_px);
   dropHalfHidden(grid, after, match);
   count(match);
   return match;

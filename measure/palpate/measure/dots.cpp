@@ -17,19 +17,19 @@ constexpr double kReducedPixels = 2e6;       // more gives no better centres of 
 constexpr double kWindowShare = 0.12;        // of the width, for the skin around: must exceed one spacing of the dots
 constexpr int kBackgroundReduction = 4;      // a median over so wide a window needs no finer picture
 constexpr double kBlurPx = 0.8;              // of the reduced picture: sensor noise
-constexpr double kLeastChroma = 8.0;         // below it a blot of redness is as strong
+constexpr double kMinChroma = 8.0;           // below it a blot of redness is as strong
 constexpr double kChromaNoises = 4.0;        // robust sd's of the chroma
-constexpr int kLeastBlobPx = 12;             // of the reduced picture
+constexpr int kMinBlobPx = 12;               // of the reduced picture
 constexpr double kLargestBlobShare = 0.004;  // of the picture
-constexpr double kLeastFill = 0.6;           // of a blob's box: a disc has 0.785
-constexpr double kMostFill = 0.95;
-constexpr double kLeastAspect = 0.5;
+constexpr double kMinFill = 0.6;             // of a blob's box: a disc has 0.785
+constexpr double kMaxFill = 0.95;
+constexpr double kMinAspect = 0.5;
 constexpr double kHueKernelRad = 0.15;
 constexpr double kSameHueRad = 0.35;  // blobs of the ink, among the first ones
 constexpr double kPeakShare = 0.45;   // of the middle blob's peak: where a dot ends
 constexpr double kCrossShare = 0.6;   // another hue than the ink's
-constexpr double kLeastArea = 0.2;    // of the middle blob's
-constexpr double kMostArea = 4.0;
+constexpr double kMinArea = 0.2;      // of the middle blob's
+constexpr double kMaxArea = 4.0;
 // Centring: weights rise from a quarter to three quarters of the way from the skin around to the dot's own peak.
 constexpr double kRampFrom = 0.25;
 constexpr double kRampTo = 0.75;
@@ -133,7 +133,7 @@ bool isRound(const Blob& blob) {
   const double fill = static_cast<double>(blob.area) / blob.box.area();
   const double aspect =
       static_cast<double>(std::min(blob.box.width, blob.box.height)) / std::max(blob.box.width, blob.box.height);
-  return fill > kLeastFill && fill < kMostFill && aspect > kLeastAspect;
+  return fill > kMinFill && fill < kMaxFill && aspect > kMinAspect;
 }
 
 /// A round blob as the vote for the pen's hue sees it.
@@ -166,12 +166,11 @@ std::vector<Sample> roundSamples(const InkPicture& ink) {
   const double noise = std::hypot(robustSd(ink.a), robustSd(ink.b)) / std::numbers::sqrt2;
   cv::Mat1f chroma;
   cv::magnitude(ink.a, ink.b, chroma);
-  const Blobs blobs = blobsOf(chroma > std::max(kLeastChroma, kChromaNoises * noise));
+  const Blobs blobs = blobsOf(chroma > std::max(kMinChroma, kChromaNoises * noise));
   const double largest = kLargestBlobShare * static_cast<double>(chroma.total());
   std::vector<Sample> samples;
   for (const Blob& blob : blobs.all) {
-    if (blob.area >= kLeastBlobPx && blob.area <= largest && isRound(blob))
-      samples.push_back(sampleOf(ink, blobs, blob));
+    if (blob.area >= kMinBlobPx && blob.area <= largest && isRound(blob)) samples.push_back(sampleOf(ink, blobs, blob));
   }
   return samples;
 }
@@ -330,12 +329,12 @@ FoundDots findDots(const Photograph& picture, const std::optional<Ink>& known) {
   const Blobs blobs = blobsOf(alongInk(ink_picture, here->ink) > kPeakShare * here->ink.peak_chroma);
   std::vector<float> areas;
   for (const Blob& blob : blobs.all) {
-    if (blob.area >= kLeastBlobPx && isRound(blob)) areas.push_back(static_cast<float>(blob.area));
+    if (blob.area >= kMinBlobPx && isRound(blob)) areas.push_back(static_cast<float>(blob.area));
   }
   const double area = areas.empty() ? here->area : static_cast<double>(medianOf(areas));
   const cv::Mat3b full = matrixOf(picture);
   for (const Blob& blob : blobs.all) {
-    if (blob.area < kLeastArea * area || blob.area > kMostArea * area || blob.area < kLeastBlobPx / 2) continue;
+    if (blob.area < kMinArea * area || blob.area > kMaxArea * area || blob.area < kMinBlobPx / 2) continue;
     Disc disc = discOf(blobs, blob, ink_picture.reduction);
     centreFinely(full, here->ink.hue_rad, disc);
     found.dots.push_back({disc.centre, disc.area});

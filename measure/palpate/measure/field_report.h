@@ -1,10 +1,13 @@
-// What is reported of a fitted field: ellipses at two levels, contact, peak, drag, each with its standard deviation.
+// What is reported of a fitted field: ellipses at two levels, contact, peak, drag, each with its standard deviation;
+// the contour beside it, and the verdict.
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "palpate/measure/field/field_fit.h"
 #include "palpate/measure/measurement.h"
+#include "palpate/measure/skin_chart.h"
 
 namespace palpate::measure {
 
@@ -25,5 +28,25 @@ FieldFit reportField(std::span<const WeighedField> forms, const Mat2& mean_to_sk
 /// What the dots could not see: no peak where none lies in the core, a wider one where the best moved by much less, and
 /// wider half axes where few dots lie within the ellipse. `data` and `numbers`: of the likeliest form.
 void widenByDots(std::span<const FieldDatum> data, const FieldNumbers& numbers, FieldFit& fit);
+
+// The measurement as the dissertation made it: the field between the dots interpolated, its contour traced.
+
+/// From dots with `after_px`; the fitted drift is taken off first. Rays go out from the fitted contact. None where too
+/// little of the contour lies within the dots.
+std::optional<ContourReading> readContour(std::span<const MeasuredDot> dots, const SkinChart& chart,
+                                          const FieldFit& fit, double spacing_mm);
+
+// Whether a measurement can be used: what speaks against it, and what to do.
+
+/// Fewer dots in order give no chart worth a fit.
+inline constexpr std::size_t kMinDotsInOrder = 30;
+/// More marks than this are no dots of a stencil.
+inline constexpr std::size_t kMaxMarks = 1500;
+
+/// What of the grid forbids to go on, if anything.
+std::vector<Finding> judgeGrid(const DotGrid& grid, const MeasureSettings& settings, const char* which = "first");
+
+/// Of everything else. `newly_visible`: sites that only the second picture shows.
+std::vector<Finding> judgeFit(const Measurement& measurement, std::size_t newly_visible);
 
 }  // namespace palpate::measure

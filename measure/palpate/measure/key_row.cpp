@@ -13,7 +13,7 @@ namespace palpate::measure {
 namespace {
 
 /// A tail so short is the half Gaussian.
-constexpr double kLeastInverseTail = 0.01;
+constexpr double kMinInverseTail = 0.01;
 constexpr std::size_t kLongestName = 64;
 
 std::string field(double number) { return std::isfinite(number) ? fmt::format(",{:.6g}", number) : ","; }
@@ -30,7 +30,7 @@ std::string measuredFields(const FieldFit& fit) {
   const Estimate& half_major_4 = has_4_mm ? fit.at_4_mm.half_major_mm : none;
   std::string row = field(half_major_4.value) + field(fit.peak_mm.value_or(none).value);
   // The tail of other forms is no P.
-  row += fit.field.form == FieldForm::smooth && k > kLeastInverseTail ? field(1.0 / k) : ",";
+  row += fit.field.form == FieldForm::smooth && k > kMinInverseTail ? field(1.0 / k) : ",";
   row += field(fit.drift.length_mm) + field(fit.gaussian_rim_mm) + field(fit.drag_deg.value);
   row +=
       sdField(fit.at_2_mm.half_major_mm) + sdField(fit.at_2_mm.major_over_minor) + sdField(fit.at_2_mm.direction_deg);

@@ -1,4 +1,4 @@
-#include "palpate/measure/local_trend.h"
+#include "palpate/measure/dots.h"
 
 #include <Eigen/QR>
 
@@ -8,13 +8,13 @@ namespace {
 
 constexpr Eigen::Index kFlat = 3;
 constexpr Eigen::Index kBent = 6;
-constexpr Eigen::Index kMostNeighbours = 48;
+constexpr Eigen::Index kMaxNeighbours = 48;
 
-using Terms = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostNeighbours, kBent>;
-using Values = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, kMostNeighbours, 2>;
+using Terms = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxNeighbours, kBent>;
+using Values = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::ColMajor, kMaxNeighbours, 2>;
 
 std::optional<Trend> solved(const std::vector<Neighbour>& neighbours, Eigen::Index terms) {
-  const auto count = std::min(static_cast<Eigen::Index>(neighbours.size()), kMostNeighbours);
+  const auto count = std::min(static_cast<Eigen::Index>(neighbours.size()), kMaxNeighbours);
   if (count < terms) return {};
   Terms matrix(count, terms);
   Values values(count, 2);

@@ -11,18 +11,16 @@
 #include "palpate/base/error.h"
 #include "palpate/base/number_range.h"
 #include "palpate/base/stopwatch.h"
-#include "palpate/measure/contour_reading.h"
-#include "palpate/measure/dot_matching.h"
+#include "palpate/measure/dots.h"
 #include "palpate/measure/field_report.h"
 #include "palpate/measure/skin_chart.h"
-#include "palpate/measure/verdict.h"
 
 namespace palpate::measure {
 
 namespace {
 
 constexpr int kMatchesAgain = 2;
-constexpr std::size_t kLeastForFit = 12;
+constexpr std::size_t kMinForFit = 12;
 constexpr int kEllipsePlaces = 72;          // at which it is asked whether dots are around
 constexpr double kNewlyVisibleReach = 0.2;  // of the spacing
 constexpr double kNeighbourReach = 1.5;     // of the spacing: with diagonals
@@ -69,11 +67,11 @@ class DotPairReading {
   void measure(const Progress& progress) {
     report(progress, "matching dots", 0.0);
     take(matchDots(m_.grid, after_));
-    for (int i = 0; i < kMatchesAgain && m_.matched >= kLeastForFit; ++i) {
+    for (int i = 0; i < kMatchesAgain && m_.matched >= kMinForFit; ++i) {
       fit();
-      take(matchAt(m_.grid, foretold(), after_));
+      take(matchAt(m_.grid, predicted(), after_));
     }
-    if (m_.matched < kLeastForFit) return;
+    if (m_.matched < kMinForFit) return;
     report(progress, "fitting the field", 0.5);
     fitAllForms();
     describe();
@@ -100,7 +98,7 @@ class DotPairReading {
     std::size_t visible = 0;
     for (const auto& [column, row] : freeSitesBeside(known)) {
       if (neighbours(column, row) < 3) continue;
-      const Vec2 place = foretoldOf(skinOfSite(column, row));
+      const Vec2 place = predictedOf(skinOfSite(column, row));
       const bool is_seen = [&] {
         for (std::size_t i = 0; i < after_.size(); ++i) {
           if (!used.contains(i) && (after_[i].place_px - place).norm() < kNewlyVisibleReach * m_.grid.spacing_px)
@@ -147,14 +145,14 @@ class DotPairReading {
     fitted_ = forms_.front().fitted;
   }
 
-  Vec2 foretoldOf(const FieldDatum& datum) const {
+  Vec2 predictedOf(const FieldDatum& datum) const {
     return m_.chart->pictureAt(datum.skin_mm + displacementAt(fieldOf(fitted_.numbers, fitted_.form), datum.skin_mm) +
                                driftAt(fitted_.numbers, datum));
   }
 
-  std::vector<Vec2> foretold() const {
+  std::vector<Vec2> predicted() const {
     std::vector<Vec2> places;
-    for (const FieldDatum& datum : data_) places.push_back(foretoldOf(datum));
+    for (const FieldDatum& datum : data_) places.push_back(predictedOf(datum));
     return places;
   }
 
@@ -254,7 +252,7 @@ void append(std::vector<Finding>& findings, std::vector<Finding> more) {
 
 /// A chart where the grid allows one.
 void chartGrid(Measurement& m) {
-  if (m.grid.dots.size() < kLeastDotsInOrder) return;
+  if (m.grid.dots.size() < kMinDotsInOrder) return;
   try {
     m.chart = std::make_shared<const SkinChart>(m.grid, m.settings.spacing_mm, m.settings.head);
   } catch (const Error&) {
@@ -264,12 +262,12 @@ void chartGrid(Measurement& m) {
 
 bool hasTooMany(const DotPair& dots, Measurement& m) {
   const std::size_t most = std::max(dots.before.size(), dots.after.size());
-  if (most <= kMostMarks) return false;
+  if (most <= kMaxMarks) return false;
   m.findings.push_back(
       {Severity::refusal, "many_marks",
        fmt::format("{} marks of one colour in a picture: at most {} are taken for dots. Leave patterned "
                    "cloth out of the frame.",
-                   most, kMostMarks)});
+                   most, kMaxMarks)});
   return true;
 }
 
@@ -333,7 +331,7 @@ std::optional<double> nullDrift(const Photograph& first, const Photograph& secon
   requireSameSize(first, second);
   FoundDots before = findDots(first);
   const FoundDots after = findDots(second, before.ink);
-  if (std::max(before.dots.size(), after.dots.size()) > kMostMarks) return {};
+  if (std::max(before.dots.size(), after.dots.size()) > kMaxMarks) return {};
   Measurement m;
   m.settings = settings;
   m.grid = growGrid(before.dots);
@@ -341,7 +339,7 @@ std::optional<double> nullDrift(const Photograph& first, const Photograph& secon
   if (!m.chart) return {};
   const PictureScale scale = pictureScaleOf(m.grid, settings.spacing_mm);
   const DotMatch match = matchDots(m.grid, after.dots);
-  if (match.count < kLeastForFit) return {};
+  if (match.count < kMinForFit) return {};
   std::vector<FieldDatum> data;
   for (std::size_t i = 0; i < m.grid.dots.size(); ++i) {
     if (!match.of[i]) continue;

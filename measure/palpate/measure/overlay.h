@@ -13,7 +13,7 @@
 
 namespace palpate::measure {
 
-/// Red, green, blue, 0 to 1, by role; told apart also without colour (form of the mark, dashes).
+/// Red, green, blue, 0 to 1, by role; distinguished also without colour (form of the mark, dashes).
 struct OverlayColour {
   float red = 0.0f;
   float green = 0.0f;

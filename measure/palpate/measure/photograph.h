@@ -15,7 +15,7 @@
 namespace palpate::measure {
 
 /// Pictures larger than this are refused before anything is decoded: 48 megapixels and some rim.
-inline constexpr std::int64_t kMostPixels = 52'000'000;
+inline constexpr std::int64_t kMaxPixels = 52'000'000;
 
 struct Photograph {
   std::string name;  ///< as it was named to the reader
@@ -32,7 +32,7 @@ struct Photograph {
 
 /// JPEG, PNG or TIFF, by content and not by name. 16 bits a channel are reduced, grey becomes three equal channels,
 /// transparency is laid over white, of several pages the first is taken (with a note). Throws Error naming the file for
-/// what is no such picture, truncated, animated, in CMYK, larger than kMostPixels, or smaller than 200 x 200 pixels.
+/// what is no such picture, truncated, animated, in CMYK, larger than kMaxPixels, or smaller than 200 x 200 pixels.
 Photograph readPhotograph(const std::filesystem::path& file);
 Photograph decodePhotograph(std::span<const std::byte> bytes, std::string_view name);
 

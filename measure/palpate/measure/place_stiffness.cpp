@@ -29,8 +29,8 @@ constexpr double kPoorFit = 0.9;         // R^2
 constexpr double kHardestNPerMm = 20.0;  // nothing soft; a wrong unit
 constexpr double kSoftestNPerMm = 0.005;
 // That a scene takes (docs/reference/scene-files.md).
-constexpr double kLeastPower = 1.0;
-constexpr double kMostPower = 3.0;
+constexpr double kMinPower = 1.0;
+constexpr double kMaxPower = 3.0;
 
 ForceCurve allRows(const std::vector<const PlaceCurve*>& presses) {
   ForceCurve all{.name = presses.front()->place, .depth_mm = {}, .force_n = {}};
@@ -68,9 +68,9 @@ std::size_t depthsBelowSkin(const ForceCurve& rows) {
 
 std::string refusalOf(const ForceCurve& rows) {
   const std::size_t depths = depthsBelowSkin(rows);
-  if (depths < tissue::kLeastForceDepths) {
+  if (depths < tissue::kMinForceDepths) {
     return fmt::format("{} depths below the skin, {} are needed: press deeper, in more steps", depths,
-                       tissue::kLeastForceDepths);
+                       tissue::kMinForceDepths);
   }
   const auto [least, most] = std::ranges::minmax_element(rows.force_n);
   const double largest = std::max(std::abs(*least), std::abs(*most));
@@ -177,7 +177,7 @@ std::vector<std::string> warningsOf(const PlaceStiffness& place) {
   }
   const double secant = place.secant_n_per_mm.value;
   if (secant > kHardestNPerMm || secant < kSoftestNPerMm) {
-    warnings.push_back(fmt::format("{:.3g} N/mm is no skin: are the forces in N and the depths in mm?", secant));
+    warnings.push_back(fmt::format("{:.3g} N/mm is not a skin: are the forces in N and the depths in mm?", secant));
   }
   for (const tissue::FittedNumber& number : best.fit.numbers) {
     if (number.at_end) warnings.push_back(fmt::format("{} is at the end of its range", number.name));
@@ -200,7 +200,7 @@ PlaceStiffness fitPlace(const std::vector<const PlaceCurve*>& presses, const Pla
   if (placed > 0.0) place.at_mm = sum / placed;
   place.refusal = refusalOf(place.rows);
   for (const PlaceCurve* press : presses) {  // a slipped press must not hide among good ones
-    if (place.refused() || presses.size() < 2 || depthsBelowSkin(press->curve) < tissue::kLeastForceDepths) continue;
+    if (place.refused() || presses.size() < 2 || depthsBelowSkin(press->curve) < tissue::kMinForceDepths) continue;
     const std::string fault = refusalOf(press->curve);
     if (!fault.empty()) place.refusal = fmt::format("press {}: {}", press->curve.name, fault);
   }
@@ -282,7 +282,7 @@ std::string tissueKeys(const PlaceFits& fits) {
   const ForceFit& fit = *fits.shared;
   const auto number = [&](std::size_t i) { return fit.numbers.at(i).value; };
   if (fit.form == ForceForm::power) {
-    return fmt::format("force_law = \"power\"\nexponent = {:.4g}\n", std::clamp(number(0), kLeastPower, kMostPower));
+    return fmt::format("force_law = \"power\"\nexponent = {:.4g}\n", std::clamp(number(0), kMinPower, kMaxPower));
   }
   if (fit.form == ForceForm::stiffening) {
     return fmt::format("force_law = \"stiffening\"\nstiffening_ratio = {:.4g}\nstiffening_depth_mm = {:.4g}\n",

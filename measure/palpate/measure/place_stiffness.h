@@ -4,7 +4,7 @@
 //
 // Fits and cross-validation are those of tissue/fitting; here presses are gathered by place, people are averaged, and
 // what cannot be a press is refused with a reason. The stiffness of a place is the secant at 8 mm, which is what the
-// stiffness map means under every law (tissue/force_law.h). Own; docs/howto/measure-a-person.md.
+// stiffness map means under every law (tissue/force_law.h). Docs/howto/measure-a-person.md.
 #pragma once
 
 #include <array>

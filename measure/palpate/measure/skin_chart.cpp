@@ -18,7 +18,7 @@ namespace {
 
 /// On the spline's diagonal, with places counted in spacings: 0 meets every dot.
 constexpr double kSmoothing = 0.3;
-constexpr std::size_t kLeastDots = 6;
+constexpr std::size_t kMinDots = 6;
 constexpr int kInverseSteps = 20;
 
 }  // namespace
@@ -31,7 +31,7 @@ Vec2 headUp(const Vec2& in_picture, HeadTowards head) {
   return {in_picture.dot(Vec2(headwards.y(), -headwards.x())), in_picture.dot(headwards)};
 }
 
-struct SkinChart::Parts {
+struct SkinChart::Impl {
   ThinPlate plate;
   double spacing_px;
   double spacing_mm;
@@ -39,7 +39,7 @@ struct SkinChart::Parts {
 };
 
 SkinChart::SkinChart(const DotGrid& grid, double spacing_mm, HeadTowards head) {
-  if (grid.dots.size() < kLeastDots) throw Error("a chart of the skin needs at least 6 dots in order");
+  if (grid.dots.size() < kMinDots) throw Error("a chart of the skin needs at least 6 dots in order");
   std::vector<Vec2> knots;
   std::vector<Vec2> values;
   std::set<std::pair<int, int>> sites;
@@ -49,15 +49,15 @@ SkinChart::SkinChart(const DotGrid& grid, double spacing_mm, HeadTowards head) {
     knots.push_back(dot.dot.place_px);
     values.emplace_back(spacing_mm * site);
   }
-  parts_ = std::make_unique<Parts>(
-      Parts{ThinPlate(knots, values, grid.spacing_px, kSmoothing), grid.spacing_px, spacing_mm});
+  impl_ =
+      std::make_unique<Impl>(Impl{ThinPlate(knots, values, grid.spacing_px, kSmoothing), grid.spacing_px, spacing_mm});
   for (const auto& [x, y] : sites) {
     for (const auto& [cx, cy] : {std::pair(x, y), std::pair(x - 1, y), std::pair(x, y - 1), std::pair(x - 1, y - 1)}) {
       int corners = 0;
       for (const auto& corner :
            {std::pair(cx, cy), std::pair(cx + 1, cy), std::pair(cx, cy + 1), std::pair(cx + 1, cy + 1)})
         corners += static_cast<int>(sites.contains(corner));
-      if (corners >= 3) parts_->cells.emplace(cx, cy);
+      if (corners >= 3) impl_->cells.emplace(cx, cy);
     }
   }
 }
@@ -65,12 +65,12 @@ SkinChart::SkinChart(const DotGrid& grid, double spacing_mm, HeadTowards head) {
 SkinChart::~SkinChart() = default;
 SkinChart::SkinChart(SkinChart&&) noexcept = default;
 
-Vec2 SkinChart::skinAt(const Vec2& picture_px) const { return parts_->plate.at(picture_px); }
+Vec2 SkinChart::skinAt(const Vec2& picture_px) const { return impl_->plate.at(picture_px); }
 
-Mat2 SkinChart::jacobianAt(const Vec2& picture_px) const { return parts_->plate.slopeAt(picture_px); }
+Mat2 SkinChart::jacobianAt(const Vec2& picture_px) const { return impl_->plate.slopeAt(picture_px); }
 
 Vec2 SkinChart::pictureAt(const Vec2& skin_mm) const {
-  const Parts& p = *parts_;
+  const Impl& p = *impl_;
   Vec2 place = p.plate.centre();
   double misfit = (skinAt(place) - skin_mm).norm();
   for (int i = 0; i < kInverseSteps && misfit > 1e-6; ++i) {
@@ -90,7 +90,7 @@ Vec2 SkinChart::pictureAt(const Vec2& skin_mm) const {
 }
 
 bool SkinChart::covers(const Vec2& skin_mm) const {
-  const Parts& p = *parts_;
+  const Impl& p = *impl_;
   const Vec2 site = skin_mm / p.spacing_mm;
   if (!(site.cwiseAbs().maxCoeff() < 1e6)) return false;
   return p.cells.contains({static_cast<int>(std::floor(site.x())), static_cast<int>(std::floor(site.y()))});

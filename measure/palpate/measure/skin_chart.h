@@ -8,7 +8,7 @@
 #include <span>
 
 #include "palpate/base/vec.h"
-#include "palpate/measure/dot_grid.h"
+#include "palpate/measure/dots.h"
 #include "palpate/measure/measurement.h"
 
 namespace palpate::measure {
@@ -33,8 +33,8 @@ class SkinChart {
   bool covers(const Vec2& skin_mm) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpate::measure

@@ -1,6 +1,6 @@
-// The limits were chosen on synthetic pairs, good and spoilt ones (docs/reference/measuring-accuracy.md): none that
+// The limits were chosen on synthetic pairs, good and corrupted ones (docs/reference/measuring-accuracy.md): none that
 // is far off may pass.
-#include "palpate/measure/verdict.h"
+#include "palpate/measure/field_report.h"
 
 #include <fmt/format.h>
 
@@ -16,23 +16,23 @@ namespace palpate::measure {
 namespace {
 
 constexpr std::size_t kEnoughDotsInOrder = 60;
-constexpr double kMostRollDeg = 35.0;        // at 45 nobody knows which way is up
-constexpr double kMostIrregularityMm = 3.0;  // of the marks; a stencil gives 0.5 to 1.2, a free hand 2 to 2.6
-constexpr double kLeastMatched = 0.6;
-constexpr double kMostResidualMm = 0.9;
+constexpr double kMaxRollDeg = 35.0;        // at 45 nobody knows which way is up
+constexpr double kMaxIrregularityMm = 3.0;  // of the marks; a stencil gives 0.5 to 1.2, a free hand 2 to 2.6
+constexpr double kMinMatched = 0.6;
+constexpr double kMaxResidualMm = 0.9;
 constexpr double kUsualResidualMm = 0.3;
-constexpr double kLeastPeakMm = 4.0;
-constexpr double kMostAxisSd = 0.08;    // of a half axis; what the forms differ by is in it
+constexpr double kMinPeakMm = 4.0;
+constexpr double kMaxAxisSd = 0.08;     // of a half axis; what the forms differ by is in it
 constexpr double kUsualAxisSd = 0.055;  // more is warned of
-constexpr double kLeastInside = 0.6;    // of the ellipse within the dots
+constexpr double kMinInside = 0.6;      // of the ellipse within the dots
 constexpr double kSureShare = 0.8;      // of the likeliest form: below it others explain the dots about as well
 constexpr double kUsualPattern = 0.25;  // of residuals of neighbouring dots; by chance 0, drift takes some of it off
 constexpr double kPatternedResidualMm = 0.15;
-constexpr double kMostDriftSds = 2.0;
+constexpr double kMaxDriftSds = 2.0;
 constexpr double kHardlyDeterminedDeg = 10.0;
 constexpr double kNearlyRound = 1.15;  // major over minor: below it the direction is hardly determined whatever is seen
 constexpr double kContactSds = 3.0;
-constexpr double kLeastContactSdMm = 1.0;      // nobody clicks better
+constexpr double kMinContactSdMm = 1.0;        // nobody clicks better
 constexpr std::size_t kSuspiciousVisible = 4;  // sites that only the second picture shows
 
 Finding refusal(std::string code, std::string text) { return {Severity::refusal, std::move(code), std::move(text)}; }
@@ -52,7 +52,7 @@ bool isAmongDots(const Measurement& m, const Vec2& place_mm) {
 
 void judgeDrift(const Measurement& m, std::vector<Finding>& findings) {
   const Drift& drift = m.fit->drift;
-  if (drift.in_sd <= kMostDriftSds) return;
+  if (drift.in_sd <= kMaxDriftSds) return;
   findings.push_back(refusal(
       "moved",
       fmt::format("The body (or the camera) moved between the pictures: {:.1f} mm, turned {:.2f} degrees, {:+.2f} % in "
@@ -65,24 +65,24 @@ void judgeEllipse(const Measurement& m, std::vector<Finding>& findings) {
   const FieldFit& fit = *m.fit;
   const KeyEllipse& key = fit.at_2_mm;
   const double peak_mm = fit.field.peak_mm.norm();
-  if (peak_mm < kLeastPeakMm) {
+  if (peak_mm < kMinPeakMm) {
     findings.push_back(
         refusal("not_pressed", fmt::format("Nothing was dragged: the skin moved {:.1f} mm at most, and at "
                                            "least {} mm are needed. Press and drag farther.",
-                                           peak_mm, kLeastPeakMm)));
+                                           peak_mm, kMinPeakMm)));
     return;
   }
   const double sd = std::max(key.half_major_mm.sd / std::max(key.half_major_mm.value, 1e-9),
                              key.half_minor_mm.sd / std::max(key.half_minor_mm.value, 1e-9));
-  if (!(sd <= kMostAxisSd) && !m.settings.partial) {
+  if (!(sd <= kMaxAxisSd) && !m.settings.partial) {
     findings.push_back(
         refusal("unsure", fmt::format("A half axis is known to {:.1f} % only (the limit is {:g} %). Drag farther, hold "
                                       "the breath, use more dots.",
-                                      100.0 * sd, 100.0 * kMostAxisSd)));
+                                      100.0 * sd, 100.0 * kMaxAxisSd)));
   } else if (!(sd <= kUsualAxisSd)) {
     findings.push_back(warning("imprecise", fmt::format("A half axis is known to {:.1f} % only.", 100.0 * sd)));
   }
-  if (fit.inside_share < kLeastInside && !m.settings.partial)
+  if (fit.inside_share < kMinInside && !m.settings.partial)
     findings.push_back(
         refusal("leaves_dots", fmt::format("Only {:.0f} % of the ellipse lies within the dots. Mark more "
                                            "rows around the contact, or allow it with --partial.",
@@ -102,12 +102,12 @@ void judgeEllipse(const Measurement& m, std::vector<Finding>& findings) {
 
 void judgeResiduals(const Measurement& m, std::vector<Finding>& findings) {
   const double rms = m.fit->residual_rms_mm;
-  if (rms > kMostResidualMm) {
+  if (rms > kMaxResidualMm) {
     findings.push_back(
         refusal("misfit", fmt::format("The motion of the dots is not that of dragged skin: {:.2f} mm of it "
                                       "stay unexplained (at most {} mm). Are both pictures of one person, "
                                       "one place and one camera?",
-                                      rms, kMostResidualMm)));
+                                      rms, kMaxResidualMm)));
   } else if (rms > kUsualResidualMm || (rms > kPatternedResidualMm && m.fit->residual_pattern > kUsualPattern)) {
     findings.push_back(
         warning("form", fmt::format("The field is not of any fitted form: {:.2f} mm stay unexplained "
@@ -141,7 +141,7 @@ void judgeContact(const Measurement& m, std::vector<Finding>& findings) {
   const FieldFit& fit = *m.fit;
   const Vec2 marked = m.chart->skinAt(*m.settings.contact_px);
   const Vec2 off = marked - Vec2(fit.contact_x_mm.value, fit.contact_y_mm.value);
-  const double sd = std::max(kLeastContactSdMm, std::hypot(fit.contact_x_mm.sd, fit.contact_y_mm.sd));
+  const double sd = std::max(kMinContactSdMm, std::hypot(fit.contact_x_mm.sd, fit.contact_y_mm.sd));
   if (off.norm() <= kContactSds * sd) return;
   findings.push_back(warning(
       "contact_differs",
@@ -180,29 +180,29 @@ std::vector<Finding> judgeGrid(const DotGrid& grid, const MeasureSettings& setti
                     "blue or green (black is not seen), the light enough, the whole grid in the frame?",
                     which, count, strays, kEnoughDotsInOrder)));
   }
-  if (count < kLeastDotsInOrder) return findings;
-  if (std::abs(grid.roll_deg) > kMostRollDeg)
+  if (count < kMinDotsInOrder) return findings;
+  if (std::abs(grid.roll_deg) > kMaxRollDeg)
     findings.push_back(refusal("roll", fmt::format("The grid is turned by {:.0f} degrees in the picture: which way the "
                                                    "head lies cannot be told. Turn the camera along the body.",
                                                    grid.roll_deg)));
   const double irregularity_mm = grid.irregularity * settings.spacing_mm;
-  if (irregularity_mm > kMostIrregularityMm)
+  if (irregularity_mm > kMaxIrregularityMm)
     findings.push_back(
         refusal("irregular", fmt::format("The marks are irregular: {:.1f} mm from where their neighbours "
                                          "have them (at most {} mm). Use a stencil.",
-                                         irregularity_mm, kMostIrregularityMm)));
+                                         irregularity_mm, kMaxIrregularityMm)));
   return findings;
 }
 
 std::vector<Finding> judgeFit(const Measurement& m, std::size_t newly_visible) {
   std::vector<Finding> findings;
   const double share = static_cast<double>(m.matched) / static_cast<double>(std::max<std::size_t>(1, m.dots.size()));
-  if (share < kLeastMatched)
+  if (share < kMinMatched)
     findings.push_back(
         refusal("few_matched", fmt::format("Only {:.0f} % of the dots were found again in the second "
                                            "picture ({:.0f} % are needed). Keep hand and stick beside the "
                                            "grid, and the light as it was.",
-                                           100.0 * share, 100.0 * kLeastMatched)));
+                                           100.0 * share, 100.0 * kMinMatched)));
   if (!m.fit) return findings;
   judgeDrift(m, findings);
   judgeEllipse(m, findings);

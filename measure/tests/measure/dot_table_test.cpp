@@ -41,7 +41,7 @@ TEST(DotTable, ErrorsNameTheLineAndTheCause) {
 
 TEST(DotTable, TooManyDotsAreRefusedBeforeTheyAreOrdered) {
   std::string table = "picture,x_px,y_px\n";
-  for (std::size_t i = 0; i <= kMostTableMarks; ++i) table += "before,1,2\n";
+  for (std::size_t i = 0; i <= kMaxTableMarks; ++i) table += "before,1,2\n";
   EXPECT_EQ(tableRefusal(table), "dots.csv:20002: more than 20000 dots of one picture");
 }
 

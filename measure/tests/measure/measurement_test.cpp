@@ -1,4 +1,4 @@
-// The pipeline from marks to a verdict: presses that must pass, and spoilt ones, each refused for its own reason.
+// The pipeline from marks to a verdict: presses that must pass, and corrupted ones, each refused for its own reason.
 #include "palpate/measure/measurement.h"
 
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 
 #include "measure/tests/measure/drawn_dots.h"
 #include "palpate/base/error.h"
+#include "palpate/measure/field_report.h"
 #include "palpate/measure/skin_chart.h"
 #include "palpate/measure/synthesis/synthetic_pair.h"
-#include "palpate/measure/verdict.h"
 
 namespace palpate::measure {
 namespace {

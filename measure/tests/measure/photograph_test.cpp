@@ -236,7 +236,7 @@ TEST(Photograph, ADamagedFileIsRefused) {
   EXPECT_EQ(pictureRefusal(png), "it.jpg: is damaged: a check sum is wrong; copy the file again");
   std::string jpeg = coded(testCard(), ".jpg");
   jpeg[2] = 'x';
-  EXPECT_EQ(pictureRefusal(jpeg), "it.jpg: is no JPEG, PNG or TIFF");
+  EXPECT_EQ(pictureRefusal(jpeg), "it.jpg: is not a JPEG, PNG or TIFF");
   jpeg = coded(testCard(), ".jpg");
   jpeg[20] = 'x';  // where a marker should be
   EXPECT_EQ(pictureRefusal(jpeg), "it.jpg: is damaged: what should be a marker is none; copy the file again");
@@ -261,7 +261,7 @@ TEST(Photograph, OtherFormatsAreNamed) {
             "it.jpg: is a HEIC picture: save it as JPEG, PNG or TIFF (phones: camera format 'most compatible')");
   EXPECT_EQ(pictureRefusal(std::string("\0\0\0\x18", 4) + "ftypcrx "),
             "it.jpg: is a raw picture of a camera: develop it and save it as JPEG, PNG or TIFF");
-  EXPECT_EQ(pictureRefusal(std::string("\0\1\2\3\4\5", 6)), "it.jpg: is no JPEG, PNG or TIFF");
+  EXPECT_EQ(pictureRefusal(std::string("\0\1\2\3\4\5", 6)), "it.jpg: is not a JPEG, PNG or TIFF");
 }
 
 TEST(Photograph, RawPicturesWithinTiffAreRefused) {
@@ -307,7 +307,7 @@ TEST(Photograph, AJpegOfScansWithoutEndIsRefused) {
   std::string scans;
   for (int i = 0; i < 100; ++i) scans += jpeg.substr(scan, jpeg.size() - 2 - scan);
   EXPECT_EQ(pictureRefusal(jpeg.substr(0, scan) + scans + jpeg.substr(jpeg.size() - 2)),
-            "it.jpg: is a JPEG in more than 64 layers: save it anew");
+            "it.jpg: is a JPEG in more than 64 layers: save it again");
 }
 
 TEST(Photograph, IsReducedByMeans) {

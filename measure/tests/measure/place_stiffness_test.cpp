@@ -116,7 +116,7 @@ TEST(PlaceStiffness, SaysWhatIsExtrapolatedAndWhatIsNoSkin) {
   };
   EXPECT_NE(warnings(powerRows("A,,1,0,0", 0.4, 1.5, 0.0, 1, 5.0)).find("5 mm deep: the stiffness at 8 mm is extra"),
             std::string::npos);
-  EXPECT_NE(warnings(powerRows("A,,1,0,0", 400.0, 1.5)).find("is no skin"), std::string::npos);
+  EXPECT_NE(warnings(powerRows("A,,1,0,0", 400.0, 1.5)).find("is not a skin"), std::string::npos);
   EXPECT_EQ(warnings(powerRows("A,,1,0,0", 0.4, 1.5)), "");
 }
 

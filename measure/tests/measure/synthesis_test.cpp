@@ -15,10 +15,10 @@ namespace palpate::measure {
 namespace {
 
 /// Small and quick to paint.
-CaseWishes smallWishes(double drift_mm = 0.3) { return {.megapixels = 1.0, .drift_mm = drift_mm}; }
+CaseRequests smallRequests(double drift_mm = 0.3) { return {.megapixels = 1.0, .drift_mm = drift_mm}; }
 
 SyntheticCase flatCase() {
-  SyntheticCase made = drawCase(4, smallWishes());
+  SyntheticCase made = drawCase(4, smallRequests());
   made.back = {.flank_mm = 0.0, .sway_mm = 0.0, .blade_mm = 0.0, .furrow_mm = 0.0};
   return made;
 }
@@ -193,16 +193,16 @@ TEST(SyntheticPair, HidesMarksUnderTheHand) {
 }
 
 TEST(SyntheticPair, IsTheSameForTheSameSeedAndAnotherForAnother) {
-  const SyntheticPair first = renderPair(drawCase(5, smallWishes()));
-  const SyntheticPair again = renderPair(drawCase(5, smallWishes()));
+  const SyntheticPair first = renderPair(drawCase(5, smallRequests()));
+  const SyntheticPair again = renderPair(drawCase(5, smallRequests()));
   EXPECT_EQ(first.before.rgb, again.before.rgb);
   EXPECT_EQ(first.after.rgb, again.after.rgb);
-  EXPECT_NE(first.before.rgb, renderPair(drawCase(6, smallWishes())).before.rgb);
+  EXPECT_NE(first.before.rgb, renderPair(drawCase(6, smallRequests())).before.rgb);
   EXPECT_EQ(first.truth.dots.back().after_px, again.truth.dots.back().after_px);
 }
 
 TEST(SyntheticPair, WithoutPressAndMotionDiffersByNoiseAlone) {
-  SyntheticCase made = drawCase(5, smallWishes(0.0));
+  SyntheticCase made = drawCase(5, smallRequests(0.0));
   made.press.peak_mm = 0.0;
   made.press.dent_mm = 0.0;
   made.press.stick = false;
@@ -219,7 +219,7 @@ TEST(SyntheticPair, WithoutPressAndMotionDiffersByNoiseAlone) {
 }
 
 TEST(SyntheticPair, MayBeBlackAndWhiteOrDark) {
-  SyntheticCase made = drawCase(5, smallWishes());
+  SyntheticCase made = drawCase(5, smallRequests());
   made.look.grey = true;
   const Photograph grey = renderPicture(made, Moment::before);
   EXPECT_EQ(colourAt(grey, 300, 300).x(), colourAt(grey, 300, 300).z());

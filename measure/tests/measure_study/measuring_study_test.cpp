@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measure/study/exact_dots.h"
-#include "measure/study/measuring_findings.h"
+#include "measure/study/measuring_measurement.h"
 #include "measure/study/measuring_numbers.h"
-#include "measure/study/outside_study.h"
+#include "measure/study/measuring_study.h"
+#include "measure/study/outside_fields.h"
 #include "palpate/base/error.h"
 #include "report/tests/report/says.h"
 
@@ -45,8 +45,9 @@ MeasuringMeasurement someMeasuring() {
     found.good.push_back(pairOff(1.0, TailFamily::compact));
     found.good.push_back(pairOff(3.0, TailFamily::long_tail));
   }
-  for (std::size_t kind = 0; kind < spoiltKinds().size(); ++kind) {
-    found.spoilt.push_back({kind, spoiltKinds()[kind].fate == Fate::refused ? refusedAs("misfit") : pairOff(2.0)});
+  for (std::size_t kind = 0; kind < corruptedKinds().size(); ++kind) {
+    found.corrupted.push_back(
+        {kind, corruptedKinds()[kind].fate == Fate::refused ? refusedAs("misfit") : pairOff(2.0)});
   }
   found.drifted.pairs.assign(10, refusedAs("moved"));
   for (ExactPairs* set : {&found.breathing, &found.half_space, &found.windowed, &found.lopsided}) {
@@ -67,7 +68,7 @@ double numberNamed(const MeasuringMeasurement& found, const std::string& name) {
 /// Painted and measured once for all tests.
 const MeasuringMeasurement& smallMeasuring() {
   static const MeasuringMeasurement found = measureMeasuring(
-      {.seed = 5, .cases = 6, .large_every = 0, .spoilt_each = 0, .exact_each = 6, .timed_megapixels = 1.0}, {});
+      {.seed = 5, .cases = 6, .large_every = 0, .corrupted_each = 0, .exact_each = 6, .timed_megapixels = 1.0}, {});
   return found;
 }
 
@@ -107,9 +108,9 @@ TEST(MeasuringNumbers, CountBadPairsAndWhatBecameOfThem) {
   EXPECT_DOUBLE_EQ(numberNamed(found, "bad_pairs"), 12.0);
   EXPECT_DOUBLE_EQ(numberNamed(found, "bad_pairs_rejected"), 12.0);
   EXPECT_DOUBLE_EQ(numberNamed(found, "worst_axis_percent"), 3.0);
-  found.spoilt[0].judged = pairOff(1.0);
+  found.corrupted[0].judged = pairOff(1.0);
   EXPECT_DOUBLE_EQ(numberNamed(found, "bad_pairs_rejected"), 11.0);
-  found.spoilt[12].judged = pairOff(30.0);  // hard, accepted and wrong
+  found.corrupted[12].judged = pairOff(30.0);  // hard, accepted and wrong
   EXPECT_DOUBLE_EQ(numberNamed(found, "worst_axis_percent"), 30.0);
   EXPECT_DOUBLE_EQ(numberNamed(found, "drift_1_5_rejected_share"), 1.0);
 }
@@ -134,9 +135,9 @@ TEST(MeasuringFindings, SayWhatIsLetThroughAndWhatIsWrong) {
   MeasuringMeasurement found = someMeasuring();
   EXPECT_TRUE(says(measuringFindings(found), "Of 12 pairs that something is wrong with 12 are refused. Of pairs that"));
   EXPECT_TRUE(says(measuringFindings(found), "none is accepted and wrong"));
-  found.spoilt[1].judged = pairOff(1.0);
+  found.corrupted[1].judged = pairOff(1.0);
   EXPECT_TRUE(says(measuringFindings(found), "LET THROUGH: another person"));
-  found.spoilt[13].judged = pairOff(30.0);
+  found.corrupted[13].judged = pairOff(30.0);
   EXPECT_TRUE(says(measuringFindings(found), "ACCEPTED AND WRONG: 40 dots missing"));
 }
 
@@ -157,16 +158,16 @@ TEST(MeasuringFindings, SayWhetherADriftIsNoticed) {
   EXPECT_TRUE(says(measuringFindings(found), "is often NOT noticed"));
 }
 
-TEST(SpoiltPairs, AreSpoiltAsTheirNamesSay) {
-  for (std::size_t kind = 0; kind < spoiltKinds().size(); ++kind) {
-    if (spoiltKinds()[kind].name == "black and white") {
-      const SpoiltPair pair = spoiltPair(kind, 3, 0.5);
+TEST(CorruptedPairs, AreCorruptedAsTheirNamesSay) {
+  for (std::size_t kind = 0; kind < corruptedKinds().size(); ++kind) {
+    if (corruptedKinds()[kind].name == "black and white") {
+      const CorruptedPair pair = corruptedPair(kind, 3, 0.5);
       EXPECT_EQ(pair.before.rgb[3000], pair.before.rgb[3001]);
-    } else if (spoiltKinds()[kind].name == "pictures swapped") {
-      const SpoiltPair pair = spoiltPair(kind, 3, 0.5);
+    } else if (corruptedKinds()[kind].name == "pictures swapped") {
+      const CorruptedPair pair = corruptedPair(kind, 3, 0.5);
       EXPECT_GT(pair.before.taken_at_s.value_or(0.0), pair.after.taken_at_s.value_or(0.0));
-    } else if (spoiltKinds()[kind].name == "40 dots missing") {
-      const SpoiltPair pair = spoiltPair(kind, 3, 0.5);
+    } else if (corruptedKinds()[kind].name == "40 dots missing") {
+      const CorruptedPair pair = corruptedPair(kind, 3, 0.5);
       EXPECT_EQ(static_cast<int>(pair.truth.dots.size()), pair.made.marks.columns * pair.made.marks.rows - 40);
     }
   }
@@ -220,7 +221,7 @@ TEST(MeasuringStudy, IsTheSameEveryTime) {
                            .cases = 2,
                            .megapixels = 0.5,
                            .large_every = 0,
-                           .spoilt_each = 0,
+                           .corrupted_each = 0,
                            .exact_each = 3,
                            .timed_megapixels = 0.5};
   const MeasuringMeasurement first = measureMeasuring(plan, {});

@@ -45,111 +45,111 @@ std::shared_ptr<measure::Measurement> madeUpMeasurement() {
 }
 
 /// A view that could be accepted, into a table in the folder.
-void fillIn(MeasuringMode& mode, Session& session, const fs::path& folder) {
+void fillIn(MeasuringMode& mode, ViewerState& viewer, const fs::path& folder) {
   MeasuringView& view = mode.view();
   view.measured = madeUpMeasurement();
   view.form.name = "T6 left";
   view.form.at_mm = Vec2(-40.0, 73.0);
   view.form.table = "keys.csv";
-  session.output_folder = folder;
+  viewer.output_folder = folder;
 }
 
 TEST(MeasuringMode, AcceptingWritesARowAndTheSceneTakesTheTable) {
   const support::TemporaryFolder folder;
-  Session session;
+  ViewerState viewer;
   MeasuringMode mode;
-  fillIn(mode, session, folder.path());
+  fillIn(mode, viewer, folder.path());
   mode.view().unsaved = true;
-  ASSERT_EQ(mode.accept(session, false), MeasuringMode::Accepting::done);
+  ASSERT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::done);
   const auto keys = maps::readKeyPoints(folder / "keys.csv");
   ASSERT_EQ(keys.size(), 1u);
   EXPECT_EQ(keys[0].name, "T6 left");
   EXPECT_EQ(keys[0].position_mm, Vec2(-40.0, 73.0));
   EXPECT_NEAR(keys[0].ellipse.half_major_mm, 71.3, 0.01);
   EXPECT_NEAR(keys[0].ellipse.aspect, 1.0 / 1.35, 1e-3);
-  EXPECT_EQ(session.scene.ellipses.key_points, folder / "keys.csv");
-  EXPECT_EQ(session.asks.changed, kMapChange);
+  EXPECT_EQ(viewer.scene.ellipses.key_points, folder / "keys.csv");
+  EXPECT_EQ(viewer.asks.changed, kMapChange);
   EXPECT_FALSE(mode.view().unsaved);
 
   mode.view().form.name = "L2";
   mode.view().form.use_in_scene = false;
-  session.asks.changed = kNothing;
-  ASSERT_EQ(mode.accept(session, false), MeasuringMode::Accepting::done);
+  viewer.asks.changed = kNothing;
+  ASSERT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::done);
   EXPECT_EQ(maps::readKeyPoints(folder / "keys.csv").size(), 2u);
-  EXPECT_EQ(session.asks.changed, kNothing);
+  EXPECT_EQ(viewer.asks.changed, kNothing);
 }
 
 TEST(MeasuringMode, AsksBeforeItTakesWhatWasRefusedOrReplacesSomething) {
   const support::TemporaryFolder folder;
-  Session session;
+  ViewerState viewer;
   MeasuringMode mode;
-  fillIn(mode, session, folder.path());
+  fillIn(mode, viewer, folder.path());
   auto refused = madeUpMeasurement();
   refused->findings = {{measure::Severity::refusal, "moved", "The body moved."}};
   mode.view().measured = refused;
-  ASSERT_EQ(mode.accept(session, false), MeasuringMode::Accepting::asked);
-  ASSERT_TRUE(session.question);
-  EXPECT_NE(session.question->words.find("The body moved."), std::string::npos);
+  ASSERT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::asked);
+  ASSERT_TRUE(viewer.question);
+  EXPECT_NE(viewer.question->words.find("The body moved."), std::string::npos);
   EXPECT_FALSE(fs::exists(folder / "keys.csv"));
-  ASSERT_EQ(session.question->answers, (std::vector<std::string>{"Accept", "Cancel"}));
-  const Question question = *session.question;
-  EXPECT_TRUE(mode.answer(question, "Cancel", session));
+  ASSERT_EQ(viewer.question->answers, (std::vector<std::string>{"Accept", "Cancel"}));
+  const Question question = *viewer.question;
+  EXPECT_TRUE(mode.answer(question, "Cancel", viewer));
   EXPECT_FALSE(fs::exists(folder / "keys.csv"));
-  EXPECT_FALSE(mode.answer(question, "Accept", session)) << "it had its answer";
-  ASSERT_EQ(mode.accept(session, false), MeasuringMode::Accepting::asked);
-  EXPECT_TRUE(mode.answer(question, "Accept", session)) << "whatever speaks against it";
+  EXPECT_FALSE(mode.answer(question, "Accept", viewer)) << "it had its answer";
+  ASSERT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::asked);
+  EXPECT_TRUE(mode.answer(question, "Accept", viewer)) << "whatever speaks against it";
   EXPECT_TRUE(fs::exists(folder / "keys.csv"));
 
   mode.view().measured = madeUpMeasurement();
-  EXPECT_EQ(mode.accept(session, false), MeasuringMode::Accepting::asked) << "a row of that name is there";
+  EXPECT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::asked) << "a row of that name is there";
   mode.view().form.table = "letter.txt";
   writeFile(folder / "letter.txt", "Dear friend,\n");
-  EXPECT_EQ(mode.accept(session, false), MeasuringMode::Accepting::asked);
+  EXPECT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::asked);
   EXPECT_EQ(readFile(folder / "letter.txt", 100), "Dear friend,\n");
 }
 
 TEST(MeasuringMode, SaysWhatIsMissingAndWhatCannotBeWritten) {
   const support::TemporaryFolder folder;
-  Session session;
+  ViewerState viewer;
   MeasuringMode mode;
-  const auto last_words = [&] { return session.messages.all().empty() ? "" : session.messages.all().back().text; };
-  EXPECT_EQ(mode.accept(session, false), MeasuringMode::Accepting::failed);
+  const auto last_words = [&] { return viewer.messages.all().empty() ? "" : viewer.messages.all().back().text; };
+  EXPECT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::failed);
   EXPECT_EQ(last_words(), "There is no ellipse to accept");
-  fillIn(mode, session, folder.path());
+  fillIn(mode, viewer, folder.path());
   mode.view().form.at_mm.reset();
-  mode.accept(session, false);
+  mode.accept(viewer, false);
   EXPECT_EQ(last_words(), "Say first where on the body it is");
-  fillIn(mode, session, folder.path());
+  fillIn(mode, viewer, folder.path());
   mode.view().form.name = "T6, left";
-  mode.accept(session, false);
+  mode.accept(viewer, false);
   EXPECT_NE(last_words().find("The name has a comma"), std::string::npos) << last_words();
-  fillIn(mode, session, folder.path());
+  fillIn(mode, viewer, folder.path());
   mode.view().form.table = "no/such/folder/keys.csv";
-  EXPECT_EQ(mode.accept(session, false), MeasuringMode::Accepting::failed);
+  EXPECT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::failed);
   EXPECT_NE(last_words().find("keys.csv"), std::string::npos) << last_words();
   mode.view().stale = Stale::marks;
-  mode.accept(session, false);
+  mode.accept(viewer, false);
   EXPECT_EQ(last_words(), "It is still being measured");
 }
 
 TEST(MeasuringMode, FindsThePlaceInTheWordsOfTheBodyAtHand) {
   const std::vector<body::SkinLandmark> landmarks = {
       {"spinous_T6", "T6", Vec3(3.0, 70.0, 50.0), Vec3::UnitZ(), Vec3(3.0, 70.0, 20.0)}};
-  Session session;
+  ViewerState viewer;
   MeasuringMode mode;
   mode.view().open = true;
   AcceptForm& form = mode.view().form;
   form.place = "t6 left 40";
-  mode.advance(session, landmarks);
+  mode.advance(viewer, landmarks);
   ASSERT_TRUE(form.at_mm) << form.place_words;
   EXPECT_EQ(*form.at_mm, Vec2(-37.0, 70.0));
   EXPECT_EQ(acceptedName(form), "T6 left 40 mm");
   form.place = "12.5, -40";
-  mode.advance(session, landmarks);
+  mode.advance(viewer, landmarks);
   EXPECT_EQ(form.at_mm.value_or(Vec2::Zero()), Vec2(12.5, -40.0));
   EXPECT_EQ(acceptedName(form), "");
   form.place = "T66";
-  mode.advance(session, landmarks);
+  mode.advance(viewer, landmarks);
   EXPECT_FALSE(form.at_mm);
   EXPECT_NE(form.place_words.find("did you mean 'T6'?"), std::string::npos) << form.place_words;
 }
@@ -239,7 +239,7 @@ TEST(MeasuringWindow, DroppedPhotographsAreMeasuredCorrectedAcceptedAndFelt) {
   ASSERT_TRUE(fs::exists(table)) << stage.lastMessage();
   EXPECT_TRUE(stage.until([&] { return stage.viewer->world().ellipses.keys().size() == 1; }));
   EXPECT_EQ(stage.viewer->world().ellipses.keys().front().name, "here");
-  EXPECT_TRUE(stage.session().history.changed()) << "the scene has to be saved";
+  EXPECT_TRUE(stage.state().history.changed()) << "the scene has to be saved";
 }
 
 TEST(MeasuringWindow, TheContactIsClickedAndThePhotographsCanBeSwapped) {
@@ -289,7 +289,7 @@ TEST(MeasuringWindow, OpensAndClosesByItsKeyAndKeepsTheBodysKeysOut) {
   stage.key(window::key('M'), kCtrl);
   EXPECT_TRUE(stage.measuring().view().open);
   stage.key(window::key('W'));
-  EXPECT_FALSE(stage.session().state.look.shows(view::Overlay::wireframe));
+  EXPECT_FALSE(stage.state().state.look.shows(view::Overlay::wireframe));
   stage.move(stage.middle());
   stage.button(true);
   stage.button(false);
@@ -303,34 +303,34 @@ TEST(MeasuringWindow, OpensAndClosesByItsKeyAndKeepsTheBodysKeysOut) {
   stage.key(window::Key::escape);
   EXPECT_FALSE(stage.measuring().view().open);
   stage.key(window::key('W'));
-  EXPECT_TRUE(stage.session().state.look.shows(view::Overlay::wireframe));
+  EXPECT_TRUE(stage.state().state.look.shows(view::Overlay::wireframe));
 }
 
 TEST(MeasuringWindow, QuittingAsksForWhatWasCorrectedAndThenForTheScene) {
   MeasuringStage stage;
-  Session& session = stage.session();
+  ViewerState& viewer = stage.state();
   stage.measuring().view().measured = madeUpMeasurement();
   stage.measuring().view().marks.before = {{Vec2(1.0, 2.0), 3.0}};
   stage.measuring().view().selected = ChosenMark{Photo::before, 0};
   removeSelected(stage.measuring().view());
   stage.measuring().view().stale = Stale::nothing;
-  session.scene.contact.finger.mu_static = 0.8;
-  session.asks.changed |= kFingerChange;
+  viewer.scene.contact.finger.mu_static = 0.8;
+  viewer.asks.changed |= kFingerChange;
   stage.frame();
-  session.request(Quit{});
+  viewer.request(Quit{});
   stage.frame();
-  ASSERT_TRUE(session.question);
-  EXPECT_EQ(session.question->kind, Question::Kind::of_mode);
+  ASSERT_TRUE(viewer.question);
+  EXPECT_EQ(viewer.question->kind, Question::Kind::of_mode);
   stage.frame();  // a dialog knows its height after one
   stage.click("question/Stay");
-  EXPECT_FALSE(session.question || stage.viewer->wantsToQuit());
-  session.request(Quit{});
+  EXPECT_FALSE(viewer.question || stage.viewer->wantsToQuit());
+  viewer.request(Quit{});
   stage.frame();
   stage.frame();
   stage.click("question/Discard");
   stage.frame();
-  ASSERT_TRUE(session.question) << "the scene was changed, too";
-  EXPECT_EQ(session.question->kind, Question::Kind::leave);
+  ASSERT_TRUE(viewer.question) << "the scene was changed, too";
+  EXPECT_EQ(viewer.question->kind, Question::Kind::leave);
   stage.frame();
   stage.click("question/Discard");
   EXPECT_TRUE(stage.viewer->wantsToQuit());

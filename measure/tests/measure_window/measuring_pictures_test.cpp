@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "measure/window/measuring_window.h"
-#include "palpate/view/flat_picture.h"
 #include "palpate/view/offscreen.h"
 #include "palpate/window/gui.h"
 #include "pictures/image_compare.h"

@@ -1,5 +1,5 @@
 // Contour lines lie where a known function has their level.
-#include "report/charts/field.h"
+#include "report/charts/drawing.h"
 
 #include <gtest/gtest.h>
 

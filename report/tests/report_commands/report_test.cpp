@@ -1,5 +1,5 @@
 // `palpate recording report` from the outside: a page that a strict parser reads and that needs nothing else, numbers
-// that agree with those counted from the exported table, and something to read of every session that can be read at
+// that agree with those counted from the exported table, and something to read of every recording that can be read at
 // all.
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 #include "palpate/trace/database.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/sample_block.h"
-#include "report/recording/session_report.h"
+#include "report/recording/recording_report.h"
 #include "support/mesh_zoo.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
@@ -102,7 +102,7 @@ TEST_F(ReportCommand, WritesOnePageThatNeedsNothingElse) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(has(result.out, "run.session -> run.html")) << result.out;
   const std::string words = wordsOf("run.html");
-  for (const char* wanted : {"Session run.session", "Over time", "How often", "Search and palpation", "On the body",
+  for (const char* wanted : {"Recording run.session", "Over time", "How often", "Search and palpation", "On the body",
                              "Contacts", "Safety", "The loop and its record", "What the words mean", "peak force (N)",
                              "share of the back that was touched", "Emergency stops: 0."}) {
     EXPECT_TRUE(has(words, wanted)) << wanted;
@@ -230,7 +230,7 @@ TEST_F(ReportCommand, APartOfIt) {
   EXPECT_EQ(palpate("recording report run.session --from 99").exit_code, 2);
 }
 
-// --- what a stranger's session may hold ---
+// --- what a stranger's recording may hold ---
 
 TEST_F(ReportCommand, HostileWordsStayWords) {
   record();
@@ -248,7 +248,7 @@ TEST_F(ReportCommand, HostileWordsStayWords) {
   EXPECT_TRUE(has(words, "<script>alert(1)</script> & \"q\" `a **b` c**")) << "as it was written";
   EXPECT_TRUE(has(words, "<img src=x onerror=alert(1)>"));
   EXPECT_TRUE(has(words, "<script>here</script>"));
-  EXPECT_EQ(palpate("recording report --json run.session").exit_code, 0) << "JSON of what is no UTF-8";
+  EXPECT_EQ(palpate("recording report --json run.session").exit_code, 0) << "JSON of what is not UTF-8";
 }
 
 TEST_F(ReportCommand, OfNoContact) {
@@ -303,10 +303,10 @@ TEST_F(ReportCommand, ADamagedBlockIsNamedAndLeavesNoPage) {
 TEST_F(ReportCommand, OfAnyBitsIsAPage) {
   Random random(41);
   {
-    trace::SessionWriter writer(folder_ / "run.session",
-                                {.started_utc = "", .software = "", .machine = "", .notes = {}, .tags = {}},
-                                {{"", ""}});
-    writer.add(trace::SessionWorld{"no scene", "/nowhere", "body", 7, 1, {{"radius_mm = 1e300", ""}}});
+    trace::RecordingWriter writer(folder_ / "run.session",
+                                  {.started_utc = "", .software = "", .machine = "", .notes = {}, .tags = {}},
+                                  {{"", ""}});
+    writer.add(trace::RecordingWorld{"no scene", "/nowhere", "body", 7, 1, {{"radius_mm = 1e300", ""}}});
     std::uint64_t tick = 0;
     for (int i = 0; i < 1200; ++i) {
       trace::Sample sample;
@@ -345,7 +345,7 @@ TEST_F(ReportCommand, WithoutItsBodyThereIsAPlanAndTheReason) {
   EXPECT_TRUE(has(contentOf(folder_ / "page.html"), "<figure id=\"body\">"));
 }
 
-TEST_F(ReportCommand, ASessionThatCarriesItsBodyNeedsNoOther) {
+TEST_F(ReportCommand, ARecordingThatCarriesItsBodyNeedsNoOther) {
   record();
   ASSERT_EQ(palpate("recording bundle run.session -o bundle.session").exit_code, 0);
   std::filesystem::remove(folder_ / "dome.obj");
@@ -375,12 +375,12 @@ TEST_F(ReportCommand, ReplacesItsOwnPageAndNothingElse) {
   write("run.html", "<html>mine</html>");
   const CommandResult foreign = palpate("recording report run.session");
   EXPECT_EQ(foreign.exit_code, 2);
-  EXPECT_TRUE(has(foreign.err, "is there already and is no report")) << foreign.err;
+  EXPECT_TRUE(has(foreign.err, "is there already and is not a report")) << foreign.err;
   EXPECT_EQ(contentOf(folder_ / "run.html"), "<html>mine</html>");
   EXPECT_EQ(palpate("recording report run.session -o run.html").exit_code, 0) << "somebody named it";
-  const std::string session = contentOf(folder_ / "run.session");
+  const std::string recording = contentOf(folder_ / "run.session");
   EXPECT_EQ(palpate("recording report run.session -o run.session").exit_code, 2);
-  EXPECT_EQ(contentOf(folder_ / "run.session"), session);
+  EXPECT_EQ(contentOf(folder_ / "run.session"), recording);
 }
 
 TEST(ReadableText, KeepsUtf8AndReplacesWhatIsNone) {

@@ -1,4 +1,4 @@
-#include "palpate/elements/equilibrium.h"
+#include "palpate/elements/press_model.h"
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ class Descent {
 
   bool possible() const { return state_.balance.possible(); }
   bool settled(double tolerance) const {
-    constexpr double kLeastForceMn = 1e-3;
-    return residual_.norm() <= tolerance * std::max(state_.balance.force_mn, kLeastForceMn);
+    constexpr double kMinForceMn = 1e-3;
+    return residual_.norm() <= tolerance * std::max(state_.balance.force_mn, kMinForceMn);
   }
   /// Steps in a row whose tangent had to be made convex.
   int strayed() const { return strayed_; }

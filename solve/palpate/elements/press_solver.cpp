@@ -8,7 +8,6 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
-#include "palpate/elements/equilibrium.h"
 #include "palpate/elements/press_model.h"
 
 namespace palpate::elements {
@@ -42,14 +41,14 @@ class PressPath {
       }
       trouble_ = std::move(found.trouble);
       const double tried = depth - depth_mm_;
-      if (tried <= kLeastStepShare * settings_.indenter_radius_mm) return false;
+      if (tried <= kMinStepShare * settings_.indenter_radius_mm) return false;
       step_mm_ = 0.5 * tried;
       steady_ = 0;
     }
   }
 
  private:
-  static constexpr double kLeastStepShare = 0.003;  // of the sphere's radius
+  static constexpr double kMinStepShare = 0.003;  // of the sphere's radius
 
   /// Lands on the target instead of just before it.
   double nextDepth(double target_mm) const {

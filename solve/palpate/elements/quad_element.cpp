@@ -147,8 +147,8 @@ void answerOfQuad(const QuadPoints& points, const NeoHookean& law, const QuadVec
     if (!(answer.least_j > 0.0)) return;
     const NeoHookean part = q < kShearPoints ? NeoHookean{law.shear, 0.0} : NeoHookean{0.0, law.volume};
     Answer local = answerOf(part, f);
-    constexpr double kLeastShare = 1e-3;
-    if (tangent == Tangent::convex) makeConvex(local, kLeastShare * part.shear);
+    constexpr double kMinShare = 1e-3;
+    if (tangent == Tangent::convex) makeConvex(local, kMinShare * part.shear);
     answer.energy += points[q].volume * local.energy;
     addForces(points[q], local.stress, answer.forces);
     addStiffness(points[q], local, answer.stiffness);

@@ -1,4 +1,4 @@
-#include "palpate/elements/sphere_contact.h"
+#include "palpate/elements/press_model.h"
 
 #include <cmath>
 #include <numbers>

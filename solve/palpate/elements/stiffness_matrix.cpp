@@ -1,4 +1,4 @@
-#include "palpate/elements/stiffness_matrix.h"
+#include "palpate/elements/press_model.h"
 
 #include <algorithm>
 #include <utility>

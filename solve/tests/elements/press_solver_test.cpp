@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "palpate/base/error.h"
-#include "palpate/elements/equilibrium.h"
 #include "palpate/elements/press_model.h"
 #include "palpate/elements/press_solver.h"
 #include "support/error_message.h"
@@ -201,7 +200,7 @@ TEST(PressSolver, TheTableHasManyRadiiNearTheAxisAndOneOnIt) {
   EXPECT_LT(radii[120] - radii[119], 2.5);
 }
 
-TEST(PressSolver, SillyWishesAreRefusedInWords) {
+TEST(PressSolver, SillyRequestsAreRefusedInWords) {
   const auto refusal = [](const LayerStack& stack, const PressSettings& settings) {
     return support::messageOf([&] { solvePress(stack, settings); });
   };

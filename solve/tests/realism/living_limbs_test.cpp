@@ -6,7 +6,6 @@
 #include <fstream>
 #include <string>
 
-#include "solve/realism/limb_sites.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
 

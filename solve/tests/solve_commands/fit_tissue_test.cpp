@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "palpate/tissue/force_table.h"
+#include "palpate/tissue/user_profile.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 

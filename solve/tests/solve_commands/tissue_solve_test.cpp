@@ -1,4 +1,4 @@
-// `palpate tissue solve` from the outside: what it prints, writes and draws, and which wishes it refuses.
+// `palpate tissue solve` from the outside: what it prints, writes and draws, and which requests it refuses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ TEST_F(TissueSolveCommand, WhereTissueGivesWayItKeepsWhatItReachedAndSaysNo) {
   EXPECT_FALSE(table.drag.has_value());
 }
 
-TEST_F(TissueSolveCommand, WrongWishesAreOneLineAndExitCodeTwo) {
+TEST_F(TissueSolveCommand, WrongRequestsAreOneLineAndExitCodeTwo) {
   const struct {
     std::string arguments;
     std::string said;

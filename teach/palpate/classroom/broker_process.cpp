@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 
 constexpr auto kSettles =
     std::chrono::milliseconds(150);  // a port that is taken, a key that cannot be read: it ends at once
-constexpr std::uint64_t kMostLogBytes = 1ULL << 30U;
+constexpr std::uint64_t kMaxLogBytes = 1ULL << 30U;
 
 std::string lastLineOf(const fs::path& log) {
-  const std::string text = readFile(log, kMostLogBytes);
+  const std::string text = readFile(log, kMaxLogBytes);
   const auto lines = split(trimmed(text), '\n');
   return std::string(lines.back());
 }

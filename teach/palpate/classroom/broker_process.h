@@ -14,7 +14,7 @@ std::filesystem::path brokerProgram();
 
 class BrokerProcess {
  public:
-  /// Writes the configuration anew and starts it; what it says goes to `log`, appended. Throws Error where there is no
+  /// Writes the configuration again and starts it; what it says goes to `log`, appended. Throws Error where there is no
   /// mosquitto or it ends at once, with its last words.
   BrokerProcess(const ClassFolder& folder, std::filesystem::path log);
   ~BrokerProcess();  ///< ends it in order

@@ -1,4 +1,4 @@
-#include "palpate/classroom/class_board.h"
+#include "palpate/classroom/class_watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ using training::Uuid;
 
 constexpr double kTouchN = 0.02;  // less is noise, not a touch
 /// More trainees than any class has: a station that invents them must not fill the memory.
-constexpr std::size_t kMostRemembered = 20000;
+constexpr std::size_t kMaxRemembered = 20000;
 
 /// Of values in order; between two of them linearly.
 double quantileOf(const std::vector<double>& sorted, double share) {
@@ -63,13 +63,13 @@ void ClassBoard::takeLive(Seen& seen, const LiveSample& live, double now_s) cons
 }
 
 void ClassBoard::takeState(Seen& seen, const std::optional<StationState>& state, double now_s) {
-  const bool same_trial = seen.state && state && seen.state->sitting == state->sitting &&
+  const bool same_trial = seen.state && state && seen.state->session == state->session &&
                           seen.state->trial == state->trial && seen.state->screen == state->screen;
   if (!same_trial) {
     seen.state_since_s = now_s;
     seen.touching_since_s = 0.0;
   }
-  if (!seen.state || !state || seen.state->sitting != state->sitting) seen.threshold = seen.low = seen.high = 0.0;
+  if (!seen.state || !state || seen.state->session != state->session) seen.threshold = seen.low = seen.high = 0.0;
   seen.state = state;
 }
 
@@ -78,15 +78,15 @@ bool ClassBoard::takeRow(Seen& seen, std::string_view kind, std::string_view pay
   if (!message) return false;
   try {
     const training::AnyRow row = training::rowFromJson(kind, message->body);
-    if (const auto* sitting = std::get_if<training::SittingRow>(&row)) {
-      if (trainee_of_sitting_.size() < kMostRemembered) trainee_of_sitting_[sitting->id] = sitting->trainee;
+    if (const auto* session = std::get_if<training::SessionRow>(&row)) {
+      if (trainee_of_session_.size() < kMaxRemembered) trainee_of_session_[session->id] = session->trainee_id;
     } else if (const auto* block = std::get_if<training::BlockRow>(&row)) {
-      if (seen.state && seen.state->sitting == block->sitting) {
+      if (seen.state && seen.state->session == block->session_id) {
         seen.threshold = block->threshold;
-        seen.low = block->low;
-        seen.high = block->high;
+        seen.low = block->threshold_low;
+        seen.high = block->threshold_high;
       }
-      if (const auto found = trainee_of_sitting_.find(block->sitting); found != trainee_of_sitting_.end()) {
+      if (const auto found = trainee_of_session_.find(block->session_id); found != trainee_of_session_.end()) {
         remember(found->second, *block);
       }
     }
@@ -100,7 +100,7 @@ bool ClassBoard::take(std::string_view topic, std::string_view payload, double n
   const auto at = parseTopic(topic);
   if (!at || at->class_id != class_id_) return false;
   if (at->kind == "ack" || at->kind == "cmd") return true;
-  if (seen_.size() >= kMostRemembered && !seen_.contains(at->station)) return false;
+  if (seen_.size() >= kMaxRemembered && !seen_.contains(at->station)) return false;
   Seen& seen = seen_[at->station];
   if (at->kind == "live") {
     const auto live = parseLive(payload);
@@ -115,8 +115,8 @@ bool ClassBoard::take(std::string_view topic, std::string_view payload, double n
   if (at->kind == "state") {
     const auto state = parseState(payload);
     if (!state && !payload.empty()) return false;
-    if (state && trainee_of_sitting_.size() < kMostRemembered) {
-      trainee_of_sitting_[state->content.sitting] = state->content.trainee;
+    if (state && trainee_of_session_.size() < kMaxRemembered) {
+      trainee_of_session_[state->content.session] = state->content.trainee;
     }
     takeState(seen, state ? std::optional(state->content) : std::nullopt, now_s);
     return true;
@@ -179,7 +179,7 @@ std::vector<ForcePoint> ClassBoard::forces(std::string_view station) const {
 }
 
 void ClassBoard::remember(const Uuid& trainee, const training::BlockRow& block) {
-  if (!measures(block) || (measured_.size() >= kMostRemembered && !measured_.contains(trainee))) return;
+  if (!measures(block) || (measured_.size() >= kMaxRemembered && !measured_.contains(trainee))) return;
   measured_[trainee][block.id] = block.threshold;
 }
 

@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostStations = 999;
-constexpr std::uint64_t kMostClassFileBytes = 65536;
+constexpr int kMaxStations = 999;
+constexpr std::uint64_t kMaxClassFileBytes = 65536;
 
 void makeFolder(const fs::path& folder) {
   std::error_code fault;
@@ -43,12 +43,12 @@ void checkPlan(const ClassPlan& plan) {
   if (!isClassWord(plan.class_id)) {
     throw Error(fmt::format("class '{}': lower-case letters, digits and hyphens, at most 32", plan.class_id));
   }
-  if (plan.stations < 1 || plan.stations > kMostStations) {
-    throw Error(fmt::format("{} stations: a class has 1 to {}", plan.stations, kMostStations));
+  if (plan.stations < 1 || plan.stations > kMaxStations) {
+    throw Error(fmt::format("{} stations: a class has 1 to {}", plan.stations, kMaxStations));
   }
   if (plan.hosts.empty()) throw Error("the broker has no name: --host");
   for (const std::string& host : plan.hosts) {
-    if (!isHost(host)) throw Error(fmt::format("'{}' is no name or address of a computer", host));
+    if (!isHost(host)) throw Error(fmt::format("'{}' is not a name or address of a computer", host));
   }
   if (plan.label.find_first_of("\"\\\n\r") != std::string::npos) throw Error("label: without quotes and line ends");
 }
@@ -83,7 +83,7 @@ Member memberOf(const ClassFolder& folder, Role role, const std::string& name) {
 
 Certified authorityOf(const ClassFolder& folder) {
   const fs::path at = folder.folder / "authority";
-  return {readFile(at / "ca.crt", kMostClassFileBytes), readFile(at / "ca.key", kMostClassFileBytes)};
+  return {readFile(at / "ca.crt", kMaxClassFileBytes), readFile(at / "ca.key", kMaxClassFileBytes)};
 }
 
 void writeStation(const ClassFolder& folder, const Certified& authority, const std::string& name,
@@ -134,7 +134,7 @@ std::string userNow() {
 std::string brokerConfiguration(const ClassFolder& folder) {
   const std::string at = fs::absolute(folder.broker()).lexically_normal().string();
   return fmt::format(
-      "# Broker of the class \"{0}\": mosquitto -c {1}/mosquitto.conf. Written by `palpate class`, anew at each start "
+      "# Broker of the class \"{0}\": mosquitto -c {1}/mosquitto.conf. Written by `palpate class`, again at each start "
       "of\n"
       "# `palpate class serve --broker`: changes are lost.\n"
       "per_listener_settings false\n"
@@ -260,7 +260,7 @@ ClassFolder makeClassFolder(const fs::path& folder, const ClassPlan& plan) {
 
 ClassFolder readClassFolder(const fs::path& folder) {
   const fs::path file = folder / "class.toml";
-  const std::string text = readFile(file, kMostClassFileBytes);
+  const std::string text = readFile(file, kMaxClassFileBytes);
   const std::string name = file.string();
   const toml::table root = scene::parsedToml(text, name);
   const scene::TomlTable table(
@@ -294,10 +294,10 @@ void removeStation(const ClassFolder& folder, const std::string& name) {
     throw Error::inFile(folder.folder.string(), fmt::format("has no station '{}'", name));
   }
   const fs::path revoked = folder.folder / "revoked";
-  std::vector<std::string> certificates = {readFile(at / "station.crt", kMostClassFileBytes)};
+  std::vector<std::string> certificates = {readFile(at / "station.crt", kMaxClassFileBytes)};
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(revoked, none)) {
-    certificates.push_back(readFile(entry.path() / "station.crt", kMostClassFileBytes));
+    certificates.push_back(readFile(entry.path() / "station.crt", kMaxClassFileBytes));
   }
   // First the list: whatever happens then, the station stays out.
   writeFile(folder.revocationList(), makeRevocationList(authorityOf(folder), certificates));
@@ -350,7 +350,7 @@ std::vector<fs::path> renewCertificates(const ClassFolder& folder, const std::ve
     renewed.push_back(at);
   };
   renew(folder.broker(), [&] {
-    writeServer(folder, authority, hostsOf(readFile(folder.broker() / "server.crt", kMostClassFileBytes)), days);
+    writeServer(folder, authority, hostsOf(readFile(folder.broker() / "server.crt", kMaxClassFileBytes)), days);
   });
   for (const int number : instructorsOf(folder)) {
     renew(folder.instructor(number), [&] { writeRole(folder, authority, Role::instructor, number, days); });
@@ -368,7 +368,7 @@ std::vector<fs::path> renewCertificates(const ClassFolder& folder, const std::ve
 std::vector<CertificateLife> certificateLives(const ClassFolder& folder) {
   std::vector<CertificateLife> lives;
   const auto add = [&lives](const std::string& whose, const fs::path& file) {
-    lives.push_back({whose, file, daysLeft(readFile(file, kMostClassFileBytes))});
+    lives.push_back({whose, file, daysLeft(readFile(file, kMaxClassFileBytes))});
   };
   add("the class's authority", folder.folder / "authority/ca.crt");
   add("the broker", folder.broker() / "server.crt");
@@ -398,8 +398,8 @@ std::vector<std::string> certificateWarnings(const std::vector<CertificateLife>&
 std::string outdatedConfiguration(const ClassFolder& folder) {
   std::error_code fault;
   if (!fs::exists(folder.configuration(), fault)) return "is missing";
-  const std::string there = readFile(folder.configuration(), kMostClassFileBytes);
-  const std::string access = readFile(folder.broker() / "access.acl", kMostClassFileBytes);
+  const std::string there = readFile(folder.configuration(), kMaxClassFileBytes);
+  const std::string access = readFile(folder.broker() / "access.acl", kMaxClassFileBytes);
   std::string lacks;
   const std::string now = brokerConfiguration(folder);
   for (const std::string_view line : split(now, '\n')) {

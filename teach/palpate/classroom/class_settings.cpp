@@ -9,13 +9,13 @@
 #include "palpate/base/text.h"
 #include "palpate/scene/detail/toml_table.h"
 #include "palpate/training/records/row_check.h"
-#include "palpate/training/records/sha256.h"
+#include "palpate/training/sha256.h"
 
 namespace palpate::classroom {
 
 namespace {
 
-constexpr std::uint64_t kMostMemberBytes = 65536;
+constexpr std::uint64_t kMaxMemberBytes = 65536;
 constexpr std::size_t kLongestClassWord = 32;
 constexpr NumberRange kPortRange = {1, 65535};
 
@@ -91,7 +91,7 @@ Member readMember(const std::filesystem::path& file_or_folder) {
     }
     file /= *found;
   }
-  Member member = parseMember(readFile(file, kMostMemberBytes), file);
+  Member member = parseMember(readFile(file, kMaxMemberBytes), file);
   member.trainee_key = readTraineeKey(file.parent_path());
   for (const auto& needed : {member.authority, member.certificate, member.key}) {
     if (!std::filesystem::is_regular_file(needed)) {
@@ -104,7 +104,7 @@ Member readMember(const std::filesystem::path& file_or_folder) {
 std::string readTraineeKey(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / kTraineeKeyFile;
   if (!std::filesystem::exists(file)) return {};
-  std::string key(trimmed(readFile(file, kMostMemberBytes)));
+  std::string key(trimmed(readFile(file, kMaxMemberBytes)));
   if (!training::isHash(key)) throw Error::inFile(file.string(), "must hold 64 hex digits");
   return key;
 }
@@ -133,7 +133,7 @@ void readRetention(const scene::TomlTable& table, Retention& retention) {
 
 std::string retentionText(const Retention& retention) {
   return fmt::format(
-      "# Days after a sitting for which rows, and session files, are kept; `palpate train results purge` forgets what "
+      "# Days after a session for which rows, and recordings, are kept; `palpate train results purge` forgets what "
       "is "
       "older.\nretain_days = {}\nretain_samples_days = {}\n",
       retention.days, retention.samples_days);

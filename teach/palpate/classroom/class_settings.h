@@ -29,10 +29,10 @@ enum class Role : std::uint8_t {
 
 inline constexpr int kStandardPort = 8883;  // MQTT over TLS, as registered
 
-/// For how long a class keeps what it records, whole days after a sitting (training::ClassRow).
+/// For how long a class keeps what it records, whole days after a session (training::ClassRow).
 struct Retention {
   int days = training::ClassRow().retain_days;                  ///< rows
-  int samples_days = training::ClassRow().retain_samples_days;  ///< session files
+  int samples_days = training::ClassRow().retain_samples_days;  ///< recordings
   friend bool operator==(const Retention&, const Retention&) = default;
 };
 inline constexpr NumberRange kRetentionDays = {1, 36500};

@@ -7,7 +7,7 @@
 namespace palpate::classroom {
 
 using training::AnyRow;
-using training::SittingRow;
+using training::SessionRow;
 
 ClassStore::ClassStore(std::string connection, KeeperRules rules)
     : sql_(std::move(connection)), tables_(sql_), keeper_(tables_, std::move(rules)) {
@@ -19,7 +19,7 @@ void ClassStore::reconnect() {
   training::bringForward(sql_, "the class's database");
 }
 
-/// Deleted rows stay in the server's files until a table is written anew. Seconds, for a class. A role that does not
+/// Deleted rows stay in the server's files until a table is written again. Seconds, for a class. A role that does not
 /// own the tables is only warned, and nothing is done.
 void ClassStore::sweep() {
   sql_.takeWarnings();
@@ -59,12 +59,12 @@ training::Purged ClassStore::purge(std::int64_t now_ms) {
   training::Purged purged;
   training::SqlTransaction transaction(sql_);
   for (const training::KeptLongEnough& of : training::keptLongEnough(tables_, now_ms)) {
-    for (const SittingRow& sitting : of.sittings) sql_.change("DELETE FROM session WHERE id = $1", {sitting.id});
-    purged.sittings += static_cast<int>(of.sittings.size());
+    for (const SessionRow& session : of.sessions) sql_.change("DELETE FROM session WHERE id = $1", {session.id});
+    purged.sessions += static_cast<int>(of.sessions.size());
     if (of.nothing_left) purged.trainees += tables_.erase(of.trainee.id) ? 1 : 0;
   }
-  const bool gone = purged.sittings + purged.trainees > 0;
-  if (gone) tables_.note(training::utcMs(), "purge", "purged", std::to_string(purged.sittings) + " sittings");
+  const bool gone = purged.sessions + purged.trainees > 0;
+  if (gone) tables_.note(training::utcMs(), "purge", "purged", std::to_string(purged.sessions) + " sessions");
   training::forgetSentBytes(sql_);
   transaction.commit();
   if (gone) sweep();

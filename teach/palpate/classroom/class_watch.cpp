@@ -18,8 +18,8 @@ double steadyS() { return std::chrono::duration<double>(Clock::now().time_since_
 
 }  // namespace
 
-struct ClassWatch::Course {
-  explicit Course(const Member& instructor) : class_id(instructor.class_id), board(instructor.class_id) {
+struct ClassWatch::Impl {
+  explicit Impl(const Member& instructor) : class_id(instructor.class_id), board(instructor.class_id) {
     MqttSettings settings = linkOf(instructor);
     settings.client_id += fmt::format("-{}", training::systemRandom()[0]);  // two windows are two clients
     for (const char* kind : {"status", "state", "session", "block"}) {
@@ -40,45 +40,44 @@ struct ClassWatch::Course {
   std::optional<MqttLink> mqtt;  ///< after what its thread uses
 };
 
-ClassWatch::ClassWatch(const Member& instructor) : course_(std::make_unique<Course>(instructor)) {}
+ClassWatch::ClassWatch(const Member& instructor) : impl_(std::make_unique<Impl>(instructor)) {}
 ClassWatch::~ClassWatch() = default;
 
 std::vector<Tile> ClassWatch::tiles() const {
-  const std::lock_guard lock(course_->mutex);
-  return course_->board.tiles(steadyS());
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->board.tiles(steadyS());
 }
 
 std::optional<Tile> ClassWatch::tile(const std::string& station) const {
-  const std::lock_guard lock(course_->mutex);
-  return course_->board.tile(station, steadyS());
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->board.tile(station, steadyS());
 }
 
 std::vector<ForcePoint> ClassWatch::forces(const std::string& station) const {
-  const std::lock_guard lock(course_->mutex);
-  std::vector<ForcePoint> forces = course_->board.forces(station);
+  const std::lock_guard lock(impl_->mutex);
+  std::vector<ForcePoint> forces = impl_->board.forces(station);
   const double now_s = steadyS();
   for (ForcePoint& point : forces) point.s -= now_s;
   return forces;
 }
 
 std::vector<CurvePoint> ClassWatch::learningCurve() const {
-  const std::lock_guard lock(course_->mutex);
-  return course_->board.learningCurve();
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->board.learningCurve();
 }
 
 void ClassWatch::remember(const training::Uuid& trainee, const training::BlockRow& block) {
-  const std::lock_guard lock(course_->mutex);
-  course_->board.remember(trainee, block);
+  const std::lock_guard lock(impl_->mutex);
+  impl_->board.remember(trainee, block);
 }
 
 bool ClassWatch::ask(const std::string& station, const Command& command) {
-  const Envelope envelope{course_->sequence++, training::uuidOf(training::utcMs(), training::systemRandom()),
-                          steadyS()};
-  return course_->mqtt->publish({topicText({course_->class_id, station, "cmd"}), commandText(envelope, command), 1,
-                                 false, static_cast<std::uint32_t>(kCommandExpiryS)});
+  const Envelope envelope{impl_->sequence++, training::uuidOf(training::utcMs(), training::systemRandom()), steadyS()};
+  return impl_->mqtt->publish({topicText({impl_->class_id, station, "cmd"}), commandText(envelope, command), 1, false,
+                               static_cast<std::uint32_t>(kCommandExpiryS)});
 }
 
-bool ClassWatch::connected() const { return course_->mqtt->connected(); }
-std::string ClassWatch::trouble() const { return course_->mqtt->trouble(); }
+bool ClassWatch::connected() const { return impl_->mqtt->connected(); }
+std::string ClassWatch::trouble() const { return impl_->mqtt->trouble(); }
 
 }  // namespace palpate::classroom

@@ -30,7 +30,7 @@ constexpr std::size_t kMaxInboxBytes = std::size_t{32} << 20;
 constexpr std::size_t kMaxStationBytes = std::size_t{4} << 20;  // of one station among them
 constexpr std::size_t kRowBytes = 200;                          // beside its text
 constexpr std::size_t kMaxBatchBytes = std::size_t{8} << 20;
-constexpr std::size_t kMostBatch = 500;  // rows of one commit
+constexpr std::size_t kMaxBatch = 500;  // rows of one commit
 /// A batch waits so long for company: a commit costs more than its rows.
 constexpr auto kGather = std::chrono::milliseconds(20);
 /// A station is told again of deletions that it has not confirmed.
@@ -45,7 +45,7 @@ constexpr std::uint32_t kSessionExpiryS = 3600;
 
 }  // namespace
 
-struct Collector::Course {
+struct Collector::Impl {
   struct ArrivedRow {
     std::string station;
     std::string kind;
@@ -81,7 +81,7 @@ struct Collector::Course {
     }
   }
 
-  Course(const Member& member, std::unique_ptr<RowSink> rows_go) : class_id(member.class_id), sink(std::move(rows_go)) {
+  Impl(const Member& member, std::unique_ptr<RowSink> rows_go) : class_id(member.class_id), sink(std::move(rows_go)) {
     MqttSettings settings = linkOf(member);
     settings.session_expiry_s = kSessionExpiryS;
     for (const char* kind :
@@ -92,7 +92,7 @@ struct Collector::Course {
     mqtt.emplace(settings, MqttHandlers{[this](auto where, auto what) { received(where, what); }, {}});
     thread = std::thread([this] { run(); });
   }
-  ~Course() {
+  ~Impl() {
     {
       const std::lock_guard lock(mutex);
       ending = true;
@@ -101,8 +101,8 @@ struct Collector::Course {
     thread.join();
     mqtt.reset();
   }
-  Course(const Course&) = delete;
-  Course& operator=(const Course&) = delete;
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
 
   // In the connection's thread.
   void received(std::string_view where, std::string_view what) {
@@ -158,10 +158,10 @@ struct Collector::Course {
     while (batch.empty()) {
       woken.wait(lock, [this] { return ending || !inbox.empty(); });
       if (inbox.empty()) return {};
-      woken.wait_for(lock, kGather, [this] { return ending || inbox.size() >= kMostBatch; });
+      woken.wait_for(lock, kGather, [this] { return ending || inbox.size() >= kMaxBatch; });
       std::set<std::pair<std::string, training::Uuid>> seen;  // a row that was sent again meanwhile
       std::size_t bytes = 0;
-      while (!inbox.empty() && seen.size() < kMostBatch && bytes < kMaxBatchBytes) {
+      while (!inbox.empty() && seen.size() < kMaxBatch && bytes < kMaxBatchBytes) {
         const ArrivedRow arrived = std::move(inbox.front());
         inbox.pop_front();
         inbox_bytes -= arrived.bytes();
@@ -294,24 +294,24 @@ struct Collector::Course {
 };
 
 Collector::Collector(const Member& member, std::unique_ptr<RowSink> sink)
-    : course_(std::make_unique<Course>(member, std::move(sink))) {}
+    : impl_(std::make_unique<Impl>(member, std::move(sink))) {}
 Collector::~Collector() = default;
 
 CollectorReport Collector::report() const {
-  const std::lock_guard lock(course_->mutex);
-  CollectorReport report = course_->counts;
-  report.inbox = course_->inbox.size();
-  report.inbox_bytes = course_->inbox_bytes;
-  report.stations = course_->stations.size();
-  report.connected = course_->mqtt && course_->mqtt->connected();
-  if (!report.connected && course_->mqtt) report.trouble = course_->mqtt->trouble();
+  const std::lock_guard lock(impl_->mutex);
+  CollectorReport report = impl_->counts;
+  report.inbox = impl_->inbox.size();
+  report.inbox_bytes = impl_->inbox_bytes;
+  report.stations = impl_->stations.size();
+  report.connected = impl_->mqtt && impl_->mqtt->connected();
+  if (!report.connected && impl_->mqtt) report.trouble = impl_->mqtt->trouble();
   return report;
 }
 
 std::vector<std::string> Collector::takeSaid() {
-  const std::lock_guard lock(course_->mutex);
-  std::vector<std::string> lines(course_->said.begin(), course_->said.end());
-  course_->said.clear();
+  const std::lock_guard lock(impl_->mutex);
+  std::vector<std::string> lines(impl_->said.begin(), impl_->said.end());
+  impl_->said.clear();
   return lines;
 }
 

@@ -32,14 +32,14 @@ constexpr std::array kScreenWords = {
     Word{"free", Screen::free_exploration},     Word{"finished", Screen::finished}};
 constexpr double kLongestMonotonicS = 1e10;  // 300 years
 constexpr double kFarthestFingerMm = 9999.0;
-constexpr double kMostLiveForceN = 999.0;
-constexpr int kMostSites = 40;
-constexpr int kMostTrials = 100000;
-constexpr std::size_t kMostStatusText = 400;  // a device's name is not longer
+constexpr double kMaxLiveForceN = 999.0;
+constexpr int kMaxSites = 40;
+constexpr int kMaxTrials = 100000;
+constexpr std::size_t kMaxStatusText = 400;  // a device's name is not longer
 /// A row's text that is longer travels compressed; with its envelope it then still fits.
-constexpr std::size_t kMostPlainRow = kMostMessageBytes - 150;
+constexpr std::size_t kMaxPlainRow = kMaxMessageBytes - 150;
 /// A compressed row, as text: 64 kB that do not compress.
-constexpr std::size_t kMostRowMessage = 100000;
+constexpr std::size_t kMaxRowMessage = 100000;
 constexpr std::size_t kKeysInAck = 90;
 constexpr std::size_t kMarksInMessage = 55;
 constexpr std::size_t kMaxWhy = 300;
@@ -237,7 +237,7 @@ std::string topicText(const Topic& topic) {
 }
 
 std::optional<Topic> parseTopic(std::string_view text) {
-  if (text.size() > kMostLiveBytes) return std::nullopt;
+  if (text.size() > kMaxLiveBytes) return std::nullopt;
   const auto parts = split(text, '/');
   if (parts.size() != 6 || parts[0] != "palpate" || parts[1] != "v1" || parts[3] != "st") return std::nullopt;
   Topic topic{std::string(parts[2]), std::string(parts[4]), std::string(parts[5])};
@@ -250,25 +250,25 @@ std::optional<Topic> parseTopic(std::string_view text) {
 
 bool isRowKind(std::string_view kind) { return std::ranges::find(kRowKinds, kind) != kRowKinds.end(); }
 
-StationState stateOf(const training::Sitting& sitting) {
+StationState stateOf(const training::Session& session) {
   StationState state;
-  state.sitting = sitting.plan().row.id;
-  state.trainee = sitting.plan().row.trainee;
-  state.kind = sitting.plan().kind;
-  state.screen = sitting.screen();
-  state.paused = sitting.paused();
-  state.trial = state.screen == Screen::trial ? sitting.trialNumber() : 0;
-  state.trials_at_most = sitting.trialsAtMost();
-  if (const auto hidden = sitting.hidden()) state.change = hidden->change;
-  if (const auto result = sitting.result()) {
+  state.session = session.plan().row.id;
+  state.trainee = session.plan().row.trainee_id;
+  state.kind = session.plan().kind;
+  state.screen = session.screen();
+  state.paused = session.paused();
+  state.trial = state.screen == Screen::trial ? session.trialNumber() : 0;
+  state.trials_at_most = session.trialsAtMost();
+  if (const auto hidden = session.hidden()) state.change = hidden->change;
+  if (const auto result = session.result()) {
     state.threshold = result->threshold.median;
     state.low = result->threshold.low;
     state.high = result->threshold.high;
   }
-  const auto& trials = sitting.trials();
+  const auto& trials = session.trials();
   state.wrong_in_a_row = wrongInARow(trials);
   if (!trials.empty()) {
-    state.sites_skipped = std::max(0, sitting.plan().sites.choices() - trials.back().visited);
+    state.sites_skipped = std::max(0, session.plan().sites.choices() - trials.back().sites_felt);
     state.palpate_force_n = trials.back().palpate_force_n;
   }
   return state;
@@ -278,25 +278,25 @@ std::string statusText(const Envelope& envelope, const StationStatus& status) {
   Json message = enveloped(envelope);
   message["online"] = status.online;
   message["app"] = shortened(status.app, 100);
-  message["device"] = shortened(status.device, kMostStatusText);
-  message["safety"] = shortened(status.safety, kMostStatusText);
+  message["device"] = shortened(status.device, kMaxStatusText);
+  message["safety"] = shortened(status.safety, kMaxStatusText);
   return lineOf(message);
 }
 
 std::optional<Message<StationStatus>> parseStatus(std::string_view text) {
-  MessageReader reader(text, kMostMessageBytes);
+  MessageReader reader(text, kMaxMessageBytes);
   Envelope envelope = reader.envelope();
   StationStatus status;
   status.online = reader.truth("online");
   status.app = reader.text("app", 100);
-  status.device = reader.text("device", kMostStatusText);
-  status.safety = reader.text("safety", kMostStatusText);
+  status.device = reader.text("device", kMaxStatusText);
+  status.safety = reader.text("safety", kMaxStatusText);
   return messageOf(reader, std::move(envelope), std::move(status));
 }
 
 std::string stateText(const Envelope& envelope, const StationState& state) {
   Json message = enveloped(envelope);
-  message["sitting"] = state.sitting;
+  message["sitting"] = state.session;
   message["trainee"] = state.trainee;
   message["kind"] = wordFor(state.kind);
   message["screen"] = screenWord(state.screen);
@@ -307,21 +307,21 @@ std::string stateText(const Envelope& envelope, const StationState& state) {
   message["T"] = {rounded(state.threshold, 9.0, 1e4), rounded(state.low, 9.0, 1e4), rounded(state.high, 9.0, 1e4)};
   message["wrong"] = state.wrong_in_a_row;
   message["skipped"] = state.sites_skipped;
-  message["force"] = rounded(state.palpate_force_n, kMostLiveForceN, 100.0);
+  message["force"] = rounded(state.palpate_force_n, kMaxLiveForceN, 100.0);
   return lineOf(message);
 }
 
 std::optional<Message<StationState>> parseState(std::string_view text) {
-  MessageReader reader(text, kMostMessageBytes);
+  MessageReader reader(text, kMaxMessageBytes);
   Envelope envelope = reader.envelope();
   StationState state;
-  state.sitting = reader.uuid("sitting");
+  state.session = reader.uuid("sitting");
   state.trainee = reader.uuid("trainee");
-  state.kind = reader.word<training::SittingKind>("kind");
+  state.kind = reader.word<training::SessionKind>("kind");
   state.screen = reader.screen("screen");
   state.paused = reader.truth("paused");
-  state.trial = reader.whole("trial", 0, kMostTrials);
-  state.trials_at_most = reader.whole("most", 0, kMostTrials);
+  state.trial = reader.whole("trial", 0, kMaxTrials);
+  state.trials_at_most = reader.whole("most", 0, kMaxTrials);
   state.change = reader.number("change", 0.0, 1.0);
   if (const Json* t = reader.member("T"); t != nullptr && t->is_array() && t->size() == 3) {
     state.threshold = reader.number((*t)[0], 0.0, 9.0);
@@ -330,9 +330,9 @@ std::optional<Message<StationState>> parseState(std::string_view text) {
   } else {
     reader.refuse();
   }
-  state.wrong_in_a_row = reader.whole("wrong", 0, kMostTrials);
-  state.sites_skipped = reader.whole("skipped", 0, kMostSites);
-  state.palpate_force_n = reader.number("force", 0.0, kMostLiveForceN);
+  state.wrong_in_a_row = reader.whole("wrong", 0, kMaxTrials);
+  state.sites_skipped = reader.whole("skipped", 0, kMaxSites);
+  state.palpate_force_n = reader.number("force", 0.0, kMaxLiveForceN);
   return messageOf(reader, std::move(envelope), std::move(state));
 }
 
@@ -340,16 +340,16 @@ std::string liveText(const Envelope& envelope, const LiveSample& live) {
   Json message = enveloped(envelope);
   const auto place = [&](int axis) { return rounded(live.finger_mm[axis], kFarthestFingerMm, 10.0); };
   message["p"] = {place(0), place(1), place(2)};
-  message["f"] = rounded(live.force_n, kMostLiveForceN, 100.0);
-  message["d"] = rounded(live.depth_mm, kMostLiveForceN, 10.0);
-  message["s"] = std::clamp(live.site, 0, kMostSites);
-  message["n"] = std::clamp(live.sites_pressed, 0, kMostSites);
+  message["f"] = rounded(live.force_n, kMaxLiveForceN, 100.0);
+  message["d"] = rounded(live.depth_mm, kMaxLiveForceN, 10.0);
+  message["s"] = std::clamp(live.site, 0, kMaxSites);
+  message["n"] = std::clamp(live.sites_pressed, 0, kMaxSites);
   message["ph"] = screenWord(live.phase);
   return lineOf(message);
 }
 
 std::optional<Message<LiveSample>> parseLive(std::string_view text) {
-  MessageReader reader(text, kMostLiveBytes);
+  MessageReader reader(text, kMaxLiveBytes);
   Envelope envelope = reader.envelope();
   LiveSample live;
   if (const Json* place = reader.member("p"); place != nullptr && place->is_array() && place->size() == 3) {
@@ -360,10 +360,10 @@ std::optional<Message<LiveSample>> parseLive(std::string_view text) {
   } else {
     reader.refuse();
   }
-  live.force_n = reader.number("f", -kMostLiveForceN, kMostLiveForceN);
-  live.depth_mm = reader.number("d", -kMostLiveForceN, kMostLiveForceN);
-  live.site = reader.whole("s", 0, kMostSites);
-  live.sites_pressed = reader.whole("n", 0, kMostSites);
+  live.force_n = reader.number("f", -kMaxLiveForceN, kMaxLiveForceN);
+  live.depth_mm = reader.number("d", -kMaxLiveForceN, kMaxLiveForceN);
+  live.site = reader.whole("s", 0, kMaxSites);
+  live.sites_pressed = reader.whole("n", 0, kMaxSites);
   live.phase = reader.screen("ph");
   return messageOf(reader, std::move(envelope), live);
 }
@@ -371,15 +371,15 @@ std::optional<Message<LiveSample>> parseLive(std::string_view text) {
 std::string rowText(const Envelope& envelope, const std::string& body) {
   std::string head = lineOf(enveloped(envelope));
   head.pop_back();
-  if (body.size() <= kMostPlainRow) return head + ",\"row\":" + body + "}";
+  if (body.size() <= kMaxPlainRow) return head + ",\"row\":" + body + "}";
   return head + ",\"z\":\"" + packed(body) + "\"}";
 }
 
 std::optional<RowMessage> parseRowMessage(std::string_view text) {
-  MessageReader reader(text, kMostRowMessage);
+  MessageReader reader(text, kMaxRowMessage);
   RowMessage message{reader.envelope(), {}};
   if (reader.has("z")) {
-    auto row = unpacked(reader.text("z", kMostRowMessage));
+    auto row = unpacked(reader.text("z", kMaxRowMessage));
     if (!row) return std::nullopt;
     message.body = std::move(*row);
   } else if (const Json* row = reader.member("row"); row != nullptr) {
@@ -392,16 +392,16 @@ std::optional<RowMessage> parseRowMessage(std::string_view text) {
 std::string commandText(const Envelope& envelope, const Command& command) {
   Json message = enveloped(envelope);
   message["do"] = wordFor(command.kind);
-  message["text"] = shortened(command.text, kMostCommandText);
+  message["text"] = shortened(command.text, kMaxCommandText);
   return lineOf(message);
 }
 
 std::optional<Message<Command>> parseCommand(std::string_view text) {
-  MessageReader reader(text, kMostMessageBytes);
+  MessageReader reader(text, kMaxMessageBytes);
   Envelope envelope = reader.envelope();
   Command command;
   command.kind = reader.word<CommandKind>("do");
-  command.text = reader.text("text", kMostCommandText);
+  command.text = reader.text("text", kMaxCommandText);
   return messageOf(reader, std::move(envelope), std::move(command));
 }
 
@@ -421,14 +421,14 @@ std::vector<std::string> hearTexts(const Envelope& envelope, const std::vector<s
 }
 
 std::optional<std::vector<training::Uuid>> parseAck(std::string_view text) {
-  MessageReader reader(text, kMostMessageBytes);
+  MessageReader reader(text, kMaxMessageBytes);
   reader.envelope();
   std::vector<training::Uuid> keys = reader.list("rows", training::isUuid);
   return reader.good() ? std::optional(std::move(keys)) : std::nullopt;
 }
 
 std::optional<Refusal> parseRefusal(std::string_view text) {
-  MessageReader reader(text, kMostMessageBytes);
+  MessageReader reader(text, kMaxMessageBytes);
   reader.envelope();
   Refusal refusal;
   refusal.why = reader.text("why", kMaxWhy);
@@ -437,7 +437,7 @@ std::optional<Refusal> parseRefusal(std::string_view text) {
 }
 
 std::optional<std::vector<std::string>> parseHear(std::string_view text) {
-  MessageReader reader(text, kMostMessageBytes);
+  MessageReader reader(text, kMaxMessageBytes);
   reader.envelope();
   std::vector<std::string> marks = reader.list("deleted", training::isHash);
   return reader.good() ? std::optional(std::move(marks)) : std::nullopt;

@@ -21,12 +21,12 @@
 #include "palpate/base/words.h"
 #include "palpate/training/protocol.h"
 #include "palpate/training/records/rows.h"
-#include "palpate/training/sitting.h"
+#include "palpate/training/session/session.h"
 
 namespace palpate::classroom {
 
-inline constexpr std::size_t kMostLiveBytes = 200;
-inline constexpr std::size_t kMostMessageBytes = 4096;
+inline constexpr std::size_t kMaxLiveBytes = 200;
+inline constexpr std::size_t kMaxMessageBytes = 4096;
 
 struct Topic {
   std::string class_id;
@@ -43,7 +43,7 @@ bool isRowKind(std::string_view kind);
 
 struct Envelope {
   std::uint64_t sequence = 0;  ///< counts the station's messages since it started
-  training::Uuid id;           ///< of a row; else of the sitting at hand
+  training::Uuid id;           ///< of a row; else of the session at hand
   double monotonic_s = 0.0;    ///< the station's own clock: its differences mean something
 };
 
@@ -51,16 +51,16 @@ struct Envelope {
 struct StationStatus {
   bool online = false;
   std::string app;     ///< "palpate 0.9"
-  std::string device;  ///< "mouse"; as the sitting has it
+  std::string device;  ///< "mouse"; as the session has it
   std::string safety;  ///< "ok", or what stopped it
   friend bool operator==(const StationStatus&, const StationStatus&) = default;
 };
 
 /// What happens at a station now, as its instructor sees it; never shown at the station.
 struct StationState {
-  training::Uuid sitting;
+  training::Uuid session;
   training::Uuid trainee;  ///< the pseudonym
-  training::SittingKind kind = training::SittingKind::practice;
+  training::SessionKind kind = training::SessionKind::practice;
   training::Screen screen = training::Screen::device_check;
   bool paused = false;
   int trial = 0;  ///< at hand; 0: none
@@ -73,8 +73,8 @@ struct StationState {
   double palpate_force_n = 0;  ///< mean, of that trial; 0: none yet
   friend bool operator==(const StationState&, const StationState&) = default;
 };
-/// Of a sitting: all of the above.
-StationState stateOf(const training::Sitting& sitting);
+/// Of a session: all of the above.
+StationState stateOf(const training::Session& session);
 
 /// The finger that presses hardest, ten times a second.
 struct LiveSample {
@@ -100,7 +100,7 @@ struct Command {
 };
 /// A command that is older is not obeyed: whoever sent it has seen that nothing happened.
 inline constexpr double kCommandExpiryS = 10.0;
-inline constexpr std::size_t kMostCommandText = 200;
+inline constexpr std::size_t kMaxCommandText = 200;
 
 struct RowMessage {
   Envelope envelope;  ///< `id`: the outbox key, which the acknowledgement names

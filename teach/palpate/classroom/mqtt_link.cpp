@@ -35,7 +35,7 @@ constexpr const char* kTakenOver =
 constexpr int kLoopMs = 200;    // how soon it sees that it is to end; messages wake it at once
 constexpr int kReachMs = 2000;  // a computer of the same room answers sooner
 constexpr double kLongestGoodbyeS = 1.0;
-constexpr int kMostPacket = 1 << 20;  // bytes: nothing of a class is longer
+constexpr int kMaxPacket = 1 << 20;  // bytes: nothing of a class is longer
 
 /// Once for the program, for as long as it runs: links of other threads may still be ending at its end.
 void startLibrary() {
@@ -88,8 +88,8 @@ class Properties {
 
 }  // namespace
 
-struct MqttLink::Course {
-  Course(const MqttSettings& link_settings, MqttHandlers link_handlers)
+struct MqttLink::Impl {
+  Impl(const MqttSettings& link_settings, MqttHandlers link_handlers)
       : settings(link_settings), handlers(std::move(link_handlers)) {
     startLibrary();
     client = mosquitto_new(settings.client_id.c_str(), settings.session_expiry_s == 0, this);
@@ -102,7 +102,7 @@ struct MqttLink::Course {
     }
     thread = std::thread([this] { run(); });
   }
-  ~Course() {
+  ~Impl() {
     // What was handed over last, a goodbye among it, is given a moment.
     const auto until = Clock::now() + std::chrono::duration<double>(kLongestGoodbyeS);
     while (is_connected && under_way > 0 && Clock::now() < until) {
@@ -117,8 +117,8 @@ struct MqttLink::Course {
     thread.join();
     mosquitto_destroy(client);
   }
-  Course(const Course&) = delete;
-  Course& operator=(const Course&) = delete;
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
 
   void prepare() {
     mosquitto_threaded_set(client, true);
@@ -138,14 +138,14 @@ struct MqttLink::Course {
       mosquitto_will_set_v5(client, will.topic.c_str(), static_cast<int>(will.payload.size()), will.payload.data(),
                             will.quality, will.retained, nullptr);
     }
-    mosquitto_connect_v5_callback_set(client, &Course::connectedCallback);
-    mosquitto_disconnect_v5_callback_set(client, &Course::disconnectedCallback);
-    mosquitto_publish_v5_callback_set(client, &Course::publishedCallback);
-    mosquitto_subscribe_v5_callback_set(client, &Course::subscribedCallback);
-    mosquitto_message_v5_callback_set(client, &Course::messageCallback);
+    mosquitto_connect_v5_callback_set(client, &Impl::connectedCallback);
+    mosquitto_disconnect_v5_callback_set(client, &Impl::disconnectedCallback);
+    mosquitto_publish_v5_callback_set(client, &Impl::publishedCallback);
+    mosquitto_subscribe_v5_callback_set(client, &Impl::subscribedCallback);
+    mosquitto_message_v5_callback_set(client, &Impl::messageCallback);
   }
 
-  static Course& of(void* self) { return *static_cast<Course*>(self); }
+  static Impl& of(void* self) { return *static_cast<Impl*>(self); }
   static void connectedCallback(mosquitto* /*client*/, void* self, int code, int /*flags*/,
                                 const mosquitto_property* /*list*/) {
     of(self).connectedWith(code);
@@ -155,7 +155,7 @@ struct MqttLink::Course {
   }
   static void publishedCallback(mosquitto* /*client*/, void* self, int /*message*/, int reason,
                                 const mosquitto_property* /*list*/) {
-    Course& course = of(self);
+    Impl& course = of(self);
     if (course.under_way > 0) --course.under_way;
     if (reason >= kFirstRefusal) ++course.refused;
   }
@@ -166,8 +166,8 @@ struct MqttLink::Course {
   }
   static void messageCallback(mosquitto* /*client*/, void* self, const mosquitto_message* message,
                               const mosquitto_property* /*list*/) {
-    const Course& course = of(self);
-    if (!course.handlers.on_message || message->payloadlen < 0 || message->payloadlen > kMostPacket) return;
+    const Impl& course = of(self);
+    if (!course.handlers.on_message || message->payloadlen < 0 || message->payloadlen > kMaxPacket) return;
     course.handlers.on_message(
         message->topic, {static_cast<const char*>(message->payload), static_cast<std::size_t>(message->payloadlen)});
   }
@@ -200,7 +200,7 @@ struct MqttLink::Course {
     }
     Properties properties;
     if (settings.session_expiry_s > 0) properties.add(MQTT_PROP_SESSION_EXPIRY_INTERVAL, settings.session_expiry_s);
-    properties.add(MQTT_PROP_MAXIMUM_PACKET_SIZE, kMostPacket);
+    properties.add(MQTT_PROP_MAXIMUM_PACKET_SIZE, kMaxPacket);
     const int code = mosquitto_connect_bind_v5(client, settings.host.c_str(), settings.port, settings.keep_alive_s,
                                                nullptr, properties.list());
     if (code != MOSQ_ERR_SUCCESS) say(reasonOf(code));
@@ -263,29 +263,29 @@ MqttSettings linkOf(const Member& member) {
 }
 
 MqttLink::MqttLink(const MqttSettings& settings, MqttHandlers handlers)
-    : course_(std::make_unique<Course>(settings, std::move(handlers))) {}
+    : impl_(std::make_unique<Impl>(settings, std::move(handlers))) {}
 MqttLink::~MqttLink() = default;
 
 bool MqttLink::publish(const OutMessage& message) {
-  if (!course_->is_connected || course_->under_way >= kMostUnderWay) return false;
+  if (!impl_->is_connected || impl_->under_way >= kMaxUnderWay) return false;
   Properties properties;
   if (message.expiry_s > 0) properties.add(MQTT_PROP_MESSAGE_EXPIRY_INTERVAL, message.expiry_s);
-  ++course_->under_way;
+  ++impl_->under_way;
   const int code =
-      mosquitto_publish_v5(course_->client, nullptr, message.topic.c_str(), static_cast<int>(message.payload.size()),
+      mosquitto_publish_v5(impl_->client, nullptr, message.topic.c_str(), static_cast<int>(message.payload.size()),
                            message.payload.data(), message.quality, message.retained, properties.list());
-  if (code != MOSQ_ERR_SUCCESS) --course_->under_way;
+  if (code != MOSQ_ERR_SUCCESS) --impl_->under_way;
   return code == MOSQ_ERR_SUCCESS;
 }
 
-bool MqttLink::connected() const { return course_->is_connected; }
+bool MqttLink::connected() const { return impl_->is_connected; }
 
 std::string MqttLink::trouble() const {
-  if (course_->is_connected) return {};
-  const std::lock_guard lock(course_->mutex);
-  return course_->trouble;
+  if (impl_->is_connected) return {};
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->trouble;
 }
 
-std::uint64_t MqttLink::refused() const { return course_->refused; }
+std::uint64_t MqttLink::refused() const { return impl_->refused; }
 
 }  // namespace palpate::classroom

@@ -75,11 +75,11 @@ class MqttLink {
   std::uint64_t refused() const;
 
   /// Messages that may be on their way to the broker: a slow network must not fill the memory.
-  static constexpr int kMostUnderWay = 2000;
+  static constexpr int kMaxUnderWay = 2000;
 
  private:
-  struct Course;
-  std::unique_ptr<Course> course_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpate::classroom

@@ -1,4 +1,4 @@
-#include "palpate/classroom/outbox_sender.h"
+#include "palpate/classroom/station_link.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ bool OutboxSender::takeToken(Time now) {
 
 void CommandQueue::put(const Command& command, Time now) {
   const std::lock_guard lock(mutex_);
-  if (queue_.size() >= kMost) queue_.pop_front();
+  if (queue_.size() >= kMax) queue_.pop_front();
   queue_.push_back({command, now});
 }
 

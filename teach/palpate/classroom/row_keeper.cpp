@@ -22,7 +22,7 @@ using training::BlockRow;
 using training::ClassRow;
 using training::DeletionRow;
 using training::EventRow;
-using training::SittingRow;
+using training::SessionRow;
 using training::StationRow;
 using training::TraineeRow;
 using training::TrialRow;
@@ -31,7 +31,7 @@ using training::Uuid;
 constexpr std::string_view kDeletedAction = "deleted";
 /// In the audit, before a station's id: its own notice, which says nothing about other stations' rows.
 constexpr std::string_view kStationActor = "station";
-/// In the audit: a sitting or a block that was dropped, so that what belongs to it is known by it.
+/// In the audit: a session or a block that was dropped, so that what belongs to it is known by it.
 constexpr std::string_view kPartsActor = "collector";
 /// Numbers of notes that another program may have drawn and not committed yet when later ones were read.
 constexpr std::int64_t kNotesUnderWay = 1000;
@@ -112,8 +112,8 @@ void RowKeeper::forget() {
   heard_.clear();
   last_note_ = 0;
   station_owner_.clear();
-  sitting_owner_.clear();
-  block_sitting_.clear();
+  session_owner_.clear();
+  block_session_.clear();
   bytes_.clear();
 }
 
@@ -130,12 +130,12 @@ bool RowKeeper::belongsToDeleted(const AnyRow& row, const Uuid& station) const {
   if (const auto* trainee = std::get_if<TraineeRow>(&row)) {
     return isDeletedFor(training::deletedMark(trainee->id), station);
   }
-  if (const auto* sitting = std::get_if<SittingRow>(&row)) {
-    return isDeletedFor(training::deletedMark(sitting->trainee), station) || gone(sitting->id);
+  if (const auto* session = std::get_if<SessionRow>(&row)) {
+    return isDeletedFor(training::deletedMark(session->trainee_id), station) || gone(session->id);
   }
-  if (const auto* block = std::get_if<BlockRow>(&row)) return gone(block->sitting) || gone(block->id);
-  if (const auto* trial = std::get_if<TrialRow>(&row)) return gone(trial->block) || gone(trial->sitting);
-  if (const auto* event = std::get_if<EventRow>(&row)) return gone(event->sitting);
+  if (const auto* block = std::get_if<BlockRow>(&row)) return gone(block->session_id) || gone(block->id);
+  if (const auto* trial = std::get_if<TrialRow>(&row)) return gone(trial->block_id) || gone(trial->session_id);
+  if (const auto* event = std::get_if<EventRow>(&row)) return gone(event->session_id);
   return false;
 }
 
@@ -145,28 +145,28 @@ void RowKeeper::note(std::string_view actor, const std::string& mark) {
 
 /// What belongs to it will come as well, and is to be known by it.
 void RowKeeper::noteParts(const AnyRow& row) {
-  if (!std::holds_alternative<SittingRow>(row) && !std::holds_alternative<BlockRow>(row)) return;
+  if (!std::holds_alternative<SessionRow>(row) && !std::holds_alternative<BlockRow>(row)) return;
   const std::string mark = training::deletedMark(training::idOf(row));
   if (marks_.contains(mark)) return;
   note(kPartsActor, mark);
   marks_[mark] = last_note_;
 }
 
-int RowKeeper::eraseSittings(const std::vector<SittingRow>& sittings) {
-  for (const SittingRow& sitting : sittings) {
-    for (const BlockRow& block : tables_.blocks(sitting.id)) noteParts(block);
-    noteParts(sitting);
-    tables_.sql().change("DELETE FROM session WHERE id = $1", {sitting.id});
+int RowKeeper::eraseSessions(const std::vector<SessionRow>& sessions) {
+  for (const SessionRow& session : sessions) {
+    for (const BlockRow& block : tables_.blocks(session.id)) noteParts(block);
+    noteParts(session);
+    tables_.sql().change("DELETE FROM session WHERE id = $1", {session.id});
   }
-  erased_ = erased_ || !sittings.empty();
-  sitting_owner_.clear();
-  block_sitting_.clear();
-  return static_cast<int>(sittings.size());
+  erased_ = erased_ || !sessions.empty();
+  session_owner_.clear();
+  block_session_.clear();
+  return static_cast<int>(sessions.size());
 }
 
 bool RowKeeper::erase(const Uuid& trainee, std::string_view actor) {
   learn();
-  eraseSittings(tables_.sittings(trainee));
+  eraseSessions(tables_.sessions(trainee));
   note(actor, training::deletedMark(trainee));
   const bool there = tables_.erase(trainee);
   erased_ = erased_ || there;
@@ -179,22 +179,22 @@ void RowKeeper::applyDeletion(const DeletionRow& deletion, const SentRow& sent) 
   const bool only_heard = deletion.at_ms == 0 && !of_all;
   for (const TraineeRow& trainee : tables_.trainees()) {
     if (only_heard || training::deletedMark(trainee.id) != mark) continue;
-    std::vector<SittingRow> theirs = tables_.sittings(trainee.id);
+    std::vector<SessionRow> theirs = tables_.sessions(trainee.id);
     std::map<Uuid, int> others;
     if (!of_all) {
-      std::erase_if(theirs, [&](const SittingRow& sitting) {
-        const Uuid owner = ownerOfStation(sitting.station);
-        if (owner != sent.station) ++others[sitting.station];
+      std::erase_if(theirs, [&](const SessionRow& session) {
+        const Uuid owner = ownerOfStation(session.station_id);
+        if (owner != sent.station) ++others[session.station_id];
         return owner != sent.station;
       });
     }
     const bool owns = of_all || ownerOfTrainee(trainee.id) == sent.station;
-    const int gone = eraseSittings(theirs);
+    const int gone = eraseSessions(theirs);
     if (others.empty() && owns) {
       erased_ = tables_.erase(trainee.id) || erased_;
       continue;
     }
-    // Whose sittings are left has the trainee from now on.
+    // Whose sessions are left has the trainee from now on.
     if (owns) tables_.sql().change("DELETE FROM origin WHERE subject = $1", {trainee.id});
     std::string left;
     for (const StationRow& station : tables_.stations()) {
@@ -204,7 +204,7 @@ void RowKeeper::applyDeletion(const DeletionRow& deletion, const SentRow& sent) 
     }
     if (left.empty()) left = "the trainee, whom another station brought";
     said_.push_back(
-        fmt::format("{} deleted a trainee: {} of its sittings are gone; not deleted: {} (delete there too, or for all "
+        fmt::format("{} deleted a trainee: {} of its sessions are gone; not deleted: {} (delete there too, or for all "
                     "stations with `palpate train results delete`)",
                     called(sent), gone, left));
   }
@@ -238,30 +238,30 @@ Uuid RowKeeper::ownerOfStation(const Uuid& station) {
 Uuid RowKeeper::ownerOfTrainee(const Uuid& trainee) {
   std::string owner = textOf("SELECT station_id FROM origin WHERE subject = $1", trainee);
   if (!owner.empty()) return owner;
-  // Of before version 3, or whose own station has forgotten them: who has their first sitting.
+  // Of before version 3, or whose own station has forgotten them: who has their first session.
   const std::string station =
       textOf("SELECT station_id FROM session WHERE trainee_id = $1 ORDER BY start_ms, id LIMIT 1", trainee);
   return station.empty() ? station : ownerOfStation(station);
 }
 
-Uuid RowKeeper::ownerOfSitting(const Uuid& sitting) {
-  const auto found = sitting_owner_.find(sitting);
-  if (found != sitting_owner_.end()) return found->second;
-  const std::string station = textOf("SELECT station_id FROM session WHERE id = $1", sitting);
+Uuid RowKeeper::ownerOfSession(const Uuid& session) {
+  const auto found = session_owner_.find(session);
+  if (found != session_owner_.end()) return found->second;
+  const std::string station = textOf("SELECT station_id FROM session WHERE id = $1", session);
   if (station.empty()) return {};
   const Uuid owner = ownerOfStation(station);
-  boundMap(sitting_owner_);
+  boundMap(session_owner_);
   // Of nobody who is known: of nobody who may change it.
-  return sitting_owner_[sitting] = owner.empty() ? station : owner;
+  return session_owner_[session] = owner.empty() ? station : owner;
 }
 
-Uuid RowKeeper::sittingOfBlock(const Uuid& block) {
-  const auto found = block_sitting_.find(block);
-  if (found != block_sitting_.end()) return found->second;
-  const std::string sitting = textOf("SELECT session_id FROM block WHERE id = $1", block);
-  boundMap(block_sitting_);
-  if (!sitting.empty()) block_sitting_[block] = sitting;
-  return sitting;
+Uuid RowKeeper::sessionOfBlock(const Uuid& block) {
+  const auto found = block_session_.find(block);
+  if (found != block_session_.end()) return found->second;
+  const std::string session = textOf("SELECT session_id FROM block WHERE id = $1", block);
+  boundMap(block_session_);
+  if (!session.empty()) block_session_[block] = session;
+  return session;
 }
 
 void RowKeeper::claim(const Uuid& subject, const Uuid& station) {
@@ -272,8 +272,8 @@ void RowKeeper::claim(const Uuid& subject, const Uuid& station) {
 /// Nothing: the row is its sender's own, or nobody's yet.
 std::optional<std::string> RowKeeper::notTheirs(const SentRow& sent) {
   const auto other = [&](const Uuid& owner) { return !owner.empty() && owner != sent.station; };
-  const auto of_other = [&](std::string_view what, const Uuid& sitting) -> std::optional<std::string> {
-    if (!other(ownerOfSitting(sitting))) return std::nullopt;
+  const auto of_other = [&](std::string_view what, const Uuid& session) -> std::optional<std::string> {
+    if (!other(ownerOfSession(session))) return std::nullopt;
     return fmt::format("{} of another station", what);
   };
   if (const auto* station = std::get_if<StationRow>(&sent.row)) {
@@ -287,19 +287,19 @@ std::optional<std::string> RowKeeper::notTheirs(const SentRow& sent) {
     if (known && known->class_id != trainee->class_id && other(ownerOfTrainee(trainee->id))) {
       return "another class for a trainee of another station";
     }
-  } else if (const auto* sitting = std::get_if<SittingRow>(&sent.row)) {
-    if (ownerOfStation(sitting->station) != sent.station) return "a sitting at another station";
-    return of_other("a sitting", sitting->id);
+  } else if (const auto* session = std::get_if<SessionRow>(&sent.row)) {
+    if (ownerOfStation(session->station_id) != sent.station) return "a session at another station";
+    return of_other("a session", session->id);
   } else if (const auto* block = std::get_if<BlockRow>(&sent.row)) {
-    const Uuid before = sittingOfBlock(block->id);
-    if (const auto why = of_other("a block", block->sitting)) return why;
+    const Uuid before = sessionOfBlock(block->id);
+    if (const auto why = of_other("a block", block->session_id)) return why;
     return before.empty() ? std::nullopt : of_other("a block", before);
   } else if (const auto* trial = std::get_if<TrialRow>(&sent.row)) {
-    const Uuid of_block = sittingOfBlock(trial->block);
-    if (const auto why = of_other("a trial", trial->sitting)) return why;
+    const Uuid of_block = sessionOfBlock(trial->block_id);
+    if (const auto why = of_other("a trial", trial->session_id)) return why;
     return of_block.empty() ? std::nullopt : of_other("a trial", of_block);
   } else if (const auto* event = std::get_if<EventRow>(&sent.row)) {
-    return of_other("an event", event->sitting);
+    return of_other("an event", event->session_id);
   }
   return std::nullopt;
 }
@@ -309,7 +309,7 @@ void RowKeeper::rememberRefused(const SentRow& sent, const std::string& why) {
   const auto* trainee = std::get_if<TraineeRow>(&sent.row);
   const bool has_parts =
       trainee != nullptr ? !tables_.trainee(trainee->id)
-                         : std::holds_alternative<SittingRow>(sent.row) || std::holds_alternative<BlockRow>(sent.row);
+                         : std::holds_alternative<SessionRow>(sent.row) || std::holds_alternative<BlockRow>(sent.row);
   if (!has_parts) return;
   boundMap(refused_);
   refused_[{sent.station, training::idOf(sent.row)}] = why;
@@ -321,13 +321,13 @@ std::optional<std::string> RowKeeper::refusedWithWhole(const SentRow& sent) cons
     const auto found = refused_.find({sent.station, id});
     return found == refused_.end() ? std::nullopt : std::optional(found->second);
   };
-  if (const auto* sitting = std::get_if<SittingRow>(&sent.row)) return of(sitting->trainee);
-  if (const auto* block = std::get_if<BlockRow>(&sent.row)) return of(block->sitting);
-  if (const auto* event = std::get_if<EventRow>(&sent.row)) return of(event->sitting);
+  if (const auto* session = std::get_if<SessionRow>(&sent.row)) return of(session->trainee_id);
+  if (const auto* block = std::get_if<BlockRow>(&sent.row)) return of(block->session_id);
+  if (const auto* event = std::get_if<EventRow>(&sent.row)) return of(event->session_id);
   const auto* trial = std::get_if<TrialRow>(&sent.row);
   if (trial == nullptr) return std::nullopt;
-  const auto why = of(trial->block);
-  return why ? why : of(trial->sitting);
+  const auto why = of(trial->block_id);
+  return why ? why : of(trial->session_id);
 }
 
 /// Why the row is not to be kept.

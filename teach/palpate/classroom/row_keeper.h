@@ -3,7 +3,7 @@
 //
 //   rows, each with who sent it ─ keep, one transaction ─► RowTables, and what became of each row
 //
-// A row belongs to the station that first sent it; what belongs to a sitting belongs to the sitting's station. A
+// A row belongs to the station that first sent it; what belongs to a session belongs to the session's station. A
 // deletion goes by identity and by order of arrival, never by a clock:
 //   - a station's notice takes away what that station has sent so far; whatever it sends later is of a later sign-in;
 //   - a deletion in the class's own records (or by the teacher's certificate) holds for every station until that
@@ -92,13 +92,13 @@ class RowKeeper {
   void claim(const training::Uuid& subject, const training::Uuid& station);
 
   void applyDeletion(const training::DeletionRow& deletion, const SentRow& sent);
-  int eraseSittings(const std::vector<training::SittingRow>& sittings);
+  int eraseSessions(const std::vector<training::SessionRow>& sessions);
   void note(std::string_view actor, const std::string& mark);
 
   training::Uuid ownerOfStation(const training::Uuid& station);
   training::Uuid ownerOfTrainee(const training::Uuid& trainee);
-  training::Uuid ownerOfSitting(const training::Uuid& sitting);
-  training::Uuid sittingOfBlock(const training::Uuid& block);
+  training::Uuid ownerOfSession(const training::Uuid& session);
+  training::Uuid sessionOfBlock(const training::Uuid& block);
   /// The first column of the first row; empty: none.
   std::string textOf(std::string_view sql, const training::Uuid& id);
 
@@ -122,10 +122,10 @@ class RowKeeper {
 
   // Found before; forgotten when they are many, and whenever something is deleted.
   std::map<training::Uuid, training::Uuid> station_owner_;
-  std::map<training::Uuid, training::Uuid> sitting_owner_;
-  std::map<training::Uuid, training::Uuid> block_sitting_;
+  std::map<training::Uuid, training::Uuid> session_owner_;
+  std::map<training::Uuid, training::Uuid> block_session_;
   std::map<training::Uuid, std::int64_t> bytes_;
-  /// Trainees, sittings and blocks that a station was refused: so is what belongs to them.
+  /// Trainees, sessions and blocks that a station was refused: so is what belongs to them.
   std::map<std::pair<training::Uuid, training::Uuid>, std::string> refused_;
   std::vector<std::string> said_;
   bool erased_ = false;

@@ -1,4 +1,4 @@
-#include "palpate/classroom/row_sink.h"
+#include "palpate/classroom/collector.h"
 
 #include "palpate/base/error.h"
 #include "palpate/classroom/class_store.h"

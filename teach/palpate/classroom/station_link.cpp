@@ -13,7 +13,6 @@
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/classroom/mqtt_link.h"
-#include "palpate/classroom/outbox_sender.h"
 
 namespace palpate::classroom {
 
@@ -29,13 +28,13 @@ constexpr auto kRefusedPeriod = std::chrono::minutes(10);
 bool diskNearlyFull(const std::filesystem::path& folder) {
   std::error_code fault;
   const auto space = std::filesystem::space(folder, fault);
-  return !fault && static_cast<double>(space.available) < kLeastDiskBytes;
+  return !fault && static_cast<double>(space.available) < kMinDiskBytes;
 }
 
 }  // namespace
 
-struct StationLink::Course {
-  Course(const Member& at, training::Store& store, const StationInfo& info, const OutboxPace& pace)
+struct StationLink::Impl {
+  Impl(const Member& at, training::Store& store, const StationInfo& info, const OutboxPace& pace)
       : member(at), own(opened(store)), sender(pace, Clock::now()) {
     status.online = true;
     status.app = info.app;
@@ -51,7 +50,7 @@ struct StationLink::Course {
     mqtt.emplace(settings, MqttHandlers{[this](auto where, auto what) { received(where, what); }, [this] { greet(); }});
     thread = std::thread([this] { run(); });
   }
-  ~Course() {
+  ~Impl() {
     {
       const std::lock_guard lock(mutex);
       ending = true;
@@ -63,8 +62,8 @@ struct StationLink::Course {
     mqtt->publish({topic("status"), statusText(nextEnvelope(member.station_id), status), 1, true, 0});
     mqtt.reset();
   }
-  Course(const Course&) = delete;
-  Course& operator=(const Course&) = delete;
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
 
   static training::Store opened(training::Store& store) {
     store.fillOutbox(true);
@@ -181,14 +180,14 @@ struct StationLink::Course {
       lock.lock();
     }
     if (!state_stale) return;
-    const std::string text = state ? stateText(nextEnvelope(state->sitting), *state) : std::string();
+    const std::string text = state ? stateText(nextEnvelope(state->session), *state) : std::string();
     state_stale = false;
     lock.unlock();
     if (!mqtt->publish({topic("state"), text, 1, true, 0})) state_stale = true;
     lock.lock();
   }
   void tellLive(std::unique_lock<std::mutex>& lock) {
-    const std::string text = liveText(nextEnvelope(state ? state->sitting : member.station_id), *live);
+    const std::string text = liveText(nextEnvelope(state ? state->session : member.station_id), *live);
     live.reset();
     lock.unlock();
     if (mqtt->publish({topic("live"), text, 0, false, 0})) ++live_count;
@@ -256,53 +255,53 @@ struct StationLink::Course {
 };
 
 StationLink::StationLink(const Member& member, training::Store& store, const StationInfo& info, const OutboxPace& pace)
-    : course_(std::make_unique<Course>(member, store, info, pace)) {}
+    : impl_(std::make_unique<Impl>(member, store, info, pace)) {}
 StationLink::~StationLink() = default;
 
 void StationLink::publishState(const StationState& state) {
-  const std::lock_guard lock(course_->mutex);
-  if (course_->state == state) return;
-  course_->state = state;
-  course_->state_stale = true;
-  course_->woken.notify_all();
+  const std::lock_guard lock(impl_->mutex);
+  if (impl_->state == state) return;
+  impl_->state = state;
+  impl_->state_stale = true;
+  impl_->woken.notify_all();
 }
 
 void StationLink::clearState() {
-  const std::lock_guard lock(course_->mutex);
-  if (!course_->state) return;
-  course_->state.reset();
-  course_->state_stale = true;
-  course_->woken.notify_all();
+  const std::lock_guard lock(impl_->mutex);
+  if (!impl_->state) return;
+  impl_->state.reset();
+  impl_->state_stale = true;
+  impl_->woken.notify_all();
 }
 
 void StationLink::publishLive(const LiveSample& live) {
-  const std::lock_guard lock(course_->mutex);
-  course_->live = live;
-  course_->woken.notify_all();
+  const std::lock_guard lock(impl_->mutex);
+  impl_->live = live;
+  impl_->woken.notify_all();
 }
 
 void StationLink::publishSafety(const std::string& safety) {
-  const std::lock_guard lock(course_->mutex);
-  if (course_->status.safety == safety) return;
-  course_->status.safety = safety;
-  course_->status_stale = true;
-  course_->woken.notify_all();
+  const std::lock_guard lock(impl_->mutex);
+  if (impl_->status.safety == safety) return;
+  impl_->status.safety = safety;
+  impl_->status_stale = true;
+  impl_->woken.notify_all();
 }
 
-std::optional<Command> StationLink::takeCommand() { return course_->commands.take(Clock::now()); }
-bool StationLink::connected() const { return course_->mqtt->connected(); }
-std::size_t StationLink::waiting() const { return course_->row_count; }
+std::optional<Command> StationLink::takeCommand() { return impl_->commands.take(Clock::now()); }
+bool StationLink::connected() const { return impl_->mqtt->connected(); }
+std::size_t StationLink::waiting() const { return impl_->row_count; }
 LinkCounts StationLink::counts() const {
-  return {course_->live_count, course_->sent_count, course_->repeat_count, course_->refused_count};
+  return {impl_->live_count, impl_->sent_count, impl_->repeat_count, impl_->refused_count};
 }
 
 std::string StationLink::trouble() const {
-  const std::string connection = course_->mqtt->trouble();
-  const std::lock_guard lock(course_->mutex);
-  if (course_->disk_full) return "less than 1 GB is left on the disk";
-  if (!course_->fault.empty()) return course_->fault;
-  if (connection.empty() && course_->refused_count > 0) {
-    return fmt::format("the class refused {} rows: {}", course_->refused_count.load(), course_->why_refused);
+  const std::string connection = impl_->mqtt->trouble();
+  const std::lock_guard lock(impl_->mutex);
+  if (impl_->disk_full) return "less than 1 GB is left on the disk";
+  if (!impl_->fault.empty()) return impl_->fault;
+  if (connection.empty() && impl_->refused_count > 0) {
+    return fmt::format("the class refused {} rows: {}", impl_->refused_count.load(), impl_->why_refused);
   }
   return connection;
 }

@@ -1,5 +1,5 @@
 // A station's side of a class: rows of the outbox go to the collector until it says that they are in the database;
-// state and finger go to the instructor; the instructor's commands come back. Without a class or a network the sitting
+// state and finger go to the instructor; the instructor's commands come back. Without a class or a network the session
 // goes on as ever, and what waits goes out later.
 //
 //   Store's outbox ─► rows, oldest first, resent until acknowledged ─► collector ─ ack ─► Store::acknowledged
@@ -9,17 +9,23 @@
 // its own pace. No call waits for the network or the disk.
 //
 //   StationLink link(classroom::readMember("station.toml"), store, {"palpate 0.9", "mouse"});
-//   link.publishState(stateOf(sitting));              // whenever; goes out when it differs
+//   link.publishState(stateOf(session));              // whenever; goes out when it differs
 //   link.publishLive(live);                           // every picture; goes out ten times a second
 //   while (auto command = link.takeCommand()) ...     // every picture
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <unordered_map>
+#include <vector>
 
+#include "palpate/base/stopwatch.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/classroom/messages.h"
 #include "palpate/training/records/store.h"
@@ -71,11 +77,65 @@ class StationLink {
   std::string trouble() const;
 
  private:
-  struct Course;
-  std::unique_ptr<Course> course_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Less is left on the disk than a few hours of sessions need.
-inline constexpr double kLeastDiskBytes = 1e9;
+inline constexpr double kMinDiskBytes = 1e9;
+
+// Which rows of a station's outbox may be sent now, and the commands that wait for it. Each by itself, without network
+// and without threads of its own.
+
+/// Rate, resending, and how much is tried while nobody acknowledges. One thread.
+class OutboxSender {
+ public:
+  using Time = Clock::time_point;
+  OutboxSender(const OutboxPace& pace, Time now) : pace_(pace), tokens_(kBurst), filled_(now) {}
+
+  /// So many of the oldest rows may be looked at. Wider again with time, should the oldest be rows that nobody takes.
+  std::size_t window(Time now) const;
+  /// Forgets what has left the outbox.
+  void restrictTo(const std::vector<training::OutboxEntry>& waiting);
+  /// Not sent yet, or so long ago that it is sent again.
+  bool due(const training::Uuid& row, Time now);
+  /// A share of the rate that is allowed; false: wait.
+  bool takeToken(Time now);
+  void sent(const training::Uuid& row, Time now) { sent_[row] = now; }
+  bool wasSent(const training::Uuid& row) const { return sent_.contains(row); }
+  void acknowledged() { silent_since_.reset(); }
+
+  /// As long as nothing is acknowledged, about so many are tried again: with the collector away, two hundred stations
+  /// would else send all that they have every three seconds.
+  static constexpr double kProbes = 20.0;
+
+ private:
+  static constexpr double kBurst = 5.0;  // rows at once: a trial comes with its block and an event
+
+  OutboxPace pace_;
+  std::unordered_map<training::Uuid, Time> sent_;
+  double tokens_;
+  Time filled_;
+  std::optional<Time> silent_since_;  ///< something was sent twice, and nothing acknowledged since
+};
+
+/// Any thread.
+class CommandQueue {
+ public:
+  using Time = Clock::time_point;
+  void put(const Command& command, Time now);
+  /// The oldest that has not expired.
+  std::optional<Command> take(Time now);
+
+  static constexpr std::size_t kMax = 32;
+
+ private:
+  struct Waiting {
+    Command command;
+    Time since;
+  };
+  std::mutex mutex_;
+  std::deque<Waiting> queue_;
+};
 
 }  // namespace palpate::classroom

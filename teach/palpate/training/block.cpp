@@ -8,7 +8,6 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
-#include "palpate/training/block_state.h"
 #include "palpate/training/marginal_psi.h"
 #include "palpate/training/staircase.h"
 
@@ -41,7 +40,7 @@ void require(bool holds, std::string_view otherwise) {
 }
 
 void checkLevels(const BlockSettings& settings) {
-  const double most = settings.meaning == ChangeMeaning::compliance ? kMostComplianceChange : 10.0;
+  const double most = settings.meaning == ChangeMeaning::compliance ? kMaxComplianceChange : 10.0;
   for (std::size_t i = 0; i < settings.levels.size(); ++i) {
     require(settings.levels[i] > 0.0 && settings.levels[i] <= most,
             fmt::format("levels must lie over 0 and up to {}", most));
@@ -123,8 +122,8 @@ class EasyTrials {
 
 }  // namespace
 
-struct Block::Course {
-  Course(const BlockSettings& wanted, std::uint64_t from_seed)
+struct Block::Impl {
+  Impl(const BlockSettings& wanted, std::uint64_t from_seed)
       : settings(wanted),
         levels(levelsAskedFor(wanted)),
         posterior(wanted.choices, wanted.prior),
@@ -226,23 +225,23 @@ struct Block::Course {
 
 Block::Block(const BlockSettings& settings, std::uint64_t seed) {
   checkSettings(settings);
-  course_ = std::make_unique<Course>(settings, seed);
+  impl_ = std::make_unique<Impl>(settings, seed);
 }
 Block::~Block() = default;
 Block::Block(Block&&) noexcept = default;
 Block& Block::operator=(Block&&) noexcept = default;
 
-bool Block::finished() const { return course_->over; }
+bool Block::finished() const { return impl_->over; }
 
-const PlannedTrial& Block::next() const { return course_->planned; }
+const PlannedTrial& Block::next() const { return impl_->planned; }
 
 void Block::answer(const TrialOutcome& outcome) {
-  require(!course_->over, "it is over, nothing more can be answered");
-  course_->take(outcome);
+  require(!impl_->over, "it is over, nothing more can be answered");
+  impl_->take(outcome);
 }
 
 BlockResult Block::result() const {
-  const Course& course = *course_;
+  const Impl& course = *impl_;
   BlockResult result;
   result.trials = course.given - course.excluded;
   result.correct = course.correct;
@@ -256,11 +255,11 @@ BlockResult Block::result() const {
   return result;
 }
 
-const Posterior& Block::posterior() const { return course_->posterior; }
-const BlockSettings& Block::settings() const { return course_->settings; }
-int Block::answered() const { return static_cast<int>(course_->state.outcomes.size()); }
+const Posterior& Block::posterior() const { return impl_->posterior; }
+const BlockSettings& Block::settings() const { return impl_->settings; }
+int Block::answered() const { return static_cast<int>(impl_->state.outcomes.size()); }
 
-std::string Block::state() const { return blockStateText(course_->settings, course_->state); }
+std::string Block::state() const { return blockStateText(impl_->settings, impl_->state); }
 
 Block Block::resumed(const BlockSettings& settings, std::string_view state) {
   checkSettings(settings);

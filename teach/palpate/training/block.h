@@ -26,7 +26,7 @@ namespace palpate::training {
 enum class Method : std::uint8_t {
   marginal_psi,     ///< the level that tells most about T
   two_down_one_up,  ///< practice: harder after two right answers, easier after a wrong one
-  mastery,          ///< VHB: three of four at a level, then the next; a wish is a level, never a threshold
+  mastery,          ///< VHB: three of four at a level, then the next; a request is a level, never a threshold
   constant_levels,  ///< every level equally often, in drawn order
 };
 
@@ -111,9 +111,27 @@ class Block {
   static Block resumed(const BlockSettings& settings, std::string_view state);
 
  private:
-  struct Course;
-  std::unique_ptr<Course> course_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
+
+// What a block writes down of itself, and reads again: which settings, which seed, what was answered. JSON.
+//
+//   {"version": 1, "seed": 7, "settings": "0123456789abcdef", "outcomes": [[answer, correct, visited, target], ...]}
+//
+// The trials are not in it: they follow from settings, seed and outcomes.
+
+struct BlockState {
+  std::uint64_t seed = 0;
+  std::vector<TrialOutcome> outcomes;
+};
+
+/// Sixteen hexadecimal digits that change with every setting.
+std::string settingsDigest(const BlockSettings& settings);
+
+std::string blockStateText(const BlockSettings& settings, const BlockState& state);
+/// Throws Error for what is no such text, of another version, or of other settings.
+BlockState parseBlockState(const BlockSettings& settings, std::string_view text);
 
 }  // namespace palpate::training
 

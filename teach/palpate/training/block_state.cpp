@@ -1,4 +1,4 @@
-#include "palpate/training/block_state.h"
+#include "palpate/training/block.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@ namespace {
 /// Changes with the way in which trials follow from settings, seed and outcomes: an older block would go on wrongly.
 constexpr int kPlanningVersion = 1;
 /// Longer than any block: what a damaged file may claim.
-constexpr std::size_t kMostOutcomes = 100'000;
+constexpr std::size_t kMaxOutcomes = 100'000;
 
 constexpr std::string_view kWhere = "state of a block";
 
@@ -80,7 +80,7 @@ BlockState parseBlockState(const BlockSettings& settings, std::string_view text)
   const auto seed = read.find("seed");
   if (seed == read.end() || !seed->is_number_unsigned()) throw wrongState("no seed");
   const auto outcomes = read.find("outcomes");
-  if (outcomes == read.end() || !outcomes->is_array() || outcomes->size() > kMostOutcomes) {
+  if (outcomes == read.end() || !outcomes->is_array() || outcomes->size() > kMaxOutcomes) {
     throw wrongState("no list of outcomes");
   }
   BlockState state{.seed = seed->get<std::uint64_t>(), .outcomes = {}};

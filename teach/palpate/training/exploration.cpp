@@ -21,7 +21,7 @@ int Exploration::nearest(const Vec3& place) const noexcept {
     const double dy = place.y() - site.place_mm.y();
     const double squared = dx * dx + dy * dy;
     // The front of a closed body lies on the same map plane: it is no site.
-    if (!(squared <= least) || std::abs(place.z() - site.point_mm.z()) > kMostOverSiteMm) continue;
+    if (!(squared <= least) || std::abs(place.z() - site.point_mm.z()) > kMaxOverSiteMm) continue;
     least = squared;
     nearest_site = site.number;
   }
@@ -29,14 +29,14 @@ int Exploration::nearest(const Vec3& place) const noexcept {
 }
 
 void Exploration::follow(const trace::Sample& sample) noexcept {
-  if (sample.finger >= kMostFingers) return;
+  if (sample.finger >= kMaxFingers) return;
   Touching& finger = fingers_[sample.finger];
   const contact::FingerOutput& contact = sample.contact;
   const bool touches = contact.touch != contact::Touch::free;
   const int site = touches ? nearest(contact.anchor) : 0;
   if (touches || touching_finger_ == sample.finger) {
     touched_ = site;
-    touching_finger_ = touches ? sample.finger : kMostFingers;
+    touching_finger_ = touches ? sample.finger : kMaxFingers;
   }
   const double force_n = sample.device_force.norm();
   const bool presses = site != 0 && force_n >= settings_.force_n;

@@ -50,9 +50,9 @@ class Exploration {
   int touchedSite() const { return touched_; }
 
  private:
-  static constexpr std::uint32_t kMostFingers = 4;
+  static constexpr std::uint32_t kMaxFingers = 4;
   /// A touch further above or below its site is of another part of the body, mm: as far as skin is pushed in, and more.
-  static constexpr double kMostOverSiteMm = 60.0;
+  static constexpr double kMaxOverSiteMm = 60.0;
   struct Touching {
     int site = 0;  ///< that it presses over the limit; 0: none
   };
@@ -69,9 +69,9 @@ class Exploration {
   ExplorationSettings settings_;
   double tick_s_;
   std::vector<Felt> felt_;
-  std::array<Touching, kMostFingers> fingers_{};
+  std::array<Touching, kMaxFingers> fingers_{};
   int touched_ = 0;
-  std::uint32_t touching_finger_ = kMostFingers;  ///< that touched last; kMostFingers: none does
+  std::uint32_t touching_finger_ = kMaxFingers;  ///< that touched last; kMaxFingers: none does
 };
 
 }  // namespace palpate::training

@@ -11,8 +11,8 @@ namespace palpate::training {
 namespace {
 
 /// A group of people who are all alike has no narrower spread than this, in ln T: the steps below stay finite.
-constexpr double kLeastSpread = 0.03;
-constexpr int kMostSteps = 400;
+constexpr double kMinSpread = 0.03;
+constexpr int kMaxSteps = 400;
 constexpr double kSettled = 1e-7;  ///< of a step, in ln T
 
 /// A normal of ln T, fitted to likelihoods.
@@ -67,7 +67,7 @@ FittedNormal fitNormal(std::span<const ThresholdLikelihood> people) {
     normal.mean += person.places[static_cast<std::size_t>(most)] / size;
   }
   double information = 0.0;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const std::vector<double> shares = sharesOf(normal, people.front().places);
     double mean = 0.0;
     double missing = 0.0;
@@ -82,7 +82,7 @@ FittedNormal fitNormal(std::span<const ThresholdLikelihood> people) {
     for (const MeanAndVariance& person : each) variance += (person.mean - mean) * (person.mean - mean) / size;
     const double before = normal.sd * normal.sd;
     information = std::max(size / before - missing / (before * before), 1e-3 * size / before);
-    const double sd = std::max(std::sqrt(variance), kLeastSpread);
+    const double sd = std::max(std::sqrt(variance), kMinSpread);
     const double moved = std::abs(mean - normal.mean) + std::abs(sd - normal.sd);
     normal.mean = mean;
     normal.sd = sd;

@@ -26,8 +26,8 @@ constexpr double kDayToDaySd = 0.1;
 constexpr std::size_t kStarts = 49;
 constexpr double kStartReachSd = 3.0;
 constexpr std::size_t kGains = 25;
-constexpr double kMostGain = 1.8;   ///< ln(start / end): a sixth is left
-constexpr double kMostLoss = -0.3;  ///< some get worse
+constexpr double kMaxGain = 1.8;   ///< ln(start / end): a sixth is left
+constexpr double kMaxLoss = -0.3;  ///< some get worse
 /// In sessions, each as likely: from all at once to hardly within a course.
 constexpr std::array kPaces = {0.7, 1.0, 1.5, 2.2, 3.3, 5.0, 7.5};
 /// Places of the curve between two sessions.
@@ -52,7 +52,7 @@ std::vector<WeighedCurve> curvesBefore(const Prior& prior) {
     const double place = evenly(-kStartReachSd, kStartReachSd, i, kStarts);
     const double start = prior.threshold * std::exp(prior.sd_ln_t * place);
     for (std::size_t j = 0; j < kGains; ++j) {
-      const double end = start * std::exp(-evenly(kMostLoss, kMostGain, j, kGains));
+      const double end = start * std::exp(-evenly(kMaxLoss, kMaxGain, j, kGains));
       for (const double pace : kPaces) curves.push_back({start, end, pace, std::exp(-0.5 * place * place)});
     }
   }

@@ -9,7 +9,7 @@ namespace palpate::training {
 namespace {
 
 /// Thresholds that are less likely add less than this to the information, and are left out.
-constexpr double kLeastThresholdWeight = 1e-12;
+constexpr double kMinThresholdWeight = 1e-12;
 /// Levels that differ by less tell as much as each other: the smallest is taken, whatever the last bit says.
 constexpr double kSameInformation = 1e-12;
 
@@ -54,7 +54,7 @@ MarginalPsi::Marginals MarginalPsi::marginalsOf(const Posterior& posterior) cons
         sums.left[t * slopes_ + s] += w * (1.0 - guess_ - lapse);
       }
     }
-    if (sums.weight[t] < kLeastThresholdWeight) sums.weight[t] = 0.0;
+    if (sums.weight[t] < kMinThresholdWeight) sums.weight[t] = 0.0;
   }
   return sums;
 }

@@ -21,7 +21,7 @@ constexpr double kSlopeReachSd = 1.5;
 constexpr std::array kLapseValues = {0.0, 0.02, 0.05, 0.10};
 constexpr std::array kLapseWeights = {0.25, 0.45, 0.22, 0.08};
 /// Smaller weights are nothing: they never come back, and numbers below 1e-308 slow every product down.
-constexpr double kLeastWeight = 1e-200;
+constexpr double kMinWeight = 1e-200;
 /// Of the 95 % interval.
 constexpr double kLowShare = 0.025;
 constexpr double kHighShare = 0.975;
@@ -39,7 +39,7 @@ void normalise(std::vector<double>& weights) {
   for (const double weight : weights) sum += weight;
   for (double& weight : weights) {
     weight /= sum;
-    if (weight < kLeastWeight) weight = 0.0;
+    if (weight < kMinWeight) weight = 0.0;
   }
 }
 

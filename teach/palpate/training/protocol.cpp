@@ -8,8 +8,8 @@ namespace {
 std::vector<double> vhbLevels() { return {kVhbLevels.rbegin(), kVhbLevels.rend()}; }
 
 /// Marginal psi, no feedback: three to warm up, 40 that count, four of them plain enough to tell lapses.
-SittingSettings measuringSitting() {
-  SittingSettings settings;
+SessionSettings measuringSession() {
+  SessionSettings settings;
   settings.block.warm_up = 3;
   settings.block.easy = 4;
   settings.block.stop = {.least = 40, .most = 40};
@@ -17,16 +17,16 @@ SittingSettings measuringSitting() {
 }
 
 /// Ends as soon as it is sure of either side of the mark.
-SittingSettings examSitting() {
-  SittingSettings settings = measuringSitting();
+SessionSettings examSession() {
+  SessionSettings settings = measuringSession();
   constexpr double kMark = 0.20;  // until a school's own judges set one
   settings.block.easy = 0;
   settings.block.stop = {.least = 10, .most = 60, .half_width = 0.0, .mark = kMark, .sure = 0.95};
   return settings;
 }
 
-SittingSettings practiceSitting() {
-  SittingSettings settings;
+SessionSettings practiceSession() {
+  SessionSettings settings;
   settings.block = {.method = Method::two_down_one_up,
                     .levels = vhbLevels(),
                     .start = 0.5,
@@ -39,8 +39,8 @@ SittingSettings practiceSitting() {
   return settings;
 }
 
-SittingSettings masterySitting() {
-  SittingSettings settings = practiceSitting();
+SessionSettings masterySession() {
+  SessionSettings settings = practiceSession();
   settings.block.method = Method::mastery;
   settings.block.easy_share = 0.0;
   settings.block.stop = {.least = 40, .most = 40};
@@ -49,20 +49,20 @@ SittingSettings masterySitting() {
 
 }  // namespace
 
-const SittingSettings& settingsOf(const Protocol& protocol, SittingKind kind) {
+const SessionSettings& settingsOf(const Protocol& protocol, SessionKind kind) {
   switch (kind) {
-    case SittingKind::mastery:
+    case SessionKind::mastery:
       return protocol.mastery;
-    case SittingKind::pre_test:
+    case SessionKind::pre_test:
       return protocol.pre_test;
-    case SittingKind::post_test:
+    case SessionKind::post_test:
       return protocol.post_test;
-    case SittingKind::exam:
+    case SessionKind::exam:
       return protocol.exam;
-    case SittingKind::retention:
+    case SessionKind::retention:
       return protocol.retention;
-    case SittingKind::practice:
-    case SittingKind::free:
+    case SessionKind::practice:
+    case SessionKind::free:
       break;
   }
   return protocol.practice;
@@ -75,10 +75,10 @@ double largestChange(const BlockSettings& settings) {
 Protocol builtInProtocol() {
   Protocol protocol;
   protocol.title = "Virtual Haptic Back: twelve sites, six levels on both sides";
-  protocol.practice = practiceSitting();
-  protocol.mastery = masterySitting();
-  protocol.pre_test = protocol.post_test = protocol.retention = measuringSitting();
-  protocol.exam = examSitting();
+  protocol.practice = practiceSession();
+  protocol.mastery = masterySession();
+  protocol.pre_test = protocol.post_test = protocol.retention = measuringSession();
+  protocol.exam = examSession();
   return protocol;
 }
 

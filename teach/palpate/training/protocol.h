@@ -1,5 +1,5 @@
 // What is trained and tested, as plain settings: the sites, the hidden dysfunction, and a block's settings for each
-// kind of sitting. From a TOML file or built in (`protocolNamed`).
+// kind of session. From a TOML file or built in (`protocolNamed`).
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace palpate::training {
 
-enum class SittingKind : std::uint8_t { practice, mastery, pre_test, post_test, exam, retention, free };
+enum class SessionKind : std::uint8_t { practice, mastery, pre_test, post_test, exam, retention, free };
 
 /// The hidden dysfunction apart from its change.
 struct HiddenPlace {
@@ -28,7 +28,7 @@ struct HiddenPlace {
   friend bool operator==(const HiddenPlace&, const HiddenPlace&) = default;
 };
 
-struct SittingSettings {
+struct SessionSettings {
   BlockSettings block;
   bool feedback = false;           ///< right or wrong after each answer, and the true site may be felt
   double limit_s = 45.0;           ///< for a trial; 0: none
@@ -46,11 +46,11 @@ struct Protocol {
   ExplorationSettings exploration;
   double break_after_min = 15.0;  ///< a block is offered to be put down after this long; 0: never
   double least_days_to_retention = 7.0;
-  SittingSettings practice, mastery, pre_test, post_test, exam, retention;
+  SessionSettings practice, mastery, pre_test, post_test, exam, retention;
 };
 
 /// free: that of practice.
-const SittingSettings& settingsOf(const Protocol& protocol, SittingKind kind);
+const SessionSettings& settingsOf(const Protocol& protocol, SessionKind kind);
 
 /// The largest change that a block of these settings may hide.
 double largestChange(const BlockSettings& settings);
@@ -69,8 +69,8 @@ std::string protocolSha256(const Protocol& protocol);
 }  // namespace palpate::training
 
 template <>
-struct palpate::WordsOf<palpate::training::SittingKind> {
-  using V = palpate::training::SittingKind;
+struct palpate::WordsOf<palpate::training::SessionKind> {
+  using V = palpate::training::SessionKind;
   static constexpr std::array kAll = {Word{"practice", V::practice}, Word{"mastery", V::mastery},
                                       Word{"pre_test", V::pre_test}, Word{"post_test", V::post_test},
                                       Word{"exam", V::exam},         Word{"retention", V::retention},

@@ -9,7 +9,7 @@
 #include "palpate/base/error.h"
 #include "palpate/scene/detail/toml_table.h"
 #include "palpate/training/protocol.h"
-#include "palpate/training/records/sha256.h"
+#include "palpate/training/sha256.h"
 
 namespace palpate::training {
 
@@ -17,22 +17,22 @@ namespace {
 
 using scene::TomlTable;
 
-constexpr std::size_t kMostProtocolBytes = std::size_t{1} << 20;
+constexpr std::size_t kMaxProtocolBytes = std::size_t{1} << 20;
 constexpr std::size_t kLongestProtocolId = 32;
-constexpr int kMostTrials = 1000;
+constexpr int kMaxTrials = 1000;
 
-struct NamedSitting {
+struct NamedSession {
   const char* table;
-  SittingSettings Protocol::*settings;
+  SessionSettings Protocol::*settings;
   const char* what;
 };
-constexpr std::array kSittings = {
-    NamedSitting{"practice", &Protocol::practice, "feedback after each answer; the true site can be felt"},
-    NamedSitting{"mastery", &Protocol::mastery, "three of four right leads to the next level"},
-    NamedSitting{"pre_test", &Protocol::pre_test, "measures the threshold; no feedback"},
-    NamedSitting{"post_test", &Protocol::post_test, "the same afterwards"},
-    NamedSitting{"exam", &Protocol::exam, "pass, not yet or repeat"},
-    NamedSitting{"retention", &Protocol::retention, "the same a week later"},
+constexpr std::array kSessions = {
+    NamedSession{"practice", &Protocol::practice, "feedback after each answer; the true site can be felt"},
+    NamedSession{"mastery", &Protocol::mastery, "three of four right leads to the next level"},
+    NamedSession{"pre_test", &Protocol::pre_test, "measures the threshold; no feedback"},
+    NamedSession{"post_test", &Protocol::post_test, "the same afterwards"},
+    NamedSession{"exam", &Protocol::exam, "pass, not yet or repeat"},
+    NamedSession{"retention", &Protocol::retention, "the same a week later"},
 };
 
 /// A number that stands in per cent in the file and as a share inside.
@@ -67,8 +67,8 @@ void readLevels(const TomlTable& table, BlockSettings& block) {
   std::ranges::sort(block.levels);
 }
 
-SittingSettings sittingFrom(const toml::table& keys, std::string_view file, std::string_view name,
-                            SittingSettings settings) {
+SessionSettings sessionFrom(const toml::table& keys, std::string_view file, std::string_view name,
+                            SessionSettings settings) {
   const TomlTable table(
       keys, file, fmt::format("[{}]", name),
       {"method", "meaning", "levels_percent", "start_percent", "draw", "warm_up", "easy", "easy_share_percent", "least",
@@ -79,11 +79,11 @@ SittingSettings sittingFrom(const toml::table& keys, std::string_view file, std:
   readLevels(table, block);
   readPercent(table, "start_percent", block.start, {0.0, 100.0, true});
   readWord(table, "draw", block.draw);
-  table.read("warm_up", block.warm_up, {0, kMostTrials});
-  table.read("easy", block.easy, {0, kMostTrials});
+  table.read("warm_up", block.warm_up, {0, kMaxTrials});
+  table.read("easy", block.easy, {0, kMaxTrials});
   readPercent(table, "easy_share_percent", block.easy_share, {0.0, 50.0});
-  table.read("least", block.stop.least, {1, kMostTrials});
-  table.read("most", block.stop.most, {1, kMostTrials});
+  table.read("least", block.stop.least, {1, kMaxTrials});
+  table.read("most", block.stop.most, {1, kMaxTrials});
   table.read("half_width", block.stop.half_width, {0.0, 3.0});
   readPercent(table, "mark_percent", block.stop.mark, {0.0, 100.0});
   readPercent(table, "sure_percent", block.stop.sure, {50.0, 99.99});
@@ -148,7 +148,7 @@ Protocol protocolFrom(const toml::table& root, std::string_view file) {
   std::vector<std::string> keys = {
       "id",     "version",    "title", "sites", "base_n_per_mm", "break_after_min", "least_days_to_retention",
       "hidden", "exploration"};
-  for (const NamedSitting& one : kSittings) keys.emplace_back(one.table);
+  for (const NamedSession& one : kSessions) keys.emplace_back(one.table);
   const TomlTable table(root, file, "a protocol", keys);
   table.read("id", protocol.id);
   const bool plain = std::ranges::all_of(
@@ -165,11 +165,11 @@ Protocol protocolFrom(const toml::table& root, std::string_view file) {
   readHidden(root, file, protocol.hidden);
   readExploration(root, file, protocol.exploration);
   const int choices = protocol.sites.empty() ? 12 : static_cast<int>(protocol.sites.size());
-  for (const NamedSitting& one : kSittings) {
-    SittingSettings& settings = protocol.*one.settings;
+  for (const NamedSession& one : kSessions) {
+    SessionSettings& settings = protocol.*one.settings;
     settings.block.choices = choices;
-    if (const toml::table* sitting = tableNamed(root, one.table, file)) {
-      settings = sittingFrom(*sitting, file, one.table, settings);
+    if (const toml::table* session = tableNamed(root, one.table, file)) {
+      settings = sessionFrom(*session, file, one.table, settings);
     }
   }
   return protocol;
@@ -189,7 +189,7 @@ std::string levelsText(const std::vector<double>& levels) {
   return fmt::format("[{}]", fmt::join(words, ", "));
 }
 
-std::string sittingText(const NamedSitting& named, const SittingSettings& settings) {
+std::string sessionText(const NamedSession& named, const SessionSettings& settings) {
   const BlockSettings& block = settings.block;
   std::string text = fmt::format("\n[{}]  # {}\n", named.table, named.what);
   const auto line = [&text](std::string_view key, std::string_view value) {
@@ -227,13 +227,13 @@ std::string inQuotes(std::string_view text) {
 }  // namespace
 
 Protocol parseProtocol(std::string_view text, std::string_view file) {
-  if (text.size() > kMostProtocolBytes) throw Error::inFile(file, "larger than any protocol (1 MiB)");
+  if (text.size() > kMaxProtocolBytes) throw Error::inFile(file, "larger than any protocol (1 MiB)");
   return protocolFrom(scene::parsedToml(text, file), file);
 }
 
 Protocol protocolNamed(const std::string& name_or_file) {
   if (name_or_file.empty() || name_or_file == "vhb") return builtInProtocol();
-  return parseProtocol(readFile(name_or_file, kMostProtocolBytes), name_or_file);
+  return parseProtocol(readFile(name_or_file, kMaxProtocolBytes), name_or_file);
 }
 
 std::string protocolText(const Protocol& protocol) {
@@ -256,7 +256,7 @@ std::string protocolText(const Protocol& protocol) {
   text += fmt::format("\n[exploration]  # a site counts as felt\nforce_n = {}\ndwell_s = {}\nradius_mm = {}\n",
                       number(protocol.exploration.force_n), number(protocol.exploration.dwell_s),
                       number(protocol.exploration.radius_mm));
-  for (const NamedSitting& one : kSittings) text += sittingText(one, protocol.*one.settings);
+  for (const NamedSession& one : kSessions) text += sessionText(one, protocol.*one.settings);
   return text;
 }
 

@@ -13,8 +13,8 @@ namespace palpate::training {
 namespace {
 
 /// Two places nearer than this are one to a fingertip of 8 mm that presses a centimetre deep.
-constexpr double kLeastApartMm = 15.0;
-constexpr std::size_t kMostSites = 40;
+constexpr double kMinApartMm = 15.0;
+constexpr std::size_t kMaxSites = 40;
 
 Side sideOf(const Vec3& point) {
   constexpr double kMiddleMm = 5.0;
@@ -36,9 +36,9 @@ Site siteAt(std::span<const body::SkinLandmark> landmarks, const std::string& wo
 void checkApart(const SiteSet& set) {
   for (std::size_t i = 0; i < set.sites.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if ((set.sites[i].place_mm - set.sites[j].place_mm).norm() >= kLeastApartMm) continue;
+      if ((set.sites[i].place_mm - set.sites[j].place_mm).norm() >= kMinApartMm) continue;
       throw Error(fmt::format("sites: '{}' and '{}' lie nearer to each other than {:g} mm", set.sites[j].at,
-                              set.sites[i].at, kLeastApartMm));
+                              set.sites[i].at, kMinApartMm));
     }
   }
 }
@@ -80,8 +80,8 @@ SiteSet twelveSites(std::span<const body::SkinLandmark> landmarks) {
 }
 
 SiteSet sitesNamed(std::span<const body::SkinLandmark> landmarks, std::span<const std::string> places) {
-  if (places.size() < 2 || places.size() > kMostSites) {
-    throw Error(fmt::format("sites: {} places: from 2 to {} can be asked for", places.size(), kMostSites));
+  if (places.size() < 2 || places.size() > kMaxSites) {
+    throw Error(fmt::format("sites: {} places: from 2 to {} can be asked for", places.size(), kMaxSites));
   }
   SiteSet set;
   for (const std::string& words : places) {

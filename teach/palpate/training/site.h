@@ -1,6 +1,6 @@
 // The places that a trainee is asked about: by default the twelve of the Virtual Haptic Back, six levels on both sides.
 //
-//   landmarks of a body ─ twelveSites, sitesNamed ─► SiteSet ─► trials (sitting.h), exploration (exploration.h),
+//   landmarks of a body ─ twelveSites, sitesNamed ─► SiteSet ─► trials (session.h), exploration (exploration.h),
 //   pictures
 #pragma once
 

@@ -14,11 +14,11 @@ double changeOf(double stiffness_ratio, ChangeMeaning meaning) {
 
 std::vector<double> adaptiveLevels(ChangeMeaning meaning) {
   constexpr int kLevels = 33;
-  constexpr double kLeast = 0.04;
-  const double most = meaning == ChangeMeaning::compliance ? kMostComplianceChange : 1.0;
+  constexpr double kMin = 0.04;
+  const double most = meaning == ChangeMeaning::compliance ? kMaxComplianceChange : 1.0;
   std::vector<double> levels;
   levels.reserve(kLevels);
-  for (int i = 0; i < kLevels; ++i) levels.push_back(kLeast * std::pow(most / kLeast, i / (kLevels - 1.0)));
+  for (int i = 0; i < kLevels; ++i) levels.push_back(kMin * std::pow(most / kMin, i / (kLevels - 1.0)));
   return levels;
 }
 

@@ -17,7 +17,7 @@ enum class ChangeMeaning : std::uint8_t {
   stiffness,   ///< the place is stiffer by d: k'/k = 1 + d
 };
 
-/// The factor on the stiffness at the centre of the place; d in (0, kMostChange of the meaning].
+/// The factor on the stiffness at the centre of the place; d in (0, kMaxChange of the meaning].
 double stiffnessRatio(double change, ChangeMeaning meaning);
 /// The other way round.
 double changeOf(double stiffness_ratio, ChangeMeaning meaning);
@@ -27,7 +27,7 @@ inline constexpr std::array<double, 7> kVhbLevels = {0.50, 0.40, 0.28, 0.20, 0.1
 
 /// A place without any compliance cannot be rendered: 0.8 is five times as stiff, 1.5 N/mm on a base of 0.3, what
 /// desktop devices render well.
-inline constexpr double kMostComplianceChange = 0.8;
+inline constexpr double kMaxComplianceChange = 0.8;
 
 /// Levels of an adaptive test, rising, some 10 % apart: 33 from 4 % to 100 %; of compliance to 80 %.
 std::vector<double> adaptiveLevels(ChangeMeaning meaning);

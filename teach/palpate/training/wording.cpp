@@ -42,9 +42,9 @@ std::string verdictWords(Verdict verdict) {
   return "Too close to call. Please repeat the examination.";
 }
 
-std::string practiceWords(const BlockResult& result, SittingKind kind) {
+std::string practiceWords(const BlockResult& result, SessionKind kind) {
   const std::string right = fmt::format("{} of {} were right.", result.correct, result.trials);
-  if (kind != SittingKind::mastery) return "Block finished. " + right;
+  if (kind != SessionKind::mastery) return "Block finished. " + right;
   if (!result.level) return "Block finished. " + right + " No level was mastered yet.";
   return fmt::format("Block finished. {} Smallest level mastered: {} %.", right, percent(*result.level));
 }
@@ -58,28 +58,28 @@ std::string numberInWords(int number) {
   return fmt::format("{}", number);
 }
 
-std::string greeting(SittingKind kind) {
+std::string greeting(SessionKind kind) {
   switch (kind) {
-    case SittingKind::practice:
+    case SessionKind::practice:
       return "Practice: after each answer you hear whether it was right.";
-    case SittingKind::mastery:
+    case SessionKind::mastery:
       return "Mastery: three of four right leads to the next level.";
-    case SittingKind::pre_test:
+    case SessionKind::pre_test:
       return "Test before practice. Answers are saved and not told.";
-    case SittingKind::post_test:
+    case SessionKind::post_test:
       return "Test after practice. Answers are saved and not told.";
-    case SittingKind::exam:
+    case SessionKind::exam:
       return "Examination. Answers are saved and not told.";
-    case SittingKind::retention:
+    case SessionKind::retention:
       return "Test of what has stayed. Answers are saved and not told.";
-    case SittingKind::free:
+    case SessionKind::free:
       return "Free exploration. Feel whatever you like.";
   }
   return {};
 }
 
-std::string instruction(const Protocol& protocol, SittingKind kind) {
-  if (kind == SittingKind::free) return "Feel whatever you like. Nothing is asked.";
+std::string instruction(const Protocol& protocol, SessionKind kind) {
+  if (kind == SessionKind::free) return "Feel whatever you like. Nothing is asked.";
   return fmt::format("One of the {} places is stiffer. Press each, then answer.", numberInWords(choicesOf(protocol)));
 }
 
@@ -119,18 +119,18 @@ std::string notPressedYet(int missing) {
                                   : fmt::format("{} places were not pressed yet.", numberInWords(missing)));
 }
 
-std::string blockSummary(const BlockResult& result, SittingKind kind, const std::optional<ShownThreshold>& before) {
+std::string blockSummary(const BlockResult& result, SessionKind kind, const std::optional<ShownThreshold>& before) {
   switch (kind) {
-    case SittingKind::practice:
-    case SittingKind::mastery:
+    case SessionKind::practice:
+    case SessionKind::mastery:
       return practiceWords(result, kind);
-    case SittingKind::exam:
+    case SessionKind::exam:
       return "Examination finished. " + verdictWords(result.verdict);
-    case SittingKind::pre_test:
-    case SittingKind::post_test:
-    case SittingKind::retention:
+    case SessionKind::pre_test:
+    case SessionKind::post_test:
+    case SessionKind::retention:
       break;
-    case SittingKind::free:
+    case SessionKind::free:
       return "Free exploration has ended.";
   }
   const std::string words = thresholdWords(result.threshold);

@@ -14,9 +14,9 @@ struct ShownThreshold {
   double median = 0.0, low = 0.0, high = 0.0;
 };
 
-std::string greeting(SittingKind kind);  ///< "Practice: you will hear whether you were right."
+std::string greeting(SessionKind kind);  ///< "Practice: you will hear whether you were right."
 std::string instruction(const Protocol& protocol,
-                        SittingKind kind);      ///< "One of the twelve places is stiffer. Press each, then answer."
+                        SessionKind kind);      ///< "One of the twelve places is stiffer. Press each, then answer."
 std::string familiarisation(const Site& site);  ///< "Site 4, left, is much stiffer. Feel it now."
 std::string rightAnswer(const Site& site);      ///< "Correct. Site 4, left."
 std::string wrongAnswer(const Site& site);      ///< "It was site 9, right. Feel it now; press Next when ready."
@@ -27,7 +27,7 @@ std::string pausedWords();
 std::string goodbye(bool unfinished);
 std::string answerSaved();               ///< tests
 std::string notPressedYet(int missing);  ///< "Two places were not pressed yet."
-std::string blockSummary(const BlockResult& result, SittingKind kind, const std::optional<ShownThreshold>& before);
+std::string blockSummary(const BlockResult& result, SessionKind kind, const std::optional<ShownThreshold>& before);
 std::string numberInWords(int number);  ///< "two"; digits above twelve
 
 }  // namespace palpate::training

@@ -1,6 +1,6 @@
 // What an instructor sees: messages become tiles, who needs help comes first and for the right reason, old data are
 // shown as old, and the class's curve is the median of its trainees.
-#include "palpate/classroom/class_board.h"
+#include "palpate/classroom/class_watch.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ class ClassBoardTest : public testing::Test {
   }
   static StationState inTrial(int trial = 1) {
     StationState state;
-    state.sitting = samples::id(2, 1);
+    state.session = samples::id(2, 1);
     state.trainee = samples::trainee().id;
     state.screen = training::Screen::trial;
     state.trial = trial;
@@ -128,14 +128,14 @@ TEST_F(ClassBoardTest, AStationThatIsGoneNeedsNobodyAndIsNotFresh) {
 TEST_F(ClassBoardTest, BlockRowsBringTheThresholdSoFar) {
   online("s01");
   StationState sits = inTrial();
-  const training::SittingRow sitting = samples::sitting(samples::trainee(), 5);
-  sits.sitting = sitting.id;
+  const training::SessionRow session = samples::session(samples::trainee(), 5);
+  sits.session = session.id;
   state("s01", sits, 0.0);
-  training::BlockRow block = samples::block(sitting, 5);
+  training::BlockRow block = samples::block(session, 5);
   block.finished = false;
   block.threshold = 0.19;
-  block.low = 0.12;
-  block.high = 0.31;
+  block.threshold_low = 0.12;
+  block.threshold_high = 0.31;
   ASSERT_TRUE(send("s01", "block", rowText(envelope(), training::rowJson(block)), 1.0));
   EXPECT_DOUBLE_EQ(board_.tile("s01", 1.0)->state->threshold, 0.19);
   EXPECT_DOUBLE_EQ(board_.tile("s01", 1.0)->state->high, 0.31);
@@ -148,10 +148,10 @@ TEST_F(ClassBoardTest, TheClassesCurveIsTheMedianOfItsTrainees) {
   for (std::size_t who = 0; who < thresholds.size(); ++who) {
     const auto trainee = samples::trainee("T" + std::to_string(who));
     for (const double threshold : thresholds[who]) {
-      const auto sitting = samples::sitting(trainee, number);
-      auto block = samples::block(sitting, number++);
+      const auto session = samples::session(trainee, number);
+      auto block = samples::block(session, number++);
       block.threshold = threshold;
-      ASSERT_TRUE(send("s01", "session", rowText(envelope(), training::rowJson(sitting)), 1.0));
+      ASSERT_TRUE(send("s01", "session", rowText(envelope(), training::rowJson(session)), 1.0));
       ASSERT_TRUE(send("s01", "block", rowText(envelope(), training::rowJson(block)), 1.0));
       ASSERT_TRUE(send("s01", "block", rowText(envelope(), training::rowJson(block)), 1.0));  // sent again
     }

@@ -41,7 +41,7 @@ class ClassOutboxTest : public brokers::BrokerTest {
   std::filesystem::path records_;
 };
 
-/// Trials of one block, one after the other, as a sitting keeps them.
+/// Trials of one block, one after the other, as a session keeps them.
 class Trainee {
  public:
   explicit Trainee(Store& store, std::uint64_t number, const std::string& at = "s01") : store_(store) {
@@ -53,11 +53,11 @@ class Trainee {
     store_.keep(rows::aClass());
     store_.keep(who);
     store_.keep(rows::protocol());
-    sitting_ = rows::sitting(who, number);
-    sitting_.station = station.id;
-    block_ = rows::block(sitting_, number);
+    session_ = rows::session(who, number);
+    session_.station_id = station.id;
+    block_ = rows::block(session_, number);
     block_.finished = false;
-    store_.keep(std::vector<training::Row>{sitting_, block_});
+    store_.keep(std::vector<training::Row>{session_, block_});
   }
   void answer() {
     const auto number = static_cast<std::uint64_t>(++trials_);
@@ -75,7 +75,7 @@ class Trainee {
 
  private:
   Store& store_;
-  training::SittingRow sitting_;
+  training::SessionRow session_;
   training::BlockRow block_;
   int trials_ = 0;
   Random random_{7};
@@ -131,7 +131,7 @@ TEST_F(ClassOutboxTest, EveryTrialIsThereOnceAlthoughBrokerAndCollectorAreKilled
   const auto there = trialsIn(gathered.rows());
   EXPECT_EQ(std::set<training::Uuid>(there.begin(), there.end()), expected);
   EXPECT_EQ(there.size(), expected.size());
-  for (const auto& block : gathered.rows().blocks(gathered.sittings().front().id)) {
+  for (const auto& block : gathered.rows().blocks(gathered.sessions().front().id)) {
     EXPECT_TRUE(block.finished) << "an older state of the block has replaced the newest";
   }
 }
@@ -162,7 +162,7 @@ TEST_F(ClassOutboxTest, TheInstructorSeesTheStationAndAsksIt) {
   auto link = std::make_unique<StationLink>(station("s01"), *store, StationInfo{"palpate", "Touch"}, kQuickPace);
   ClassWatch watch(instructor());
   StationState state;
-  state.sitting = rows::id(2, 1);
+  state.session = rows::id(2, 1);
   state.trainee = rows::trainee().id;
   state.screen = training::Screen::trial;
   state.trial = 4;
@@ -215,7 +215,7 @@ TEST_F(ClassOutboxTest, WhoIsDeletedIsGoneFromTheClassAndFromTheBroker) {
   stays.answer();
   auto link = std::make_unique<StationLink>(station("s01"), *store, StationInfo{"palpate", "mouse"}, kQuickPace);
   StationState state;
-  state.sitting = rows::id(2, 1);
+  state.session = rows::id(2, 1);
   state.trainee = deleted.trainee;
   link->publishState(state);
   const auto collects = collector();
@@ -235,7 +235,7 @@ TEST_F(ClassOutboxTest, WhoIsDeletedIsGoneFromTheClassAndFromTheBroker) {
   ASSERT_TRUE(ask(station("s02"), "s02"));
   std::vector<std::string> said;
   EXPECT_TRUE(waitFor([&] { return !(said = collects->takeSaid()).empty(); }));
-  EXPECT_NE(said.front().find("s02 deleted a trainee: 0 of its sittings are gone; not deleted: 1 of"),
+  EXPECT_NE(said.front().find("s02 deleted a trainee: 0 of its sessions are gone; not deleted: 1 of"),
             std::string::npos)
       << said.front();
   EXPECT_TRUE(gathered.trainee(deleted.trainee)) << "another station's notice took it away";
@@ -284,7 +284,7 @@ TEST_F(ClassOutboxTest, AStationHearsOfADeletionInTheClassAndIsWelcomeAfterwards
     Store gathered(records_, Store::Open::existing);
     EXPECT_TRUE(training::deleteTrainee(gathered, gone.trainee, "palpate train results").found);
   }
-  gone.answer();  // the sitting that goes on is not kept, and does not wait for ever either
+  gone.answer();  // the session that goes on is not kept, and does not wait for ever either
   EXPECT_TRUE(waitFor([&] { return store->waitingCount() == 0; }));
   Store gathered(records_, Store::Open::read_only);
   EXPECT_FALSE(gathered.trainee(gone.trainee));
@@ -293,11 +293,11 @@ TEST_F(ClassOutboxTest, AStationHearsOfADeletionInTheClassAndIsWelcomeAfterwards
   const auto again = rows::trainee("T1");
   ASSERT_EQ(again.id, gone.trainee);
   store->keep(again);
-  auto sitting = rows::sitting(again, 50);
-  sitting.station = stationIdOf("osteo-1", "s01");
-  store->keep(std::vector<training::Row>{sitting});
+  auto session = rows::session(again, 50);
+  session.station_id = stationIdOf("osteo-1", "s01");
+  store->keep(std::vector<training::Row>{session});
   EXPECT_TRUE(waitFor([&] { return store->waitingCount() == 0; }));
-  EXPECT_EQ(gathered.sittings(gone.trainee).size(), 1u) << "a later sign-in counts, whatever the clocks say";
+  EXPECT_EQ(gathered.sessions(gone.trainee).size(), 1u) << "a later sign-in counts, whatever the clocks say";
 }
 
 TEST_F(ClassOutboxTest, NobodyIsThrownOutByAClientIdOfAnother) {

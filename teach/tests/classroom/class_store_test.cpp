@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "palpate/classroom/class_settings.h"
+#include "palpate/classroom/collector.h"
 #include "palpate/classroom/database_copy.h"
-#include "palpate/classroom/row_sink.h"
 #include "palpate/training/records/store.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
@@ -102,7 +102,7 @@ TEST_F(ClassStoreTest, ARowWithoutItsBlockIsRefusedAndTheOthersAreKept) {
   std::vector<AnyRow> rows = history.rows;
   Random random(3);
   const training::TrialRow lonely =
-      samples::trial(samples::block(samples::sitting(samples::trainee(), 1), 99), 7, 1, random);
+      samples::trial(samples::block(samples::session(samples::trainee(), 1), 99), 7, 1, random);
   rows.insert(rows.begin() + 2, lonely);
   ClassStore store(connection_);
   const ClassStore::Kept kept = store.keep(rows);
@@ -174,20 +174,20 @@ TEST_F(ClassStoreTest, PurgeForgetsWhatWasKeptLongEnoughAndNobodyForGood) {
   constexpr std::int64_t kDay = 86'400'000;
   ClassStore store(connection_);
   store.keep(history.rows);
-  EXPECT_EQ(store.purge(samples::kMonday + 200 * kDay).sittings, 0);
+  EXPECT_EQ(store.purge(samples::kMonday + 200 * kDay).sessions, 0);
   EXPECT_EQ(store.rows().trialCount(), 24);
   const training::Purged purged = store.purge(samples::kMonday + 500 * kDay);
-  EXPECT_EQ(purged.sittings, 6);
+  EXPECT_EQ(purged.sessions, 6);
   EXPECT_EQ(purged.trainees, 3);
   EXPECT_EQ(store.rows().trialCount(), 0);
   EXPECT_TRUE(store.rows().trainees().empty());
-  EXPECT_EQ(store.purge(samples::kMonday + 500 * kDay).sittings, 0);
-  // Who comes back after years is no stranger: their station sends them anew (TrainingMode::beginSitting).
+  EXPECT_EQ(store.purge(samples::kMonday + 500 * kDay).sessions, 0);
+  // Who comes back after years is no stranger: their station sends them again (TrainingMode::beginSession).
   const AnyRow trainee = history.trainees[1];
-  const AnyRow sitting = samples::sitting(history.trainees[1], 600);
-  const std::vector<AnyRow> back = {trainee, sitting};
+  const AnyRow session = samples::session(history.trainees[1], 600);
+  const std::vector<AnyRow> back = {trainee, session};
   EXPECT_EQ(store.keep(back).keys.size(), 2u);
-  EXPECT_EQ(store.rows().sittings(history.trainees[1].id).size(), 1u);
+  EXPECT_EQ(store.rows().sessions(history.trainees[1].id).size(), 1u);
 }
 
 TEST_F(ClassStoreTest, HowLongAClassKeepsThingsIsSaidByItsFolderAndByNoStation) {
@@ -218,8 +218,8 @@ TEST_F(ClassStoreTest, ACopyIsOfOneMomentWhileTheCollectorGoesOn) {
     ClassStore store(connection_);
     for (std::uint64_t number = 100; number < 300 && !ending.stop_requested(); ++number) {
       const training::TraineeRow trainee = samples::trainee(std::to_string(number));
-      const training::SittingRow sitting = samples::sitting(trainee, number);
-      const std::vector<AnyRow> rows = {trainee, sitting, samples::block(sitting, number)};
+      const training::SessionRow session = samples::session(trainee, number);
+      const std::vector<AnyRow> rows = {trainee, session, samples::block(session, number)};
       store.keep(rows);
     }
   });
@@ -227,7 +227,7 @@ TEST_F(ClassStoreTest, ACopyIsOfOneMomentWhileTheCollectorGoesOn) {
   for (int i = 0; i < 10 || (seen < 2 && i < 500); ++i) {
     training::Store copy = copyOfDatabase(connection_);
     const std::size_t trainees = copy.trainees().size();
-    EXPECT_EQ(copy.sittings().size(), trainees);
+    EXPECT_EQ(copy.sessions().size(), trainees);
     EXPECT_GE(trainees, std::exchange(seen, trainees));
   }
   EXPECT_GT(seen, 1u);

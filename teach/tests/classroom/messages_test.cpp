@@ -29,9 +29,9 @@ LiveSample aLiveSample() {
 
 StationState aState() {
   StationState state;
-  state.sitting = samples::id(2, 1);
+  state.session = samples::id(2, 1);
   state.trainee = samples::trainee().id;
-  state.kind = training::SittingKind::exam;
+  state.kind = training::SessionKind::exam;
   state.screen = training::Screen::trial;
   state.trial = 12;
   state.trials_at_most = 40;
@@ -104,7 +104,7 @@ TEST(ClassMessages, LongTextOfACommandIsCutBetweenLetters) {
 TEST(ClassMessages, RowOfAnyLengthComesBackWithinFourKilobytes) {
   Random random(3);
   for (const std::size_t outcomes : {0U, 60U, 400U}) {
-    training::BlockRow block = samples::block(samples::sitting(samples::trainee(), 1), 1);
+    training::BlockRow block = samples::block(samples::session(samples::trainee(), 1), 1);
     block.state_json = R"({"seed":"7","outcomes":[)";
     for (std::size_t i = 0; i < outcomes; ++i) {
       block.state_json += std::string(i == 0 ? "" : ",") + "[" + std::to_string(random.below(13)) + ",1,12,1]";
@@ -112,7 +112,7 @@ TEST(ClassMessages, RowOfAnyLengthComesBackWithinFourKilobytes) {
     block.state_json += "]}";
     const std::string body = training::rowJson(block);
     const std::string text = rowText(kEnvelope, body);
-    EXPECT_LE(text.size(), kMostMessageBytes) << outcomes;
+    EXPECT_LE(text.size(), kMaxMessageBytes) << outcomes;
     const auto read = parseRowMessage(text);
     ASSERT_TRUE(read) << outcomes;
     EXPECT_EQ(training::rowJson(training::rowFromJson("block", read->body)), body);
@@ -122,7 +122,7 @@ TEST(ClassMessages, RowOfAnyLengthComesBackWithinFourKilobytes) {
 
 TEST(ClassMessages, ARowThatUnpacksToMoreThanAnyRowIsRefused) {
   const std::string bomb = rowText(kEnvelope, "\"" + std::string(1'000'000, 'a') + "\"");
-  EXPECT_LT(bomb.size(), kMostMessageBytes);  // it would be taken for its size
+  EXPECT_LT(bomb.size(), kMaxMessageBytes);  // it would be taken for its size
   EXPECT_FALSE(parseRowMessage(bomb));
 }
 
@@ -131,7 +131,7 @@ TEST(ClassMessages, AcknowledgementsAreSharedOutOverMessages) {
   for (std::uint64_t i = 0; i < 500; ++i) keys.push_back(samples::id(8, i));
   std::vector<training::Uuid> read;
   for (const std::string& text : ackTexts(kEnvelope, keys)) {
-    EXPECT_LE(text.size(), kMostMessageBytes);
+    EXPECT_LE(text.size(), kMaxMessageBytes);
     const auto some = parseAck(text);
     ASSERT_TRUE(some);
     read.insert(read.end(), some->begin(), some->end());

@@ -60,15 +60,15 @@ class RowKeeperTest : public testing::TestWithParam<bool> {
   static training::StationRow station(const std::string& name) {
     return {stationIdOf("osteo-1", name), name, "", "Touch", keeping::kMonday};
   }
-  static training::SittingRow sitting(const std::string& name, const training::TraineeRow& of, std::uint64_t number) {
-    training::SittingRow row = keeping::sitting(of, number);
-    row.station = stationIdOf("osteo-1", name);
+  static training::SessionRow session(const std::string& name, const training::TraineeRow& of, std::uint64_t number) {
+    training::SessionRow row = keeping::session(of, number);
+    row.station_id = stationIdOf("osteo-1", name);
     return row;
   }
-  /// A trainee of this station with a sitting, a block and two trials.
+  /// A trainee of this station with a session, a block and two trials.
   std::vector<AnyRow> day(const std::string& name, const std::string& code, std::uint64_t number) {
     const auto who = keeping::trainee(code);
-    const auto sat = sitting(name, who, number);
+    const auto sat = session(name, who, number);
     const auto block = keeping::block(sat, number);
     Random random(number);
     return {station(name),
@@ -108,28 +108,28 @@ TEST_P(RowKeeperTest, AStationWritesNoRowOfAnother) {
   auto trainee = std::get<training::TraineeRow>(theirs[2]);
   trainee.class_id = "invented";
   EXPECT_EQ(why("s02", trainee), "another class for a trainee of another station");
-  auto sitting_row = std::get<training::SittingRow>(theirs[3]);
-  sitting_row.end_ms += 1;
-  EXPECT_EQ(why("s02", sitting_row), "a sitting at another station");
-  sitting_row.station = stationIdOf("osteo-1", "s02");
+  auto session_row = std::get<training::SessionRow>(theirs[3]);
+  session_row.end_ms += 1;
+  EXPECT_EQ(why("s02", session_row), "a session at another station");
+  session_row.station_id = stationIdOf("osteo-1", "s02");
   keep("s02", {station("s02")});
-  EXPECT_EQ(why("s02", sitting_row), "a sitting of another station");
+  EXPECT_EQ(why("s02", session_row), "a session of another station");
   auto block = std::get<training::BlockRow>(theirs[4]);
   block.threshold = 0.9;
   // What belongs to a row that was refused is answered alike.
-  EXPECT_EQ(why("s02", block), "a sitting of another station");
+  EXPECT_EQ(why("s02", block), "a session of another station");
   Random random(9);
-  EXPECT_EQ(why("s02", keeping::trial(block, 999, 3, random)), "a sitting of another station");
-  EXPECT_EQ(why("s02", keeping::event(std::get<training::SittingRow>(theirs[3]), 9)), "a sitting of another station");
+  EXPECT_EQ(why("s02", keeping::trial(block, 999, 3, random)), "a session of another station");
+  EXPECT_EQ(why("s02", keeping::event(std::get<training::SessionRow>(theirs[3]), 9)), "a session of another station");
   // Of one that was not asked about before: by itself.
   const std::vector<AnyRow> more = day("s01", "B", 5);
   EXPECT_EQ(why("s02", more[5]), "a trial of another station");
   EXPECT_EQ(why("s02", more[7]), "an event of another station");
   EXPECT_EQ(why("s02", more[4]), "a block of another station");
-  // A block of theirs into a sitting of one's own.
-  const auto own = sitting("s02", keeping::trainee("A"), 7);
+  // A block of theirs into a session of one's own.
+  const auto own = session("s02", keeping::trainee("A"), 7);
   EXPECT_EQ(keep("s02", {own}).keys.size(), 1u) << "the same trainee may sit elsewhere";
-  block.sitting = own.id;
+  block.session_id = own.id;
   EXPECT_EQ(why("s02", block), "a block of another station");
   std::vector<std::string> after = all();
   std::erase_if(after, [&](const std::string& text) { return std::ranges::find(before, text) == before.end(); });
@@ -140,7 +140,7 @@ TEST_P(RowKeeperTest, ARowThatIsRefusedDoesNotKeepOthersWaiting) {
   keep("s01", day("s01", "A", 1));
   std::vector<AnyRow> copied = day("s01", "B", 2);  // another station's records, carried to s02
   const KeptRows kept = keep("s02", copied);
-  EXPECT_EQ(kept.refused.size(), 6u);  // station, sitting, and what belongs to it
+  EXPECT_EQ(kept.refused.size(), 6u);  // station, session, and what belongs to it
   EXPECT_TRUE(kept.waits.empty()) << kept.waits.front().why;
   EXPECT_EQ(keep("s02", day("s02", "C", 3)).keys.size(), 8u);
 }
@@ -151,17 +151,17 @@ TEST_P(RowKeeperTest, ATraineeMaySitAtSeveralStationsAndStaysWhoTheyAre) {
   std::get<training::TraineeRow>(second[2]).dominant_hand = "left";
   EXPECT_EQ(keep("s02", second).keys.size(), second.size());
   EXPECT_EQ(tables().trainee(keeping::trainee("A").id)->dominant_hand, "right");
-  EXPECT_EQ(tables().sittings(keeping::trainee("A").id).size(), 2u);
+  EXPECT_EQ(tables().sessions(keeping::trainee("A").id).size(), 2u);
 }
 
 TEST_P(RowKeeperTest, RowsOfBeforeAStationJoinedAreItsOwn) {
   std::vector<AnyRow> before = day("s01", "A", 1);
   const auto old = keeping::station();  // an id made at random
   before[0] = old;
-  std::get<training::SittingRow>(before[3]).station = old.id;
+  std::get<training::SessionRow>(before[3]).station_id = old.id;
   EXPECT_EQ(keep("s01", before).keys.size(), before.size());
   EXPECT_EQ(why("s02", old), "another station's row");
-  EXPECT_EQ(why("s02", before[3]), "a sitting at another station");
+  EXPECT_EQ(why("s02", before[3]), "a session at another station");
   EXPECT_EQ(keep("s01", before).keys.size(), before.size());
 }
 
@@ -188,10 +188,10 @@ TEST_P(RowKeeperTest, AStationsNoticeTakesAwayItsOwnRowsAndSaysWhatIsLeft) {
   const KeptRows kept = keep("s01", {kOfA});
   EXPECT_EQ(kept.keys.size(), 1u);
   ASSERT_EQ(kept.said.size(), 1u);
-  EXPECT_NE(kept.said[0].find("s01 deleted a trainee: 1 of its sittings are gone; not deleted: 1 of s02"),
+  EXPECT_NE(kept.said[0].find("s01 deleted a trainee: 1 of its sessions are gone; not deleted: 1 of s02"),
             std::string::npos)
       << kept.said[0];
-  ASSERT_EQ(tables().sittings(keeping::trainee("A").id).size(), 1u);
+  ASSERT_EQ(tables().sessions(keeping::trainee("A").id).size(), 1u);
   EXPECT_EQ(keep("s02", {kOfA}).said.size(), 0u);
   EXPECT_FALSE(tables().trainee(keeping::trainee("A").id));
   EXPECT_TRUE(tables().trainee(keeping::trainee("B").id));
@@ -212,11 +212,11 @@ TEST_P(RowKeeperTest, DeletionGoesByArrivalAndNotByClocks) {
   keep("s01", {training::DeletionRow{kOfA.trainee_sha256, 253402300799999}});
   const std::vector<AnyRow> later = day("s01", "A", 2);
   EXPECT_EQ(keep("s01", later).keys.size(), later.size());
-  EXPECT_EQ(tables().sittings(keeping::trainee("A").id).size(), 1u);
+  EXPECT_EQ(tables().sessions(keeping::trainee("A").id).size(), 1u);
   // What was sent again of before stays away.
   rows.erase(rows.begin() + 2);
   EXPECT_EQ(keep("s01", rows).keys.size(), rows.size());
-  EXPECT_EQ(tables().sittings(keeping::trainee("A").id).size(), 1u);
+  EXPECT_EQ(tables().sessions(keeping::trainee("A").id).size(), 1u);
 }
 
 TEST_P(RowKeeperTest, InOneBatchADeletionStandsWhereItArrived) {
@@ -224,9 +224,9 @@ TEST_P(RowKeeperTest, InOneBatchADeletionStandsWhereItArrived) {
   batch.emplace_back(kOfA);
   for (const AnyRow& row : day("s01", "A", 2)) batch.push_back(row);
   EXPECT_EQ(keep("s01", batch).keys.size(), batch.size());
-  const auto left = tables().sittings(keeping::trainee("A").id);
+  const auto left = tables().sessions(keeping::trainee("A").id);
   ASSERT_EQ(left.size(), 1u);
-  EXPECT_EQ(left[0].id, keeping::sitting(keeping::trainee("A"), 2).id);
+  EXPECT_EQ(left[0].id, keeping::session(keeping::trainee("A"), 2).id);
 }
 
 TEST_P(RowKeeperTest, ADeletionInTheClassHoldsForEachStationUntilItHasHeardOfIt) {
@@ -243,11 +243,11 @@ TEST_P(RowKeeperTest, ADeletionInTheClassHoldsForEachStationUntilItHasHeardOfIt)
   EXPECT_EQ(late.to_hear[stationIdOf("osteo-1", "s02")], std::vector{kOfA.trainee_sha256});
   EXPECT_TRUE(keep("s02", {kHeardOfA}).to_hear.empty());
   EXPECT_EQ(keep("s02", day("s02", "A", 4)).keys.size(), 8u);
-  EXPECT_EQ(tables().sittings(keeping::trainee("A").id).size(), 1u) << "signed in after it was heard of";
+  EXPECT_EQ(tables().sessions(keeping::trainee("A").id).size(), 1u) << "signed in after it was heard of";
   keep("s02", {kHeardOfA});  // once more deletes nothing
-  EXPECT_EQ(tables().sittings(keeping::trainee("A").id).size(), 1u);
+  EXPECT_EQ(tables().sessions(keeping::trainee("A").id).size(), 1u);
   keep("s01", day("s01", "A", 5));
-  EXPECT_EQ(tables().sittings(keeping::trainee("A").id).size(), 1u) << "the other station has not heard yet";
+  EXPECT_EQ(tables().sessions(keeping::trainee("A").id).size(), 1u) << "the other station has not heard yet";
 }
 
 TEST_P(RowKeeperTest, TheTeacherDeletesForAllStations) {

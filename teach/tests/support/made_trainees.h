@@ -14,15 +14,15 @@
 #include "palpate/training/psychometric.h"
 #include "palpate/training/records/store.h"
 #include "palpate/training/records/trainee_code.h"
-#include "palpate/training/sitting.h"
+#include "palpate/training/session/session.h"
 
 namespace palpate::support {
 
 struct MadeCourse {
-  std::vector<training::SittingKind> kinds = {training::SittingKind::pre_test, training::SittingKind::practice,
-                                              training::SittingKind::practice, training::SittingKind::practice,
-                                              training::SittingKind::post_test};
-  double first_threshold = 0.28;  ///< at the first sitting
+  std::vector<training::SessionKind> kinds = {training::SessionKind::pre_test, training::SessionKind::practice,
+                                              training::SessionKind::practice, training::SessionKind::practice,
+                                              training::SessionKind::post_test};
+  double first_threshold = 0.28;  ///< at the first session
   double last_threshold = 0.14;   ///< at the last
   double skipping = 0.03;         ///< a trial in which three places are not felt
   std::string device = "simulated hand, soft thimble";
@@ -62,40 +62,41 @@ class MadeTrainees {
   }
   double between(double low, double high) { return low + (high - low) * random_.uniform(); }
 
-  void sit(const training::Uuid& trainee, const MadeCourse& course, training::SittingKind kind, std::int64_t start_ms) {
+  void sit(const training::Uuid& trainee, const MadeCourse& course, training::SessionKind kind, std::int64_t start_ms) {
     const training::BlockSettings& settings = training::settingsOf(protocol_, kind).block;
     training::Block block(settings, random_.bits());
-    training::SittingRow sitting{.id = id(), .trainee = trainee, .station = station_, .kind = kind};
-    sitting.start_ms = start_ms;
-    sitting.app_version = "1.0.0";
-    sitting.device = course.device;
-    training::BlockRow row{.id = id(), .sitting = sitting.id, .method = settings.method, .meaning = settings.meaning};
+    training::SessionRow session{.id = id(), .trainee_id = trainee, .station_id = station_, .kind = kind};
+    session.start_ms = start_ms;
+    session.app_version = "1.0.0";
+    session.device = course.device;
+    training::BlockRow row{
+        .id = id(), .session_id = session.id, .method = settings.method, .change_meaning = settings.meaning};
     row.protocol_id = protocol_.id;
     row.protocol_version = protocol_.version;
     row.state_json = block.state();
-    std::vector<training::Row> rows = {sitting, row};
+    std::vector<training::Row> rows = {session, row};
     std::int64_t now_ms = start_ms;
     while (!block.finished()) rows.emplace_back(trial(block, row, now_ms, between(0.0, 1.0) < course.skipping));
     const training::BlockResult result = block.result();
     row.state_json = block.state();
     row.finished = true;
     row.threshold = result.threshold.median;
-    row.low = result.threshold.low;
-    row.high = result.threshold.high;
+    row.threshold_low = result.threshold.low;
+    row.threshold_high = result.threshold.high;
     row.trials = result.trials;
-    row.level = result.level;
+    row.mastered_change = result.level;
     row.verdict = result.verdict;
     rows.emplace_back(row);
     rows.emplace_back(training::EventRow{
-        .id = id(), .sitting = sitting.id, .at_ms = now_ms, .kind = "pause", .text = "asked Anna Muster to wait"});
-    sitting.end_ms = now_ms;
-    rows.emplace_back(sitting);
+        .id = id(), .session_id = session.id, .at_ms = now_ms, .kind = "pause", .text = "asked Anna Muster to wait"});
+    session.end_ms = now_ms;
+    rows.emplace_back(session);
     store_.keep(rows);
   }
 
   training::TrialRow trial(training::Block& block, const training::BlockRow& row, std::int64_t& now_ms, bool skips) {
     const training::PlannedTrial planned = block.next();
-    training::TrialRow trial{.id = id(), .block = row.id, .sitting = row.sitting, .number = planned.number};
+    training::TrialRow trial{.id = id(), .block_id = row.id, .session_id = row.session_id, .number = planned.number};
     trial.kind = planned.kind;
     trial.change = planned.change;
     trial.site_true = planned.site;
@@ -104,13 +105,13 @@ class MadeTrainees {
       if (skipped > 0 && site >= skipped && site < skipped + 3) continue;
       trial.visits.push_back(visit(site, site == planned.site));
     }
-    trial.visited = static_cast<int>(trial.visits.size());
+    trial.sites_felt = static_cast<int>(trial.visits.size());
     const bool felt = skipped == 0 || planned.site < skipped || planned.site >= skipped + 3;
-    const training::Psychometric function{.threshold = threshold_, .guess = 1.0 / trial.visited};
+    const training::Psychometric function{.threshold = threshold_, .guess = 1.0 / trial.sites_felt};
     trial.correct = felt && between(0.0, 1.0) < training::probabilityCorrect(function, planned.change);
     trial.site_answer = trial.correct ? planned.site : wrongSite(planned.site);
-    trial.timeout = !trial.correct && between(0.0, 1.0) < 0.05;
-    if (trial.timeout) trial.site_answer = 0;
+    trial.timed_out = !trial.correct && between(0.0, 1.0) < 0.05;
+    if (trial.timed_out) trial.site_answer = 0;
     if (!felt) trial.excluded = "target not felt";
     trial.seconds = std::exp(between(2.2, 3.6)) * (trial.correct ? 1.0 : 1.3);
     trial.start_ms = now_ms;
@@ -122,7 +123,7 @@ class MadeTrainees {
     trial.palpate_force_n = between(0.9, 2.1);
     trial.mean_speed_mm_per_s = between(20.0, 80.0);
     block.answer(
-        {.answer = trial.site_answer, .correct = trial.correct, .visited = trial.visited, .target_visited = felt});
+        {.answer = trial.site_answer, .correct = trial.correct, .visited = trial.sites_felt, .target_visited = felt});
     return trial;
   }
 

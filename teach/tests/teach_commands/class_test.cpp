@@ -159,7 +159,7 @@ TEST(ClassCommand, AStationsFolderIsNoInstructors) {
   ASSERT_EQ(runPalpate("class init osteo --class osteo-1", folder.path()).exit_code, 0);
   const auto watch = runPalpate("class watch osteo/stations/s01 --json --seconds 1", folder.path());
   EXPECT_EQ(watch.exit_code, 2);
-  EXPECT_NE(watch.err.find("no instructor's folder"), std::string::npos) << watch.err;
+  EXPECT_NE(watch.err.find("not an instructor's folder"), std::string::npos) << watch.err;
 }
 
 }  // namespace

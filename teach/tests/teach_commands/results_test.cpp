@@ -7,10 +7,10 @@
 
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_store.h"
-#include "palpate/classroom/row_sink.h"
-#include "palpate/trace/session_reader.h"
-#include "palpate/trace/session_writer.h"
-#include "palpate/training/records/session_files.h"
+#include "palpate/classroom/collector.h"
+#include "palpate/trace/recording_reader.h"
+#include "palpate/trace/recording_writer.h"
+#include "palpate/training/records/recording_files.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 #include "teach/tests/support/postgres_server.h"
@@ -21,12 +21,12 @@ namespace {
 
 namespace samples = training::samples;
 using support::runPalpate;
-using training::SessionFiles;
+using training::RecordingFiles;
 using training::Store;
 
 constexpr const char* kAnnasCode = "00000-00000";
 
-/// Two trainees' records beside a locked session of each sitting.
+/// Two trainees' records beside a locked session of each session.
 struct Records {
   support::TemporaryFolder folder;
   training::TraineeRow anna = samples::trainee(kAnnasCode);
@@ -36,19 +36,19 @@ struct Records {
     Store store(file, Store::Open::create_too);
     std::vector<training::AnyRow> rows = samples::history(1, 2, 6).rows;
     rows.emplace_back(anna);
-    const training::SittingRow sitting = samples::sitting(anna, 50);
-    training::BlockRow block = samples::block(sitting, 50);
+    const training::SessionRow session = samples::session(anna, 50);
+    training::BlockRow block = samples::block(session, 50);
     Random random(3);
     training::TrialRow trial = samples::trial(block, 50, 1, random);
-    trial.file_tick0 = 100;
-    trial.file_tick1 = 199;
-    rows.insert(rows.end(), {sitting, block, trial});
+    trial.file_tick_first = 100;
+    trial.file_tick_last = 199;
+    rows.insert(rows.end(), {session, block, trial});
     store.keepAny(rows);
-    SessionFiles files(store);
+    RecordingFiles files(store);
     std::filesystem::create_directories(files.folder());
-    trace::SessionWriter writer(files.pathOf(SessionFiles::nameFor(sitting.id)),
-                                {"2026-11-22T10:00:00Z", "test", "test", 1000.0, "", ""}, {{"finger", "hand"}});
-    trace::SessionWorld world;
+    trace::RecordingWriter writer(files.pathOf(RecordingFiles::nameFor(session.id)),
+                                  {"2026-11-22T10:00:00Z", "test", "test", 1000.0, "", ""}, {{"finger", "hand"}});
+    trace::RecordingWorld world;
     world.scene = "scene";
     world.body = "torso";
     world.fingers = {{"", ""}};
@@ -59,7 +59,7 @@ struct Records {
       writer.add(sample);
     }
     writer.finish("done");
-    files.lock(sitting.id);
+    files.lock(session.id);
   }
   support::CommandResult results(const std::string& arguments) const {
     return runPalpate("train results " + arguments, folder.path());
@@ -81,7 +81,7 @@ TEST(Results, CodesBecomeCardsOrATable) {
   EXPECT_EQ(runPalpate("train results codes --count 0").exit_code, 2);
 }
 
-TEST(Results, ListsSittingsOfAllAndOfOne) {
+TEST(Results, ListsSessionsOfAllAndOfOne) {
   const Records records;
   const auto all = records.results("list a.results");
   EXPECT_EQ(all.exit_code, 0) << all.err;
@@ -100,7 +100,7 @@ TEST(Results, ShowsATraineeByCodeOrPseudonymAndTheClass) {
     const auto shown = records.results("trainee " + who + " a.results");
     EXPECT_EQ(shown.exit_code, 0) << shown.err;
     EXPECT_NE(shown.out.find(records.anna.id), std::string::npos);
-    EXPECT_NE(shown.out.find("1 sittings, 1 trials"), std::string::npos);
+    EXPECT_NE(shown.out.find("1 sessions, 1 trials"), std::string::npos);
   }
   EXPECT_EQ(nlohmann::json::parse(records.results("class a.results --json").out).at("trainees").size(), 2u);
   const auto nobody = records.results("trainee 11111-11111 a.results");
@@ -136,7 +136,7 @@ TEST(Results, ReplaysOneTrialOutOfALockedFile) {
   const training::Uuid trial = store.trials(list["sittings"][0]["blocks"][0]["block"]).front().id;
   const auto done = records.results("replay " + trial + " a.results -o one.session --json");
   EXPECT_EQ(done.exit_code, 0) << done.err;
-  const trace::SessionReader session(records.folder / "one.session");
+  const trace::RecordingReader session(records.folder / "one.session");
   EXPECT_EQ(session.facts().last_tick, 199u);
   EXPECT_GE(session.facts().samples, 100u);
   EXPECT_LE(session.facts().samples, 200u);
@@ -199,7 +199,7 @@ TEST(Results, OfAClassLieInPostgresAndAreReadWrittenAndForgottenAsInAFile) {
   EXPECT_NE(page.out.find("database osteo -> class.html"), std::string::npos) << page.out;
   const auto verified = nlohmann::json::parse(records.results("verify --json " + quoted).out);
   EXPECT_EQ(verified.at("trials"), 13);
-  EXPECT_EQ(verified.at("faults").size(), 0u) << "session files are at the stations: " << verified.dump(2);
+  EXPECT_EQ(verified.at("faults").size(), 0u) << "recordings are at the stations: " << verified.dump(2);
 
   EXPECT_EQ(records.results("delete --trainee 00000-00000 " + quoted).exit_code, 1) << "nobody typed yes";
   const auto deleted = records.results("delete --yes --json --trainee 00000-00000 " + quoted);
@@ -215,7 +215,7 @@ TEST(Results, OfAClassLieInPostgresAndAreReadWrittenAndForgottenAsInAFile) {
   }
 }
 
-TEST(Results, OfAClassAreWholeWithoutTheSessionFilesThatLieAtItsStations) {
+TEST(Results, OfAClassAreWholeWithoutTheRecordingFilesThatLieAtItsStations) {
   const Records records;
   std::string trial;
   {
@@ -223,7 +223,7 @@ TEST(Results, OfAClassAreWholeWithoutTheSessionFilesThatLieAtItsStations) {
     std::vector<classroom::SentRow> rows;
     for (training::AnyRow& row : station.rows().all()) rows.push_back({std::move(row)});
     classroom::fileSink(records.folder / "class.results")->keep(rows);
-    trial = station.trials(station.blocks(station.sittings(records.anna.id).front().id).front().id).front().id;
+    trial = station.trials(station.blocks(station.sessions(records.anna.id).front().id).front().id).front().id;
   }
   std::filesystem::remove_all(records.folder / "sessions");
   EXPECT_EQ(records.results("verify a.results").exit_code, 1) << "at the station they are missed";

@@ -27,7 +27,7 @@ TEST_F(TrainCommand, RefusesACodeWithATypingErrorBeforeAnythingOpens) {
   code.back() = code.back() == '0' ? '1' : '0';
   const auto result = train("--records r.results --code " + code, folder.path());
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_NE(result.err.find("is no code"), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("is not a code"), std::string::npos) << result.err;
   EXPECT_FALSE(std::filesystem::exists(folder / "r.results"));
 }
 

@@ -72,9 +72,9 @@ TEST_F(TrainTrainee, TellsItsThresholdAndKeepsIt) {
   EXPECT_NE(result.out.find("; T "), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("kept in r.results"), std::string::npos) << result.out;
   training::Store store(folder_ / "r.results", training::Store::Open::read_only);
-  ASSERT_EQ(store.sittings().size(), 1u);
-  EXPECT_EQ(store.sittings().front().device, "simulated, no body");
-  EXPECT_EQ(store.blocks(store.sittings().front().id).front().trials, 40);
+  ASSERT_EQ(store.sessions().size(), 1u);
+  EXPECT_EQ(store.sessions().front().device, "simulated, no body");
+  EXPECT_EQ(store.blocks(store.sessions().front().id).front().trials, 40);
 }
 
 TEST_F(TrainTrainee, SaysTheSameFromTheSameSeed) {
@@ -116,43 +116,43 @@ TEST_F(TrainTrainee, PutsAClassThroughTheWholeCourse) {
   EXPECT_NEAR(after, 0.15, 0.05);
   training::Store store(folder_ / "r.results", training::Store::Open::read_only);
   EXPECT_EQ(store.trainees().size(), 12u);
-  EXPECT_EQ(store.sittings().size(), 96u);
+  EXPECT_EQ(store.sessions().size(), 96u);
   EXPECT_EQ(store.classes().front().id, "osteo-1");
 }
 
 TEST_F(TrainTrainee, LeavesASessionThatCanBeReplayedToTheBit) {
   const json said = trained("small.toml --trainee weber=0.2 --most-trials 2 --records r.results");
-  const json& sitting = said["trainees"][0]["sittings"][0];
-  EXPECT_EQ(sitting["trials"], 2);
-  EXPECT_EQ(sitting["finished"], false);
-  EXPECT_EQ(sitting["device"], "simulated thimble on touch_x");
-  const auto replayed = runPalpate("recording replay --verify " + sitting["file"].get<std::string>(), folder_.path());
+  const json& session = said["trainees"][0]["sittings"][0];
+  EXPECT_EQ(session["trials"], 2);
+  EXPECT_EQ(session["finished"], false);
+  EXPECT_EQ(session["device"], "simulated thimble on touch_x");
+  const auto replayed = runPalpate("recording replay --verify " + session["file"].get<std::string>(), folder_.path());
   EXPECT_EQ(replayed.exit_code, 0) << replayed.out << replayed.err;
 }
 
 TEST_F(TrainTrainee, KilledInTheMiddleGoesOnWithTheSameBlock) {
   EXPECT_EQ(endedAfter(4, SIGKILL), -SIGKILL);
   const json said = trained("small.toml --trainee weber=0.2 --protocol short.toml --records r.results");
-  const json& sitting = said["trainees"][0]["sittings"][0];
-  EXPECT_EQ(sitting["resumed"], true);
-  EXPECT_EQ(sitting["finished"], true);
+  const json& session = said["trainees"][0]["sittings"][0];
+  EXPECT_EQ(session["resumed"], true);
+  EXPECT_EQ(session["finished"], true);
   training::Store store(folder_ / "r.results", training::Store::Open::read_only);
-  const auto trials = store.trials(sitting["block"]);
+  const auto trials = store.trials(session["block"]);
   ASSERT_EQ(trials.size(), 12u);
   for (std::size_t i = 0; i < trials.size(); ++i) EXPECT_EQ(trials[i].number, static_cast<int>(i) + 1);
-  EXPECT_GE(trials.size() - sitting["trials"].get<std::size_t>(), 4u);  // whatever was told was kept
+  EXPECT_GE(trials.size() - session["trials"].get<std::size_t>(), 4u);  // whatever was told was kept
 }
 
 TEST_F(TrainTrainee, AskedToEndPutsItsBlockDown) {
   EXPECT_EQ(endedAfter(2, SIGINT), 128 + SIGINT);
   EXPECT_NE(support::contentOf(folder_ / "out").find("put down"), std::string::npos);
   training::Store store(folder_ / "r.results", training::Store::Open::read_only);
-  ASSERT_EQ(store.sittings().size(), 1u);
-  const training::SittingRow sitting = store.sittings().front();
-  EXPECT_GT(sitting.end_ms, sitting.start_ms);
-  EXPECT_FALSE(store.blocks(sitting.id).front().finished);
-  EXPECT_TRUE(std::filesystem::exists(folder_ / sitting.file));
-  EXPECT_EQ(sitting.file_sha256.size(), 64u);
+  ASSERT_EQ(store.sessions().size(), 1u);
+  const training::SessionRow session = store.sessions().front();
+  EXPECT_GT(session.end_ms, session.start_ms);
+  EXPECT_FALSE(store.blocks(session.id).front().finished);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / session.file));
+  EXPECT_EQ(session.file_sha256.size(), 64u);
 }
 
 }  // namespace

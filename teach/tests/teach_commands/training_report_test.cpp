@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 using support::CommandResult;
 using support::contentOf;
-using training::SittingKind;
+using training::SessionKind;
 
 /// Reads the page as XML, strictly: says what in it runs code or loads something, then all its words, those of
 /// pictures too.
@@ -106,7 +106,7 @@ TEST_F(TrainingReport, NobodyIsAPageTooThatSaysSo) {
 
 TEST_F(TrainingReport, OneTraineeIsToldEverythingInWords) {
   support::MadeCourse course;
-  course.kinds.push_back(SittingKind::exam);
+  course.kinds.push_back(SessionKind::exam);
   const training::Uuid trainee = make(1, course);
   const std::string words = wordsOf("");
   for (const std::string& wanted : {"Training report: trainee " + trainee.substr(0, 8),
@@ -152,8 +152,8 @@ TEST_F(TrainingReport, AClassIsToldTogetherAndEachByPseudonym) {
 
 TEST_F(TrainingReport, EveryNumberIsComputedAgainFromTheExportedTables) {
   support::MadeCourse course;
-  course.kinds = {SittingKind::pre_test, SittingKind::mastery, SittingKind::practice, SittingKind::post_test,
-                  SittingKind::exam};
+  course.kinds = {SessionKind::pre_test, SessionKind::mastery, SessionKind::practice, SessionKind::post_test,
+                  SessionKind::exam};
   const training::Uuid trainee = make(5, course);
   exportTables();
   for (const std::string& whose : {std::string("--class"), "--trainee " + trainee.substr(0, 8)}) {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "report/tests/report/says.h"
-#include "teach/study/training_findings.h"
+#include "teach/study/training_measurement.h"
 #include "teach/study/training_numbers.h"
 
 namespace palpate::study {
@@ -153,10 +153,10 @@ TEST(TrainingStudy, MethodsAskForAsManyTrialsAsTheyAreGiven) {
     EXPECT_EQ(test.answers.size(), 25u) << method;
     for (const training::Answer& answer : test.answers) EXPECT_EQ(answer.choices, 12);
   }
-  EXPECT_THROW(inTwoThreads(10,
-                            [](std::size_t i) {
-                              if (i == 5) throw 1;
-                            }),
+  EXPECT_THROW(parallelFor(10,
+                           [](std::size_t i) {
+                             if (i == 5) throw 1;
+                           }),
                int);
 }
 

@@ -1,4 +1,4 @@
-// The training window: its words, its keys, its door, and sittings in a viewer without a window.
+// The training window: its words, its keys, its door, and sessions in a viewer without a window.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,15 +11,14 @@
 #include "palpate/classroom/class_folder.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/database.h"
-#include "palpate/trace/session_reader.h"
-#include "palpate/training/records/session_files.h"
+#include "palpate/trace/recording_reader.h"
+#include "palpate/training/records/recording_files.h"
 #include "palpate/training/records/trainee_code.h"
 #include "palpate/view/offscreen.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
 #include "teach/tests/training/twelve.h"
-#include "teach/window/front_desk.h"
-#include "teach/window/offers.h"
+#include "teach/window/sign_in.h"
 #include "teach/window/training_keys.h"
 #include "teach/window/training_mode.h"
 #include "teach/window/training_words.h"
@@ -31,21 +30,21 @@ namespace palpate::viewer {
 namespace {
 
 using training::Screen;
-using training::SittingKind;
+using training::SessionKind;
 using window::Key;
 
-constexpr std::array kTests = {SittingKind::pre_test, SittingKind::post_test, SittingKind::exam,
-                               SittingKind::retention};
+constexpr std::array kTests = {SessionKind::pre_test, SessionKind::post_test, SessionKind::exam,
+                               SessionKind::retention};
 
 std::string someCode(std::uint64_t bits = 0x1234567) { return training::codeOf(bits); }
 
 // --- words
 
-/// A sitting that somebody goes through who presses all and answers right or wrong in turn.
-class WordsOfSitting {
+/// A session that somebody goes through who presses all and answers right or wrong in turn.
+class WordsOfSession {
  public:
-  explicit WordsOfSitting(SittingKind kind, bool familiar = true)
-      : sitting({.protocol = training::builtInProtocol(),
+  explicit WordsOfSession(SessionKind kind, bool familiar = true)
+      : session({.protocol = training::builtInProtocol(),
                  .kind = kind,
                  .sites = training::flatTwelve(),
                  .seed = 3,
@@ -57,27 +56,27 @@ class WordsOfSitting {
     TrainingView view;
     view.force_share = force_share;
     view.ratios_kept_to_n = ratios_kept_to_n;
-    view.stage = TrainingStage::sitting;
+    view.stage = TrainingStage::session;
     view.by_mouse = true;
-    view.sitting = &sitting;
+    view.session = &session;
     view.picked = picked;
     view.now = {.s = s};
     return screenOf(view);
   }
   void pressAll(int but = 0) {
-    for (const training::Site& site : sitting.plan().sites.sites) {
+    for (const training::Site& site : session.plan().sites.sites) {
       for (int i = 0; i < 400 && site.number != but; ++i) {
         s += 0.001;
-        sitting.feel(training::pressAt(site.point_mm, 1.0), {.s = s});
+        session.feel(training::pressAt(site.point_mm, 1.0), {.s = s});
       }
     }
   }
   void answer(bool right) {
-    const int truth = sitting.hidden()->site;
-    sitting.answer(right ? truth : truth % 12 + 1, {.s = s});
+    const int truth = session.hidden()->site;
+    session.answer(right ? truth : truth % 12 + 1, {.s = s});
   }
 
-  training::Sitting sitting;
+  training::Session session;
   double s = 0.0;
 };
 
@@ -106,11 +105,11 @@ void expectNoNumbers(const TrainingScreen& screen, int picked) {
 }
 
 TEST(TrainingWords, ATestShowsNoNumberNoLevelAndNoPlaceOnAnyScreenUntilItIsOver) {
-  for (const SittingKind kind : kTests) {
-    WordsOfSitting somebody(kind);
+  for (const SessionKind kind : kTests) {
+    WordsOfSession somebody(kind);
     expectNoNumbers(somebody.screen(), 0);
-    somebody.sitting.next({});
-    for (int trial = 0; trial < 12 && somebody.sitting.screen() == Screen::trial; ++trial) {
+    somebody.session.next({});
+    for (int trial = 0; trial < 12 && somebody.session.screen() == Screen::trial; ++trial) {
       expectNoNumbers(somebody.screen(), 0);
       expectNoNumbers(somebody.screen(5), 5);
       somebody.pressAll(trial % 3);
@@ -124,8 +123,8 @@ TEST(TrainingWords, ATestShowsNoNumberNoLevelAndNoPlaceOnAnyScreenUntilItIsOver)
 }
 
 TEST(TrainingWords, ADeviceThatGivesLessThanTheForcesSaysSoBeforeTheFirstTrial) {
-  const WordsOfSitting somebody(SittingKind::practice, false);
-  ASSERT_EQ(somebody.sitting.screen(), Screen::device_check);
+  const WordsOfSession somebody(SessionKind::practice, false);
+  ASSERT_EQ(somebody.session.screen(), Screen::device_check);
   const auto says = [](const TrainingScreen& screen, const std::string& what) {
     const std::vector<std::string> words = wordsOf(screen);
     return std::ranges::any_of(words, [&](const std::string& w) { return w.find(what) != w.npos; });
@@ -139,10 +138,10 @@ TEST(TrainingWords, ADeviceThatGivesLessThanTheForcesSaysSoBeforeTheFirstTrial) 
 TEST(TrainingWords, TheScreenOfATestIsTheSameWhereverThePlaceIsHidden) {
   std::set<std::string> different;
   std::set<int> places;
-  WordsOfSitting somebody(SittingKind::pre_test);
-  somebody.sitting.next({});
+  WordsOfSession somebody(SessionKind::pre_test);
+  somebody.session.next({});
   for (int trial = 0; trial < 10; ++trial) {
-    places.insert(somebody.sitting.hidden()->site);
+    places.insert(somebody.session.hidden()->site);
     std::string all;
     for (const std::string& part : wordsOf(somebody.screen(2))) all += part + "|";
     if (trial > 0) different.insert(all);  // the first has no "Answer saved."
@@ -154,9 +153,9 @@ TEST(TrainingWords, TheScreenOfATestIsTheSameWhereverThePlaceIsHidden) {
 }
 
 TEST(TrainingWords, PracticeSaysWhatWasRightAndMarksThePlace) {
-  WordsOfSitting somebody(SittingKind::practice);
-  somebody.sitting.next({});
-  const int truth = somebody.sitting.hidden()->site;
+  WordsOfSession somebody(SessionKind::practice);
+  somebody.session.next({});
+  const int truth = somebody.session.hidden()->site;
   for (const SiteMark& mark : somebody.screen().sites) EXPECT_FALSE(mark.is_true);
   somebody.pressAll();
   somebody.answer(true);
@@ -165,25 +164,25 @@ TEST(TrainingWords, PracticeSaysWhatWasRightAndMarksThePlace) {
   EXPECT_TRUE(right.sites[static_cast<std::size_t>(truth) - 1].is_true);
   EXPECT_FALSE(right.mark_word.empty());
   EXPECT_NE(right.progress.find("1 of 1 right"), std::string::npos) << right.progress;
-  somebody.sitting.next({});
+  somebody.session.next({});
   somebody.pressAll();
   somebody.answer(false);
   EXPECT_EQ(somebody.screen().outcome, TrainingScreen::Outcome::wrong);
 }
 
 TEST(TrainingWords, AFilledDotMeansThatAPlaceWasPressedEnough) {
-  WordsOfSitting somebody(SittingKind::pre_test);
-  somebody.sitting.next({});
+  WordsOfSession somebody(SessionKind::pre_test);
+  somebody.session.next({});
   somebody.pressAll(4);
   for (const SiteMark& mark : somebody.screen().sites) EXPECT_EQ(mark.pressed, mark.number != 4);
 }
 
 TEST(TrainingWords, WhileTheBodyOfATrialIsMadeNothingCanBeAnswered) {
-  WordsOfSitting somebody(SittingKind::pre_test);
-  somebody.sitting.next({});
+  WordsOfSession somebody(SessionKind::pre_test);
+  somebody.session.next({});
   TrainingView view;
-  view.stage = TrainingStage::sitting;
-  view.sitting = &somebody.sitting;
+  view.stage = TrainingStage::session;
+  view.session = &somebody.session;
   view.picked = 3;
   view.waiting = true;
   const TrainingScreen screen = screenOf(view);
@@ -194,11 +193,11 @@ TEST(TrainingWords, WhileTheBodyOfATrialIsMadeNothingCanBeAnswered) {
 }
 
 TEST(TrainingWords, SentencesAreShort) {
-  for (const SittingKind kind : {SittingKind::practice, SittingKind::pre_test}) {
+  for (const SessionKind kind : {SessionKind::practice, SessionKind::pre_test}) {
     for (const Offer& offer : offersFor({}, training::builtInProtocol(), 0)) {
       EXPECT_LE(std::ranges::count(offer.line, ' '), 11) << offer.line;
     }
-    WordsOfSitting somebody(kind);
+    WordsOfSession somebody(kind);
     EXPECT_LE(std::ranges::count(somebody.screen().title, ' '), 11);
   }
 }
@@ -214,19 +213,19 @@ TEST(TrainingOffers, FollowTheCourseFromTheFirstTestToWhatHasStayed) {
   constexpr std::int64_t kDay = 86'400'000;
   TrainingPast past;
   const auto next = [&](std::int64_t now_ms) { return suggested(offersFor(past, protocol, now_ms)).kind; };
-  EXPECT_EQ(next(0), SittingKind::pre_test);
-  past.kinds[SittingKind::pre_test].finished = 1;
-  EXPECT_EQ(next(0), SittingKind::practice);
-  past.kinds[SittingKind::practice] = {.finished = kPracticesOfCourse - 1};
-  EXPECT_EQ(next(0), SittingKind::practice);
-  past.kinds[SittingKind::practice].interrupted = true;
-  past.kinds[SittingKind::practice].finished = kPracticesOfCourse;
-  EXPECT_EQ(next(0), SittingKind::practice) << "what was interrupted goes on";
-  past.kinds[SittingKind::practice].interrupted = false;
-  EXPECT_EQ(next(0), SittingKind::post_test);
-  past.kinds[SittingKind::post_test] = {.finished = 1, .last_ms = 10 * kDay};
-  EXPECT_EQ(next(11 * kDay), SittingKind::exam);
-  EXPECT_EQ(next(18 * kDay), SittingKind::retention);
+  EXPECT_EQ(next(0), SessionKind::pre_test);
+  past.kinds[SessionKind::pre_test].finished = 1;
+  EXPECT_EQ(next(0), SessionKind::practice);
+  past.kinds[SessionKind::practice] = {.finished = kPracticesOfCourse - 1};
+  EXPECT_EQ(next(0), SessionKind::practice);
+  past.kinds[SessionKind::practice].interrupted = true;
+  past.kinds[SessionKind::practice].finished = kPracticesOfCourse;
+  EXPECT_EQ(next(0), SessionKind::practice) << "what was interrupted goes on";
+  past.kinds[SessionKind::practice].interrupted = false;
+  EXPECT_EQ(next(0), SessionKind::post_test);
+  past.kinds[SessionKind::post_test] = {.finished = 1, .last_ms = 10 * kDay};
+  EXPECT_EQ(next(11 * kDay), SessionKind::exam);
+  EXPECT_EQ(next(18 * kDay), SessionKind::retention);
 }
 
 TEST(TrainingOffers, WhatHasStayedCannotBeTestedBeforeItsTime) {
@@ -235,10 +234,10 @@ TEST(TrainingOffers, WhatHasStayedCannotBeTestedBeforeItsTime) {
   TrainingPast past;
   const auto retention = [&](std::int64_t now_ms) {
     const auto offers = offersFor(past, protocol, now_ms);
-    return *std::ranges::find(offers, SittingKind::retention, &Offer::kind);
+    return *std::ranges::find(offers, SessionKind::retention, &Offer::kind);
   };
   EXPECT_FALSE(retention(100 * kDay).enabled);
-  past.kinds[SittingKind::post_test] = {.finished = 1, .last_ms = 10 * kDay};
+  past.kinds[SessionKind::post_test] = {.finished = 1, .last_ms = 10 * kDay};
   EXPECT_FALSE(retention(16 * kDay).enabled);
   EXPECT_EQ(retention(16 * kDay).line, "Tomorrow: a week after the last test.");
   EXPECT_TRUE(retention(17 * kDay).enabled);
@@ -248,16 +247,16 @@ TEST(TrainingOffers, WhatHasStayedCannotBeTestedBeforeItsTime) {
 
 class TrainingDoor : public testing::Test {
  protected:
-  FrontDesk desk(FrontDeskSettings settings = {}) { return {store, training::builtInProtocol(), std::move(settings)}; }
-  static TrainingView seen(const FrontDesk& desk) {
+  SignIn sign_in(SignInSettings settings = {}) { return {store, training::builtInProtocol(), std::move(settings)}; }
+  static TrainingView seen(const SignIn& sign_in) {
     TrainingView view;
-    desk.describe(view);
+    sign_in.describe(view);
     return view;
   }
-  static void agree(FrontDesk& desk) {
-    desk.act(TrainingAct::yes, 0);
-    desk.act(TrainingAct::yes, 0);
-    desk.act(TrainingAct::choose, 1);
+  static void agree(SignIn& sign_in) {
+    sign_in.act(TrainingAct::yes, 0);
+    sign_in.act(TrainingAct::yes, 0);
+    sign_in.act(TrainingAct::choose, 1);
   }
 
   const support::TemporaryFolder folder;
@@ -265,13 +264,13 @@ class TrainingDoor : public testing::Test {
 };
 
 TEST_F(TrainingDoor, TellsATypingErrorAndLetsItBeMended) {
-  FrontDesk door = desk();
+  SignIn door = sign_in();
   std::string wrong = someCode();
   wrong.back() = wrong.back() == '0' ? '1' : '0';
   door.type(wrong);
   door.act(TrainingAct::sign_in, 0);
   EXPECT_EQ(door.stage(), TrainingStage::sign_in);
-  EXPECT_EQ(seen(door).notice, "This is no code. Check each letter, then try again.");
+  EXPECT_EQ(seen(door).notice, "This is not a code. Check each letter, then try again.");
   EXPECT_EQ(seen(door).typed, wrong);
   for (std::size_t i = 0; i < wrong.size(); ++i) door.erase();
   std::string lower = someCode();
@@ -283,7 +282,7 @@ TEST_F(TrainingDoor, TellsATypingErrorAndLetsItBeMended) {
 }
 
 TEST_F(TrainingDoor, AsksAboutANewCodeAndForConsentOnce) {
-  FrontDesk first = desk({.code = someCode()});
+  SignIn first = sign_in({.code = someCode()});
   EXPECT_EQ(first.stage(), TrainingStage::new_code);
   EXPECT_TRUE(store.trainees().empty()) << "nothing is kept before there is consent";
   agree(first);
@@ -291,11 +290,11 @@ TEST_F(TrainingDoor, AsksAboutANewCodeAndForConsentOnce) {
   ASSERT_EQ(store.trainees().size(), 1u);
   EXPECT_TRUE(store.trainees().front().consent);
   EXPECT_EQ(store.trainees().front().dominant_hand, "right");
-  EXPECT_EQ(desk({.code = someCode()}).stage(), TrainingStage::choice);
+  EXPECT_EQ(sign_in({.code = someCode()}).stage(), TrainingStage::choice);
 }
 
 TEST_F(TrainingDoor, KeepsNothingOfWhoeverDoesNotAgree) {
-  FrontDesk door = desk({.code = someCode()});
+  SignIn door = sign_in({.code = someCode()});
   door.act(TrainingAct::yes, 0);
   EXPECT_EQ(door.stage(), TrainingStage::consent);
   door.act(TrainingAct::no, 0);
@@ -305,7 +304,7 @@ TEST_F(TrainingDoor, KeepsNothingOfWhoeverDoesNotAgree) {
 }
 
 TEST_F(TrainingDoor, MakesACodeForWhoeverHasNone) {
-  FrontDesk door = desk();
+  SignIn door = sign_in();
   door.act(TrainingAct::make_code, 0);
   EXPECT_EQ(door.stage(), TrainingStage::own_code);
   EXPECT_EQ(training::codeTyped(seen(door).code), seen(door).code);
@@ -314,9 +313,9 @@ TEST_F(TrainingDoor, MakesACodeForWhoeverHasNone) {
 }
 
 TEST_F(TrainingDoor, GoesStraightToWhatWasAskedFor) {
-  FrontDesk door = desk({.code = someCode(), .kind = SittingKind::exam});
+  SignIn door = sign_in({.code = someCode(), .kind = SessionKind::exam});
   agree(door);
-  EXPECT_EQ(door.takeChosen(), SittingKind::exam);
+  EXPECT_EQ(door.takeChosen(), SessionKind::exam);
   EXPECT_EQ(door.takeChosen(), std::nullopt);
   door.comeBack();
   EXPECT_EQ(door.stage(), TrainingStage::choice);
@@ -334,8 +333,8 @@ window::InputEvent pressOf(Key key, window::Modifiers modifiers = {}) {
 }
 
 TEST(TrainingKeys, NoKeyOfTheWindowThatTellsSomethingGetsThrough) {
-  WordsOfSitting somebody(SittingKind::exam);
-  somebody.sitting.next({});
+  WordsOfSession somebody(SessionKind::exam);
+  somebody.session.next({});
   const std::set<window::Action> harmless = {
       window::Action::full_screen, window::Action::screenshot, window::Action::screenshot_with_pop_ups,
       window::Action::deeper,      window::Action::lighter,    window::Action::home};
@@ -350,8 +349,8 @@ TEST(TrainingKeys, NoKeyOfTheWindowThatTellsSomethingGetsThrough) {
 }
 
 TEST(TrainingKeys, EveryButtonOfEveryScreenCanBePressedWithoutAMouse) {
-  for (const SittingKind kind : {SittingKind::practice, SittingKind::exam, SittingKind::free}) {
-    WordsOfSitting somebody(kind);
+  for (const SessionKind kind : {SessionKind::practice, SessionKind::exam, SessionKind::free}) {
+    WordsOfSession somebody(kind);
     for (int step = 0; step < 4; ++step) {
       TrainingScreen screen = somebody.screen(3);
       std::set<TrainingAct> reached;
@@ -359,11 +358,11 @@ TEST(TrainingKeys, EveryButtonOfEveryScreenCanBePressedWithoutAMouse) {
         reached.insert(strokeOf(pressOf(key), screen).click.act);
       }
       for (const TrainingButton& button : screen.buttons) EXPECT_TRUE(reached.contains(button.act)) << button.label;
-      if (somebody.sitting.screen() == Screen::trial) {
+      if (somebody.session.screen() == Screen::trial) {
         somebody.pressAll();
         somebody.answer(true);
       } else {
-        somebody.sitting.next({});
+        somebody.session.next({});
       }
     }
   }
@@ -470,11 +469,11 @@ std::shared_ptr<const scene::World> smallTorso() {
 class ShutMode final : public Mode {
  public:
   Claims claims() const override { return {}; }
-  bool handle(const window::Command& command, Session& /*session*/) override {
+  bool handle(const window::Command& command, ViewerState& /*viewer*/) override {
     reached += command.action == window::Action::measure_person ? 1 : 0;
     return false;
   }
-  bool handle(const Request& request, Session& /*session*/) override {
+  bool handle(const Request& request, ViewerState& /*viewer*/) override {
     reached += std::holds_alternative<OpenFile>(request) ? 1 : 0;
     return false;
   }
@@ -485,7 +484,7 @@ class ShutMode final : public Mode {
 /// Somebody at a training window: keys, frames, and what is in the record.
 class TrainingSeat {
  public:
-  explicit TrainingSeat(const std::filesystem::path& records, std::optional<SittingKind> kind = {},
+  explicit TrainingSeat(const std::filesystem::path& records, std::optional<SessionKind> kind = {},
                         const training::Protocol& protocol = training::builtInProtocol(),
                         const std::optional<classroom::Member>& member = {}) {
     ViewerSettings settings;
@@ -495,7 +494,7 @@ class TrainingSeat {
     of_training.records = records;
     of_training.protocol = protocol;
     of_training.seed = 5;
-    of_training.desk = {.class_id = member ? member->class_id : "", .code = someCode(), .kind = kind};
+    of_training.sign_in = {.class_id = member ? member->class_id : "", .code = someCode(), .kind = kind};
     of_training.member = member;
     auto training_mode = std::make_unique<TrainingMode>(of_training);
     training = training_mode.get();
@@ -554,7 +553,7 @@ class TrainingSeat {
     key(Key::space);
     if (!settled()) return false;
     key(Key::space);
-    return settled() && sitting().screen() == Screen::trial;
+    return settled() && session().screen() == Screen::trial;
   }
   void pick(int site) {
     key(Key::backspace);
@@ -564,14 +563,14 @@ class TrainingSeat {
   bool press(int site) {
     pick(site);
     key(Key::space);
-    const bool filled = until([&] { return sitting().visited(site); });
+    const bool filled = until([&] { return session().visited(site); });
     key(Key::space);
     return filled;
   }
   /// Taken at the second time, when nothing was pressed.
   void answer(int site) {
-    const std::size_t before = sitting().trials().size();
-    for (int i = 0; i < 2 && sitting().trials().size() == before; ++i) {
+    const std::size_t before = session().trials().size();
+    for (int i = 0; i < 2 && session().trials().size() == before; ++i) {
       pick(site);
       key(Key::enter);
     }
@@ -582,7 +581,7 @@ class TrainingSeat {
     for (const std::string& part : wordsOf(training->screen())) all += part + "\n";
     return all;
   }
-  const training::Sitting& sitting() const { return *training->sitting(); }
+  const training::Session& session() const { return *training->session(); }
 
   const view::OffscreenContext context;
   std::unique_ptr<Viewer> viewer;
@@ -596,8 +595,8 @@ class TrainingWindow : public testing::Test {
   std::vector<training::TrialRow> keptTrials() {
     training::Store store(records, training::Store::Open::existing);
     std::vector<training::TrialRow> trials;
-    for (const auto& sitting : store.sittings()) {
-      for (const auto& block : store.blocks(sitting.id)) {
+    for (const auto& session : store.sessions()) {
+      for (const auto& block : store.blocks(session.id)) {
         for (auto& trial : store.trials(block.id)) trials.push_back(std::move(trial));
       }
     }
@@ -609,18 +608,18 @@ class TrainingWindow : public testing::Test {
 };
 
 TEST_F(TrainingWindow, HidesThePlaceInTheBodyBeforeTheClockOfTheTrialBegins) {
-  TrainingSeat stage(records, SittingKind::practice);
+  TrainingSeat stage(records, SessionKind::practice);
   stage.comeIn();
   ASSERT_TRUE(stage.begin());
-  const auto hidden = stage.sitting().hidden();
+  const auto hidden = stage.session().hidden();
   const auto& dysfunctions = stage.viewer->world().scene.dysfunctions;
   ASSERT_EQ(dysfunctions.size(), 1u);
-  const training::Site* site = stage.sitting().plan().sites.numbered(hidden->site);
+  const training::Site* site = stage.session().plan().sites.numbered(hidden->site);
   EXPECT_NEAR(dysfunctions.front().x_mm, site->place_mm.x(), 1e-9);
   EXPECT_NEAR(dysfunctions.front().y_mm, site->place_mm.y(), 1e-9);
   ASSERT_TRUE(stage.press(2));
   stage.answer(hidden->site);
-  ASSERT_EQ(stage.sitting().screen(), Screen::feedback);
+  ASSERT_EQ(stage.session().screen(), Screen::feedback);
   stage.key(Key::space);
   ASSERT_TRUE(stage.training->waiting()) << "each trial has a body of its own";
   EXPECT_NE(stage.words().find(kOneMoment), std::string::npos);
@@ -630,7 +629,7 @@ TEST_F(TrainingWindow, HidesThePlaceInTheBodyBeforeTheClockOfTheTrialBegins) {
 }
 
 TEST_F(TrainingWindow, InASmallWindowEverySiteAndEveryWordAboutKeysIsInSight) {
-  TrainingSeat stage(records, SittingKind::practice);
+  TrainingSeat stage(records, SessionKind::practice);
   stage.comeIn();
   ASSERT_TRUE(stage.begin());
   stage.frame();
@@ -646,33 +645,33 @@ TEST_F(TrainingWindow, InASmallWindowEverySiteAndEveryWordAboutKeysIsInSight) {
   EXPECT_LE(places.at("training/button/2")[3], places.at("training/keys")[1]);
 }
 
-TEST_F(TrainingWindow, KeepsEachAnswerAtOnceWithItsTicksInTheSessionFile) {
+TEST_F(TrainingWindow, KeepsEachAnswerAtOnceWithItsTicksInTheRecordingFile) {
   training::TrialRow kept;
-  training::Uuid sitting;
+  training::Uuid session;
   {
-    TrainingSeat stage(records, SittingKind::practice);
+    TrainingSeat stage(records, SessionKind::practice);
     stage.comeIn();
     ASSERT_TRUE(stage.begin());
     ASSERT_TRUE(stage.press(2));
     stage.answer(2);
     ASSERT_EQ(keptTrials().size(), 1u) << "before the next screen, not at the end";
     kept = keptTrials().front();
-    sitting = kept.sitting;
+    session = kept.session_id;
     stage.viewer->finish();
   }
   EXPECT_EQ(kept.site_answer, 2);
   ASSERT_EQ(kept.visits.size(), 1u);
   EXPECT_EQ(kept.visits.front().site, 2);
   training::Store store(records, training::Store::Open::existing);
-  const auto row = store.sittings().front();
+  const auto row = store.sessions().front();
   EXPECT_TRUE(row.file.ends_with(".locked")) << row.file;
   EXPECT_EQ(row.device, "mouse");
   EXPECT_GT(row.end_ms, row.start_ms);
-  const training::OpenedSession opened = training::SessionFiles(store).open(row);
-  trace::SessionReader reader(opened.file());
-  EXPECT_LT(kept.file_tick0, kept.file_tick1);
+  const training::OpenedRecording opened = training::RecordingFiles(store).open(row);
+  trace::RecordingReader reader(opened.file());
+  EXPECT_LT(kept.file_tick_first, kept.file_tick_last);
   double peak_n = 0.0;
-  reader.forEachTick({kept.file_tick0, kept.file_tick1}, [&](std::span<const trace::Sample> fingers) {
+  reader.forEachTick({kept.file_tick_first, kept.file_tick_last}, [&](std::span<const trace::Sample> fingers) {
     for (const trace::Sample& sample : fingers) peak_n = std::max(peak_n, sample.contact.force.norm());
     return true;
   });
@@ -693,7 +692,7 @@ TEST_F(TrainingWindow, OfAClassSaysAnewWhoSitsAndForHowLongThingsAreKept) {
     for (const training::OutboxEntry& entry : store.waiting(100)) store.acknowledged({&entry.row, 1});
   }
   {
-    TrainingSeat stage(records, SittingKind::practice, training::builtInProtocol(),
+    TrainingSeat stage(records, SessionKind::practice, training::builtInProtocol(),
                        classroom::readMember(made.station("s01")));
     ASSERT_TRUE(stage.settled());
     stage.viewer->finish();
@@ -711,24 +710,24 @@ TEST_F(TrainingWindow, OfAClassSaysAnewWhoSitsAndForHowLongThingsAreKept) {
 
 TEST_F(TrainingWindow, GoesOnWithABlockWhereItStopped) {
   {
-    TrainingSeat stage(records, SittingKind::practice);
+    TrainingSeat stage(records, SessionKind::practice);
     stage.comeIn();
     ASSERT_TRUE(stage.begin());
     stage.answer(1);
     stage.key(Key::space);
     ASSERT_TRUE(stage.settled());
-    EXPECT_EQ(stage.sitting().trialNumber(), 2);
+    EXPECT_EQ(stage.session().trialNumber(), 2);
     stage.viewer->finish("SIGTERM");
   }
   TrainingSeat again(records);
   EXPECT_NE(again.words().find("Goes on where it stopped."), std::string::npos);
   again.key(Key::enter);  // it is what is suggested
   ASSERT_TRUE(again.begin());
-  EXPECT_EQ(again.sitting().trialNumber(), 2);
+  EXPECT_EQ(again.session().trialNumber(), 2);
 }
 
 TEST_F(TrainingWindow, NothingIsLostWhileTheRecordCannotBeWritten) {
-  TrainingSeat stage(records, SittingKind::pre_test);
+  TrainingSeat stage(records, SessionKind::pre_test);
   stage.comeIn();
   ASSERT_TRUE(stage.begin());
   {
@@ -747,7 +746,7 @@ TEST_F(TrainingWindow, NothingIsLostWhileTheRecordCannotBeWritten) {
 }
 
 TEST_F(TrainingWindow, NothingOfTheWindowCanBeReachedThatWouldTellMoreThanTheFinger) {
-  TrainingSeat stage(records, SittingKind::pre_test);
+  TrainingSeat stage(records, SessionKind::pre_test);
   stage.comeIn();
   ASSERT_TRUE(stage.begin());
   const std::string before = stage.words();
@@ -766,49 +765,49 @@ TEST_F(TrainingWindow, NothingOfTheWindowCanBeReachedThatWouldTellMoreThanTheFin
   drop.text = "another.toml";
   stage.frame({drop});
   stage.frames(3);
-  const Session& session = stage.viewer->session();
-  EXPECT_EQ(session.state.look.overlays.count(), 0u);
-  EXPECT_EQ(session.state.look.colouring, view::Colouring::plain);
-  EXPECT_FALSE(session.editor.active);
+  const ViewerState& viewer = stage.viewer->state();
+  EXPECT_EQ(viewer.state.look.overlays.count(), 0u);
+  EXPECT_EQ(viewer.state.look.colouring, view::Colouring::plain);
+  EXPECT_FALSE(viewer.editor.active);
   EXPECT_EQ(stage.shut->reached, 0);
-  EXPECT_FALSE(session.state.shown.help);
-  EXPECT_FALSE(session.replay.frozen);
-  EXPECT_FALSE(session.opening);
+  EXPECT_FALSE(viewer.state.shown.help);
+  EXPECT_FALSE(viewer.replay.frozen);
+  EXPECT_FALSE(viewer.opening);
   for (const auto& [path, place] : widgetPlaces()) EXPECT_TRUE(path.starts_with("training/")) << path;
-  EXPECT_EQ(stage.sitting().screen(), Screen::trial);
+  EXPECT_EQ(stage.session().screen(), Screen::trial);
 }
 
 TEST_F(TrainingWindow, WhileItIsPausedThereIsNothingToBeFound) {
-  TrainingSeat stage(records, SittingKind::pre_test);
+  TrainingSeat stage(records, SessionKind::pre_test);
   stage.comeIn();
   ASSERT_TRUE(stage.begin());
   stage.key(window::key('P'));
   ASSERT_TRUE(stage.settled());
   EXPECT_TRUE(stage.viewer->world().scene.dysfunctions.empty());
-  const double left = stage.sitting().secondsLeft({.s = 0.0});
+  const double left = stage.session().secondsLeft({.s = 0.0});
   EXPECT_GT(left, 0.0);
   stage.key(window::key('P'));
   ASSERT_TRUE(stage.settled());
   EXPECT_EQ(stage.viewer->world().scene.dysfunctions.size(), 1u);
-  EXPECT_FALSE(stage.sitting().paused());
+  EXPECT_FALSE(stage.session().paused());
 }
 
 TEST_F(TrainingWindow, ClosingItInABlockAsksFirst) {
-  TrainingSeat stage(records, SittingKind::practice);
+  TrainingSeat stage(records, SessionKind::practice);
   stage.comeIn();
   ASSERT_TRUE(stage.begin());
-  stage.viewer->session().request(Quit{});
+  stage.viewer->state().request(Quit{});
   stage.frames(2);
   EXPECT_FALSE(stage.viewer->wantsToQuit());
   EXPECT_NE(stage.words().find("Leave now?"), std::string::npos);
   stage.key(Key::enter);  // stay
-  EXPECT_EQ(stage.sitting().screen(), Screen::trial);
+  EXPECT_EQ(stage.session().screen(), Screen::trial);
   stage.key(Key::escape);
   stage.key(Key::right);
   stage.key(Key::enter);
-  EXPECT_FALSE(stage.viewer->wantsToQuit()) << "to leave a sitting is not to close the window";
-  EXPECT_EQ(stage.training->sitting(), nullptr);
-  stage.viewer->session().request(Quit{});
+  EXPECT_FALSE(stage.viewer->wantsToQuit()) << "to leave a session is not to close the window";
+  EXPECT_EQ(stage.training->session(), nullptr);
+  stage.viewer->state().request(Quit{});
   stage.frames(2);
   EXPECT_TRUE(stage.viewer->wantsToQuit());
 }
@@ -817,7 +816,7 @@ TEST_F(TrainingWindow, NeedsABodyThatHasThePlacesOfItsProtocol) {
   training::Protocol protocol = training::builtInProtocol();
   protocol.sites = {"no such place", "T6"};
   ASSERT_NE(smallTorso(), nullptr);
-  EXPECT_THROW(TrainingSeat(records, SittingKind::practice, protocol), Error);
+  EXPECT_THROW(TrainingSeat(records, SessionKind::practice, protocol), Error);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The hand-over of a trial's body, without a body: requested, taken, felt.
-#include "teach/window/trial_world.h"
+#include "teach/window/session_run.h"
 
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(TrialWorld, AnInterruptedTrialGoesOnAndDoesNotBeginAgain) {
   EXPECT_TRUE(world.begins());
 }
 
-TEST(TrialWorld, WhatCouldNotBeMadeIsMadeAnewAndTheNextSittingBeginsAfresh) {
+TEST(TrialWorld, WhatCouldNotBeMadeIsMadeAnewAndTheNextSessionBeginsAfresh) {
   TrialWorld world;
   world.request(bodyOf(1, 4));
   world.fail();
@@ -83,7 +83,7 @@ TEST(TrialWorld, WhatCouldNotBeMadeIsMadeAnewAndTheNextSittingBeginsAfresh) {
   world.clear();
   EXPECT_FALSE(world.waiting());
   EXPECT_FALSE(world.requested());
-  EXPECT_TRUE(world.request(bodyOf(1, 4))) << "the first trial of another sitting";
+  EXPECT_TRUE(world.request(bodyOf(1, 4))) << "the first trial of another session";
   world.taken(true);
   EXPECT_FALSE(world.feel(7)) << "worlds are counted on";
   EXPECT_TRUE(world.feel(8));

@@ -142,7 +142,7 @@ TEST(Block, WarmsUpFirstAndSpreadsEasyTrialsOverTheRest) {
     while (!block.finished()) {
       const PlannedTrial trial = block.next();
       EXPECT_EQ(trial.kind == TrialKind::warm_up, trial.number <= 3);
-      EXPECT_TRUE(trial.kind == TrialKind::measured || trial.change == kMostComplianceChange);
+      EXPECT_TRUE(trial.kind == TrialKind::measured || trial.change == kMaxComplianceChange);
       if (trial.kind == TrialKind::easy) easy_at.push_back(trial.number - 4);
       block.answer({.answer = trial.site, .correct = true});
     }

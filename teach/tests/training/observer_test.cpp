@@ -50,9 +50,9 @@ TEST(Observer, ReadsItsWordsAndSaysThemAgain) {
 TEST(Observer, NamesTheKeyThatItDoesNotTake) {
   EXPECT_NE(messageOf([] { observerNamed("webber=0.2"); }).find("weber"), std::string::npos);
   EXPECT_NE(messageOf([] { observerNamed("weber"); }).find("has no value"), std::string::npos);
-  EXPECT_NE(messageOf([] { observerNamed("weber=much"); }).find("weber = 'much' is no number"), std::string::npos);
+  EXPECT_NE(messageOf([] { observerNamed("weber=much"); }).find("weber = 'much' must be a number"), std::string::npos);
   EXPECT_NE(messageOf([] { observerNamed("lapse=0.9"); }).find("lapse"), std::string::npos);
-  EXPECT_NE(messageOf([] { observerNamed("sites=7.5"); }).find("no whole number"), std::string::npos);
+  EXPECT_NE(messageOf([] { observerNamed("sites=7.5"); }).find("whole number"), std::string::npos);
   EXPECT_NE(messageOf([] { observerNamed("weber=0.2,,"); }).find("has no value"), std::string::npos);
 }
 

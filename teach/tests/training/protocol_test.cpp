@@ -17,7 +17,7 @@ TEST(Protocol, WhatIsWrittenIsReadAgain) {
   protocol.hidden.depth_mm = 7.5;
   protocol.exam.block.stop.mark = 0.28;
   protocol.practice.natural_stiffness = true;
-  for (SittingSettings* settings : {&protocol.practice, &protocol.mastery, &protocol.pre_test, &protocol.post_test,
+  for (SessionSettings* settings : {&protocol.practice, &protocol.mastery, &protocol.pre_test, &protocol.post_test,
                                     &protocol.exam, &protocol.retention}) {
     settings->block.choices = 3;
   }

@@ -7,7 +7,7 @@
 
 #include "palpate/base/random.h"
 #include "palpate/training/records/row_check.h"
-#include "palpate/training/records/sha256.h"
+#include "palpate/training/sha256.h"
 
 namespace palpate::training {
 namespace {

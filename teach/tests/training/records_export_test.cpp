@@ -9,7 +9,7 @@
 #include <set>
 
 #include "palpate/base/text.h"
-#include "palpate/training/records/session_files.h"
+#include "palpate/training/records/recording_files.h"
 #include "palpate/training/records/verify.h"
 #include "support/temporary_folder.h"
 #include "teach/tests/training/records_samples.h"
@@ -46,19 +46,19 @@ std::vector<std::vector<std::string>> csvCells(const std::string& text) {
   return lines;
 }
 
-/// A trainee's sitting as the program makes it: a protocol, a block that was answered, results that follow.
-struct RealSitting {
+/// A trainee's session as the program makes it: a protocol, a block that was answered, results that follow.
+struct RealSession {
   Protocol protocol = builtInProtocol();
   TraineeRow trainee = samples::trainee();
-  SittingRow sitting;
+  SessionRow session;
   BlockRow row;
   std::vector<AnyRow> rows;
 
-  explicit RealSitting(SittingKind kind, int answers) {
-    sitting = samples::sitting(trainee, 1, kind);
-    row = samples::block(sitting, 1);
+  explicit RealSession(SessionKind kind, int answers) {
+    session = samples::session(trainee, 1, kind);
+    row = samples::block(session, 1);
     row.protocol_version = protocol.version;
-    rows = {samples::station(), samples::aClass(), trainee, sitting,
+    rows = {samples::station(), samples::aClass(), trainee, session,
             ProtocolRow{protocol.id, protocol.version, protocolText(protocol), protocolSha256(protocol)}};
     Block block(settingsOf(protocol, kind).block, 5);
     row.method = block.settings().method;
@@ -71,7 +71,7 @@ struct RealSitting {
       trial.site_true = block.next().site;
       trial.site_answer = random.uniform() < 0.7 ? trial.site_true : 1 + trial.site_true % 12;
       trial.correct = trial.site_answer == trial.site_true;
-      trial.timeout = false;
+      trial.timed_out = false;
       trial.excluded.clear();
       block.answer({trial.site_answer, trial.correct, 12, true});
       trials.emplace_back(trial);
@@ -80,14 +80,14 @@ struct RealSitting {
     row.state_json = block.state();
     row.finished = block.finished();
     row.threshold = result.threshold.median;
-    row.low = result.threshold.low;
-    row.high = result.threshold.high;
+    row.threshold_low = result.threshold.low;
+    row.threshold_high = result.threshold.high;
     row.trials = result.trials;
-    row.level = result.level;
+    row.mastered_change = result.level;
     row.verdict = result.verdict;
     rows.emplace_back(row);
     rows.insert(rows.end(), trials.begin(), trials.end());
-    rows.emplace_back(EventRow{samples::id(5, 1), sitting.id, sitting.start_ms, "message", "Well done, Anna Smith!"});
+    rows.emplace_back(EventRow{samples::id(5, 1), session.id, session.start_ms, "message", "Well done, Anna Smith!"});
   }
 };
 
@@ -124,12 +124,12 @@ TEST(RecordsExport, TablesHoldEveryRowAndSayWhatTheyMean) {
 TEST(RecordsExport, OfABlockThatGoesOnNothingTellsWhatComes) {
   const support::TemporaryFolder folder;
   Store store(folder / "a.results", Store::Open::create_too);
-  const RealSitting real(SittingKind::pre_test, 10);
+  const RealSession real(SessionKind::pre_test, 10);
   ASSERT_FALSE(real.row.finished);
   store.keepAny(real.rows);
   std::string all = jsonText(store.rows()) + xapiText(store.rows(), {});
   for (const ExportedFile& file : csvFiles(store.rows())) all += file.text;
-  EXPECT_EQ(all.find(std::to_string(real.sitting.rng_seed)), std::string::npos);
+  EXPECT_EQ(all.find(std::to_string(real.session.rng_seed)), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(jsonText(store.rows())).at("block").at(0).at("state_json"), "");
   EXPECT_EQ(all.find(real.row.state_json), std::string::npos);
   EXPECT_EQ(all.find("Anna"), std::string::npos);
@@ -137,10 +137,10 @@ TEST(RecordsExport, OfABlockThatGoesOnNothingTellsWhatComes) {
   EXPECT_FALSE(std::regex_search(all, std::regex(R"([\w.]+@[\w]+\.\w+)")));
   EXPECT_FALSE(std::regex_search(all, std::regex(R"(\b\d{1,3}\.\d{1,3}\.\d{1,3}\.\d{1,3}\b)")));
   // Of one that is over, the state is what makes it a result that can be computed again.
-  const RealSitting over(SittingKind::pre_test, 1000);
+  const RealSession over(SessionKind::pre_test, 1000);
   Store other(folder / "b.results", Store::Open::create_too);
   other.keepAny(over.rows);
-  EXPECT_NE(jsonText(other.rows()).find(std::to_string(over.sitting.rng_seed)), std::string::npos);
+  EXPECT_NE(jsonText(other.rows()).find(std::to_string(over.session.rng_seed)), std::string::npos);
 }
 
 TEST(RecordsExport, JsonHoldsTheRowsThemselves) {
@@ -159,7 +159,7 @@ TEST(RecordsExport, JsonHoldsTheRowsThemselves) {
 TEST(RecordsExport, StatementsAreOfTheShapeThatRecordStoresTake) {
   const support::TemporaryFolder folder;
   Store store(folder / "a.results", Store::Open::create_too);
-  const RealSitting real(SittingKind::exam, 1000);
+  const RealSession real(SessionKind::exam, 1000);
   ASSERT_TRUE(real.row.finished);
   store.keepAny(real.rows);
   const std::string text = xapiText(store.rows(), {"https://school.example/"});
@@ -205,7 +205,7 @@ std::string faultsOf(Store& store) {
 TEST(RecordsVerify, FindsNothingWrongWithWhatWasKept) {
   const support::TemporaryFolder folder;
   Store store(folder / "a.results", Store::Open::create_too);
-  const RealSitting real(SittingKind::pre_test, 25);
+  const RealSession real(SessionKind::pre_test, 25);
   store.keepAny(real.rows);
   const Verified found = verifyRecords(store);
   EXPECT_EQ(faultsOf(store), "");
@@ -216,7 +216,7 @@ TEST(RecordsVerify, FindsNothingWrongWithWhatWasKept) {
 }
 
 TEST(RecordsVerify, FindsEachThingThatIsWrong) {
-  const RealSitting real(SittingKind::pre_test, 12);
+  const RealSession real(SessionKind::pre_test, 12);
   struct Wrong {
     const char* sql;
     const char* says;
@@ -244,31 +244,31 @@ TEST(RecordsVerify, FindsEachThingThatIsWrong) {
   }
 }
 
-TEST(RecordsVerify, FindsSessionFilesThatAreMissingChangedOrNobodys) {
+TEST(RecordsVerify, FindsRecordingFilesThatAreMissingChangedOrNobodys) {
   const support::TemporaryFolder folder;
   Store store(folder / "a.results", Store::Open::create_too);
-  RealSitting real(SittingKind::pre_test, 5);
+  RealSession real(SessionKind::pre_test, 5);
   store.keepAny(real.rows);
-  SessionFiles files(store);
+  RecordingFiles files(store);
   writeFile(folder / "plain", "samples");
   std::filesystem::create_directories(files.folder());
   const std::string ref = files.keyOf(real.trainee.id);
-  const std::string name = SessionFiles::nameFor(real.sitting.id) + ".locked";
+  const std::string name = RecordingFiles::nameFor(real.session.id) + ".locked";
   lockFile(folder / "plain", files.pathOf(name), *files.vault().find(ref), ref);
-  real.sitting.file = name;
-  real.sitting.file_sha256 = sha256OfFile(files.pathOf(name));
-  const Row row = real.sitting;
+  real.session.file = name;
+  real.session.file_sha256 = sha256OfFile(files.pathOf(name));
+  const Row row = real.session;
   store.keep(std::span(&row, 1));
   EXPECT_EQ(faultsOf(store), "");
-  EXPECT_EQ(verifyRecords(store).session_files, 1u);
+  EXPECT_EQ(verifyRecords(store).recording_files, 1u);
   writeFile(files.folder() / (samples::id(8, 8) + ".session.locked"), "x");
-  EXPECT_NE(faultsOf(store).find("belongs to no sitting"), std::string::npos);
+  EXPECT_NE(faultsOf(store).find("belongs to no session"), std::string::npos);
   std::string bytes = readFile(files.pathOf(name), 1u << 20);
   bytes.back() = static_cast<char>(bytes.back() ^ 1);
   writeFile(files.pathOf(name), bytes);
   EXPECT_NE(faultsOf(store).find("was changed"), std::string::npos);
   files.vault().destroy(ref);
-  EXPECT_NE(faultsOf(store).find("the key of the session file"), std::string::npos);
+  EXPECT_NE(faultsOf(store).find("the key of the recording"), std::string::npos);
 }
 
 }  // namespace

@@ -9,11 +9,11 @@
 
 #include "palpate/base/random.h"
 #include "palpate/base/text.h"
-#include "palpate/trace/session_reader.h"
-#include "palpate/trace/session_writer.h"
-#include "palpate/training/records/default_records.h"
+#include "palpate/trace/recording_reader.h"
+#include "palpate/trace/recording_writer.h"
 #include "palpate/training/records/deletion.h"
-#include "palpate/training/records/sha256.h"
+#include "palpate/training/records/store.h"
+#include "palpate/training/sha256.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
 #include "teach/tests/training/records_suite.h"
@@ -22,7 +22,7 @@ namespace palpate::training {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::uint64_t kMostTestBytes = 1u << 26;
+constexpr std::uint64_t kMaxTestBytes = 1u << 26;
 
 std::string noise(std::size_t bytes, std::uint64_t seed = 1) {
   Random random(seed);
@@ -48,9 +48,9 @@ TEST(LockedFile, OpensToTheSameBytes) {
     lockFile(folder / "plain", folder / "locked", key, "k1");
     EXPECT_EQ(lockedWith(folder / "locked"), "k1");
     unlockFile(folder / "locked", folder / "again", key);
-    EXPECT_EQ(readFile(folder / "again", kMostTestBytes), noise(size)) << size;
+    EXPECT_EQ(readFile(folder / "again", kMaxTestBytes), noise(size)) << size;
     if (size > 100) {
-      EXPECT_EQ(readFile(folder / "locked", kMostTestBytes).find(noise(size).substr(50, 16)), std::string::npos);
+      EXPECT_EQ(readFile(folder / "locked", kMaxTestBytes).find(noise(size).substr(50, 16)), std::string::npos);
     }
   }
   EXPECT_FALSE(lockedWith(folder / "plain"));
@@ -62,7 +62,7 @@ TEST(LockedFile, TheSameBytesAreNeverLockedAlike) {
   writeFile(folder / "plain", noise(1000));
   lockFile(folder / "plain", folder / "a", key, "k1");
   lockFile(folder / "plain", folder / "b", key, "k1");
-  EXPECT_NE(readFile(folder / "a", kMostTestBytes), readFile(folder / "b", kMostTestBytes));
+  EXPECT_NE(readFile(folder / "a", kMaxTestBytes), readFile(folder / "b", kMaxTestBytes));
 }
 
 TEST(LockedFile, RefusesAnotherKeyEveryChangeAndEveryCut) {
@@ -70,7 +70,7 @@ TEST(LockedFile, RefusesAnotherKeyEveryChangeAndEveryCut) {
   const TraineeKey key = newTraineeKey();
   writeFile(folder / "plain", noise(600000));  // three pieces
   lockFile(folder / "plain", folder / "locked", key, "k1");
-  const std::string good = readFile(folder / "locked", kMostTestBytes);
+  const std::string good = readFile(folder / "locked", kMaxTestBytes);
   EXPECT_NE(refusedUnlock(folder / "locked", newTraineeKey()).find("another key"), std::string::npos);
   Random random(3);
   for (int i = 0; i < 60; ++i) {
@@ -106,21 +106,21 @@ TEST(KeyVault, KeepsAKeyUntilItIsDestroyed) {
   const TraineeKey other = *vault.find(two);
   EXPECT_NE(key, other);
   const std::string secret(key.begin(), key.end());
-  EXPECT_NE(readFile(vault.file(), kMostTestBytes).find(secret), std::string::npos);
+  EXPECT_NE(readFile(vault.file(), kMaxTestBytes).find(secret), std::string::npos);
   EXPECT_TRUE(vault.destroy(one));
   EXPECT_FALSE(vault.destroy(one));
   EXPECT_FALSE(vault.find(one));
   EXPECT_EQ(*vault.find(two), other);
   for (const auto& entry : fs::directory_iterator(folder.path())) {
-    EXPECT_EQ(readFile(entry.path(), kMostTestBytes).find(secret), std::string::npos) << entry.path();
+    EXPECT_EQ(readFile(entry.path(), kMaxTestBytes).find(secret), std::string::npos) << entry.path();
   }
 }
 
 /// A recording of so many ticks, finished or as a killed program leaves it.
 void record(const fs::path& file, int ticks, bool finished, std::uint64_t seed = 1) {
   fs::create_directories(file.parent_path());
-  trace::SessionWriter writer(file, {"2026-11-22T10:00:00Z", "test", "test", 1000.0, "", ""}, {{"finger", "hand"}});
-  trace::SessionWorld world;
+  trace::RecordingWriter writer(file, {"2026-11-22T10:00:00Z", "test", "test", 1000.0, "", ""}, {{"finger", "hand"}});
+  trace::RecordingWorld world;
   world.scene = "scene";
   world.body = "torso";
   world.fingers = {{"", ""}};
@@ -146,64 +146,64 @@ std::string ownBytes(const std::string& recording) {
   return {};
 }
 
-/// A store with three trainees whose sittings were recorded and locked.
+/// A store with three trainees whose sessions were recorded and locked.
 struct Station {
   support::TemporaryFolder folder;
   samples::History history = samples::history(3, 2, 4);
   Store store{folder / "a.results", Store::Open::create_too};
-  SessionFiles files{store};
-  std::vector<std::string> courses;  ///< bytes that only one sitting's recording holds
+  RecordingFiles files{store};
+  std::vector<std::string> courses;  ///< bytes that only one session's recording holds
 
   explicit Station(bool joined = false) {
     store.fillOutbox(joined);
     store.keepAny(history.rows);
     for (const TraineeRow& trainee : history.trainees) {
-      for (const SittingRow& sitting : store.sittings(trainee.id)) {
-        const fs::path file = files.pathOf(SessionFiles::nameFor(sitting.id));
+      for (const SessionRow& session : store.sessions(trainee.id)) {
+        const fs::path file = files.pathOf(RecordingFiles::nameFor(session.id));
         record(file, 50, true, courses.size() + 2);
-        courses.push_back(ownBytes(readFile(file, kMostTestBytes)));
-        EXPECT_TRUE(files.lock(sitting.id));
+        courses.push_back(ownBytes(readFile(file, kMaxTestBytes)));
+        EXPECT_TRUE(files.lock(session.id));
       }
     }
   }
 };
 
-TEST(SessionFiles, AreLockedAfterTheSittingAndOpenForAReplay) {
+TEST(RecordingFiles, AreLockedAfterTheSessionAndOpenForAReplay) {
   Station station;
-  const SittingRow sitting = station.store.sittings(station.history.trainees[0].id).front();
-  EXPECT_EQ(sitting.file, "sessions/" + sitting.id + ".session.locked");
-  EXPECT_EQ(sitting.file_sha256, sha256OfFile(station.files.pathOf(sitting.file)));
-  EXPECT_EQ(station.files.filesOf(sitting.id).size(), 1u);  // the open one is gone
-  EXPECT_TRUE(lockedWith(station.files.pathOf(sitting.file)));
+  const SessionRow session = station.store.sessions(station.history.trainees[0].id).front();
+  EXPECT_EQ(session.file, "sessions/" + session.id + ".session.locked");
+  EXPECT_EQ(session.file_sha256, sha256OfFile(station.files.pathOf(session.file)));
+  EXPECT_EQ(station.files.filesOf(session.id).size(), 1u);  // the open one is gone
+  EXPECT_TRUE(lockedWith(station.files.pathOf(session.file)));
   fs::path where;
   {
-    const OpenedSession opened = station.files.open(sitting);
+    const OpenedRecording opened = station.files.open(session);
     where = opened.file();
-    EXPECT_EQ(trace::SessionReader(where).facts().samples, 50u);
+    EXPECT_EQ(trace::RecordingReader(where).facts().samples, 50u);
   }
   EXPECT_FALSE(fs::exists(where));
-  const auto trainee = station.store.trainee(sitting.trainee);
-  EXPECT_EQ(station.files.keyOf(sitting.trainee), trainee->key_ref);  // the same for all of theirs
+  const auto trainee = station.store.trainee(session.trainee_id);
+  EXPECT_EQ(station.files.keyOf(session.trainee_id), trainee->key_ref);  // the same for all of theirs
   station.files.vault().destroy(trainee->key_ref);
-  EXPECT_NE(support::messageOf([&] { station.files.open(sitting); }).find("its key is not in"), std::string::npos);
+  EXPECT_NE(support::messageOf([&] { station.files.open(session); }).find("its key is not in"), std::string::npos);
 }
 
-TEST(SessionFiles, WhatAKilledProgramLeftIsFinishedAndLocked) {
+TEST(RecordingFiles, WhatAKilledProgramLeftIsFinishedAndLocked) {
   Station station;
-  SittingRow sitting = samples::sitting(station.history.trainees[0], 77);
-  sitting.file = SessionFiles::nameFor(sitting.id);
-  const Row row = sitting;
+  SessionRow session = samples::session(station.history.trainees[0], 77);
+  session.file = RecordingFiles::nameFor(session.id);
+  const Row row = session;
   station.store.keep(std::span(&row, 1));
-  record(station.files.pathOf(sitting.file), 40, false);
-  EXPECT_EQ(trace::SessionReader(station.files.open(sitting).file()).facts().samples, 40u);
+  record(station.files.pathOf(session.file), 40, false);
+  EXPECT_EQ(trace::RecordingReader(station.files.open(session).file()).facts().samples, 40u);
   EXPECT_EQ(station.files.lockLeftBehind(), 0);  // somebody may still be writing
   EXPECT_EQ(station.files.lockLeftBehind(0.0), 1);
-  const auto locked = station.store.rows().sitting(sitting.id);
-  EXPECT_EQ(trace::SessionReader(station.files.open(*locked).file()).facts().samples, 40u);
-  EXPECT_EQ(station.files.filesOf(sitting.id).size(), 1u);
+  const auto locked = station.store.rows().session(session.id);
+  EXPECT_EQ(trace::RecordingReader(station.files.open(*locked).file()).facts().samples, 40u);
+  EXPECT_EQ(station.files.filesOf(session.id).size(), 1u);
 }
 
-TEST(SessionFiles, NamesDoNotLeadElsewhere) {
+TEST(RecordingFiles, NamesDoNotLeadElsewhere) {
   Station station;
   EXPECT_NE(support::messageOf([&] { (void)station.files.pathOf("../x"); }).find("leads out"), std::string::npos);
 }
@@ -221,7 +221,7 @@ int filesWith(const fs::path& folder, const std::string& text) {
   int found = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
-    const bool inside = readFile(entry.path(), kMostTestBytes).find(text) != std::string::npos;
+    const bool inside = readFile(entry.path(), kMaxTestBytes).find(text) != std::string::npos;
     found += inside || entry.path().string().find(text) != std::string::npos ? 1 : 0;
   }
   return found;
@@ -231,9 +231,9 @@ TEST(Deletion, LeavesNoByteThatSaysWhoItWas) {
   Station station(true);
   const Uuid gone = station.history.trainees[1].id;
   std::vector<std::string> ids = {gone};
-  for (const SittingRow& sitting : station.store.sittings(gone)) {
-    ids.push_back(sitting.id);
-    for (const BlockRow& block : station.store.blocks(sitting.id)) {
+  for (const SessionRow& session : station.store.sessions(gone)) {
+    ids.push_back(session.id);
+    for (const BlockRow& block : station.store.blocks(session.id)) {
       ids.push_back(block.id);
       for (const TrialRow& trial : station.store.trials(block.id)) ids.push_back(trial.id);
     }
@@ -248,7 +248,7 @@ TEST(Deletion, LeavesNoByteThatSaysWhoItWas) {
   const Deleted deleted = deleteTrainee(station.store, gone, "test");
   EXPECT_TRUE(deleted.found);
   EXPECT_TRUE(deleted.key);
-  EXPECT_EQ(deleted.sittings, 2);
+  EXPECT_EQ(deleted.sessions, 2);
   EXPECT_EQ(deleted.trials, 8);
   EXPECT_EQ(deleted.files, 2);
   for (const std::string& id : ids) {
@@ -261,7 +261,7 @@ TEST(Deletion, LeavesNoByteThatSaysWhoItWas) {
   EXPECT_EQ(left.size(), others.size() - 1 - 2 * 7);
   EXPECT_TRUE(std::ranges::all_of(
       left, [&](const std::string& text) { return std::ranges::find(others, text) != others.end(); }));
-  for (const SittingRow& sitting : station.store.sittings()) station.files.open(sitting);
+  for (const SessionRow& session : station.store.sessions()) station.files.open(session);
   // The class hears of it, by a hash; the audit remembers the same.
   const auto waiting = station.store.waiting(1000);
   ASSERT_EQ(waiting.back().kind, "delete");
@@ -278,12 +278,12 @@ TEST(Purge, ForgetsWhatAClassHasKeptLongEnough) {
   EXPECT_EQ(purge(station.store, monday + 50 * kDay, true).files, 0);
   const Purged counted = purge(station.store, monday + 200 * kDay, false);
   EXPECT_EQ(counted.files, 6);  // after 90 days
-  EXPECT_EQ(station.files.filesOf(station.store.sittings().front().id).size(), 1u);
+  EXPECT_EQ(station.files.filesOf(station.store.sessions().front().id).size(), 1u);
   EXPECT_EQ(purge(station.store, monday + 200 * kDay, true).files, 6);
   EXPECT_EQ(station.store.rows().trialCount(), before);
-  EXPECT_TRUE(station.store.sittings().front().file.empty());
+  EXPECT_TRUE(station.store.sessions().front().file.empty());
   const Purged all = purge(station.store, monday + 500 * kDay, true);
-  EXPECT_EQ(all.sittings, 6);
+  EXPECT_EQ(all.sessions, 6);
   EXPECT_EQ(all.trainees, 3);
   EXPECT_EQ(station.store.rows().trialCount(), 0);
   EXPECT_TRUE(station.store.trainees().empty());
@@ -304,7 +304,7 @@ TEST(Purge, OfAClassThatKeepsThingsForLessLeavesLess) {
   ClassRow strict = samples::aClass();
   strict.retain_days = strict.retain_samples_days = 30;
   station.store.keep(strict);
-  EXPECT_EQ(purge(station.store, samples::kMonday + 50 * 86'400'000ll, true).sittings, 6);
+  EXPECT_EQ(purge(station.store, samples::kMonday + 50 * 86'400'000ll, true).sessions, 6);
   EXPECT_EQ(station.store.rows().trialCount(), 0);
 }
 

@@ -7,7 +7,7 @@
 #include "palpate/base/text.h"
 #include "palpate/training/records/export.h"
 #include "palpate/training/records/key_vault.h"
-#include "palpate/training/records/session_files.h"
+#include "palpate/training/records/recording_files.h"
 #include "palpate/training/records/store.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
@@ -70,7 +70,7 @@ TEST(HostileRecords, WhatAPersonDidIsTheirKeepersAloneFromTheFirstByte) {
   Store store(folder / "sub/a.results", Store::Open::create_too);
   store.keepAny(samples::history(1, 1, 2).rows);
   for (const char* end : {"", "-wal", "-shm"}) EXPECT_EQ(mode_of(std::string("sub/a.results") + end), 0600u) << end;
-  SessionFiles(store).makeFolder();
+  RecordingFiles(store).makeFolder();
   EXPECT_EQ(mode_of("sub/sessions"), 0700u);
   KeyVault vault(folder / "sub/a.results");
   vault.make();

@@ -19,7 +19,7 @@ using RowObject = nlohmann::ordered_json;
 
 TrialRow sentTrial() {
   Random random(5);
-  return samples::trial(samples::block(samples::sitting(samples::trainee(), 1), 1), 1, 1, random);
+  return samples::trial(samples::block(samples::session(samples::trainee(), 1), 1), 1, 1, random);
 }
 
 std::string refusalOfRow(std::string_view kind, const RowObject& object) {
@@ -45,13 +45,13 @@ TEST(RowJson, KeepsAllBitsOfNumbers) {
   TrialRow trial = sentTrial();
   trial.change = 0.1 + 0.2;
   trial.seconds = std::numeric_limits<double>::denorm_min();
-  SittingRow sitting = samples::sitting(samples::trainee(), 1);
-  sitting.rng_seed = std::numeric_limits<std::uint64_t>::max();
+  SessionRow session = samples::session(samples::trainee(), 1);
+  session.rng_seed = std::numeric_limits<std::uint64_t>::max();
   const auto trial_back = std::get<TrialRow>(rowFromJson("trial", rowJson(trial)));
   EXPECT_EQ(trial_back.change, trial.change);
   EXPECT_EQ(trial_back.seconds, trial.seconds);
   EXPECT_EQ(trial_back.visits.size(), trial.visits.size());
-  EXPECT_EQ(std::get<SittingRow>(rowFromJson("session", rowJson(sitting))).rng_seed, sitting.rng_seed);
+  EXPECT_EQ(std::get<SessionRow>(rowFromJson("session", rowJson(session))).rng_seed, session.rng_seed);
 }
 
 TEST(RowJson, SaysWhatIsWrongWithAMember) {
@@ -62,24 +62,24 @@ TEST(RowJson, SaysWhatIsWrongWithAMember) {
     const char* says;
   };
   const std::vector<Wrong> wrongs = {
-      {"id", "x", "'id' is no UUID"},
-      {"id", "018BCFE5-6801-7E5C-9C99-010000000000", "'id' is no UUID"},
+      {"id", "x", "'id' must be a UUID"},
+      {"id", "018BCFE5-6801-7E5C-9C99-010000000000", "'id' must be a UUID"},
       {"id", "", "'id' is empty"},
-      {"block_id", "../../../etc/passwd/../../etc/passwd", "'block_id' is no UUID"},
-      {"number", 1.5, "'number' is no whole number"},
+      {"block_id", "../../../etc/passwd/../../etc/passwd", "'block_id' must be a UUID"},
+      {"number", 1.5, "'number' must be a whole number"},
       {"number", -1, "'number' is -1, not within"},
-      {"number", "1", "'number' is no whole number"},
+      {"number", "1", "'number' must be a whole number"},
       {"number", std::numeric_limits<std::uint64_t>::max(), "not within"},
       {"change", 7, "trial: 'change' is 7, not within 0 to 1"},
-      {"change", nullptr, "'change' is no number"},
+      {"change", nullptr, "'change' must be a number"},
       {"kind", "measured_", "'kind' is none of its words"},
       {"kind", 1, "'kind' is none of its words"},
       {"correct", 1, "'correct' is neither true nor false"},
       {"excluded", std::string(201, 'x'), "'excluded' has 201 bytes, more than 200"},
       {"excluded", std::string("a\0b", 3), "'excluded' has bytes that are no text"},
       {"excluded", "a\x1b[31m", "'excluded' has bytes that are no text"},
-      {"visits", 3, "'visits' is no list"},
-      {"visits", RowObject::array({1}), "visit: is no JSON object"},
+      {"visits", 3, "'visits' must be a list"},
+      {"visits", RowObject::array({1}), "visit: must be a JSON object"},
       {"surprise", 1, "trial: has members that are not known"},
   };
   for (const Wrong& wrong : wrongs) {
@@ -101,14 +101,14 @@ TEST(RowJson, MissingMembersAreRefusedButForThoseOfALaterVersion) {
 }
 
 TEST(RowJson, PathsStayInTheFolder) {
-  RowObject sitting = RowObject::parse(rowJson(samples::sitting(samples::trainee(), 1)));
+  RowObject session = RowObject::parse(rowJson(samples::session(samples::trainee(), 1)));
   for (const char* file : {"/etc/passwd", "../x", "sessions/../../x", "..", "a\\b", "C:x"}) {
-    sitting["file"] = file;
-    EXPECT_NE(refusalOfRow("session", sitting).find("leads out of the folder"), std::string::npos) << file;
+    session["file"] = file;
+    EXPECT_NE(refusalOfRow("session", session).find("leads out of the folder"), std::string::npos) << file;
   }
   for (const char* file : {"sessions/a.session", "a..b", ""}) {
-    sitting["file"] = file;
-    EXPECT_EQ(refusalOfRow("session", sitting), "no error") << file;
+    session["file"] = file;
+    EXPECT_EQ(refusalOfRow("session", session), "no error") << file;
   }
 }
 
@@ -116,7 +116,8 @@ TEST(RowJson, RefusesWhatIsNoRow) {
   for (const char* text : {"", "{", "[]", "3", "null", "{\"id\":", "\xff\xfe"}) {
     EXPECT_NE(support::messageOf([&] { rowFromJson("trial", text); }), "no error") << text;
   }
-  EXPECT_NE(support::messageOf([&] { rowFromJson("table; DROP", "{}"); }).find("is no kind of row"), std::string::npos);
+  EXPECT_NE(support::messageOf([&] { rowFromJson("table; DROP", "{}"); }).find("is not a kind of row"),
+            std::string::npos);
   const std::string long_text = "{\"id\":\"" + std::string(kLongestRowJson, 'x') + "\"}";
   EXPECT_NE(support::messageOf([&] { rowFromJson("trial", long_text); }).find("more than 65536"), std::string::npos);
   const std::string deep(60000, '[');
@@ -143,7 +144,7 @@ TEST(RowJson, AnyChangedByteIsRefusedOrStillARow) {
 }
 
 TEST(RowJson, OutboxKeysAreUuidsThatChangeWithTheState) {
-  BlockRow block = samples::block(samples::sitting(samples::trainee(), 1), 1);
+  BlockRow block = samples::block(samples::session(samples::trainee(), 1), 1);
   const Uuid before = outboxKey(block);
   block.trials += 1;
   EXPECT_NE(outboxKey(block), before);

@@ -20,10 +20,10 @@
 namespace palpate::training {
 namespace {
 
-/// One trial and its block's state, as a sitting hands them out.
-std::array<Row, 2> keptTogether(const SittingRow& sitting, std::uint64_t number) {
+/// One trial and its block's state, as a session hands them out.
+std::array<Row, 2> keptTogether(const SessionRow& session, std::uint64_t number) {
   Random random(number);
-  BlockRow block = samples::block(sitting, 1);
+  BlockRow block = samples::block(session, 1);
   block.trials = static_cast<int>(number);
   block.state_json = std::string(100 + number % 3000, 's');
   return {samples::trial(block, number, static_cast<int>(number), random), block};
@@ -32,9 +32,9 @@ std::array<Row, 2> keptTogether(const SittingRow& sitting, std::uint64_t number)
 /// Keeps trials until it is killed; says each number when it is kept.
 [[noreturn]] void keepUntilKilled(const std::filesystem::path& file, std::uint64_t first, int acknowledge_to) {
   Store store(file, Store::Open::existing);
-  const SittingRow sitting = samples::sitting(samples::trainee(), 1);
+  const SessionRow session = samples::session(samples::trainee(), 1);
   for (std::uint64_t number = first;; ++number) {
-    store.keep(keptTogether(sitting, number));
+    store.keep(keptTogether(session, number));
     if (::write(acknowledge_to, &number, sizeof number) != sizeof number) ::_exit(1);
   }
 }
@@ -63,12 +63,12 @@ std::vector<std::uint64_t> killedAfter(const std::filesystem::path& file, std::u
 TEST(RecordsKilled, NoAcknowledgedTrialIsLost) {
   const support::TemporaryFolder folder;
   const auto file = folder / "a.results";
-  const SittingRow sitting = samples::sitting(samples::trainee(), 1);
+  const SessionRow session = samples::session(samples::trainee(), 1);
   {
     Store store(file, Store::Open::create_too);
     store.fillOutbox(true);
-    store.keepAny(std::vector<AnyRow>{samples::station(), samples::protocol(), samples::trainee(), sitting,
-                                      samples::block(sitting, 1)});
+    store.keepAny(std::vector<AnyRow>{samples::station(), samples::protocol(), samples::trainee(), session,
+                                      samples::block(session, 1)});
   }
   Random random(20261122);
   std::set<std::uint64_t> acknowledged;
@@ -90,7 +90,7 @@ TEST(RecordsKilled, NoAcknowledgedTrialIsLost) {
   std::set<std::string> waiting;
   for (const OutboxEntry& entry : store.waiting(1'000'000)) waiting.insert(entry.row);
   for (const std::uint64_t number : acknowledged) {
-    const auto trial = std::get<TrialRow>(keptTogether(sitting, number)[0]);
+    const auto trial = std::get<TrialRow>(keptTogether(session, number)[0]);
     const auto kept = store.rows().trial(trial.id);
     ASSERT_TRUE(kept) << "trial " << number << " was acknowledged and is gone";
     EXPECT_EQ(rowJson(*kept), rowJson(trial));
@@ -106,11 +106,11 @@ TEST(RecordsLoad, TwelveTrialsASecondAreKeptInTime) {
   const support::TemporaryFolder folder;
   Store store(folder / "a.results", Store::Open::create_too);
   store.fillOutbox(true);
-  const SittingRow sitting = samples::sitting(samples::trainee(), 1);
-  store.keepAny(std::vector<AnyRow>{samples::station(), samples::protocol(), samples::trainee(), sitting,
-                                    samples::block(sitting, 1)});
+  const SessionRow session = samples::session(samples::trainee(), 1);
+  store.keepAny(std::vector<AnyRow>{samples::station(), samples::protocol(), samples::trainee(), session,
+                                    samples::block(session, 1)});
   const pace::Measured measured =
-      pace::atTwelveASecond([&](std::uint64_t number) { store.keep(keptTogether(sitting, number)); });
+      pace::atTwelveASecond([&](std::uint64_t number) { store.keep(keptTogether(session, number)); });
   EXPECT_EQ(static_cast<std::uint64_t>(store.rows().trialCount()), measured.trials);
   pace::judge("SQLite", measured);
 }

@@ -1,4 +1,4 @@
-// Rows for tests of the records: a class of trainees with sittings, blocks, trials, visits, all drawn from a seed, and
+// Rows for tests of the records: a class of trainees with sessions, blocks, trials, visits, all drawn from a seed, and
 // how two rows are compared.
 #pragma once
 
@@ -7,8 +7,8 @@
 
 #include "palpate/base/random.h"
 #include "palpate/training/records/row_json.h"
-#include "palpate/training/records/sha256.h"
 #include "palpate/training/records/trainee_code.h"
+#include "palpate/training/sha256.h"
 
 namespace palpate::training::samples {
 
@@ -28,11 +28,11 @@ inline TraineeRow trainee(std::string_view code = "A") {
 }
 inline ProtocolRow protocol() { return {"vhb", 1, "# text\n[practice]\nlevels = []\n", sha256Hex("vhb")}; }
 
-inline SittingRow sitting(const TraineeRow& of, std::uint64_t number, SittingKind kind = SittingKind::pre_test) {
-  SittingRow row;
+inline SessionRow session(const TraineeRow& of, std::uint64_t number, SessionKind kind = SessionKind::pre_test) {
+  SessionRow row;
   row.id = id(2, number);
-  row.trainee = of.id;
-  row.station = station().id;
+  row.trainee_id = of.id;
+  row.station_id = station().id;
   row.kind = kind;
   row.start_ms = kMonday + static_cast<std::int64_t>(number) * 86'400'000;
   row.end_ms = row.start_ms + 900'000;
@@ -42,17 +42,17 @@ inline SittingRow sitting(const TraineeRow& of, std::uint64_t number, SittingKin
   return row;
 }
 
-inline BlockRow block(const SittingRow& of, std::uint64_t number, int in_sitting = 1) {
+inline BlockRow block(const SessionRow& of, std::uint64_t number, int in_session = 1) {
   BlockRow row;
   row.id = id(3, number);
-  row.sitting = of.id;
-  row.number = in_sitting;
+  row.session_id = of.id;
+  row.number = in_session;
   row.protocol_id = "vhb";
   row.state_json = R"({"seed":"7","outcomes":[]})";
   row.finished = true;
   row.threshold = 0.1 + 0.01 / 3.0;
-  row.low = 0.07;
-  row.high = 1.0 / 7.0;
+  row.threshold_low = 0.07;
+  row.threshold_high = 1.0 / 7.0;
   row.trials = 20;
   return row;
 }
@@ -60,8 +60,8 @@ inline BlockRow block(const SittingRow& of, std::uint64_t number, int in_sitting
 inline TrialRow trial(const BlockRow& of, std::uint64_t number, int in_block, Random& random) {
   TrialRow row;
   row.id = id(4, number);
-  row.block = of.id;
-  row.sitting = of.sitting;
+  row.block_id = of.id;
+  row.session_id = of.session_id;
   row.number = in_block;
   row.start_ms = kMonday + static_cast<std::int64_t>(number) * 20'000;
   row.end_ms = row.start_ms + 17'000;
@@ -71,11 +71,11 @@ inline TrialRow trial(const BlockRow& of, std::uint64_t number, int in_block, Ra
   row.site_true = 1 + static_cast<int>(random.below(12));
   row.site_answer = static_cast<int>(random.below(13));
   row.correct = row.site_answer == row.site_true;
-  row.timeout = row.site_answer == 0;
+  row.timed_out = row.site_answer == 0;
   row.excluded = in_block % 7 == 0 ? "the site was not pressed" : "";
-  row.visited = 12;
-  row.file_tick0 = number * 20'000;
-  row.file_tick1 = row.file_tick0 + 17'000;
+  row.sites_felt = 12;
+  row.file_tick_first = number * 20'000;
+  row.file_tick_last = row.file_tick_first + 17'000;
   row.mean_force_n = random.uniform(0.0, 3.0);
   row.peak_force_n = random.uniform(3.0, 7.0);
   row.mean_speed_mm_per_s = random.uniform(0.0, 80.0);
@@ -88,7 +88,7 @@ inline TrialRow trial(const BlockRow& of, std::uint64_t number, int in_block, Ra
   return row;
 }
 
-inline EventRow event(const SittingRow& of, std::uint64_t number) {
+inline EventRow event(const SessionRow& of, std::uint64_t number) {
   return {id(5, number), of.id, of.start_ms + static_cast<std::int64_t>(number), "safety",
           "force limit, 3 × in \"1 s\"\nthen good"};
 }
@@ -100,7 +100,7 @@ struct History {
   std::size_t trials = 0;
 };
 
-inline History history(int trainees, int sittings, int trials) {
+inline History history(int trainees, int sessions, int trials) {
   History all;
   Random random(20261118);
   all.rows = {station(), aClass(), protocol()};
@@ -108,8 +108,8 @@ inline History history(int trainees, int sittings, int trials) {
   for (int person = 0; person < trainees; ++person) {
     const TraineeRow& who = all.trainees.emplace_back(trainee("T" + std::to_string(person)));
     all.rows.emplace_back(who);
-    for (int day = 0; day < sittings; ++day) {
-      const SittingRow when = sitting(who, ++number, day == 0 ? SittingKind::pre_test : SittingKind::practice);
+    for (int day = 0; day < sessions; ++day) {
+      const SessionRow when = session(who, ++number, day == 0 ? SessionKind::pre_test : SessionKind::practice);
       all.rows.emplace_back(when);
       const BlockRow what = block(when, number);
       all.rows.emplace_back(what);

@@ -65,7 +65,7 @@ TEST(RecordsStore, KeepsAllRowsOfACallOrNone) {
   const samples::History history = samples::history(1, 1, 2);
   store.keepAny(std::span(history.rows).first(6));
   auto broken = std::get<TrialRow>(history.rows[7]);
-  broken.block = samples::id(9, 9);
+  broken.block_id = samples::id(9, 9);
   const std::array<Row, 2> rows = {std::get<TrialRow>(history.rows[6]), broken};
   EXPECT_NE(support::messageOf([&] { store.keep(rows); }).find("a.results"), std::string::npos);
   EXPECT_EQ(store.rows().trialCount(), 0);

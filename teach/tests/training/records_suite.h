@@ -42,39 +42,39 @@ inline void rowsComeBack(RowTables& tables) {
 inline void rowsAreBroughtUpToDate(RowTables& tables) {
   samples::History history = samples::history(1, 1, 2);
   keepAll(tables, history.rows);
-  auto sitting = std::get<SittingRow>(history.rows[4]);
+  auto session = std::get<SessionRow>(history.rows[4]);
   auto block = std::get<BlockRow>(history.rows[5]);
   auto trial = std::get<TrialRow>(history.rows[6]);
-  sitting.end_ms += 5;
-  sitting.file = "sessions/x.session.locked";
+  session.end_ms += 5;
+  session.file = "sessions/x.session.locked";
   block.state_json = R"({"seed":"7","outcomes":[1]})";
-  block.level = 0.07;
+  block.mastered_change = 0.07;
   trial.visits.resize(1);
-  keepAll(tables, {sitting, block, trial});
-  EXPECT_EQ(rowJson(*tables.sitting(sitting.id)), rowJson(sitting));
+  keepAll(tables, {session, block, trial});
+  EXPECT_EQ(rowJson(*tables.session(session.id)), rowJson(session));
   EXPECT_EQ(rowJson(*tables.block(block.id)), rowJson(block));
   EXPECT_EQ(rowJson(*tables.trial(trial.id)), rowJson(trial));
 }
 
 inline void findsWhatWasInterruptedAndMeasured(RowTables& tables) {
   const TraineeRow who = samples::trainee();
-  const SittingRow first = samples::sitting(who, 1), second = samples::sitting(who, 2),
-                   practice = samples::sitting(who, 3, SittingKind::practice);
+  const SessionRow first = samples::session(who, 1), second = samples::session(who, 2),
+                   practice = samples::session(who, 3, SessionKind::practice);
   BlockRow measured = samples::block(first, 1), stopped = samples::block(second, 2),
            practised = samples::block(practice, 3);
   stopped.finished = false;
   keepAll(tables,
           {samples::station(), samples::protocol(), who, first, second, practice, measured, stopped, practised});
-  ASSERT_TRUE(tables.interrupted(who.id, SittingKind::pre_test));
-  EXPECT_EQ(tables.interrupted(who.id, SittingKind::pre_test)->block.id, stopped.id);
-  EXPECT_EQ(tables.interrupted(who.id, SittingKind::pre_test)->sitting.id, second.id);
-  EXPECT_FALSE(tables.interrupted(who.id, SittingKind::practice));
-  EXPECT_FALSE(tables.interrupted(samples::trainee("B").id, SittingKind::pre_test));
+  ASSERT_TRUE(tables.interrupted(who.id, SessionKind::pre_test));
+  EXPECT_EQ(tables.interrupted(who.id, SessionKind::pre_test)->block.id, stopped.id);
+  EXPECT_EQ(tables.interrupted(who.id, SessionKind::pre_test)->session.id, second.id);
+  EXPECT_FALSE(tables.interrupted(who.id, SessionKind::practice));
+  EXPECT_FALSE(tables.interrupted(samples::trainee("B").id, SessionKind::pre_test));
   ASSERT_TRUE(tables.lastMeasured(who.id));
   EXPECT_EQ(tables.lastMeasured(who.id)->id, measured.id);  // neither the interrupted nor the practice
   stopped.finished = true;
   keepAll(tables, {stopped});
-  EXPECT_FALSE(tables.interrupted(who.id, SittingKind::pre_test));
+  EXPECT_FALSE(tables.interrupted(who.id, SessionKind::pre_test));
   EXPECT_EQ(tables.lastMeasured(who.id)->id, stopped.id);
 }
 
@@ -94,17 +94,17 @@ inline void refusesWhatDoesNotFit(RowTables& tables) {
   trial.id = samples::id(9, 1);
   EXPECT_NE(refused(trial).find("cannot be kept"), std::string::npos) << "the number is taken";
   trial.number = 99;
-  trial.block = samples::id(9, 2);
+  trial.block_id = samples::id(9, 2);
   EXPECT_NE(refused(trial).find("before its block"), std::string::npos);
-  trial.block = "x";
-  EXPECT_NE(refused(trial).find("'block_id' is no UUID"), std::string::npos);
-  trial.block = std::get<TrialRow>(history.rows[6]).block;
+  trial.block_id = "x";
+  EXPECT_NE(refused(trial).find("'block_id' must be a UUID"), std::string::npos);
+  trial.block_id = std::get<TrialRow>(history.rows[6]).block_id;
   trial.change = 1.5;
   EXPECT_NE(refused(trial).find("'change' is 1.5"), std::string::npos);
-  auto sitting = std::get<SittingRow>(history.rows[4]);
-  sitting.id = samples::id(9, 3);
-  sitting.trainee = samples::trainee("nobody").id;
-  EXPECT_NE(refused(sitting).find("before its trainee"), std::string::npos);
+  auto session = std::get<SessionRow>(history.rows[4]);
+  session.id = samples::id(9, 3);
+  session.trainee_id = samples::trainee("nobody").id;
+  EXPECT_NE(refused(session).find("before its trainee"), std::string::npos);
   EXPECT_EQ(samples::saidAll(tables.all()), before);
 }
 

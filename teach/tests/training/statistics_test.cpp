@@ -17,7 +17,7 @@ TrialRow answered(double change, int truth, int answer, int felt = 12) {
   trial.site_true = truth;
   trial.site_answer = answer;
   trial.correct = truth == answer;
-  trial.visited = felt;
+  trial.sites_felt = felt;
   trial.seconds = 10.0;
   return trial;
 }
@@ -62,7 +62,7 @@ TEST(TrainingStatistics, WarmUpsAndTrialsWhoseTargetWasNeverFeltDoNotCount) {
   std::vector<TrialRow> trials(4, answered(0.2, 1, 1));
   trials[0].kind = TrialKind::warm_up;
   trials[1].excluded = "target not felt";
-  trials[2].visited = 1;  // nothing to compare with
+  trials[2].sites_felt = 1;  // nothing to compare with
   trials[3].kind = TrialKind::easy;
   trials[3].correct = false;
   const TrialStatistics found = statisticsOf(trials);
@@ -140,27 +140,27 @@ TEST_F(MadeRecord, AThresholdIsTheOneThatTheBlockFound) {
 TEST_F(MadeRecord, AChangedRecordIsNoticed) {
   made_.add(1);
   TrainingRecord all = record();
-  TrialRow& trial = all.trainees.at(0).sittings.at(0).blocks.at(0).trials.at(20);
+  TrialRow& trial = all.trainees.at(0).sessions.at(0).blocks.at(0).trials.at(20);
   trial.correct = !trial.correct;
   EXPECT_EQ(trainingStatistics(all).trainees.at(0).changed_results, 1);
 }
 
 TEST_F(MadeRecord, FirstAndLastTestAreComparedAndNoExamination) {
   support::MadeCourse course;
-  course.kinds.push_back(SittingKind::exam);
+  course.kinds.push_back(SessionKind::exam);
   made_.add(3, course);
   const TraineeStatistics trainee = trainingStatistics(record()).trainees.at(0);
   ASSERT_TRUE(trainee.compared);
-  EXPECT_EQ(trainee.points[trainee.compared->before].kind, SittingKind::pre_test);
-  EXPECT_EQ(trainee.points[trainee.compared->now].kind, SittingKind::post_test);
-  EXPECT_EQ(trainee.latest()->kind, SittingKind::post_test);
+  EXPECT_EQ(trainee.points[trainee.compared->before].kind, SessionKind::pre_test);
+  EXPECT_EQ(trainee.points[trainee.compared->now].kind, SessionKind::post_test);
+  EXPECT_EQ(trainee.latest()->kind, SessionKind::post_test);
   EXPECT_NE(trainee.points.back().verdict, Verdict::none);
 }
 
 TEST_F(MadeRecord, AnotherDeviceBeginsAnewAndIsNotCompared) {
   made_.add(4);
   TrainingRecord all = record();
-  for (std::size_t i = 3; i < 5; ++i) all.trainees.at(0).sittings.at(i).row.device = "another";
+  for (std::size_t i = 3; i < 5; ++i) all.trainees.at(0).sessions.at(i).row.device = "another";
   const TraineeStatistics trainee = trainingStatistics(all).trainees.at(0);
   ASSERT_TRUE(trainee.compared && trainee.compared->why_not);
   ASSERT_EQ(trainee.curve.size(), 5u);
@@ -173,8 +173,8 @@ TEST_F(MadeRecord, AnotherDeviceBeginsAnewAndIsNotCompared) {
 TEST_F(MadeRecord, WithoutEnoughAnswersThereIsNoThreshold) {
   made_.add(5);
   TrainingRecord all = record();
-  all.trainees.at(0).sittings.resize(1);
-  all.trainees.at(0).sittings[0].blocks.at(0).trials.resize(12);  // three of them are warm-ups
+  all.trainees.at(0).sessions.resize(1);
+  all.trainees.at(0).sessions[0].blocks.at(0).trials.resize(12);  // three of them are warm-ups
   const TraineeStatistics trainee = trainingStatistics(all).trainees.at(0);
   EXPECT_FALSE(trainee.points.at(0).threshold);
   EXPECT_TRUE(trainee.curve.empty());
@@ -183,7 +183,7 @@ TEST_F(MadeRecord, WithoutEnoughAnswersThereIsNoThreshold) {
 
 TEST_F(MadeRecord, AClassFindsTheThresholdsItsTraineesWereMadeWith) {
   support::MadeCourse course;
-  course.kinds = {SittingKind::pre_test, SittingKind::post_test};
+  course.kinds = {SessionKind::pre_test, SessionKind::post_test};
   for (std::uint64_t seed = 1; seed <= 16; ++seed) made_.add(seed, course);
   const ClassStatistics all = trainingStatistics(record()).all;
   ASSERT_EQ(all.occasions.size(), 2u);

@@ -1,4 +1,4 @@
-// A simulated trainee on a body: the loop closed, sittings walked through, records kept. What was felt is judged from
+// A simulated trainee on a body: the loop closed, sessions walked through, records kept. What was felt is judged from
 // the recorded samples, by code of this file.
 #include <gtest/gtest.h>
 
@@ -9,15 +9,15 @@
 #include <memory>
 #include <stdexcept>
 
-#include "palpate/engine/session_replay.h"
-#include "palpate/engine/session_settings.h"
+#include "palpate/engine/recording_replay.h"
+#include "palpate/engine/recording_settings.h"
 #include "palpate/mesh/files/save.h"
-#include "palpate/trace/session_reader.h"
+#include "palpate/trace/recording_reader.h"
 #include "palpate/training/records/trainee_code.h"
+#include "palpate/training/session/trial_scene.h"
 #include "palpate/training/trainee/body_touch.h"
 #include "palpate/training/trainee/imagined_touch.h"
 #include "palpate/training/trainee/trainee_course.h"
-#include "palpate/training/trial_scene.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
 #include "teach/tests/training/twelve.h"
@@ -71,7 +71,7 @@ class Trainee : public testing::Test {
     body_ = scene::build(scene);
   }
 
-  TrialWorlds worlds() const { return {*body_, protocol_, SittingKind::pre_test, sites_}; }
+  TrialWorlds worlds() const { return {*body_, protocol_, SessionKind::pre_test, sites_}; }
 
   Store recordsIn(const std::string& name) {
     std::filesystem::create_directories(folder_ / name);
@@ -88,18 +88,18 @@ class Trainee : public testing::Test {
     bench.protocol = protocol_;
     bench.sites = sites_;
     if (with_body) bench.body = body_;
-    bench.session_files = recorded;
+    bench.recording_files = recorded;
     bench.station = simulatedStation(kStartMs).id;
     return bench;
   }
 
-  TraineeSitting wish(const std::string& words, std::uint64_t seed = 1) const {
-    TraineeSitting sitting;
-    sitting.observer = observerNamed(words);
-    sitting.trainee = trainee_.id;
-    sitting.seed = seed;
-    sitting.start_ms = kStartMs;
-    return sitting;
+  TraineeSession request(const std::string& words, std::uint64_t seed = 1) const {
+    TraineeSession session;
+    session.observer = observerNamed(words);
+    session.trainee = trainee_.id;
+    session.seed = seed;
+    session.start_ms = kStartMs;
+    return session;
   }
 
   support::TemporaryFolder folder_;
@@ -158,13 +158,13 @@ TEST_F(Trainee, FeelsTwelveSitesInAClosedLoopAndTheirStiffnessAsItIs) {
 
 TEST_F(Trainee, PressesTheLargestChangeHardEnoughToo) {
   BodyTouch touch(worlds(), sites_, {});
-  touch.change(HiddenNow{.site = 9, .change = kMostComplianceChange});
+  touch.change(HiddenNow{.site = 9, .change = kMaxComplianceChange});
   const FeltPress felt = touch.press(*sites_.numbered(9), {}, [](const trace::Sample&) {});
   const FeltPress other = touch.press(*sites_.numbered(10), {}, [](const trace::Sample&) {});
   EXPECT_TRUE(felt.reached);
   // The device cannot render it: all forces are softened, and what is compared stays as it is.
   EXPECT_LT(touch.chain().limiter_settings.stiffness_factor, 1.0);
-  EXPECT_NEAR(felt.stiffness() / other.stiffness(), 1.0 / (1.0 - kMostComplianceChange), 0.05);
+  EXPECT_NEAR(felt.stiffness() / other.stiffness(), 1.0 / (1.0 - kMaxComplianceChange), 0.05);
 }
 
 TEST_F(Trainee, MakesTheWorldOfATrialAsTheSceneDoesItBitByBit) {
@@ -172,7 +172,7 @@ TEST_F(Trainee, MakesTheWorldOfATrialAsTheSceneDoesItBitByBit) {
   for (const HiddenNow& hidden : {HiddenNow{3, 0.07}, HiddenNow{12, 0.8}}) {
     const auto quick = made.with(hidden);
     const auto slow =
-        scene::rebuilt(*body_, trialScene(body_->scene, protocol_, SittingKind::pre_test, sites_, hidden));
+        scene::rebuilt(*body_, trialScene(body_->scene, protocol_, SessionKind::pre_test, sites_, hidden));
     EXPECT_EQ(engine::hashOf(*quick), engine::hashOf(*slow));
     EXPECT_EQ(quick->surface.stiffness_n_per_mm, slow->surface.stiffness_n_per_mm);
     EXPECT_NE(engine::hashOf(*quick), engine::hashOf(*made.even()));
@@ -186,7 +186,7 @@ TEST_F(Trainee, FeelsTheTwelveSitesOfTheTrunkAndLeavesItsFrontAlone) {
   body_ = scene::build(scene);
   sites_ = sitesOn(*body_, protocol_);
   const HiddenNow hidden{.site = 8, .change = 0.5};
-  const auto slow = scene::rebuilt(*body_, trialScene(scene, protocol_, SittingKind::pre_test, sites_, hidden));
+  const auto slow = scene::rebuilt(*body_, trialScene(scene, protocol_, SessionKind::pre_test, sites_, hidden));
   const TrialWorlds made = worlds();
   EXPECT_EQ(made.with(hidden)->surface.stiffness_n_per_mm, slow->surface.stiffness_n_per_mm);
   BodyTouch touch(made, sites_, {});
@@ -205,14 +205,14 @@ TEST_F(Trainee, SaysWhichHandGoesNowhere) {
 
 TEST_F(Trainee, OfATwentyPercentThresholdIsMeasuredAsOne) {
   Store store = recordsIn("a");
-  const SatThrough sat = sitThrough(store, bench(true, false), wish("weber=0.2"));
+  const SatThrough sat = sitThrough(store, bench(true, false), request("weber=0.2"));
   ASSERT_TRUE(sat.result);
   EXPECT_EQ(sat.trials.size(), 43u);  // three to warm up
   EXPECT_EQ(sat.block.trials, 40);
-  EXPECT_LT(sat.block.low, 0.2);
-  EXPECT_GT(sat.block.high, 0.2);
-  EXPECT_LT(sat.block.high / sat.block.low, 2.5);
-  EXPECT_TRUE(std::ranges::all_of(sat.trials, [](const TrialRow& trial) { return trial.visited == 12; }));
+  EXPECT_LT(sat.block.threshold_low, 0.2);
+  EXPECT_GT(sat.block.threshold_high, 0.2);
+  EXPECT_LT(sat.block.threshold_high / sat.block.threshold_low, 2.5);
+  EXPECT_TRUE(std::ranges::all_of(sat.trials, [](const TrialRow& trial) { return trial.sites_felt == 12; }));
   EXPECT_TRUE(std::ranges::all_of(sat.trials, [](const TrialRow& trial) {
     return trial.seconds > 10.0 && trial.seconds < 45.0 && trial.excluded.empty();
   }));
@@ -222,10 +222,10 @@ TEST_F(Trainee, OfATwentyPercentThresholdIsMeasuredAsOne) {
 TEST_F(Trainee, WithoutABodyAnswersAsWithOne) {
   Store with_body = recordsIn("a");
   Store without = recordsIn("b");
-  TraineeSitting sitting = wish("weber=0.2", 5);
-  sitting.most_trials = 20;
-  const SatThrough felt = sitThrough(with_body, bench(true, false), sitting);
-  const SatThrough imagined = sitThrough(without, bench(false), sitting);
+  TraineeSession session = request("weber=0.2", 5);
+  session.most_trials = 20;
+  const SatThrough felt = sitThrough(with_body, bench(true, false), session);
+  const SatThrough imagined = sitThrough(without, bench(false), session);
   ASSERT_EQ(felt.trials.size(), imagined.trials.size());
   int same = 0;
   for (std::size_t i = 0; i < felt.trials.size(); ++i) {
@@ -244,11 +244,11 @@ TEST_F(Trainee, WhoSearchesEightSitesIsFlaggedInEveryTrialAndMeasuredAllTheSame)
   double ln_corrected = 0.0;
   double ln_naive = 0.0;
   for (int run = 0; run < kRuns; ++run) {
-    TraineeSitting sitting = wish("weber=0.28,sites=8", 100 + static_cast<std::uint64_t>(run));
-    sitting.start_ms += run;
-    const SatThrough sat = sitThrough(store, bench(false), sitting);
+    TraineeSession session = request("weber=0.28,sites=8", 100 + static_cast<std::uint64_t>(run));
+    session.start_ms += run;
+    const SatThrough sat = sitThrough(store, bench(false), session);
     for (const TrialRow& trial : sat.trials) {
-      ASSERT_EQ(trial.visited, 8);
+      ASSERT_EQ(trial.sites_felt, 8);
       const bool pressed = std::ranges::any_of(
           trial.visits, [&](const SiteVisit& visit) { return visit.site == trial.site_true && visit.presses > 0; });
       ASSERT_EQ(trial.excluded.empty(), pressed);
@@ -268,10 +268,10 @@ TEST_F(Trainee, WhoSearchesEightSitesIsFlaggedInEveryTrialAndMeasuredAllTheSame)
 
 TEST_F(Trainee, WhoTouchesTooLightlyHasFeltNothing) {
   Store store = recordsIn("a");
-  TraineeSitting sitting = wish("press_n=0.2");
-  sitting.most_trials = 3;
-  for (const TrialRow& trial : sitThrough(store, bench(true, false), sitting).trials) {
-    EXPECT_EQ(trial.visited, 0);
+  TraineeSession session = request("press_n=0.2");
+  session.most_trials = 3;
+  for (const TrialRow& trial : sitThrough(store, bench(true, false), session).trials) {
+    EXPECT_EQ(trial.sites_felt, 0);
     EXPECT_EQ(trial.excluded, "target not felt");
     EXPECT_LT(trial.peak_force_n, 0.5);
   }
@@ -279,32 +279,32 @@ TEST_F(Trainee, WhoTouchesTooLightlyHasFeltNothing) {
 
 TEST_F(Trainee, WhoTakesTooLongRunsOutOfTime) {
   Store store = recordsIn("a");
-  TraineeSitting sitting = wish("press_s=4");
-  sitting.most_trials = 2;
-  const SatThrough sat = sitThrough(store, bench(true, false), sitting);
+  TraineeSession session = request("press_s=4");
+  session.most_trials = 2;
+  const SatThrough sat = sitThrough(store, bench(true, false), session);
   ASSERT_EQ(sat.trials.size(), 2u);
   for (const TrialRow& trial : sat.trials) {
-    EXPECT_TRUE(trial.timeout);
+    EXPECT_TRUE(trial.timed_out);
     EXPECT_EQ(trial.site_answer, 0);
     EXPECT_NEAR(trial.seconds, 45.0, 0.01);
   }
 }
 
 TEST_F(Trainee, LeavesTheSameRecordsFromTheSameSeed) {
-  TraineeSitting sitting = wish("weber=0.2");
-  sitting.most_trials = 2;
+  TraineeSession session = request("weber=0.2");
+  session.most_trials = 2;
   std::array<SatThrough, 3> sat;
   std::array<std::vector<std::string>, 3> ids;
   for (std::size_t i = 0; i < 3; ++i) {
-    sitting.seed = i < 2 ? 1 : 2;
+    session.seed = i < 2 ? 1 : 2;
     Store store = recordsIn(std::to_string(i));
-    sat.at(i) = sitThrough(store, bench(true), sitting);
+    sat.at(i) = sitThrough(store, bench(true), session);
     for (const TrialRow& trial : sat.at(i).trials) ids.at(i).push_back(trial.id);
   }
   EXPECT_EQ(ids[0], ids[1]);
   EXPECT_EQ(sat[0].row.id, sat[1].row.id);
   EXPECT_EQ(sat[0].block.state_json, sat[1].block.state_json);
-  EXPECT_EQ(sat[0].row.file_sha256, sat[1].row.file_sha256);  // the session file to the last byte
+  EXPECT_EQ(sat[0].row.file_sha256, sat[1].row.file_sha256);  // the recording to the last byte
   EXPECT_EQ(sat[0].trials.back().mean_force_n, sat[1].trials.back().mean_force_n);
   EXPECT_NE(sat[0].row.file_sha256, sat[2].row.file_sha256);
   EXPECT_NE(ids[0], ids[2]);
@@ -319,47 +319,47 @@ TEST_F(Trainee, GoesOnWithTheBlockThatItWasTornFrom) {
   torn.answered = [&](const TrialRow&) {
     if (++trials == 7) throw std::runtime_error("torn");
   };
-  TraineeSitting sitting = wish("weber=0.2");
-  EXPECT_THROW(sitThrough(store, torn, sitting), std::runtime_error);
-  const auto interrupted = store.interrupted(trainee_.id, SittingKind::pre_test);
+  TraineeSession session = request("weber=0.2");
+  EXPECT_THROW(sitThrough(store, torn, session), std::runtime_error);
+  const auto interrupted = store.interrupted(trainee_.id, SessionKind::pre_test);
   ASSERT_TRUE(interrupted);
-  EXPECT_EQ(interrupted->sitting.end_ms, 0);
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "a" / (interrupted->sitting.file + ".partial")));
+  EXPECT_EQ(interrupted->session.end_ms, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "a" / (interrupted->session.file + ".partial")));
   const std::size_t kept = store.trials(interrupted->block.id).size();
   EXPECT_EQ(kept, 7u);
 
-  sitting.start_ms += 3'600'000;
-  const SatThrough sat = sitThrough(store, bench(true), sitting);
+  session.start_ms += 3'600'000;
+  const SatThrough sat = sitThrough(store, bench(true), session);
   EXPECT_TRUE(sat.resumed);
   EXPECT_EQ(sat.block.id, interrupted->block.id);
-  EXPECT_NE(sat.row.id, interrupted->sitting.id);
+  EXPECT_NE(sat.row.id, interrupted->session.id);
   EXPECT_EQ(sat.trials.front().number, 8);
   EXPECT_EQ(sat.trials.size(), 5u);
   EXPECT_TRUE(sat.block.finished);
-  EXPECT_FALSE(store.interrupted(trainee_.id, SittingKind::pre_test));
+  EXPECT_FALSE(store.interrupted(trainee_.id, SessionKind::pre_test));
   const std::vector<TrialRow> all = store.trials(sat.block.id);
   ASSERT_EQ(all.size(), 12u);
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i].number, static_cast<int>(i) + 1);
-  EXPECT_EQ(all[6].sitting, interrupted->sitting.id);
-  EXPECT_EQ(all[7].sitting, sat.row.id);
+  EXPECT_EQ(all[6].session_id, interrupted->session.id);
+  EXPECT_EQ(all[7].session_id, sat.row.id);
 }
 
-TEST_F(Trainee, IsReplayedFromItsSession) {
+TEST_F(Trainee, IsReplayedFromItsRecording) {
   Store store = recordsIn("a");
-  TraineeSitting sitting = wish("weber=0.2,sites=9");
-  sitting.most_trials = 3;
-  const SatThrough sat = sitThrough(store, bench(true), sitting);
+  TraineeSession session = request("weber=0.2,sites=9");
+  session.most_trials = 3;
+  const SatThrough sat = sitThrough(store, bench(true), session);
   const std::filesystem::path file = store.folder() / sat.row.file;
-  trace::SessionReader session(file);
+  trace::RecordingReader recording(file);
 
   // Ticks without a gap, from the first screen to the last.
   std::uint64_t next = 0;
-  session.forEachTick({}, [&](std::span<const trace::Sample> tick) { return tick.front().tick == next++; });
-  EXPECT_EQ(next, session.facts().samples);
+  recording.forEachTick({}, [&](std::span<const trace::Sample> tick) { return tick.front().tick == next++; });
+  EXPECT_EQ(next, recording.facts().samples);
   EXPECT_EQ(static_cast<double>(next) * 0.001, sat.simulated_s);
 
   std::multimap<std::uint64_t, std::string> marks;
-  for (const trace::SessionEvent& event : session.events()) {
+  for (const trace::RecordingEvent& event : recording.events()) {
     if (event.kind == "mark") marks.emplace(event.tick, event.text);
   }
   const auto marked = [&](std::uint64_t tick, const std::string& text) {
@@ -368,10 +368,10 @@ TEST_F(Trainee, IsReplayedFromItsSession) {
   };
   for (const TrialRow& trial : sat.trials) {
     const std::string name = "trial " + std::to_string(trial.number);
-    EXPECT_TRUE(marked(trial.file_tick0, name)) << name;
-    EXPECT_TRUE(marked(trial.file_tick1, name + " answered " + std::to_string(trial.site_answer))) << name;
+    EXPECT_TRUE(marked(trial.file_tick_first, name)) << name;
+    EXPECT_TRUE(marked(trial.file_tick_last, name + " answered " + std::to_string(trial.site_answer))) << name;
     Exploration again(sites_, protocol_.exploration, 0.001);
-    session.forEachTick({trial.file_tick0, trial.file_tick1 - 1}, [&](std::span<const trace::Sample> tick) {
+    recording.forEachTick({trial.file_tick_first, trial.file_tick_last - 1}, [&](std::span<const trace::Sample> tick) {
       again.follow(tick.front());
       return true;
     });
@@ -387,9 +387,9 @@ TEST_F(Trainee, IsReplayedFromItsSession) {
     }
   }
   // The worlds that the file names, built the long way, give the same forces.
-  const engine::ReplayReport replayed = engine::replay(session);
+  const engine::ReplayReport replayed = engine::replay(recording);
   EXPECT_TRUE(replayed.identical()) << (replayed.notes.empty() ? "" : replayed.notes.front());
-  EXPECT_EQ(replayed.ticks, session.facts().samples);
+  EXPECT_EQ(replayed.ticks, recording.facts().samples);
 }
 
 TEST_F(Trainee, LearnsThroughTheWholeCourse) {
@@ -403,16 +403,16 @@ TEST_F(Trainee, LearnsThroughTheWholeCourse) {
   course.start_ms = kStartMs;
   // Torn away in the third practice; the same words again go on from there.
   TraineeBench torn = bench(false);
-  int sittings = 0;
+  int sessions = 0;
   EXPECT_THROW(sitCourse(store, torn, course,
                          [&](const SatThrough&) {
-                           if (++sittings == 3) throw std::runtime_error("torn");
+                           if (++sessions == 3) throw std::runtime_error("torn");
                          }),
                std::runtime_error);
   std::vector<SatThrough> rest;
   sitCourse(store, bench(false), course, [&](const SatThrough& sat) { rest.push_back(sat); });
   ASSERT_EQ(rest.size(), 5u);
-  const std::vector<SittingRow> kept = store.sittings(trainee_.id);
+  const std::vector<SessionRow> kept = store.sessions(trainee_.id);
   ASSERT_EQ(kept.size(), 8u);
   for (std::size_t i = 0; i < kept.size(); ++i) {
     EXPECT_EQ(kept[i].kind, vhbCourse()[i]);

@@ -1,4 +1,4 @@
-#include "palpate/training/trial_scene.h"
+#include "palpate/training/session/trial_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace palpate::training {
 namespace {
 
 /// A flat back around the sites, a vertex every 4 mm.
-std::shared_ptr<const scene::World> flatBack(const scene::Scene& wished) {
+std::shared_ptr<const scene::World> flatBack(const scene::Scene& requested) {
   mesh::TriangleMesh mesh;
   constexpr int kColumns = 61;
   constexpr int kRows = 81;
@@ -28,7 +28,7 @@ std::shared_ptr<const scene::World> flatBack(const scene::Scene& wished) {
     }
   }
   std::vector<Index> source;
-  scene::Scene scene = wished;
+  scene::Scene scene = requested;
   scene.body.kind = scene::BodyKind::mesh;
   return scene::buildOn(scene, scene::mendedBody(std::move(mesh), "flat back", {}, source));
 }
@@ -51,7 +51,7 @@ TEST(TrialScene, TheHiddenPlaceIsStifferByExactlyItsChangeAndNothingElseIs) {
   const SiteSet sites = flatTwelve();
   const Protocol protocol = builtInProtocol();
   const scene::Scene scene =
-      trialScene({}, protocol, SittingKind::pre_test, sites, HiddenNow{.site = 8, .change = 0.28});
+      trialScene({}, protocol, SessionKind::pre_test, sites, HiddenNow{.site = 8, .change = 0.28});
   const auto world = flatBack(scene);
   const Vec2 hidden = sites.numbered(8)->place_mm;
   const double plateau_mm = protocol.hidden.radius_mm * (1.0 - protocol.hidden.edge_softness);
@@ -79,7 +79,7 @@ TEST(TrialScene, OwnDysfunctionsAreTakenOutAndTestsAreMadeOnEvenTissue) {
   scene::Scene base;
   base.dysfunctions.push_back({.x_mm = 0, .y_mm = 0});
   const Protocol protocol = builtInProtocol();
-  const scene::Scene scene = trialScene(base, protocol, SittingKind::exam, flatTwelve(), {});
+  const scene::Scene scene = trialScene(base, protocol, SessionKind::exam, flatTwelve(), {});
   EXPECT_TRUE(scene.dysfunctions.empty());
   EXPECT_EQ(scene.stiffness.source, scene::StiffnessSource::constant);
   EXPECT_EQ(scene.tissue.force_law.kind, tissue::ForceLaw::Kind::linear);
@@ -90,11 +90,11 @@ TEST(TrialScene, NaturalTissueStaysWhereTheProtocolAsksForIt) {
   base.stiffness.source = scene::StiffnessSource::depth;
   Protocol protocol = builtInProtocol();
   protocol.practice.natural_stiffness = true;
-  const auto source = [&](SittingKind kind) {
+  const auto source = [&](SessionKind kind) {
     return trialScene(base, protocol, kind, flatTwelve(), {}).stiffness.source;
   };
-  EXPECT_EQ(source(SittingKind::practice), scene::StiffnessSource::depth);
-  EXPECT_EQ(source(SittingKind::pre_test), scene::StiffnessSource::constant);
+  EXPECT_EQ(source(SessionKind::practice), scene::StiffnessSource::depth);
+  EXPECT_EQ(source(SessionKind::pre_test), scene::StiffnessSource::constant);
 }
 
 TEST(TrialScene, WhatLiesDeepReachesTheSkinWeakerAndWider) {

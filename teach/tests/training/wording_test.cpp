@@ -20,7 +20,7 @@ TEST(Wording, SaysTheSitesAsTeachersDo) {
   EXPECT_EQ(wrongAnswer(site(9)), "It was site 9, right. Feel it now; press Next when ready.");
   EXPECT_EQ(notPressedYet(2), "Two places were not pressed yet.");
   EXPECT_EQ(notPressedYet(1), "One place was not pressed yet.");
-  EXPECT_EQ(instruction(builtInProtocol(), SittingKind::practice),
+  EXPECT_EQ(instruction(builtInProtocol(), SessionKind::practice),
             "One of the twelve places is stiffer. Press each, then answer.");
 }
 
@@ -38,7 +38,7 @@ TEST(Wording, NoSentenceIsLongerThanTwelveWords) {
                                   pausedWords(),
                                   goodbye(true),
                                   goodbye(false)};
-  for (const auto& word : WordsOf<SittingKind>::kAll) {
+  for (const auto& word : WordsOf<SessionKind>::kAll) {
     all.push_back(greeting(word.value));
     all.push_back(instruction(builtInProtocol(), word.value));
   }
@@ -53,8 +53,8 @@ TEST(Wording, NoSentenceIsLongerThanTwelveWords) {
 TEST(Wording, ATestEndsWithItsThresholdAndTheOneBefore) {
   BlockResult result;
   result.threshold = {.median = 0.18, .low = 0.13, .high = 0.25};
-  EXPECT_EQ(blockSummary(result, SittingKind::post_test, {}), "Your smallest reliable change: about 18 % (13–25 %).");
-  EXPECT_EQ(blockSummary(result, SittingKind::post_test, ShownThreshold{.median = 0.45, .low = 0.35, .high = 0.57}),
+  EXPECT_EQ(blockSummary(result, SessionKind::post_test, {}), "Your smallest reliable change: about 18 % (13–25 %).");
+  EXPECT_EQ(blockSummary(result, SessionKind::post_test, ShownThreshold{.median = 0.45, .low = 0.35, .high = 0.57}),
             "Your smallest reliable change: about 18 % (13–25 %). Last time: 45 %.");
 }
 
@@ -62,7 +62,7 @@ TEST(Wording, ACloseCallIsNotCalled) {
   BlockResult result;
   result.threshold = {.median = 0.18, .low = 0.13, .high = 0.25};
   const std::string text =
-      blockSummary(result, SittingKind::post_test, ShownThreshold{.median = 0.24, .low = 0.17, .high = 0.33});
+      blockSummary(result, SessionKind::post_test, ShownThreshold{.median = 0.24, .low = 0.17, .high = 0.33});
   EXPECT_NE(text.find("Too early to call a change."), std::string::npos) << text;
 }
 
@@ -71,7 +71,7 @@ TEST(Wording, AnExaminationSaysItsVerdictAndNoNumber) {
   result.threshold = {.median = 0.18, .low = 0.13, .high = 0.25};
   for (const Verdict verdict : {Verdict::pass, Verdict::not_yet, Verdict::repeat}) {
     result.verdict = verdict;
-    const std::string text = blockSummary(result, SittingKind::exam, {});
+    const std::string text = blockSummary(result, SessionKind::exam, {});
     EXPECT_EQ(text.find_first_of("0123456789"), std::string::npos) << text;
   }
 }
@@ -80,9 +80,9 @@ TEST(Wording, PracticeTellsHowManyWereRight) {
   BlockResult result;
   result.trials = 20;
   result.correct = 13;
-  EXPECT_EQ(blockSummary(result, SittingKind::practice, {}), "Block finished. 13 of 20 were right.");
+  EXPECT_EQ(blockSummary(result, SessionKind::practice, {}), "Block finished. 13 of 20 were right.");
   result.level = 0.28;
-  EXPECT_EQ(blockSummary(result, SittingKind::mastery, {}),
+  EXPECT_EQ(blockSummary(result, SessionKind::mastery, {}),
             "Block finished. 13 of 20 were right. Smallest level mastered: 28 %.");
 }
 

@@ -81,8 +81,8 @@ def trainee_row(trainee, created_ms, class_id=CLASS):
                        "key_ref": ""}
 
 
-def sitting_row(sitting, trainee, station, start_ms):
-    return "session", {"id": sitting, "trainee_id": trainee, "station_id": station_id(station), "kind": "practice",
+def session_row(session, trainee, station, start_ms):
+    return "session", {"id": session, "trainee_id": trainee, "station_id": station_id(station), "kind": "practice",
                        "start_ms": start_ms, "end_ms": 0, "app_version": "1", "rng_seed": "7", "device": "none", "file": "",
                        "file_sha256": ""}
 
@@ -92,15 +92,15 @@ def deletion_row(trainee, at_ms):
 
 
 def honest_day(group, created_ms=NOW_MS - 60_000):
-    """A trainee of s01 with a sitting: their ids."""
-    trainee, sitting = uuid7(), uuid7()
+    """A trainee of s01 with a session: their ids."""
+    trainee, session = uuid7(), uuid7()
     client = group.station("s01")
     group.send(client, "s01", [station_row("s01"), ("class", {"id": CLASS, "label": "", "retain_days": 365,
                                                               "retain_samples_days": 90}),
-                               trainee_row(trainee, created_ms), sitting_row(sitting, trainee, "s01", NOW_MS - 50_000)])
-    if not group.lab.wait_for(lambda: group.rows("SELECT 1 FROM session WHERE id = ?", sitting), 8):
+                               trainee_row(trainee, created_ms), session_row(session, trainee, "s01", NOW_MS - 50_000)])
+    if not group.lab.wait_for(lambda: group.rows("SELECT 1 FROM session WHERE id = ?", session), 8):
         raise RuntimeError("the honest rows did not arrive: " + str(group.report()))
-    return client, trainee, sitting
+    return client, trainee, session
 
 
 @attack("class-kick", "class", [Mend(CONFIGURATION, '"use_username_as_clientid true\\n"', '""')], 25)
@@ -136,18 +136,18 @@ def class_sessions(lab):
 
 @attack("class-foreign-rows", "class", [Mend(KEEPER, "  if (auto why = notTheirs(sent)) return why;\n", "")], 25)
 def class_foreign_rows(lab):
-    """With s02's certificate, overwrites s01's station row and its trainee's sitting."""
+    """With s02's certificate, overwrites s01's station row and its trainee's session."""
     group = Class(lab).serve()
-    _, trainee, sitting = honest_day(group)
+    _, trainee, session = honest_day(group)
     thief = group.station("s02")
-    stolen = sitting_row(sitting, trainee, "s01", NOW_MS - 50_000)
+    stolen = session_row(session, trainee, "s01", NOW_MS - 50_000)
     stolen[1]["end_ms"], stolen[1]["device"] = NOW_MS - 40_000, "forged"
     group.send(thief, "s02", [station_row("s01", "forged"), stolen])
     done = lab.wait_for(lambda: group.refused() >= 2 or group.rows("SELECT 1 FROM session WHERE device = 'forged'"), 6)
     names = group.rows("SELECT count(*) FROM station WHERE name = 'forged'")[0][0]
-    sittings = group.rows("SELECT count(*) FROM session WHERE device = 'forged'")[0][0]
-    return judged(done and names + sittings == 0,
-                  f"rows of s01 overwritten by s02: {names} station, {sittings} sitting; {group.refused()} refused")
+    sessions = group.rows("SELECT count(*) FROM session WHERE device = 'forged'")[0][0]
+    return judged(done and names + sessions == 0,
+                  f"rows of s01 overwritten by s02: {names} station, {sessions} session; {group.refused()} refused")
 
 
 @attack("class-foreign-trainee", "class", [
@@ -167,20 +167,20 @@ def class_foreign_trainee(lab):
 
 
 @attack("class-foreign-deletion", "class", [Mend(KEEPER, "        return owner != sent.station;\n", "        return false;\n"),
-                                            Mend(KEEPER, "if (owner != sent.station) ++others[sitting.station];", "")], 25)
+                                            Mend(KEEPER, "if (owner != sent.station) ++others[session.station_id];", "")], 25)
 def class_foreign_deletion(lab):
     """With s02's certificate, has a trainee of s01 deleted, and every later row of theirs by the year 9999."""
     group = Class(lab).serve()
-    honest, trainee, sitting = honest_day(group)
+    honest, trainee, session = honest_day(group)
     thief = group.station("s02")
     group.send(thief, "s02", [station_row("s02"), deletion_row(trainee, 253402300799000)])
     lab.wait_for(lambda: group.rows("SELECT 1 FROM station WHERE name = 's02'"), 5)
     lab.wait_for(lambda: any(look.get("said") for look in group.reports()), 4)
     later = uuid7()
-    group.send(honest, "s01", [sitting_row(later, trainee, "s01", NOW_MS - 10_000)])
+    group.send(honest, "s01", [session_row(later, trainee, "s01", NOW_MS - 10_000)])
     lab.wait_for(lambda: group.rows("SELECT 1 FROM session WHERE id = ?", later), 4)
     there = {row[0] for row in group.rows("SELECT id FROM session")}
-    return judged({sitting, later} <= there, f"sittings of s01's trainee in the class: {len(there & {sitting, later})} of 2")
+    return judged({session, later} <= there, f"sessions of s01's trainee in the class: {len(there & {session, later})} of 2")
 
 
 @attack("class-future-rows", "class", [Mend(KEEPER, "ahead_ms > kClockSkewMs", "false && ahead_ms > kClockSkewMs")], 25)
@@ -272,9 +272,9 @@ def class_disk_share(lab):
         group.send(thief, "s02", [("protocol", {"id": "flood", "version": version, "text": "x" * 60_000,
                                                "sha256": hashlib.sha256(b"x").hexdigest()})])
     lab.wait_for(lambda: group.refused() > 30 or len(group.rows("SELECT 1 FROM protocol")) >= 60, 10)
-    _, _, sitting = honest_day(group)
+    _, _, session = honest_day(group)
     kept = group.rows("SELECT count(*) FROM protocol")[0][0]
-    return judged(kept <= 18, f"{kept} of 60 rows of 60 kB kept with a share of 1 MB; s01 writes on ({sitting[:8]})")
+    return judged(kept <= 18, f"{kept} of 60 rows of 60 kB kept with a share of 1 MB; s01 writes on ({session[:8]})")
 
 
 @attack("class-key-mode", "class", [

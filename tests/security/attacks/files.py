@@ -18,11 +18,11 @@ import lab
 SOUND = lab.ROOT / "tests" / "data" / "sessions" / "version_3" / "trunk.session"
 OUTPUT = "host/palpate/base/output_file.cpp"
 DATABASE = "host/palpate/trace/database.cpp"
-SCHEMA = "host/palpate/trace/session_schema.cpp"
-WRITER = "host/palpate/trace/session_writer.cpp"
+SCHEMA = "host/palpate/trace/recording_schema.cpp"
+WRITER = "host/palpate/trace/recording_writer.cpp"
 READABLE = "cli/kit/readable_text.cpp"
 ACCESS = "cli/serve/access.cpp"
-BUNDLE = "host/palpate/engine/session_bundle.cpp"
+BUNDLE = "host/palpate/engine/recording_bundle.cpp"
 SECRET = "-----BEGIN OPENSSH PRIVATE KEY----- of the victim"
 
 
@@ -79,7 +79,7 @@ NEVER_ENDS = """CREATE VIEW columns AS WITH RECURSIVE n(i) AS (SELECT 1 UNION AL
 
 
 @lab.attack("recording_that_never_ends", "files", [
-    lab.Mend(SCHEMA, '  requireKnownSchema(database, schemaOfSessions(), "a session");\n', ""),
+    lab.Mend(SCHEMA, '  requireKnownSchema(database, schemaOfRecordings(), "a recording");\n', ""),
     lab.Mend(DATABASE, "{SQLITE_DBCONFIG_ENABLE_VIEW, 0}", "{SQLITE_DBCONFIG_ENABLE_VIEW, 1}"),
     lab.Mend(DATABASE, "kFreeSteps + kStepsPerByte * bytes ? 1 : 0", "kFreeSteps + kStepsPerByte * bytes ? 0 : 0"),
 ], seconds=40)
@@ -111,7 +111,7 @@ def scene_naming(file):
 
 
 @lab.attack("bundle_packs_a_key", "files", [
-    lab.Mend("cli/session/bundle_command.cpp", "  refuseFilesOutside(session, arguments, settings);\n", ""),
+    lab.Mend("cli/recording/bundle_command.cpp", "  refuseFilesOutside(recording, arguments, settings);\n", ""),
     lab.Mend(BUNDLE, "if (const std::vector<fs::path> files = outside(); !files.empty()) {",
              "if (const std::vector<fs::path> files = {}; !files.empty()) {"),
 ], seconds=20)
@@ -165,7 +165,7 @@ def escapes_for_a_terminal(room):
 
 
 @lab.attack("formulas_for_a_spreadsheet", "files", [
-    lab.Mend("core/palpate/base/csv_cell.cpp", 'isFormula(text) ? "\'" : ""', 'isFormula(text) ? "" : ""'),
+    lab.Mend("core/palpate/base/csv.cpp", 'isFormula(text) ? "\'" : ""', 'isFormula(text) ? "" : ""'),
 ], seconds=30)
 def formulas_for_a_spreadsheet(room):
     """Labels and names that begin like a formula go into the tables that a teacher opens in a spreadsheet."""
@@ -202,7 +202,7 @@ def formulas_for_a_spreadsheet(room):
 
 @lab.attack("links_laid_in_a_shared_folder", "files", [
     lab.Mend(OUTPUT, "  refuseLinksOfAnybody(target_);\n", ""),
-    lab.Mend("lab/commands/named_mesh.cpp", 'file_ = folder_->path() / (file_or_name + ".stl");',
+    lab.Mend("lab/commands/bench_arguments.cpp", 'file_ = folder_->path() / (file_or_name + ".stl");',
              'file_ = std::filesystem::temp_directory_path() / fmt::format("palpate_{}_{}.stl", file_or_name, getpid());'),
 ], seconds=40)
 def links_laid_in_a_shared_folder(room):
@@ -265,8 +265,8 @@ def started_server(room, runtime, *more):
 @lab.attack("reading_what_runs", "files", [
     lab.Mend(WRITER, "    : file_(file, OutputFile::Unfinished::remove, OutputFile::Access::owner_only),", "    : file_(file),"),
     lab.Mend("teach/palpate/training/trainee/trainee_course.cpp",
-             "makePrivateFolder(settings.session.parent_path(), ExistingFolder::closed);",
-             "std::filesystem::create_directories(settings.session.parent_path());"),
+             "makePrivateFolder(settings.recording.parent_path(), ExistingFolder::closed);",
+             "std::filesystem::create_directories(settings.recording.parent_path());"),
     lab.Mend(OUTPUT, "constexpr mode_t kOwnerMode = 0600;", "constexpr mode_t kOwnerMode = 0666;"),
 ], seconds=40)
 def reading_what_runs(room):

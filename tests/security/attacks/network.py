@@ -313,7 +313,7 @@ def bearer(room):
 
 @lab.attack("serve-plain-on-a-network", "network",
             [lab.Mend("cli/serve/served_run.cpp", "if (!isLoopback(options.host) && options.tls_cert.empty()) say(", "if (options.port < 0) say("),
-             lab.Mend("cli/serve/own_addresses.cpp", 'if (!v6 && host != "0.0.0.0") return', "if (true) return")], seconds=30)
+             lab.Mend("cli/serve/network.cpp", 'if (!v6 && host != "0.0.0.0") return', "if (true) return")], seconds=30)
 def plain(room):
     """Plain HTTP on every interface: without a word, under an address that no browser opens."""
     serving = start_serve(room, "--host", "0.0.0.0")

@@ -1,7 +1,6 @@
 // A pixel of opacity a and colour c is a c + 255 (1 - a) on white and a c on black: their difference is a, their share
 // is c. Based on: Smith and Blinn, "Blue screen matting", SIGGRAPH 1996 (two backgrounds make it exact). Cold path.
-// Own.
-#include "palpate/view/cut_out.h"
+#include "palpate/view/image.h"
 
 #include <stb/stb_image_write.h>
 

@@ -1,5 +1,5 @@
 // A finger's contact -> the ball that is drawn: laid on the deformed anchor along the contact's normal, then lifted in
-// rounds, each by the most that a triangle round it asks for, until none reaches into it. Own.
+// rounds, each by the most that a triangle round it asks for, until none reaches into it.
 #include "palpate/view/finger_pose.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "palpate/tree/triangle_tree.h"
-#include "palpate/view/layers/drawn_skin.h"
+#include "palpate/view/drawn_skin.h"
 
 namespace palpate::view {
 
@@ -75,15 +75,15 @@ double liftOver(const FingerPose& pose, const Corners& triangle) {
   const auto closest = tree::closestOnTriangle(triangle, pose.centre);
   const double distance = std::sqrt(closest.squared_distance);
   if (distance >= pose.radius_mm) return 0.0;
-  constexpr double kLeastCosine = 0.3;  // below, the step would overshoot by far
+  constexpr double kMinCosine = 0.3;  // below, the step would overshoot by far
   const double cosine = distance > 0.0 ? pose.normal.dot(pose.centre - closest.point) / distance : 1.0;
-  return (pose.radius_mm - distance) / std::max(cosine, kLeastCosine);
+  return (pose.radius_mm - distance) / std::max(cosine, kMinCosine);
 }
 
 void liftOut(FingerPose& pose, const std::vector<Corners>& triangles) {
-  constexpr int kMostRounds = 12;
+  constexpr int kMaxRounds = 12;
   constexpr double kTouchMm = 1e-3;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     double lift = 0.0;
     for (const Corners& triangle : triangles) lift = std::max(lift, liftOver(pose, triangle));
     pose.centre += lift * pose.normal;

@@ -1,5 +1,5 @@
 // The one file that compiles stb's reader and writer, for PNG and JPEG alone. Pixels are copied out of stb's memory
-// into an Image. Cold path. Own.
+// into an Image. Cold path.
 #include "palpate/view/image.h"
 
 #ifndef __clang_analyzer__  // what it finds in there is not ours
@@ -22,7 +22,7 @@ namespace palpate::view {
 namespace {
 
 constexpr int kChannels = 3;
-constexpr std::uint64_t kMostPngBytes = std::uint64_t{1} << 30;  // stb counts in ints
+constexpr std::uint64_t kMaxPngBytes = std::uint64_t{1} << 30;  // stb counts in ints
 
 using StbPixels = std::unique_ptr<stbi_uc, void (*)(void*)>;
 
@@ -86,7 +86,7 @@ Image decodeImage(std::string_view bytes) {
 }
 
 Image readPng(const std::filesystem::path& file) {
-  Image image = decodeImage(readFile(file, kMostPngBytes));
+  Image image = decodeImage(readFile(file, kMaxPngBytes));
   if (image.pixels.empty()) throw Error::inFile(file.string(), "is not a PNG file that can be read");
   return image;
 }

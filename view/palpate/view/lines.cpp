@@ -1,5 +1,5 @@
 // Shapes as segments and triangles. A box's corners are numbered by bits, one an axis: an edge changes one bit.
-// Data flow: overlays -> here -> painted points -> line_layer.h, each picture. Own.
+// Data flow: overlays -> here -> painted points -> line_layer.h, each picture.
 #include "palpate/view/lines.h"
 
 #include <algorithm>

@@ -53,7 +53,7 @@ struct Look {
   bool cull = true;     ///< skin outside the picture is not drawn; false is for measuring what that saves
   bool white_background = false;
   bool light_background = false;           ///< light grey, for a window of light panels; white goes before it
-  std::optional<double> plain_background;  ///< one grey (0 black, 1 white) in place of all: for cut_out.h
+  std::optional<double> plain_background;  ///< one grey (0 black, 1 white) in place of all: for cutOut (image.h)
   ColourRange strain_percent = {-20.0, 20.0};
   ColourRange stiffness_n_per_mm = {0.3, 1.2};
   ColourRange half_major_mm = {100.0, 200.0};

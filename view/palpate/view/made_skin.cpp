@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "palpate/base/random.h"
-#include "palpate/view/value_noise.h"
 
 namespace palpate::view {
 

@@ -5,6 +5,7 @@
 // the folds and over the bones are not in it: they are the body's own (layers/skin_tint.h).
 #pragma once
 
+#include "palpate/base/vec.h"
 #include "palpate/scene/skin_texture.h"
 #include "palpate/view/image.h"
 
@@ -16,5 +17,12 @@ inline constexpr float kMadeSkinWhite = 1.35f;
 /// Factors on the tone, over kMadeSkinWhite, as sRGB. The same seed and body give the same picture. Its left and right
 /// edges fit each other. About a second for a whole trunk (2 pixels a millimetre).
 Image paintedSkin(const scene::MadeSkin& made);
+
+// Smooth noise that is the same on every machine.
+//
+// Based on: Perlin, "An image synthesizer", 1985 (noise as sums of smooth lattice values).
+
+/// Smooth noise in [-1, 1] between values at the corners of a unit lattice (value noise).
+double noiseAt(const Vec3& p);
 
 }  // namespace palpate::view

@@ -63,8 +63,8 @@ class Painter {
                 const Canvas& canvas, const DrawOver& draw_over = {});
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpate::view

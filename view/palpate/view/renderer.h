@@ -57,8 +57,8 @@ class Renderer {
   void draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height);
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpate::view

@@ -1,5 +1,5 @@
 // [view] of a scene -> the camera that sees the whole body, turned; zoom is a longer lens at the same place, which
-// cannot enter the body. Ranges of colours come from the world's values. Load time. Own.
+// cannot enter the body. Ranges of colours come from the world's values. Load time.
 #include "palpate/view/scene_view.h"
 
 #include <algorithm>

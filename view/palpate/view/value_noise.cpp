@@ -1,5 +1,5 @@
 // Values hashed from the corners of the lattice, joined by cubics of zero slope at the corners.
-#include "palpate/view/value_noise.h"
+#include "palpate/view/made_skin.h"
 
 #include <array>
 #include <cstdint>

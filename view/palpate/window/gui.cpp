@@ -1,6 +1,6 @@
 // Events become the one state a frame that this ImGui wants; its text fields get keys by a map from our numbers.
 // Letters are made in pixels and laid out in points.
-// Data flow: InputEvent -> here -> the caller's panels -> triangles -> any framebuffer. 60 Hz. Own.
+// Data flow: InputEvent -> here -> the caller's panels -> triangles -> any framebuffer. 60 Hz.
 #include "palpate/window/gui.h"
 
 #include <backends/imgui_impl_opengl3.h>
@@ -104,22 +104,22 @@ std::string_view ownerOf(const ImDrawList& list) { return list._OwnerName == nul
 
 }  // namespace
 
-struct Gui::Parts {
+struct Gui::Impl {
   ImGuiContext* context = nullptr;
   double scale = 0.0;
   bool large_letters = false;
   std::array<bool, kButtons> down{};
 
-  Parts();
-  ~Parts();
-  Parts(const Parts&) = delete;
-  Parts& operator=(const Parts&) = delete;
+  Impl();
+  ~Impl();
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
   void makeLetters(double pixels_per_point);
   void feed(std::span<const InputEvent> events);
   void feed(const InputEvent& event);
 };
 
-Gui::Parts::Parts() {
+Gui::Impl::Impl() {
   context = ImGui::CreateContext();
   ImGui::SetCurrentContext(context);
   ImGuiIO& io = ImGui::GetIO();
@@ -132,13 +132,13 @@ Gui::Parts::Parts() {
   }
 }
 
-Gui::Parts::~Parts() {
+Gui::Impl::~Impl() {
   ImGui::SetCurrentContext(context);
   ImGui_ImplOpenGL3_Shutdown();
   ImGui::DestroyContext(context);
 }
 
-void Gui::Parts::makeLetters(double pixels_per_point) {
+void Gui::Impl::makeLetters(double pixels_per_point) {
   if (pixels_per_point == scale) return;
   scale = pixels_per_point;
   ImGuiIO& io = ImGui::GetIO();
@@ -160,7 +160,7 @@ void Gui::Parts::makeLetters(double pixels_per_point) {
 
 /// This version of ImGui sees one state a frame: a button that went down and up between two frames still counts as
 /// down in this one.
-void Gui::Parts::feed(std::span<const InputEvent> events) {
+void Gui::Impl::feed(std::span<const InputEvent> events) {
   ImGuiIO& io = ImGui::GetIO();
   std::array<bool, kButtons> went_down{};
   for (const InputEvent& event : events) {
@@ -170,7 +170,7 @@ void Gui::Parts::feed(std::span<const InputEvent> events) {
   for (std::size_t b = 0; b < kButtons; ++b) io.MouseDown[b] = down[b] || went_down[b];
 }
 
-void Gui::Parts::feed(const InputEvent& event) {
+void Gui::Impl::feed(const InputEvent& event) {
   using Kind = InputEvent::Kind;
   ImGuiIO& io = ImGui::GetIO();
   const bool has_place = event.kind == Kind::move || event.kind == Kind::button || event.kind == Kind::scroll;
@@ -190,28 +190,28 @@ void Gui::Parts::feed(const InputEvent& event) {
   }
 }
 
-Gui::Gui() : parts_(std::make_unique<Parts>()) { setTheme(Theme::dark); }
+Gui::Gui() : impl_(std::make_unique<Impl>()) { setTheme(Theme::dark); }
 Gui::~Gui() = default;
 
 void Gui::begin(const Vec2& size_points, double scale, double elapsed_s, std::span<const InputEvent> events) {
-  ImGui::SetCurrentContext(parts_->context);
-  parts_->makeLetters(scale);
+  ImGui::SetCurrentContext(impl_->context);
+  impl_->makeLetters(scale);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(size_points.x()), static_cast<float>(size_points.y())};
   io.DeltaTime = static_cast<float>(std::max(elapsed_s, 1e-4));
-  parts_->feed(events);
+  impl_->feed(events);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
 }
 
 void Gui::end() {
-  ImGui::SetCurrentContext(parts_->context);
+  ImGui::SetCurrentContext(impl_->context);
   ImGui::Render();
 }
 
 void Gui::present(int width, int height, Choice choice) const {
   ImGuiContext* before = ImGui::GetCurrentContext();
-  ImGui::SetCurrentContext(parts_->context);
+  ImGui::SetCurrentContext(impl_->context);
   ImDrawData data = *ImGui::GetDrawData();
   std::vector<ImDrawList*> chosen;
   for (int i = 0; i < data.CmdListsCount; ++i) {
@@ -226,14 +226,14 @@ void Gui::present(int width, int height, Choice choice) const {
 }
 
 bool Gui::leavesOut(Choice choice) const {
-  ImGui::SetCurrentContext(parts_->context);
+  ImGui::SetCurrentContext(impl_->context);
   const ImDrawData& data = *ImGui::GetDrawData();
   return std::any_of(data.CmdLists, data.CmdLists + data.CmdListsCount,
                      [&](const ImDrawList* list) { return !choice(ownerOf(*list)); });
 }
 
 void Gui::setTheme(Theme theme) {
-  ImGui::SetCurrentContext(parts_->context);
+  ImGui::SetCurrentContext(impl_->context);
   ImGuiStyle& style = ImGui::GetStyle();
   style = ImGuiStyle();  // themes start from the same shapes
   shape(style);
@@ -243,17 +243,17 @@ void Gui::setTheme(Theme theme) {
 }
 
 void Gui::useLargeLetters() {
-  parts_->large_letters = true;
-  parts_->scale = 0.0;
+  impl_->large_letters = true;
+  impl_->scale = 0.0;
 }
 
 bool Gui::wantsMouse() const {
-  ImGui::SetCurrentContext(parts_->context);
+  ImGui::SetCurrentContext(impl_->context);
   return ImGui::GetIO().WantCaptureMouse;
 }
 
 bool Gui::wantsText() const {
-  ImGui::SetCurrentContext(parts_->context);
+  ImGui::SetCurrentContext(impl_->context);
   return ImGui::GetIO().WantTextInput;
 }
 

@@ -24,7 +24,7 @@ class Gui {
   Gui();
   ~Gui();
 
-  /// Letters are made anew when the scale (pixels a point) changes.
+  /// Letters are made again when the scale (pixels a point) changes.
   void begin(const Vec2& size_points, double scale, double elapsed_s, std::span<const InputEvent> events);
   void end();
   /// Says of each window of the frame, by its name, whether it is drawn.
@@ -43,8 +43,8 @@ class Gui {
   bool wantsText() const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpate::window

@@ -1,6 +1,6 @@
 // At most one drag at a time. What a button begins is decided when it goes down, from button, modifiers, preset and
 // what lies under it, and stays so until it comes up: the skin may slip away below the cursor meanwhile. What is
-// pressed and what is held are two states of a finger, so that Enter and the button do not undo each other. Own.
+// pressed and what is held are two states of a finger, so that Enter and the button do not undo each other.
 #include "palpate/window/input.h"
 
 namespace palpate::window {

@@ -1,5 +1,5 @@
 // The table, looked up row by row: some fifty rows, once a key. The order of overlays and colourings is that of their
-// enumerators, so an action becomes one by subtraction. Own.
+// enumerators, so an action becomes one by subtraction.
 #include "palpate/window/keys.h"
 
 #include <fmt/format.h>
@@ -76,8 +76,8 @@ constexpr KeyBinding kTable[] = {
     {A::clear_screenshot, G::window, {functionKey(12), kCtrl}, kNone, false, "Save a picture without background", "Save the body alone as a PNG file, the rest transparent."},
     {A::panel, G::window, plain(Key::tab), kNone, false, "Side panel", "Show or hide the panel."},
     {A::record, G::window, plain('R'), kNone, false, "Record", "Start or stop recording forces to a CSV file."},
-    {A::keep_session, G::window, shift('R'), kNone, false, "Keep the session", "Keep what was recorded by itself, the last hour, as a session file."},
-    {A::mark, G::window, shift('M'), kNone, false, "Mark", "Set a mark in the session, to be found again."},
+    {A::keep_recording, G::window, shift('R'), kNone, false, "Keep the recording", "Keep what was recorded by itself, the last hour, as a file."},
+    {A::mark, G::window, shift('M'), kNone, false, "Mark", "Set a mark in the recording, to be found again."},
     {A::reach, G::window, plain('J'), kNone, false, "Reach", "Show the box that a device which holds a finger can reach."},
     {A::stereo_mode, G::window, plain('K'), kNone, false, "Stereo mode", "Go through the stereo modes."},
     {A::swap_eyes, G::window, shift('K'), kNone, false, "Swap the eyes", "Give each eye the other one's picture."},

@@ -105,7 +105,7 @@ enum class Action : std::uint8_t {
   clear_screenshot,
   panel,
   record,
-  keep_session,
+  keep_recording,
   mark,
   reach,
   stereo_mode,

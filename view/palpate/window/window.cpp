@@ -1,6 +1,6 @@
 // GLFW's callbacks fill a list of events with time, place and modifiers as they were then; pixels, not GLFW's screen
 // coordinates. A finished picture comes by one blit, so the window asks for no depth buffer.
-// Data flow: GLFW -> events -> input.h; Target -> here -> screen. Main thread. Own.
+// Data flow: GLFW -> events -> input.h; Target -> here -> screen. Main thread.
 #include "palpate/window/window.h"
 
 #include <fmt/format.h>
@@ -80,7 +80,7 @@ bool onAnyMonitor(int x, int y) {
 
 }  // namespace
 
-struct Window::Handles {
+struct Window::Impl {
   GLFWwindow* window = nullptr;
   std::vector<InputEvent> events;
   Modifiers modifiers;
@@ -91,12 +91,12 @@ struct Window::Handles {
   int windowed_width = 1280;
   int windowed_height = 800;
 
-  ~Handles() {
+  ~Impl() {
     if (window != nullptr) glfwDestroyWindow(window);
     glfwTerminate();
   }
 
-  static Handles& of(GLFWwindow* window) { return *static_cast<Handles*>(glfwGetWindowUserPointer(window)); }
+  static Impl& of(GLFWwindow* window) { return *static_cast<Impl*>(glfwGetWindowUserPointer(window)); }
 
   InputEvent& add(InputEvent::Kind kind) {
     InputEvent& event = events.emplace_back();
@@ -124,7 +124,7 @@ struct Window::Handles {
   void listenToDesktop();
 };
 
-void Window::Handles::create(const WindowSettings& settings) {
+void Window::Impl::create(const WindowSettings& settings) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -151,14 +151,14 @@ void Window::Handles::create(const WindowSettings& settings) {
   glfwSwapInterval(settings.wait_for_screen ? 1 : 0);
 }
 
-void Window::Handles::listen() {
+void Window::Impl::listen() {
   glfwSetWindowUserPointer(window, this);
   listenToPointer();
   listenToKeys();
   listenToDesktop();
 }
 
-void Window::Handles::listenToPointer() {
+void Window::Impl::listenToPointer() {
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
     of(w).cursor = Vec2(x, y);
     of(w).add(InputEvent::Kind::move);
@@ -181,9 +181,9 @@ void Window::Handles::listenToPointer() {
   });
 }
 
-void Window::Handles::listenToKeys() {
+void Window::Impl::listenToKeys() {
   glfwSetKeyCallback(window, [](GLFWwindow* w, int k, int, int action, int mods) {
-    Handles& handles = of(w);
+    Impl& handles = of(w);
     handles.modifiers = modifiersOf(mods);
     // The event of a modifier key tells the state before it.
     const bool down = action != GLFW_RELEASE;
@@ -199,7 +199,7 @@ void Window::Handles::listenToKeys() {
                       [](GLFWwindow* w, unsigned int code) { of(w).add(InputEvent::Kind::text).text = utf8(code); });
 }
 
-void Window::Handles::listenToDesktop() {
+void Window::Impl::listenToDesktop() {
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
     of(w).modifiers = {};
     of(w).add(InputEvent::Kind::focus).down = focused == GLFW_TRUE;
@@ -212,25 +212,25 @@ void Window::Handles::listenToDesktop() {
   });
 }
 
-Window::Window(const WindowSettings& settings) : handles_(std::make_unique<Handles>()) {
+Window::Window(const WindowSettings& settings) : impl_(std::make_unique<Impl>()) {
   glfwSetErrorCallback([](int, const char*) {});  // what failed is told by what it returns
   if (!displayOffered() || glfwInit() != GLFW_TRUE) {
     throw Error(fmt::format("there is no display to open a window on; {}", kWithoutAWindow));
   }
-  handles_->create(settings);
-  handles_->listen();
+  impl_->create(settings);
+  impl_->listen();
   if (settings.full_screen) setFullScreen(true);
 }
 Window::~Window() = default;
 
 std::vector<InputEvent> Window::events(double wait_s) {
-  handles_->events.clear();
+  impl_->events.clear();
   if (wait_s > 0.0) {
     glfwWaitEventsTimeout(wait_s);
   } else {
     glfwPollEvents();
   }
-  return std::exchange(handles_->events, {});
+  return std::exchange(impl_->events, {});
 }
 
 void Window::present(const view::Target& target) {
@@ -247,37 +247,37 @@ bool Window::quadBuffered() const {
   return offered == GL_TRUE;
 }
 
-void Window::swap() { glfwSwapBuffers(handles_->window); }
+void Window::swap() { glfwSwapBuffers(impl_->window); }
 
 void Window::showCursor(bool shown) {
-  glfwSetInputMode(handles_->window, GLFW_CURSOR, shown ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
+  glfwSetInputMode(impl_->window, GLFW_CURSOR, shown ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
 }
 
 int Window::width() const {
   int width = 0;
-  glfwGetFramebufferSize(handles_->window, &width, nullptr);
+  glfwGetFramebufferSize(impl_->window, &width, nullptr);
   return width;
 }
 int Window::height() const {
   int height = 0;
-  glfwGetFramebufferSize(handles_->window, nullptr, &height);
+  glfwGetFramebufferSize(impl_->window, nullptr, &height);
   return height;
 }
 
 double Window::contentScale() const {
   float scale = 1.0f;
-  glfwGetWindowContentScale(handles_->window, &scale, nullptr);
+  glfwGetWindowContentScale(impl_->window, &scale, nullptr);
   return std::clamp(static_cast<double>(scale), 1.0, 3.0);
 }
 
-bool Window::closing() const { return glfwWindowShouldClose(handles_->window) == GLFW_TRUE; }
-void Window::stayOpen() { glfwSetWindowShouldClose(handles_->window, GLFW_FALSE); }
-void Window::setTitle(const std::string& title) { glfwSetWindowTitle(handles_->window, title.c_str()); }
-bool Window::focused() const { return glfwGetWindowAttrib(handles_->window, GLFW_FOCUSED) == GLFW_TRUE; }
-bool Window::fullScreen() const { return glfwGetWindowMonitor(handles_->window) != nullptr; }
+bool Window::closing() const { return glfwWindowShouldClose(impl_->window) == GLFW_TRUE; }
+void Window::stayOpen() { glfwSetWindowShouldClose(impl_->window, GLFW_FALSE); }
+void Window::setTitle(const std::string& title) { glfwSetWindowTitle(impl_->window, title.c_str()); }
+bool Window::focused() const { return glfwGetWindowAttrib(impl_->window, GLFW_FOCUSED) == GLFW_TRUE; }
+bool Window::fullScreen() const { return glfwGetWindowMonitor(impl_->window) != nullptr; }
 
 void Window::setFullScreen(bool on) {
-  Handles& h = *handles_;
+  Impl& h = *impl_;
   if (on == fullScreen()) return;
   if (!on) {
     glfwSetWindowMonitor(h.window, nullptr, h.windowed_x, h.windowed_y, h.windowed_width, h.windowed_height, 0);
@@ -290,11 +290,11 @@ void Window::setFullScreen(bool on) {
   if (mode != nullptr) glfwSetWindowMonitor(h.window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-void Window::setSize(int width, int height) { glfwSetWindowSize(handles_->window, width, height); }
-void Window::setClipboard(const std::string& text) { glfwSetClipboardString(handles_->window, text.c_str()); }
+void Window::setSize(int width, int height) { glfwSetWindowSize(impl_->window, width, height); }
+void Window::setClipboard(const std::string& text) { glfwSetClipboardString(impl_->window, text.c_str()); }
 
 std::string Window::clipboard() const {
-  const char* text = glfwGetClipboardString(handles_->window);
+  const char* text = glfwGetClipboardString(impl_->window);
   return text == nullptr ? std::string() : text;
 }
 
@@ -302,20 +302,20 @@ WindowSettings Window::placement() const {
   WindowSettings settings;
   settings.full_screen = fullScreen();
   if (settings.full_screen) {
-    settings.x = handles_->windowed_x;
-    settings.y = handles_->windowed_y;
-    settings.width = handles_->windowed_width;
-    settings.height = handles_->windowed_height;
+    settings.x = impl_->windowed_x;
+    settings.y = impl_->windowed_y;
+    settings.width = impl_->windowed_width;
+    settings.height = impl_->windowed_height;
   } else {
-    glfwGetWindowPos(handles_->window, &settings.x, &settings.y);
-    glfwGetWindowSize(handles_->window, &settings.width, &settings.height);
+    glfwGetWindowPos(impl_->window, &settings.x, &settings.y);
+    glfwGetWindowSize(impl_->window, &settings.width, &settings.height);
   }
   return settings;
 }
 
 int Window::top() const {
   int y = 0;
-  glfwGetWindowPos(handles_->window, nullptr, &y);
+  glfwGetWindowPos(impl_->window, nullptr, &y);
   return y;
 }
 

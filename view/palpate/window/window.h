@@ -55,8 +55,8 @@ class Window {
   int top() const;                   ///< row of the monitor its picture begins at (interlaced stereo)
 
  private:
-  struct Handles;
-  std::unique_ptr<Handles> handles_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 /// Whether there is a display to open a window on, as far as the environment tells.

@@ -1,4 +1,4 @@
-#include "palpate/view/layers/blanching.h"
+#include "palpate/view/layers/skin_paint.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST(Blanching, LeavesATraceBehindASlidingFinger) {
   }
   const auto marks = blanching.at(0.3, {});
   EXPECT_GT(marks.size(), 3u);
-  EXPECT_LE(marks.size(), kMostMarks);
+  EXPECT_LE(marks.size(), kMaxMarks);
 }
 
 TEST(Blanching, DoesNotChangeWhenAskedAgain) {

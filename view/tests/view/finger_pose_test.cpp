@@ -6,8 +6,8 @@
 
 #include "palpate/body/hand.h"
 #include "palpate/tree/closest_on_triangle.h"
-#include "palpate/view/layers/drawn_skin.h"
-#include "palpate/view/layers/hand_pose.h"
+#include "palpate/view/drawn_skin.h"
+#include "palpate/view/layers/finger_layer.h"
 #include "view/tests/view/small_world.h"
 
 namespace palpate::view {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "palpate/view/offscreen.h"
-#include "palpate/view/overlays/round_steps.h"
 
 namespace palpate::view {
 namespace {

@@ -1,5 +1,5 @@
 // Where the plates of names go: never over each other, never over what is taken, in the order of their places.
-#include "palpate/view/overlays/name_columns.h"
+#include "palpate/view/overlays/plates.h"
 
 #include <gtest/gtest.h>
 

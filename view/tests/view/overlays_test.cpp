@@ -5,8 +5,8 @@
 
 #include <set>
 
+#include "palpate/view/overlays/legend.h"
 #include "palpate/view/overlays/marks.h"
-#include "palpate/view/overlays/overlay_key.h"
 #include "palpate/view/overlays/section.h"
 #include "view/tests/view/small_world.h"
 

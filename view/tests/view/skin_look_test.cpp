@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "palpate/tree/triangle_tree.h"
+#include "palpate/view/layers/skin_tint.h"
 #include "palpate/view/picture.h"
 #include "palpate/view/scene_view.h"
-#include "palpate/view/skin_shade.h"
 #include "palpate/view/skin_tone.h"
 #include "support/changed_body.h"
 #include "view/tests/view/small_world.h"

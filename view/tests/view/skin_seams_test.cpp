@@ -1,4 +1,3 @@
-#include "palpate/view/layers/skin_seams.h"
 
 #include <gtest/gtest.h>
 

@@ -11,23 +11,23 @@ using window::Action;
 
 TEST(Acts, EverySwitchFlipsAndFlipsBack) {
   for (const window::KeyBinding& binding : window::keyTable()) {
-    Session session;
-    const bool before = isOn(binding.action, session);
-    perform(binding.action, session);
-    if (isOn(binding.action, session) == before) continue;  // no switch
-    perform(binding.action, session);
-    EXPECT_EQ(isOn(binding.action, session), before) << binding.name;
+    ViewerState viewer;
+    const bool before = isOn(binding.action, viewer);
+    perform(binding.action, viewer);
+    if (isOn(binding.action, viewer) == before) continue;  // no switch
+    perform(binding.action, viewer);
+    EXPECT_EQ(isOn(binding.action, viewer), before) << binding.name;
   }
 }
 
 TEST(Acts, OneColouringAtATime) {
-  Session session;
-  perform(Action::colour_strain, session);
-  perform(Action::colour_ellipses, session);
-  EXPECT_FALSE(isOn(Action::colour_strain, session));
-  EXPECT_TRUE(isOn(Action::colour_ellipses, session));
-  perform(Action::colour_ellipses, session);
-  EXPECT_EQ(session.state.look.colouring, view::Colouring::plain);
+  ViewerState viewer;
+  perform(Action::colour_strain, viewer);
+  perform(Action::colour_ellipses, viewer);
+  EXPECT_FALSE(isOn(Action::colour_strain, viewer));
+  EXPECT_TRUE(isOn(Action::colour_ellipses, viewer));
+  perform(Action::colour_ellipses, viewer);
+  EXPECT_EQ(viewer.state.look.colouring, view::Colouring::plain);
 }
 
 TEST(Acts, TheSkinFadesInFourSteps) {
@@ -39,51 +39,51 @@ TEST(Acts, TheSkinFadesInFourSteps) {
 }
 
 TEST(Acts, TheStereoModesComeRoundAgain) {
-  Session session;
-  session.quad_buffer_offered = true;
-  for (std::size_t i = 0; i < view::kStereoModeNames.size(); ++i) perform(Action::stereo_mode, session);
-  EXPECT_EQ(session.state.stereo.mode, view::StereoMode::mono);
+  ViewerState viewer;
+  viewer.quad_buffer_offered = true;
+  for (std::size_t i = 0; i < view::kStereoModeNames.size(); ++i) perform(Action::stereo_mode, viewer);
+  EXPECT_EQ(viewer.state.stereo.mode, view::StereoMode::mono);
 }
 
 TEST(Acts, AModeThatTheWindowCannotShowIsPassedOver) {
-  Session session;
-  session.quad_buffer_offered = false;
-  session.state.stereo.mode = view::StereoMode::interlaced;
-  perform(Action::stereo_mode, session);
-  EXPECT_EQ(session.state.stereo.mode, view::StereoMode::mono);
+  ViewerState viewer;
+  viewer.quad_buffer_offered = false;
+  viewer.state.stereo.mode = view::StereoMode::interlaced;
+  perform(Action::stereo_mode, viewer);
+  EXPECT_EQ(viewer.state.stereo.mode, view::StereoMode::mono);
 }
 
 TEST(Acts, EscapeClosesOneThingAtATime) {
-  Session session;
-  session.state.shown.help = true;
-  session.editor.active = true;
-  perform(Action::cancel, session);
-  EXPECT_FALSE(session.state.shown.help);
-  EXPECT_TRUE(session.editor.active);
-  perform(Action::cancel, session);
-  EXPECT_FALSE(session.editor.active);
-  perform(Action::cancel, session);
-  EXPECT_TRUE(session.asks.requests.empty());
+  ViewerState viewer;
+  viewer.state.shown.help = true;
+  viewer.editor.active = true;
+  perform(Action::cancel, viewer);
+  EXPECT_FALSE(viewer.state.shown.help);
+  EXPECT_TRUE(viewer.editor.active);
+  perform(Action::cancel, viewer);
+  EXPECT_FALSE(viewer.editor.active);
+  perform(Action::cancel, viewer);
+  EXPECT_TRUE(viewer.asks.requests.empty());
 }
 
 TEST(Hints, ComeOneAfterTheOtherAndThenNoMore) {
-  Session session;
+  ViewerState viewer;
   window::Command command;
   using Kind = window::Command::Kind;
   command.kind = Kind::orbit;
-  countHint(command, session.hint, session.state.hints);
-  EXPECT_EQ(session.hint, 0) << "that was not asked for yet";
+  countHint(command, viewer.hint, viewer.state.hints);
+  EXPECT_EQ(viewer.hint, 0) << "that was not asked for yet";
   for (const Kind kind : {Kind::press, Kind::deepen, Kind::slide, Kind::orbit}) {
-    EXPECT_FALSE(hintText(session.hint).empty());
+    EXPECT_FALSE(hintText(viewer.hint).empty());
     command.kind = kind;
-    countHint(command, session.hint, session.state.hints);
+    countHint(command, viewer.hint, viewer.state.hints);
   }
-  EXPECT_EQ(hintText(session.hint), "F1: everything else");
+  EXPECT_EQ(hintText(viewer.hint), "F1: everything else");
   command.kind = Kind::act;
   command.action = Action::help;
-  countHint(command, session.hint, session.state.hints);
-  EXPECT_TRUE(hintText(session.hint).empty());
-  EXPECT_FALSE(session.state.hints);
+  countHint(command, viewer.hint, viewer.state.hints);
+  EXPECT_TRUE(hintText(viewer.hint).empty());
+  EXPECT_FALSE(viewer.state.hints);
 }
 
 }  // namespace

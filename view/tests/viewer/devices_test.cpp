@@ -8,7 +8,7 @@
 
 #include "host/tests/device/doubles/double_library.h"
 #include "support/wait_for.h"
-#include "view/viewer/state/interventions.h"
+#include "view/viewer/state/devices_shown.h"
 #include "view/viewer/state/scene_document.h"
 
 namespace palpate::viewer {
@@ -21,7 +21,7 @@ class HeldStage {
     doubles::reset(control);
     control.by_hand = false;
     ::setenv("PALPATE_LIBHD", doubles::libraryOf("openhaptics").c_str(), 1);
-    stage.session().scene.devices.push_back({.name = "openhaptics", .origin_mm = Vec3(100, 100, 30)});
+    stage.state().scene.devices.push_back({.name = "openhaptics", .origin_mm = Vec3(100, 100, 30)});
   }
   HeldStage(const HeldStage&) = delete;
   HeldStage& operator=(const HeldStage&) = delete;
@@ -84,7 +84,7 @@ class HeldStage {
     return tip;
   }
 
-  DevicesShown& devices() { return stage.session().devices; }
+  DevicesShown& devices() { return stage.state().devices; }
 
   Stage stage;
   doubles::DoubleControl& control;
@@ -110,8 +110,8 @@ TEST(Devices, OneIsOpenedFeltAndLetGoWhileTheMouseKeepsTheOtherFinger) {
   HeldStage held;
   held.open();
   Stage& stage = held.stage;
-  EXPECT_NE(stage.session().held_by.find("openhaptics"), std::string::npos) << stage.session().held_by;
-  EXPECT_EQ(stage.session().active_finger, 1u) << "the mouse takes the finger that is left";
+  EXPECT_NE(stage.state().held_by.find("openhaptics"), std::string::npos) << stage.state().held_by;
+  EXPECT_EQ(stage.state().active_finger, 1u) << "the mouse takes the finger that is left";
   held.press();
   EXPECT_GT(stage.finger(0).depth_mm, 1.0);
   EXPECT_TRUE(stage.until([&] { return held.devices().fingers[0].positions_per_s > 200.0; }));
@@ -122,12 +122,12 @@ TEST(Devices, OneIsOpenedFeltAndLetGoWhileTheMouseKeepsTheOtherFinger) {
   stage.button(false);
   stage.click("devices/left/close");
   EXPECT_TRUE(stage.until([&] { return !held.control.devices[0].open && held.force() == 0.0; }));
-  EXPECT_EQ(stage.session().held_by, "mouse");
+  EXPECT_EQ(stage.state().held_by, "mouse");
   stage.key(window::key('1'));
   stage.move(stage.middle());
   stage.button(true);
   EXPECT_TRUE(stage.until([&] { return stage.finger(0).depth_mm > 4.0; }))
-      << "the mouse has it again: " << stage.finger(0).tip.transpose() << ", finger " << stage.session().active_finger;
+      << "the mouse has it again: " << stage.finger(0).tip.transpose() << ", finger " << stage.state().active_finger;
 }
 
 TEST(Devices, OneThatDoesNotOpenSaysWhyAndTheMouseKeepsTheFinger) {
@@ -140,7 +140,7 @@ TEST(Devices, OneThatDoesNotOpenSaysWhyAndTheMouseKeepsTheFinger) {
   held.stage.click("devices/left/open");
   const auto says = [&] { return held.stage.lastMessage().find("no_such_file.csv") != std::string::npos; };
   EXPECT_TRUE(held.stage.until(says)) << held.stage.lastMessage();
-  EXPECT_EQ(held.stage.session().messages.all().back().severity, Severity::error);
+  EXPECT_EQ(held.stage.state().messages.all().back().severity, Severity::error);
   EXPECT_TRUE(held.devices().fingers[0].words.empty());
 }
 
@@ -170,7 +170,7 @@ TEST(Devices, TheEmergencyStopLatchesByKeyAndIsReleasedByTheButtonAlone) {
     stage.key(key);
     EXPECT_TRUE(held.devices().stopped);
     EXPECT_TRUE(stage.until([&] { return held.force() == 0.0; }));
-    EXPECT_FALSE(stage.session().replay.frozen) << "Space stops, and does nothing else";
+    EXPECT_FALSE(stage.state().replay.frozen) << "Space stops, and does nothing else";
     stage.key(key);
     EXPECT_TRUE(held.devices().stopped) << "pressing again releases nothing";
     ASSERT_TRUE(stage.until([&] { return (held.devices().fingers[0].interventions.counts()[11]) > 0; }));
@@ -185,22 +185,22 @@ TEST(Devices, TheEmergencyStopLatchesByKeyAndIsReleasedByTheButtonAlone) {
 TEST(Devices, TheStopIsHeardWhateverElseIsAsked) {
   HeldStage held;
   held.open();
-  held.stage.session().ask({.kind = Question::Kind::leave, .words = "Save?"});
+  held.stage.state().ask({.kind = Question::Kind::leave, .words = "Save?"});
   held.stage.frame();
   held.stage.key(window::Key::pause);
   EXPECT_TRUE(held.devices().stopped);
-  EXPECT_TRUE(held.stage.session().question) << "and answers no question";
+  EXPECT_TRUE(held.stage.state().question) << "and answers no question";
 }
 
 TEST(Devices, SpaceFreezesWhereNoDeviceIsHeldAndTheStopIsThereAllTheSame) {
   Stage stage;
   stage.key(window::Key::space);
-  EXPECT_TRUE(stage.session().replay.frozen);
-  EXPECT_FALSE(stage.session().devices.stopped);
+  EXPECT_TRUE(stage.state().replay.frozen);
+  EXPECT_FALSE(stage.state().devices.stopped);
   stage.key(window::Key::pause);
-  EXPECT_TRUE(stage.session().devices.stopped);
+  EXPECT_TRUE(stage.state().devices.stopped);
   stage.click("stop/release");
-  EXPECT_FALSE(stage.session().devices.stopped);
+  EXPECT_FALSE(stage.state().devices.stopped);
 }
 
 TEST(Devices, WhatIsDoneToAForceIsSaidWhileItIsDone) {
@@ -251,20 +251,20 @@ TEST(Devices, TheClutchKeyLeavesTheFingerWhereItIs) {
 
 TEST(Devices, TheWorkspaceIsPartOfTheSceneSavedAndReadBack) {
   HeldStage held;
-  held.stage.session().scene.devices.clear();
+  held.stage.state().scene.devices.clear();
   held.open();
-  EXPECT_TRUE(held.stage.session().scene.devices.empty()) << "opening changes nothing";
+  EXPECT_TRUE(held.stage.state().scene.devices.empty()) << "opening changes nothing";
   held.stage.click("devices/left/workspace");
   held.stage.click("devices/left/scale");  // the middle of its slider
-  ASSERT_EQ(held.stage.session().scene.devices.size(), 1u);
-  const scene::DeviceSettings& settings = held.stage.session().scene.devices.front();
+  ASSERT_EQ(held.stage.state().scene.devices.size(), 1u);
+  const scene::DeviceSettings& settings = held.stage.state().scene.devices.front();
   EXPECT_GT(settings.scale, 1.5);
   EXPECT_TRUE(settings.origin_mm);
   ASSERT_TRUE(held.stage.until([&] { return held.devices().fingers[0].workspace.frame.mm == settings.scale; }));
-  ASSERT_EQ(held.stage.session().held.size(), 1u);
-  EXPECT_EQ(held.stage.session().held[0].motion_scale, settings.scale) << "the limits follow";
+  ASSERT_EQ(held.stage.state().held.size(), 1u);
+  EXPECT_EQ(held.stage.state().held[0].motion_scale, settings.scale) << "the limits follow";
   held.stage.key(window::key('S'), {true, false});
-  const std::filesystem::path file = held.stage.session().document.file;
+  const std::filesystem::path file = held.stage.state().document.file;
   const scene::Scene saved = scene::load(file);
   ASSERT_EQ(saved.devices.size(), 1u);
   EXPECT_EQ(saved.devices[0].name, "openhaptics");
@@ -276,15 +276,15 @@ TEST(Devices, TheWorkspaceIsPartOfTheSceneSavedAndReadBack) {
 
 TEST(Devices, UnsafeStiffnessIsSeenUntilAnotherBodyIsOpened) {
   Stage stage;
-  Session& session = stage.session();
+  ViewerState& viewer = stage.state();
   EXPECT_EQ(widgetPlaces().count("unsafe"), 0u);
-  session.scene.safety.unsafe_stiffness = true;
-  session.asks.changed |= kMapChange;
-  ASSERT_TRUE(stage.until([&] { return session.devices.unsafe; }));
+  viewer.scene.safety.unsafe_stiffness = true;
+  viewer.asks.changed |= kMapChange;
+  ASSERT_TRUE(stage.until([&] { return viewer.devices.unsafe; }));
   stage.frame();
   EXPECT_EQ(widgetPlaces().count("unsafe"), 1u) << "the strip along the upper edge";
   stage.drop(stage.folder / "sheet.ply");
-  ASSERT_TRUE(stage.until([&] { return !session.devices.unsafe; }));
+  ASSERT_TRUE(stage.until([&] { return !viewer.devices.unsafe; }));
   stage.frame();
   EXPECT_EQ(widgetPlaces().count("unsafe"), 0u);
 }
@@ -298,7 +298,7 @@ TEST(Devices, ThreePlacesThatAreTouchedCalibrateOne) {
   held.stage.click("devices/left/calibrate");
   for (std::size_t i = 0; i < 3; ++i) {
     held.moveTo(device[i]);
-    held.stage.session().reading.emplace().place = body[i];
+    held.stage.state().reading.emplace().place = body[i];
     ASSERT_TRUE(held.stage.until([&] { return held.devices().fingers[0].known_place == device[i]; }));
     held.stage.click("devices/left/take");
     EXPECT_EQ(held.force(), 0.0);
@@ -309,8 +309,8 @@ TEST(Devices, ThreePlacesThatAreTouchedCalibrateOne) {
   EXPECT_FALSE(held.devices().calibration.finger);
   ASSERT_TRUE(held.stage.until([&] { return (held.devices().fingers[0].reading.tip - body[2]).norm() < 1e-6; }))
       << held.devices().fingers[0].reading.tip.transpose();
-  EXPECT_NEAR(held.stage.session().scene.devices.front().scale, 2.0, 1e-9);
-  EXPECT_NEAR(held.stage.session().scene.devices.front().turn_deg.z(), 90.0, 1e-6);
+  EXPECT_NEAR(held.stage.state().scene.devices.front().scale, 2.0, 1e-9);
+  EXPECT_NEAR(held.stage.state().scene.devices.front().turn_deg.z(), 90.0, 1e-6);
 }
 
 TEST(Devices, PlacesOnALineAreTakenAnew) {
@@ -333,10 +333,10 @@ TEST(Devices, ThoseThatTheSceneNamesAreOpenedByThemselves) {
   double now_s = 0.0;
   EXPECT_TRUE(support::waitFor([&] {
     viewer.frame(kStageWidth, kStageHeight, 1.0, now_s += 0.02, {});
-    return !viewer.session().devices.fingers[1].words.empty();
+    return !viewer.state().devices.fingers[1].words.empty();
   }));
-  EXPECT_TRUE(viewer.session().devices.fingers[0].words.empty());
-  EXPECT_FALSE(viewer.session().history.changed());
+  EXPECT_TRUE(viewer.state().devices.fingers[0].words.empty());
+  EXPECT_FALSE(viewer.state().history.changed());
 }
 
 }  // namespace

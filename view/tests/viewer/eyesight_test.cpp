@@ -15,36 +15,36 @@ namespace {
 using view::StereoMode;
 
 TEST(Eyesight, QuadBufferIsTakenBackWithAWordWhereItIsNotOffered) {
-  Session session;
+  ViewerState viewer;
   Eyesight eyesight(false);
-  session.state.stereo.mode = StereoMode::anaglyph_dubois;
-  EXPECT_EQ(eyesight.settings(session).mode, StereoMode::anaglyph_dubois);
-  session.state.stereo.mode = StereoMode::quad_buffer;
-  EXPECT_EQ(eyesight.settings(session).mode, StereoMode::anaglyph_dubois) << "the last mode that could be shown";
-  EXPECT_EQ(session.state.stereo.mode, StereoMode::anaglyph_dubois);
-  ASSERT_EQ(session.messages.all().size(), 1u);
-  EXPECT_EQ(session.messages.all().back().text,
+  viewer.state.stereo.mode = StereoMode::anaglyph_dubois;
+  EXPECT_EQ(eyesight.settings(viewer).mode, StereoMode::anaglyph_dubois);
+  viewer.state.stereo.mode = StereoMode::quad_buffer;
+  EXPECT_EQ(eyesight.settings(viewer).mode, StereoMode::anaglyph_dubois) << "the last mode that could be shown";
+  EXPECT_EQ(viewer.state.stereo.mode, StereoMode::anaglyph_dubois);
+  ASSERT_EQ(viewer.messages.all().size(), 1u);
+  EXPECT_EQ(viewer.messages.all().back().text,
             "quad-buffer stereo is not offered here (it needs a window on a stereo visual); drawing anaglyph-dubois "
             "instead; a screen for shutter glasses needs `--stereo quad-buffer`");
-  eyesight.settings(session);
-  EXPECT_EQ(session.messages.all().size(), 1u) << "said once";
+  eyesight.settings(viewer);
+  EXPECT_EQ(viewer.messages.all().size(), 1u) << "said once";
 }
 
 TEST(Eyesight, QuadBufferStaysWhereItIsOffered) {
-  Session session;
+  ViewerState viewer;
   Eyesight eyesight(true);
-  session.state.stereo.mode = StereoMode::quad_buffer;
-  EXPECT_EQ(eyesight.settings(session).mode, StereoMode::quad_buffer);
-  EXPECT_TRUE(session.messages.all().empty());
+  viewer.state.stereo.mode = StereoMode::quad_buffer;
+  EXPECT_EQ(eyesight.settings(viewer).mode, StereoMode::quad_buffer);
+  EXPECT_TRUE(viewer.messages.all().empty());
 }
 
 TEST(Eyesight, TheStereoKeyGoesRoundWithoutQuadBuffer) {
   Stage stage;
   for (std::size_t i = 0; i + 1 < view::kStereoModeNames.size(); ++i) {
-    EXPECT_EQ(stage.session().state.stereo.mode, static_cast<StereoMode>(i));
+    EXPECT_EQ(stage.state().state.stereo.mode, static_cast<StereoMode>(i));
     stage.key(window::key('K'));
   }
-  EXPECT_EQ(stage.session().state.stereo.mode, StereoMode::mono);
+  EXPECT_EQ(stage.state().state.stereo.mode, StereoMode::mono);
 }
 
 /// The middle of the picture, where nothing tells the time.
@@ -58,17 +58,17 @@ std::vector<view::Pixel> bodyIn(const view::Image& image) {
 
 TEST(Eyesight, TheHeadMovesThePictureOnlyWhenItIsSwitchedOn) {
   Stage stage;
-  stage.session().state.head.on = true;
+  stage.state().state.head.on = true;
   stage.frame();
   const auto before = bodyIn(stage.viewer->target().read());
   for (int i = 0; i < 30; ++i) {
     stage.viewer->headAt({200.0, 100.0, 500.0}, stage.now_s);
     stage.frame();
   }
-  EXPECT_NEAR(stage.session().head.eyes_mm.x(), 200.0, 1.0);
-  EXPECT_EQ(stage.session().head.state, window::HeadTracker::State::tracking);
+  EXPECT_NEAR(stage.state().head.eyes_mm.x(), 200.0, 1.0);
+  EXPECT_EQ(stage.state().head.state, window::HeadTracker::State::tracking);
   EXPECT_NE(bodyIn(stage.viewer->target().read()), before);
-  stage.session().state.head.on = false;
+  stage.state().state.head.on = false;
   stage.frame();
   const auto off = bodyIn(stage.viewer->target().read());
   stage.viewer->headAt({-300.0, 0.0, 500.0}, stage.now_s);
@@ -80,7 +80,7 @@ TEST(Eyesight, PanelsAreUsedInEitherHalfOfAPicture) {
   for (const StereoMode mode : {StereoMode::sbs_half, StereoMode::tb_half}) {
     for (const Vec2& half : {Vec2(0.0, 0.0), Vec2(0.5, 0.5)}) {
       Stage stage;
-      stage.session().state.stereo.mode = mode;
+      stage.state().state.stereo.mode = mode;
       stage.frame();
       const auto place = widgetPlaces().at("panel/Tissue");
       const Vec2 middle(0.5 * (place[0] + place[2]), 0.5 * (place[1] + place[3]));
@@ -106,13 +106,13 @@ TEST(SceneLook, AScenesOwnViewIsTakenWhenItIsOpened) {
       "head_mm = [50, 20, 450]\nscreen_height_mm = 240\nyaw_deg = 30\n[[finger]]\nname = \"a\"\n"
       "script = [{ do = \"lift\" }]\n");
   stage.drop(stage.folder / "rig.toml");
-  ASSERT_TRUE(stage.until([&] { return stage.session().state.head.on; })) << stage.lastMessage();
-  const ViewState& state = stage.session().state;
+  ASSERT_TRUE(stage.until([&] { return stage.state().state.head.on; })) << stage.lastMessage();
+  const ViewState& state = stage.state().state;
   EXPECT_EQ(state.look.colouring, view::Colouring::stiffness);
   EXPECT_EQ(state.stereo.mode, StereoMode::anaglyph_grey);
   EXPECT_EQ(state.head.expected_mm, Vec3(50, 20, 450));
   EXPECT_EQ(state.head.screen_height_mm, 240.0);
-  EXPECT_TRUE(stage.until([&] { return std::abs(stage.session().camera.yaw_rad - 0.5236) < 1e-3; }));
+  EXPECT_TRUE(stage.until([&] { return std::abs(stage.state().camera.yaw_rad - 0.5236) < 1e-3; }));
 }
 
 TEST(SceneLook, AScenesOwnViewShowsTheWholeBodyBesidePanelAndPlots) {
@@ -123,13 +123,13 @@ TEST(SceneLook, AScenesOwnViewShowsTheWholeBodyBesidePanelAndPlots) {
                           "script = [{{ do = \"lift\" }}]\n",
                           words));
     const auto world = scene::build(scene::load(stage.folder / "turned.toml"));
-    Session session;
+    ViewerState viewer;
     for (const bool panel : {true, false}) {
-      session.state.shown.panel = panel;
-      ASSERT_TRUE(takeSceneLook(*world, session, Vec2(kStageWidth, kStageHeight)));
-      const FreeArea free = freeArea(session.state.shown, kStageWidth, kStageHeight);
-      const view::Screen screen = view::screenOf(session.camera, double{kStageWidth} / kStageHeight);
-      const view::Frustum frustum = view::frustumOf(screen, session.camera.eye(), 1.0, 1e5);
+      viewer.state.shown.panel = panel;
+      ASSERT_TRUE(takeSceneLook(*world, viewer, Vec2(kStageWidth, kStageHeight)));
+      const FreeArea free = freeArea(viewer.state.shown, kStageWidth, kStageHeight);
+      const view::Screen screen = view::screenOf(viewer.camera, double{kStageWidth} / kStageHeight);
+      const view::Frustum frustum = view::frustumOf(screen, viewer.camera.eye(), 1.0, 1e5);
       for (const Vec3& place : world->body->skin.positions) {
         const Vec2 seen = view::seenAt(frustum, place).cwiseProduct(Vec2(kStageWidth, kStageHeight));
         ASSERT_TRUE(seen.x() >= free.left && seen.x() <= free.right && seen.y() >= free.top && seen.y() <= free.below)
@@ -141,15 +141,15 @@ TEST(SceneLook, AScenesOwnViewShowsTheWholeBodyBesidePanelAndPlots) {
 
 TEST(SceneLook, WhatASceneDoesNotSayStaysTheUsers) {
   Stage stage;
-  stage.session().state.look.colouring = view::Colouring::strain;
+  stage.state().state.look.colouring = view::Colouring::strain;
   writeFile(stage.folder / "plain.toml",
             "[body]\nkind = \"mesh\"\nfile = \"sheet.ply\"\n[[finger]]\nname = \"a\"\nscript = [{ do = \"lift\" }]\n");
   stage.drop(stage.folder / "plain.toml");
-  ASSERT_TRUE(stage.until([&] { return stage.session().document.file.filename() == "plain.toml"; }))
+  ASSERT_TRUE(stage.until([&] { return stage.state().document.file.filename() == "plain.toml"; }))
       << stage.lastMessage();
   for (int i = 0; i < 5; ++i) stage.frame();
-  EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::strain);
-  EXPECT_FALSE(stage.session().state.head.on);
+  EXPECT_EQ(stage.state().state.look.colouring, view::Colouring::strain);
+  EXPECT_FALSE(stage.state().state.head.on);
 }
 
 }  // namespace

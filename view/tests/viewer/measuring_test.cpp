@@ -2,7 +2,7 @@
 #include "stage.h"
 
 #include "palpate/base/text.h"
-#include "palpate/view/cut_out.h"
+#include "palpate/view/image.h"
 #include "view/viewer/files/recorded_touch.h"
 #include "view/viewer/state/home_view.h"
 #include "view/viewer/state/ruler.h"
@@ -25,7 +25,7 @@ TEST(Measuring, TwoClicksGiveADistanceAndTouchNothing) {
   stage.key(window::key('D'));
   clickOnSkin(stage, stage.middle());
   clickOnSkin(stage, stage.middle() + Vec2(100, 40));
-  const Ruler& ruler = stage.session().ruler;
+  const Ruler& ruler = stage.state().ruler;
   ASSERT_EQ(ruler.ends.size(), 2u);
   EXPECT_NEAR(straightMm(ruler), (ruler.ends[0].point - ruler.ends[1].point).norm(), 1e-12);
   EXPECT_GE(alongSkinMm(ruler), straightMm(ruler));
@@ -66,47 +66,47 @@ void openScripted(Stage& stage) {
             "script = [{ do = \"press\", depth_mm = 6, seconds = 0.5 }, { do = \"hold\", seconds = 0.2 },\n"
             "  { do = \"lift\", seconds = 0.3 }]\n");
   stage.drop(file);
-  ASSERT_TRUE(stage.until([&] { return stage.session().document.file == file && !stage.session().opening; }));
+  ASSERT_TRUE(stage.until([&] { return stage.state().document.file == file && !stage.state().opening; }));
 }
 
 TEST(Playback, FeelsWhatTheScenesFingersDoAndGoesBackToTheMouse) {
   Stage stage;
   openScripted(stage);
   stage.key(window::functionKey(7));
-  ASSERT_TRUE(stage.until([&] { return stage.session().replay.playing; })) << stage.lastMessage();
+  ASSERT_TRUE(stage.until([&] { return stage.state().replay.playing; })) << stage.lastMessage();
   double deepest = 0.0;
   ASSERT_TRUE(stage.until([&] {
     deepest = std::max(deepest, stage.finger().depth_mm);
-    return !stage.session().replay.playing;
+    return !stage.state().replay.playing;
   }));
   EXPECT_NEAR(deepest, 6.0, 0.3);
-  EXPECT_TRUE(stage.session().finger_present[0]);
-  EXPECT_FALSE(stage.session().finger_present[1]) << "there is one only";
+  EXPECT_TRUE(stage.state().finger_present[0]);
+  EXPECT_FALSE(stage.state().finger_present[1]) << "there is one only";
   stage.key(window::functionKey(7));
   stage.frame();
-  EXPECT_FALSE(stage.session().replay.frozen);
+  EXPECT_FALSE(stage.state().replay.frozen);
 }
 
 TEST(Playback, PassesSlowerAndFaster) {
   Stage stage;
   openScripted(stage);
   for (int i = 0; i < 9; ++i) stage.key(window::functionKey(8));
-  EXPECT_DOUBLE_EQ(stage.session().time_speed, 0.1);
+  EXPECT_DOUBLE_EQ(stage.state().time_speed, 0.1);
   stage.key(window::functionKey(7));
-  const Replay& replay = stage.session().replay;
+  const Replay& replay = stage.state().replay;
   ASSERT_TRUE(stage.until([&] { return replay.playing; }));
   const double from = replay.at_s;
   for (int i = 0; i < 30; ++i) stage.frame();
   EXPECT_NEAR(replay.at_s - from, 0.05, 1e-6) << "half a second at a tenth of its speed";
   for (int i = 0; i < 9; ++i) stage.key(window::functionKey(9));
-  EXPECT_DOUBLE_EQ(stage.session().time_speed, 10.0);
+  EXPECT_DOUBLE_EQ(stage.state().time_speed, 10.0);
 }
 
 TEST(Playback, WithoutFingersItSaysSo) {
   Stage stage;
   mesh::save(stage.folder / "ball.ply", zoo::sphere(60.0, 3));
   stage.drop(stage.folder / "ball.ply");
-  ASSERT_TRUE(stage.until([&] { return stage.session().world.name == "ball.ply" && !stage.session().opening; }));
+  ASSERT_TRUE(stage.until([&] { return stage.state().world.name == "ball.ply" && !stage.state().opening; }));
   stage.key(window::functionKey(7));
   EXPECT_NE(stage.lastMessage().find("no fingers of its own"), std::string::npos) << stage.lastMessage();
 }
@@ -145,7 +145,7 @@ TEST(Clipboard, GetsASceneThatReadsBackAsWhatIsSeen) {
   stage.move(stage.middle());
   stage.button(true);
   ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.9; }));
-  stage.session().scene.contact.finger.mu_static = 0.75;
+  stage.state().scene.contact.finger.mu_static = 0.75;
   stage.key(window::key('W'));
   stage.key(window::key('C'), kWithCtrl);
   const scene::Scene scene = scene::parse(clipboard, "snippet.toml");
@@ -153,8 +153,8 @@ TEST(Clipboard, GetsASceneThatReadsBackAsWhatIsSeen) {
   ASSERT_EQ(scene.fingers.size(), 1u) << clipboard;
   EXPECT_NEAR(scene.fingers[0].steps.at(0).depth_mm, stage.finger().depth_mm, 0.05);
   EXPECT_EQ(scene.view.show, std::vector{view::Overlay::wireframe});
-  const Session& session = stage.session();
-  const view::Camera said = cameraOfFreePart(session.camera, session.state.shown, session.size_points);
+  const ViewerState& viewer = stage.state();
+  const view::Camera said = cameraOfFreePart(viewer.camera, viewer.state.shown, viewer.size_points);
   EXPECT_NEAR(scene.view.distance_mm, said.distance_mm, 0.06) << "as what the panels leave free shows it";
   EXPECT_TRUE(clipboard.starts_with("# sheet.ply\n# left: ")) << clipboard;
 }

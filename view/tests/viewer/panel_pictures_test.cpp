@@ -119,7 +119,7 @@ class PanelPictures : public testing::Test {
     messages.add(Severity::info, "Saved stage.toml", 2.0);
     messages.add(Severity::warning, "The clipboard holds no view", 14.5);
     messages.add(Severity::error,
-                 "cannot open broken.obj: line 2: 'this' is no element of an OBJ file; the body stays as it was",
+                 "cannot open broken.obj: line 2: 'this' is not an element of an OBJ file; the body stays as it was",
                  21.25);
   }
 
@@ -298,7 +298,7 @@ TEST_F(StereoPanelPictures, OfStereo) {
 
 TEST_F(PanelPictures, OfARecording) {
   Recording recording{true, "forces.csv", 2.0, true, "pictures", 37};
-  recording.session = true;
+  recording.viewer = true;
   recording.session_s = 754.3;
   bool keeps_last_hour = true;
   expectPanel("record", 345, [&] { recordPanel(recording, keeps_last_hour, 14.2, asks); });
@@ -373,7 +373,7 @@ TEST_F(PanelPictures, OfTheMessageList) {
 
 TEST_F(PanelPictures, OfTheNotices) {
   const FreeArea free{0.0f, 0.0f, 480.0f, 220.0f};
-  messages.add(Severity::error, "cannot open broken.obj: line 2: 'this' is no element of an OBJ file", 0.0);
+  messages.add(Severity::error, "cannot open broken.obj: line 2: 'this' is not an element of an OBJ file", 0.0);
   const engine::BuildProgress building{"sorting the triangles", 0.4, 1.0};
   expect("notices", 480, 220, [&] {
     toast(messages, 0.0, free);

@@ -53,9 +53,9 @@ TEST(Panels, ACheckboxAndItsKeyAreTheSameSwitch) {
   stage.click("panel/Touch");
   stage.click("panel/Show");
   stage.click("show/wireframe");
-  EXPECT_TRUE(stage.session().state.look.shows(view::Overlay::wireframe));
+  EXPECT_TRUE(stage.state().state.look.shows(view::Overlay::wireframe));
   stage.key(window::key('W'));
-  EXPECT_FALSE(stage.session().state.look.shows(view::Overlay::wireframe));
+  EXPECT_FALSE(stage.state().state.look.shows(view::Overlay::wireframe));
 }
 
 TEST(Panels, ASliderOfTheSceneReachesTheServoAndTheFile) {
@@ -63,11 +63,11 @@ TEST(Panels, ASliderOfTheSceneReachesTheServoAndTheFile) {
   stage.frame();
   ASSERT_TRUE(widgetPlaces().contains("friction/static"));
   const auto [left, top, right, below] = widgetPlaces().at("friction/static");
-  const double before = stage.session().scene.contact.finger.mu_static;
+  const double before = stage.state().scene.contact.finger.mu_static;
   stage.move(Vec2(left + 0.75 * (right - left) * 0.5, 0.5 * (top + below)));
   stage.button(true);
   stage.button(false);
-  EXPECT_NE(stage.session().scene.contact.finger.mu_static, before);
+  EXPECT_NE(stage.state().scene.contact.finger.mu_static, before);
 }
 
 /// The brightest of a place on the screen; letters of the dark theme have 235.
@@ -84,7 +84,7 @@ int brightestIn(const view::Image& image, const std::array<float, 4>& place) {
 TEST(Panels, NoDigitLiesUnderTheGrabOfASlider) {
   Stage stage;
   for (const double depth : {0.0, 6.0, 12.5, 25.0}) {
-    stage.session().state.touch.depth_mm = depth;
+    stage.state().state.touch.depth_mm = depth;
     stage.frame();
     std::array<float, 4> track = widgetPlaces().at("touch/depth");
     const view::Image image = stage.viewer->target().read();
@@ -100,7 +100,7 @@ support::SeenColour seen(const ImVec4& colour, const support::SeenColour& below)
 TEST(Panels, LettersOfEveryThemeStandOutFromWhatTheyLieOn) {
   Stage stage;
   for (const window::Theme theme : {window::Theme::dark, window::Theme::light, window::Theme::contrast}) {
-    stage.session().state.theme = theme;
+    stage.state().state.theme = theme;
     stage.frame();
     stage.frame();
     const ImVec4* colours = ImGui::GetStyle().Colors;
@@ -123,12 +123,12 @@ TEST(Panels, LettersOfEveryThemeStandOutFromWhatTheyLieOn) {
 TEST(Panels, ThemesAndTextSizesDraw) {
   Stage stage;
   const view::Image dark = stage.viewer->target().read();
-  stage.session().state.theme = window::Theme::light;
+  stage.state().state.theme = window::Theme::light;
   stage.frame();
   stage.frame();
   EXPECT_GT(changed(dark, stage.viewer->target().read()), 0.1);
-  stage.session().state.theme = window::Theme::contrast;
-  stage.session().state.text_size = 1.5;
+  stage.state().state.theme = window::Theme::contrast;
+  stage.state().state.text_size = 1.5;
   stage.frame();
   stage.frame();
   EXPECT_GT(changed(dark, stage.viewer->target().read()), 0.1);

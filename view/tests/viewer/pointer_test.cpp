@@ -21,12 +21,12 @@ class PointerOn : public testing::Test {
     scene.body.kind = scene::BodyKind::mesh;
     scene.body.file = folder / "ball.ply";
     world = scene::build(scene);
-    session.camera.distance_mm = 400.0;
+    viewer.camera.distance_mm = 400.0;
     look();
   }
   void look() {
     const double aspect = kSize.x() / kSize.y();
-    pointer.look({view::screenOf(session.camera, aspect), session.camera.eye(), kSize, view::StereoMode::mono}, world);
+    pointer.look({view::screenOf(viewer.camera, aspect), viewer.camera.eye(), kSize, view::StereoMode::mono}, world);
   }
   void send(Kind kind, const Vec2& at, double amount = 0.0, const Vec2& by = Vec2::Zero()) {
     window::Command command;
@@ -34,12 +34,12 @@ class PointerOn : public testing::Test {
     command.at = at;
     command.by = by;
     command.amount = amount;
-    pointer.apply(command, session);
+    pointer.apply(command, viewer);
   }
 
   const support::TemporaryFolder folder;
   std::shared_ptr<const scene::World> world;
-  Session session;
+  ViewerState viewer;
   Pointer pointer;
 };
 
@@ -55,12 +55,12 @@ TEST_F(PointerOn, ThePlaceIsAlwaysOnTheSkinAtRest) {
 
 TEST_F(PointerOn, AFingerBesideTheBodyIsNowhereUntilItComesOverIt) {
   send(Kind::hover, Vec2(5, 5));
-  EXPECT_FALSE(pointer.target(0, session).present);
+  EXPECT_FALSE(pointer.target(0, viewer).present);
   send(Kind::hover, 0.5 * kSize);
-  EXPECT_TRUE(pointer.target(0, session).present);
-  EXPECT_FALSE(pointer.target(0, session).pressed);
+  EXPECT_TRUE(pointer.target(0, viewer).present);
+  EXPECT_FALSE(pointer.target(0, viewer).pressed);
   send(Kind::hover, Vec2(5, 5));
-  EXPECT_TRUE(pointer.target(0, session).present) << "it waits where it last was";
+  EXPECT_TRUE(pointer.target(0, viewer).present) << "it waits where it last was";
 }
 
 TEST_F(PointerOn, APressBesideTheBodyPressesNothing) {
@@ -77,36 +77,36 @@ TEST_F(PointerOn, AHeldFingerDoesNotFollowTheMouse) {
 
 TEST_F(PointerOn, DepthAndForceStayWithinTheirLimits) {
   send(Kind::deepen, 0.5 * kSize, 1000.0);
-  EXPECT_EQ(session.state.touch.depth_mm, kMostDepthMm);
+  EXPECT_EQ(viewer.state.touch.depth_mm, kMaxDepthMm);
   send(Kind::deepen, 0.5 * kSize, -1000.0);
-  EXPECT_EQ(session.state.touch.depth_mm, 0.0);
-  session.state.touch.by = device::PressBy::force;
-  const double force = session.state.touch.force_n;
+  EXPECT_EQ(viewer.state.touch.depth_mm, 0.0);
+  viewer.state.touch.by = device::PressBy::force;
+  const double force = viewer.state.touch.force_n;
   send(Kind::deepen, 0.5 * kSize, 2.0);
-  EXPECT_DOUBLE_EQ(session.state.touch.force_n, force + 2.0 * kForcePerNotchN);
+  EXPECT_DOUBLE_EQ(viewer.state.touch.force_n, force + 2.0 * kForcePerNotchN);
 }
 
 TEST_F(PointerOn, AResistingCursorGoesSlowerTheHarderTheSkinPushes) {
   const auto depth_after_drag = [&](double force) {
-    session.state.touch.depth_mm = 5.0;
-    session.fingers[0].force = Vec3(0, 0, force);
+    viewer.state.touch.depth_mm = 5.0;
+    viewer.fingers[0].force = Vec3(0, 0, force);
     send(Kind::deepen, 0.5 * kSize, 1.5);
-    return session.state.touch.depth_mm;
+    return viewer.state.touch.depth_mm;
   };
   EXPECT_GT(depth_after_drag(0.0), depth_after_drag(4.0));
   EXPECT_GT(depth_after_drag(4.0), depth_after_drag(12.0));
-  session.state.touch.resisting_cursor = false;
+  viewer.state.touch.resisting_cursor = false;
   EXPECT_EQ(depth_after_drag(0.0), depth_after_drag(12.0));
 }
 
 TEST_F(PointerOn, TheKeyboardMovesTheFingerByTwoMillimetres) {
   send(Kind::hover, 0.5 * kSize);
   const Vec3 before = pointer.placeOf(0)->point;
-  EXPECT_TRUE(pointer.step(window::Action::ring_right, false, session));
+  EXPECT_TRUE(pointer.step(window::Action::ring_right, false, viewer));
   EXPECT_NEAR(pointer.placeOf(0)->point.x() - before.x(), 2.0, 0.1);
-  EXPECT_TRUE(pointer.step(window::Action::ring_left, true, session));
+  EXPECT_TRUE(pointer.step(window::Action::ring_left, true, viewer));
   EXPECT_NEAR(pointer.placeOf(0)->point.x() - before.x(), 1.8, 0.1);
-  EXPECT_FALSE(pointer.step(window::Action::help, false, session));
+  EXPECT_FALSE(pointer.step(window::Action::help, false, viewer));
 }
 
 TEST_F(PointerOn, ZoomsAndTurnsAboutWhatIsUnderTheCursor) {
@@ -123,22 +123,21 @@ TEST_F(PointerOn, ZoomsAndTurnsAboutWhatIsUnderTheCursor) {
 
 TEST_F(PointerOn, TheOtherFingerKeepsItsDepth) {
   send(Kind::press, 0.5 * kSize);
-  session.state.touch.depth_mm = 3.0;
+  viewer.state.touch.depth_mm = 3.0;
   window::Command take;
   take.kind = Kind::take_finger;
   take.finger = 1;
-  pointer.apply(take, session);
-  session.state.touch.depth_mm = 9.0;
-  EXPECT_EQ(pointer.target(0, session).depth_mm, 3.0);
-  EXPECT_EQ(pointer.target(1, session).depth_mm, 9.0);
-  EXPECT_TRUE(pointer.target(0, session).pressed);
+  pointer.apply(take, viewer);
+  viewer.state.touch.depth_mm = 9.0;
+  EXPECT_EQ(pointer.target(0, viewer).depth_mm, 3.0);
+  EXPECT_EQ(pointer.target(1, viewer).depth_mm, 9.0);
+  EXPECT_TRUE(pointer.target(0, viewer).pressed);
 }
 
 TEST_F(PointerOn, InAHalfOfAStereoPictureTheCursorIsFoldedBack) {
   const double aspect = kSize.x() / kSize.y();
   const Vec3 middle = pointer.skinAt(0.5 * kSize)->point;
-  pointer.look({view::screenOf(session.camera, aspect), session.camera.eye(), kSize, view::StereoMode::sbs_half},
-               world);
+  pointer.look({view::screenOf(viewer.camera, aspect), viewer.camera.eye(), kSize, view::StereoMode::sbs_half}, world);
   EXPECT_LT((pointer.skinAt(Vec2(250, 400))->point - middle).norm(), 1e-6);
   EXPECT_LT((pointer.skinAt(Vec2(750, 400))->point - middle).norm(), 1e-6);
 }

@@ -39,7 +39,7 @@ void pressWhileRecording(Stage& stage) {
   stage.move(stage.middle());
   stage.button(true);
   ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
-  EXPECT_TRUE(stage.session().recording.forces);
+  EXPECT_TRUE(stage.state().recording.forces);
 }
 
 bool saidThatItEnded(Stage& stage) { return stage.lastMessage().starts_with("The recording ended: "); }
@@ -49,7 +49,7 @@ TEST(Recording, OnAFullDiskEndsWithAMessageAndKeepsItsRows) {
   pressWhileRecording(stage);
   {
     const NoLongerThan limit(100'000);
-    ASSERT_TRUE(stage.until([&] { return !stage.session().recording.forces; }));
+    ASSERT_TRUE(stage.until([&] { return !stage.state().recording.forces; }));
   }
   const fs::path part = stage.folder / "forces.csv.partial";
   EXPECT_EQ(stage.lastMessage(), "The recording ended: " + (stage.folder / "forces.csv").string() +
@@ -61,13 +61,13 @@ TEST(Recording, OnAFullDiskEndsWithAMessageAndKeepsItsRows) {
   EXPECT_GT(stage.finger().depth_mm, 5.0) << "the touch went on";
 
   stage.key(window::key('R'));
-  ASSERT_TRUE(stage.session().recording.forces);
+  ASSERT_TRUE(stage.state().recording.forces);
   stage.key(window::key('R'));
-  EXPECT_EQ(stage.session().recording.forces_file, (stage.folder / "forces-2.csv").string());
+  EXPECT_EQ(stage.state().recording.forces_file, (stage.folder / "forces-2.csv").string());
   EXPECT_EQ(trace::readForcesTable(part)[0].time_s.size(), fingers[0].time_s.size()) << "and are not overwritten";
 
   stage.drop(part);
-  ASSERT_TRUE(stage.until([&] { return !stage.session().replay.table.empty(); })) << stage.lastMessage();
+  ASSERT_TRUE(stage.until([&] { return !stage.state().replay.table.empty(); })) << stage.lastMessage();
   EXPECT_TRUE(stage.lastMessage().starts_with(part.string() + " was not finished")) << stage.lastMessage();
 }
 
@@ -75,7 +75,7 @@ TEST(Recording, IntoAFolderThatVanishesEndsWithAMessage) {
   Stage stage;
   pressWhileRecording(stage);
   fs::remove_all(stage.folder.path());
-  ASSERT_TRUE(stage.until([&] { return !stage.session().recording.forces; }));
+  ASSERT_TRUE(stage.until([&] { return !stage.state().recording.forces; }));
   EXPECT_TRUE(saidThatItEnded(stage)) << stage.lastMessage();
   EXPECT_NE(stage.lastMessage().find("nothing of it could be kept"), std::string::npos) << stage.lastMessage();
   EXPECT_GT(stage.finger().depth_mm, 5.0) << "the touch went on";
@@ -86,7 +86,7 @@ TEST(Recording, LeavesOutAFingerThatIsNowhere) {
   pressWhileRecording(stage);
   stage.button(false);
   stage.key(window::key('R'));
-  const auto fingers = trace::readForcesTable(stage.session().recording.forces_file);
+  const auto fingers = trace::readForcesTable(stage.state().recording.forces_file);
   ASSERT_EQ(fingers.size(), 1u);
   EXPECT_EQ(fingers[0].name, "left");
   for (const Vec3& tip : fingers[0].tip) ASSERT_LT(tip.z(), 1000.0);

@@ -1,4 +1,4 @@
-// Stepping back and forth through what was touched: the last minute of a frozen session, and recorded tables.
+// Stepping back and forth through what was touched: the last minute of a frozen recording, and recorded tables.
 #include "view/viewer/state/replay.h"
 
 #include "palpate/base/text.h"
@@ -81,7 +81,7 @@ TEST(Replay, LeavesTheArrowsToTheFingerUnlessFrozen) {
 TEST(Replay, AFrozenPictureStepsBackToBeforeThePress) {
   Stage stage;
   stage.move(stage.middle());
-  ASSERT_TRUE(stage.until([&] { return stage.session().performance.servo.ticks >= 1000; }));
+  ASSERT_TRUE(stage.until([&] { return stage.state().performance.servo.ticks >= 1000; }));
   stage.key(window::Key::enter);
   ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.9; }));
   stage.key(window::Key::space);
@@ -111,28 +111,28 @@ TEST(Replay, ARecordedTableIsFeltAgainToTheLastBit) {
   stage.button(false);
   ASSERT_TRUE(stage.until([&] { return stage.finger().touch == contact::Touch::free; }));
   stage.key(window::key('R'));
-  const std::string table = stage.session().recording.forces_file;
+  const std::string table = stage.state().recording.forces_file;
   const auto recorded = trace::readForcesTable(table);
   stage.drop(table);
-  ASSERT_TRUE(stage.until([&] { return !stage.session().replay.table.empty(); })) << stage.lastMessage();
-  EXPECT_TRUE(stage.session().replay.frozen);
+  ASSERT_TRUE(stage.until([&] { return !stage.state().replay.table.empty(); })) << stage.lastMessage();
+  EXPECT_TRUE(stage.state().replay.frozen);
   for (std::size_t i = 0; i < recorded[0].force.size(); i += 37) {
-    stage.session().replay.at_s = recorded[0].time_s[i];
+    stage.state().replay.at_s = recorded[0].time_s[i];
     stage.frame();
     ASSERT_EQ(stage.finger().force, recorded[0].force[i]) << "at " << recorded[0].time_s[i] << " s";
   }
   stage.key(window::Key::space);
   stage.frame();
-  EXPECT_TRUE(stage.session().replay.table.empty()) << "live again";
+  EXPECT_TRUE(stage.state().replay.table.empty()) << "live again";
 }
 
 TEST(Replay, ATableThatIsNoneBecomesAMessage) {
   Stage stage;
   writeFile(stage.folder / "prices.csv", "apples,pears\n1,2\n");
   stage.drop(stage.folder / "prices.csv");
-  ASSERT_TRUE(stage.until([&] { return !stage.session().messages.all().empty(); }));
+  ASSERT_TRUE(stage.until([&] { return !stage.state().messages.all().empty(); }));
   EXPECT_TRUE(stage.lastMessage().starts_with("cannot replay ")) << stage.lastMessage();
-  EXPECT_FALSE(stage.session().replay.frozen);
+  EXPECT_FALSE(stage.state().replay.frozen);
 }
 
 }  // namespace

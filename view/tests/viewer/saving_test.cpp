@@ -30,13 +30,13 @@ fs::path openByHand(Stage& stage, const char* text = kByHand) {
   const fs::path file = stage.folder / "hand.toml";
   writeFile(file, text);
   stage.drop(file);
-  EXPECT_TRUE(stage.until([&] { return stage.session().document.file == file && !stage.session().opening; }))
+  EXPECT_TRUE(stage.until([&] { return stage.state().document.file == file && !stage.state().opening; }))
       << stage.lastMessage();
   return file;
 }
 
 void changeGrip(Stage& stage, double grip) {
-  stage.session().scene.contact.finger.mu_static = grip;
+  stage.state().scene.contact.finger.mu_static = grip;
   stage.key(window::Key::end);  // any key: the change is seen in its frame
 }
 
@@ -44,13 +44,13 @@ TEST(Saving, KeepsTheCommentsOfAPersonsFile) {
   Stage stage;
   const fs::path file = openByHand(stage);
   changeGrip(stage, 0.75);
-  EXPECT_TRUE(stage.session().history.changed());
+  EXPECT_TRUE(stage.state().history.changed());
   stage.key(window::key('S'), kCtrl);
   std::string expected = kByHand;
   expected.replace(expected.find("0.5 "), 3, "0.75");
   EXPECT_EQ(textOf(file), expected);
   EXPECT_EQ(stage.lastMessage(), "The scene is saved as " + file.string());
-  EXPECT_FALSE(stage.session().history.changed());
+  EXPECT_FALSE(stage.state().history.changed());
   stage.key(window::key('S'), kCtrl);
   EXPECT_EQ(stage.lastMessage(), "Nothing to save: " + file.string() + " says it all");
 }
@@ -71,7 +71,7 @@ TEST(Saving, WhereCommentsCannotStayTheOldFileIsKept) {
   Stage stage;
   const char* dotted = "# mine\nbody.kind = \"mesh\"\nbody.file = \"sheet.ply\"\nfriction.static = 0.5\n";
   const fs::path file = openByHand(stage, dotted);
-  stage.session().scene.contact.finger.mu_dynamic = 0.1;
+  stage.state().scene.contact.finger.mu_dynamic = 0.1;
   stage.key(window::key('S'), kCtrl);
   EXPECT_EQ(textOf(file.string() + ".bak"), dotted);
   EXPECT_NE(stage.lastMessage().find("hand.toml.bak"), std::string::npos) << stage.lastMessage();
@@ -84,10 +84,10 @@ TEST(Saving, AsksBeforeItWritesOverWhatSomebodyElseWrote) {
   changeGrip(stage, 0.75);
   writeFile(file, "# changed in an editor meanwhile\n");
   stage.key(window::key('S'), kCtrl);
-  ASSERT_TRUE(stage.session().question);
+  ASSERT_TRUE(stage.state().question);
   EXPECT_EQ(textOf(file), "# changed in an editor meanwhile\n");
   stage.key(window::Key::escape);
-  EXPECT_FALSE(stage.session().question);
+  EXPECT_FALSE(stage.state().question);
   EXPECT_EQ(textOf(file), "# changed in an editor meanwhile\n");
   stage.key(window::key('S'), kCtrl);
   stage.click("question/Overwrite");
@@ -110,29 +110,29 @@ TEST(Saving, AsAnotherFileByItsDialog) {
   stage.frame();
   stage.frame();
   ASSERT_TRUE(widgetPlaces().contains("save/save"));
-  stage.session().state.shown.save_dialog = false;  // its field was offered the present name
-  stage.session().request(SaveScene{(stage.folder / "other.toml").string()});
+  stage.state().state.shown.save_dialog = false;  // its field was offered the present name
+  stage.state().request(SaveScene{(stage.folder / "other.toml").string()});
   stage.frame();
   EXPECT_EQ(textOf(file), kByHand) << "the first one stays as it was";
   EXPECT_NE(textOf(stage.folder / "other.toml").find("# dry"), std::string::npos);
-  EXPECT_EQ(stage.session().document.file, stage.folder / "other.toml");
+  EXPECT_EQ(stage.state().document.file, stage.folder / "other.toml");
   stage.key(window::key('S'), kCtrlShift);
   stage.frame();
   stage.frame();
   stage.click("save/save");
-  EXPECT_FALSE(stage.session().state.shown.save_dialog);
-  EXPECT_FALSE(stage.session().question) << "it knows that file";
+  EXPECT_FALSE(stage.state().state.shown.save_dialog);
+  EXPECT_FALSE(stage.state().question) << "it knows that file";
   EXPECT_TRUE(stage.lastMessage().starts_with("Nothing to save")) << stage.lastMessage();
 }
 
 TEST(Saving, AMeshIsSavedWithoutTheFingersOfTheBodyBefore) {
   Stage stage;
-  ASSERT_FALSE(stage.session().scene.fingers.empty());
+  ASSERT_FALSE(stage.state().scene.fingers.empty());
   mesh::save(stage.folder / "ball.ply", zoo::sphere(60.0, 3));
   stage.drop(stage.folder / "ball.ply");
-  ASSERT_TRUE(stage.until([&] { return stage.session().world.name == "ball.ply" && !stage.session().opening; }));
+  ASSERT_TRUE(stage.until([&] { return stage.state().world.name == "ball.ply" && !stage.state().opening; }));
   stage.key(window::key('S'), kCtrl);
-  const fs::path file = stage.session().document.file;
+  const fs::path file = stage.state().document.file;
   EXPECT_EQ(textOf(file).find("finger"), std::string::npos) << textOf(file);
   EXPECT_NE(textOf(file).find("file = \"ball.ply\""), std::string::npos);
 }
@@ -147,30 +147,30 @@ TEST(Saving, CameraColoursAndOverlaysComeBack) {
   stage.move(Vec2(420, 90));
   stage.button(false);
   stage.scroll(3.0);
-  const view::Camera camera = stage.session().camera;
-  stage.session().state.look.stiffness_n_per_mm = {0.4, 0.9};
-  stage.session().state.look.half_major_mm = {60.0, 150.0};
+  const view::Camera camera = stage.state().camera;
+  stage.state().state.look.stiffness_n_per_mm = {0.4, 0.9};
+  stage.state().state.look.half_major_mm = {60.0, 150.0};
   stage.key(window::key('S'), kCtrl);
   EXPECT_NE(textOf(file).find("show = [\"wireframe\"]"), std::string::npos) << textOf(file);
   EXPECT_NE(textOf(file).find("# of the scanner"), std::string::npos);
-  stage.session().state.look = Stage::quiet().look;
+  stage.state().state.look = Stage::quiet().look;
   stage.key(window::Key::home);
   stage.key(window::functionKey(5));
-  EXPECT_TRUE(stage.session().question) << "the home view is no change, the look is";
+  EXPECT_TRUE(stage.state().question) << "the home view is no change, the look is";
   stage.click("question/Discard");
-  ASSERT_TRUE(stage.until([&] { return !stage.session().opening && !stage.session().building; }));
+  ASSERT_TRUE(stage.until([&] { return !stage.state().opening && !stage.state().building; }));
   for (int i = 0; i < 3; ++i) stage.frame();
-  EXPECT_TRUE(stage.session().state.look.shows(view::Overlay::wireframe));
-  const view::Look& look = stage.session().state.look;
+  EXPECT_TRUE(stage.state().state.look.shows(view::Overlay::wireframe));
+  const view::Look& look = stage.state().state.look;
   EXPECT_EQ(look.colouring, view::Colouring::strain);
   EXPECT_EQ(look.stiffness_n_per_mm.low, 0.4);
   EXPECT_EQ(look.stiffness_n_per_mm.high, 0.9);
   EXPECT_EQ(look.half_major_mm.low, 60.0);
   EXPECT_EQ(look.half_major_mm.high, 150.0);
-  EXPECT_NEAR(stage.session().camera.yaw_rad, camera.yaw_rad, 1e-4);
-  EXPECT_NEAR(stage.session().camera.pitch_rad, camera.pitch_rad, 1e-4);
-  EXPECT_NEAR(stage.session().camera.distance_mm, camera.distance_mm, 0.2);
-  EXPECT_LT((stage.session().camera.centre - camera.centre).norm(), 0.1);
+  EXPECT_NEAR(stage.state().camera.yaw_rad, camera.yaw_rad, 1e-4);
+  EXPECT_NEAR(stage.state().camera.pitch_rad, camera.pitch_rad, 1e-4);
+  EXPECT_NEAR(stage.state().camera.distance_mm, camera.distance_mm, 0.2);
+  EXPECT_LT((stage.state().camera.centre - camera.centre).norm(), 0.1);
 }
 
 TEST(Saving, TheTitleHasAStarWhileThereIsSomethingToSave) {
@@ -203,12 +203,12 @@ TEST(Leaving, WithChangesItAsksAndEachAnswerDoesWhatItSays) {
     const fs::path file = openByHand(stage);
     changeGrip(stage, 0.75);
     stage.key(window::key('Q'), kCtrl);
-    ASSERT_TRUE(stage.session().question);
+    ASSERT_TRUE(stage.state().question);
     EXPECT_FALSE(stage.viewer->wantsToQuit());
     stage.key(window::key('W'));
-    EXPECT_FALSE(stage.session().state.look.shows(view::Overlay::wireframe)) << "nothing else is heard";
+    EXPECT_FALSE(stage.state().state.look.shows(view::Overlay::wireframe)) << "nothing else is heard";
     stage.click("question/" + answer);
-    EXPECT_FALSE(stage.session().question);
+    EXPECT_FALSE(stage.state().question);
     EXPECT_EQ(stage.viewer->wantsToQuit(), answer != "Stay") << answer;
     EXPECT_EQ(scene::load(file).contact.finger.mu_static, answer == "Save" ? 0.75 : 0.5) << answer;
   }
@@ -234,23 +234,23 @@ TEST(Leaving, OpeningSomethingElseAsksTooAndASaveThatFailsStays) {
   mesh::save(stage.folder / "ball.ply", zoo::sphere(60.0, 3));
   stage.drop(stage.folder / "ball.ply");
   stage.frame();
-  ASSERT_TRUE(stage.session().question);
-  stage.session().document.file = stage.folder / "no" / "such" / "folder.toml";
-  stage.session().document.text.clear();
+  ASSERT_TRUE(stage.state().question);
+  stage.state().document.file = stage.folder / "no" / "such" / "folder.toml";
+  stage.state().document.text.clear();
   stage.click("question/Save");
   for (int i = 0; i < 5; ++i) stage.frame();
-  EXPECT_FALSE(stage.session().opening) << "what could not be saved is still there";
-  EXPECT_EQ(stage.session().scene.contact.finger.mu_static, 0.75);
+  EXPECT_FALSE(stage.state().opening) << "what could not be saved is still there";
+  EXPECT_EQ(stage.state().scene.contact.finger.mu_static, 0.75);
   stage.drop(stage.folder / "ball.ply");
   stage.frame();
   stage.click("question/Discard");
-  EXPECT_TRUE(stage.until([&] { return stage.session().world.name == "ball.ply"; }));
+  EXPECT_TRUE(stage.until([&] { return stage.state().world.name == "ball.ply"; }));
   EXPECT_EQ(textOf(file), kByHand);
 }
 
 TEST(Undo, TakesBackWhateverControlOneStepADrag) {
   Stage stage;
-  const double grip = stage.session().scene.contact.finger.mu_static;
+  const double grip = stage.state().scene.contact.finger.mu_static;
   stage.frame();
   const auto [left, top, right, below] = widgetPlaces().at("friction/static");
   const double y = 0.5 * (top + below);
@@ -259,44 +259,44 @@ TEST(Undo, TakesBackWhateverControlOneStepADrag) {
   for (const double x : {20.0, 35.0, 50.0, 60.0}) stage.move(Vec2(left + x, y));
   stage.button(false);
   stage.frame();
-  EXPECT_NE(stage.session().scene.contact.finger.mu_static, grip);
+  EXPECT_NE(stage.state().scene.contact.finger.mu_static, grip);
   stage.key(window::key('W'));
   stage.key(window::key('Z'), kCtrl);
-  EXPECT_FALSE(stage.session().state.look.shows(view::Overlay::wireframe));
+  EXPECT_FALSE(stage.state().state.look.shows(view::Overlay::wireframe));
   EXPECT_EQ(stage.lastMessage(), "Undo: view show none -> [\"wireframe\"]");
   stage.key(window::key('Z'), kCtrl);
-  EXPECT_EQ(stage.session().scene.contact.finger.mu_static, grip) << stage.lastMessage();
+  EXPECT_EQ(stage.state().scene.contact.finger.mu_static, grip) << stage.lastMessage();
   EXPECT_TRUE(stage.lastMessage().starts_with("Undo: friction ")) << stage.lastMessage();
   stage.key(window::key('Z'), kCtrl);
   EXPECT_EQ(stage.lastMessage(), "Nothing to undo");
   stage.key(window::key('Z'), kCtrlShift);
-  EXPECT_NE(stage.session().scene.contact.finger.mu_static, grip);
+  EXPECT_NE(stage.state().scene.contact.finger.mu_static, grip);
 }
 
 TEST(Undo, OfASliderThatIsNotOfTheScene) {
   Stage stage;
   stage.frame();
-  const double depth = stage.session().state.touch.depth_mm;
+  const double depth = stage.state().state.touch.depth_mm;
   stage.click("touch/depth");
-  const double clicked = stage.session().state.touch.depth_mm;
+  const double clicked = stage.state().state.touch.depth_mm;
   ASSERT_NE(clicked, depth);
-  EXPECT_FALSE(stage.session().history.changed()) << "no scene says how deep the mouse presses";
+  EXPECT_FALSE(stage.state().history.changed()) << "no scene says how deep the mouse presses";
   stage.move(stage.middle());
   stage.button(true);
   stage.scroll(-4.0);
   stage.button(false);
-  EXPECT_EQ(stage.session().state.touch.depth_mm, clicked + 2.0) << "touching is no step";
+  EXPECT_EQ(stage.state().state.touch.depth_mm, clicked + 2.0) << "touching is no step";
   stage.key(window::key('Z'), kCtrl);
-  EXPECT_EQ(stage.session().state.touch.depth_mm, depth);
+  EXPECT_EQ(stage.state().state.touch.depth_mm, depth);
   EXPECT_EQ(stage.lastMessage(), "Undo: depth mm");
 }
 
 TEST(Undo, BringsTheWorldBackToo) {
   Stage stage;
-  stage.session().scene.stiffness.constant_n_per_mm = 1.25;
-  stage.session().asks.changed |= kMapChange;
+  stage.state().scene.stiffness.constant_n_per_mm = 1.25;
+  stage.state().asks.changed |= kMapChange;
   stage.frame();
-  const auto stiffness = [&] { return stage.session().world.stiffest_n_per_mm; };
+  const auto stiffness = [&] { return stage.state().world.stiffest_n_per_mm; };
   ASSERT_TRUE(stage.until([&] { return stiffness() > 1.2; }));
   stage.key(window::key('Z'), kCtrl);
   EXPECT_TRUE(stage.until([&] { return stiffness() < 0.6; }));
@@ -308,11 +308,11 @@ TEST(Undo, ResetPutsEverythingBackAndCanBeTakenBackItself) {
   changeGrip(stage, 0.75);
   stage.key(window::key('W'));
   stage.key(window::functionKey(6));
-  EXPECT_EQ(stage.session().scene.contact.finger.mu_static, 0.5);
-  EXPECT_FALSE(stage.session().state.look.shows(view::Overlay::wireframe));
-  EXPECT_FALSE(stage.session().history.changed());
+  EXPECT_EQ(stage.state().scene.contact.finger.mu_static, 0.5);
+  EXPECT_FALSE(stage.state().state.look.shows(view::Overlay::wireframe));
+  EXPECT_FALSE(stage.state().history.changed());
   stage.key(window::key('Z'), kCtrl);
-  EXPECT_EQ(stage.session().scene.contact.finger.mu_static, 0.75);
+  EXPECT_EQ(stage.state().scene.contact.finger.mu_static, 0.75);
 }
 
 TEST(Reload, ReadsTheFileAgain) {
@@ -322,7 +322,7 @@ TEST(Reload, ReadsTheFileAgain) {
   text.replace(text.find("0.5 "), 3, "0.9");
   writeFile(file, text);
   stage.key(window::functionKey(5));
-  EXPECT_TRUE(stage.until([&] { return stage.session().scene.contact.finger.mu_static == 0.9; }));
+  EXPECT_TRUE(stage.until([&] { return stage.state().scene.contact.finger.mu_static == 0.9; }));
 }
 
 }  // namespace

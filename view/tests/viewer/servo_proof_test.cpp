@@ -50,7 +50,7 @@ servo::LoopReport disturbed(const std::function<void(Stage&, int)>& disturb) {
   EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
   const double end_s = nowS() + phaseS();
   for (int i = 0; nowS() < end_s; ++i) disturb(stage, i);
-  EXPECT_EQ(stage.session().performance.dropped_samples, 0u);
+  EXPECT_EQ(stage.state().performance.dropped_samples, 0u);
   EXPECT_GT(stage.finger().depth_mm, 0.0) << "still pressed";
   return stage.viewer->finish();
 }
@@ -69,13 +69,13 @@ std::vector<Phase> phases(const std::filesystem::path& big) {
        }},
       {"rebuild loop",
        [](Stage& stage, int i) {
-         stage.session().scene.stiffness.constant_n_per_mm = 0.4 + 0.01 * (i % 50);
-         if (i % 30 == 0) stage.session().asks.changed |= kMapChange;
+         stage.state().scene.stiffness.constant_n_per_mm = 0.4 + 0.01 * (i % 50);
+         if (i % 30 == 0) stage.state().asks.changed |= kMapChange;
          stage.frame();
        }},
       {"PNG sequence",
        [](Stage& stage, int i) {
-         if (i == 0) stage.session().request(ToggleSequence{});
+         if (i == 0) stage.state().request(ToggleSequence{});
          stage.frame();
        }},
       {"load of 1 M triangles",
@@ -107,13 +107,13 @@ TEST(ServoProof, GoesOnWhateverTheDisplayDoes) {
 
 TEST(ServoProof, TicksGoOnWhileAFrameIsStuck) {
   Stage stage;
-  ASSERT_TRUE(stage.until([&] { return stage.session().performance.servo.ticks >= 1000; }));
-  const std::size_t before = stage.session().plots.fingers[0].size();
+  ASSERT_TRUE(stage.until([&] { return stage.state().performance.servo.ticks >= 1000; }));
+  const std::size_t before = stage.state().plots.fingers[0].size();
   const double end_s = nowS() + 0.5;
   while (nowS() < end_s) {
   }  // a display that does nothing at all
   stage.frame();
-  EXPECT_GT(stage.session().plots.fingers[0].size(), before + 200);
+  EXPECT_GT(stage.state().plots.fingers[0].size(), before + 200);
 }
 
 TEST(ServoProof, TheServoThreadAllocatesNothing) {

@@ -36,7 +36,7 @@ TEST(ShadingGuard, GoesBackOnlyWhenThereIsTimeToSpareForLong) {
   ASSERT_EQ(after(guard, 3.0, 0.05, 0.045), Change::simpler);
   EXPECT_EQ(after(guard, 60.0, 1.0 / 50.0, 0.018), Change::none) << "in time, but with nothing to spare";
   EXPECT_EQ(after(guard, 7.5, 1.0 / 60.0, 0.005), Change::none);
-  EXPECT_EQ(after(guard, 1.0, 1.0 / 60.0, 0.005), Change::as_wished);
+  EXPECT_EQ(after(guard, 1.0, 1.0 / 60.0, 0.005), Change::as_requested);
 }
 
 TEST(ShadingGuard, DoesNotSwayBackAndForth) {

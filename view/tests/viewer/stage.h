@@ -37,12 +37,12 @@ class Stage {
   explicit Stage(ViewState state = quiet()) : Stage(std::move(state), {}) {}
   /// With a mode of another product.
   explicit Stage(std::unique_ptr<Mode> mode) : Stage(quiet(), {}, false, std::move(mode)) {}
-  /// `records`: sessions by themselves, into the folder `sessions`.
+  /// `records`: recordings by themselves, into the folder `recordings`.
   Stage(ViewState state, ViewerHost host, bool records = false, std::unique_ptr<Mode> mode = nullptr) {
     ViewerSettings settings;
     settings.intro = false;
     settings.output_folder = folder.path();
-    if (records) settings.session_folder = folder / "sessions";
+    if (records) settings.recording_folder = folder / "sessions";
     settings.default_scene = sheetScene(folder);
     if (mode) settings.modes.push_back(std::move(mode));
     viewer = std::make_unique<Viewer>(scene::build(sheetScene(folder)), std::move(state), std::move(settings),
@@ -118,10 +118,10 @@ class Stage {
   /// The middle of what the panels leave free: over the sheet.
   Vec2 middle() const { return {790.0, 350.0}; }
 
-  Session& session() { return viewer->session(); }
-  const contact::FingerOutput& finger(std::size_t i = 0) { return session().fingers[i]; }
+  ViewerState& state() { return viewer->state(); }
+  const contact::FingerOutput& finger(std::size_t i = 0) { return state().fingers[i]; }
   std::string lastMessage() {
-    return session().messages.all().empty() ? std::string() : session().messages.all().back().text;
+    return state().messages.all().empty() ? std::string() : state().messages.all().back().text;
   }
 
   const support::TemporaryFolder folder;

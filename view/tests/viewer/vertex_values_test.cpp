@@ -29,20 +29,20 @@ class SheetWithNumbers : public ::testing::Test {
   void SetUp() override {
     saveSheetWithNumbers(stage_.folder / "numbers.ply");
     stage_.drop(stage_.folder / "numbers.ply");
-    ASSERT_TRUE(stage_.until([&] { return session().world.channels && !session().world.channels->scalars.empty(); }));
+    ASSERT_TRUE(stage_.until([&] { return state().world.channels && !state().world.channels->scalars.empty(); }));
   }
-  Session& session() { return stage_.session(); }
+  ViewerState& state() { return stage_.state(); }
 
   Stage stage_;
 };
 
 TEST_F(SheetWithNumbers, APressReadsTheNearestVertex) {
-  EXPECT_FALSE(session().reading);
+  EXPECT_FALSE(state().reading);
   stage_.move(stage_.middle());
   stage_.button(true);
   stage_.button(false);
-  ASSERT_TRUE(session().reading);
-  const VertexReading& reading = *session().reading;
+  ASSERT_TRUE(state().reading);
+  const VertexReading& reading = *state().reading;
   const scene::World& world = stage_.viewer->world();
   EXPECT_EQ(reading.place, world.body->skin.positions[reading.vertex]);
   EXPECT_EQ(reading.in_file, world.body->channels->source_vertex[reading.vertex]);
@@ -70,9 +70,9 @@ TEST(VertexReading, SaysThePlaceAsAnExaminerDoesAndTheBoneBelow) {
 }
 
 TEST_F(SheetWithNumbers, TheFirstIsShownOverItsRangeAndAnotherWhenAskedFor) {
-  view::Look& look = session().state.look;
+  view::Look& look = state().state.look;
   EXPECT_EQ(look.scalar, "across");
-  const auto& scalars = session().world.channels->scalars;
+  const auto& scalars = state().world.channels->scalars;
   EXPECT_DOUBLE_EQ(look.scalar_range.low, scalars[0].least);
   EXPECT_DOUBLE_EQ(look.scalar_range.high, scalars[0].greatest);
   look.colouring = view::Colouring::scalar;

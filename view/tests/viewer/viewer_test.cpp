@@ -30,7 +30,7 @@ TEST(Viewer, NamesTheTissueOfTheBodyAndWhyItHasNoLayers) {
     settings.intro = false;
     settings.output_folder = folder.path();
     settings.default_scene = sheetScene(folder);
-    return Viewer(world, Stage::quiet(), std::move(settings)).session().world;
+    return Viewer(world, Stage::quiet(), std::move(settings)).state().world;
   };
   const WorldFacts layered = shown("");
   EXPECT_EQ(layered.tissue, "layered tissue, force by its layers");
@@ -43,13 +43,13 @@ TEST(Viewer, NamesTheTissueOfTheBodyAndWhyItHasNoLayers) {
 
 TEST(Viewer, TheWheelDeepensWhilePressingAndZoomsOtherwise) {
   Stage stage;
-  const double distance = stage.session().camera.distance_mm;
+  const double distance = stage.state().camera.distance_mm;
   stage.move(stage.middle());
   stage.scroll(1.0);
-  EXPECT_NEAR(stage.session().camera.distance_mm, 0.9 * distance, 1e-6);
+  EXPECT_NEAR(stage.state().camera.distance_mm, 0.9 * distance, 1e-6);
   stage.button(true);
   stage.scroll(-4.0);
-  EXPECT_DOUBLE_EQ(stage.session().state.touch.depth_mm, 8.0);
+  EXPECT_DOUBLE_EQ(stage.state().state.touch.depth_mm, 8.0);
   EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 7.0; }));
 }
 
@@ -90,45 +90,45 @@ TEST(Viewer, DragsBesideTheBodyTurnTheCamera) {
   stage.button(true);
   stage.move(Vec2(420, 60));
   stage.button(false);
-  EXPECT_NE(stage.session().camera.yaw_rad, 0.0);
+  EXPECT_NE(stage.state().camera.yaw_rad, 0.0);
   EXPECT_EQ(stage.finger().touch, contact::Touch::free);
 }
 
 TEST(Viewer, KeysSwitchOverlaysAndColours) {
   Stage stage;
   stage.key(window::key('W'));
-  EXPECT_TRUE(stage.session().state.look.shows(view::Overlay::wireframe));
+  EXPECT_TRUE(stage.state().state.look.shows(view::Overlay::wireframe));
   stage.key(window::key('W'));
-  EXPECT_FALSE(stage.session().state.look.shows(view::Overlay::wireframe));
+  EXPECT_FALSE(stage.state().state.look.shows(view::Overlay::wireframe));
   stage.key(window::key('S'));
-  EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::strain);
+  EXPECT_EQ(stage.state().state.look.colouring, view::Colouring::strain);
   stage.key(window::key('M'));
-  EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::stiffness);
+  EXPECT_EQ(stage.state().state.look.colouring, view::Colouring::stiffness);
   stage.key(window::key('M'));
-  EXPECT_EQ(stage.session().state.look.colouring, view::Colouring::plain);
+  EXPECT_EQ(stage.state().state.look.colouring, view::Colouring::plain);
 }
 
 TEST(Viewer, AFileThatCannotBeReadBecomesAMessageAndLeavesEverythingAsItWas) {
   Stage stage;
-  writeFile(stage.folder / "broken.obj", "v 1 2\nthis is no mesh\n");
-  const std::size_t triangles = stage.session().world.triangles;
+  writeFile(stage.folder / "broken.obj", "v 1 2\nthis is not a mesh\n");
+  const std::size_t triangles = stage.state().world.triangles;
   stage.drop(stage.folder / "broken.obj");
-  ASSERT_TRUE(stage.until([&] { return stage.session().messages.toast(stage.now_s) != nullptr; }));
-  EXPECT_EQ(stage.session().messages.toast(1e9)->severity, Severity::error);
+  ASSERT_TRUE(stage.until([&] { return stage.state().messages.toast(stage.now_s) != nullptr; }));
+  EXPECT_EQ(stage.state().messages.toast(1e9)->severity, Severity::error);
   EXPECT_TRUE(stage.lastMessage().starts_with("cannot open ")) << stage.lastMessage();
   EXPECT_NE(stage.lastMessage().find("broken.obj"), std::string::npos);
-  EXPECT_EQ(stage.session().world.triangles, triangles);
+  EXPECT_EQ(stage.state().world.triangles, triangles);
 }
 
 TEST(Viewer, ADroppedMeshTakesThePlaceOfTheBodyAndClearsTheErrorBefore) {
   Stage stage;
   mesh::save(stage.folder / "ball.ply", zoo::sphere(60.0, 3));
   stage.drop(stage.folder / "nothing.obj");
-  ASSERT_TRUE(stage.until([&] { return stage.session().messages.toast(stage.now_s) != nullptr; }));
+  ASSERT_TRUE(stage.until([&] { return stage.state().messages.toast(stage.now_s) != nullptr; }));
   stage.drop(stage.folder / "ball.ply");
-  ASSERT_TRUE(stage.until([&] { return stage.session().world.name == "ball.ply"; }));
-  EXPECT_EQ(stage.session().messages.toast(stage.now_s), nullptr);
-  EXPECT_EQ(stage.session().state.recent.front(), (stage.folder / "ball.ply").string());
+  ASSERT_TRUE(stage.until([&] { return stage.state().world.name == "ball.ply"; }));
+  EXPECT_EQ(stage.state().messages.toast(stage.now_s), nullptr);
+  EXPECT_EQ(stage.state().state.recent.front(), (stage.folder / "ball.ply").string());
   stage.move(stage.middle());
   stage.button(true);
   EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; })) << "and is felt";
@@ -138,20 +138,20 @@ TEST(Viewer, ADysfunctionIsPlacedFeltUndoneAndRedone) {
   Stage stage;
   stage.click("panel/Dysfunctions");
   stage.click("dysfunctions/edit");
-  ASSERT_TRUE(stage.session().editor.active);
+  ASSERT_TRUE(stage.state().editor.active);
   stage.move(stage.middle());
   stage.button(true);
   stage.button(false);
-  ASSERT_EQ(stage.session().scene.dysfunctions.size(), 1u);
-  const auto stiffest = [&] { return stage.session().world.stiffest_n_per_mm; };
+  ASSERT_EQ(stage.state().scene.dysfunctions.size(), 1u);
+  const auto stiffest = [&] { return stage.state().world.stiffest_n_per_mm; };
   EXPECT_TRUE(stage.until([&] { return stiffest() > 0.7; })) << stiffest();
   stage.key(window::key('Z'), {true, false});
-  EXPECT_TRUE(stage.session().scene.dysfunctions.empty());
+  EXPECT_TRUE(stage.state().scene.dysfunctions.empty());
   EXPECT_TRUE(stage.until([&] { return stiffest() < 0.51; }));
   stage.key(window::key('Z'), {true, true});
-  EXPECT_EQ(stage.session().scene.dysfunctions.size(), 1u);
+  EXPECT_EQ(stage.state().scene.dysfunctions.size(), 1u);
   stage.key(window::Key::escape);
-  EXPECT_FALSE(stage.session().editor.active);
+  EXPECT_FALSE(stage.state().editor.active);
 }
 
 TEST(Viewer, TurningTheWheelInTheEditorSizesWhatIsSelected) {
@@ -161,18 +161,18 @@ TEST(Viewer, TurningTheWheelInTheEditorSizesWhatIsSelected) {
   stage.move(stage.middle());
   stage.button(true);
   stage.button(false);
-  const double radius = stage.session().scene.dysfunctions.at(0).radius_mm;
+  const double radius = stage.state().scene.dysfunctions.at(0).radius_mm;
   stage.scroll(2.0);
-  EXPECT_GT(stage.session().scene.dysfunctions.at(0).radius_mm, radius);
+  EXPECT_GT(stage.state().scene.dysfunctions.at(0).radius_mm, radius);
   stage.key(window::Key::delete_key);
-  EXPECT_TRUE(stage.session().scene.dysfunctions.empty());
+  EXPECT_TRUE(stage.state().scene.dysfunctions.empty());
 }
 
 TEST(Viewer, AChangedSceneIsSavedAndReadsBack) {
   Stage stage;
-  stage.session().scene.contact.finger.mu_static = 0.9;
+  stage.state().scene.contact.finger.mu_static = 0.9;
   stage.key(window::key('S'), {true, false});
-  const fs::path file = stage.session().document.file;
+  const fs::path file = stage.state().document.file;
   ASSERT_TRUE(fs::exists(file)) << stage.lastMessage();
   EXPECT_EQ(scene::load(file).contact.finger.mu_static, 0.9);
 }
@@ -181,9 +181,9 @@ TEST(Viewer, WhatIsRecordedIsCompleteEvenWhenTheViewerIsClosed) {
   Stage stage;
   stage.move(stage.middle());  // a finger that was nowhere has no rows
   stage.key(window::key('R'));
-  ASSERT_TRUE(stage.session().recording.forces);
-  ASSERT_TRUE(stage.until([&] { return stage.session().performance.servo.ticks >= 1000; }));
-  const fs::path file = stage.session().recording.forces_file;
+  ASSERT_TRUE(stage.state().recording.forces);
+  ASSERT_TRUE(stage.until([&] { return stage.state().performance.servo.ticks >= 1000; }));
+  const fs::path file = stage.state().recording.forces_file;
   EXPECT_FALSE(fs::exists(file)) << "a half-written table has no name yet";
   stage.viewer->finish();
   const std::string text = readFile(file, 1 << 26);
@@ -199,9 +199,9 @@ TEST(Viewer, SavesPicturesAndSequences) {
   const view::Image picture = support::readPng(stage.folder / "palpate.png");
   EXPECT_EQ(picture.width, kStageWidth);
   EXPECT_EQ(picture.height, kStageHeight);
-  stage.session().request(ToggleSequence{});
+  stage.state().request(ToggleSequence{});
   for (int i = 0; i < 5; ++i) stage.frame();
-  stage.session().request(ToggleSequence{});
+  stage.state().request(ToggleSequence{});
   stage.frame();
   stage.viewer->finish();
   EXPECT_TRUE(fs::exists(stage.folder / "pictures" / "frame_00003.png"));
@@ -220,7 +220,7 @@ bool areSameIn(const view::Image& a, const view::Image& b, const std::array<floa
 TEST(Viewer, F12SavesNoPopUpsAndShiftF12SavesThem) {
   Stage stage;
   const view::Image before = stage.viewer->target().read();
-  stage.session().report(Severity::error, "a plate over the picture");
+  stage.state().report(Severity::error, "a plate over the picture");
   stage.frame();
   stage.frame();
   const std::array<float, 4> toast = widgetPlaces().at("toast");
@@ -275,9 +275,9 @@ TEST(Viewer, WordsStayWholeInASmallWindow) {
     const auto [left, top, right, below] = widgetPlaces().at(path);
     EXPECT_TRUE(left >= 0.0f && top >= 0.0f && right <= kWidth && below <= kHeight) << path;
   };
-  stage.session().state.shown.panel = false;
-  stage.session().world.name = "a body with a rather long name, 20389 triangles";
-  stage.session().report(Severity::warning, "words that need more than one line of a window as small as this one is");
+  stage.state().state.shown.panel = false;
+  stage.state().world.name = "a body with a rather long name, 20389 triangles";
+  stage.state().report(Severity::warning, "words that need more than one line of a window as small as this one is");
   stage.key(window::key('R'));
   small_frames();
   for (const char* path : {"menu/status", "menu/recording", "hint", "toast"}) expect_inside(path);
@@ -288,10 +288,10 @@ TEST(Viewer, WordsStayWholeInASmallWindow) {
 
 TEST(Outputs, MakesItsFolderWhenItIsFirstNeeded) {
   const support::TemporaryFolder folder;
-  Session session;
+  ViewerState viewer;
   Outputs outputs(folder / "not" / "yet");
-  outputs.savePlots(session);
-  EXPECT_TRUE(fs::exists(folder / "not" / "yet" / "plots.csv")) << session.messages.all().back().text;
+  outputs.savePlots(viewer);
+  EXPECT_TRUE(fs::exists(folder / "not" / "yet" / "plots.csv")) << viewer.messages.all().back().text;
 }
 
 TEST(Viewer, FreezesThePictureButNotTheTouch) {
@@ -299,8 +299,8 @@ TEST(Viewer, FreezesThePictureButNotTheTouch) {
   stage.key(window::Key::space);
   stage.move(stage.middle());
   stage.button(true);
-  const std::uint64_t ticks = stage.session().performance.servo.ticks;
-  ASSERT_TRUE(stage.until([&] { return stage.session().performance.servo.ticks > ticks + 1000; }));
+  const std::uint64_t ticks = stage.state().performance.servo.ticks;
+  ASSERT_TRUE(stage.until([&] { return stage.state().performance.servo.ticks > ticks + 1000; }));
   EXPECT_EQ(stage.finger().depth_mm, 0.0) << "what is shown stays as it was";
   stage.key(window::Key::space);
   EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
@@ -316,10 +316,10 @@ TEST(Viewer, DrawsTheSkinSmoothWhilePicturesAreSlowAndSaysSo) {
   state.look.shading = view::Shading::skin;
   Stage stage(state);
   slowFrames(stage, 60);
-  EXPECT_TRUE(stage.session().simple_shading);
+  EXPECT_TRUE(stage.state().simple_shading);
   EXPECT_NE(stage.lastMessage().find("drawn smooth for now"), std::string::npos) << stage.lastMessage();
-  EXPECT_EQ(stage.session().messages.toast(stage.now_s), nullptr) << "it does not lie over the body";
-  EXPECT_EQ(stage.session().state.look.shading, view::Shading::skin) << "what is remembered is the user's choice";
+  EXPECT_EQ(stage.state().messages.toast(stage.now_s), nullptr) << "it does not lie over the body";
+  EXPECT_EQ(stage.state().state.look.shading, view::Shading::skin) << "what is remembered is the user's choice";
 }
 
 TEST(Viewer, NeverDrawsSmootherThanTheUserChose) {
@@ -328,16 +328,16 @@ TEST(Viewer, NeverDrawsSmootherThanTheUserChose) {
   state.simpler_when_slow = false;
   Stage stage(state);
   slowFrames(stage, 60);
-  EXPECT_FALSE(stage.session().simple_shading);
-  EXPECT_TRUE(stage.session().messages.all().empty());
+  EXPECT_FALSE(stage.state().simple_shading);
+  EXPECT_TRUE(stage.state().messages.all().empty());
 }
 
 TEST(Viewer, EscapeNeverQuits) {
   Stage stage;
   stage.key(window::functionKey(1));
-  EXPECT_TRUE(stage.session().state.shown.help);
+  EXPECT_TRUE(stage.state().state.shown.help);
   for (int i = 0; i < 5; ++i) stage.key(window::Key::escape);
-  EXPECT_FALSE(stage.session().state.shown.help);
+  EXPECT_FALSE(stage.state().state.shown.help);
   EXPECT_FALSE(stage.viewer->wantsToQuit());
   stage.key(window::key('Q'), {true, false});
   EXPECT_TRUE(stage.viewer->wantsToQuit());
@@ -349,17 +349,17 @@ TEST(Viewer, CopiesItsViewAsTextAndPastesItBack) {
   host.set_clipboard = [&](const std::string& text) { clipboard = text; };
   host.clipboard = [&] { return clipboard; };
   Stage stage(Stage::quiet(), host);
-  stage.session().camera.yaw_rad = 0.5;
-  stage.session().request(CopyView{});
+  stage.state().camera.yaw_rad = 0.5;
+  stage.state().request(CopyView{});
   stage.frame();
   EXPECT_TRUE(clipboard.starts_with("palpate-view ")) << clipboard;
-  stage.session().camera.yaw_rad = -1.0;
-  stage.session().request(PasteView{});
+  stage.state().camera.yaw_rad = -1.0;
+  stage.state().request(PasteView{});
   stage.frame();
   stage.frame();
-  EXPECT_NEAR(stage.session().camera.yaw_rad, 0.5, 1e-4);
+  EXPECT_NEAR(stage.state().camera.yaw_rad, 0.5, 1e-4);
   clipboard = "nonsense";
-  stage.session().request(PasteView{});
+  stage.state().request(PasteView{});
   stage.frame();
   EXPECT_EQ(stage.lastMessage(), "The clipboard holds no view");
 }

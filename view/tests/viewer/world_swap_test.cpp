@@ -50,20 +50,20 @@ scene::Scene ballScene(const support::TemporaryFolder& folder, double radius_mm)
 struct AtWork {
   explicit AtWork(const scene::Scene& scene)
       : world(scene::build(scene)), servo(planFor(world, scene, true)), world_swap(world) {
-    session.scene = scene;
-    session.ticks_per_s = servo.thread().ticksPerS();
+    viewer.scene = scene;
+    viewer.ticks_per_s = servo.thread().ticksPerS();
   }
 
   void advance(double now_s, std::uint32_t changed = kNothing) {
-    session.now_s = now_s;
-    session.asks.changed = changed;
-    world_swap.advance(session, servo.thread());
+    viewer.now_s = now_s;
+    viewer.asks.changed = changed;
+    world_swap.advance(viewer, servo.thread());
   }
   /// The next world that is shown; null after twenty seconds.
   std::shared_ptr<const scene::World> shown() {
     const auto until = Clock::now() + std::chrono::seconds(20);
     while (Clock::now() < until) {
-      advance(session.now_s + 1.0);
+      advance(viewer.now_s + 1.0);
       if (auto now = world_swap.takeShown(servo.thread()).world) return now;
       std::this_thread::yield();
     }
@@ -73,7 +73,7 @@ struct AtWork {
   std::shared_ptr<const scene::World> world;
   LiveServo servo;
   WorldSwap world_swap;
-  Session session;
+  ViewerState viewer;
 };
 
 double heightOf(const scene::World& world) { return mesh::boundingBox(world.body->skin).sizes().z(); }
@@ -82,10 +82,10 @@ double heightOf(const scene::World& world) { return mesh::boundingBox(world.body
 TEST(WorldSwap, MakesTheBodyToldBeforeTheLastSlider) {
   const support::TemporaryFolder folder;
   AtWork work(ballScene(folder, 40.0));
-  work.session.scene.body = ballScene(folder, 60.0).body;
+  work.viewer.scene.body = ballScene(folder, 60.0).body;
   work.advance(0.0, kBodyChange);
   work.advance(1.0);  // quiet for long enough: the body is begun
-  work.session.scene.stiffness.constant_n_per_mm = 2.0;
+  work.viewer.scene.stiffness.constant_n_per_mm = 2.0;
   work.advance(1.1, kMapChange);
   work.advance(2.0);  // and replaced by a build of the same body with another stiffness
   const auto shown = work.shown();
@@ -102,13 +102,13 @@ TEST(WorldSwap, FeelsAnotherSceneAtTheRateTheWindowBeganWithAndSaysSo) {
   AtWork work(ballScene(folder, 40.0));
   const std::string file = folder / "fast.toml";
   std::ofstream(file) << "ticks_per_s = 500\n[body]\nkind = \"mesh\"\nfile = \"small.ply\"\n";
-  work.world_swap.open(file, work.session);
+  work.world_swap.open(file, work.viewer);
   const auto shown = work.shown();
   ASSERT_TRUE(shown);
   EXPECT_EQ(shown->scene.ticks_per_s, 500.0);
   EXPECT_EQ(work.servo.thread().ticksPerS(), 1000.0);
-  ASSERT_EQ(work.session.messages.all().size(), 1u);
-  EXPECT_EQ(work.session.messages.all().front().text,
+  ASSERT_EQ(work.viewer.messages.all().size(), 1u);
+  EXPECT_EQ(work.viewer.messages.all().front().text,
             "Felt at 1000 ticks a second, as this window began; the scene says 500");
 }
 

@@ -54,27 +54,27 @@ void keepPlace(FingerHeld& held, double now_s) {
 
 DeviceControl::~DeviceControl() { give_up_ = true; }
 
-void DeviceControl::begin(Session& session) {
-  tellWho(session);
-  for (const scene::DeviceSettings& device : session.scene.devices) {
+void DeviceControl::begin(ViewerState& viewer) {
+  tellWho(viewer);
+  for (const scene::DeviceSettings& device : viewer.scene.devices) {
     const auto finger = static_cast<std::size_t>(device.finger);
-    if (!servo_.isHeld(finger)) open(finger, device.name, session);
+    if (!servo_.isHeld(finger)) open(finger, device.name, viewer);
   }
 }
 
-void DeviceControl::release(Session& session) {
+void DeviceControl::release(ViewerState& viewer) {
   servo_.thread().emergencyStop().release();
-  session.report(Severity::info, "The emergency stop is released: forces come back once the tip has been outside");
+  viewer.report(Severity::info, "The emergency stop is released: forces come back once the tip has been outside");
 }
 
-bool DeviceControl::handle(const window::InputEvent& event, bool text_wanted, Session& session) {
+bool DeviceControl::handle(const window::InputEvent& event, bool text_wanted, ViewerState& viewer) {
   using Kind = window::InputEvent::Kind;
   if (event.kind == Kind::focus && !event.down) clutch_key_ = false;
   if (event.kind != Kind::key) return false;
   const bool pause = event.key == window::bindingOf(window::Action::emergency_stop).chord.key;
   const bool space = event.key == window::Key::space && servo_.anyHeld() && !text_wanted;
   if (pause || space) {
-    if (event.down) stop(session);
+    if (event.down) stop(viewer);
     return true;
   }
   if (window::Chord{event.key, event.modifiers} != window::bindingOf(window::Action::clutch).chord) return false;
@@ -83,62 +83,62 @@ bool DeviceControl::handle(const window::InputEvent& event, bool text_wanted, Se
   return true;
 }
 
-void DeviceControl::stop(Session& session) {
+void DeviceControl::stop(ViewerState& viewer) {
   servo_.thread().emergencyStop().press();
-  if (!session.devices.stopped) session.messages.note(kStopped, session.now_s);
-  session.devices.stopped = true;
+  if (!viewer.devices.stopped) viewer.messages.note(kStopped, viewer.now_s);
+  viewer.devices.stopped = true;
 }
 
-void DeviceControl::open(std::size_t finger, const std::string& words, Session& session) {
-  FingerHeld& held = session.devices.fingers[finger];
-  if (opening_[finger].busy()) return session.report(Severity::info, held.opening + " is still being opened");
+void DeviceControl::open(std::size_t finger, const std::string& words, ViewerState& viewer) {
+  FingerHeld& held = viewer.devices.fingers[finger];
+  if (opening_[finger].busy()) return viewer.report(Severity::info, held.opening + " is still being opened");
   device::OpenOptions options;
-  options.tick_s = 1.0 / session.ticks_per_s;
+  options.tick_s = 1.0 / viewer.ticks_per_s;
   options.give_up = &give_up_;
   if (opening_[finger].start([words, options] { return device::openNamed(words, options); })) held.opening = words;
 }
 
-void DeviceControl::takeOpened(std::size_t finger, Session& session, const scene::World& world) {
+void DeviceControl::takeOpened(std::size_t finger, ViewerState& viewer, const scene::World& world) {
   auto opened = opening_[finger].take();
   if (!opened) return;
-  const std::string words = std::exchange(session.devices.fingers[finger].opening, {});
+  const std::string words = std::exchange(viewer.devices.fingers[finger].opening, {});
   if (!opened->value)
-    return session.report(Severity::error,
-                          fmt::format("The {} finger stays the mouse's: {}", kFingerNames[finger], opened->error));
+    return viewer.report(Severity::error,
+                         fmt::format("The {} finger stays the mouse's: {}", kFingerNames[finger], opened->error));
   const std::string about = device::describe(*opened->value);
-  OpenedDevice held{words, std::move(*opened->value), workspaceNow(finger, words, session, world)};
-  const auto before = std::exchange(session.held, servo_.abilitiesWith(finger, &held));
+  OpenedDevice held{words, std::move(*opened->value), workspaceNow(finger, words, viewer, world)};
+  const auto before = std::exchange(viewer.held, servo_.abilitiesWith(finger, &held));
   try {
-    servo::requireStable(device::profileOf(session.scene.safety.device, held.device.capabilities), session.scene.safety,
-                         1.0 / session.ticks_per_s);
-    servo_.hold(finger, std::move(held), world_swap_.planNow(session));
+    servo::requireStable(device::profileOf(viewer.scene.safety.device, held.device.capabilities), viewer.scene.safety,
+                         1.0 / viewer.ticks_per_s);
+    servo_.hold(finger, std::move(held), world_swap_.planNow(viewer));
   } catch (const Error& error) {
-    session.held = before;
-    return session.report(Severity::error, error.what());
+    viewer.held = before;
+    return viewer.report(Severity::error, error.what());
   }
-  looks_[finger] = {.since_s = session.now_s};
-  session.devices.fingers[finger].interventions = {};
-  session.devices.fingers[finger].known_s = -1.0;  // of the device before, if any
-  tellWho(session);
-  if (session.active_finger == finger && !servo_.isHeld(1 - finger)) session.active_finger = 1 - finger;
-  session.report(Severity::info, fmt::format("The {} finger is held by {}", kFingerNames[finger], about));
+  looks_[finger] = {.since_s = viewer.now_s};
+  viewer.devices.fingers[finger].interventions = {};
+  viewer.devices.fingers[finger].known_s = -1.0;  // of the device before, if any
+  tellWho(viewer);
+  if (viewer.active_finger == finger && !servo_.isHeld(1 - finger)) viewer.active_finger = 1 - finger;
+  viewer.report(Severity::info, fmt::format("The {} finger is held by {}", kFingerNames[finger], about));
 }
 
-void DeviceControl::close(std::size_t finger, Session& session) {
+void DeviceControl::close(std::size_t finger, ViewerState& viewer) {
   if (!servo_.isHeld(finger)) return;
   const std::string name = servo_.opened(finger).words;
-  session.held = servo_.abilitiesWith(finger, nullptr);
-  servo_.letGo(finger, world_swap_.planNow(session));
-  session.devices.fingers[finger].trouble.clear();
-  if (session.devices.calibration.finger == finger) session.devices.calibration = {};
-  tellWho(session);
-  session.report(Severity::info, fmt::format("{} is let go; the mouse has the {} finger", name, kFingerNames[finger]));
+  viewer.held = servo_.abilitiesWith(finger, nullptr);
+  servo_.letGo(finger, world_swap_.planNow(viewer));
+  viewer.devices.fingers[finger].trouble.clear();
+  if (viewer.devices.calibration.finger == finger) viewer.devices.calibration = {};
+  tellWho(viewer);
+  viewer.report(Severity::info, fmt::format("{} is let go; the mouse has the {} finger", name, kFingerNames[finger]));
 }
 
 /// Looking opens a driver for a moment, so one that is held here is left alone.
-void DeviceControl::lookForBackEnds(Session& session) {
+void DeviceControl::lookForBackEnds(ViewerState& viewer) {
   std::vector<std::string> held;
-  for (const FingerHeld& finger : session.devices.fingers) {
+  for (const FingerHeld& finger : viewer.devices.fingers) {
     held.push_back(finger.words);
     held.push_back(finger.opening);
   }
@@ -158,57 +158,57 @@ void DeviceControl::lookForBackEnds(Session& session) {
     }
     return all;
   };
-  session.devices.looking = looking_.start(look) || session.devices.looking;
+  viewer.devices.looking = looking_.start(look) || viewer.devices.looking;
 }
 
-device::Workspace DeviceControl::workspaceNow(std::size_t finger, const std::string& words, const Session& session,
+device::Workspace DeviceControl::workspaceNow(std::size_t finger, const std::string& words, const ViewerState& viewer,
                                               const scene::World& world) {
   const scene::DeviceSettings settings =
-      device::settingsOf(session.scene, words, finger).value_or(scene::DeviceSettings{});
+      device::settingsOf(viewer.scene, words, finger).value_or(scene::DeviceSettings{});
   std::optional<Vec3>& origin = origins_[finger];
   if (!settings.origin_mm && !origin) origin = device::standardOrigin(world, words, finger);
   return device::workspaceOf(settings, origin.value_or(Vec3::Zero()));
 }
 
 /// By panel, undo or another scene: whoever changed it.
-void DeviceControl::placeDevices(Session& session, const scene::World& world) {
+void DeviceControl::placeDevices(ViewerState& viewer, const scene::World& world) {
   for (std::size_t i = 0; i < kFingers; ++i) {
     if (!servo_.isHeld(i)) continue;
     const double scale = servo_.opened(i).workspace.frame.mm;
-    const device::Workspace workspace = workspaceNow(i, servo_.opened(i).words, session, world);
+    const device::Workspace workspace = workspaceNow(i, servo_.opened(i).words, viewer, world);
     if (!servo_.place(i, workspace) || workspace.frame.mm == scale) continue;
-    session.held = servo_.abilities();
-    session.asks.changed |= kFingerChange;
+    viewer.held = servo_.abilities();
+    viewer.asks.changed |= kFingerChange;
   }
 }
 
-void DeviceControl::tellWho(Session& session) const {
+void DeviceControl::tellWho(ViewerState& viewer) const {
   std::string who;
   for (std::size_t i = 0; i < kFingers; ++i) {
-    FingerHeld& finger = session.devices.fingers[i];
+    FingerHeld& finger = viewer.devices.fingers[i];
     finger.words = servo_.isHeld(i) ? servo_.opened(i).words : std::string();
     finger.about = servo_.isHeld(i) ? device::describe(servo_.opened(i).device) : std::string();
     finger.able = servo_.isHeld(i) ? servo_.opened(i).device.capabilities : device::Capabilities{};
     if (!servo_.isHeld(i)) finger.clutch = false;
     if (servo_.isHeld(i)) who += (who.empty() ? "" : ", ") + servo_.opened(i).device.name;
   }
-  session.held_by = who.empty() ? "mouse" : who;
+  viewer.held_by = who.empty() ? "mouse" : who;
 }
 
-void DeviceControl::tellTrouble(std::size_t finger, std::string trouble, Session& session) {
+void DeviceControl::tellTrouble(std::size_t finger, std::string trouble, ViewerState& viewer) {
   if (!servo_.isHeld(finger)) return;
-  const std::string was = std::exchange(session.devices.fingers[finger].trouble, std::move(trouble));
-  const std::string& is = session.devices.fingers[finger].trouble;
-  if (is.empty() && !was.empty()) session.report(Severity::info, servo_.opened(finger).words + " is back");
-  if (!is.empty() && was.empty()) session.report(Severity::warning, is);
+  const std::string was = std::exchange(viewer.devices.fingers[finger].trouble, std::move(trouble));
+  const std::string& is = viewer.devices.fingers[finger].trouble;
+  if (is.empty() && !was.empty()) viewer.report(Severity::info, servo_.opened(finger).words + " is back");
+  if (!is.empty() && was.empty()) viewer.report(Severity::warning, is);
 }
 
 /// Once a second: looking for a lost device may take its driver a moment, so it is done beside the display.
-void DeviceControl::tend(Session& session) {
+void DeviceControl::tend(ViewerState& viewer) {
   if (const auto troubles = tending_.take(); troubles && troubles->value) {
-    for (std::size_t i = 0; i < kFingers; ++i) tellTrouble(i, (*troubles->value)[i], session);
+    for (std::size_t i = 0; i < kFingers; ++i) tellTrouble(i, (*troubles->value)[i], viewer);
   }
-  if (session.now_s < tended_s_ + kTendedEveryS || !servo_.anyHeld()) return;
+  if (viewer.now_s < tended_s_ + kTendedEveryS || !servo_.anyHeld()) return;
   std::array<device::Device, kFingers> devices;
   for (std::size_t i = 0; i < kFingers; ++i) {
     if (servo_.isHeld(i)) devices[i] = servo_.device(i);
@@ -221,32 +221,32 @@ void DeviceControl::tend(Session& session) {
     }
     return troubles;
   };
-  if (tending_.start(look)) tended_s_ = session.now_s;
+  if (tending_.start(look)) tended_s_ = viewer.now_s;
 }
 
-void DeviceControl::felt(const trace::Sample& sample, Session& session) {
+void DeviceControl::felt(const trace::Sample& sample, ViewerState& viewer) {
   if (!servo_.isHeld(sample.finger)) return;
-  session.devices.fingers[sample.finger].interventions.add(sample.safety, session.now_s);
+  viewer.devices.fingers[sample.finger].interventions.add(sample.safety, viewer.now_s);
   Look& look = looks_[sample.finger];
   look.most_loss_n_mm = std::max(look.most_loss_n_mm, sample.loss_n_mm);
 }
 
-void DeviceControl::readState(std::size_t finger, Session& session) {
+void DeviceControl::readState(std::size_t finger, ViewerState& viewer) {
   constexpr double kLookS = 1.0;
-  FingerHeld& held = session.devices.fingers[finger];
+  FingerHeld& held = viewer.devices.fingers[finger];
   held.workspace = servo_.opened(finger).workspace;
   held.reading = servo_.reading(finger);
-  keepPlace(held, session.now_s);
+  keepPlace(held, viewer.now_s);
   Look& look = looks_[finger];
-  const double seconds = session.now_s - look.since_s;
+  const double seconds = viewer.now_s - look.since_s;
   if (seconds < kLookS) return;
   held.positions_per_s = static_cast<double>(held.reading.fresh - look.fresh) / seconds;
   held.most_loss_n_mm = look.most_loss_n_mm;
-  look = {.since_s = session.now_s, .fresh = held.reading.fresh};
+  look = {.since_s = viewer.now_s, .fresh = held.reading.fresh};
 }
 
-void DeviceControl::advance(Session& session, const scene::World& world) {
-  DevicesShown& shown = session.devices;
+void DeviceControl::advance(ViewerState& viewer, const scene::World& world) {
+  DevicesShown& shown = viewer.devices;
   if (auto looked = looking_.take()) {
     shown.looking = false;
     const bool first = shown.back_ends.empty();
@@ -256,16 +256,16 @@ void DeviceControl::advance(Session& session, const scene::World& world) {
     }
   }
   for (std::size_t i = 0; i < kFingers; ++i) {
-    takeOpened(i, session, world);
+    takeOpened(i, viewer, world);
     const bool calibrated = shown.calibration.finger == i;
     servo_.clutch(i, clutch_key_ || shown.fingers[i].clutch || calibrated);
-    if (servo_.isHeld(i)) readState(i, session);
+    if (servo_.isHeld(i)) readState(i, viewer);
   }
-  placeDevices(session, world);
-  tend(session);
+  placeDevices(viewer, world);
+  tend(viewer);
   const bool pressed = servo_.thread().emergencyStop().pressed();
   // By a device's own button, or a signal.
-  if (pressed && !shown.stopped) session.messages.note(kStopped, session.now_s);
+  if (pressed && !shown.stopped) viewer.messages.note(kStopped, viewer.now_s);
   shown.stopped = pressed;
   if (closing_.busy()) {
     closing_.take();

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "view/viewer/state/async_task.h"
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 #include "view/viewer/world/live_servo.h"
 #include "view/viewer/world/world_swap.h"
 
@@ -27,18 +27,18 @@ class DeviceControl {
   DeviceControl& operator=(const DeviceControl&) = delete;
 
   /// The devices that the window began with, and those that the scene names are opened.
-  void begin(Session& session);
-  void open(std::size_t finger, const std::string& words, Session& session);
-  void close(std::size_t finger, Session& session);
-  void lookForBackEnds(Session& session);
-  void stop(Session& session);
-  void release(Session& session);
+  void begin(ViewerState& viewer);
+  void open(std::size_t finger, const std::string& words, ViewerState& viewer);
+  void close(std::size_t finger, ViewerState& viewer);
+  void lookForBackEnds(ViewerState& viewer);
+  void stop(ViewerState& viewer);
+  void release(ViewerState& viewer);
   /// True if the event was the emergency stop's or the clutch's alone. The stop is heard whatever else is asked.
-  bool handle(const window::InputEvent& event, bool text_wanted, Session& session);
+  bool handle(const window::InputEvent& event, bool text_wanted, ViewerState& viewer);
   /// One tick of a finger.
-  void felt(const trace::Sample& sample, Session& session);
+  void felt(const trace::Sample& sample, ViewerState& viewer);
   /// Once a frame, before the changes of the scene are used.
-  void advance(Session& session, const scene::World& world);
+  void advance(ViewerState& viewer, const scene::World& world);
   /// Another body, or a scene read: devices whose place nobody named are put beside it.
   void bodyChanged() { origins_ = {}; }
 
@@ -49,14 +49,14 @@ class DeviceControl {
     double most_loss_n_mm = 0.0;
   };
 
-  void takeOpened(std::size_t finger, Session& session, const scene::World& world);
-  void placeDevices(Session& session, const scene::World& world);
-  device::Workspace workspaceNow(std::size_t finger, const std::string& words, const Session& session,
+  void takeOpened(std::size_t finger, ViewerState& viewer, const scene::World& world);
+  void placeDevices(ViewerState& viewer, const scene::World& world);
+  device::Workspace workspaceNow(std::size_t finger, const std::string& words, const ViewerState& viewer,
                                  const scene::World& world);
-  void tellWho(Session& session) const;
-  void tend(Session& session);
-  void tellTrouble(std::size_t finger, std::string trouble, Session& session);
-  void readState(std::size_t finger, Session& session);
+  void tellWho(ViewerState& viewer) const;
+  void tend(ViewerState& viewer);
+  void tellTrouble(std::size_t finger, std::string trouble, ViewerState& viewer);
+  void readState(std::size_t finger, ViewerState& viewer);
 
   LiveServo& servo_;
   WorldSwap& world_swap_;

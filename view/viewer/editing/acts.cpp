@@ -18,8 +18,8 @@ using window::Action;
 
 /// The switch of an action, in a session that may be constant; null for actions that are no switches.
 template <class S>
-auto* switchOf(Action action, S& session) {
-  auto& shown = session.state.shown;
+auto* switchOf(Action action, S& viewer) {
+  auto& shown = viewer.state.shown;
   switch (action) {
     case Action::help:
       return &shown.help;
@@ -34,13 +34,13 @@ auto* switchOf(Action action, S& session) {
     case Action::panel:
       return &shown.panel;
     case Action::freeze:
-      return &session.replay.frozen;
+      return &viewer.replay.frozen;
     case Action::swap_eyes:
-      return &session.state.stereo.swap_eyes;
+      return &viewer.state.stereo.swap_eyes;
     case Action::measure:
-      return &session.ruler.active;
+      return &viewer.ruler.active;
     default:
-      return static_cast<decltype(&session.replay.frozen)>(nullptr);
+      return static_cast<decltype(&viewer.replay.frozen)>(nullptr);
   }
 }
 
@@ -61,7 +61,7 @@ std::optional<Request> requestOf(Action action) {
       return PlayScript{};
     case Action::record:
       return ToggleForces{};
-    case Action::keep_session:
+    case Action::keep_recording:
       return KeepRecording{};
     case Action::mark:
       return SetMark{};
@@ -86,49 +86,49 @@ std::optional<Request> requestOf(Action action) {
   }
 }
 
-void nextStereoMode(Session& session) {
-  auto& mode = session.state.stereo.mode;
+void nextStereoMode(ViewerState& viewer) {
+  auto& mode = viewer.state.stereo.mode;
   auto next = (static_cast<std::size_t>(mode) + 1) % view::kStereoModeNames.size();
   const bool quad_buffer = static_cast<view::StereoMode>(next) == view::StereoMode::quad_buffer;
-  if (quad_buffer && !session.quad_buffer_offered) next = 0;
+  if (quad_buffer && !viewer.quad_buffer_offered) next = 0;
   mode = static_cast<view::StereoMode>(next);
-  session.report(Severity::info, fmt::format("Stereo: {}", view::kStereoModeNames[next]));
+  viewer.report(Severity::info, fmt::format("Stereo: {}", view::kStereoModeNames[next]));
 }
 
 /// Anew, or an end of it; the editor wants the same button.
-void startMeasuring(Session& session) {
-  const bool on = !session.ruler.active;
-  if (on && session.editor.active) stopEditing(session.dysfunctions());
-  session.ruler = {};
-  session.ruler.active = on;
+void startMeasuring(ViewerState& viewer) {
+  const bool on = !viewer.ruler.active;
+  if (on && viewer.editor.active) stopEditing(viewer.dysfunctions());
+  viewer.ruler = {};
+  viewer.ruler.active = on;
 }
 
 /// Speeds of time that are gone through.
 constexpr std::array<double, 7> kTimeSpeeds = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0};
 
-void changeTimeSpeed(Session& session, int step) {
-  const auto at = std::lower_bound(kTimeSpeeds.begin(), kTimeSpeeds.end(), session.time_speed - 1e-6);
+void changeTimeSpeed(ViewerState& viewer, int step) {
+  const auto at = std::lower_bound(kTimeSpeeds.begin(), kTimeSpeeds.end(), viewer.time_speed - 1e-6);
   const auto now = static_cast<int>(at - kTimeSpeeds.begin());
   const int next = std::clamp(now + step, 0, static_cast<int>(kTimeSpeeds.size()) - 1);
-  session.time_speed = kTimeSpeeds[static_cast<std::size_t>(next)];
-  session.report(Severity::info, fmt::format("What is played passes at {:g} of its time", session.time_speed));
+  viewer.time_speed = kTimeSpeeds[static_cast<std::size_t>(next)];
+  viewer.report(Severity::info, fmt::format("What is played passes at {:g} of its time", viewer.time_speed));
 }
 
 /// Escape leaves the innermost thing: a dialog, a page, then the editor. It never quits.
-void cancel(Session& session) {
-  Shown& shown = session.state.shown;
+void cancel(ViewerState& viewer) {
+  Shown& shown = viewer.state.shown;
   if (shown.open_dialog || shown.save_dialog) {
     shown.open_dialog = shown.save_dialog = false;
   } else if (shown.help) {
     shown.help = false;
   } else if (shown.messages) {
     shown.messages = false;
-  } else if (session.editor.active) {
-    stopEditing(session.dysfunctions());
-  } else if (session.ruler.active) {
-    session.ruler = {};
-  } else if (session.building) {
-    session.request(CancelBuild{});
+  } else if (viewer.editor.active) {
+    stopEditing(viewer.dysfunctions());
+  } else if (viewer.ruler.active) {
+    viewer.ruler = {};
+  } else if (viewer.building) {
+    viewer.request(CancelBuild{});
   }
 }
 
@@ -142,53 +142,53 @@ double nextOpacity(double opacity) {
   return 1.0;
 }
 
-void perform(Action action, Session& session) {
-  view::Look& look = session.state.look;
+void perform(Action action, ViewerState& viewer) {
+  view::Look& look = viewer.state.look;
   if (const auto overlay = window::overlayOf(action)) return look.show(*overlay, !look.shows(*overlay));
   if (const auto colouring = window::colouringOf(action)) {
     look.colouring = look.colouring == *colouring ? view::Colouring::plain : *colouring;
     return;
   }
-  if (action == Action::measure) return startMeasuring(session);
-  if (action == Action::freeze) return freeze(session.replay, !session.replay.frozen);
-  if (bool* on = switchOf(action, session)) {
+  if (action == Action::measure) return startMeasuring(viewer);
+  if (action == Action::freeze) return freeze(viewer.replay, !viewer.replay.frozen);
+  if (bool* on = switchOf(action, viewer)) {
     *on = !*on;
     return;
   }
-  if (auto request = requestOf(action)) return session.request(*std::move(request));
+  if (auto request = requestOf(action)) return viewer.request(*std::move(request));
   switch (action) {
     case Action::skin_opacity:
       look.skin_opacity = nextOpacity(look.skin_opacity);
       return;
     case Action::stereo_mode:
-      return nextStereoMode(session);
+      return nextStereoMode(viewer);
     case Action::slower:
-      return changeTimeSpeed(session, -1);
+      return changeTimeSpeed(viewer, -1);
     case Action::faster:
-      return changeTimeSpeed(session, 1);
+      return changeTimeSpeed(viewer, 1);
     case Action::open:
-      session.state.shown.open_dialog = true;
+      viewer.state.shown.open_dialog = true;
       return;
     case Action::save_as:
-      session.state.shown.save_dialog = true;
+      viewer.state.shown.save_dialog = true;
       return;
     case Action::delete_selected:
-      return deleteSelected(session.dysfunctions());
+      return deleteSelected(viewer.dysfunctions());
     case Action::cancel:
-      return cancel(session);
+      return cancel(viewer);
     case Action::measure_person:  // no mode has taken it
-      return session.report(Severity::info, "This window measures no photographs");
+      return viewer.report(Severity::info, "This window measures no photographs");
     default:
       return;
   }
 }
 
-bool isOn(Action action, const Session& session) {
-  const view::Look& look = session.state.look;
+bool isOn(Action action, const ViewerState& viewer) {
+  const view::Look& look = viewer.state.look;
   if (const auto overlay = window::overlayOf(action)) return look.shows(*overlay);
   if (const auto colouring = window::colouringOf(action)) return look.colouring == *colouring;
-  if (action == Action::record) return session.recording.forces;
-  const bool* on = switchOf(action, session);
+  if (action == Action::record) return viewer.recording.forces;
+  const bool* on = switchOf(action, viewer);
   return on != nullptr && *on;
 }
 

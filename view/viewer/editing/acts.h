@@ -1,16 +1,16 @@
-// What the keys and menus do to the session: switches, modes, requests. Pure.
+// What the keys and menus do to the viewer's state: switches, modes, requests. Pure.
 #pragma once
 
 #include "palpate/window/keys.h"
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
 
 /// Does what changes data only, and leaves a request for the rest. Camera moves are requests to the viewer as well.
-void perform(window::Action action, Session& session);
+void perform(window::Action action, ViewerState& viewer);
 
 /// Whether a switch is on, for check marks in menus; false for actions that are no switches.
-bool isOn(window::Action action, const Session& session);
+bool isOn(window::Action action, const ViewerState& viewer);
 
 /// The next of 100, 60, 30 and 0 %.
 double nextOpacity(double opacity);

@@ -14,8 +14,8 @@ using Kind = window::Command::Kind;
 
 constexpr double kSizePerNotch = 1.08;
 constexpr double kPercentPerNotch = 5.0;
-constexpr double kLeastRadiusMm = 2.0;
-constexpr double kMostRadiusMm = 200.0;
+constexpr double kMinRadiusMm = 2.0;
+constexpr double kMaxRadiusMm = 200.0;
 
 maps::Dysfunction* selected(const DysfunctionEdit& edit) {
   const int i = edit.editor.selected;
@@ -96,7 +96,7 @@ bool applyEdit(const window::Command& command, const std::optional<Vec2>& place,
     case Kind::edit_size:
       changeSelected(edit, "resize", [&](maps::Dysfunction& item) {
         item.radius_mm =
-            std::clamp(item.radius_mm * std::pow(kSizePerNotch, command.amount), kLeastRadiusMm, kMostRadiusMm);
+            std::clamp(item.radius_mm * std::pow(kSizePerNotch, command.amount), kMinRadiusMm, kMaxRadiusMm);
       });
       return true;
     case Kind::edit_strength:

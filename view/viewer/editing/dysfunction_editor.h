@@ -1,4 +1,4 @@
-// Placing, moving, sizing and deleting dysfunctions, every gesture one step that can be undone (change_history.h).
+// Placing, moving, sizing and deleting dysfunctions, every gesture one step that can be undone (edit_history.h).
 // Pure.
 //
 //   mouse ─ Input ─► Command ─ applyEdit ─┐

@@ -50,23 +50,23 @@ void Pointer::moveFinger(std::size_t finger, const Vec2& pixel) {
   if (place) moved.place = place;
 }
 
-Vec3 Pointer::pivotAt(const Vec2& pixel, const Session& session) const {
+Vec3 Pointer::pivotAt(const Vec2& pixel, const ViewerState& viewer) const {
   const auto place = skinAt(pixel);
-  return place ? place->point : session.camera.centre;
+  return place ? place->point : viewer.camera.centre;
 }
 
-void Pointer::deepen(Session& session, double notches) {
-  TouchSettings& touch = session.state.touch;
+void Pointer::deepen(ViewerState& viewer, double notches) {
+  TouchSettings& touch = viewer.state.touch;
   if (touch.by == device::PressBy::force) {
-    touch.force_n = std::clamp(touch.force_n + notches * kForcePerNotchN, 0.0, kMostForceN);
+    touch.force_n = std::clamp(touch.force_n + notches * kForcePerNotchN, 0.0, kMaxForceN);
   } else {
-    touch.depth_mm = std::clamp(touch.depth_mm + notches * kDepthPerNotchMm, 0.0, kMostDepthMm);
+    touch.depth_mm = std::clamp(touch.depth_mm + notches * kDepthPerNotchMm, 0.0, kMaxDepthMm);
   }
 }
 
-bool Pointer::apply(const window::Command& command, Session& session) {
-  const std::size_t active = session.active_finger;
-  view::Camera& camera = session.camera;
+bool Pointer::apply(const window::Command& command, ViewerState& viewer) {
+  const std::size_t active = viewer.active_finger;
+  view::Camera& camera = viewer.camera;
   switch (command.kind) {
     case Kind::hover:
       // A held finger stays where it was put.
@@ -87,46 +87,46 @@ bool Pointer::apply(const window::Command& command, Session& session) {
       return true;
     case Kind::take_finger:
       // The finger that is left keeps what it was asked for.
-      fingers_[active].depth_mm = session.state.touch.depth_mm;
-      fingers_[active].force_n = session.state.touch.force_n;
-      session.active_finger = command.finger;
+      fingers_[active].depth_mm = viewer.state.touch.depth_mm;
+      fingers_[active].force_n = viewer.state.touch.force_n;
+      viewer.active_finger = command.finger;
       return true;
     case Kind::deepen: {
-      const double force = session.fingers[active].force.norm();
-      const bool resists = session.state.touch.resisting_cursor && command.amount != std::round(command.amount);
-      deepen(session, command.amount / (resists ? 1.0 + force / kHalfSpeedN : 1.0));
+      const double force = viewer.fingers[active].force.norm();
+      const bool resists = viewer.state.touch.resisting_cursor && command.amount != std::round(command.amount);
+      deepen(viewer, command.amount / (resists ? 1.0 + force / kHalfSpeedN : 1.0));
       return true;
     }
     case Kind::grab:
       flight_.reset();
-      pivot_ = pivotAt(command.at, session);
+      pivot_ = pivotAt(command.at, viewer);
       return true;
     case Kind::orbit:
       camera = view::orbited(camera, pivot_, command.by, screen_.size.y());
-      session.opened.camera_moved = true;
+      viewer.opened.camera_moved = true;
       return true;
     case Kind::pan:
       camera = view::panned(camera, pivot_, command.by, screen_.size.y());
-      session.opened.camera_moved = true;
+      viewer.opened.camera_moved = true;
       return true;
     case Kind::zoom:
       flight_.reset();
-      camera = view::zoomed(camera, pivotAt(command.at, session), command.amount);
-      session.opened.camera_moved = true;
+      camera = view::zoomed(camera, pivotAt(command.at, viewer), command.amount);
+      viewer.opened.camera_moved = true;
       return true;
     case Kind::centre:
-      if (const auto place = skinAt(command.at)) fly(view::centredOn(camera, place->point), session, kCentreFlightS);
-      session.opened.camera_moved = true;
+      if (const auto place = skinAt(command.at)) fly(view::centredOn(camera, place->point), viewer, kCentreFlightS);
+      viewer.opened.camera_moved = true;
       return true;
     default:
       return false;
   }
 }
 
-bool Pointer::step(window::Action action, bool fine, Session& session) {
+bool Pointer::step(window::Action action, bool fine, ViewerState& viewer) {
   using window::Action;
   Vec3 direction;
-  const view::Camera& camera = session.camera;
+  const view::Camera& camera = viewer.camera;
   switch (action) {
     case Action::ring_left:
       direction = -camera.right();
@@ -143,7 +143,7 @@ bool Pointer::step(window::Action action, bool fine, Session& session) {
     default:
       return false;
   }
-  Finger& finger = fingers_[session.active_finger];
+  Finger& finger = fingers_[viewer.active_finger];
   if (!finger.place) finger.place = skinAt(0.5 * screen_.size);
   if (!finger.place || !world_) return true;
   const Vec3 wanted = finger.place->point + (fine ? kFineRingStepMm : kRingStepMm) * direction;
@@ -162,18 +162,18 @@ void Pointer::demonstrate(std::size_t finger, const SkinPlace& place, bool press
   fingers_[finger].pressed = pressed;
 }
 
-device::FingerTarget Pointer::target(std::size_t finger, const Session& session) const {
+device::FingerTarget Pointer::target(std::size_t finger, const ViewerState& viewer) const {
   const Finger& from = fingers_[finger];
-  const TouchSettings& touch = session.state.touch;
-  const bool active = finger == session.active_finger;
+  const TouchSettings& touch = viewer.state.touch;
+  const bool active = finger == viewer.active_finger;
   device::FingerTarget target;
   target.present = from.place.has_value();
   target.pressed = from.pressed;
   target.by = touch.by;
   target.depth_mm = active ? touch.depth_mm : from.depth_mm;
   target.force_n = active ? touch.force_n : from.force_n;
-  target.max_depth_mm = std::min(kMostDepthMm, session.scene.contact.finger.max_depth_mm);
-  target.radius_mm = fingerRadius(session.scene, finger);
+  target.max_depth_mm = std::min(kMaxDepthMm, viewer.scene.contact.finger.max_depth_mm);
+  target.radius_mm = fingerRadius(viewer.scene, finger);
   if (from.place) {
     target.place = from.place->point;
     target.normal = from.place->normal;
@@ -181,14 +181,14 @@ device::FingerTarget Pointer::target(std::size_t finger, const Session& session)
   return target;
 }
 
-void Pointer::fly(const view::Camera& to, const Session& session, double seconds) {
-  flight_ = Flight{session.camera, to, session.now_s, session.state.reduced_motion ? 0.0 : seconds};
+void Pointer::fly(const view::Camera& to, const ViewerState& viewer, double seconds) {
+  flight_ = Flight{viewer.camera, to, viewer.now_s, viewer.state.reduced_motion ? 0.0 : seconds};
 }
 
-void Pointer::advance(Session& session) {
+void Pointer::advance(ViewerState& viewer) {
   if (!flight_) return;
-  const double share = flight_->seconds > 0.0 ? (session.now_s - flight_->start_s) / flight_->seconds : 1.0;
-  session.camera = view::between(flight_->from, flight_->to, share);
+  const double share = flight_->seconds > 0.0 ? (viewer.now_s - flight_->start_s) / flight_->seconds : 1.0;
+  viewer.camera = view::between(flight_->from, flight_->to, share);
   if (share >= 1.0) flight_.reset();
 }
 

@@ -5,10 +5,12 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "palpate/view/lines.h"
 #include "palpate/view/orbit.h"
 #include "palpate/window/input.h"
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 #include "view/viewer/world/live_servo.h"
 
 namespace palpate::viewer {
@@ -33,20 +35,20 @@ class Pointer {
   void reset();
 
   /// True if the command was about a finger or the camera, and then it was done; false for actions and the editor's.
-  bool apply(const window::Command& command, Session& session);
+  bool apply(const window::Command& command, ViewerState& viewer);
   /// A ring step of the keyboard.
-  bool step(window::Action action, bool fine, Session& session);
+  bool step(window::Action action, bool fine, ViewerState& viewer);
   /// A press by nobody's hand: the first seconds' demonstration.
   void demonstrate(std::size_t finger, const SkinPlace& place, bool pressed);
 
   /// To be sent to the servo. Depth, force and radius come from the settings.
-  device::FingerTarget target(std::size_t finger, const Session& session) const;
+  device::FingerTarget target(std::size_t finger, const ViewerState& viewer) const;
   const std::optional<SkinPlace>& placeOf(std::size_t finger) const { return fingers_[finger].place; }
   bool pressed(std::size_t finger) const { return fingers_[finger].pressed; }
   /// Sends the camera to another view; at once with reduced motion.
-  void fly(const view::Camera& to, const Session& session, double seconds);
+  void fly(const view::Camera& to, const ViewerState& viewer, double seconds);
   /// Once a frame: the camera's flight goes on.
-  void advance(Session& session);
+  void advance(ViewerState& viewer);
 
  private:
   struct Finger {
@@ -57,8 +59,8 @@ class Pointer {
   };
 
   void moveFinger(std::size_t finger, const Vec2& pixel);
-  void deepen(Session& session, double notches);
-  Vec3 pivotAt(const Vec2& pixel, const Session& session) const;
+  void deepen(ViewerState& viewer, double notches);
+  Vec3 pivotAt(const Vec2& pixel, const ViewerState& viewer) const;
 
   PickScreen screen_;
   std::shared_ptr<const scene::World> world_;
@@ -70,5 +72,20 @@ class Pointer {
   };
   std::optional<Flight> flight_;
 };
+
+// Rings on the skin that belong to the window, not to the picture: where each finger would press, and in the editor
+// where the dysfunctions are. Made as lines in space (Frame::marks), so that both eyes of a stereo picture see them
+// where they are. No GL.
+
+/// Of lines that belong to a finger.
+inline constexpr std::array<view::Paint, kFingers> kFingerPaint = {{{110, 165, 255, 230}, {255, 120, 105, 230}}};
+
+/// A ring under each finger that has been over the skin, as large as the finger, tilted with the skin; thicker the
+/// deeper it presses.
+std::vector<view::Lines> fingerRings(const ViewerState& viewer, const Pointer& pointer);
+
+/// The rims of the dysfunctions, laid on the skin; the selected one bold. Where the pointer is on free skin, dashed:
+/// the one that a click would place.
+std::vector<view::Lines> dysfunctionRings(const ViewerState& viewer, const Pointer& pointer, const scene::World& world);
 
 }  // namespace palpate::viewer

@@ -1,4 +1,4 @@
-#include "view/viewer/editing/rings.h"
+#include "view/viewer/editing/pointer.h"
 
 #include <algorithm>
 #include <array>
@@ -57,26 +57,27 @@ view::Lines ringOver(const scene::World& world, const maps::Dysfunction& item, d
 
 }  // namespace
 
-std::vector<view::Lines> fingerRings(const Session& session, const Pointer& pointer) {
+std::vector<view::Lines> fingerRings(const ViewerState& viewer, const Pointer& pointer) {
   std::vector<view::Lines> rings;
   for (std::size_t i = 0; i < kFingers; ++i) {
     const auto& place = pointer.placeOf(i);
     if (!place) continue;
-    const double radius = std::max(kPointRadiusMm, fingerRadius(session.scene, i));
-    const double depth = std::clamp(session.fingers[i].depth_mm, 0.0, 10.0);
+    const double radius = std::max(kPointRadiusMm, fingerRadius(viewer.scene, i));
+    const double depth = std::clamp(viewer.fingers[i].depth_mm, 0.0, 10.0);
     rings.push_back(ringOn(*place, radius, 1.6 + 0.25 * depth, kFingerPaint[i]));
   }
   return rings;
 }
 
-std::vector<view::Lines> dysfunctionRings(const Session& session, const Pointer& pointer, const scene::World& world) {
+std::vector<view::Lines> dysfunctionRings(const ViewerState& viewer, const Pointer& pointer,
+                                          const scene::World& world) {
   std::vector<view::Lines> rings;
-  const auto& items = session.scene.dysfunctions;
+  const auto& items = viewer.scene.dysfunctions;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    const bool selected = session.editor.selected == static_cast<int>(i);
+    const bool selected = viewer.editor.selected == static_cast<int>(i);
     rings.push_back(ringOver(world, items[i], selected ? 3.0 : 1.6, kDysfunctionPaint, false));
   }
-  const auto& place = pointer.placeOf(session.active_finger);
+  const auto& place = pointer.placeOf(viewer.active_finger);
   if (!place) return rings;
   maps::Dysfunction ghost;
   ghost.x_mm = place->point.x();

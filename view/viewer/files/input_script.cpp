@@ -12,7 +12,7 @@ namespace {
 
 using window::InputEvent;
 
-constexpr std::size_t kMostScriptBytes = std::size_t{1} << 22;
+constexpr std::size_t kMaxScriptBytes = std::size_t{1} << 22;
 
 constexpr NumberRange kScriptTimesS{0.0, 1e5};
 constexpr NumberRange kPixels{-1e5, 1e5};
@@ -36,7 +36,7 @@ window::Modifiers modifiersFrom(const CsvRow& row, std::size_t first) {
     } else if (row.fields[i] == "shift") {
       modifiers.shift = true;
     } else {
-      fail(row, fmt::format("'{}' is no modifier: ctrl or shift", row.fields[i]));
+      fail(row, fmt::format("'{}' is not a modifier: ctrl or shift", row.fields[i]));
     }
   }
   return modifiers;
@@ -47,7 +47,7 @@ window::Button buttonFrom(const CsvRow& row) {
   if (name == "left") return window::Button::left;
   if (name == "right") return window::Button::right;
   if (name == "middle") return window::Button::middle;
-  fail(row, fmt::format("'{}' is no button: left, right or middle", name));
+  fail(row, fmt::format("'{}' is not a button: left, right or middle", name));
 }
 
 /// Any key of the table by its name, and single letters and digits.
@@ -186,7 +186,7 @@ std::vector<ScriptEvent> parseInputScript(std::string_view text, std::string_vie
 }
 
 std::vector<ScriptEvent> readInputScript(const std::filesystem::path& file) {
-  return parseInputScript(readFile(file, kMostScriptBytes), file.string());
+  return parseInputScript(readFile(file, kMaxScriptBytes), file.string());
 }
 
 }  // namespace palpate::viewer

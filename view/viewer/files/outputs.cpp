@@ -18,11 +18,11 @@ constexpr const char* kProfileStem = "profile";
 
 /// Does something with files; what goes wrong becomes a message.
 template <class Action>
-bool attempt(Session& session, const Action& action) {
+bool attempt(ViewerState& viewer, const Action& action) {
   try {
     action();
   } catch (const std::exception& error) {
-    session.report(Severity::error, error.what());
+    viewer.report(Severity::error, error.what());
     return false;
   }
   return true;
@@ -47,108 +47,108 @@ Outputs::~Outputs() {
   }
 }
 
-void Outputs::addSample(Session& session, const trace::Sample& sample) {
+void Outputs::addSample(ViewerState& viewer, const trace::Sample& sample) {
   try {
     forces_.add(sample);
   } catch (const std::exception& error) {
-    endBrokenForces(session, error.what());
+    endBrokenForces(viewer, error.what());
   }
 }
 
 /// The window goes on, and says what is left.
-void Outputs::endBrokenForces(Session& session, const std::string& why) {
-  session.recording.forces = false;
+void Outputs::endBrokenForces(ViewerState& viewer, const std::string& why) {
+  viewer.recording.forces = false;
   const std::string kept = forces_.abandon();
   const std::string rest =
       kept.empty() ? std::string("nothing of it could be kept") : fmt::format("what was written is kept in {}", kept);
-  session.report(Severity::error, fmt::format("The recording ended: {}; {}", why, rest));
+  viewer.report(Severity::error, fmt::format("The recording ended: {}; {}", why, rest));
 }
 
-void Outputs::toggleForces(Session& session) {
-  Recording& recording = session.recording;
+void Outputs::toggleForces(ViewerState& viewer) {
+  Recording& recording = viewer.recording;
   if (recording.forces) {
     recording.forces = false;
     try {
       forces_.stop();
-      session.report(Severity::info, fmt::format("Forces are in {}", recording.forces_file));
+      viewer.report(Severity::info, fmt::format("Forces are in {}", recording.forces_file));
     } catch (const std::exception& error) {
-      endBrokenForces(session, error.what());
+      endBrokenForces(viewer, error.what());
     }
     return;
   }
   const fs::path file = freshFile(folder_, "forces", ".csv");
-  if (!attempt(session, [&] { forces_.start(file, session.ticks_per_s); })) return;
+  if (!attempt(viewer, [&] { forces_.start(file, viewer.ticks_per_s); })) return;
   recording.forces = true;
   recording.forces_file = file.string();
-  recording.since_s = session.now_s;
-  session.report(Severity::info, fmt::format("Recording forces into {}; R ends it", recording.forces_file));
+  recording.since_s = viewer.now_s;
+  viewer.report(Severity::info, fmt::format("Recording forces into {}; R ends it", recording.forces_file));
 }
 
-void Outputs::toggleSequence(Session& session) {
-  Recording& recording = session.recording;
+void Outputs::toggleSequence(ViewerState& viewer) {
+  Recording& recording = viewer.recording;
   if (recording.sequence) {
     recording.sequence = false;
-    session.report(Severity::info, fmt::format("{} pictures are in {}", recording.pictures, recording.sequence_folder));
+    viewer.report(Severity::info, fmt::format("{} pictures are in {}", recording.pictures, recording.sequence_folder));
     return;
   }
   const fs::path folder = freshFile(folder_, "pictures", "");
-  if (!attempt(session, [&] { fs::create_directories(folder); })) return;
+  if (!attempt(viewer, [&] { fs::create_directories(folder); })) return;
   recording.sequence = true;
   recording.sequence_folder = folder.string();
   recording.pictures = 0;
-  session.report(Severity::info, fmt::format("Recording pictures into {}", recording.sequence_folder));
+  viewer.report(Severity::info, fmt::format("Recording pictures into {}", recording.sequence_folder));
 }
 
-void Outputs::savePlots(Session& session) {
-  const Plots& plots = session.plots;
+void Outputs::savePlots(ViewerState& viewer) {
+  const Plots& plots = viewer.plots;
   const fs::path file = freshFile(folder_, "plots", ".csv");
   const auto write = [&] { writeFile(file, historyAsCsv(plots.fingers, plots.shownEnd(), plots.window_s)); };
-  if (attempt(session, write)) session.report(Severity::info, fmt::format("The plots are in {}", file.string()));
+  if (attempt(viewer, write)) viewer.report(Severity::info, fmt::format("The plots are in {}", file.string()));
 }
 
-Outputs::Saving Outputs::saveScene(Session& session, const SaveScene& request) {
-  fs::path target = !request.file.empty() ? fs::path(request.file) : session.document.file;
+Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request) {
+  fs::path target = !request.file.empty() ? fs::path(request.file) : viewer.document.file;
   if (target.empty()) target = freshFile(folder_, "scene", ".toml");
-  if (!request.sure && wouldOverwrite(session.document, target)) {
-    const bool known = fs::absolute(target).lexically_normal() == session.document.file;
-    session.ask({.kind = Question::Kind::overwrite,
-                 .words = fmt::format("{} {}. Write over it?", target.string(),
-                                      known ? "was changed by somebody else since it was opened" : "exists already"),
-                 .answers = {"Overwrite", "Cancel"},
-                 .file = target.string()});
+  if (!request.sure && wouldOverwrite(viewer.document, target)) {
+    const bool known = fs::absolute(target).lexically_normal() == viewer.document.file;
+    viewer.ask({.kind = Question::Kind::overwrite,
+                .words = fmt::format("{} {}. Write over it?", target.string(),
+                                     known ? "was changed by somebody else since it was opened" : "exists already"),
+                .answers = {"Overwrite", "Cancel"},
+                .file = target.string()});
     return Saving::asked;
   }
-  const scene::Scene scene = sceneToSave(session);
+  const scene::Scene scene = sceneToSave(viewer);
   SceneWriting written;
-  if (!attempt(session, [&] { written = writeScene(scene, session.document, target); })) return Saving::failed;
-  session.document = std::move(written.document);
-  session.scene.view = scene.view;
-  session.scene.strain = scene.strain;
-  session.opened = {.look = session.state.look, .stereo = session.state.stereo};
-  session.history.saved(session);
-  std::string words = written.as_it_was ? fmt::format("Nothing to save: {} says it all", session.document.file.string())
-                                        : fmt::format("The scene is saved as {}", session.document.file.string());
+  if (!attempt(viewer, [&] { written = writeScene(scene, viewer.document, target); })) return Saving::failed;
+  viewer.document = std::move(written.document);
+  viewer.scene.view = scene.view;
+  viewer.scene.strain = scene.strain;
+  viewer.opened = {.look = viewer.state.look, .stereo = viewer.state.stereo};
+  viewer.history.saved(viewer);
+  std::string words = written.as_it_was ? fmt::format("Nothing to save: {} says it all", viewer.document.file.string())
+                                        : fmt::format("The scene is saved as {}", viewer.document.file.string());
   if (!written.kept.empty())
     words += fmt::format("; its comments could not be kept and are in {}", written.kept.string());
-  session.report(Severity::info, std::move(words));
+  viewer.report(Severity::info, std::move(words));
   return Saving::done;
 }
 
-void Outputs::useProfile(Session& session) {
-  fs::path& file = session.scene.deformation.profile_file;
+void Outputs::useProfile(ViewerState& viewer) {
+  fs::path& file = viewer.scene.deformation.profile_file;
   const bool ours = file.filename().string().starts_with(kProfileStem) && file.parent_path() == folder_;
   const fs::path target = ours ? file : freshFile(folder_, kProfileStem, ".csv");
   std::string table = "q,value\n";
-  for (const tissue::ProfileKnot& knot : session.profile.knots) table += fmt::format("{},{}\n", knot.q, knot.value);
-  if (!attempt(session, [&] { writeFile(target, table); })) return;
+  for (const tissue::ProfileKnot& knot : viewer.profile.knots) table += fmt::format("{},{}\n", knot.q, knot.value);
+  if (!attempt(viewer, [&] { writeFile(target, table); })) return;
   file = target;
-  session.profile.drawn = session.profile.knots;
-  session.scene.deformation.forms.normal_profile.kind = tissue::ProfileKind::user;
-  session.asks.changed |= kMapChange;
+  viewer.profile.drawn = viewer.profile.knots;
+  viewer.scene.deformation.forms.normal_profile.kind = tissue::ProfileKind::user;
+  viewer.asks.changed |= kMapChange;
 }
 
-void Outputs::keepFrame(Session& session, view::Image image) {
-  Recording& recording = session.recording;
+void Outputs::keepFrame(ViewerState& viewer, view::Image image) {
+  Recording& recording = viewer.recording;
   if (screenshot_) {
     screenshot_ = false;
     const fs::path file = freshFile(folder_, "palpate", ".png");
@@ -156,7 +156,7 @@ void Outputs::keepFrame(Session& session, view::Image image) {
     // The next fresh name must not be the same one.
     pictures_.finish();
     if (fs::exists(file)) {
-      session.report(Severity::info, fmt::format("The picture is saved as {}", file.string()));
+      viewer.report(Severity::info, fmt::format("The picture is saved as {}", file.string()));
       saved_picture_ = file;
     }
   }
@@ -165,33 +165,33 @@ void Outputs::keepFrame(Session& session, view::Image image) {
   pictures_.write(file, std::move(image));
 }
 
-void Outputs::saveClearPicture(Session& session, const view::CutOut& picture) {
+void Outputs::saveClearPicture(ViewerState& viewer, const view::CutOut& picture) {
   const fs::path file = freshFile(folder_, "palpate", ".png");
-  if (!attempt(session, [&] { view::writePng(file, picture); })) return;
-  session.report(Severity::info, fmt::format("The picture without background is saved as {}", file.string()));
+  if (!attempt(viewer, [&] { view::writePng(file, picture); })) return;
+  viewer.report(Severity::info, fmt::format("The picture without background is saved as {}", file.string()));
 }
 
-void Outputs::tellErrors(Session& session) {
+void Outputs::tellErrors(ViewerState& viewer) {
   const std::string error = pictures_.takeError();
   if (error.empty()) return;
-  session.recording.sequence = false;
-  session.report(Severity::error, error);
+  viewer.recording.sequence = false;
+  viewer.report(Severity::error, error);
 }
 
-fs::path Outputs::keepChanges(const Session& session) const {
-  if (!session.history.changed()) return {};
-  const fs::path& from = session.document.file;
+fs::path Outputs::keepChanges(const ViewerState& viewer) const {
+  if (!viewer.history.changed()) return {};
+  const fs::path& from = viewer.document.file;
   const fs::path target = from.empty() ? freshFile(folder_, "scene-backup", ".toml")
                                        : freshFile(from.parent_path(), from.stem().string() + "-backup", ".toml");
-  scene::save(sceneToSave(session), target);
+  scene::save(sceneToSave(viewer), target);
   return target;
 }
 
-void Outputs::finish(Session& session) {
-  if (session.recording.forces) toggleForces(session);
-  if (session.recording.sequence) toggleSequence(session);
+void Outputs::finish(ViewerState& viewer) {
+  if (viewer.recording.forces) toggleForces(viewer);
+  if (viewer.recording.sequence) toggleSequence(viewer);
   pictures_.finish();
-  tellErrors(session);
+  tellErrors(viewer);
 }
 
 }  // namespace palpate::viewer

@@ -2,16 +2,71 @@
 // message.
 #pragma once
 
+#include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 
-#include "palpate/view/cut_out.h"
-#include "view/viewer/files/recorders.h"
-#include "view/viewer/state/session.h"
+#include "palpate/trace/forces_csv.h"
+#include "palpate/view/image.h"
+#include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
+
+// Files written while one palpates: the forces of every tick, and frames as PNG files.
+//
+// Pictures are compressed and written by a thread of their own; the display waits only when it is many pictures ahead,
+// the servo never.
+
+class ForceRecorder {
+ public:
+  /// Throws Error when the file cannot be written.
+  void start(const std::filesystem::path& file, double ticks_per_s);
+  /// A finger that is nowhere is left out. Throws Error when the disk is full or gone.
+  void add(const trace::Sample& sample);
+  /// The file is complete. Throws Error when it cannot be: then `abandon` it.
+  void stop();
+  /// Ends without completing the file; where its rows are, or empty when there are none.
+  std::string abandon();
+  bool running() const { return writer_ != nullptr; }
+
+ private:
+  std::unique_ptr<trace::ForcesCsvWriter> writer_;
+  std::optional<std::uint64_t> first_tick_;
+};
+
+class PictureWriter {
+ public:
+  PictureWriter();
+  /// Finishes what is waiting.
+  ~PictureWriter();
+
+  void write(std::filesystem::path file, view::Image image);
+  /// What went wrong since the last call, or empty.
+  std::string takeError();
+  void finish();
+
+ private:
+  struct Job {
+    std::filesystem::path file;
+    view::Image image;
+  };
+  void run();
+
+  std::mutex mutex_;
+  std::condition_variable change_;
+  std::deque<Job> jobs_;
+  bool working_ = false;
+  bool quit_ = false;
+  std::string error_;
+  std::thread thread_;
+};
 
 /// A file that does not exist yet: "palpate.png", "palpate-2.png", ... in a folder that is made when it is first
 /// needed; that it cannot be is told by the writing.
@@ -26,16 +81,16 @@ class Outputs {
   Outputs& operator=(const Outputs&) = delete;
 
   /// Into the recording that runs, if any. A disk that is full or gone ends it, with what was recorded kept.
-  void addSample(Session& session, const trace::Sample& sample);
-  void toggleForces(Session& session);
-  void toggleSequence(Session& session);
-  void savePlots(Session& session);
+  void addSample(ViewerState& viewer, const trace::Sample& sample);
+  void toggleForces(ViewerState& viewer);
+  void toggleSequence(ViewerState& viewer);
+  void savePlots(ViewerState& viewer);
   enum class Saving : std::uint8_t { done, asked, failed };
   /// To the request's file, else to where the scene came from, else to a fresh name in the folder. Asks before it
   /// writes over what this window has neither read nor written, unless the request is sure.
-  Saving saveScene(Session& session, const SaveScene& request);
+  Saving saveScene(ViewerState& viewer, const SaveScene& request);
   /// Writes the drawn displacement profile to a file and has the scene use it.
-  void useProfile(Session& session);
+  void useProfile(ViewerState& viewer);
   void askForScreenshot(bool with_pop_ups = false) {
     screenshot_ = true;
     with_pop_ups_ = with_pop_ups;
@@ -45,30 +100,32 @@ class Outputs {
   /// It was asked for in this frame; once.
   bool takeClearPicture() { return std::exchange(clear_picture_, false); }
   /// The picture of this frame is kept, and pop-ups are no part of it. Pictures of a sequence never have them.
-  bool wantsNoPopUps(const Session& session) const { return screenshot_ ? !with_pop_ups_ : session.recording.sequence; }
+  bool wantsNoPopUps(const ViewerState& viewer) const {
+    return screenshot_ ? !with_pop_ups_ : viewer.recording.sequence;
+  }
   /// The picture that was saved since the last call, or empty.
   std::filesystem::path takeSavedPicture() { return std::exchange(saved_picture_, {}); }
-  void saveClearPicture(Session& session, const view::CutOut& picture);
+  void saveClearPicture(ViewerState& viewer, const view::CutOut& picture);
   const std::filesystem::path& folder() const { return folder_; }
 
   /// A frame has been drawn; `read` fetches it when somebody wants it.
   template <class Read>
-  void frameDrawn(Session& session, const Read& read) {
-    if (screenshot_ || session.recording.sequence) keepFrame(session, read());
-    tellErrors(session);
+  void frameDrawn(ViewerState& viewer, const Read& read) {
+    if (screenshot_ || viewer.recording.sequence) keepFrame(viewer, read());
+    tellErrors(viewer);
   }
 
   /// A changed scene that nobody could be asked about goes beside the one it came from, to a fresh name
   /// (scene-backup.toml): which, or empty when nothing was changed. Throws Error.
-  std::filesystem::path keepChanges(const Session& session) const;
+  std::filesystem::path keepChanges(const ViewerState& viewer) const;
 
   /// Completes what is being recorded.
-  void finish(Session& session);
+  void finish(ViewerState& viewer);
 
  private:
-  void endBrokenForces(Session& session, const std::string& why);
-  void keepFrame(Session& session, view::Image image);
-  void tellErrors(Session& session);
+  void endBrokenForces(ViewerState& viewer, const std::string& why);
+  void keepFrame(ViewerState& viewer, view::Image image);
+  void tellErrors(ViewerState& viewer);
 
   std::filesystem::path folder_;
   ForceRecorder forces_;

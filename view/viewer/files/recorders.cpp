@@ -1,4 +1,4 @@
-#include "view/viewer/files/recorders.h"
+#include "view/viewer/files/outputs.h"
 
 #include <utility>
 
@@ -13,7 +13,7 @@ namespace palpate::viewer {
 namespace {
 
 /// Pictures that may wait; a picture of 1280 x 800 takes 3 MB.
-constexpr std::size_t kMostWaiting = 16;
+constexpr std::size_t kMaxWaiting = 16;
 
 /// A finger that was not put on the body yet.
 bool isNowhere(const Vec3& tip) { return tip.z() > 0.5 * device::kNowhere.z(); }
@@ -64,7 +64,7 @@ PictureWriter::~PictureWriter() {
 
 void PictureWriter::write(std::filesystem::path file, view::Image image) {
   std::unique_lock lock(mutex_);
-  change_.wait(lock, [this] { return jobs_.size() < kMostWaiting; });
+  change_.wait(lock, [this] { return jobs_.size() < kMaxWaiting; });
   jobs_.push_back({std::move(file), std::move(image)});
   change_.notify_all();
 }

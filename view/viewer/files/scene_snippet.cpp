@@ -25,16 +25,16 @@ scene::Finger asPressed(const contact::FingerOutput& contact, const std::string&
 
 }  // namespace
 
-std::string sceneSnippet(const Session& session) {
-  scene::Scene scene = sceneToSave(session);
-  keepCamera(session, scene.view);
-  std::string head = fmt::format("# {}\n", session.world.name);
+std::string sceneSnippet(const ViewerState& viewer) {
+  scene::Scene scene = sceneToSave(viewer);
+  keepCamera(viewer, scene.view);
+  std::string head = fmt::format("# {}\n", viewer.world.name);
   std::vector<scene::Finger> pressed;
   for (std::size_t i = 0; i < kFingers; ++i) {
-    const contact::FingerOutput& contact = session.fingers[i];
-    if (!session.finger_present[i] || contact.touch == contact::Touch::free) continue;
+    const contact::FingerOutput& contact = viewer.fingers[i];
+    if (!viewer.finger_present[i] || contact.touch == contact::Touch::free) continue;
     const std::string name = i == 0 ? "left" : "right";
-    pressed.push_back(asPressed(contact, name, fingerRadius(session.scene, i)));
+    pressed.push_back(asPressed(contact, name, fingerRadius(viewer.scene, i)));
     const Vec3& force = contact.force;
     head += fmt::format("# {}: {:.2f} mm deep, {:.3f} N (x {:.3f}, y {:.3f}, z {:.3f}) at {:.1f}, {:.1f}, {:.1f} mm\n",
                         name, contact.depth_mm, force.norm(), force.x(), force.y(), force.z(), contact.proxy.x(),

@@ -1,4 +1,4 @@
-#include "view/viewer/files/view_text.h"
+#include "view/viewer/files/scene_snippet.h"
 
 #include <fmt/format.h>
 

@@ -27,21 +27,21 @@ std::optional<Eigen::AlignedBox3d> Modes::homeBox() const {
   return std::nullopt;
 }
 
-bool Modes::handle(const window::InputEvent& event, Session& session, bool typing) const {
-  return std::ranges::any_of(modes_, [&](const auto& mode) { return mode->handle(event, session, typing); });
+bool Modes::handle(const window::InputEvent& event, ViewerState& viewer, bool typing) const {
+  return std::ranges::any_of(modes_, [&](const auto& mode) { return mode->handle(event, viewer, typing); });
 }
 
-bool Modes::handle(const window::Command& command, Session& session) const {
-  return std::ranges::any_of(modes_, [&](const auto& mode) { return mode->handle(command, session); });
+bool Modes::handle(const window::Command& command, ViewerState& viewer) const {
+  return std::ranges::any_of(modes_, [&](const auto& mode) { return mode->handle(command, viewer); });
 }
 
-bool Modes::handle(const Request& request, Session& session) const {
-  return std::ranges::any_of(modes_, [&](const auto& mode) { return mode->handle(request, session); });
+bool Modes::handle(const Request& request, ViewerState& viewer) const {
+  return std::ranges::any_of(modes_, [&](const auto& mode) { return mode->handle(request, viewer); });
 }
 
-void Modes::answer(const Question& question, std::string_view chosen, Session& session) const {
+void Modes::answer(const Question& question, std::string_view chosen, ViewerState& viewer) const {
   for (const auto& mode : modes_) {
-    if (mode->answer(question, chosen, session)) return;
+    if (mode->answer(question, chosen, viewer)) return;
   }
 }
 

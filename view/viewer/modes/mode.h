@@ -17,7 +17,7 @@
 #include "palpate/window/input.h"
 #include "view/viewer/editing/pointer.h"
 #include "view/viewer/state/free_area.h"
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 #include "view/viewer/world/live_servo.h"
 #include "view/viewer/world/world_swap.h"
 
@@ -45,7 +45,7 @@ struct Sight {
 
 /// What a mode may work with once a frame.
 struct ModeWork {
-  Session& session;
+  ViewerState& viewer;
   LiveServo& servo;
   WorldSwap& world_swap;
   const scene::World& world;
@@ -63,23 +63,25 @@ class Mode {
 
   virtual Claims claims() const = 0;
   /// Once, before the first frame. Throws Error if the mode cannot work with this world.
-  virtual void begin(Session& /*session*/, const scene::World& /*world*/, window::Gui& /*gui*/) {}
+  virtual void begin(ViewerState& /*viewer*/, const scene::World& /*world*/, window::Gui& /*gui*/) {}
   /// The servo has taken a world.
   virtual void worldCame(const scene::World& /*world*/) {}
   /// Every tick of every finger.
   virtual void feel(const trace::Sample& /*sample*/) {}
   /// The part of the body that the standard views show (default: all of it).
   virtual std::optional<Eigen::AlignedBox3d> homeBox() const { return std::nullopt; }
-  virtual void look(const Sight& /*sight*/, const Session& /*session*/) {}
+  virtual void look(const Sight& /*sight*/, const ViewerState& /*viewer*/) {}
   /// `typing`: a text field has the keyboard.
-  virtual bool handle(const window::InputEvent& /*event*/, Session& /*session*/, bool /*typing*/) { return false; }
-  virtual bool handle(const window::Command& /*command*/, Session& /*session*/) { return false; }
+  virtual bool handle(const window::InputEvent& /*event*/, ViewerState& /*viewer*/, bool /*typing*/) { return false; }
+  virtual bool handle(const window::Command& /*command*/, ViewerState& /*viewer*/) { return false; }
   virtual std::optional<ModeMenuItem> menuItem() const { return std::nullopt; }
   /// Draws what has been claimed: the area of the body, or the whole window. Needs a Gui frame that has begun.
   virtual void draw(const FreeArea& /*area*/) {}
-  virtual bool handle(const Request& /*request*/, Session& /*session*/) { return false; }
+  virtual bool handle(const Request& /*request*/, ViewerState& /*viewer*/) { return false; }
   /// True if the question was this mode's.
-  virtual bool answer(const Question& /*question*/, std::string_view /*chosen*/, Session& /*session*/) { return false; }
+  virtual bool answer(const Question& /*question*/, std::string_view /*chosen*/, ViewerState& /*viewer*/) {
+    return false;
+  }
   /// Before changes of the scene are used.
   virtual void advance(const ModeWork& /*work*/) {}
   virtual bool wantsToQuit() const { return false; }
@@ -99,10 +101,10 @@ class Modes {
   /// The one that has taken this part of the window, or null.
   Mode* claimant(bool Claims::*part) const;
   std::optional<Eigen::AlignedBox3d> homeBox() const;
-  bool handle(const window::InputEvent& event, Session& session, bool typing) const;
-  bool handle(const window::Command& command, Session& session) const;
-  bool handle(const Request& request, Session& session) const;
-  void answer(const Question& question, std::string_view chosen, Session& session) const;
+  bool handle(const window::InputEvent& event, ViewerState& viewer, bool typing) const;
+  bool handle(const window::Command& command, ViewerState& viewer) const;
+  bool handle(const Request& request, ViewerState& viewer) const;
+  void answer(const Question& question, std::string_view chosen, ViewerState& viewer) const;
 
  private:
   std::vector<std::unique_ptr<Mode>> modes_;

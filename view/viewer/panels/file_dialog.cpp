@@ -1,7 +1,7 @@
 // Choosing a file to open or to save to: recent ones, a folder to walk through, and a line to type into.
 //
 // Own, because no library of Debian 12 fits: GTK's and Qt's dialogs want their own event loop beside GLFW's,
-// libportal's wants a desktop portal on the session bus, which bare X servers do not have, and Native File Dialog is
+// libportal's wants a desktop portal on the recording bus, which bare X servers do not have, and Native File Dialog is
 // not packaged.
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -111,7 +111,8 @@ void openDialog(std::span<const std::string> recent, bool& open, Asks& asks) {
     ImGui::SameLine();
     if ((buttonWidget("open/open", "Open") || entered) && !typed.empty()) chosen = typed;
     remark(
-        "TOML scenes, OBJ, STL, PLY, OFF, glTF and GLB meshes, sessions, recorded forces (CSV); or drop a file on the "
+        "TOML scenes, OBJ, STL, PLY, OFF, glTF and GLB meshes, recordings, recorded forces (CSV); or drop a file on "
+        "the "
         "window.");
     if (!chosen.empty()) {
       asks.request(OpenFile{chosen});

@@ -1,6 +1,6 @@
-// The frame around the panels: what stands where on the screen, and which parts of the session each panel gets.
+// The frame around the panels: what stands where on the screen, and which parts of the viewer's state each panel gets.
 //
-//   Session ─ drawGui ─► each panel (panels.h): the parts it shows and may change ─► Asks, for everything else
+//   ViewerState ─ drawGui ─► each panel (panels.h): the parts it shows and may change ─► Asks, for everything else
 //
 // All need a Gui frame that has begun.
 #pragma once
@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "view/viewer/panels/panels.h"
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
 
@@ -17,14 +17,14 @@ class Modes;
 
 /// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs; or what a mode has in place of
 /// them. Does the actions that were asked for and passes the words on; requests and notes of changes stay in
-/// session.asks.
-void drawGui(Session& session, const Modes& modes);
+/// viewer.asks.
+void drawGui(ViewerState& viewer, const Modes& modes);
 
 /// Whether a window of this name belongs to a saved picture: menu bar, side panel, plots and what a mode draws in place
 /// of the body ("mode...") do, all else lies over it for a moment.
 bool staysInPictures(std::string_view window);
 
-using PanelFunction = void (*)(Session&);
+using PanelFunction = void (*)(ViewerState&);
 struct PanelEntry {
   const char* name;
   PanelFunction draw;
@@ -33,6 +33,6 @@ struct PanelEntry {
 /// From top to bottom.
 std::span<const PanelEntry> panelList();
 /// All sections in one narrow window at an edge of the screen.
-void sidePanel(Session& session, float width, const FreeArea& free);
+void sidePanel(ViewerState& viewer, float width, const FreeArea& free);
 
 }  // namespace palpate::viewer

@@ -69,9 +69,9 @@ void helpPage(bool& open) {
   if (ImGui::Begin("Keys and mouse (F1 or Esc closes)", &open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                        ImGuiWindowFlags_NoSavedSettings)) {
-    constexpr float kLeastForTwo = 760.0f;                         // in a narrow window one column, to be scrolled
+    constexpr float kMinForTwo = 760.0f;                           // in a narrow window one column, to be scrolled
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4.0f, 0.5f});  // all of it is to be seen at once
-    if (ImGui::BeginTable("columns", size.x < kLeastForTwo ? 1 : 2)) {
+    if (ImGui::BeginTable("columns", size.x < kMinForTwo ? 1 : 2)) {
       ImGui::TableNextColumn();
       mouseRules();
       groupOf(window::KeyGroup::touch, kLeftNames);

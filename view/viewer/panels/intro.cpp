@@ -1,4 +1,4 @@
-#include "view/viewer/panels/intro.h"
+#include "view/viewer/panels/hints.h"
 
 #include <algorithm>
 

@@ -22,8 +22,8 @@ float middleOf(const FreeArea& free) { return 0.5f * (free.left + free.right); }
 
 /// Words break in here, so that a notice fits into a narrow window too.
 float wordsWidth(const FreeArea& free) {
-  constexpr float kMost = 640.0f;
-  return std::clamp(free.right - free.left - 40.0f, 120.0f, kMost);
+  constexpr float kMax = 640.0f;
+  return std::clamp(free.right - free.left - 40.0f, 120.0f, kMax);
 }
 
 void wrappedWords(std::string_view words, const FreeArea& free) {

@@ -23,16 +23,16 @@ namespace {
 /// What is recorded by itself.
 void sessionPart(const Recording& recording, bool& keeps_last_hour, Asks& asks) {
   flagWidget("record/session", "Record the last hour by itself", keeps_last_hour,
-             "Every tick of both fingers, in a session file that a crash leaves readable.");
-  if (!recording.session) return;
+             "Every tick of both fingers, in a recording file that a crash leaves readable.");
+  if (!recording.viewer) return;
   const int seconds = static_cast<int>(recording.session_s);
   remark(fmt::format("{}:{:02} recorded{}", seconds / 60, seconds % 60,
                      recording.dropped == 0 ? "" : fmt::format(", {} samples missing", recording.dropped)));
-  if (buttonWidget("record/keep", recording.keeping ? "Keeping ..." : "Keep the session (Shift+R)",
-                   "Copies the last hour into a session file: to be shown again, proven, sent with a bug report.")) {
+  if (buttonWidget("record/keep", recording.keeping ? "Keeping ..." : "Keep the recording (Shift+R)",
+                   "Copies the last hour into a recording file: to be shown again, proven, sent with a bug report.")) {
     asks.request(KeepRecording{});
   }
-  if (buttonWidget("record/mark", "Set a mark (Shift+M)", "In the session, to be found again.")) {
+  if (buttonWidget("record/mark", "Set a mark (Shift+M)", "In the recording, to be found again.")) {
     asks.request(SetMark{});
   }
   if (!recording.kept_file.empty() &&

@@ -33,8 +33,8 @@ void headWidgets(HeadSettings& head, const SeenHead& seen) {
   flagWidget("stereo/head", "head before a real screen", head.on,
              "The screen is a window onto a body of true size, seen from where the eyes are.");
   if (!head.on) return;
-  numberWidget(head.screen_height_mm, {"stereo/screen", "screen height", "%.0f mm", kLeastScreenMm, kMostScreenMm,
-                                       300.0, "Of the lit part of the screen."});
+  numberWidget(head.screen_height_mm, {"stereo/screen", "screen height", "%.0f mm", kMinScreenMm, kMaxScreenMm, 300.0,
+                                       "Of the lit part of the screen."});
   valueLine("eyes", fmt::format("{:.0f}, {:.0f}, {:.0f} mm", seen.eyes_mm.x(), seen.eyes_mm.y(), seen.eyes_mm.z()));
   remark(wordsFor(seen.state));
   ImGui::TextUnformatted("eyes while none are measured");

@@ -24,10 +24,10 @@ void pressWidgets(TouchSettings& touch) {
   }
   if (touch.by == device::PressBy::depth) {
     numberWidget(touch.depth_mm,
-                 {"touch/depth", "depth", "%.1f mm", 0.0, kMostDepthMm, 6.0,
+                 {"touch/depth", "depth", "%.1f mm", 0.0, kMaxDepthMm, 6.0,
                   "How deep the finger presses. Wheel while pressing: 0.5 mm a notch, with Shift 0.1."});
   } else {
-    numberWidget(touch.force_n, {"touch/force", "normal force", "%.2f N", 0.0, kMostForceN, 3.0,
+    numberWidget(touch.force_n, {"touch/force", "normal force", "%.2f N", 0.0, kMaxForceN, 3.0,
                                  "How hard the finger presses: the part of the force along the press, without what it "
                                  "pulls sideways. Wheel while pressing: 0.25 N a notch."});
   }

@@ -3,7 +3,7 @@
 //   drawGui (gui_layout.h) ─► a panel: the parts it shows and may change, by reference ─► Asks, for everything else
 //
 // A panel is a function that draws the controls of one section; the frame around it is drawn by sidePanel. It knows no
-// Session: what its struct does not hold, it neither sees nor changes. All need a Gui frame that has begun.
+// ViewerState: what its struct does not hold, it neither sees nor changes. All need a Gui frame that has begun.
 #pragma once
 
 #include <array>
@@ -26,9 +26,9 @@
 #include "view/viewer/state/requests.h"
 #include "view/viewer/state/ruler.h"
 #include "view/viewer/state/sample_history.h"
-#include "view/viewer/state/session_parts.h"
 #include "view/viewer/state/vertex_values.h"
 #include "view/viewer/state/view_state.h"
+#include "view/viewer/state/viewer_parts.h"
 
 namespace palpate::viewer {
 

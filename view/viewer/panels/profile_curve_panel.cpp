@@ -18,7 +18,7 @@ constexpr float kHandle = 5.0f;
 constexpr double kLowest = -0.4;  ///< of the values shown and allowed: a bulge around the finger
 constexpr int kCurvePoints = 96;
 constexpr int kFirstHandles = 7;
-constexpr double kLeastGap = 0.01;  ///< between two handles
+constexpr double kMinGap = 0.01;  ///< between two handles
 
 using tissue::ProfileKind;
 using tissue::ProfileKnot;
@@ -73,14 +73,14 @@ bool isEnd(const std::vector<ProfileKnot>& knots, int i) { return i <= 0 || i + 
 void moveHandle(std::vector<ProfileKnot>& knots, int i, const ProfileKnot& to) {
   if (isEnd(knots, i)) return;
   const auto k = static_cast<std::size_t>(i);
-  knots[k].q = std::clamp(to.q, knots[k - 1].q + kLeastGap, knots[k + 1].q - kLeastGap);
+  knots[k].q = std::clamp(to.q, knots[k - 1].q + kMinGap, knots[k + 1].q - kMinGap);
   knots[k].value = std::clamp(to.value, kLowest, 1.0);
 }
 
 void addHandle(std::vector<ProfileKnot>& knots, const ProfileKnot& knot) {
   const auto after = std::find_if(knots.begin(), knots.end(), [&](const ProfileKnot& k) { return k.q > knot.q; });
   if (after == knots.begin() || after == knots.end()) return;
-  if (after->q - knot.q < kLeastGap || knot.q - (after - 1)->q < kLeastGap) return;
+  if (after->q - knot.q < kMinGap || knot.q - (after - 1)->q < kMinGap) return;
   knots.insert(after, knot);
 }
 

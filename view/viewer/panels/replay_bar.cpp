@@ -60,7 +60,7 @@ void drawMarks(const Replay& replay) {
 
 /// For what was recorded: marks, again and again, another one beside it.
 void sessionButtons(Replay& replay, Asks& asks) {
-  flagWidget("replay/loop", "loop", replay.loops, "Begins anew at the end.");
+  flagWidget("replay/loop", "loop", replay.loops, "Begins again at the end.");
   ImGui::SameLine();
   if (!replay.marks.empty()) {
     if (buttonWidget("replay/mark_back", "mark <", "To the mark before.")) goToMark(replay, false);
@@ -69,11 +69,12 @@ void sessionButtons(Replay& replay, Asks& asks) {
     ImGui::SameLine();
   }
   if (replay.beside.empty()) {
-    if (buttonWidget("replay/beside", "beside ...", "Shows another session beside this one, from its beginning on.")) {
+    if (buttonWidget("replay/beside", "beside ...",
+                     "Shows another recording beside this one, from its beginning on.")) {
       replay.chooses_beside = true;
       asks.act(window::Action::open);
     }
-  } else if (buttonWidget("replay/alone", "alone", "Without the other session.")) {
+  } else if (buttonWidget("replay/alone", "alone", "Without the other recording.")) {
     replay.beside.clear();
   }
   const std::string mark = markAt(replay);

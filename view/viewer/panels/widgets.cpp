@@ -10,7 +10,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
-#include "palpate/scene/keys/key_table.h"
+#include "palpate/scene/detail/key_table.h"
 #include "palpate/scene/scene_edit.h"
 
 namespace palpate::viewer {
@@ -71,12 +71,12 @@ std::string numberWords(double value, const char* format) {
 /// The number stands before the track, where no grab can cover it. Ctrl and click types it, in place of the track.
 Slid slider(double& value, const SliderLook& look) {
   constexpr float kNumber = 62.0f;  // room for most of them, so that tracks begin below each other
-  constexpr float kLeastTrack = 40.0f;
+  constexpr float kMinTrack = 40.0f;
   const std::string words = numberWords(value, look.format);
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float column = std::max({kNumber, ImGui::CalcTextSize(numberWords(look.low, look.format).c_str()).x,
                                  ImGui::CalcTextSize(numberWords(look.high, look.format).c_str()).x});
-  const float track = std::max(kLeastTrack, ImGui::CalcItemWidth() - column - gap);
+  const float track = std::max(kMinTrack, ImGui::CalcItemWidth() - column - gap);
   const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
   ImGui::SetCursorPosX(left + column - ImGui::CalcTextSize(words.c_str()).x);

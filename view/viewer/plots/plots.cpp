@@ -193,9 +193,9 @@ constexpr float kGap = 14.0f;  ///< between strips
 
 /// Strips side by side, as many as have room: in a narrow window the last ones are left out.
 std::vector<PlotArea> areasIn(const ImVec2& corner, float width, int legend_lines) {
-  constexpr float kLeastStrip = 150.0f;
+  constexpr float kMinStrip = 150.0f;
   const auto count = static_cast<std::size_t>(
-      std::clamp((width + kGap) / (kLeastStrip + kGap), 1.0f, static_cast<float>(kStrips.size())));
+      std::clamp((width + kGap) / (kMinStrip + kGap), 1.0f, static_cast<float>(kStrips.size())));
   const auto gaps = static_cast<float>(count - 1);
   const float each = (width - gaps * kGap) / static_cast<float>(count);
   const float legend = static_cast<float>(legend_lines) * kPlotLegendLine;
@@ -232,10 +232,10 @@ void plotStrips(const PlotStrips& panel, const FreeArea& free, Asks& asks) {
                           ImGuiWindowFlags_NoScrollWithMouse;
   if (ImGui::Begin("plots", nullptr, kFixed)) {
     constexpr float kButtons = 78.0f;
-    constexpr float kLeastWithButtons = 300.0f;  // narrower strips need the place; the mouse does the same in them
+    constexpr float kMinWithButtons = 300.0f;  // narrower strips need the place; the mouse does the same in them
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float whole = ImGui::GetContentRegionAvail().x;
-    const bool has_buttons = whole > kLeastWithButtons;
+    const bool has_buttons = whole > kMinWithButtons;
     const float width = has_buttons ? whole - kButtons - kGap : whole;
     const int lines = plotLegendLines(whole, panel.present[1]);
     strips(panel, areasIn(from, width, lines));

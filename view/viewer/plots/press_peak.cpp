@@ -1,4 +1,4 @@
-#include "view/viewer/plots/press_peak.h"
+#include "view/viewer/frame_painter.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "view/viewer/state/change_history.h"
+#include "view/viewer/state/edit_history.h"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include "palpate/scene/scene_edit.h"
 #include "palpate/scene/scene_writer.h"
 #include "view/viewer/state/scene_document.h"
-#include "view/viewer/state/session.h"
 #include "view/viewer/state/state_file.h"
+#include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
 
@@ -36,11 +36,9 @@ std::string habitsOf(const ViewState& state, const std::vector<tissue::ProfileKn
   return habits;
 }
 
-SessionSnapshot snapshotOf(const Session& session) {
-  SessionSnapshot snapshot{.scene = session.scene,
-                           .state = session.state,
-                           .drawn = session.profile.drawn,
-                           .document = sceneAsChanged(session)};
+SessionSnapshot snapshotOf(const ViewerState& viewer) {
+  SessionSnapshot snapshot{
+      .scene = viewer.scene, .state = viewer.state, .drawn = viewer.profile.drawn, .document = sceneAsChanged(viewer)};
   snapshot.document_text = scene::sceneAsToml(snapshot.document);
   snapshot.habits = habitsOf(snapshot.state, snapshot.drawn);
   return snapshot;
@@ -54,9 +52,9 @@ bool areSame(const std::vector<tissue::ProfileKnot>& a, const std::vector<tissue
 }
 
 std::string shortened(const std::string& value) {
-  constexpr std::size_t kMost = 24;
+  constexpr std::size_t kMax = 24;
   if (value.empty()) return "none";
-  return value.size() <= kMost && value.find('\n') == std::string::npos ? value : "...";
+  return value.size() <= kMax && value.find('\n') == std::string::npos ? value : "...";
 }
 
 /// The name of the first line that is another one.
@@ -83,24 +81,24 @@ std::string wordsFor(const SessionSnapshot& was, const SessionSnapshot& is) {
 
 }  // namespace
 
-void ChangeHistory::begin(const Session& session) {
-  now_ = snapshotOf(session);
+void ChangeHistory::begin(const ViewerState& viewer) {
+  now_ = snapshotOf(viewer);
   saved_ = now_;
   steps_.clear();
   by_widget_ = false;
   words_.clear();
 }
 
-void ChangeHistory::follow(Session& session, const Stir& stir) {
-  if (!session.asks.step.empty()) words_ = std::exchange(session.asks.step, {});
+void ChangeHistory::follow(ViewerState& viewer, const Stir& stir) {
+  if (!viewer.asks.step.empty()) words_ = std::exchange(viewer.asks.step, {});
   const bool held = stir.widget || stir.hand;
-  if (!held && (stir.any || by_widget_)) settle(session);
+  if (!held && (stir.any || by_widget_)) settle(viewer);
   by_widget_ = stir.widget;
 }
 
 /// What only a hand on the body changes of the habits, the depth it presses to, is touching and no step.
-void ChangeHistory::settle(Session& session) {
-  SessionSnapshot is = snapshotOf(session);
+void ChangeHistory::settle(ViewerState& viewer) {
+  SessionSnapshot is = snapshotOf(viewer);
   std::string words = std::exchange(words_, {});
   const bool habit = is.habits != now_.habits;
   if (is.document_text == now_.document_text && !habit) return;
@@ -109,58 +107,58 @@ void ChangeHistory::settle(Session& session) {
   now_ = std::move(is);
 }
 
-void ChangeHistory::saved(const Session& session) {
-  now_ = snapshotOf(session);
+void ChangeHistory::saved(const ViewerState& viewer) {
+  now_ = snapshotOf(viewer);
   saved_ = now_;
 }
 
-void ChangeHistory::undo(Session& session) {
-  settle(session);
-  if (!steps_.canUndo()) return session.report(Severity::info, "Nothing to undo");
-  session.report(Severity::info, "Undo: " + steps_.undoWords());
-  restore(steps_.undo(now_), session);
+void ChangeHistory::undo(ViewerState& viewer) {
+  settle(viewer);
+  if (!steps_.canUndo()) return viewer.report(Severity::info, "Nothing to undo");
+  viewer.report(Severity::info, "Undo: " + steps_.undoWords());
+  restore(steps_.undo(now_), viewer);
 }
 
-void ChangeHistory::redo(Session& session) {
-  settle(session);
-  if (!steps_.canRedo()) return session.report(Severity::info, "Nothing to redo");
-  session.report(Severity::info, "Redo: " + steps_.redoWords());
-  restore(steps_.redo(now_), session);
+void ChangeHistory::redo(ViewerState& viewer) {
+  settle(viewer);
+  if (!steps_.canRedo()) return viewer.report(Severity::info, "Nothing to redo");
+  viewer.report(Severity::info, "Redo: " + steps_.redoWords());
+  restore(steps_.redo(now_), viewer);
 }
 
-void ChangeHistory::reset(Session& session) {
-  settle(session);
+void ChangeHistory::reset(ViewerState& viewer) {
+  settle(viewer);
   if (now_.document_text == saved_.document_text && now_.habits == saved_.habits) {
-    return session.report(Severity::info, "Nothing was changed");
+    return viewer.report(Severity::info, "Nothing was changed");
   }
   steps_.add(now_, "reset");
-  session.report(Severity::info, "Everything is as it was opened or saved");
-  restore(saved_, session);
+  viewer.report(Severity::info, "Everything is as it was opened or saved");
+  restore(saved_, viewer);
 }
 
-void ChangeHistory::restore(SessionSnapshot to, Session& session) {
-  for (const scene::Difference& difference : scene::differences(session.scene, to.scene)) {
-    session.asks.changed |= consequenceOf(difference.table);
+void ChangeHistory::restore(SessionSnapshot to, ViewerState& viewer) {
+  for (const scene::Difference& difference : scene::differences(viewer.scene, to.scene)) {
+    viewer.asks.changed |= consequenceOf(difference.table);
   }
-  session.scene = std::move(to.scene);
-  ViewState& state = session.state;
+  viewer.scene = std::move(to.scene);
+  ViewState& state = viewer.state;
   to.state.shown = state.shown;
   to.state.hints = state.hints;
   to.state.recent = std::move(state.recent);
   to.state.stereo.monitor_row = state.stereo.monitor_row;
   state = std::move(to.state);
-  Editor& editor = session.editor;
+  Editor& editor = viewer.editor;
   editor.before.reset();
-  editor.selected = std::min(editor.selected, static_cast<int>(session.scene.dysfunctions.size()) - 1);
+  editor.selected = std::min(editor.selected, static_cast<int>(viewer.scene.dysfunctions.size()) - 1);
   // The file of the user's profile has one name, so its words are written back.
-  ProfileEdit& profile = session.profile;
+  ProfileEdit& profile = viewer.profile;
   if (!areSame(profile.drawn, to.drawn) && !to.drawn.empty() &&
-      session.scene.deformation.forms.normal_profile.kind == tissue::ProfileKind::user) {
+      viewer.scene.deformation.forms.normal_profile.kind == tissue::ProfileKind::user) {
     profile.knots = to.drawn;
-    session.request(UseProfile{});
+    viewer.request(UseProfile{});
   }
   profile.drawn = std::move(to.drawn);
-  now_ = snapshotOf(session);
+  now_ = snapshotOf(viewer);
 }
 
 }  // namespace palpate::viewer

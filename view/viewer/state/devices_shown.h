@@ -2,16 +2,34 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "palpate/device/calibration.h"
+#include "palpate/device/device_frame.h"
 #include "palpate/device/workspace.h"
-#include "view/viewer/state/interventions.h"
+#include "palpate/servo/limiter.h"
 
 namespace palpate::viewer {
+
+// What the servo did to the forces of a held finger: counted, and said in a few words while it is going on. Pure.
+
+class Interventions {
+ public:
+  /// One tick's safety bits.
+  void add(std::uint32_t safety, double now_s);
+  /// "held back 812, damped 3": those of the last two seconds with their ticks in all, the newest of them first; empty
+  /// when there was none.
+  std::string recent(double now_s) const;
+  /// Ticks in which each bit was set.
+  const std::array<std::uint64_t, servo::kSafetyBits>& counts() const { return counts_; }
+
+ private:
+  std::array<std::uint64_t, servo::kSafetyBits> counts_{};
+  std::array<double, servo::kSafetyBits> last_s_{};
+};
 
 /// A back end as it was found.
 struct BackEndFound {
@@ -54,7 +72,7 @@ struct CalibrationSteps {
   std::optional<device::Calibration> found;
   std::string trouble;  ///< why these places were no good
 
-  /// One more pair; after the third there is a calibration, or it begins anew and says why.
+  /// One more pair; after the third there is a calibration, or it begins again and says why.
   void take(const Vec3& device, const Vec3& body);
 };
 

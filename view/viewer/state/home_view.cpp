@@ -79,8 +79,8 @@ bool says(const scene::Scene& scene, std::span<const std::string_view> keys) {
 
 }  // namespace
 
-bool takeSceneLook(const scene::World& world, Session& session, const Vec2& size_points) {
-  ViewState& state = session.state;
+bool takeSceneLook(const scene::World& world, ViewerState& viewer, const Vec2& size_points) {
+  ViewState& state = viewer.state;
   const FreePart part = freePart(state.shown, size_points);
   const view::PictureSettings said = view::pictureSettings(world, part.size.x() / part.size.y());
   if (says(world.scene, kLookKeys)) state.look = said.look;
@@ -93,7 +93,7 @@ bool takeSceneLook(const scene::World& world, Session& session, const Vec2& size
   }
   if (!says(world.scene, kCameraKeys)) return false;
   // Before a screen of true size the camera says where that screen stands.
-  session.camera = said.stereo.head ? said.camera : intoPart(said.camera, part);
+  viewer.camera = said.stereo.head ? said.camera : intoPart(said.camera, part);
   return true;
 }
 

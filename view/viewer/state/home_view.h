@@ -4,7 +4,7 @@
 
 #include "palpate/scene/world.h"
 #include "palpate/view/camera.h"
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
 
@@ -18,6 +18,6 @@ view::Camera cameraOfFreePart(const view::Camera& camera, const Shown& shown, co
 
 /// Camera, look, stereo and head, each as far as the scene says something about it; the rest stays the user's. True if
 /// the camera was among it: it then looks at what panels and plots leave free, as homeView does.
-bool takeSceneLook(const scene::World& world, Session& session, const Vec2& size_points);
+bool takeSceneLook(const scene::World& world, ViewerState& viewer, const Vec2& size_points);
 
 }  // namespace palpate::viewer

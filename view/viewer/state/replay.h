@@ -27,10 +27,10 @@ struct Replay {
   std::string table = {};  ///< the recorded table that is looked at; empty: the last minute of this run
   double tick_s = 0.001;
   bool frozen = false;  ///< else the present is shown
-  bool loops = false;   ///< playing begins anew at the end
+  bool loops = false;   ///< playing begins again at the end
   std::vector<ReplayMark> marks = {};
   bool chooses_beside = false;  ///< the file dialog is open for the next one
-  std::string beside = {};      ///< the session that is shown on the right, from its own beginning on; empty: none
+  std::string beside = {};      ///< the recording that is shown on the right, from its own beginning on; empty: none
 };
 
 /// Freezes or goes on. Frozen, the newest moment is shown.

@@ -59,7 +59,7 @@ struct Undo {};
 struct Redo {};
 /// The drawn curve is written to a file that the scene names.
 struct UseProfile {};
-/// To the session's question.
+/// To the recording's question.
 struct AnswerQuestion {
   std::string answer = {};
 };

@@ -8,10 +8,9 @@
 #include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_file.h"
-#include "palpate/scene/scene_patch.h"
 #include "palpate/scene/scene_writer.h"
 #include "view/viewer/state/home_view.h"
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
 
@@ -19,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostPitchDeg = 89.0;  // what [view] takes
+constexpr double kMaxPitchDeg = 89.0;  // what [view] takes
 
 /// `kept` becomes `is` where that is no longer what it was.
 template <class T>
@@ -98,29 +97,29 @@ bool wouldOverwrite(const SceneDocument& document, const fs::path& target) {
   }
 }
 
-void keepCamera(const Session& session, scene::ViewSettings& view) {
-  const view::Camera camera = cameraOfFreePart(session.camera, session.state.shown, session.size_points);
+void keepCamera(const ViewerState& viewer, scene::ViewSettings& view) {
+  const view::Camera camera = cameraOfFreePart(viewer.camera, viewer.state.shown, viewer.size_points);
   const view::Camera plain;                                                 // of the angle of view
   const bool rolled = std::abs(camera.roll_rad) > 0.25 * std::numbers::pi;  // no other view is
   view.side = rolled ? scene::StandardView::table : scene::StandardView::back;
   const double yaw_rad = rolled ? camera.yaw_rad + view::kTableYawRad : camera.yaw_rad;
   view.yaw_deg = rounded(std::remainder(yaw_rad, 2.0 * std::numbers::pi) / kRadPerDeg, 100.0);
-  view.pitch_deg = std::clamp(rounded(camera.pitch_rad / kRadPerDeg, 100.0), -kMostPitchDeg, kMostPitchDeg);
+  view.pitch_deg = std::clamp(rounded(camera.pitch_rad / kRadPerDeg, 100.0), -kMaxPitchDeg, kMaxPitchDeg);
   view.zoom = rounded(std::tan(0.5 * plain.height_rad) / std::tan(0.5 * camera.height_rad), 1000.0);
   view.look_at_mm = camera.centre.unaryExpr([](double mm) { return rounded(mm, 10.0); });
   view.distance_mm = rounded(camera.distance_mm, 10.0);
 }
 
-scene::Scene sceneAsChanged(const Session& session) {
-  scene::Scene scene = session.scene;
-  keepLook(session.opened.look, session.state.look, scene);
-  keepStereo(session.opened.stereo, session.state.stereo, scene.view);
+scene::Scene sceneAsChanged(const ViewerState& viewer) {
+  scene::Scene scene = viewer.scene;
+  keepLook(viewer.opened.look, viewer.state.look, scene);
+  keepStereo(viewer.opened.stereo, viewer.state.stereo, scene.view);
   return scene;
 }
 
-scene::Scene sceneToSave(const Session& session) {
-  scene::Scene scene = sceneAsChanged(session);
-  if (session.opened.camera_moved) keepCamera(session, scene.view);
+scene::Scene sceneToSave(const ViewerState& viewer) {
+  scene::Scene scene = sceneAsChanged(viewer);
+  if (viewer.opened.camera_moved) keepCamera(viewer, scene.view);
   return scene;
 }
 

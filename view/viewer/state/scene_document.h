@@ -1,6 +1,6 @@
-// The scene as a file: what of the session is written, and into which words.
+// The scene as a file: what of the viewer's state is written, and into which words.
 //
-//   session ─ sceneToSave ─► Scene ─ the lines of what changed (scene/scene_patch.h) ─► file
+//   session ─ sceneToSave ─► Scene ─ the lines of what changed (scene/scene_writer.h) ─► file
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace palpate::viewer {
 
-struct Session;
+struct ViewerState;
 
 /// Where the scene is kept, and what stood there when it was last read or written here.
 struct SceneDocument {
@@ -33,11 +33,11 @@ struct OpenedLook {
 };
 
 /// The scene with what was changed of its look ([view]); with the camera, too, if the user has moved it.
-scene::Scene sceneToSave(const Session& session);
+scene::Scene sceneToSave(const ViewerState& viewer);
 /// The same without the camera: turning the body is looking, not changing.
-scene::Scene sceneAsChanged(const Session& session);
+scene::Scene sceneAsChanged(const ViewerState& viewer);
 /// The camera as [view] says it, in hundredths of a degree and tenths of a millimetre.
-void keepCamera(const Session& session, scene::ViewSettings& view);
+void keepCamera(const ViewerState& viewer, scene::ViewSettings& view);
 
 struct SceneWriting {
   SceneDocument document;      ///< as it is from now on

@@ -12,8 +12,8 @@
 #include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 #include "palpate/base/words.h"
+#include "palpate/scene/detail/key_table.h"
 #include "palpate/scene/detail/toml_table.h"
-#include "palpate/scene/keys/key_table.h"
 
 namespace palpate::viewer {
 
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostStateBytes = std::size_t{1} << 18;
+constexpr std::size_t kMaxStateBytes = std::size_t{1} << 18;
 
 /// Each remembered value with its name, once for reading and writing: `visit(name, value)`.
 template <class Visitor>
@@ -76,8 +76,8 @@ constexpr int countOf(window::Theme) { return static_cast<int>(window::kThemeNam
 constexpr int countOf(window::MousePreset) { return static_cast<int>(window::kMousePresetNames.size()); }
 
 /// No window stands farther out, no head farther off.
-constexpr std::int64_t kMostPixels = 100'000;
-constexpr double kMostMm = 1e5;
+constexpr std::int64_t kMaxPixels = 100'000;
+constexpr double kMaxMm = 1e5;
 
 /// A value out of range or of another type is as good as none: the default stays.
 struct StateReader {
@@ -85,11 +85,11 @@ struct StateReader {
   void operator()(const char* name, bool& value) const { value = table[name].value_or(value); }
   void operator()(const char* name, double& value) const {
     const double read = table[name].value_or(value);
-    if (std::abs(read) <= kMostMm) value = read;
+    if (std::abs(read) <= kMaxMm) value = read;
   }
   void operator()(const char* name, int& value) const {
     const auto read = table[name].value_or<std::int64_t>(value);
-    if (std::abs(read) <= kMostPixels) value = static_cast<int>(read);
+    if (std::abs(read) <= kMaxPixels) value = static_cast<int>(read);
   }
   template <class E>
   requires std::is_enum_v<E>
@@ -114,13 +114,13 @@ void keepSensible(Remembered& r) {
   r.window.width = std::clamp(r.window.width, 320, 16384);
   r.window.height = std::clamp(r.window.height, 240, 16384);
   r.state.text_size = std::clamp(r.state.text_size, 0.75, 2.5);
-  r.state.touch.depth_mm = std::clamp(r.state.touch.depth_mm, 0.0, kMostDepthMm);
-  r.state.touch.force_n = std::clamp(r.state.touch.force_n, 0.0, kMostForceN);
+  r.state.touch.depth_mm = std::clamp(r.state.touch.depth_mm, 0.0, kMaxDepthMm);
+  r.state.touch.force_n = std::clamp(r.state.touch.force_n, 0.0, kMaxForceN);
   r.state.input.speed = std::clamp(r.state.input.speed, 0.25, 4.0);
   r.state.stereo.eye_distance_mm = std::clamp(r.state.stereo.eye_distance_mm, 0.0, 80.0);
   HeadSettings& head = r.state.head;
   head.expected_mm.z() = std::max(head.expected_mm.z(), kNearestHeadMm);
-  head.screen_height_mm = std::clamp(head.screen_height_mm, kLeastScreenMm, kMostScreenMm);
+  head.screen_height_mm = std::clamp(head.screen_height_mm, kMinScreenMm, kMaxScreenMm);
 }
 
 }  // namespace
@@ -165,7 +165,7 @@ StateReading readState(const fs::path& file) {
   std::error_code error;
   if (file.empty() || !fs::exists(file, error)) return reading;
   try {
-    reading.remembered = parseState(readFile(file, kMostStateBytes), file.string());
+    reading.remembered = parseState(readFile(file, kMaxStateBytes), file.string());
   } catch (const std::exception& failure) {
     fs::rename(file, fs::path(file.string() + ".bad"), error);
     reading.note = fmt::format("{}; it was put aside and the defaults are used", failure.what());

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "view/viewer/state/session.h"
+#include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
 

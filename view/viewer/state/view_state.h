@@ -31,8 +31,8 @@ struct TouchSettings {
   double force_n = 3.0;
   bool resisting_cursor = true;  ///< a drag in depth goes slower the harder the skin pushes back
 };
-inline constexpr double kMostDepthMm = 25.0;
-inline constexpr double kMostForceN = 20.0;
+inline constexpr double kMaxDepthMm = 25.0;
+inline constexpr double kMaxForceN = 20.0;
 inline constexpr double kDepthPerNotchMm = 0.5;
 inline constexpr double kForcePerNotchN = 0.25;
 
@@ -58,8 +58,8 @@ struct HeadSettings {
   double screen_height_mm = 300.0;
 };
 inline constexpr double kNearestHeadMm = 100.0;
-inline constexpr double kLeastScreenMm = 20.0;
-inline constexpr double kMostScreenMm = 3000.0;
+inline constexpr double kMinScreenMm = 20.0;
+inline constexpr double kMaxScreenMm = 3000.0;
 
 struct ViewState {
   view::Look look;
@@ -72,7 +72,7 @@ struct ViewState {
   window::Theme theme = window::Theme::dark;
   double text_size = 1.0;  ///< 0.75 to 2.5, on top of the screen's own scale
   bool reduced_motion = false;
-  bool keeps_last_hour = true;  ///< records a session by itself
+  bool keeps_last_hour = true;  ///< records the last hour without being asked
   bool hints = true;
   std::vector<std::string> recent;  ///< files, newest first
 };

@@ -26,29 +26,29 @@ void decodePicture(const scene::World& world) {
   if (world.body->texture && !world.body->texture->made) view::decodedPicture(*world.body->texture);
 }
 
-void tellRate(Session& session) {
-  if (std::abs(session.scene.ticks_per_s - session.ticks_per_s) < 0.5) return;
-  session.report(Severity::info,
-                 fmt::format("Felt at {:.0f} ticks a second, as this window began; the scene says {:.0f}",
-                             session.ticks_per_s, session.scene.ticks_per_s));
+void tellRate(ViewerState& viewer) {
+  if (std::abs(viewer.scene.ticks_per_s - viewer.ticks_per_s) < 0.5) return;
+  viewer.report(Severity::info,
+                fmt::format("Felt at {:.0f} ticks a second, as this window began; the scene says {:.0f}",
+                            viewer.ticks_per_s, viewer.scene.ticks_per_s));
 }
 
 /// The panel, the plots and the banner show what the servo gets.
-void tellLimits(const engine::ServoPlan& plan, Session& session) {
-  DevicesShown& shown = session.devices;
+void tellLimits(const engine::ServoPlan& plan, ViewerState& viewer) {
+  DevicesShown& shown = viewer.devices;
   const scene::SafetySettings& safety = plan.world->scene.safety;
-  session.device_limit_n = plan.limiter.force_n;
+  viewer.device_limit_n = plan.limiter.force_n;
   shown.stiffness_factor = plan.limiter.stiffness_factor;
   shown.ratios_kept_to_n = plan.limiter.cap_n_per_mm > 0.0 ? plan.limiter.compared_n : 0.0;
   shown.unsafe = safety.unsafe_stiffness;
   std::vector<std::string> notes;
-  if (!session.held.empty()) {
-    notes = servo::safetyNotes(safety, device::profileOf(session.scene.safety.device, session.held),
-                               1.0 / session.ticks_per_s);
+  if (!viewer.held.empty()) {
+    notes = servo::safetyNotes(safety, device::profileOf(viewer.scene.safety.device, viewer.held),
+                               1.0 / viewer.ticks_per_s);
   }
   for (const std::string& note : notes) {
     if (std::ranges::find(shown.safety_notes, note) == shown.safety_notes.end()) {
-      session.messages.note(note, session.now_s);
+      viewer.messages.note(note, viewer.now_s);
     }
   }
   shown.safety_notes = std::move(notes);
@@ -68,7 +68,7 @@ scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like) {
   scene.dysfunctions.clear();
   scene.fingers.clear();
   for (scene::DeviceSettings& device : scene.devices) device.origin_mm.reset();
-  scene.view = {};  // how it is looked at stays (Session::state)
+  scene.view = {};  // how it is looked at stays (ViewerState::state)
   scene.ellipses.key_points.clear();
   scene.body = {};
   scene.body.kind = scene::BodyKind::mesh;
@@ -79,113 +79,114 @@ scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like) {
 
 WorldSwap::WorldSwap(std::shared_ptr<const scene::World> world) : builder_(decodePicture), shown_(std::move(world)) {}
 
-void WorldSwap::open(const std::string& file, Session& session) {
+void WorldSwap::open(const std::string& file, ViewerState& viewer) {
   opening_ = file;
-  session.opening = true;
+  viewer.opening = true;
   wanted_ = 0;
-  body_wished_ = true;
-  builder_.wish(
-      {.scene = {}, .body = nullptr, .read = [file, like = session.scene] { return sceneFromFile(file, like); }});
+  body_requested_ = true;
+  builder_.request(
+      {.scene = {}, .body = nullptr, .read = [file, like = viewer.scene] { return sceneFromFile(file, like); }});
 }
 
-void WorldSwap::open(const scene::Scene& scene, Session& session) {
-  session.scene = scene;
-  session.document = {};
-  session.opening = true;
-  session.editor = {};
+void WorldSwap::open(const scene::Scene& scene, ViewerState& viewer) {
+  viewer.scene = scene;
+  viewer.document = {};
+  viewer.opening = true;
+  viewer.editor = {};
   opening_.clear();
   wanted_ = 0;
-  body_wished_ = true;
-  builder_.wish({.scene = scene, .body = nullptr, .read = {}});
+  body_requested_ = true;
+  builder_.request({.scene = scene, .body = nullptr, .read = {}});
 }
 
-void WorldSwap::lay(const scene::Scene& scene, Session& session) {
-  session.scene = scene;
+void WorldSwap::lay(const scene::Scene& scene, ViewerState& viewer) {
+  viewer.scene = scene;
   failure_.clear();
   wanted_ = 0;
-  builder_.wish({.scene = scene, .body = coming_ ? coming_ : shown_, .read = {}});
+  builder_.request({.scene = scene, .body = coming_ ? coming_ : shown_, .read = {}});
 }
 
-void WorldSwap::cancel(Session& session) {
+void WorldSwap::cancel(ViewerState& viewer) {
   builder_.cancel();
   wanted_ = 0;
-  body_wished_ = false;
+  body_requested_ = false;
   opening_.clear();
-  session.opening = false;
-  // What is at work is what is wished again.
-  session.scene.body = shown_->scene.body;
-  session.report(Severity::info, "Cancelled: the body stays as it was");
+  viewer.opening = false;
+  // What is at work is what is requested again.
+  viewer.scene.body = shown_->scene.body;
+  viewer.report(Severity::info, "Cancelled: the body stays as it was");
 }
 
-void WorldSwap::advance(Session& session, engine::ServoThread& servo) {
-  if (session.asks.changed & kFingerChange) changeFingers(session, servo);
-  if (const std::uint32_t world = session.asks.changed & (kMapChange | kBodyChange)) {
+void WorldSwap::advance(ViewerState& viewer, engine::ServoThread& servo) {
+  if (viewer.asks.changed & kFingerChange) changeFingers(viewer, servo);
+  if (const std::uint32_t world = viewer.asks.changed & (kMapChange | kBodyChange)) {
     wanted_ |= world;
-    wanted_since_s_ = session.now_s;
+    wanted_since_s_ = viewer.now_s;
   }
-  wishWhenQuiet(session);
-  takeResult(session, servo);
-  session.building = builder_.progress();
+  requestWhenQuiet(viewer);
+  takeResult(viewer, servo);
+  viewer.building = builder_.progress();
 }
 
-void WorldSwap::wishWhenQuiet(Session& session) {
-  if (wanted_ == 0 || !opening_.empty() || session.now_s - wanted_since_s_ < kQuietS) return;
-  engine::BuildWish wish{.scene = session.scene, .body = nullptr, .read = {}};
-  body_wished_ = body_wished_ || (wanted_ & kBodyChange);
-  if (!body_wished_) wish.body = coming_ ? coming_ : shown_;
+void WorldSwap::requestWhenQuiet(ViewerState& viewer) {
+  if (wanted_ == 0 || !opening_.empty() || viewer.now_s - wanted_since_s_ < kQuietS) return;
+  engine::BuildRequest request{.scene = viewer.scene, .body = nullptr, .read = {}};
+  body_requested_ = body_requested_ || (wanted_ & kBodyChange);
+  if (!body_requested_) request.body = coming_ ? coming_ : shown_;
   wanted_ = 0;
-  builder_.wish(std::move(wish));
+  builder_.request(std::move(request));
 }
 
-void WorldSwap::takeResult(Session& session, engine::ServoThread& servo) {
+void WorldSwap::takeResult(ViewerState& viewer, engine::ServoThread& servo) {
   const auto result = builder_.take();
   if (!result) return;
   const std::string opened = std::exchange(opening_, {});
-  body_wished_ = body_wished_ && !result->world && opened.empty();  // one that failed is tried again with the next wish
+  body_requested_ =
+      body_requested_ && !result->world && opened.empty();  // one that failed is tried again with the next request
   if (!result->world) {
-    session.opening = false;
+    viewer.opening = false;
     failure_ = result->error;
-    session.report(Severity::error, (opened.empty() ? "" : kCannotOpen) + result->error);
+    viewer.report(Severity::error, (opened.empty() ? "" : kCannotOpen) + result->error);
     return;
   }
   if (!opened.empty()) {
-    session.messages.clearErrors(kCannotOpen);
-    remember(session.state.recent, opened);
-    session.scene = result->world->scene;
-    session.document = documentOf(session.scene.file);
-    session.editor = {};
-    tellRate(session);
+    viewer.messages.clearErrors(kCannotOpen);
+    remember(viewer.state.recent, opened);
+    viewer.scene = result->world->scene;
+    viewer.document = documentOf(viewer.scene.file);
+    viewer.editor = {};
+    tellRate(viewer);
   }
-  adopt(session, *result, servo);
+  adopt(viewer, *result, servo);
 }
 
-void WorldSwap::adopt(Session& session, const engine::BuildResult& result, engine::ServoThread& servo) {
+void WorldSwap::adopt(ViewerState& viewer, const engine::BuildResult& result, engine::ServoThread& servo) {
   try {
     engine::ServoPlan plan =
-        planFor(result.world, session.scene, result.wish.body == nullptr, session.held, 1.0 / session.ticks_per_s);
-    tellLimits(plan, session);
+        planFor(result.world, viewer.scene, result.request.body == nullptr, viewer.held, 1.0 / viewer.ticks_per_s);
+    tellLimits(plan, viewer);
     servo.change(std::move(plan));
   } catch (const Error& error) {
     failure_ = error.what();
-    session.report(Severity::error, error.what());
+    viewer.report(Severity::error, error.what());
     return;
   }
   coming_ = result.world;
-  other_body_ = other_body_ || result.wish.body == nullptr;
+  other_body_ = other_body_ || result.request.body == nullptr;
 }
 
-engine::ServoPlan WorldSwap::planNow(Session& session) const {
-  engine::ServoPlan plan = planFor(coming_ ? coming_ : shown_, session.scene, coming_ && other_body_, session.held,
-                                   1.0 / session.ticks_per_s);
-  tellLimits(plan, session);
+engine::ServoPlan WorldSwap::planNow(ViewerState& viewer) const {
+  engine::ServoPlan plan =
+      planFor(coming_ ? coming_ : shown_, viewer.scene, coming_ && other_body_, viewer.held, 1.0 / viewer.ticks_per_s);
+  tellLimits(plan, viewer);
   return plan;
 }
 
-void WorldSwap::changeFingers(Session& session, engine::ServoThread& servo) const {
+void WorldSwap::changeFingers(ViewerState& viewer, engine::ServoThread& servo) const {
   try {
-    servo.change(planNow(session));
+    servo.change(planNow(viewer));
   } catch (const Error& error) {
-    session.report(Severity::warning, error.what());
+    viewer.report(Severity::warning, error.what());
   }
 }
 

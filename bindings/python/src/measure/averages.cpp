@@ -1,6 +1,6 @@
 // Tables of presses ─► measure::averagePresses ─► Averages: an ellipse a point, key points for the maps; and the sheet
 // that the dots are punched with.
-#include "averages.h"
+#include "measure_bindings.h"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>

@@ -13,13 +13,12 @@
 #include <limits>
 
 #include "arrays.h"
-#include "averages.h"
 #include "dicts.h"
 #include "interrupts.h"
+#include "measure_bindings.h"
 #include "palpate/base/error.h"
 #include "palpate/measure/key_row.h"
 #include "palpate/measure/measurement.h"
-#include "synthesis.h"
 
 namespace palpate::python {
 
@@ -32,7 +31,7 @@ using measure::Measurement;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 /// More, and the body did not hold its breath (docs/howto/measure-a-person.md).
-constexpr double kMostNullDriftMm = 0.3;
+constexpr double kMaxNullDriftMm = 0.3;
 
 // --- pictures -------------------------------------------------------------------------------------------------------
 
@@ -42,7 +41,7 @@ measure::Photograph photographOf(const py::object& given, const char* what) {
   if (any.ndim() != 3 || any.shape(2) != 3 || any.dtype().kind() != 'u' || any.dtype().itemsize() != 1) {
     throw py::value_error(fmt::format("{}: a file's name or an array (H, W, 3) of uint8 is wanted", what));
   }
-  if (any.shape(0) < 200 || any.shape(1) < 200 || any.shape(0) * any.shape(1) > measure::kMostPixels) {
+  if (any.shape(0) < 200 || any.shape(1) < 200 || any.shape(0) * any.shape(1) > measure::kMaxPixels) {
     throw Error(fmt::format("{}: {} x {} pixels; 200 x 200 to 52 megapixels can be measured", what, any.shape(1),
                             any.shape(0)));
   }
@@ -60,47 +59,47 @@ measure::HeadTowards headNamed(const std::string& word) {
   return static_cast<measure::HeadTowards>(found - kWords.begin());
 }
 
-struct Wishes {
+struct Requests {
   measure::MeasureSettings settings;
   bool drift_given = false;
 };
 
 /// As `palpate measure dots --null` has it.
-void countNullDrift(const measure::Photograph& before, const measure::Photograph& again, Wishes& wishes,
+void countNullDrift(const measure::Photograph& before, const measure::Photograph& again, Requests& requests,
                     std::vector<measure::Finding>& findings) {
-  const auto drift = measure::nullDrift(before, again, wishes.settings);
+  const auto drift = measure::nullDrift(before, again, requests.settings);
   if (!drift) {
     findings.push_back({measure::Severity::warning, "null_unread",
                         "How far the body moved by itself cannot be told: the two pictures before show no common grid "
                         "of dots."});
     return;
   }
-  if (!wishes.drift_given) wishes.settings.drift_mm = std::max(wishes.settings.drift_mm, *drift);
-  if (*drift < kMostNullDriftMm + 0.005) return;
+  if (!requests.drift_given) requests.settings.drift_mm = std::max(requests.settings.drift_mm, *drift);
+  if (*drift < kMaxNullDriftMm + 0.005) return;
   findings.push_back({measure::Severity::warning, "null_drift",
                       fmt::format("The body moved {:.2f} mm between the two pictures before, more than {} mm: hold the "
                                   "breath and repeat.",
-                                  *drift, kMostNullDriftMm)});
+                                  *drift, kMaxNullDriftMm)});
 }
 
 Measurement measured(const PictureLike& before, const PictureLike& after, const MaybePicture& again, double spacing_mm,
                      const std::optional<double>& drift_mm, const std::string& head,
                      const std::optional<std::pair<double, double>>& contact_px, bool partial) {
-  Wishes wishes;
-  wishes.settings.spacing_mm = spacing_mm;
-  wishes.drift_given = drift_mm.has_value();
-  wishes.settings.drift_mm = drift_mm.value_or(wishes.settings.drift_mm);
-  wishes.settings.head = headNamed(head);
-  wishes.settings.partial = partial;
-  if (contact_px) wishes.settings.contact_px = Vec2(contact_px->first, contact_px->second);
+  Requests requests;
+  requests.settings.spacing_mm = spacing_mm;
+  requests.drift_given = drift_mm.has_value();
+  requests.settings.drift_mm = drift_mm.value_or(requests.settings.drift_mm);
+  requests.settings.head = headNamed(head);
+  requests.settings.partial = partial;
+  if (contact_px) requests.settings.contact_px = Vec2(contact_px->first, contact_px->second);
   const measure::Photograph first = photographOf(before, "before");
   const measure::Photograph second = photographOf(after, "after");
   std::optional<measure::Photograph> null;
   if (!again.is_none()) null = photographOf(again, "again");
   return unlocked([&](Interrupts& interrupts) {
     std::vector<measure::Finding> findings;
-    if (null) countNullDrift(first, *null, wishes, findings);
-    Measurement result = measure::measurePair(first, second, wishes.settings, interrupts.progress());
+    if (null) countNullDrift(first, *null, requests, findings);
+    Measurement result = measure::measurePair(first, second, requests.settings, interrupts.progress());
     result.findings.insert(result.findings.end(), findings.begin(), findings.end());
     return result;
   });

@@ -1,4 +1,4 @@
-#include "synthesis.h"
+#include "measure_bindings.h"
 
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
@@ -27,32 +27,32 @@ TailFamily familyNamed(const std::string& word) {
   throw py::value_error("tail: \"compact\", \"long\", \"half-space\" or \"windowed\", not " + word);
 }
 
-void take(double& value, const std::optional<double>& wish, const char* what, double least, double most,
+void take(double& value, const std::optional<double>& request, const char* what, double least, double most,
           double factor = 1.0) {
-  if (!wish) return;
-  if (!(*wish >= least && *wish <= most)) {
-    throw py::value_error(fmt::format("{} = {:g} is out of range: {:g} to {:g}", what, *wish, least, most));
+  if (!request) return;
+  if (!(*request >= least && *request <= most)) {
+    throw py::value_error(fmt::format("{} = {:g} is out of range: {:g} to {:g}", what, *request, least, most));
   }
-  value = *wish * factor;
+  value = *request * factor;
 }
 
 /// What one may ask for of the press; the rest is drawn from the seed.
-struct PressWishes {
+struct PressRequests {
   std::optional<std::string> tail;
   std::optional<double> half_major_mm, ratio, direction_deg, drag_deg, peak_mm;
 };
 
-measure::SyntheticCase caseOf(std::uint64_t seed, double megapixels, double drift_mm, const PressWishes& wishes) {
+measure::SyntheticCase caseOf(std::uint64_t seed, double megapixels, double drift_mm, const PressRequests& requests) {
   if (!(megapixels >= 0.5 && megapixels <= 48.0)) throw py::value_error("megapixels: 0.5 to 48");
   if (!(drift_mm >= 0.0 && drift_mm <= 20.0)) throw py::value_error("drift_mm: 0 to 20");
-  measure::CaseWishes drawn{.megapixels = megapixels, .drift_mm = drift_mm};
-  if (wishes.tail) drawn.family = familyNamed(*wishes.tail);
+  measure::CaseRequests drawn{.megapixels = megapixels, .drift_mm = drift_mm};
+  if (requests.tail) drawn.family = familyNamed(*requests.tail);
   measure::SyntheticCase made = measure::drawCase(seed, drawn);
-  take(made.press.half_major_mm, wishes.half_major_mm, "half_major_mm", 20, 300);
-  take(made.press.ratio, wishes.ratio, "ratio", 1, 4);
-  take(made.press.direction_rad, wishes.direction_deg, "direction_deg", -180, 180, kRadPerDeg);
-  take(made.press.drag_rad, wishes.drag_deg, "drag_deg", -180, 180, kRadPerDeg);
-  take(made.press.peak_mm, wishes.peak_mm, "peak_mm", 0, 40);
+  take(made.press.half_major_mm, requests.half_major_mm, "half_major_mm", 20, 300);
+  take(made.press.ratio, requests.ratio, "ratio", 1, 4);
+  take(made.press.direction_rad, requests.direction_deg, "direction_deg", -180, 180, kRadPerDeg);
+  take(made.press.drag_rad, requests.drag_deg, "drag_deg", -180, 180, kRadPerDeg);
+  take(made.press.peak_mm, requests.peak_mm, "peak_mm", 0, 40);
   if (made.press.peak_mm == 0.0) {  // nothing is pressed: nobody holds a stick
     made.press.dent_mm = 0.0;
     made.press.stick = false;

@@ -10,7 +10,7 @@
 
 namespace palpate::python {
 
-/// Lives on the drawing thread. What cannot be drawn once (no driver) is tried anew by the next picture.
+/// Lives on the drawing thread. What cannot be drawn once (no driver) is tried again by the next picture.
 struct DrawingThread::Studio {
   std::optional<view::OffscreenContext> context;
   std::unique_ptr<view::Painter> painter;

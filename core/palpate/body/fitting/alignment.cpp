@@ -1,6 +1,6 @@
 // Iteratively reweighted Gauss-Newton on point-to-plane distances, Tukey's weights, Gaussian priors. Neighbouring
 // samples err alike: a scan counts as so many independent ones as it has patches of kAlikeMm. Based on: Chen and
-// Medioni, "Object modelling by registration of multiple range images", 1992. Own.
+// Medioni, "Object modelling by registration of multiple range images", 1992.
 #include "palpate/body/fitting/alignment.h"
 
 #include <Eigen/Cholesky>
@@ -21,11 +21,11 @@ using Normal = Eigen::Matrix<double, kPlacementNumbers, kPlacementNumbers>;
 constexpr int kPoseNumbers = 7;  // turning, place, stature
 constexpr int kBuildNumbers = kPlacementNumbers - kPoseNumbers;
 
-constexpr double kAlikeMm = 35;        // over this length the misfit of a build keeps its sign
-constexpr double kLeastSigmaMm = 0.8;  // no scan and no template is better
-constexpr double kKnownSigmaMm = 3;    // a finger's idea of a landmark
-constexpr double kFacing = 0.5;        // cosine: scan and template look the same way
-constexpr double kMisfitMm = 15;       // as bad as not met at all
+constexpr double kAlikeMm = 35;      // over this length the misfit of a build keeps its sign
+constexpr double kMinSigmaMm = 0.8;  // no scan and no template is better
+constexpr double kKnownSigmaMm = 3;  // a finger's idea of a landmark
+constexpr double kFacing = 0.5;      // cosine: scan and template look the same way
+constexpr double kMisfitMm = 15;     // as bad as not met at all
 
 /// A number of the build: where TrunkShape has it, what people have, what it may be.
 struct BuildNumber {
@@ -34,7 +34,7 @@ struct BuildNumber {
   double low, high;
   double step;  // for the derivative
 };
-// Adults; our reading of the ranges that trunk_shape.h names.
+// Adults; our reading of the ranges that trunk.h names.
 constexpr std::array<BuildNumber, kBuildNumbers> kBuild = {{
     {&TrunkShape::girth, 1.0, 0.09, 0.8, 1.3, 0.01},
     {&TrunkShape::body_mass_index, 24, 5, 16, 45, 0.5},
@@ -45,8 +45,8 @@ constexpr std::array<BuildNumber, kBuildNumbers> kBuild = {{
 }};
 constexpr double kMeanStatureMm = 1715;
 constexpr double kStatureDeviation = 0.09;  // of the logarithm; children and giants are told by their points
-constexpr double kLeastStatureMm = 700;
-constexpr double kMostStatureMm = 2300;
+constexpr double kMinStatureMm = 700;
+constexpr double kMaxStatureMm = 2300;
 
 /// What the template says at a build, with its derivatives by the numbers of the build.
 struct Differentiated {
@@ -192,7 +192,7 @@ BodyPlacement moved(BodyPlacement at, const Numbers& by) {
   at.rotation = Eigen::Quaterniond(at.rotation).normalized().toRotationMatrix();
   at.translation += by.segment<3>(3);
   at.shape.stature_mm =
-      std::clamp(at.shape.stature_mm * std::exp(std::clamp(by[6], -0.2, 0.2)), kLeastStatureMm, kMostStatureMm);
+      std::clamp(at.shape.stature_mm * std::exp(std::clamp(by[6], -0.2, 0.2)), kMinStatureMm, kMaxStatureMm);
   for (std::size_t i = 0; i < kBuild.size(); ++i) {
     double& value = at.shape.*kBuild[i].member;
     value = std::clamp(value + by[kPoseNumbers + static_cast<int>(i)], kBuild[i].low, kBuild[i].high);
@@ -322,7 +322,7 @@ Alignment aligned(const TemplateBody& body, const ScanSamples& scan, std::span<c
     result.rms_mm = e.rms_mm;
     result.matched = e.matched;
     result.misfit = e.misfit;
-    sigma = std::clamp(e.rms_mm, kLeastSigmaMm, 6.0);
+    sigma = std::clamp(e.rms_mm, kMinSigmaMm, 6.0);
     for (int k = 0; k < kPlacementNumbers; ++k) e.normal(k, k) *= 1 + 1e-4;
     const Eigen::LDLT<Normal> solver(e.normal);
     if (i == settings.rounds) {

@@ -1,5 +1,5 @@
 // Own. What is added to an alignment's own spread, and from where it is called doubtful, was measured on builds that
-// were bent and bulged beyond what the trunk's own numbers can do (docs/howto/fit-body.md).
+// were bent and bulged beyond what the trunk's own numbers can do (docs/explanation/fit-body.md).
 #include "palpate/body/fitting/body_fit.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,6 @@
 
 #include "palpate/base/error.h"
 #include "palpate/body/fitting/alignment.h"
-#include "palpate/body/fitting/starts.h"
 #include "palpate/body/places.h"
 #include "palpate/mesh/nearest.h"
 

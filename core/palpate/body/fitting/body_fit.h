@@ -1,11 +1,12 @@
 // Where spine and bones of a scanned person lie: the built-in trunk pulled onto the scan, by landmarks that somebody
 // showed, or by the scan's shape alone - and how sure that is.
 //
-// starts.h, alignment.h -> here -> fitted_body.h (bones, landmarks), fit_file.h (kept beside a scene).
+// alignment.h -> here -> fitted_body.h (bones, landmarks), a file kept beside a scene.
 #pragma once
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "palpate/base/progress.h"
@@ -46,5 +47,16 @@ BodyFit fitBody(const TemplateBody& body, const mesh::TriangleMesh& scan, std::s
 
 /// "sure", "fairly sure", "doubtful" for a certainty.
 std::string certaintyWord(double certainty);
+
+// A fit as text, to be kept beside a scene: NAME.fit.json.
+
+/// Longer files are none of ours.
+inline constexpr std::size_t kLongestFitFile = 1 << 20;
+
+/// All numbers exactly, so that a fit read back gives the same body.
+std::string fitAsJson(const BodyFit& fit);
+
+/// Any text at all gives a fit or one Error with file and place.
+BodyFit fitFromJson(std::string_view text, std::string_view file);
 
 }  // namespace palpate::body

@@ -1,5 +1,4 @@
-// Own.
-#include "palpate/body/fitting/fit_file.h"
+#include "palpate/body/fitting/body_fit.h"
 
 #include <fmt/format.h>
 
@@ -15,11 +14,11 @@ namespace palpate::body {
 namespace {
 
 constexpr int kFitVersion = 1;
-constexpr std::size_t kMostMoves = 5000;
-constexpr std::size_t kMostPoints = 200;
+constexpr std::size_t kMaxMoves = 5000;
+constexpr std::size_t kMaxPoints = 200;
 constexpr double kFarthestMm = 1e6;
 
-/// The numbers of a build as the file names them: those of trunk_shape.h that a fit finds.
+/// The numbers of a build as the file names them: those of trunk.h that a fit finds.
 struct ShapeNumber {
   const char* name;
   double TrunkShape::*member;
@@ -60,11 +59,11 @@ class FitReader {
     BodyFit fit;
     readPlacement(root, fit.placement);
     const auto moves = member(root, "skin_moves").items();
-    if (moves.size() > kMostMoves) root.fail("has too many skin_moves");
+    if (moves.size() > kMaxMoves) root.fail("has too many skin_moves");
     for (const auto& move : moves)
       fit.skin_moves.push_back({vector(member(move, "place")), vector(member(move, "by"))});
     const auto points = member(root, "points").items();
-    if (points.size() > kMostPoints) root.fail("has too many points");
+    if (points.size() > kMaxPoints) root.fail("has too many points");
     for (const auto& point : points)
       fit.points.push_back({plainName(member(point, "name")), vector(member(point, "mm"))});
     for (const auto& value : member(root, "expected_mm").items()) fit.expected_mm.push_back(number(value));
@@ -84,7 +83,7 @@ class FitReader {
   static double number(const mesh::JsonValue& value) { return finite(value, kFarthestMm); }
   static Vec3 vector(const mesh::JsonValue& value) {
     const auto items = value.items();
-    if (items.size() != 3) value.fail("is no place of three numbers");
+    if (items.size() != 3) value.fail("must be a place of three numbers");
     return {number(items[0]), number(items[1]), number(items[2])};
   }
   /// A spoken name has nothing that would have to be escaped when the fit is written again.
@@ -94,7 +93,7 @@ class FitReader {
     const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
       return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ';
     });
-    if (!plain || name.empty() || name.size() > kLongestName) value.fail("is no name of a place");
+    if (!plain || name.empty() || name.size() > kLongestName) value.fail("is not a name of a place");
     return name;
   }
   static void readPlacement(const mesh::JsonValue& root, BodyPlacement& placement) {
@@ -107,10 +106,10 @@ class FitReader {
     }
     const mesh::JsonValue turn = member(root, "rotation");
     const auto columns = turn.items();
-    if (columns.size() != 3) turn.fail("is no rotation");
+    if (columns.size() != 3) turn.fail("must be a rotation");
     for (int axis = 0; axis < 3; ++axis) placement.rotation.col(axis) = vector(columns[static_cast<std::size_t>(axis)]);
     const Mat3 square = placement.rotation.transpose() * placement.rotation;
-    if (!square.isIdentity(1e-6) || placement.rotation.determinant() < 0) turn.fail("is no rotation");
+    if (!square.isIdentity(1e-6) || placement.rotation.determinant() < 0) turn.fail("must be a rotation");
     placement.translation = vector(member(root, "translation"));
   }
 

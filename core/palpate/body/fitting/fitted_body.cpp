@@ -1,12 +1,12 @@
 // The template's bones in that build -> the scan's frame -> the residual warp -> landmarks down on the scan's skin,
-// bones pushed below it where they come too near. Own.
+// bones pushed below it where they come too near.
 #include "palpate/body/fitting/fitted_body.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "palpate/base/error.h"
-#include "palpate/body/bone_depth.h"
+#include "palpate/body/bones.h"
 #include "palpate/body/places.h"
 #include "palpate/mesh/nearest.h"
 #include "palpate/mesh/topology.h"
@@ -57,12 +57,12 @@ class ScannedSkin {
   std::vector<bool> on_border_;
 };
 
-/// The depth that becomes of a depth: the same where there is room, kLeastFittedCoverMm at least.
+/// The depth that becomes of a depth: the same where there is room, kMinFittedCoverMm at least.
 double keptUnder(double depth_mm) {
   constexpr double kSoftMm = 1.2;
-  const double over = (depth_mm - kLeastFittedCoverMm) / kSoftMm;
+  const double over = (depth_mm - kMinFittedCoverMm) / kSoftMm;
   if (over > 8) return depth_mm;
-  return kLeastFittedCoverMm + kSoftMm * std::log1p(std::exp(over));
+  return kMinFittedCoverMm + kSoftMm * std::log1p(std::exp(over));
 }
 
 /// False where the bone is not under this skin, or more beside it than under it.

@@ -1,6 +1,6 @@
 // The bones and landmarks of a fitted body, in the scan's frame and under its skin.
 //
-// body_fit.h, or a file of it (fit_file.h) -> here -> what a world knows of a body (scene/world.h).
+// body_fit.h, or a file of it -> here -> what a world knows of a body (scene/world.h).
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ struct FittedBody {
 };
 
 /// No bone comes nearer to the scan's skin than this, mm.
-inline constexpr double kLeastFittedCoverMm = 3;
+inline constexpr double kMinFittedCoverMm = 3;
 
 /// Throws Error when the scan is another one than the fit's, or moved.
 FittedBody fittedBody(const TemplateBody& body, const BodyFit& fit, const mesh::TriangleMesh& scan);

@@ -1,4 +1,4 @@
-// A kernel average for the many, Gaussian radial functions through the few. Own.
+// A kernel average for the many, Gaussian radial functions through the few.
 #include "palpate/body/fitting/residual_warp.h"
 
 #include <Eigen/Cholesky>

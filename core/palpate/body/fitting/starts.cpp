@@ -1,6 +1,6 @@
 // A patch says by its normals where behind is, a closed body by its main axes at least how it lies; along the spine it
-// is tried at every third vertebra or so. Own.
-#include "palpate/body/fitting/starts.h"
+// is tried at every third vertebra or so.
+#include "palpate/body/fitting/alignment.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>

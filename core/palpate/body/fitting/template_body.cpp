@@ -1,10 +1,9 @@
-// Own.
 #include "palpate/body/fitting/template_body.h"
 
 #include <cmath>
 #include <utility>
 
-#include "palpate/body/bone_depth.h"
+#include "palpate/body/bones.h"
 #include "palpate/body/spine_line.h"
 #include "palpate/body/trunk/above_bones.h"
 

@@ -1,5 +1,5 @@
 // Puts the 74 bones together: shape (skeleton_shapes.h, bone_shapes.h), reduce (mesh/decimate.h), mirror. A list says
-// of each bone how it is made and what share of the triangles it gets; the list is worked off by two threads. Own.
+// of each bone how it is made and what share of the triangles it gets; the list is worked off by two threads.
 #include "palpate/body/skeleton/skeleton.h"
 
 #include <functional>
@@ -19,7 +19,7 @@ namespace {
 constexpr double kFineSkeletonCellMm = 1.5;
 constexpr double kCoarseSkeletonCellMm = 2.0;
 constexpr std::size_t kFineSkeletonFrom = 60000;  // triangles
-constexpr double kLeastSkeletonCellMm = 0.5;
+constexpr double kMinSkeletonCellMm = 0.5;
 constexpr double kLargestSkeletonCellMm = 3.0;
 constexpr double kSweptEdgeMm = 2.2;  // of ribs, cartilages and clavicles
 
@@ -123,7 +123,7 @@ void check(const SkeletonSettings& settings) {
     throw Error("the skeleton needs at least " + std::to_string(kFewestSkeletonTriangles) + " triangles");
   }
   if (settings.cell_mm != 0.0 &&
-      !(settings.cell_mm >= kLeastSkeletonCellMm && settings.cell_mm <= kLargestSkeletonCellMm)) {
+      !(settings.cell_mm >= kMinSkeletonCellMm && settings.cell_mm <= kLargestSkeletonCellMm)) {
     throw Error("the grid of the bones must lie between 0.5 and 3 mm");
   }
 }

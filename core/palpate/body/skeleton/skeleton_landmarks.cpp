@@ -1,4 +1,4 @@
-// The points of the skeleton that an examiner finds by touch, from the places that each shape names. Own.
+// The points of the skeleton that an examiner finds by touch, from the places that each shape names.
 #include "palpate/body/skeleton/skeleton.h"
 #include "palpate/body/skeleton/skeleton_shapes.h"
 

@@ -1,4 +1,4 @@
-// A few rounds: what a place misses its bone by, seen from behind, moves it on the fitted skin. Own.
+// A few rounds: what a place misses its bone by, seen from behind, moves it on the fitted skin.
 #include "palpate/body/trunk/above_bones.h"
 
 #include <cmath>

@@ -21,14 +21,14 @@ namespace palpate::body {
 namespace {
 
 // Up to so many triangles are made by rounds; more by quartering. More is evener where curvature is strong and slower.
-constexpr std::size_t kMostByRounds = 40000;
+constexpr std::size_t kMaxByRounds = 40000;
 constexpr int kEvenRounds = 6;
 constexpr int kSmoothings = 6;            // after the count is exact
 constexpr double kLongShare = 4.0 / 3.0;  // of the wanted edge
 constexpr double kShortShare = 4.0 / 5.0;
-constexpr double kMostTurn = 0.5;  // least cosine between a triangle's normals before and after a change
+constexpr double kMaxTurn = 0.5;  // least cosine between a triangle's normals before and after a change
 constexpr std::size_t kFewestNeighbours = 4;
-constexpr std::size_t kMostNeighbours = 9;
+constexpr std::size_t kMaxNeighbours = 9;
 
 struct Edge {
   Index a, b;
@@ -215,12 +215,12 @@ class ChangingMesh {
   }
   bool facesOut(const Triangle& t) const {
     const Vec3 area = areaVector(t);
-    return area.dot(normal_[t[0]] + normal_[t[1]] + normal_[t[2]]) > kMostTurn * 3.0 * area.norm() && area.norm() > 0;
+    return area.dot(normal_[t[0]] + normal_[t[1]] + normal_[t[2]]) > kMaxTurn * 3.0 * area.norm() && area.norm() > 0;
   }
 
   /// The two vertices have just the two third corners of their triangles in common, and nobody gets too few neighbours.
   bool keepsSurface(Index a, Index b) const {
-    if (around_[a].size() + around_[b].size() - 4 > kMostNeighbours) return false;
+    if (around_[a].size() + around_[b].size() - 4 > kMaxNeighbours) return false;
     std::size_t common = 0;
     for (const Index t : around_[a]) {
       for (const Index v : triangles_[t]) {
@@ -244,7 +244,7 @@ class ChangingMesh {
     }
     const Vec3 before = areaVector(triangles_[t]);
     const Vec3 after = mesh::areaVector2(corner[0], corner[1], corner[2]);
-    return after.dot(before) > kMostTurn * after.norm() * before.norm();
+    return after.dot(before) > kMaxTurn * after.norm() * before.norm();
   }
   bool movesSoundly(Index v, const Vec3& there) const {
     return std::all_of(around_[v].begin(), around_[v].end(), [&](Index t) { return staysSound(t, v, there, 1e300); });
@@ -412,7 +412,7 @@ void splitLongest(mesh::TriangleMesh& mesh, const OntoSurface& onto, std::size_t
 mesh::TriangleMesh evenMesh(const mesh::TriangleMesh& rough, const OntoSurface& onto, std::size_t triangles) {
   std::size_t coarse = triangles;
   int quarterings = 0;
-  for (; coarse > kMostByRounds; ++quarterings) coarse /= 4;
+  for (; coarse > kMaxByRounds; ++quarterings) coarse /= 4;
   coarse = coarse / 2 * 2;
   ChangingMesh mesh(rough, onto);
   for (int round = 0; round < kEvenRounds; ++round) oneRound(mesh, edgeOf(mesh.area(), coarse));

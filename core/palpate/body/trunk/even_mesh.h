@@ -1,6 +1,6 @@
 // A closed smooth surface in triangles of about one size and shape, exactly as many as wanted.
 //
-// trunk_field.h -> here -> trunk_shape.h. A rough closed mesh is made even by splitting long edges, collapsing short
+// trunk_field.h -> here -> trunk.h. A rough closed mesh is made even by splitting long edges, collapsing short
 // ones, flipping towards six neighbours and moving vertices to the middle of theirs; finer meshes are that one with
 // every triangle cut in four, so that millions cost no more than the projection of their vertices.
 #pragma once

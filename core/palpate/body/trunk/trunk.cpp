@@ -1,5 +1,5 @@
 // Bones beside the fitted skin cut into triangles -> soft tissue and relief along its normal -> both bent alike -> the
-// table -> depth of the nearest bone under every vertex. Own.
+// table -> depth of the nearest bone under every vertex.
 #include "palpate/body/trunk/trunk.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
-#include "palpate/body/bone_depth.h"
+#include "palpate/body/bones.h"
 #include "palpate/body/skeleton/skeleton.h"
 #include "palpate/body/skin_outline.h"
 #include "palpate/body/skin_table.h"
@@ -23,8 +23,8 @@ namespace palpate::body {
 namespace {
 
 constexpr double kTrunkBoneShare = 0.3;
-constexpr std::size_t kMostOfTrunkBones = 24000;  // more triangles do not make better bones
-constexpr double kRoughCellMm = 14;               // finer than armpits, folds and the cleft are wide
+constexpr std::size_t kMaxOfTrunkBones = 24000;  // more triangles do not make better bones
+constexpr double kRoughCellMm = 14;              // finer than armpits, folds and the cleft are wide
 
 std::size_t boneTriangles(const TrunkSettings& settings) {
   if (settings.triangles % 2 != 0) {
@@ -36,7 +36,7 @@ std::size_t boneTriangles(const TrunkSettings& settings) {
   }
   if (settings.bone_triangles == 0) {
     const auto share = static_cast<std::size_t>(kTrunkBoneShare * static_cast<double>(settings.triangles));
-    return std::clamp<std::size_t>(share / 2 * 2, kFewestSkeletonTriangles, kMostOfTrunkBones);
+    return std::clamp<std::size_t>(share / 2 * 2, kFewestSkeletonTriangles, kMaxOfTrunkBones);
   }
   if (settings.bone_triangles + kFewestTrunkSkinTriangles > settings.triangles)
     throw Error("too few triangles are left for the skin");
@@ -122,7 +122,7 @@ void shapeSkin(mesh::TriangleMesh& skin, const TrunkField& field, const Shaper& 
   }
 }
 
-/// The skin above the bones' landmarks. All at once, because every look at the depth of the bones sorts them anew.
+/// The skin above the bones' landmarks. All at once, because every look at the depth of the bones sorts them again.
 std::vector<SkinLandmark> skinLandmarks(const TrunkField& field, const Shaper& shaper, std::span<const Bone> bones) {
   std::vector<SkinLandmark> landmarks;
   std::vector<SkinPoint> places;

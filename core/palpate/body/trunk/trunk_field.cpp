@@ -1,4 +1,4 @@
-// Decodes the table and evaluates its tricubic spline with its gradient; 64 coefficients a point, about 0.1 us. Own.
+// Decodes the table and evaluates its tricubic spline with its gradient; 64 coefficients a point, about 0.1 us.
 #include "palpate/body/trunk/trunk_field.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 //
 // Fitted by tools/fit_trunk.py to the signed distance of a real human shape (trunk_table.h): a cubic B-spline over a
 // lattice of 18 mm, mirrored at x = 0. Unlike a radius about an axis (skin_surface.h) it follows armpits, arms and
-// thighs. trunk_mesher.h walks on it; everything that makes one body differ from another comes after (trunk_shape.h).
+// thighs. trunk_mesher.h walks on it; everything that makes one body differ from another comes after (trunk.h).
 // Millimetre of a man of 1750 mm, body frame. Immutable; any thread.
 #pragma once
 

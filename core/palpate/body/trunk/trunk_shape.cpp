@@ -1,7 +1,7 @@
 // Own. Amounts of fat and muscle are our choice by eye against photographs of builds, so that the waist gains 2 cm a
 // unit of body mass index (1.8 in a survey of 3,600 adults: Hajian-Tilaki and Heidari, "The link between BMI and waist
 // circumference in northern Iranian adults").
-#include "palpate/body/trunk/trunk_shape.h"
+#include "palpate/body/trunk/trunk.h"
 
 #include <algorithm>
 #include <array>
@@ -79,8 +79,8 @@ const std::array<Hill, 4> kFolds = {{
     {{75, -400, -95}, {40, 45, 40}, 0.5},
 }};
 
-constexpr double kLeastCoverMm = 5.0;  // mm of tissue that no leanness takes
-constexpr double kSpareShare = 0.6;    // of what lies between it and the skin, at most this share goes
+constexpr double kMinCoverMm = 5.0;  // mm of tissue that no leanness takes
+constexpr double kSpareShare = 0.6;  // of what lies between it and the skin, at most this share goes
 
 // Heights of the axis that a bend knows, mm: below the thighs' stumps to above the neck's.
 constexpr double kBentLow = -700;
@@ -110,7 +110,7 @@ double softTissueGrowth(const TrunkShape& shape, const Vec3& place) {
 
 double keptOffBone(double growth, double depth_mm) {
   if (growth >= 0) return growth;
-  const double most = kSpareShare * std::max(depth_mm - kLeastCoverMm, 0.0);
+  const double most = kSpareShare * std::max(depth_mm - kMinCoverMm, 0.0);
   // Towards `most` without a kink: thin skin over a rib follows it, between ribs it sinks.
   return most > 0 ? -most * std::tanh(-growth / most) : 0.0;
 }

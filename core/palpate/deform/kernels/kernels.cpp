@@ -18,7 +18,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "palpate/deform/blocks.h"
+#include "palpate/deform/kernels/blocks.h"
 #include "palpate/deform/kernels/kernels.h"
 #include "palpate/deform/kernels/lanes-inl.h"
 #include "palpate/deform/kernels/layered_lanes-inl.h"

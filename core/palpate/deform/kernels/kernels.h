@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "palpate/deform/blocks.h"
+#include "palpate/deform/kernels/blocks.h"
 #include "palpate/tissue/layered_curve.h"
 
 namespace palpate::deform {

@@ -54,7 +54,7 @@ struct Growth {
 /// of a plane on which two vertices lie.
 Vec3 middlePoint(const mesh::TriangleMesh& mesh, Index triangle);
 
-inline int mostLevels(TreeKind tree) { return tree == TreeKind::Bsp ? kMostBspLevels : kMostOctreeLevels; }
+inline int mostLevels(TreeKind tree) { return tree == TreeKind::Bsp ? kMaxBspLevels : kMaxOctreeLevels; }
 
 /// A tree of one node, the whole space, that wants to grow. Throws Error as buildPartition does.
 Growth startGrowth(const mesh::TriangleMesh& mesh, const BuildSettings& settings, const Progress& progress);

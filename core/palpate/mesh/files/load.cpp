@@ -1,5 +1,5 @@
-// The bytes of a file, told apart by their first ones or the file's name, go to the reader of their format; then
-// vertices are welded where the format repeats them, and units become millimetres. Own.
+// The bytes of a file, distinguished by their first ones or the file's name, go to the reader of their format; then
+// vertices are welded where the format repeats them, and units become millimetres.
 #include "palpate/mesh/files/load.h"
 
 #include <fmt/format.h>
@@ -127,8 +127,8 @@ void toMillimetres(TriangleMesh& mesh, Format format, double unit_mm) {
 }
 
 void checkTriangleCount(std::size_t triangles, std::string_view name) {
-  constexpr std::size_t kMost = std::numeric_limits<Index>::max() / 3;
-  if (triangles >= kMost) throw Error::inFile(name, fmt::format("more than {} triangles", kMost));
+  constexpr std::size_t kMax = std::numeric_limits<Index>::max() / 3;
+  if (triangles >= kMax) throw Error::inFile(name, fmt::format("more than {} triangles", kMax));
 }
 
 TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress) {

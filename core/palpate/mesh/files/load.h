@@ -60,13 +60,13 @@ struct MeshWithChannels {
 
 /// `load`, with the numbers and colours that a PLY file has for its vertices: colours from red, green, blue (with or
 /// without diffuse_ before them), numbers from every other property but places and normals, at most
-/// kMostVertexScalars. Other formats bring none. Throws Error.
+/// kMaxVertexScalars. Other formats bring none. Throws Error.
 MeshWithChannels loadWithChannels(const std::filesystem::path& file, const LoadOptions& options = {},
                                   const Progress& progress = {});
 MeshWithChannels loadWithChannelsFromMemory(std::string_view bytes, Format format, std::string_view name,
                                             const LoadOptions& options = {}, const Progress& progress = {});
 
-inline constexpr std::size_t kMostVertexScalars = 64;
+inline constexpr std::size_t kMaxVertexScalars = 64;
 
 // The picture on a surface: a second reading of the same file, for those who draw.
 

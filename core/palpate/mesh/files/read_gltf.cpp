@@ -21,9 +21,9 @@ enum Mode : int { kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6 };
 
 /// A node may show a mesh again and again, so a short file can ask for any number of triangles. What is more than this
 /// many times the bytes of the file and its buffers is an attack, not a mesh.
-constexpr std::size_t kMostPerByte = 8;
+constexpr std::size_t kMaxPerByte = 8;
 
-constexpr std::size_t kMostTextureSets = 64;
+constexpr std::size_t kMaxTextureSets = 64;
 
 Eigen::Affine3d matrixOf(JsonValue node) {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
@@ -67,7 +67,7 @@ class GltfReader {
         primitives_(meshes_.size()),
         visited_(nodes_.size(), false) {
     if (places_ != nullptr) base_colours_ = baseColours(root_);
-    budget_ = 1000 + kMostPerByte * accessors_.bytes();
+    budget_ = 1000 + kMaxPerByte * accessors_.bytes();
   }
 
   TriangleMesh read() {
@@ -176,7 +176,7 @@ class GltfReader {
   /// Where the base colour lies; none where there is no such attribute. glTF counts v downwards.
   TexturePlaces placesOf(JsonValue primitive, std::size_t vertices) const {
     const JsonValue base_colour = baseColourOf(base_colours_, primitive);
-    const std::size_t set = base_colour["texCoord"].indexOr(0, kMostTextureSets, "texCoord");
+    const std::size_t set = base_colour["texCoord"].indexOr(0, kMaxTextureSets, "texCoord");
     const JsonValue attribute = primitive["attributes"][fmt::format("TEXCOORD_{}", set)];
     TexturePlaces places;
     if (attribute) places = accessors_.places(attribute);

@@ -18,8 +18,8 @@ struct Counts {
 };
 
 /// Shortest line of a vertex and of a face: "0 0 0", "0" and their line ends.
-constexpr std::size_t kLeastVertexBytes = 6;
-constexpr std::size_t kLeastFaceBytes = 2;
+constexpr std::size_t kMinVertexBytes = 6;
+constexpr std::size_t kMinFaceBytes = 2;
 
 void readKeyword(TextReader& text) {
   constexpr std::array<std::string_view, 5> kKnown = {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"};
@@ -41,9 +41,9 @@ Counts readCounts(TextReader& text) {
   const auto most = static_cast<long long>(text.bytesLeft());
   Counts counts;
   counts.vertices = static_cast<std::size_t>(
-      text.whole(text.word(), "the number of vertices", 0, most / static_cast<long long>(kLeastVertexBytes)));
+      text.whole(text.word(), "the number of vertices", 0, most / static_cast<long long>(kMinVertexBytes)));
   counts.faces = static_cast<std::size_t>(
-      text.whole(text.word(), "the number of faces", 0, most / static_cast<long long>(kLeastFaceBytes)));
+      text.whole(text.word(), "the number of faces", 0, most / static_cast<long long>(kMinFaceBytes)));
   return counts;
 }
 

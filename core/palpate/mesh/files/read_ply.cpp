@@ -233,7 +233,7 @@ ChannelColumns startChannels(const Element& element, VertexChannels& channels) {
     const Property& property = element.properties[p];
     const bool first_of_its_name = scalarColumn(element, property.name) == p;
     if (property.is_list || !isNumberOfItsOwn(property.name) || !first_of_its_name) continue;
-    if (channels.scalars.size() == kMostVertexScalars) break;
+    if (channels.scalars.size() == kMaxVertexScalars) break;
     columns.scalars.push_back(p);
     channels.scalars.push_back({std::string(property.name), {}});
   }

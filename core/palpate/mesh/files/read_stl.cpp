@@ -22,7 +22,7 @@ constexpr std::size_t kTriangleBytes = 50;  // normal, three corners, two bytes 
 constexpr std::size_t kCornersOffset = 12;  // the normal is not read: the winding says it better
 constexpr std::size_t kTrianglesPerReport = std::size_t{1} << 17;
 /// Shortest text of a triangle: "facet normal 0 0 0 outer loop" and so on, well below what any writer makes.
-constexpr std::size_t kLeastTextBytes = 80;
+constexpr std::size_t kMinTextBytes = 80;
 
 bool startsWithSolid(std::string_view bytes) {
   const auto start = bytes.find_first_not_of(" \t\r\n");
@@ -140,7 +140,7 @@ void readSolid(TextReader& text, Corners& corners, TriangleMesh& mesh, std::stri
 
 TriangleMesh readText(const MeshFile& file) {
   TriangleMesh mesh;
-  const std::size_t most = file.bytes.size() / kLeastTextBytes;
+  const std::size_t most = file.bytes.size() / kMinTextBytes;
   mesh.triangles.reserve(most);
   Corners corners(most, file.options.weld.value_or(true));
   TextReader text(file.bytes, file.name, file.progress);

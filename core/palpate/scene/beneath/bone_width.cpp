@@ -1,12 +1,12 @@
 // Distances to the nearest bone from a ring around each vertex. Over a post of radius R at a depth t the distance from
 // s beside it is d = sqrt((t + R)^2 + s^2) - R; solved for R.
-#include "palpate/scene/beneath/bone_width.h"
+#include "palpate/scene/beneath/tissue_beneath.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "palpate/body/bone_depth.h"
+#include "palpate/body/bones.h"
 #include "palpate/tissue/narrow_bone.h"
 
 namespace palpate::scene {

@@ -17,7 +17,7 @@ constexpr double kCellMm = 6.0;
 constexpr double kEvenedOverMm = 9.0;
 /// Rays a cell: on a dense mesh not every vertex asks.
 constexpr int kRays = 4;
-constexpr double kMostOverNearest = 1.5;
+constexpr double kMaxOverNearest = 1.5;
 
 struct Cell {
   Vec3 sum = Vec3::Zero();  ///< of the places that asked
@@ -46,7 +46,7 @@ Place placeOf(const Vec3& point) {
 }
 
 double beneath(const tree::TriangleTree& bones, const Vec3& point, const Vec3& normal, double nearest_mm) {
-  const double most = kMostOverNearest * nearest_mm;
+  const double most = kMaxOverNearest * nearest_mm;
   const tree::Crossing hit = tree::firstFrontCrossing(bones, point, point - most * normal);
   return hit.triangle == kNoIndex ? most : std::max(nearest_mm, hit.fraction * most);
 }

@@ -1,5 +1,5 @@
 // Silence is counted, not clocked: in the driver's ticks on its side, in the servo's on the other, so that a test can
-// step both by hand. A loop that is late by one tick is forgiven, the second zeroes. Own.
+// step both by hand. A loop that is late by one tick is forgiven, the second zeroes.
 #include "palpate/device/detail/driver_link.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ Vec3 DriverLink::read(std::uint64_t tick) noexcept {
   state_.faults = reading.faults;
   state_.age_ticks = tick > last_fresh_tick_ ? tick - last_fresh_tick_ : 0;  // a servo may count from 0 again
   if (reading.number == 0) state_.faults |= kNoPose;
-  if (state_.age_ticks > kMostPoseTicks) state_.faults |= kStalePose;
+  if (state_.age_ticks > kMaxPoseTicks) state_.faults |= kStalePose;
   if (muted()) state_.faults |= kClosed;
   if (probe_force_ != 0 && reading.force >= probe_force_) {
     state_.loop_ticks = tick - probe_tick_;

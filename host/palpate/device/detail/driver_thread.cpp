@@ -1,5 +1,5 @@
 // Wakes at absolute times and skips those that were slept through. The priority is the servo's: the position that a
-// tick needs is read here. Own.
+// tick needs is read here.
 #include "palpate/device/detail/driver_thread.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Mouse: the link that a window fills. Script: tips in memory. Playback: a file -> one tip a tick, in the
-// body frame as it was written. Cold paths. Own.
+// body frame as it was written. Cold paths.
 #include "palpate/device/detail/each_back_end.h"
 
 #include <fmt/format.h>

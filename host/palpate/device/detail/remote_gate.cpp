@@ -1,5 +1,5 @@
 // Numbers by std::from_chars and fmt::format_to_n, which know no locale and take no memory.
-#include "palpate/device/detail/remote_gate.h"
+#include "palpate/device/detail/remote_device.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>

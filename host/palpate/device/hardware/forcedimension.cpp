@@ -1,5 +1,5 @@
 // Driver -> Device, and the doctor's questions in their order: library, functions, version, bus, device. Cold path but
-// for the three functions of a tick, which are the link's. Own.
+// for the three functions of a tick, which are the link's.
 #include "palpate/device/detail/each_back_end.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // Names of the library's functions, and the devices it knows. Forces, stiffnesses and reaches as CHAI3D 3.3 lists them
-// for these devices. Cold path. Own.
-#include "palpate/device/hardware/forcedimension_api.h"
+// for these devices. Cold path.
+#include "palpate/device/hardware/forcedimension_driver.h"
 
 #include <fmt/format.h>
 

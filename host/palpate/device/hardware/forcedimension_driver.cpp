@@ -1,6 +1,5 @@
 // due force -> dhdSetForce; dhdGetPosition -> reading. "Too soon" is no error: nothing is published and the position
 // grows old by itself. A lost device is closed and opened again by its index, on this thread, so the servo never waits.
-// Own.
 #include "palpate/device/hardware/forcedimension_driver.h"
 
 #include <fmt/format.h>
@@ -28,13 +27,13 @@ constexpr std::uint64_t kLookAgainAfter = 1000;
 /// Of the velocity where the library gives none, s.
 constexpr double kVelocitySmoothingS = 0.02;
 
-constexpr std::size_t kMostDevices = 64;
+constexpr std::size_t kMaxDevices = 64;
 constexpr double kMmPerM = 1000.0;
 
 /// Which indices this program holds: the library gives a device as often as it is asked.
 struct Holdings {
   std::mutex mutex;
-  std::array<bool, kMostDevices> held{};
+  std::array<bool, kMaxDevices> held{};
 };
 Holdings& holdings() {
   static Holdings all;
@@ -191,7 +190,7 @@ int devicesFound(const Api& api) { return std::max(0, api.device_count()); }
 Opened openDriver(const Api& api, const OpenOptions& options) {
   Opened opened;
   const DeviceFrame frame = frameFor(options);
-  const int count = std::min(devicesFound(api), static_cast<int>(kMostDevices));
+  const int count = std::min(devicesFound(api), static_cast<int>(kMaxDevices));
   opened.remedy = "plug the device and its power supply in, and end other programs that use it";
   if (count == 0) {
     opened.reason = "the library finds no device";

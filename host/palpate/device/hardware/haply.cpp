@@ -1,5 +1,5 @@
 // Session's slot -> Device, and the doctor's questions in their order: settings, service, devices on the bus. Cold path
-// but for the three functions of a tick, which are the link's. Own.
+// but for the three functions of a tick, which are the link's.
 #include "palpate/device/detail/each_back_end.h"
 
 #include <memory>

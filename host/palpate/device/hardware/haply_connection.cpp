@@ -1,6 +1,6 @@
 // Boost.Beast over Asio. An operation is started and the loop of events run until it is done or its time is over; then
-// the socket is closed, which ends the operation. Cold path: the servo is never here. Own.
-#include "palpate/device/hardware/haply_connection.h"
+// the socket is closed, which ends the operation. Cold path: the servo is never here.
+#include "palpate/device/hardware/haply_session.h"
 
 #include <fmt/format.h>
 
@@ -79,9 +79,9 @@ class Wire {
 
 std::string words(const Address& address) { return fmt::format("{}:{}", address.host, address.port); }
 
-struct Connection::Parts {
-  Parts(const Address& address, double patience_s) : wire(address, patience_s), stream(wire.socket()) {
-    stream.read_message_max(kMostReplyBytes);
+struct Connection::Impl {
+  Impl(const Address& address, double patience_s) : wire(address, patience_s), stream(wire.socket()) {
+    stream.read_message_max(kMaxReplyBytes);
     wire.finish([&](auto done) { stream.async_handshake(words(address), "/", done); });
     stream.text(true);
   }
@@ -91,12 +91,12 @@ struct Connection::Parts {
 };
 
 Connection::Connection(const Address& address, double patience_s)
-    : parts_(std::make_unique<Parts>(address, patience_s)) {}
+    : impl_(std::make_unique<Impl>(address, patience_s)) {}
 
 Connection::~Connection() = default;
 
 std::string_view Connection::receive() {
-  Parts& self = *parts_;
+  Impl& self = *impl_;
   self.buffer.clear();
   self.wire.finish([&](auto done) { self.stream.async_read(self.buffer, done); });
   const auto bytes = self.buffer.cdata();
@@ -104,7 +104,7 @@ std::string_view Connection::receive() {
 }
 
 void Connection::send(std::string_view text) {
-  Parts& self = *parts_;
+  Impl& self = *impl_;
   self.wire.finish([&](auto done) { self.stream.async_write(asio::buffer(text.data(), text.size()), done); });
 }
 
@@ -116,7 +116,7 @@ std::string httpGet(const Address& address, const std::string& path, double pati
   wire.finish([&](auto done) { http::async_write(wire.socket(), request, done); });
   beast::flat_buffer buffer;
   http::response_parser<http::string_body> answer;
-  answer.body_limit(kMostReplyBytes);
+  answer.body_limit(kMaxReplyBytes);
   wire.finish([&](auto done) { http::async_read(wire.socket(), buffer, answer, done); });
   if (answer.get().result() != http::status::ok) {
     throw Error(fmt::format("{}{}: status {}", words(address), path, answer.get().result_int()));

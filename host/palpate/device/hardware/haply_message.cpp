@@ -1,5 +1,5 @@
 // nlohmann-json without exceptions: what does not parse is no message. Every number is checked before it is believed.
-// A force is written with all its digits, so that the service gets no more than the limit. Own.
+// A force is written with all its digits, so that the service gets no more than the limit.
 #include "palpate/device/hardware/haply_message.h"
 
 #include <fmt/format.h>
@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kMostSpeedMS = 100.0;
-constexpr const char* kNoForm = "the service's answer is no JSON";
+constexpr double kMaxSpeedMS = 100.0;
+constexpr const char* kNoForm = "the service's answer is not JSON";
 
 /// The member of an object; null where there is none, or no object.
 const Json& memberOf(const Json& object, const char* name) {
@@ -64,8 +64,8 @@ DeviceReply deviceOf(const std::string& id, const Json& element) {
   device.handedness = textOf(memberOf(config, "handedness"));
   const Json& state = memberOf(element, "state");
   device.has_state = state.is_object();
-  device.place_m = vectorOf(memberOf(state, "cursor_position"), kMostReachM);
-  device.speed_m_s = vectorOf(memberOf(state, "cursor_velocity"), kMostSpeedMS).value_or(Vec3::Zero());
+  device.place_m = vectorOf(memberOf(state, "cursor_position"), kMaxReachM);
+  device.speed_m_s = vectorOf(memberOf(state, "cursor_velocity"), kMaxSpeedMS).value_or(Vec3::Zero());
   return device;
 }
 
@@ -79,7 +79,7 @@ void readDevices(const Json& list, Reply& reply) {
   for (const auto& [key, element] : list.items()) {
     const std::string id = list.is_object() ? key : textOf(memberOf(element, "device_id"));
     if (isId(id)) reply.devices.push_back(deviceOf(id, element));
-    if (reply.devices.size() == kMostDevices) return;
+    if (reply.devices.size() == kMaxDevices) return;
   }
 }
 
@@ -107,7 +107,7 @@ int nextPart(std::string_view& words) {
 Reply parseReply(std::string_view text) {
   Reply reply;
   reply.wrong = kNoForm;
-  if (text.size() > kMostReplyBytes) return reply;
+  if (text.size() > kMaxReplyBytes) return reply;
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return reply;
   const Json& list = memberOf(json, "inverse3");
@@ -127,7 +127,7 @@ Reply parseReply(std::string_view text) {
 
 Version parseVersion(std::string_view text) {
   Version version;
-  if (text.size() > kMostReplyBytes) return version;
+  if (text.size() > kMaxReplyBytes) return version;
   version.words = textOf(memberOf(Json::parse(text, nullptr, false), "project_version"));
   std::string_view words = version.words;
   version.major = nextPart(words);

@@ -14,12 +14,12 @@
 namespace palpate::device::haply {
 
 /// A longer message is refused before it is read: a whole snapshot of several devices has a few thousand bytes.
-inline constexpr std::size_t kMostReplyBytes = 1u << 18;
+inline constexpr std::size_t kMaxReplyBytes = 1u << 18;
 
 /// No arm is longer, m: a place farther away is none.
-inline constexpr double kMostReachM = 10.0;
+inline constexpr double kMaxReachM = 10.0;
 
-inline constexpr std::size_t kMostDevices = 16;
+inline constexpr std::size_t kMaxDevices = 16;
 
 /// One device in a message of the service.
 struct DeviceReply {

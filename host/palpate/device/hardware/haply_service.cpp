@@ -1,5 +1,5 @@
-// Words -> settings; TCP and WebSocket, GET /version, snapshot, in this order. Cold path. Own.
-#include "palpate/device/hardware/haply_service.h"
+// Words -> settings; TCP and WebSocket, GET /version, snapshot, in this order. Cold path.
+#include "palpate/device/hardware/haply_session.h"
 
 #include <fmt/format.h>
 

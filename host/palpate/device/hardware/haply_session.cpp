@@ -1,5 +1,5 @@
 // dueForce() of every slot -> one message -> its answer -> publish() to every slot. An answer that is none leaves no
-// device a place; a connection that broke is opened again by revive(), so that this thread never waits for long. Own.
+// device a place; a connection that broke is opened again by revive(), so that this thread never waits for long.
 #include "palpate/device/hardware/haply_session.h"
 
 #include <fmt/format.h>
@@ -184,7 +184,7 @@ void Session::askAndTell() {
   connection_->send(orderText(orders, {force_key_, !introduced_}));
   introduced_ = true;
   const Reply reply = parseReply(connection_->receive());
-  const bool late = by_clock_ && secondsSince(since) > kMostPoseTicks * tick_s_;
+  const bool late = by_clock_ && secondsSince(since) > kMaxPoseTicks * tick_s_;
   for (const auto& slot : slots_) tell(*slot, reply, late);
 }
 

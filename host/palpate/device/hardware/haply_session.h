@@ -2,20 +2,88 @@
 // force for each of them and one answer with the place of each, on a thread beside the servo or by hand.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "palpate/device/back_ends.h"
 #include "palpate/device/detail/driver_link.h"
 #include "palpate/device/detail/driver_thread.h"
-#include "palpate/device/detail/turns.h"
 #include "palpate/device/device_frame.h"
-#include "palpate/device/hardware/haply_service.h"
+#include "palpate/device/hardware/haply_message.h"
 
 namespace palpate::device::haply {
+
+// Haply's Inverse Service looked for: at which addresses, which version, what devices it has, and why not.
+
+// One WebSocket to Haply's service, and one question by HTTP: whatever is asked is answered within a time, or thrown.
+
+struct Address {
+  std::string host = "127.0.0.1";
+  int port = 0;
+};
+
+/// "127.0.0.1:10001"
+std::string words(const Address& address);
+
+/// Connects and shakes hands; every wait ends after `patience_s`. One thread at a time.
+class Connection {
+ public:
+  /// Throws Error with the system's words.
+  Connection(const Address& address, double patience_s);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  /// The next message; longer ones than kMaxReplyBytes are an error. Throws Error; then the connection is of no use
+  /// any more. The text is valid until the next call.
+  std::string_view receive();
+  /// Throws Error likewise.
+  void send(std::string_view text);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The body of the answer to GET `path`, if it was 200. Throws Error.
+std::string httpGet(const Address& address, const std::string& path, double patience_s);
+
+/// The environment variable that says where the service is, and how to speak to it.
+inline constexpr const char* kServiceVariable = "PALPATE_HAPLY";
+
+/// Of a service of 3.1 or newer, and of one of 3.0.
+inline constexpr int kPort = 10001;
+inline constexpr int kOldPort = 10000;
+
+struct Settings {
+  std::string words;  ///< that they came from
+  std::vector<Address> addresses = {{"127.0.0.1", kPort}, {"127.0.0.1", kOldPort}};
+  int http_port = 0;  ///< 0: that of the address, then kOldPort
+  ForceKey force_key = ForceKey::automatic;
+  /// No maker's figure is at hand for what the motors hold.
+  double most_force_n = 5.0;
+};
+
+/// "HOST:PORT,force_key=auto|vector|values,most_force_n=N,http_port=PORT", any part of it; `said` where it is not
+/// empty, else what the environment says, else the usual. Throws Error for what is none of it.
+Settings settingsOf(const std::string& said);
+
+/// A service that has answered.
+struct Service {
+  std::unique_ptr<Connection> connection;  ///< null: none, and the probe says why
+  Version version;
+  ForceKey force_key = ForceKey::vector;
+  Reply snapshot;
+};
+
+/// Connects to the first address that answers, asks for the version and takes the snapshot. Every step is in the
+/// probe's looked_for, the first that fails in its reason and remedy.
+Service findService(const Settings& settings, const std::filesystem::path& system_root, Probe& probe);
 
 /// Exchanges a second: two to a tick of the servo, so that neither waits for the other.
 inline constexpr double kExchangesPerS = 2000.0;

@@ -1,5 +1,4 @@
 // Findings -> sentences. The first thing that is wrong is the reason; what comes after it cannot be judged. Cold path.
-// Own.
 #include "palpate/device/hardware/library_report.h"
 
 #include <fmt/format.h>

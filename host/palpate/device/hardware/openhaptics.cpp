@@ -1,5 +1,5 @@
 // Session's slot -> Device, and the doctor's questions in their order: library, functions, bus, device. Cold path but
-// for the three functions of a tick, which are the link's. Own.
+// for the three functions of a tick, which are the link's.
 #include "palpate/device/detail/each_back_end.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// Names of the library's functions and what its error codes mean. Cold path. Own.
-#include "palpate/device/hardware/openhaptics_api.h"
+// Names of the library's functions and what its error codes mean. Cold path.
+#include "palpate/device/hardware/openhaptics_session.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // The scheduler reads `slots_` without a lock: it stands still while they change. A device that is released while
 // others are held stays initialised, at zero force, until the last goes: stopping would take the skin from the others'
-// fingers. Errors are popped after each frame; the library names the device that each belongs to. Own.
+// fingers. Errors are popped after each frame; the library names the device that each belongs to.
 #include "palpate/device/hardware/openhaptics_session.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ constexpr std::array kUsualNames = {"", "Default Device", "Default PHANToM", "Ph
 constexpr std::uint64_t kCalibrationFrames = 200;
 
 /// More errors than this are not waiting in a library that works.
-constexpr int kMostErrors = 16;
+constexpr int kMaxErrors = 16;
 
 /// How long a release waits for a frame with zero force, s; a driver that stands still has nothing to send it with.
 constexpr double kRestS = 0.05;
@@ -152,7 +152,7 @@ void Session::checkCalibration(Slot& slot) noexcept {
 }
 
 void Session::takeErrors(Slot& slot) noexcept {
-  for (int i = 0; i < kMostErrors; ++i) {
+  for (int i = 0; i < kMaxErrors; ++i) {
     const ErrorInfo error = api_.get_error();
     if (error.code == kSuccess) return;
     Slot* owner = &slot;
@@ -170,7 +170,7 @@ void Session::takeErrors(Slot& slot) noexcept {
 
 std::uint32_t Session::firstError() const {
   std::uint32_t first = kSuccess;
-  for (int i = 0; i < kMostErrors; ++i) {
+  for (int i = 0; i < kMaxErrors; ++i) {
     const std::uint32_t code = api_.get_error().code;
     if (code == kSuccess) break;
     if (first == kSuccess) first = code;
@@ -319,7 +319,7 @@ bool Session::revive(Slot& slot) {
     api_.enable(kForceOutput);
   }
   slot.last_error.store(error, std::memory_order_relaxed);
-  slot.frames.store(0, std::memory_order_relaxed);  // it is calibrated anew
+  slot.frames.store(0, std::memory_order_relaxed);  // it is calibrated again
   start();
   return slot.handle != kInvalidHandle;
 }

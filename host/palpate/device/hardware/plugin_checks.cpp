@@ -1,4 +1,4 @@
-// Everything is compared so that a NaN fails. Own.
+// Everything is compared so that a NaN fails.
 #include "palpate/device/hardware/plugin_checks.h"
 
 #include <fmt/format.h>
@@ -16,11 +16,11 @@ namespace palpate::device::plugin {
 namespace {
 
 /// Beyond these a number is a mistake in the plugin.
-constexpr double kMostForceN = 1000.0;
-constexpr double kMostStiffnessNPerMm = 1e6;
-constexpr double kMostRateHz = 1e6;
-constexpr double kMostSpeedMmS = 1e6;
-constexpr double kMostReachMm = 1e5;
+constexpr double kMaxForceN = 1000.0;
+constexpr double kMaxStiffnessNPerMm = 1e6;
+constexpr double kMaxRateHz = 1e6;
+constexpr double kMaxSpeedMmS = 1e6;
+constexpr double kMaxReachMm = 1e5;
 
 constexpr std::uint32_t kKnownFaults = PALPATE_DEVICE_NO_POSE | PALPATE_DEVICE_NOT_CALIBRATED;
 constexpr std::uint32_t kKnownNotes = kWarmMotors | kForceExceeded | kVelocityExceeded | kForceLimited;
@@ -38,8 +38,7 @@ Box3 reachOf(const palpate_device_capabilities& able, const DeviceFrame& frame) 
   const Vec3 low = vectorOf(able.reach_min_mm);
   const Vec3 high = vectorOf(able.reach_max_mm);
   Box3 reach;
-  if (!isWithin(low, kMostReachMm) || !isWithin(high, kMostReachMm) || !(low.array() < high.array()).all())
-    return reach;
+  if (!isWithin(low, kMaxReachMm) || !isWithin(high, kMaxReachMm) || !(low.array() < high.array()).all()) return reach;
   reach.extend(frame.placeInBody(low));
   reach.extend(frame.placeInBody(high));
   return reach;
@@ -77,11 +76,11 @@ std::string whatIsWrong(const palpate_device_table* table) {
 Capabilities capabilitiesOf(const palpate_device_capabilities& able, const DeviceFrame& frame) {
   Capabilities said;
   said.takes_force = true;
-  said.max_force_n = sensible(able.max_force_n, kMostForceN);
-  said.continuous_force_n = sensible(able.continuous_force_n, kMostForceN);
-  said.nominal_stiffness_n_per_mm = sensible(able.stiffness_n_per_mm, kMostStiffnessNPerMm);
+  said.max_force_n = sensible(able.max_force_n, kMaxForceN);
+  said.continuous_force_n = sensible(able.continuous_force_n, kMaxForceN);
+  said.nominal_stiffness_n_per_mm = sensible(able.stiffness_n_per_mm, kMaxStiffnessNPerMm);
   said.workspace_mm = reachOf(able, frame);
-  said.rate_hz = sensible(able.rate_hz, kMostRateHz);
+  said.rate_hz = sensible(able.rate_hz, kMaxRateHz);
   said.delay_ticks = 1;
   const bool at_once = (able.flags & PALPATE_DEVICE_ANSWERS_AT_ONCE) != 0;
   said.rhythm = at_once ? Rhythm::on_call : Rhythm::blocking;
@@ -99,13 +98,13 @@ DriverReading readingOf(int answer, const palpate_device_reading& reading, const
   const Vec3 tip = vectorOf(reading.tip_mm);
   const Vec3 velocity = vectorOf(reading.velocity_mm_s);
   found.tip = isWithin(tip, kMaxCoordinateMm) ? frame.placeInBody(tip) : kNoPlace;
-  found.velocity = isWithin(velocity, kMostSpeedMmS) ? frame.motionInBody(velocity) : Vec3::Zero();
+  found.velocity = isWithin(velocity, kMaxSpeedMmS) ? frame.motionInBody(velocity) : Vec3::Zero();
   found.buttons = reading.buttons;
   found.notes = reading.notes & kKnownNotes;
   found.faults = reading.faults & kKnownFaults;
   if (reading.faults != found.faults) found.faults |= kDriverError;  // a fault that is not known is one
   if (!found.tip.allFinite()) found.faults |= kNoPose;
-  const double most_age_s = static_cast<double>(kMostPoseTicks) * tick_s;
+  const double most_age_s = static_cast<double>(kMaxPoseTicks) * tick_s;
   if (!(reading.age_s >= 0.0 && reading.age_s <= most_age_s)) found.faults |= kStalePose;
   return found;
 }

@@ -13,7 +13,7 @@
 namespace palpate::device::plugin {
 
 /// No plugin has a longer name or line about itself.
-inline constexpr std::size_t kMostNameBytes = 128;
+inline constexpr std::size_t kMaxNameBytes = 128;
 /// The room that a plugin gets for its words.
 inline constexpr std::size_t kWordsRoom = 512;
 

@@ -1,5 +1,5 @@
-// dlopen -> palpate_device_plugin -> its table, checked. Cold path. Own.
-#include "palpate/device/hardware/plugin_library.h"
+// dlopen -> palpate_device_plugin -> its table, checked. Cold path.
+#include "palpate/device/hardware/plugin_driver.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -36,7 +36,7 @@ std::string fileNamed(const std::string& name) {
 Plugin load(const std::string& file) {
   Plugin plugin;
   plugin.file = file;
-  plugin.remedy = "build it anew with this version's palpate_device.h (docs/howto/plugins.md)";
+  plugin.remedy = "build it again with this version's palpate_device.h (docs/howto/plugins.md)";
   const SharedLibrary library = openLibrary(std::vector<std::string>{file});
   if (!library) {
     plugin.reason = library.attempts.front().words;
@@ -49,7 +49,7 @@ Plugin load(const std::string& file) {
   decltype(palpate_device_plugin)* function = nullptr;
   resolve(library, kFunction, function);
   if (function == nullptr) {
-    plugin.reason = file + " is no plugin: it has no function " + kFunction;
+    plugin.reason = file + " is not a plugin: it has no function " + kFunction;
     return plugin;
   }
   const auto* table = function(PALPATE_DEVICE_VERSION);
@@ -63,8 +63,8 @@ Plugin load(const std::string& file) {
   return plugin;
 }
 
-std::string nameOf(const Plugin& plugin) { return wordsIn(plugin.table->name, kMostNameBytes); }
-std::string aboutOf(const Plugin& plugin) { return wordsIn(plugin.table->about, kMostNameBytes); }
+std::string nameOf(const Plugin& plugin) { return wordsIn(plugin.table->name, kMaxNameBytes); }
+std::string aboutOf(const Plugin& plugin) { return wordsIn(plugin.table->about, kMaxNameBytes); }
 
 std::vector<fs::path> folders() {
   const char* said = std::getenv(kFoldersVariable);  // NOLINT(concurrency-mt-unsafe)

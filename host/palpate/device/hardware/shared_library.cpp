@@ -1,4 +1,4 @@
-// dlopen with RTLD_GLOBAL: drivers load parts of their own that look for the names of the first. Cold path. Own.
+// dlopen with RTLD_GLOBAL: drivers load parts of their own that look for the names of the first. Cold path.
 #include "palpate/device/hardware/shared_library.h"
 
 #include <dlfcn.h>

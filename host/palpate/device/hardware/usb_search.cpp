@@ -1,5 +1,4 @@
 // /sys/bus/usb/devices/*/{idVendor,idProduct,manufacturer,product,busnum,devnum} -> /dev/bus/usb/BBB/DDD. Cold path.
-// Own.
 #include "palpate/device/hardware/usb_search.h"
 
 #include <fmt/format.h>
@@ -20,11 +19,11 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The kernel's attributes are pages.
-constexpr std::uint64_t kMostAttributeBytes = 1u << 16;
+constexpr std::uint64_t kMaxAttributeBytes = 1u << 16;
 
 std::string attributeOf(const fs::path& device, const char* name) {
   try {
-    return oneLine(trimmed(readFile(device / name, kMostAttributeBytes)));
+    return oneLine(trimmed(readFile(device / name, kMaxAttributeBytes)));
   } catch (const Error&) {
     return {};  // not every device has every attribute
   }

@@ -153,7 +153,7 @@ struct SessionStateChanged {
   Time time = 0;
 };
 
-/// Somebody centres a space anew: from `time` on its origin is elsewhere.
+/// Somebody centres a space again: from `time` on its origin is elsewhere.
 struct ReferenceSpaceChangePending {
   StructureType type = kReferenceSpaceChangePendingType;
   const void* next = nullptr;

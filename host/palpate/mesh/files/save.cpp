@@ -101,7 +101,7 @@ void writePly(const TriangleMesh& mesh, const VertexChannels& channels, Buffer& 
 
 void checkName(const std::string& name, const std::string& file) {
   const bool one_word = !name.empty() && name.find_first_of(" \t\r\n") == std::string::npos;
-  if (!one_word) throw Error::inFile(file, fmt::format("'{}' is no name for a value: it must be one word", name));
+  if (!one_word) throw Error::inFile(file, fmt::format("'{}' is not a name for a value: it must be one word", name));
 }
 
 void checkChannels(const VertexChannels& channels, std::size_t vertices, const std::string& file) {

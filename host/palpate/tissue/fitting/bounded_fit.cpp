@@ -1,4 +1,3 @@
-// Own.
 #include "palpate/tissue/fitting/bounded_fit.h"
 
 #include <Eigen/Cholesky>
@@ -11,7 +10,7 @@ namespace palpate::tissue {
 
 namespace {
 
-constexpr int kMostSteps = 200;
+constexpr int kMaxSteps = 200;
 /// Of the width of the bounds: for differences, and for a step that is none any more.
 constexpr double kDifference = 1e-6;
 constexpr double kNoStep = 1e-11;
@@ -28,7 +27,7 @@ class Descent {
     fit.jacobian = jacobianAt(fit.numbers);
     if (start.size() == 0) return fit;
     double damping = 1e-3;
-    for (int i = 0; i < kMostSteps && damping < 1e12; ++i) {
+    for (int i = 0; i < kMaxSteps && damping < 1e12; ++i) {
       fit.jacobian = jacobianAt(fit.numbers);
       fit.at_bound = heldBack(fit.numbers, fit.jacobian.transpose() * rest);
       const Eigen::VectorXd next = clamped(fit.numbers + stepOf(fit, rest, damping));

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <string_view>
 #include <vector>
 
 namespace palpate::tissue {
@@ -30,7 +31,16 @@ BoundedFit fitWithin(const Residuals& residuals, const std::vector<Eigen::Vector
                      const std::vector<Bounds>& bounds);
 
 /// Standard errors of the numbers; 0 for those at a bound. NaN where there are no more residuals than numbers or these
-/// cannot be told apart.
+/// cannot be distinguished.
 Eigen::VectorXd standardErrors(const BoundedFit& fit);
+
+// A number that a fit found, and how sure it is.
+
+struct FittedNumber {
+  std::string_view name;
+  double value = 0.0;
+  double standard_error = 0.0;  ///< NaN: too few rows to tell; 0: at the end of its range, or not asked for
+  bool at_end = false;          ///< of its range: what the rows want may lie beyond
+};
 
 }  // namespace palpate::tissue

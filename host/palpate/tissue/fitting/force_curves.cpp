@@ -1,4 +1,4 @@
-// Columns are found by the header's words, rows sorted to their curves as they come. Own.
+// Columns are found by the header's words, rows sorted to their curves as they come.
 #include "palpate/tissue/fitting/force_curves.h"
 
 #include <fmt/format.h>
@@ -17,8 +17,8 @@ namespace palpate::tissue {
 
 namespace {
 
-constexpr std::uint64_t kMostCurveBytes = 64'000'000;
-constexpr std::size_t kMostCurves = 10'000;
+constexpr std::uint64_t kMaxCurveBytes = 64'000'000;
+constexpr std::size_t kMaxCurves = 10'000;
 constexpr std::size_t kLongestCurveName = 60;
 constexpr NumberRange kCurveDepths{-1000.0, 1000.0};
 constexpr NumberRange kCurveForces{-1e6, 1e6};
@@ -60,8 +60,8 @@ class CurveReader {
     const std::string name = columns_.curve ? oneLine(row.fields[*columns_.curve], kLongestCurveName) : std::string();
     const auto [place, fresh] = numbers_.try_emplace(name, curves.size());
     if (fresh) {
-      if (curves.size() == kMostCurves)
-        throw Error::atLine(row.file, row.line, fmt::format("more than {} curves", kMostCurves));
+      if (curves.size() == kMaxCurves)
+        throw Error::atLine(row.file, row.line, fmt::format("more than {} curves", kMaxCurves));
       curves.emplace_back().name = name;
     }
     return curves[place->second];
@@ -82,7 +82,7 @@ std::vector<ForceCurve> parseForceCurves(std::string_view text, std::string_view
 }
 
 std::vector<ForceCurve> readForceCurves(const std::filesystem::path& file) {
-  return parseForceCurves(readFile(file, kMostCurveBytes), file.string());
+  return parseForceCurves(readFile(file, kMaxCurveBytes), file.string());
 }
 
 }  // namespace palpate::tissue

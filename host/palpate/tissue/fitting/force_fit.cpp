@@ -1,5 +1,5 @@
 // Curve -> rows -> the form's numbers by least squares, k following from them in closed form -> once more with weights
-// from the fit, for each proportion of the two kinds of noise -> errors, rows left out. Own.
+// from the fit, for each proportion of the two kinds of noise -> errors, rows left out.
 #include "palpate/tissue/fitting/force_fit.h"
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "palpate/tissue/fitting/force_rows.h"
-#include "palpate/tissue/fitting/smoothed_force.h"
 
 namespace palpate::tissue {
 

@@ -4,17 +4,71 @@
 //
 // Every form is k h(d) with h(d_ref) = d_ref, as the engine's laws are (force_law.h): k is the secant stiffness at the
 // reference depth, what the stiffness map means. A row counts by how sure it is: a part of a force's noise grows with
-// the force and a part does not, in the proportion that makes the curve most likely. Own; docs/howto/fit-tissue.md.
+// the force and a part does not, in the proportion that makes the curve most likely. Described in
+// docs/explanation/fit-tissue.md.
 #pragma once
 
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
-#include "palpate/tissue/fitting/fitted_number.h"
+#include "palpate/tissue/fitting/bounded_fit.h"
 #include "palpate/tissue/fitting/force_curves.h"
-#include "palpate/tissue/fitting/force_forms.h"
+#include "palpate/tissue/force_law.h"
 
 namespace palpate::tissue {
+
+// The forms that a measured force law may have, each with its numbers and the range they are looked for in.
+
+enum class ForceForm : std::uint8_t {
+  linear,      ///< Hooke's
+  power,       ///< exponent
+  stiffening,  ///< stiffening_ratio, stiffening_depth_mm
+  cubic,       ///< k1 d + k3 d^3: cubic_share is that of the force at the reference depth
+  measured,    ///< the rows themselves, smoothed to a table that does not fall
+};
+inline constexpr std::array kForceForms = {ForceForm::linear, ForceForm::power, ForceForm::stiffening, ForceForm::cubic,
+                                           ForceForm::measured};
+std::string_view nameOf(ForceForm form);
+
+/// A number of a form as the fit turns it: some by their logarithm.
+struct FormNumber {
+  std::string_view name;  ///< as a scene's key where there is one
+  Bounds inner;
+  bool logarithmic = false;
+  double ForceLaw::*member = nullptr;  ///< none: no law of the engine's has it
+
+  double innerOf(double value) const;
+  double valueOf(double inner) const;
+};
+
+/// None of the linear and the measured form.
+const std::vector<FormNumber>& numbersOf(ForceForm form);
+
+/// Inner numbers where descents begin; at least one.
+std::vector<Eigen::VectorXd> startsOf(ForceForm form);
+
+/// h(d) of a form with its numbers: d_ref at the reference depth. Not of the measured form.
+class FormShape {
+ public:
+  FormShape(ForceForm form, const Eigen::VectorXd& inner);
+
+  /// 0 above the skin.
+  double at(double depth_mm) const;
+  Eigen::ArrayXd at(const Eigen::ArrayXd& depth_mm) const;
+
+  /// As the engine has it; a table without rows for the cubic form.
+  const ForceLaw& law() const { return law_; }
+
+ private:
+  ForceForm form_;
+  ForceLaw law_;
+  double cubic_share_ = 0.0;
+};
 
 struct ForceFit {
   ForceForm form = ForceForm::linear;
@@ -54,7 +108,7 @@ ForceFit fitSharedForce(std::span<const ForceCurve> curves, ForceForm form, cons
 /// fewest numbers.
 const ForceFit& bestOf(std::span<const ForceFit> fits);
 
-/// The fit as rows that a scene reads (force_table.h): N, from the contact as deep as was measured.
+/// The fit as rows that a scene reads (user_profile.h): N, from the contact as deep as was measured.
 ForceTable tableOf(const ForceFit& fit);
 
 }  // namespace palpate::tissue

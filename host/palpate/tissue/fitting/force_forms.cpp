@@ -1,5 +1,5 @@
-// Own; the forms are those of docs/explanation/force-laws.md and the cubic of docs/howto/fit-tissue.md.
-#include "palpate/tissue/fitting/force_forms.h"
+// The forms are those of docs/explanation/force-laws.md and the cubic of docs/explanation/fit-tissue.md.
+#include "palpate/tissue/fitting/force_fit.h"
 
 #include <cmath>
 

@@ -1,4 +1,3 @@
-// Own.
 #include "palpate/tissue/fitting/force_rows.h"
 
 #include <fmt/format.h>
@@ -40,8 +39,8 @@ ForceRows rowsOf(const ForceCurve& curve) {
   }
   const std::string where = curve.name.empty() ? std::string("the curve") : fmt::format("curve '{}'", curve.name);
   const std::size_t depths = depthsBelowSkin(rows.depth_mm);
-  if (depths < kLeastForceDepths) {
-    throw Error(fmt::format("{} has {} depths below the skin; {} are needed", where, depths, kLeastForceDepths));
+  if (depths < kMinForceDepths) {
+    throw Error(fmt::format("{} has {} depths below the skin; {} are needed", where, depths, kMinForceDepths));
   }
   rows.most_n = rows.force_n.maxCoeff();
   if (!(rows.most_n > 0.0)) throw Error(where + " has no force above 0");

@@ -3,14 +3,16 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "palpate/tissue/fitting/force_curves.h"
+#include "palpate/tissue/force_law.h"
 
 namespace palpate::tissue {
 
 /// What a fit needs of different depths below the skin.
-inline constexpr std::size_t kLeastForceDepths = 4;
+inline constexpr std::size_t kMinForceDepths = 4;
 
 /// By depth.
 struct ForceRows {
@@ -38,5 +40,16 @@ using Foretell = std::function<Eigen::ArrayXd(const std::vector<Eigen::Index>& s
 
 /// judgedRms of rows that the fit did not see: a fifth at a time, by turns.
 double unseenRms(const ForceRows& rows, const Foretell& foretell);
+
+// Measured rows as a force table: averaged where they lie close, and never falling.
+
+/// Rows below the skin as at most `most_rows` rows of a table; throws Error where no force is above 0.
+ForceTable smoothedTable(const ForceRows& rows, const Eigen::ArrayXd& weights, std::size_t most_rows = 24);
+
+/// N, as the rows say: straight between them, from the origin, on with the last slope. Without the law's scaling.
+double forceIn(const ForceTable& table, double depth_mm);
+
+/// As user_profile.h reads it.
+std::string forceTableText(const ForceTable& table);
 
 }  // namespace palpate::tissue

@@ -1,5 +1,5 @@
 // Places of one depth -> arrays with weights -> the form's numbers by least squares, u0 following from them in closed
-// form -> the same for the sideways motion -> places left out. Own.
+// form -> the same for the sideways motion -> places left out.
 #include "palpate/tissue/fitting/profile_fit.h"
 
 #include <fmt/format.h>
@@ -21,8 +21,8 @@ namespace {
 constexpr double kJudgedRadiusMm = 40.0;
 /// Skin nearer to the axis than this tells how far the axis goes down; farther out it hides under the indenter.
 constexpr double kMiddleMm = 2.0;
-constexpr std::size_t kLeastPlaces = 6;
-constexpr Eigen::Index kMostKnots = 150;
+constexpr std::size_t kMinPlaces = 6;
+constexpr Eigen::Index kMaxKnots = 150;
 constexpr Eigen::Index kPlaceFolds = 5;
 
 using Indices = std::vector<Eigen::Index>;
@@ -66,8 +66,8 @@ Places skinPlaces(const SkinProfile& profile) {
   std::vector<double> radii = profile.radius_mm;
   const auto different = static_cast<std::size_t>(std::unique(radii.begin(), radii.end()) - radii.begin());
   const std::string where = fmt::format("depth {} mm", profile.depth_mm);
-  if (different < kLeastPlaces) {
-    throw Error(fmt::format("{}: {} radii; {} are needed", where, different, kLeastPlaces));
+  if (different < kMinPlaces) {
+    throw Error(fmt::format("{}: {} radii; {} are needed", where, different, kMinPlaces));
   }
   if (!(places.down.maxCoeff() > 0.0)) throw Error(where + ": the skin goes down nowhere");
   places.areas = areasOf(places.radius);
@@ -207,7 +207,7 @@ void fitOutward(const Places& places, ProfileFit& fit) {
 
 /// Neighbours averaged; those of one radius are one.
 std::vector<ProfileKnot> averaged(const Eigen::ArrayXd& radius, const Eigen::ArrayXd& value) {
-  const Eigen::Index in_each = (radius.size() + kMostKnots - 1) / kMostKnots;
+  const Eigen::Index in_each = (radius.size() + kMaxKnots - 1) / kMaxKnots;
   std::vector<ProfileKnot> knots;
   for (Eigen::Index begin = 0; begin < radius.size();) {
     Eigen::Index end = std::min(begin + in_each, radius.size());

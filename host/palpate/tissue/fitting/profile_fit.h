@@ -1,25 +1,43 @@
 // The shape of pressed skin from measured places: which form, how wide, how well it foretells places it has not seen.
 //
-//   skin_profiles.h ─ places of one depth ─► here: each form fitted ─► a table of layered tissue, a user's profile
+//   skin_profiles.cpp ─ places of one depth ─► here: each form fitted ─► a table of layered tissue, a user's profile
 //
 // The skin goes down by u0 f(r), f(0) = 1. Places count by the area around them and by their number, half and half, so
 // that neither the middle nor the wide rest rules. Misses are told as the project judges shapes: RMS over the area
-// within 40 mm, over u0. Own; docs/howto/fit-tissue.md.
+// within 40 mm, over u0. Described in docs/explanation/fit-tissue.md.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "palpate/tissue/fitting/fitted_number.h"
-#include "palpate/tissue/fitting/skin_profiles.h"
+#include "palpate/tissue/fitting/bounded_fit.h"
 #include "palpate/tissue/layered_table.h"
 #include "palpate/tissue/profile_settings.h"
 
 namespace palpate::tissue {
+
+// The skin under a press as it was measured or simulated: places by their distance from the axis, depth by depth.
+
+/// Under one depth of the indenter. By radius.
+struct SkinProfile {
+  double depth_mm = 0.0;
+  std::vector<double> radius_mm;   ///< of the place at rest, >= 0
+  std::vector<double> down_mm;     ///< into the body
+  std::vector<double> outward_mm;  ///< away from the axis; empty: not measured
+};
+
+/// A header names the columns depth_mm, r_mm, down_mm and, where it was measured, outward_mm; other columns are left
+/// alone. Rows of one depth belong together. By depth. Throws Error: file:line for a row that is not that, the file's
+/// name when it holds no row. Files of at most 64 MB.
+std::vector<SkinProfile> readSkinProfiles(const std::filesystem::path& file);
+
+/// The same from text; `name` stands for the file in messages.
+std::vector<SkinProfile> parseSkinProfiles(std::string_view text, std::string_view name);
 
 enum class ProfileForm : std::uint8_t {
   half_gaussian,  ///< radius_mm, where it has ended: the dissertation's

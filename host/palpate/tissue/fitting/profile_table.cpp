@@ -1,4 +1,4 @@
-// Fits of several depths -> the form that serves them all, the shapes of a table, one curve for all of them. Own.
+// Fits of several depths -> the form that serves them all, the shapes of a table, one curve for all of them.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -13,7 +13,7 @@ namespace {
 constexpr double kSummedRadiusMm = 40.0;
 constexpr std::size_t kProfileKnots = 41;
 constexpr double kNearlyAsGood = 1.05;
-constexpr double kLeastRegionMm = 1.0;
+constexpr double kMinRegionMm = 1.0;
 
 /// Straight between the radii; 0 beyond them.
 double sampled(const std::vector<double>& radii, const std::vector<double>& values, double radius) {
@@ -32,7 +32,7 @@ double rimOf(const std::vector<double>& radii, const std::vector<double>& down) 
   const double fall = down[half - 1] - down[half];
   const double share = fall > 0.0 ? std::clamp((down[half - 1] - 0.5) / fall, 0.0, 1.0) : 1.0;
   const double radius = radii[half - 1] + share * (radii[half] - radii[half - 1]);
-  return std::clamp(kHalvesToRim * radius, kLeastRegionMm, std::max(kLeastRegionMm, radii.back()));
+  return std::clamp(kHalvesToRim * radius, kMinRegionMm, std::max(kMinRegionMm, radii.back()));
 }
 
 /// The straight line of rims over depths; level where they do not grow.
@@ -50,7 +50,7 @@ void findRegion(const std::vector<double>& rims, std::span<const PressedShape> s
     across += (shapes[i].depth_mm - mean_depth) * (rims[i] - mean_rim);
     square += std::pow(shapes[i].depth_mm - mean_depth, 2);
   }
-  const double most = (mean_rim - kLeastRegionMm) / mean_depth;
+  const double most = (mean_rim - kMinRegionMm) / mean_depth;
   shared.radius_per_depth = square > 0.0 ? std::clamp(across / square, 0.0, std::max(0.0, most)) : 0.0;
   shared.radius_mm = mean_rim - shared.radius_per_depth * mean_depth;
 }

@@ -1,6 +1,6 @@
 // One shape for all places: the form's numbers from every row, each curve with its own k.
 //
-// Curves count alike, whatever their number of rows. Own.
+// Curves count alike, whatever their number of rows.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +8,6 @@
 
 #include "palpate/tissue/fitting/force_fit.h"
 #include "palpate/tissue/fitting/force_rows.h"
-#include "palpate/tissue/fitting/smoothed_force.h"
 
 namespace palpate::tissue {
 

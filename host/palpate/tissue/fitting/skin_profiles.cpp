@@ -1,5 +1,4 @@
-// Own.
-#include "palpate/tissue/fitting/skin_profiles.h"
+#include "palpate/tissue/fitting/profile_fit.h"
 
 #include <fmt/format.h>
 
@@ -17,8 +16,8 @@ namespace palpate::tissue {
 
 namespace {
 
-constexpr std::uint64_t kMostSkinBytes = 64'000'000;
-constexpr std::size_t kMostDepths = 200;
+constexpr std::uint64_t kMaxSkinBytes = 64'000'000;
+constexpr std::size_t kMaxDepths = 200;
 constexpr NumberRange kSkinDepths{0.0, 500.0, true};
 constexpr NumberRange kSkinRadii{0.0, 10'000.0};
 constexpr NumberRange kMotions{-500.0, 500.0};
@@ -35,8 +34,8 @@ class ProfileReader {
     if (!fields_) return readHeader(row);
     checkFields(row, *fields_);
     const double depth = csvNumber(row, depth_, "depth_mm", kSkinDepths);
-    if (!places_.contains(depth) && places_.size() == kMostDepths) {
-      throw Error::atLine(row.file, row.line, fmt::format("more than {} depths", kMostDepths));
+    if (!places_.contains(depth) && places_.size() == kMaxDepths) {
+      throw Error::atLine(row.file, row.line, fmt::format("more than {} depths", kMaxDepths));
     }
     places_[depth].push_back({csvNumber(row, radius_, "r_mm", kSkinRadii), csvNumber(row, down_, "down_mm", kMotions),
                               outward_ ? csvNumber(row, *outward_, "outward_mm", kMotions) : 0.0});
@@ -85,7 +84,7 @@ std::vector<SkinProfile> parseSkinProfiles(std::string_view text, std::string_vi
 }
 
 std::vector<SkinProfile> readSkinProfiles(const std::filesystem::path& file) {
-  return parseSkinProfiles(readFile(file, kMostSkinBytes), file.string());
+  return parseSkinProfiles(readFile(file, kMaxSkinBytes), file.string());
 }
 
 }  // namespace palpate::tissue

@@ -1,7 +1,7 @@
 // Rows -> groups of neighbours -> groups that would fall are joined -> a table.
 // Based on: Ayer and others, "An empirical distribution function for sampling with incomplete information", 1955 (pool
 // adjacent violators).
-#include "palpate/tissue/fitting/smoothed_force.h"
+#include "palpate/tissue/fitting/force_rows.h"
 
 #include <fmt/format.h>
 
@@ -62,7 +62,7 @@ std::vector<Group> rising(const std::vector<Group>& groups) {
 
 ForceTable smoothedTable(const ForceRows& rows, const Eigen::ArrayXd& weights, std::size_t most_rows) {
   ForceTable table;
-  const std::size_t most = std::min<std::size_t>(most_rows, ForceTable::kMostRows);
+  const std::size_t most = std::min<std::size_t>(most_rows, ForceTable::kMaxRows);
   for (const Group& group : rising(grouped(rows, weights, most))) {
     table.depth_mm.at(table.rows) = group.meanDepth();
     table.effective_mm.at(table.rows) = group.meanForce();

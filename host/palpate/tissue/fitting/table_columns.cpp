@@ -1,4 +1,3 @@
-// Own.
 #include "palpate/tissue/fitting/table_columns.h"
 
 #include <fmt/format.h>

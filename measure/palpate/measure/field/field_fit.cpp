@@ -88,16 +88,15 @@ constexpr double kShapeMost = -2.2;         // ... from 3 mm
 constexpr double kSolvedShapeLeast = -4.8;  // of the patch under the stick: to 11 mm
 
 // Weights: noise of marks and chart, which grows with the displacement itself.
-constexpr double kLeastSdMm = 0.08;
+constexpr double kMinSdMm = 0.08;
 constexpr double kSdMedians = 1.8;           // of the residuals
 constexpr double kSdOfMotion = 0.04;         // the chart's own error
 constexpr double kResidualOfFormMm = 0.115;  // root mean square; more says that the field is not of this form
-constexpr double kLeastScatter =
-    0.5;                             // of chi2: errors of the chart are alike from dot to dot and leave small residuals
+constexpr double kMinScatter = 0.5;  // of chi2: errors of the chart are alike from dot to dot and leave small residuals
 constexpr double kFirstSdMm = 0.15;  // before there are residuals
 constexpr double kRobustSds = 3.0;   // beyond, a dot counts less
 constexpr int kLookSteps = 6;        // of each start, before the best is chosen
-constexpr int kMostSteps = 40;
+constexpr int kMaxSteps = 40;
 constexpr double kConverged = 1e-5;  // decrease of the cost, of it
 constexpr std::array kStartTails = {0.1, 1.2};
 constexpr std::array kStartWidthsMm = {35.0, 70.0};
@@ -105,7 +104,7 @@ constexpr std::array kPointedStartWidthsMm = {15.0, 40.0};
 constexpr std::array kSolvedStartWidthsMm = {tissue::kSolvedPatchMm};
 constexpr std::array kSolvedStartTails = {0.4, 1.0, 1.7};
 constexpr std::array kDeepStartTails = {0.8};
-constexpr double kLeastShare = 0.01;  // a form that explains the dots so much worse is left out
+constexpr double kMinShare = 0.01;  // a form that explains the dots so much worse is left out
 /// Errors of the chart and of every form are alike from dot to dot: chi2 differs by more than chance has it.
 constexpr double kChanceOfCost = 2.0;
 constexpr double kSmoothBefore = 2.0;  // how much likelier than each other form, before the dots are looked at
@@ -396,7 +395,7 @@ std::vector<double> residualsOf(std::span<const FieldDatum> data, FieldForm form
 std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const double> stretches, FieldForm form,
                               const FieldNumbers& n) {
   constexpr double kComponentOfLength = 0.6745 / 1.1774;  // medians of a component and of a length of two
-  const double noise = std::max(kLeastSdMm, kSdMedians * kComponentOfLength * medianOf(residualsOf(data, form, n)));
+  const double noise = std::max(kMinSdMm, kSdMedians * kComponentOfLength * medianOf(residualsOf(data, form, n)));
   std::vector<double> sd;
   const Shape shape = shapeOf(n);
   for (std::size_t i = 0; i < data.size(); ++i) {
@@ -422,7 +421,7 @@ FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const d
   }
   const double freedom = std::max(1.0, 2.0 * static_cast<double>(data.size()) - kFirstBend);
   FieldCovariance information = normal.data.selfadjointView<Eigen::Upper>();
-  information /= std::max(chi2 / freedom, kLeastScatter);
+  information /= std::max(chi2 / freedom, kMinScatter);
   information += normal.prior + 1e-12 * FieldCovariance::Identity();
   const double mean_square = squares / static_cast<double>(std::max<std::size_t>(1, data.size()));
   const double misfit = std::max(1.0, mean_square / (kResidualOfFormMm * kResidualOfFormMm));
@@ -474,7 +473,7 @@ FittedField fitOne(std::span<const FieldDatum> data, const DriftPrior& drift, st
   }
   for (const Freedom freedom : {Freedom::plain, Freedom::sideways, Freedom::bends}) {
     sd = weightsOf(data, stretches, form, best.numbers);
-    best = descend(data, sd, best.numbers, prior, freedom, kMostSteps);
+    best = descend(data, sd, best.numbers, prior, freedom, kMaxSteps);
   }
   return {form, best.numbers, covarianceOf(data, sd, best.numbers, prior), residualsOf(data, form, best.numbers)};
 }
@@ -498,7 +497,7 @@ std::vector<double> sharesOf(std::span<const FieldDatum> data, const DriftPrior&
   for (const double cost : costs) {
     const double before = forms[shares.size()].form == FieldForm::smooth ? kSmoothBefore : 1.0;
     const double share = before * std::exp(-0.5 * (cost - least) / chance);
-    shares.push_back(share > kLeastShare ? share : 0.0);
+    shares.push_back(share > kMinShare ? share : 0.0);
     sum += shares.back();
   }
   for (double& share : shares) share /= sum;

@@ -149,7 +149,7 @@ KeptPresses readKept(const fs::path& file) {
     root = toml::parse(readFile(file, kMaxMeasuredBytes), file.string());
   } catch (const toml::parse_error& error) {
     throw Error::atLine(file.string(), error.source().begin.line,
-                        "is no record of measurements; without it all is measured again");
+                        "is not a record of measurements; without it all is measured again");
   }
   const toml::array* presses = root["press"].as_array();
   if (presses == nullptr) return kept;

@@ -1,4 +1,4 @@
-// One press of a person's folder through the pipeline. Own; the null drift: docs/howto/measure-a-person.md.
+// One press of a person's folder through the pipeline. The null drift: docs/howto/measure-a-person.md.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,9 +13,9 @@ namespace palpate::measure {
 namespace {
 
 /// More between two pictures of nothing, and a long tail's axes are wrong by tens of percent.
-constexpr double kMostNullDriftMm = 0.3;
+constexpr double kMaxNullDriftMm = 0.3;
 /// Pulled this far from what the pictures' names say, the names are wrong.
-constexpr double kMostAskewDeg = 45.0;
+constexpr double kMaxAskewDeg = 45.0;
 
 }  // namespace
 
@@ -27,15 +27,15 @@ PressOutcome outcomeOf(const Measurement& measurement, const PlannedPress& plann
   for (const Finding& finding : measurement.findings) {
     (finding.severity == Severity::refusal ? outcome.refusals : outcome.warnings).push_back(finding.text);
   }
-  if (null_drift_mm && *null_drift_mm > kMostNullDriftMm) {
+  if (null_drift_mm && *null_drift_mm > kMaxNullDriftMm) {
     outcome.refusals.push_back(
         fmt::format("the body moved {:.2f} mm between the two pictures before, {:g} is the most: "
                     "breathe out, hold, wait, and take all of them in one hold",
-                    *null_drift_mm, kMostNullDriftMm));
+                    *null_drift_mm, kMaxNullDriftMm));
   }
   if (outcome.accepted && measurement.fit) {
     const double askew = std::remainder(measurement.fit->drag_deg.value - planned.drag_deg, 360.0);
-    if (std::abs(askew) > kMostAskewDeg) {
+    if (std::abs(askew) > kMaxAskewDeg) {
       outcome.refusals.push_back(
           fmt::format("the skin was pulled {}, and {} was asked for: pictures swapped, named "
                       "wrongly, or the head is not where the protocol says",

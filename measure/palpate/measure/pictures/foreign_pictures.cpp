@@ -1,4 +1,4 @@
-// What people have that is no JPEG, PNG or TIFF, told apart by its first bytes so that the message can say it.
+// What people have that is no JPEG, PNG or TIFF, distinguished by its first bytes so that the message can say it.
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -66,7 +66,7 @@ std::string_view foreignPicture(std::string_view bytes) {
     return byte < 0x09 || (byte > 0x0d && byte < 0x20);
   });
   return is_text ? "is text and no picture, whatever its name says: a JPEG, PNG or TIFF is needed"
-                 : "is no JPEG, PNG or TIFF";
+                 : "is not a JPEG, PNG or TIFF";
 }
 
 }  // namespace palpate::measure

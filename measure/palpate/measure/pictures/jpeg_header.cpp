@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kTruncated = "is cut off: the end of the picture is missing; copy the file again";
 /// A camera's has 1 or about 10. Each of a few bytes costs as much as decoding the whole picture.
-constexpr int kMostScans = 64;
+constexpr int kMaxScans = 64;
 constexpr std::string_view kDamaged = "is damaged: what should be a marker is none; copy the file again";
 
 class Segments {
@@ -85,8 +85,8 @@ class Segments {
   /// To the next marker that is neither a byte of data nor a restart.
   void skipScan() {
     if (!has_frame_) throw Error::inFile(name_, kDamaged);
-    if (++scans_ > kMostScans) {
-      throw Error::inFile(name_, fmt::format("is a JPEG in more than {} layers: save it anew", kMostScans));
+    if (++scans_ > kMaxScans) {
+      throw Error::inFile(name_, fmt::format("is a JPEG in more than {} layers: save it again", kMaxScans));
     }
     for (;;) {
       at_ = bytes_.find('\xff', at_);

@@ -11,20 +11,20 @@ namespace palpate::measure {
 
 namespace {
 
-constexpr std::size_t kLeastSide = 200;
+constexpr std::size_t kMinSide = 200;
 
 }  // namespace
 
 void checkPictureSize(const PictureHeader& header, std::string_view name) {
   const double pixels = static_cast<double>(header.width_px) * static_cast<double>(header.height_px);
-  if (pixels > static_cast<double>(kMostPixels)) {
+  if (pixels > static_cast<double>(kMaxPixels)) {
     throw Error::inFile(name, fmt::format("{} x {} pixels is more than the {} million that are taken: make it smaller, "
                                           "2 megapixels suffice",
-                                          header.width_px, header.height_px, kMostPixels / 1'000'000));
+                                          header.width_px, header.height_px, kMaxPixels / 1'000'000));
   }
-  if (header.width_px < kLeastSide || header.height_px < kLeastSide) {
+  if (header.width_px < kMinSide || header.height_px < kMinSide) {
     throw Error::inFile(name, fmt::format("{} x {} pixels is too small to find dots in: at least {} x {}",
-                                          header.width_px, header.height_px, kLeastSide, kLeastSide));
+                                          header.width_px, header.height_px, kMinSide, kMinSide));
   }
 }
 

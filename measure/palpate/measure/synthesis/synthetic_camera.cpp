@@ -10,7 +10,7 @@ namespace {
 /// Of half the frame that the back may fill.
 constexpr double kFill = 0.94;
 /// No picture of two megapixels has more; others in proportion.
-constexpr double kMostPixelsPerMm = 3.2;
+constexpr double kMaxPixelsPerMm = 3.2;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ SyntheticCamera::SyntheticCamera(const SyntheticCase& made, const SyntheticBody&
   middle_px_ = 0.5 * Vec2(made.width_px - 1, made.height_px - 1);
   stand(pose, aim, pose.roll_rad);
   // The longest lens with which the rim of the back is in the frame.
-  const double most = kMostPixelsPerMm * std::sqrt(made.width_px * 1e-6 * made.height_px / 2.0);
+  const double most = kMaxPixelsPerMm * std::sqrt(made.width_px * 1e-6 * made.height_px / 2.0);
   focal_px_ = most * pose.distance_mm;
   for (double along = -1.0; along <= 1.0; along += 0.1) {
     for (const Vec2& rim : {Vec2(along, 1.0), Vec2(along, -1.0), Vec2(1.0, along), Vec2(-1.0, along)}) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 /// Skin before the stick is never pushed together by more than this share.
-constexpr double kMostShortening = 0.7;
+constexpr double kMaxShortening = 0.7;
 constexpr double kBackWidth = 350.0;
 constexpr double kBackLength = 400.0;
 
@@ -65,10 +65,10 @@ DotMarks drawMarks(Random random) {
   return marks;
 }
 
-Press drawPress(Random random, const std::optional<TailFamily>& wished) {
+Press drawPress(Random random, const std::optional<TailFamily>& requested) {
   Press press;
   const bool compact = random.uniform() < 0.5;
-  press.family = wished.value_or(compact ? TailFamily::compact : TailFamily::long_tail);
+  press.family = requested.value_or(compact ? TailFamily::compact : TailFamily::long_tail);
   press.contact_mm = {random.uniform(-30.0, 30.0), random.uniform(-40.0, 40.0)};
   press.half_major_mm = random.uniform(50.0, 130.0);
   press.ratio = random.uniform(1.0, 1.8);
@@ -77,7 +77,7 @@ Press drawPress(Random random, const std::optional<TailFamily>& wished) {
     press.peak_mm = random.uniform(8.0, 25.0);
     press.drag_rad = random.uniform(-kPi, kPi);
     press.tail_power = random.uniform(0.56, 0.91);
-  } while (TrueField(press).largestShortening() > kMostShortening);
+  } while (TrueField(press).largestShortening() > kMaxShortening);
   press.dent_mm = random.uniform(3.0, 12.0);
   press.stick_length_mm = random.uniform(85.0, 140.0);
   press.stick_turn_rad = random.uniform(-0.4, 0.4);
@@ -125,20 +125,20 @@ BodyMotion drawMotion(std::uint64_t seed, double drift_mm) {
   return motion;
 }
 
-SyntheticCase drawCase(std::uint64_t seed, const CaseWishes& wishes) {
+SyntheticCase drawCase(std::uint64_t seed, const CaseRequests& requests) {
   SyntheticCase drawn;
   drawn.seed = seed;
   // 3 to 4, upright, in steps of the blocks that JPEG is made of.
-  const double unit = std::sqrt(wishes.megapixels * 1e6 / 12.0) / 8.0;
+  const double unit = std::sqrt(requests.megapixels * 1e6 / 12.0) / 8.0;
   drawn.width_px = 8 * static_cast<int>(std::lround(3.0 * unit));
   drawn.height_px = 8 * static_cast<int>(std::lround(4.0 * unit));
   drawn.back = drawBack(streamOf(seed, 1));
   drawn.skin = drawSkin(streamOf(seed, 2));
   drawn.marks = drawMarks(streamOf(seed, 3));
-  drawn.press = drawPress(streamOf(seed, 4), wishes.family);
+  drawn.press = drawPress(streamOf(seed, 4), requests.family);
   drawn.camera = drawCamera(streamOf(seed, 5));
-  drawn.motion = drawMotion(streamOf(seed, 6).bits(), wishes.drift_mm);
-  drawn.null_motion = drawMotion(streamOf(seed, 7).bits(), wishes.drift_mm);
+  drawn.motion = drawMotion(streamOf(seed, 6).bits(), requests.drift_mm);
+  drawn.null_motion = drawMotion(streamOf(seed, 7).bits(), requests.drift_mm);
   drawn.look = drawLook(streamOf(seed, 8));
   return drawn;
 }

@@ -119,14 +119,15 @@ struct SyntheticCase {
 };
 
 /// What may be asked for before anything is drawn.
-struct CaseWishes {
+struct CaseRequests {
   double megapixels = 2.0;
   std::optional<TailFamily> family = {};  ///< none: compact or long, either as likely
   double drift_mm = 0.3;                  ///< 0.3: breath held; 1.5: breathing
 };
 
-/// The same for the same seed and wishes, on every machine. Skin that would fold over before the stick is drawn again.
-SyntheticCase drawCase(std::uint64_t seed, const CaseWishes& wishes = {});
+/// The same for the same seed and requests, on every machine. Skin that would fold over before the stick is drawn
+/// again.
+SyntheticCase drawCase(std::uint64_t seed, const CaseRequests& requests = {});
 
 /// A motion of the size of `drift_mm`, for `SyntheticCase::motion`.
 BodyMotion drawMotion(std::uint64_t seed, double drift_mm);

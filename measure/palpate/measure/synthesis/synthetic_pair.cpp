@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -12,7 +13,6 @@
 #include "palpate/measure/synthesis/synthetic_camera.h"
 #include "palpate/measure/synthesis/synthetic_mesh.h"
 #include "palpate/measure/synthesis/synthetic_skin.h"
-#include "palpate/measure/synthesis/synthetic_stick.h"
 
 namespace palpate::measure {
 
@@ -302,5 +302,8 @@ SyntheticPair renderPair(const SyntheticCase& made) {
   return {throughJpeg(render(stage, Moment::before), made.look.jpeg_quality),
           throughJpeg(render(stage, Moment::after), made.look.jpeg_quality), truthOf(made)};
 }
+
+OneThread::OneThread() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }
+OneThread::~OneThread() { cv::setNumThreads(before_); }
 
 }  // namespace palpate::measure

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "palpate/measure/dot_grid.h"
+#include "palpate/measure/dots.h"
 #include "palpate/measure/field/skin_field.h"
 #include "palpate/measure/photograph.h"
 #include "palpate/measure/synthesis/synthetic_case.h"
@@ -57,5 +57,19 @@ SyntheticTruth truthOf(const SyntheticCase& made);
 Photograph throughJpeg(const Photograph& picture, int quality);
 /// The bytes of such a file, without times.
 std::vector<std::uint8_t> jpegBytes(const Photograph& picture, int quality);
+
+// Pictures are worked on one core while this lives: for work that is shared among threads by pairs, and for its times.
+
+/// OpenCV's number of threads is one for the whole process: one of these at a time.
+class OneThread {
+ public:
+  OneThread();
+  ~OneThread();
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+
+ private:
+  int before_ = 0;
+};
 
 }  // namespace palpate::measure

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kHeader = "picture,x_px,y_px";
 constexpr std::string_view kArea = "area_px";
 constexpr std::size_t kFields = 3;
-constexpr std::uint64_t kMostTableBytes = 16'000'000;
+constexpr std::uint64_t kMaxTableBytes = 16'000'000;
 // No camera has more pixels in a row.
 constexpr NumberRange kPlacesPx{-1e5, 1e5};
 constexpr NumberRange kAreasPx{0.0, 1e9};
@@ -50,15 +50,15 @@ void addRow(const CsvRow& row, bool has_area, DotPair& pair) {
   }
   std::vector<Dot>& dots = picture == "before" ? pair.before : pair.after;
   dots.push_back(dotOf(row, has_area));
-  if (dots.size() > kMostTableMarks) {
-    throw Error::atLine(row.file, row.line, fmt::format("more than {} dots of one picture", kMostTableMarks));
+  if (dots.size() > kMaxTableMarks) {
+    throw Error::atLine(row.file, row.line, fmt::format("more than {} dots of one picture", kMaxTableMarks));
   }
 }
 
 }  // namespace
 
 DotPair readDotTable(const std::filesystem::path& file) {
-  return parseDotTable(readFile(file, kMostTableBytes), file.string());
+  return parseDotTable(readFile(file, kMaxTableBytes), file.string());
 }
 
 DotPair parseDotTable(std::string_view text, std::string_view file) {

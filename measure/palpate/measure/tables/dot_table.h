@@ -15,11 +15,11 @@
 namespace palpate::measure {
 
 /// Throws Error with the line for a missing header, a wrong number of fields, another word than before and after, a
-/// number that is none or out of range; with the file where a picture has no marks or more than kMostTableMarks.
+/// number that is none or out of range; with the file where a picture has no marks or more than kMaxTableMarks.
 DotPair readDotTable(const std::filesystem::path& file);
 DotPair parseDotTable(std::string_view text, std::string_view file);
 
-inline constexpr std::size_t kMostTableMarks = 20'000;
+inline constexpr std::size_t kMaxTableMarks = 20'000;
 
 /// All marks of a measurement as such a table, to be corrected and measured again.
 std::string dotTableOf(const Measurement& measurement);

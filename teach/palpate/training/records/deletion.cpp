@@ -13,54 +13,54 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kDayMs = 86'400'000;
 
-int removeFilesOf(const SessionFiles& files, const Uuid& sitting) {
+int removeFilesOf(const RecordingFiles& files, const Uuid& session) {
   int removed = 0;
-  for (const fs::path& file : files.filesOf(sitting)) removed += fs::remove(file) ? 1 : 0;
+  for (const fs::path& file : files.filesOf(session)) removed += fs::remove(file) ? 1 : 0;
   return removed;
 }
 
-/// What waits for the class of this sitting, and of what belongs to it.
-void forgetWaiting(Store& store, const Uuid& sitting) {
+/// What waits for the class of this session, and of what belongs to it.
+void forgetWaiting(Store& store, const Uuid& session) {
   Sql& sql = store.rows().sql();
   const auto forget = [&sql](const Uuid& id) { sql.change("DELETE FROM outbox WHERE subject = $1", {id}); };
-  forget(sitting);
-  sql.change("DELETE FROM outbox WHERE subject IN (SELECT id FROM trial WHERE session_id = $1)", {sitting});
-  for (const EventRow& event : store.events(sitting)) forget(event.id);
-  for (const BlockRow& block : store.blocks(sitting)) {
+  forget(session);
+  sql.change("DELETE FROM outbox WHERE subject IN (SELECT id FROM trial WHERE session_id = $1)", {session});
+  for (const EventRow& event : store.events(session)) forget(event.id);
+  for (const BlockRow& block : store.blocks(session)) {
     forget(block.id);
     for (const TrialRow& trial : store.trials(block.id)) forget(trial.id);
   }
 }
 
-/// In a class's records: what stations still send of this sitting is known by it (classroom/row_keeper.h).
-void noteParts(Store& store, const SittingRow& sitting) {
+/// In a class's records: what stations still send of this session is known by it (classroom/row_keeper.h).
+void noteParts(Store& store, const SessionRow& session) {
   const auto note = [&store](const Uuid& id) { store.rows().note(utcMs(), "collector", "deleted", deletedMark(id)); };
-  for (const BlockRow& block : store.blocks(sitting.id)) note(block.id);
-  note(sitting.id);
+  for (const BlockRow& block : store.blocks(session.id)) note(block.id);
+  note(session.id);
 }
 
 /// Deleted rows are overwritten where they stood (secure_delete); copies of their pages are in the log, and in free
 /// pages of before it was switched on.
 void sweepFile(Store& store) { store.rows().sql().run("VACUUM; PRAGMA wal_checkpoint(TRUNCATE)"); }
 
-std::int64_t endOf(const SittingRow& sitting) { return std::max(sitting.start_ms, sitting.end_ms); }
+std::int64_t endOf(const SessionRow& session) { return std::max(session.start_ms, session.end_ms); }
 
 enum class Tell : std::uint8_t { nobody, the_class };
 
 /// Files and rows of somebody who is in the records.
 Deleted forget(Store& store, const TraineeRow& trainee, std::string_view actor, Tell tell) {
-  SessionFiles files(store);
+  RecordingFiles files(store);
   Deleted deleted{.found = true};
   if (!trainee.key_ref.empty()) deleted.key = files.vault().destroy(trainee.key_ref);
-  const std::vector<SittingRow> sittings = store.sittings(trainee.id);
-  for (const SittingRow& sitting : sittings) deleted.files += removeFilesOf(files, sitting.id);
+  const std::vector<SessionRow> sessions = store.sessions(trainee.id);
+  for (const SessionRow& session : sessions) deleted.files += removeFilesOf(files, session.id);
 
   RowTables& rows = store.rows();
   const std::int64_t trials_before = rows.trialCount();
   SqlTransaction transaction(rows.sql());
-  for (const SittingRow& sitting : sittings) {
-    if (tell == Tell::the_class && store.holdsCopies()) noteParts(store, sitting);
-    forgetWaiting(store, sitting.id);
+  for (const SessionRow& session : sessions) {
+    if (tell == Tell::the_class && store.holdsCopies()) noteParts(store, session);
+    forgetWaiting(store, session.id);
   }
   rows.sql().change("DELETE FROM outbox WHERE subject = $1", {trainee.id});
   rows.erase(trainee.id);
@@ -70,15 +70,15 @@ Deleted forget(Store& store, const TraineeRow& trainee, std::string_view actor, 
     if (store.fillsOutbox()) store.queueDeletion({deletedMark(trainee.id), now});
   }
   transaction.commit();
-  deleted.sittings = static_cast<int>(sittings.size());
+  deleted.sessions = static_cast<int>(sessions.size());
   deleted.trials = static_cast<int>(trials_before - rows.trialCount());
   return deleted;
 }
 
-void purgeRows(Store& store, const SittingRow& sitting) {
+void purgeRows(Store& store, const SessionRow& session) {
   SqlTransaction transaction(store.rows().sql());
-  forgetWaiting(store, sitting.id);
-  store.rows().sql().change("DELETE FROM session WHERE id = $1", {sitting.id});
+  forgetWaiting(store, session.id);
+  store.rows().sql().change("DELETE FROM session WHERE id = $1", {session.id});
   transaction.commit();
 }
 
@@ -104,11 +104,11 @@ std::vector<KeptLongEnough> keptLongEnough(RowTables& rows, std::int64_t now_ms)
     KeptLongEnough of;
     of.trainee = trainee;
     of.nothing_left = trainee.created_ms < oldest_rows;
-    for (const SittingRow& sitting : rows.sittings(trainee.id)) {
-      const bool old = endOf(sitting) < oldest_rows;
+    for (const SessionRow& session : rows.sessions(trainee.id)) {
+      const bool old = endOf(session) < oldest_rows;
       of.nothing_left = of.nothing_left && old;
-      if (old) of.sittings.push_back(sitting);
-      if (endOf(sitting) < std::max(oldest_files, oldest_rows)) of.files.push_back(sitting);
+      if (old) of.sessions.push_back(session);
+      if (endOf(session) < std::max(oldest_files, oldest_rows)) of.files.push_back(session);
     }
     all.push_back(std::move(of));
   }
@@ -116,25 +116,25 @@ std::vector<KeptLongEnough> keptLongEnough(RowTables& rows, std::int64_t now_ms)
 }
 
 Purged purge(Store& store, std::int64_t now_ms, bool really) {
-  SessionFiles files(store);
+  RecordingFiles files(store);
   Purged purged;
   for (const KeptLongEnough& of : keptLongEnough(store.rows(), now_ms)) {
-    for (const SittingRow& sitting : of.files) {
-      if (files.filesOf(sitting.id).empty()) continue;
+    for (const SessionRow& session : of.files) {
+      if (files.filesOf(session.id).empty()) continue;
       ++purged.files;
       if (!really) continue;
-      removeFilesOf(files, sitting.id);
-      store.rows().sql().change("UPDATE session SET file = '' WHERE id = $1", {sitting.id});
+      removeFilesOf(files, session.id);
+      store.rows().sql().change("UPDATE session SET file = '' WHERE id = $1", {session.id});
     }
-    purged.sittings += static_cast<int>(of.sittings.size());
+    purged.sessions += static_cast<int>(of.sessions.size());
     purged.trainees += of.nothing_left ? 1 : 0;
     if (!really) continue;
-    for (const SittingRow& sitting : of.sittings) purgeRows(store, sitting);
+    for (const SessionRow& session : of.sessions) purgeRows(store, session);
     if (of.nothing_left) forget(store, of.trainee, "purge", Tell::nobody);
   }
   if (really) forgetSentBytes(store.rows().sql());
-  if (really && purged.sittings + purged.files + purged.trainees > 0) {
-    store.rows().note(utcMs(), "purge", "purged", std::to_string(purged.sittings) + " sittings");
+  if (really && purged.sessions + purged.files + purged.trainees > 0) {
+    store.rows().note(utcMs(), "purge", "purged", std::to_string(purged.sessions) + " sessions");
     sweepFile(store);
   }
   return purged;

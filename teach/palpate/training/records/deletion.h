@@ -1,6 +1,6 @@
 // Forgetting: one trainee altogether, or what a class has kept for long enough.
 //
-//   deleteTrainee: key ─ session files ─ rows ─ what waits for the class ─ a notice to the class ─ the file rewritten
+//   deleteTrainee: key ─ recordings ─ rows ─ what waits for the class ─ a notice to the class ─ the file rewritten
 //
 //   purge: what keptLongEnough says, of each trainee; nobody else is told
 //
@@ -12,14 +12,14 @@
 #include <string_view>
 #include <vector>
 
-#include "palpate/training/records/session_files.h"
+#include "palpate/training/records/recording_files.h"
 #include "palpate/training/records/store.h"
 
 namespace palpate::training {
 
 struct Deleted {
   bool found = false;
-  int sittings = 0;
+  int sessions = 0;
   int trials = 0;
   int files = 0;
   bool key = false;
@@ -32,16 +32,16 @@ Deleted deleteTrainee(Store& store, const Uuid& trainee, std::string_view actor)
 /// What has been kept of one trainee for as long as their class said.
 struct KeptLongEnough {
   TraineeRow trainee;
-  std::vector<SittingRow> sittings;  ///< whose rows are to go
-  std::vector<SittingRow> files;     ///< whose session files are to go: these, and younger ones
+  std::vector<SessionRow> sessions;  ///< whose rows are to go
+  std::vector<SessionRow> files;     ///< whose recordings are to go: these, and younger ones
   bool nothing_left = false;         ///< the trainee goes too
 };
 /// By the days of each trainee's class; of trainees without one nothing. `now_ms`: since 1970.
 std::vector<KeptLongEnough> keptLongEnough(RowTables& rows, std::int64_t now_ms);
 
 struct Purged {
-  int sittings = 0;  ///< with their rows, older than the class keeps them
-  int files = 0;     ///< session files, older than the class keeps those
+  int sessions = 0;  ///< with their rows, older than the class keeps them
+  int files = 0;     ///< recordings, older than the class keeps those
   int trainees = 0;  ///< of whom nothing was left
 };
 
@@ -51,7 +51,7 @@ Purged purge(Store& store, std::int64_t now_ms, bool really);
 
 /// Of a class's records: how many bytes a station has sent since the last purge, under this name with the station's id.
 inline constexpr std::string_view kSentBytesSetting = "sent_bytes/";
-/// In the caller's transaction: every station's share of the disk begins anew.
+/// In the caller's transaction: every station's share of the disk begins again.
 void forgetSentBytes(Sql& sql);
 
 }  // namespace palpate::training

@@ -83,16 +83,16 @@ ExportedFile csvDictionary() {
 
 std::vector<AnyRow> exportedRows(RowTables& rows) {
   std::vector<AnyRow> all = rows.all();
-  std::set<Uuid> going_on;  // sittings with a block that will ask more
+  std::set<Uuid> going_on;  // sessions with a block that will ask more
   for (const AnyRow& row : all) {
     const auto* block = std::get_if<BlockRow>(&row);
-    if (block != nullptr && !block->finished) going_on.insert(block->sitting);
+    if (block != nullptr && !block->finished) going_on.insert(block->session_id);
   }
   for (AnyRow& row : all) {
     if (auto* block = std::get_if<BlockRow>(&row); block != nullptr && !block->finished) block->state_json.clear();
     if (auto* event = std::get_if<EventRow>(&row); event != nullptr && event->kind == "message") event->text.clear();
-    auto* sitting = std::get_if<SittingRow>(&row);
-    if (sitting != nullptr && going_on.contains(sitting->id)) sitting->rng_seed = 0;
+    auto* session = std::get_if<SessionRow>(&row);
+    if (session != nullptr && going_on.contains(session->id)) session->rng_seed = 0;
   }
   return all;
 }
@@ -101,7 +101,7 @@ std::vector<ExportedFile> csvFiles(RowTables& rows, CsvText kind) {
   const std::vector<AnyRow> all = exportedRows(rows);
   return {csvTable<StationRow>("stations.csv", all, kind), csvTable<ClassRow>("classes.csv", all, kind),
           csvTable<TraineeRow>("trainees.csv", all, kind), csvTable<ProtocolRow>("protocols.csv", all, kind),
-          csvTable<SittingRow>("sessions.csv", all, kind), csvTable<BlockRow>("blocks.csv", all, kind),
+          csvTable<SessionRow>("sessions.csv", all, kind), csvTable<BlockRow>("blocks.csv", all, kind),
           csvTable<TrialRow>("trials.csv", all, kind),     csvVisits(all, kind),
           csvTable<EventRow>("events.csv", all, kind),     csvDictionary()};
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "palpate/base/csv_cell.h"
+#include "palpate/base/csv.h"
 #include "palpate/training/records/row_tables.h"
 
 namespace palpate::training {
@@ -32,7 +32,7 @@ struct XapiSettings {
 };
 
 /// A list of xAPI 1.0.3 statements, oldest first. Their ids are made of the rows': the same rows give the same text.
-/// Based on: ADL, Experience API 1.0.3; ADL verbs; cmi5 (one of passed and failed for a sitting).
+/// Based on: ADL, Experience API 1.0.3; ADL verbs; cmi5 (one of passed and failed for a session).
 std::string xapiText(RowTables& rows, const XapiSettings& settings);
 
 }  // namespace palpate::training

@@ -3,7 +3,7 @@
 //   pieces: sealed bytes, 16 bytes of seal; all full but the last, which may be empty
 // Numbers are little-endian. A piece's nonce is the file's and its number; what is sealed with it, unencrypted, is the
 // whole header and whether it is the last.
-#include "palpate/training/records/locked_file.h"
+#include "palpate/training/records/key_vault.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
@@ -165,7 +165,7 @@ void lockFile(const std::filesystem::path& in, const std::filesystem::path& out,
 void unlockFile(const std::filesystem::path& in, const std::filesystem::path& out, const TraineeKey& key) {
   ByteFile sealed(in);
   const auto header = headerOf(sealed);
-  if (!header) throw Error::inFile(in.string(), "is no locked session file");
+  if (!header) throw Error::inFile(in.string(), "is not a locked recording");
   PieceCipher cipher(key, *header);
   OutputFile file(out, OutputFile::Unfinished::remove, OutputFile::Access::owner_only);
   std::string piece;

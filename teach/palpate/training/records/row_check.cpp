@@ -67,9 +67,9 @@ std::string_view faultOfText(const std::string& value, FieldRule::Form form) {
     case FieldRule::Form::word:
       return std::ranges::all_of(value, isWordLetter) ? "" : "has other letters than a-z, A-Z, 0-9, '.', '_' and '-'";
     case FieldRule::Form::uuid:
-      return isUuid(value) ? "" : "is no UUID";
+      return isUuid(value) ? "" : "must be a UUID";
     case FieldRule::Form::hash:
-      return isHash(value) ? "" : "is no SHA-256";
+      return isHash(value) ? "" : "must be a SHA-256 hash";
     case FieldRule::Form::file:
       return isInnerFile(value) ? "" : "leads out of the folder";
     case FieldRule::Form::number:

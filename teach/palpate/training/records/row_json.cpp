@@ -12,8 +12,8 @@
 #include "palpate/base/nearest_name.h"
 #include "palpate/training/records/row_check.h"
 #include "palpate/training/records/row_fields.h"
-#include "palpate/training/records/sha256.h"
 #include "palpate/training/records/trainee_code.h"
+#include "palpate/training/sha256.h"
 
 namespace palpate::training {
 
@@ -65,7 +65,7 @@ class FieldsFromJson {
   void operator()(const char* name, Value& value, const FieldRule& rule) {
     const auto found = object_.find(name);
     if (found == object_.end()) {
-      if (rule.may_miss) return;
+      if (rule.mayMiss()) return;
       refuse(name, "is missing");
     }
     ++used_;
@@ -83,7 +83,7 @@ class FieldsFromJson {
     throw Error(fmt::format("{}: '{}' {}", kind_, name, why));
   }
   void read(const char* name, const RowObject& from, std::string& value, const FieldRule& /*rule*/) const {
-    if (!from.is_string()) refuse(name, "is no text");
+    if (!from.is_string()) refuse(name, "must be text");
     value = from.get<std::string>();
   }
   void read(const char* name, const RowObject& from, bool& value, const FieldRule& /*rule*/) const {
@@ -91,7 +91,7 @@ class FieldsFromJson {
     value = from.get<bool>();
   }
   void read(const char* name, const RowObject& from, double& value, const FieldRule& /*rule*/) const {
-    if (!from.is_number()) refuse(name, "is no number");
+    if (!from.is_number()) refuse(name, "must be a number");
     value = from.get<double>();
   }
   void read(const char* name, const RowObject& from, std::optional<double>& value, const FieldRule& rule) const {
@@ -106,10 +106,10 @@ class FieldsFromJson {
       value = static_cast<std::uint64_t>(whole(name, from, rule));
       return;
     }
-    if (!from.is_string()) refuse(name, "is no text");
+    if (!from.is_string()) refuse(name, "must be text");
     const auto& digits = from.get_ref<const std::string&>();
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size()) refuse(name, "is no number of 64 bits");
+    if (error != std::errc() || end != digits.data() + digits.size()) refuse(name, "must be a number of 64 bits");
   }
   template <class Value>
   void read(const char* name, const RowObject& from, Value& value, const FieldRule& rule) const {
@@ -123,7 +123,7 @@ class FieldsFromJson {
   }
   /// Judged before it is narrowed.
   std::int64_t whole(const char* name, const RowObject& from, const FieldRule& rule) const {
-    if (!from.is_number_integer()) refuse(name, "is no whole number");
+    if (!from.is_number_integer()) refuse(name, "must be a whole number");
     const bool in_range = from.is_number_unsigned() ? static_cast<double>(from.get<std::uint64_t>()) <= rule.high
                                                     : static_cast<double>(from.get<std::int64_t>()) >= rule.low;
     if (!in_range) {
@@ -139,14 +139,14 @@ class FieldsFromJson {
 
 template <class R>
 R rowOfObject(std::string_view kind, const RowObject& object) {
-  if (!object.is_object()) throw Error(fmt::format("{}: is no JSON object", kind));
+  if (!object.is_object()) throw Error(fmt::format("{}: must be a JSON object", kind));
   R row;
   FieldsFromJson fields(object, kind);
   eachField(fields, row);
   if constexpr (std::same_as<R, TrialRow>) {
     fields.alsoKnows("visits");
     const auto visits = object.find("visits");
-    if (visits == object.end() || !visits->is_array()) throw Error("trial: 'visits' is no list");
+    if (visits == object.end() || !visits->is_array()) throw Error("trial: 'visits' must be a list");
     for (const RowObject& visit : *visits) row.visits.push_back(rowOfObject<SiteVisit>("visit", visit));
   }
   fields.refuseOthers();
@@ -159,14 +159,14 @@ RowObject parsedRow(std::string_view kind, std::string_view text) {
     throw Error(fmt::format("{}: {} bytes, more than {}", oneLine(kind), text.size(), kLongestRowJson));
   }
   RowObject object = RowObject::parse(text, nullptr, false);
-  if (object.is_discarded()) throw Error(fmt::format("{}: is no JSON", oneLine(kind)));
+  if (object.is_discarded()) throw Error(fmt::format("{}: is not JSON", oneLine(kind)));
   return object;
 }
 
 template <std::size_t I = 0>
 AnyRow rowOfKind(std::string_view kind, std::string_view text) {
   if constexpr (I == std::variant_size_v<AnyRow>) {
-    throw Error(fmt::format("'{}' is no kind of row", oneLine(kind)));
+    throw Error(fmt::format("'{}' is not a kind of row", oneLine(kind)));
   } else {
     using R = std::variant_alternative_t<I, AnyRow>;
     if (kindOf(AnyRow(std::in_place_index<I>)) != kind) return rowOfKind<I + 1>(kind, text);

@@ -24,7 +24,7 @@ struct DeletionRow {
 };
 
 using AnyRow =
-    std::variant<StationRow, ClassRow, TraineeRow, ProtocolRow, SittingRow, BlockRow, TrialRow, EventRow, DeletionRow>;
+    std::variant<StationRow, ClassRow, TraineeRow, ProtocolRow, SessionRow, BlockRow, TrialRow, EventRow, DeletionRow>;
 
 AnyRow anyRow(const Row& row);
 

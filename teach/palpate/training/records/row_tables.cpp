@@ -114,7 +114,7 @@ constexpr std::string_view kNewerThanKept;
 template <>
 constexpr std::string_view kNewerThanKept<StationRow> = "excluded.calibrated_ms >= station.calibrated_ms";
 template <>
-constexpr std::string_view kNewerThanKept<SittingRow> =
+constexpr std::string_view kNewerThanKept<SessionRow> =
     "excluded.end_ms >= session.end_ms AND length(excluded.file_sha256) >= length(session.file_sha256)";
 // A state holds all outcomes so far: the longer one is the later one.
 template <>
@@ -185,7 +185,7 @@ void insertVisits(Sql& sql, const TrialRow& trial) {
 template <class R>
 bool keepRow(Sql& sql, const R& row, RowTables::Update update) {
   if constexpr (std::same_as<R, DeletionRow>) {
-    throw Error("a deletion is no row to keep");
+    throw Error("a deletion is not a row to keep");
   } else {
     checkRow(kindOf(AnyRow(row)), row);
     if constexpr (std::same_as<R, TraineeRow>) {
@@ -217,15 +217,15 @@ std::string explained(const AnyRow& row, std::string_view cause) {
   if (!lacks) return fmt::format("{} cannot be kept: {}", what, cause);
   if (const auto* block = std::get_if<BlockRow>(&row)) {
     return fmt::format("{} cannot be kept before its session {} and protocol {} version {}", what,
-                       oneLine(block->sitting), oneLine(block->protocol_id), block->protocol_version);
+                       oneLine(block->session_id), oneLine(block->protocol_id), block->protocol_version);
   }
-  if (const auto* sitting = std::get_if<SittingRow>(&row)) {
-    return fmt::format("{} cannot be kept before its trainee {} and station {}", what, oneLine(sitting->trainee),
-                       oneLine(sitting->station));
+  if (const auto* session = std::get_if<SessionRow>(&row)) {
+    return fmt::format("{} cannot be kept before its trainee {} and station {}", what, oneLine(session->trainee_id),
+                       oneLine(session->station_id));
   }
   if (const auto* trial = std::get_if<TrialRow>(&row)) {
-    return fmt::format("{} cannot be kept before its block {} and session {}", what, oneLine(trial->block),
-                       oneLine(trial->sitting));
+    return fmt::format("{} cannot be kept before its block {} and session {}", what, oneLine(trial->block_id),
+                       oneLine(trial->session_id));
   }
   return fmt::format("{} cannot be kept before the row that it belongs to", what);
 }
@@ -279,16 +279,16 @@ std::vector<TraineeRow> RowTables::trainees() { return read<TraineeRow>("ORDER B
 std::optional<TraineeRow> RowTables::trainee(const Uuid& id) { return one<TraineeRow>(id); }
 std::vector<ProtocolRow> RowTables::protocols() { return read<ProtocolRow>("ORDER BY id, version", {}); }
 
-std::vector<SittingRow> RowTables::sittings(const Uuid& trainee) {
-  if (trainee.empty()) return read<SittingRow>("ORDER BY start_ms, id", {});
+std::vector<SessionRow> RowTables::sessions(const Uuid& trainee) {
+  if (trainee.empty()) return read<SessionRow>("ORDER BY start_ms, id", {});
   if (!isUuid(trainee)) return {};
-  return read<SittingRow>("WHERE trainee_id = $1 ORDER BY start_ms, id", {trainee});
+  return read<SessionRow>("WHERE trainee_id = $1 ORDER BY start_ms, id", {trainee});
 }
 
-std::optional<SittingRow> RowTables::sitting(const Uuid& id) { return one<SittingRow>(id); }
+std::optional<SessionRow> RowTables::session(const Uuid& id) { return one<SessionRow>(id); }
 
-std::vector<BlockRow> RowTables::blocks(const Uuid& sitting) {
-  return isUuid(sitting) ? read<BlockRow>("WHERE session_id = $1 ORDER BY number, id", {sitting})
+std::vector<BlockRow> RowTables::blocks(const Uuid& session) {
+  return isUuid(session) ? read<BlockRow>("WHERE session_id = $1 ORDER BY number, id", {session})
                          : std::vector<BlockRow>();
 }
 
@@ -309,19 +309,19 @@ std::optional<TrialRow> RowTables::trial(const Uuid& id) {
   return std::move(list.front());
 }
 
-std::vector<EventRow> RowTables::events(const Uuid& sitting) {
-  return isUuid(sitting) ? read<EventRow>("WHERE session_id = $1 ORDER BY at_ms, id", {sitting})
+std::vector<EventRow> RowTables::events(const Uuid& session) {
+  return isUuid(session) ? read<EventRow>("WHERE session_id = $1 ORDER BY at_ms, id", {session})
                          : std::vector<EventRow>();
 }
 
-std::optional<InterruptedBlock> RowTables::interrupted(const Uuid& trainee, SittingKind kind) {
+std::optional<InterruptedBlock> RowTables::interrupted(const Uuid& trainee, SessionKind kind) {
   if (!isUuid(trainee)) return std::nullopt;
   const std::vector<BlockRow> newest = read<BlockRow>(
       "JOIN session ON session.id = block.session_id WHERE session.trainee_id = $1 AND session.kind = $2 "
       "AND block.state_json <> '' ORDER BY session.start_ms DESC, block.number DESC, block.id DESC LIMIT 1",
       {trainee, std::string(wordFor(kind))});
   if (newest.empty() || newest.front().finished) return std::nullopt;
-  const std::optional<SittingRow> of = sitting(newest.front().sitting);
+  const std::optional<SessionRow> of = session(newest.front().session_id);
   return of ? std::optional(InterruptedBlock{*of, newest.front()}) : std::nullopt;
 }
 
@@ -345,13 +345,13 @@ std::vector<AnyRow> RowTables::all() {
   add(classes());
   add(protocols());
   add(trainees());
-  for (const SittingRow& sitting : sittings()) {
-    rows.emplace_back(sitting);
-    for (const BlockRow& block : blocks(sitting.id)) {
+  for (const SessionRow& session : sessions()) {
+    rows.emplace_back(session);
+    for (const BlockRow& block : blocks(session.id)) {
       rows.emplace_back(block);
       add(trials(block.id));
     }
-    add(events(sitting.id));
+    add(events(session.id));
   }
   return rows;
 }

@@ -1,6 +1,6 @@
 // Rows in and out of a database, whichever it is. Transactions are the caller's (Store, ClassStore).
 //
-//   AnyRow ─ keep ─► tables ─ trainees, sittings, blocks, trials ─► reports, exports
+//   AnyRow ─ keep ─► tables ─ trainees, sessions, blocks, trials ─► reports, exports
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 namespace palpate::training {
 
 struct InterruptedBlock {
-  SittingRow sitting;
+  SessionRow session;
   BlockRow block;
 };
 
@@ -36,15 +36,15 @@ class RowTables {
   std::vector<TraineeRow> trainees();
   std::optional<TraineeRow> trainee(const Uuid& id);
   std::vector<ProtocolRow> protocols();
-  std::vector<SittingRow> sittings(const Uuid& trainee = {});  ///< empty: of all
-  std::optional<SittingRow> sitting(const Uuid& id);
-  std::vector<BlockRow> blocks(const Uuid& sitting);
+  std::vector<SessionRow> sessions(const Uuid& trainee = {});  ///< empty: of all
+  std::optional<SessionRow> session(const Uuid& id);
+  std::vector<BlockRow> blocks(const Uuid& session);
   std::optional<BlockRow> block(const Uuid& id);
   std::vector<TrialRow> trials(const Uuid& block);  ///< with their visits
   std::optional<TrialRow> trial(const Uuid& id);
-  std::vector<EventRow> events(const Uuid& sitting);
+  std::vector<EventRow> events(const Uuid& session);
   /// The newest of this kind that was not finished, unless a finished one is newer.
-  std::optional<InterruptedBlock> interrupted(const Uuid& trainee, SittingKind kind);
+  std::optional<InterruptedBlock> interrupted(const Uuid& trainee, SessionKind kind);
   /// The newest finished block of a test that measured a threshold.
   std::optional<BlockRow> lastMeasured(const Uuid& trainee);
   std::int64_t trialCount();

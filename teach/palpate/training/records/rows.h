@@ -39,7 +39,7 @@ struct TraineeRow {
   std::int64_t created_ms = 0;
   std::string dominant_hand = {};  ///< "left", "right", empty: not said
   bool consent = false;
-  std::string key_ref = {};  ///< which key encrypts their session files; empty: none
+  std::string key_ref = {};  ///< which key encrypts their recordings; empty: none
 };
 
 struct ProtocolRow {
@@ -49,42 +49,42 @@ struct ProtocolRow {
   std::string sha256 = {};
 };
 
-struct SittingRow {
+struct SessionRow {
   Uuid id = {};
-  Uuid trainee = {};
-  Uuid station = {};
-  SittingKind kind = SittingKind::practice;
+  Uuid trainee_id = {};
+  Uuid station_id = {};
+  SessionKind kind = SessionKind::practice;
   std::int64_t start_ms = 0;
   std::int64_t end_ms = 0;  ///< 0: goes on, or was cut off
   std::string app_version = {};
   std::uint64_t rng_seed = 0;
   std::string device = {};       ///< with its thimble: thresholds belong to it
-  std::string file = {};         ///< session file, relative to the records' folder; empty: none
+  std::string file = {};         ///< recording, relative to the records' folder; empty: none
   std::string file_sha256 = {};  ///< empty until it is finished
 };
 
 struct BlockRow {
   Uuid id = {};
-  Uuid sitting = {};
+  Uuid session_id = {};
   int number = 1;
   Method method = Method::marginal_psi;
-  ChangeMeaning meaning = ChangeMeaning::compliance;
+  ChangeMeaning change_meaning = ChangeMeaning::compliance;
   std::string protocol_id = {};
   int protocol_version = 1;
   std::string state_json = {};  ///< Block::state: goes on from here
   bool finished = false;
   // Of Block::result, so far.
-  double threshold = 0.0, low = 0.0, high = 0.0;
+  double threshold = 0.0, threshold_low = 0.0, threshold_high = 0.0;
   int trials = 0;
-  std::optional<double> level = {};
+  std::optional<double> mastered_change = {};
   Verdict verdict = Verdict::none;
 };
 
 struct TrialRow {
   Uuid id = {};
-  Uuid block = {};
-  Uuid sitting = {};  ///< in whose session file it lies: a block may be taken up again in a later sitting
-  int number = 0;     ///< in the block, from 1
+  Uuid block_id = {};
+  Uuid session_id = {};  ///< in whose recording it lies: a block may be taken up again in a later session
+  int number = 0;        ///< in the block, from 1
   std::int64_t start_ms = 0, end_ms = 0;
   double seconds = 0.0;  ///< without pauses
   TrialKind kind = TrialKind::measured;
@@ -92,11 +92,11 @@ struct TrialRow {
   int site_true = 0;
   int site_answer = 0;  ///< 0: none
   bool correct = false;
-  bool timeout = false;
-  std::string excluded = {};                     ///< why it does not count; empty: it counts
-  int visited = 0;                               ///< sites that were felt
-  std::uint64_t file_tick0 = 0, file_tick1 = 0;  ///< in the sitting's session file
-  // Of all samples of the trial, for reports without the session file.
+  bool timed_out = false;
+  std::string excluded = {};                              ///< why it does not count; empty: it counts
+  int sites_felt = 0;                                     ///< sites that were felt
+  std::uint64_t file_tick_first = 0, file_tick_last = 0;  ///< in the session's recording
+  // Of all samples of the trial, for reports without the recording.
   double mean_force_n = 0.0, peak_force_n = 0.0, mean_speed_mm_per_s = 0.0;
   double search_force_n = 0.0, palpate_force_n = 0.0;  ///< mean while moving (over 20 mm/s) and while staying
   std::vector<SiteVisit> visits = {};
@@ -104,13 +104,13 @@ struct TrialRow {
 
 struct EventRow {
   Uuid id = {};
-  Uuid sitting = {};
+  Uuid session_id = {};
   std::int64_t at_ms = 0;
   std::string kind = {};  ///< pause, resume, safety, screen, message, warning
   std::string text = {};
 };
 
-/// A block row comes before its first trial and, with its new state, after each; a sitting row first and at its end.
-using Row = std::variant<SittingRow, BlockRow, TrialRow, EventRow>;
+/// A block row comes before its first trial and, with its new state, after each; a session row first and at its end.
+using Row = std::variant<SessionRow, BlockRow, TrialRow, EventRow>;
 
 }  // namespace palpate::training

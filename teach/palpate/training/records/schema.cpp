@@ -1,12 +1,12 @@
 // One description, two dialects. STRICT and rowids are SQLite's; PostgreSQL has types of its own for ids and truth.
 //
-// A new column: one line with `since` one above kSchemaVersion, which then rises; a fresh schema and one that was
-// brought forward must not differ (teach/tests/training/records_schema_test.cpp).
-#include "palpate/training/records/schema.h"
+// A new column: one line of row_fields.h with `since` one above kSchemaVersion, which then rises; a fresh schema and
+// one that was brought forward must not differ (teach/tests/training/records_schema_test.cpp).
 
 #include <fmt/format.h>
 
 #include "palpate/base/error.h"
+#include "palpate/training/records/row_fields.h"
 #include "palpate/training/records/sql.h"
 #include "palpate/training/records/trainee_code.h"
 
@@ -65,6 +65,30 @@ std::string tableDdl(const TableInfo& table, Dialect dialect, int version) {
   return text;
 }
 
+template <class Value>
+ColumnType columnTypeOf(const FieldRule& rule) {
+  if (rule.form == FieldRule::Form::uuid) return uuid;
+  if constexpr (std::is_same_v<Value, std::string> || std::is_enum_v<Value>) return text;
+  if constexpr (std::is_same_v<Value, bool>) return yes_no;
+  if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>) return real;
+  return whole;
+}
+
+/// Behind those that the row does not hold itself.
+template <class R>
+std::vector<ColumnInfo> columnInfosOf(std::vector<ColumnInfo> columns = {}) {
+  const R row{};
+  eachField(
+      [&]<class Value>(std::string_view name, const Value& /*value*/, const FieldRule& rule) {
+        // A reference that may be empty is null where there is none.
+        const bool may_be_null = std::is_same_v<Value, std::optional<double>> ||
+                                 (rule.may_be_empty && rule.form != FieldRule::Form::text && name.ends_with("_id"));
+        columns.push_back({name, columnTypeOf<Value>(rule), rule.means, rule.sql, may_be_null, rule.since});
+      },
+      row);
+  return columns;
+}
+
 std::vector<TableInfo> peopleTables() {
   return {
       {"schema_version",
@@ -74,119 +98,30 @@ std::vector<TableInfo> peopleTables() {
       {"setting",
        "what the program keeps about this database",
        {{"name", text, "which", "PRIMARY KEY"}, {"value", text, "what"}}},
-      {"station",
-       "a place with a device where trainees sit",
-       {{"id", uuid, "made at the station", "PRIMARY KEY"},
-        {"name", text, "as people call it"},
-        {"certificate_sha256", text, "of the certificate that it shows to a class; empty: none"},
-        {"device", text, "the haptic device"},
-        {"calibrated_ms", whole, "when last, ms since 1970; 0: never"}}},
-      {"class",
-       "a class, and how long its data are kept",
-       {{"id", text, "a word", "PRIMARY KEY"},
-        {"label", text, "as people call it"},
-        {"retain_days", whole, "rows are kept so many days after a sitting"},
-        {"retain_samples_days", whole, "session files are kept so many days"}}},
-      {"trainee",
-       "a trainee under a pseudonym: no name, no mail address, no birth date",
-       {{"id", uuid, "pseudonym, made of class and code", "PRIMARY KEY"},
-        {"class_id", text, "null: none", "REFERENCES class (id)", true},
-        {"created_ms", whole, "first sign-in, ms since 1970"},
-        {"dominant_hand", text, "left, right; empty: not said"},
-        {"consent", yes_no, "agreed to being recorded"},
-        {"key_ref", text, "which key locks their session files; empty: none"}}},
-      {"protocol",
-       "what was trained or tested, in full",
-       {{"id", text, "its name"},
-        {"version", whole, "of the protocol"},
-        {"text", text, "the protocol file (TOML)"},
-        {"sha256", text, "of its settings"}},
-       "PRIMARY KEY (id, version)"},
+      {"station", "a place with a device where trainees sit", columnInfosOf<StationRow>()},
+      {"class", "a class, and how long its data are kept", columnInfosOf<ClassRow>()},
+      {"trainee", "a trainee under a pseudonym: no name, no mail address, no birth date", columnInfosOf<TraineeRow>()},
+      {"protocol", "what was trained or tested, in full", columnInfosOf<ProtocolRow>(), "PRIMARY KEY (id, version)"},
   };
 }
 
-std::vector<TableInfo> sittingTables() {
+std::vector<TableInfo> sessionTables() {
   return {
       {"session",
-       "one sitting of one trainee",
-       {{"id", uuid, "UUID of version 7: begins with its time", "PRIMARY KEY"},
-        {"trainee_id", uuid, "whose", "REFERENCES trainee (id) ON DELETE CASCADE"},
-        {"station_id", uuid, "where", "REFERENCES station (id)"},
-        {"kind", text, "practice, mastery, pre_test, post_test, exam, retention, free"},
-        {"start_ms", whole, "ms since 1970"},
-        {"end_ms", whole, "ms since 1970; 0: it goes on, or was cut off"},
-        {"app_version", text, "of palpate"},
-        {"rng_seed", whole, "of all that was drawn: 64 bits, read as a signed number"},
-        {"device", text, "with its thimble: thresholds belong to it"},
-        {"file", text, "session file beside the records; empty: none, or no longer kept"},
-        {"file_sha256", text, "of the file as it lies there (locked); empty until it is finished"}},
+       "one session of one trainee",
+       columnInfosOf<SessionRow>(),
        "",
        {"trainee_id, start_ms", "station_id"}},
       {"block",
        "trials of one method, one after another",
-       {{"id", uuid, "UUID of version 7", "PRIMARY KEY"},
-        {"session_id", uuid, "of which sitting", "REFERENCES session (id) ON DELETE CASCADE"},
-        {"number", whole, "in the sitting, from 1"},
-        {"method", text, "marginal_psi, two_down_one_up, mastery, constant_levels"},
-        {"change_meaning", text, "compliance: k'/k = 1/(1 - change); stiffness: k'/k = 1 + change"},
-        {"protocol_id", text, "see protocol"},
-        {"protocol_version", whole, "see protocol"},
-        {"state_json", text, "seed and outcomes so far: from here it goes on"},
-        {"finished", yes_no, "else it was interrupted, or goes on"},
-        {"threshold", real, "T: the change at which corrected answers are right half of the time (median); 0: none"},
-        {"threshold_low", real, "2.5 % of T"},
-        {"threshold_high", real, "97.5 % of T"},
-        {"trials", whole, "that count"},
-        {"mastered_change", real, "mastery: the smallest change that was mastered; null: none", "", true},
-        {"verdict", text, "of an examination: none, pass, not_yet, repeat"}},
+       columnInfosOf<BlockRow>(),
        "FOREIGN KEY (protocol_id, protocol_version) REFERENCES protocol (id, version)",
        {"session_id, number"}},
-      {"trial",
-       "one question and its answer",
-       {{"id", uuid, "UUID of version 7", "PRIMARY KEY"},
-        {"block_id", uuid, "of which block", "REFERENCES block (id) ON DELETE CASCADE"},
-        {"session_id", uuid, "in which sitting's file it lies: a block may be taken up again later",
-         "REFERENCES session (id) ON DELETE CASCADE"},
-        {"number", whole, "in the block, from 1"},
-        {"start_ms", whole, "ms since 1970"},
-        {"end_ms", whole, "ms since 1970"},
-        {"seconds", real, "it took, s, pauses left out"},
-        {"kind", text, "warm_up (not counted), measured, easy"},
-        {"change", real, "of the hidden place, as the block's change_meaning says, 0 to 1"},
-        {"site_true", whole, "where it was hidden"},
-        {"site_answer", whole, "what was answered; 0: nothing"},
-        {"correct", yes_no, "the answer was right"},
-        {"timed_out", yes_no, "no answer came in time"},
-        {"excluded", text, "why it does not count; empty: it counts"},
-        {"sites_felt", whole, "so many sites were pressed hard and long enough"},
-        {"file_tick_first", whole, "where it begins in the session file, ticks"},
-        {"file_tick_last", whole, "where it ends"},
-        {"mean_force_n", real, "of all samples in contact, N"},
-        {"peak_force_n", real, "N"},
-        {"mean_speed_mm_per_s", real, "mm/s"},
-        {"search_force_n", real, "mean while moving, N; 0: none, or recorded by version 1", "DEFAULT 0", false, 2},
-        {"palpate_force_n", real, "mean while staying, N; 0: none, or recorded by version 1", "DEFAULT 0", false, 2}},
-       "UNIQUE (block_id, number)",
-       {"session_id"}},
-      {"site_visit",
-       "what was felt of one site in one trial",
-       {{"trial_id", uuid, "in which trial", "REFERENCES trial (id) ON DELETE CASCADE"},
-        {"site", whole, "its number"},
-        {"presses", whole, "times the force rose over the limit"},
-        {"dwell_ms", real, "over the limit, ms"},
-        {"peak_force_n", real, "N"},
-        {"mean_force_n", real, "over the limit, N"},
-        {"deepest_mm", real, "mm"}},
+      {"trial", "one question and its answer", columnInfosOf<TrialRow>(), "UNIQUE (block_id, number)", {"session_id"}},
+      {"site_visit", "what was felt of one site in one trial",
+       columnInfosOf<SiteVisit>({{"trial_id", uuid, "in which trial", "REFERENCES trial (id) ON DELETE CASCADE"}}),
        "PRIMARY KEY (trial_id, site)"},
-      {"event",
-       "what else happened in a sitting",
-       {{"id", uuid, "UUID of version 7", "PRIMARY KEY"},
-        {"session_id", uuid, "in which sitting", "REFERENCES session (id) ON DELETE CASCADE"},
-        {"at_ms", whole, "ms since 1970"},
-        {"kind", text, "pause, resume, safety, screen, message, warning"},
-        {"text", text, "in words"}},
-       "",
-       {"session_id, at_ms"}},
+      {"event", "what else happened in a session", columnInfosOf<EventRow>(), "", {"session_id, at_ms"}},
   };
 }
 
@@ -216,7 +151,7 @@ std::vector<TableInfo> ownTables() {
         {"at_ms", whole, "ms since 1970"},
         {"actor", text, "who or what did it"},
         {"action", text, "deleted, purged, exported, ..."},
-        {"subject", text, "a hash where it was a trainee, sitting or block; else in words"}},
+        {"subject", text, "a hash where it was a trainee, session or block; else in words"}},
        "",
        {"subject"}},
   };
@@ -224,7 +159,7 @@ std::vector<TableInfo> ownTables() {
 
 std::vector<TableInfo> allTables() {
   std::vector<TableInfo> all = peopleTables();
-  for (const auto& more : {sittingTables(), ownTables()}) all.insert(all.end(), more.begin(), more.end());
+  for (const auto& more : {sessionTables(), ownTables()}) all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 

@@ -1,6 +1,7 @@
 #include "palpate/training/records/store.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "palpate/base/error.h"
 #include "palpate/base/private_folder.h"
@@ -68,12 +69,12 @@ std::unique_ptr<SqliteSql> openedRecords(const fs::path& file, Store::Open how) 
   std::int64_t id = 0;
   try {
     id = sql->number("PRAGMA application_id");
-    // Never tables of ours into a stranger's database, such as a session file.
+    // Never tables of ours into a stranger's database, such as a recording.
     if (id == 0 && sql->number("SELECT count(*) FROM sqlite_schema") == 0 && how != Store::Open::read_only) {
       id = kOurApplicationId;
     }
   } catch (const Error& cause) {
-    if (cause.cause().find("is no session file") == std::string_view::npos) throw;
+    if (cause.cause().find("is not a recording") == std::string_view::npos) throw;
   }
   if (id != kOurApplicationId) throw Error::inFile(file.string(), "holds no training records");
   if (!isOfNewerSchema(*sql))
@@ -98,14 +99,14 @@ void settle(SqliteSql& sql, const fs::path& file, Store::Open how) {
 
 }  // namespace
 
-struct Store::Tables {
+struct Store::Impl {
   fs::path file;
   std::unique_ptr<SqliteSql> sql;
   RowTables rows;
   bool outbox = false;
   bool copies = false;
 
-  Tables(const fs::path& named, std::unique_ptr<SqliteSql> opened, Open how)
+  Impl(const fs::path& named, std::unique_ptr<SqliteSql> opened, Open how)
       : file(named), sql(std::move(opened)), rows(*sql) {
     settle(*sql, file, how);
     outbox = isOn(*sql, kOutboxSetting);
@@ -134,78 +135,78 @@ struct Store::Tables {
   }
 };
 
-Store::Store(const fs::path& file, Open how) : tables_(std::make_unique<Tables>(file, openedRecords(file, how), how)) {}
-Store::Store(std::unique_ptr<Tables> tables) : tables_(std::move(tables)) {}
+Store::Store(const fs::path& file, Open how) : impl_(std::make_unique<Impl>(file, openedRecords(file, how), how)) {}
+Store::Store(std::unique_ptr<Impl> tables) : impl_(std::move(tables)) {}
 Store Store::inMemory(const std::string& called) {
   auto sql = std::make_unique<SqliteSql>(":memory:", trace::Database::Mode::create, called);
-  Store store(std::make_unique<Tables>(called, std::move(sql), Open::create_too));
+  Store store(std::make_unique<Impl>(called, std::move(sql), Open::create_too));
   store.holdCopies();
   return store;
 }
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 
-void Store::keep(const StationRow& row) { tables_->keepAlone(row); }
-void Store::keep(const ClassRow& row) { tables_->keepAlone(row); }
-void Store::keep(const TraineeRow& row) { tables_->keepAlone(row); }
-void Store::keep(const ProtocolRow& row) { tables_->keepAlone(row); }
+void Store::keep(const StationRow& row) { impl_->keepAlone(row); }
+void Store::keep(const ClassRow& row) { impl_->keepAlone(row); }
+void Store::keep(const TraineeRow& row) { impl_->keepAlone(row); }
+void Store::keep(const ProtocolRow& row) { impl_->keepAlone(row); }
 
 void Store::keep(std::span<const Row> rows) {
   if (rows.empty()) return;
-  SqlTransaction transaction(*tables_->sql);
-  for (const Row& row : rows) tables_->keep(anyRow(row));
+  SqlTransaction transaction(*impl_->sql);
+  for (const Row& row : rows) impl_->keep(anyRow(row));
   transaction.commit();
 }
 
 void Store::keepAny(std::span<const AnyRow> rows) {
   if (rows.empty()) return;
-  SqlTransaction transaction(*tables_->sql);
-  for (const AnyRow& row : rows) tables_->keep(row);
+  SqlTransaction transaction(*impl_->sql);
+  for (const AnyRow& row : rows) impl_->keep(row);
   transaction.commit();
 }
 
-std::vector<StationRow> Store::stations() { return tables_->rows.stations(); }
-std::vector<ClassRow> Store::classes() { return tables_->rows.classes(); }
-std::vector<TraineeRow> Store::trainees() { return tables_->rows.trainees(); }
-std::optional<TraineeRow> Store::trainee(const Uuid& id) { return tables_->rows.trainee(id); }
-std::vector<ProtocolRow> Store::protocols() { return tables_->rows.protocols(); }
-std::vector<SittingRow> Store::sittings(const Uuid& trainee) { return tables_->rows.sittings(trainee); }
-std::vector<BlockRow> Store::blocks(const Uuid& sitting) { return tables_->rows.blocks(sitting); }
-std::vector<TrialRow> Store::trials(const Uuid& block) { return tables_->rows.trials(block); }
-std::vector<EventRow> Store::events(const Uuid& sitting) { return tables_->rows.events(sitting); }
+std::vector<StationRow> Store::stations() { return impl_->rows.stations(); }
+std::vector<ClassRow> Store::classes() { return impl_->rows.classes(); }
+std::vector<TraineeRow> Store::trainees() { return impl_->rows.trainees(); }
+std::optional<TraineeRow> Store::trainee(const Uuid& id) { return impl_->rows.trainee(id); }
+std::vector<ProtocolRow> Store::protocols() { return impl_->rows.protocols(); }
+std::vector<SessionRow> Store::sessions(const Uuid& trainee) { return impl_->rows.sessions(trainee); }
+std::vector<BlockRow> Store::blocks(const Uuid& session) { return impl_->rows.blocks(session); }
+std::vector<TrialRow> Store::trials(const Uuid& block) { return impl_->rows.trials(block); }
+std::vector<EventRow> Store::events(const Uuid& session) { return impl_->rows.events(session); }
 
-std::optional<Store::Interrupted> Store::interrupted(const Uuid& trainee, SittingKind kind) {
-  return tables_->rows.interrupted(trainee, kind);
+std::optional<Store::Interrupted> Store::interrupted(const Uuid& trainee, SessionKind kind) {
+  return impl_->rows.interrupted(trainee, kind);
 }
-std::optional<BlockRow> Store::lastMeasured(const Uuid& trainee) { return tables_->rows.lastMeasured(trainee); }
+std::optional<BlockRow> Store::lastMeasured(const Uuid& trainee) { return impl_->rows.lastMeasured(trainee); }
 
 void Store::fillOutbox(bool on) {
-  if (on == tables_->outbox) return;
-  SqlTransaction transaction(*tables_->sql);
-  turn(*tables_->sql, kOutboxSetting, on);
+  if (on == impl_->outbox) return;
+  SqlTransaction transaction(*impl_->sql);
+  turn(*impl_->sql, kOutboxSetting, on);
   if (on) {
-    for (const AnyRow& row : tables_->rows.all()) tables_->queue(row);
+    for (const AnyRow& row : impl_->rows.all()) impl_->queue(row);
   }
   transaction.commit();
-  tables_->outbox = on;
+  impl_->outbox = on;
 }
 
-bool Store::fillsOutbox() const { return tables_->outbox; }
+bool Store::fillsOutbox() const { return impl_->outbox; }
 
 void Store::holdCopies() {
-  if (!tables_->copies) turn(*tables_->sql, kCopiesSetting, true);
-  tables_->copies = true;
+  if (!impl_->copies) turn(*impl_->sql, kCopiesSetting, true);
+  impl_->copies = true;
 }
 
-bool Store::holdsCopies() const { return tables_->copies; }
+bool Store::holdsCopies() const { return impl_->copies; }
 
-void Store::queueDeletion(const DeletionRow& notice) { tables_->queue(notice); }
+void Store::queueDeletion(const DeletionRow& notice) { impl_->queue(notice); }
 
 std::vector<OutboxEntry> Store::waiting(std::size_t most) {
   std::vector<OutboxEntry> entries;
   for (const SqlValues& row :
-       tables_->sql->ask("SELECT number, kind, row_id, body FROM outbox WHERE refused = '' ORDER BY number LIMIT $1",
-                         {static_cast<std::int64_t>(most)})) {
+       impl_->sql->ask("SELECT number, kind, row_id, body FROM outbox WHERE refused = '' ORDER BY number LIMIT $1",
+                       {static_cast<std::int64_t>(most)})) {
     entries.push_back({std::get<std::int64_t>(row[0]), std::get<std::string>(row[1]), std::get<std::string>(row[2]),
                        std::get<std::string>(row[3])});
   }
@@ -214,42 +215,42 @@ std::vector<OutboxEntry> Store::waiting(std::size_t most) {
 
 void Store::acknowledged(std::span<const Uuid> rows) {
   if (rows.empty()) return;
-  SqlTransaction transaction(*tables_->sql);
-  for (const Uuid& row : rows) tables_->sql->change("DELETE FROM outbox WHERE row_id = $1", {row});
+  SqlTransaction transaction(*impl_->sql);
+  for (const Uuid& row : rows) impl_->sql->change("DELETE FROM outbox WHERE row_id = $1", {row});
   transaction.commit();
 }
 
 std::size_t Store::waitingCount() {
-  return static_cast<std::size_t>(tables_->sql->number("SELECT count(*) FROM outbox"));
+  return static_cast<std::size_t>(impl_->sql->number("SELECT count(*) FROM outbox"));
 }
 
 void Store::refused(std::span<const Uuid> rows, std::string_view why) {
-  SqlTransaction transaction(*tables_->sql);
+  SqlTransaction transaction(*impl_->sql);
   for (const Uuid& row : rows) {
-    tables_->sql->change("UPDATE outbox SET refused = $1 WHERE row_id = $2", {std::string(why), row});
+    impl_->sql->change("UPDATE outbox SET refused = $1 WHERE row_id = $2", {std::string(why), row});
   }
   transaction.commit();
 }
 
 std::size_t Store::refusedCount() {
-  return static_cast<std::size_t>(tables_->sql->number("SELECT count(*) FROM outbox WHERE refused <> ''"));
+  return static_cast<std::size_t>(impl_->sql->number("SELECT count(*) FROM outbox WHERE refused <> ''"));
 }
 
-void Store::tryRefusedAgain() { tables_->sql->change("UPDATE outbox SET refused = '' WHERE refused <> ''"); }
+void Store::tryRefusedAgain() { impl_->sql->change("UPDATE outbox SET refused = '' WHERE refused <> ''"); }
 
 void Store::hearDeleted(std::span<const std::string> marks) {
-  SqlTransaction transaction(*tables_->sql);
+  SqlTransaction transaction(*impl_->sql);
   // A trainee's row that waits would not be kept: a later one must stand after this notice.
   std::vector<Uuid> gone;
-  for (const SqlValues& row : tables_->sql->ask("SELECT subject FROM outbox WHERE kind = 'trainee'")) {
+  for (const SqlValues& row : impl_->sql->ask("SELECT subject FROM outbox WHERE kind = 'trainee'")) {
     const auto& subject = std::get<std::string>(row[0]);
     if (std::ranges::find(marks, deletedMark(subject)) != marks.end()) gone.push_back(subject);
   }
-  for (const Uuid& id : gone) tables_->sql->change("DELETE FROM outbox WHERE kind = 'trainee' AND subject = $1", {id});
+  for (const Uuid& id : gone) impl_->sql->change("DELETE FROM outbox WHERE kind = 'trainee' AND subject = $1", {id});
   for (const std::string& mark : marks) {
     // One that waits, or asks for the deletion itself, says so already.
-    if (tables_->sql->number("SELECT count(*) FROM outbox WHERE kind = 'delete' AND subject = $1", {mark}) == 0) {
-      tables_->queue(DeletionRow{mark, 0});
+    if (impl_->sql->number("SELECT count(*) FROM outbox WHERE kind = 'delete' AND subject = $1", {mark}) == 0) {
+      impl_->queue(DeletionRow{mark, 0});
     }
   }
   transaction.commit();
@@ -257,7 +258,7 @@ void Store::hearDeleted(std::span<const std::string> marks) {
 
 void Store::rememberTraineeKey(const std::string& class_id, const std::string& key) {
   if (key.empty()) return;
-  tables_->sql->change(
+  impl_->sql->change(
       "INSERT INTO setting (name, value) VALUES ($1, $2) ON CONFLICT (name) DO UPDATE SET value = excluded.value",
       {kTraineeKeySetting + class_id, key});
 }
@@ -268,7 +269,7 @@ std::vector<Uuid> Store::pseudonymsOf(std::string_view code) {
   std::vector<Uuid> ids;
   for (const std::string& class_id : classes) {
     for (const SqlValues& row :
-         tables_->sql->ask("SELECT value FROM setting WHERE name = $1", {kTraineeKeySetting + class_id})) {
+         impl_->sql->ask("SELECT value FROM setting WHERE name = $1", {kTraineeKeySetting + class_id})) {
       ids.push_back(pseudonymOf(class_id, code, std::get<std::string>(row[0])));
     }
     ids.push_back(pseudonymOf(class_id, code));
@@ -276,12 +277,24 @@ std::vector<Uuid> Store::pseudonymsOf(std::string_view code) {
   return ids;
 }
 
-RowTables& Store::rows() { return tables_->rows; }
+RowTables& Store::rows() { return impl_->rows; }
 
-const fs::path& Store::file() const { return tables_->file; }
+const fs::path& Store::file() const { return impl_->file; }
 fs::path Store::folder() const {
-  const fs::path folder = tables_->file.parent_path();
+  const fs::path folder = impl_->file.parent_path();
   return folder.empty() ? fs::path(".") : folder;
+}
+
+std::filesystem::path defaultRecords() {
+  const std::filesystem::path name = "palpate/palpate.results";
+  // The specification of base directories: a relative path there is to be ignored.
+  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data == '/') {
+    return std::filesystem::path(data) / name;
+  }
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+    return std::filesystem::path(home) / ".local/share" / name;
+  }
+  throw Error("neither XDG_DATA_HOME nor HOME says where records are kept; name a file");
 }
 
 }  // namespace palpate::training

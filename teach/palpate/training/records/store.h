@@ -1,7 +1,7 @@
-// The record of a station: an SQLite file that holds every trainee, sitting, block and trial, and the outbox of what a
+// The record of a station: an SQLite file that holds every trainee, session, block and trial, and the outbox of what a
 // class has not acknowledged yet. What `keep` returned from is on the disk, whatever happens next.
 //
-//   Sitting::takeRows ─ keep ─► NAME.results ─► reports, exports, outbox ─► class (room `classroom`)
+//   Session::takeRows ─ keep ─► NAME.results ─► reports, exports, outbox ─► class (room `classroom`)
 //
 // STRICT tables, WAL, synchronous FULL, foreign keys. One thread at a time; any number of processes.
 #pragma once
@@ -52,14 +52,14 @@ class Store {
   std::vector<TraineeRow> trainees();
   std::optional<TraineeRow> trainee(const Uuid& id);
   std::vector<ProtocolRow> protocols();
-  std::vector<SittingRow> sittings(const Uuid& trainee = {});  ///< empty: of all
-  std::vector<BlockRow> blocks(const Uuid& sitting);
+  std::vector<SessionRow> sessions(const Uuid& trainee = {});  ///< empty: of all
+  std::vector<BlockRow> blocks(const Uuid& session);
   std::vector<TrialRow> trials(const Uuid& block);  ///< with their visits
-  std::vector<EventRow> events(const Uuid& sitting);
+  std::vector<EventRow> events(const Uuid& session);
 
-  /// The newest block of this kind that was interrupted, with its sitting; nothing: none.
+  /// The newest block of this kind that was interrupted, with its session; nothing: none.
   using Interrupted = InterruptedBlock;
-  std::optional<Interrupted> interrupted(const Uuid& trainee, SittingKind kind);
+  std::optional<Interrupted> interrupted(const Uuid& trainee, SessionKind kind);
   /// The newest finished block that measured a threshold (tests, examination, retention).
   std::optional<BlockRow> lastMeasured(const Uuid& trainee);
 
@@ -86,7 +86,7 @@ class Store {
   /// Every pseudonym that may stand here for a code: of each class, with its secret and, as older ones are, without.
   std::vector<Uuid> pseudonymsOf(std::string_view code);
 
-  /// Remembered in the file: rows of other computers, of a class; the session files that they name lie there.
+  /// Remembered in the file: rows of other computers, of a class; the recordings that they name lie there.
   void holdCopies();
   bool holdsCopies() const;
 
@@ -94,12 +94,17 @@ class Store {
   RowTables& rows();
 
   const std::filesystem::path& file() const;  ///< what it is called, where it is in memory
-  std::filesystem::path folder() const;       ///< of the file: session files lie in it
+  std::filesystem::path folder() const;       ///< of the file: recordings lie in it
 
  private:
-  struct Tables;
-  explicit Store(std::unique_ptr<Tables> tables);
-  std::unique_ptr<Tables> tables_;
+  struct Impl;
+  explicit Store(std::unique_ptr<Impl> tables);
+  std::unique_ptr<Impl> impl_;
 };
+
+// Where the records lie when nobody says where.
+
+/// $XDG_DATA_HOME/palpate/palpate.results, or ~/.local/share/palpate/palpate.results. Throws Error without a home.
+std::filesystem::path defaultRecords();
 
 }  // namespace palpate::training

@@ -12,7 +12,7 @@
 #include <chrono>
 
 #include "palpate/base/error.h"
-#include "palpate/training/records/sha256.h"
+#include "palpate/training/sha256.h"
 
 namespace palpate::training {
 

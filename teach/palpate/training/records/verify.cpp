@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
-#include "palpate/training/records/session_files.h"
-#include "palpate/training/records/sha256.h"
+#include "palpate/training/records/recording_files.h"
+#include "palpate/training/sha256.h"
 
 namespace palpate::training {
 
@@ -26,9 +26,9 @@ std::optional<Protocol> protocolOfRow(const ProtocolRow& row) {
 
 bool sameResult(const BlockResult& result, const BlockRow& row) {
   const auto same = [](double a, double b) { return std::abs(a - b) <= kSameResult; };
-  return result.trials == row.trials && result.verdict == row.verdict && result.level == row.level &&
-         same(result.threshold.median, row.threshold) && same(result.threshold.low, row.low) &&
-         same(result.threshold.high, row.high);
+  return result.trials == row.trials && result.verdict == row.verdict && result.level == row.mastered_change &&
+         same(result.threshold.median, row.threshold) && same(result.threshold.low, row.threshold_low) &&
+         same(result.threshold.high, row.threshold_high);
 }
 
 class RecordsCheck {
@@ -40,9 +40,9 @@ class RecordsCheck {
     if (!found_.ok()) return std::move(found_);  // what is damaged is not looked at any further
     checkProtocols();
     found_.trainees = store_.trainees().size();
-    for (const SittingRow& sitting : store_.sittings()) checkSitting(sitting);
+    for (const SessionRow& session : store_.sessions()) checkSession(session);
     if (store_.holdsCopies()) {
-      note("session files are at the stations and were not looked at");
+      note("recordings are at the stations and were not looked at");
     } else {
       checkStrayFiles();
     }
@@ -90,39 +90,39 @@ class RecordsCheck {
     }
   }
 
-  void checkSitting(const SittingRow& sitting) {
-    ++found_.sittings;
-    if (sitting.end_ms == 0) note("sitting {} has no end: it goes on, or was cut off", sitting.id);
-    if (sitting.end_ms != 0 && sitting.end_ms < sitting.start_ms) fault("sitting {} ends before it begins", sitting.id);
-    checkFile(sitting);
+  void checkSession(const SessionRow& session) {
+    ++found_.sessions;
+    if (session.end_ms == 0) note("session {} has no end: it goes on, or was cut off", session.id);
+    if (session.end_ms != 0 && session.end_ms < session.start_ms) fault("session {} ends before it begins", session.id);
+    checkFile(session);
     int number = 0;
-    for (const BlockRow& block : store_.blocks(sitting.id)) {
-      if (block.number <= number) fault("sitting {} has two blocks with the number {}", sitting.id, block.number);
+    for (const BlockRow& block : store_.blocks(session.id)) {
+      if (block.number <= number) fault("session {} has two blocks with the number {}", session.id, block.number);
       number = block.number;
-      checkBlock(block, sitting.kind);
+      checkBlock(block, session.kind);
     }
   }
 
-  void checkFile(const SittingRow& sitting) {
-    if (sitting.file.empty() || store_.holdsCopies()) return;
-    const std::filesystem::path file = files_.pathOf(sitting.file);
+  void checkFile(const SessionRow& session) {
+    if (session.file.empty() || store_.holdsCopies()) return;
+    const std::filesystem::path file = files_.pathOf(session.file);
     std::error_code error;
-    if (sitting.file_sha256.empty()) {
-      if (files_.filesOf(sitting.id).empty()) fault("the session file of sitting {} is missing", sitting.id);
-      note("the session file of sitting {} is not locked yet", sitting.id);
+    if (session.file_sha256.empty()) {
+      if (files_.filesOf(session.id).empty()) fault("the recording of session {} is missing", session.id);
+      note("the recording of session {} is not locked yet", session.id);
       return;
     }
     if (!std::filesystem::exists(file, error)) {
-      fault("the session file {} is missing", sitting.file);
+      fault("the recording {} is missing", session.file);
       return;
     }
-    ++found_.session_files;
-    if (sha256OfFile(file) != sitting.file_sha256) fault("the session file {} was changed", sitting.file);
+    ++found_.recording_files;
+    if (sha256OfFile(file) != session.file_sha256) fault("the recording {} was changed", session.file);
     const auto ref = lockedWith(file);
-    if (ref && !files_.vault().find(*ref)) fault("the key of the session file {} is missing", sitting.file);
+    if (ref && !files_.vault().find(*ref)) fault("the key of the recording {} is missing", session.file);
   }
 
-  void checkBlock(const BlockRow& block, SittingKind kind) {
+  void checkBlock(const BlockRow& block, SessionKind kind) {
     ++found_.blocks;
     const std::vector<TrialRow> trials = store_.trials(block.id);
     found_.trials += trials.size();
@@ -140,7 +140,7 @@ class RecordsCheck {
     checkResult(block, kind, trials.size());
   }
 
-  void checkResult(const BlockRow& block, SittingKind kind, std::size_t trials) {
+  void checkResult(const BlockRow& block, SessionKind kind, std::size_t trials) {
     for (const ProtocolRow& row : store_.protocols()) {
       if (row.id != block.protocol_id || row.version != block.protocol_version) continue;
       const auto protocol = protocolOfRow(row);
@@ -166,12 +166,12 @@ class RecordsCheck {
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(files_.folder(), error)) {
       const std::string name = entry.path().filename().string();
-      if (!store_.rows().sitting(name.substr(0, 36))) fault("the file sessions/{} belongs to no sitting", name);
+      if (!store_.rows().session(name.substr(0, 36))) fault("the file sessions/{} belongs to no session", name);
     }
   }
 
   Store& store_;
-  SessionFiles files_;
+  RecordingFiles files_;
   Verified found_;
 };
 
@@ -179,7 +179,7 @@ class RecordsCheck {
 
 Verified verifyRecords(Store& store) { return RecordsCheck(store).done(); }
 
-std::optional<BlockResult> recomputed(RowTables& rows, const BlockRow& block, SittingKind kind) {
+std::optional<BlockResult> recomputed(RowTables& rows, const BlockRow& block, SessionKind kind) {
   for (const ProtocolRow& row : rows.protocols()) {
     if (row.id != block.protocol_id || row.version != block.protocol_version) continue;
     const auto protocol = protocolOfRow(row);

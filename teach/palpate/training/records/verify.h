@@ -1,4 +1,4 @@
-// Whether the records are whole: what the database says of itself, and what rows, session files and blocks say of each
+// Whether the records are whole: what the database says of itself, and what rows, recordings and blocks say of each
 // other. Changes nothing.
 #pragma once
 
@@ -13,10 +13,10 @@ struct Verified {
   std::vector<std::string> faults;  ///< each a sentence; none: all is well
   std::vector<std::string> notes;   ///< what could not be looked at, or is as it should be but unusual
   std::size_t trainees = 0;
-  std::size_t sittings = 0;
+  std::size_t sessions = 0;
   std::size_t blocks = 0;
   std::size_t trials = 0;
-  std::size_t session_files = 0;
+  std::size_t recording_files = 0;
   std::size_t recomputed = 0;  ///< blocks whose result came out again
   bool ok() const { return faults.empty(); }
 };
@@ -25,6 +25,6 @@ struct Verified {
 Verified verifyRecords(Store& store);
 
 /// What the block's protocol and state give now; nothing where this version cannot read them.
-std::optional<BlockResult> recomputed(RowTables& rows, const BlockRow& block, SittingKind kind);
+std::optional<BlockResult> recomputed(RowTables& rows, const BlockRow& block, SessionKind kind);
 
 }  // namespace palpate::training

@@ -1,5 +1,5 @@
 // Statements for a learning record store: who (an account under a pseudonym), did what, to which activity, with what
-// result. A sitting is a registration; its blocks and trials are its activities.
+// result. A session is a registration; its blocks and trials are its activities.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ class XapiStatements {
 
   std::string text() {
     for (const TraineeRow& trainee : rows_.trainees()) {
-      for (const SittingRow& sitting : rows_.sittings(trainee.id)) tell(sitting);
+      for (const SessionRow& session : rows_.sessions(trainee.id)) tell(session);
     }
     XapiObject list = XapiObject::array();
     for (const auto& [when, statement] : statements_) list.push_back(statement);
@@ -54,44 +54,44 @@ class XapiStatements {
             {"definition",
              {{"name", {{"en", name}}}, {"type", fmt::format("http://adlnet.gov/expapi/activities/{}", type)}}}};
   }
-  XapiObject sittingActivity(const SittingRow& sitting) const {
-    const std::string name = fmt::format("Palpation: {}", wordFor(sitting.kind));
-    return activity("session", sitting.id, name, sitting.kind == SittingKind::exam ? "assessment" : "lesson");
+  XapiObject sessionActivity(const SessionRow& session) const {
+    const std::string name = fmt::format("Palpation: {}", wordFor(session.kind));
+    return activity("session", session.id, name, session.kind == SessionKind::exam ? "assessment" : "lesson");
   }
 
-  XapiObject& add(const SittingRow& sitting, std::string_view verb, const Uuid& of, std::int64_t at_ms,
+  XapiObject& add(const SessionRow& session, std::string_view verb, const Uuid& of, std::int64_t at_ms,
                   XapiObject object) {
     const XapiObject statement = {
         {"id", statementId(verb, of)},
-        {"actor", {{"objectType", "Agent"}, {"account", {{"homePage", home_}, {"name", sitting.trainee}}}}},
+        {"actor", {{"objectType", "Agent"}, {"account", {{"homePage", home_}, {"name", session.trainee_id}}}}},
         {"verb",
          {{"id", fmt::format("http://adlnet.gov/expapi/verbs/{}", verb)}, {"display", {{"en", std::string(verb)}}}}},
         {"object", std::move(object)},
         {"context",
-         {{"registration", sitting.id},
-          {"platform", sitting.device},
-          {"contextActivities", {{"parent", XapiObject::array({sittingActivity(sitting)})}}}}},
+         {{"registration", session.id},
+          {"platform", session.device},
+          {"contextActivities", {{"parent", XapiObject::array({sessionActivity(session)})}}}}},
         {"timestamp", isoTime(at_ms)},
         {"version", "1.0.3"}};
     return statements_.emplace(at_ms, statement)->second;
   }
 
-  void tell(const SittingRow& sitting) {
-    add(sitting, "initialized", sitting.id, sitting.start_ms, sittingActivity(sitting));
-    for (const BlockRow& block : rows_.blocks(sitting.id)) {
-      std::int64_t end = sitting.start_ms;
+  void tell(const SessionRow& session) {
+    add(session, "initialized", session.id, session.start_ms, sessionActivity(session));
+    for (const BlockRow& block : rows_.blocks(session.id)) {
+      std::int64_t end = session.start_ms;
       for (const TrialRow& trial : rows_.trials(block.id)) {
-        tell(sitting, trial);
+        tell(session, trial);
         end = std::max(end, trial.end_ms);
       }
-      if (block.finished) tell(sitting, block, end);
+      if (block.finished) tell(session, block, end);
     }
   }
 
-  void tell(const SittingRow& sitting, const TrialRow& trial) {
+  void tell(const SessionRow& session, const TrialRow& trial) {
     XapiObject object = activity("trial", trial.id, fmt::format("Trial {}", trial.number), "cmi.interaction");
     object["definition"]["interactionType"] = "numeric";
-    XapiObject& statement = add(sitting, "answered", trial.id, trial.end_ms, std::move(object));
+    XapiObject& statement = add(session, "answered", trial.id, trial.end_ms, std::move(object));
     statement["result"] = {{"success", trial.correct},
                            {"response", trial.site_answer == 0 ? "" : std::to_string(trial.site_answer)},
                            {"duration", isoDuration(trial.seconds)},
@@ -99,31 +99,31 @@ class XapiStatements {
                             {{extension("kind"), wordFor(trial.kind)},
                              {extension("change"), trial.change},
                              {extension("site_true"), trial.site_true},
-                             {extension("timed_out"), trial.timeout},
-                             {extension("sites_felt"), trial.visited},
+                             {extension("timed_out"), trial.timed_out},
+                             {extension("sites_felt"), trial.sites_felt},
                              {extension("counts"), trial.excluded.empty() && trial.kind != TrialKind::warm_up}}}};
   }
 
-  void tell(const SittingRow& sitting, const BlockRow& block, std::int64_t end_ms) {
+  void tell(const SessionRow& session, const BlockRow& block, std::int64_t end_ms) {
     const XapiObject object = activity("block", block.id, fmt::format("Block {}", block.number), "assessment");
     XapiObject result = {{"completion", true}, {"extensions", {{extension("trials"), block.trials}}}};
     XapiObject& more = result["extensions"];
-    if (block.level) more[extension("mastered_change")] = *block.level;
+    if (block.mastered_change) more[extension("mastered_change")] = *block.mastered_change;
     if (block.method != Method::mastery && block.threshold > 0.0) {
       more[extension("threshold")] = block.threshold;
-      more[extension("threshold_low")] = block.low;
-      more[extension("threshold_high")] = block.high;
+      more[extension("threshold_low")] = block.threshold_low;
+      more[extension("threshold_high")] = block.threshold_high;
       more[extension("threshold_definition")] = kThresholdDefinition;
-      more[extension("change_meaning")] = wordFor(block.meaning);
+      more[extension("change_meaning")] = wordFor(block.change_meaning);
     }
-    add(sitting, "completed", block.id, end_ms, object)["result"] = result;
-    if (sitting.kind != SittingKind::exam) return;
+    add(session, "completed", block.id, end_ms, object)["result"] = result;
+    if (session.kind != SessionKind::exam) return;
     if (block.verdict != Verdict::pass && block.verdict != Verdict::not_yet) return;
     const bool passed = block.verdict == Verdict::pass;
-    const auto again = recomputed(rows_, block, sitting.kind);
+    const auto again = recomputed(rows_, block, session.kind);
     result["success"] = passed;
     result["score"] = {{"scaled", again ? again->probability_below_mark : passed ? 1.0 : 0.0}};
-    add(sitting, passed ? "passed" : "failed", block.id, end_ms, object)["result"] = result;
+    add(session, passed ? "passed" : "failed", block.id, end_ms, object)["result"] = result;
   }
 
   RowTables& rows_;

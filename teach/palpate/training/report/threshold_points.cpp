@@ -10,7 +10,7 @@ namespace palpate::training {
 
 namespace {
 
-constexpr double kLeastDrawn = 0.03;
+constexpr double kMinDrawn = 0.03;
 constexpr int kDrawnChanges = 49;
 /// Of a band: 2.5 % on each side are left out.
 constexpr double kTail = 0.025;
@@ -22,11 +22,11 @@ struct BlockRules {
   Prior prior;
 };
 
-BlockRules rulesOf(const TrainingRecord& record, const BlockRow& block, SittingKind kind) {
+BlockRules rulesOf(const TrainingRecord& record, const BlockRow& block, SessionKind kind) {
   static const Protocol built_in = builtInProtocol();
   const Protocol* known = protocolOf(record, block.protocol_id, block.protocol_version);
   const Protocol& protocol = known != nullptr ? *known : built_in;
-  const SittingSettings& settings = settingsOf(protocol, kind);
+  const SessionSettings& settings = settingsOf(protocol, kind);
   return {.choices = protocol.sites.empty() ? settings.block.choices : static_cast<int>(protocol.sites.size()),
           .felt_ms = 1000.0 * protocol.exploration.dwell_s,
           .prior = settings.block.prior};
@@ -36,35 +36,36 @@ std::vector<Answer> countedAnswers(const BlockRecord& block, int choices) {
   std::vector<Answer> answers;
   for (const TrialRow& trial : block.trials) {
     if (!countsForResults(trial)) continue;
-    answers.push_back({.change = trial.change, .correct = trial.correct, .choices = std::min(trial.visited, choices)});
+    answers.push_back(
+        {.change = trial.change, .correct = trial.correct, .choices = std::min(trial.sites_felt, choices)});
   }
   return answers;
 }
 
 bool hasThreshold(Method method) { return method != Method::mastery; }
 
-ThresholdPoint pointOf(const TrainingRecord& record, const SittingRecord& sitting, const BlockRecord& block) {
-  const BlockRules rules = rulesOf(record, block.row, sitting.row.kind);
+ThresholdPoint pointOf(const TrainingRecord& record, const SessionRecord& session, const BlockRecord& block) {
+  const BlockRules rules = rulesOf(record, block.row, session.row.kind);
   ThresholdPoint point{.block = block.row.id,
-                       .kind = sitting.row.kind,
+                       .kind = session.row.kind,
                        .start_ms = block.trials.front().start_ms,
                        .method = block.row.method,
-                       .meaning = block.row.meaning,
+                       .meaning = block.row.change_meaning,
                        .protocol_id = block.row.protocol_id,
                        .protocol_version = block.row.protocol_version,
-                       .device = sitting.row.device,
+                       .device = session.row.device,
                        .choices = rules.choices,
                        .finished = block.row.finished,
                        .verdict = block.row.verdict,
-                       .level = block.row.level,
+                       .level = block.row.mastered_change,
                        .trials = trialStatistics(chosenTrials(record, block)),
                        .threshold = std::nullopt,
                        .stored = block.row.threshold,
-                       .stored_low = block.row.low,
-                       .stored_high = block.row.high,
+                       .stored_low = block.row.threshold_low,
+                       .stored_high = block.row.threshold_high,
                        .answers = countedAnswers(block, rules.choices),
                        .prior = rules.prior};
-  if (!hasThreshold(point.method) || point.answers.size() < static_cast<std::size_t>(kLeastShownAnswers)) {
+  if (!hasThreshold(point.method) || point.answers.size() < static_cast<std::size_t>(kMinShownAnswers)) {
     return point;
   }
   const Posterior posterior = posteriorOf(point);
@@ -97,13 +98,13 @@ double weighedQuantile(const std::vector<Weighed>& sorted, double share) {
 
 }  // namespace
 
-bool isTest(SittingKind kind) {
-  return kind == SittingKind::pre_test || kind == SittingKind::post_test || kind == SittingKind::exam ||
-         kind == SittingKind::retention;
+bool isTest(SessionKind kind) {
+  return kind == SessionKind::pre_test || kind == SessionKind::post_test || kind == SessionKind::exam ||
+         kind == SessionKind::retention;
 }
 
 std::vector<ChosenTrial> chosenTrials(const TrainingRecord& record, const BlockRecord& block) {
-  const BlockRules rules = rulesOf(record, block.row, SittingKind::practice);  // places and dwell are a protocol's
+  const BlockRules rules = rulesOf(record, block.row, SessionKind::practice);  // places and dwell are a protocol's
   std::vector<ChosenTrial> chosen;
   for (const TrialRow& trial : block.trials) {
     chosen.push_back({.row = &trial, .choices = rules.choices, .felt_ms = rules.felt_ms});
@@ -113,14 +114,14 @@ std::vector<ChosenTrial> chosenTrials(const TrainingRecord& record, const BlockR
 
 std::vector<ThresholdPoint> thresholdPoints(const TrainingRecord& record, const TraineeRecord& trainee) {
   std::vector<ThresholdPoint> points;
-  for (const SittingRecord& sitting : trainee.sittings) {
-    if (sitting.row.kind == SittingKind::free) continue;
-    for (const BlockRecord& block : sitting.blocks) {
-      if (!block.trials.empty()) points.push_back(pointOf(record, sitting, block));
+  for (const SessionRecord& session : trainee.sessions) {
+    if (session.row.kind == SessionKind::free) continue;
+    for (const BlockRecord& block : session.blocks) {
+      if (!block.trials.empty()) points.push_back(pointOf(record, session, block));
     }
   }
   std::ranges::stable_sort(points, {}, &ThresholdPoint::start_ms);
-  std::map<SittingKind, int> seen;
+  std::map<SessionKind, int> seen;
   for (ThresholdPoint& point : points) point.nth = ++seen[point.kind];
   return points;
 }
@@ -134,7 +135,7 @@ Posterior posteriorOf(const ThresholdPoint& point) {
 std::vector<double> curveChanges() {
   std::vector<double> changes;
   for (int i = 0; i < kDrawnChanges; ++i) {
-    changes.push_back(kLeastDrawn * std::pow(1.0 / kLeastDrawn, static_cast<double>(i) / (kDrawnChanges - 1)));
+    changes.push_back(kMinDrawn * std::pow(1.0 / kMinDrawn, static_cast<double>(i) / (kDrawnChanges - 1)));
   }
   return changes;
 }
@@ -163,7 +164,7 @@ FittedCurve fittedCurve(const Posterior& posterior, const std::vector<double>& c
 }
 
 bool measuresThreshold(const ThresholdPoint& point) {
-  return point.threshold.has_value() && isTest(point.kind) && point.kind != SittingKind::exam;
+  return point.threshold.has_value() && isTest(point.kind) && point.kind != SessionKind::exam;
 }
 
 std::optional<std::string> notComparable(const ThresholdPoint& a, const ThresholdPoint& b) {

@@ -8,26 +8,68 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "palpate/training/attention.h"
 #include "palpate/training/posterior.h"
-#include "palpate/training/report/training_record.h"
+#include "palpate/training/protocol.h"
+#include "palpate/training/records/rows.h"
+#include "palpate/training/records/store.h"
 #include "palpate/training/report/trial_statistics.h"
 
 namespace palpate::training {
 
+// What a report is made of: the rows of some trainees, put together as they belong.
+//
+//   Store ─ trainingRecord ─► TrainingRecord ─ training_statistics.h ─► numbers ─► page, JSON
+
+struct BlockRecord {
+  BlockRow row;
+  std::vector<TrialRow> trials;  ///< by number, whatever session they were felt in
+};
+
+struct SessionRecord {
+  SessionRow row;
+  std::vector<BlockRecord> blocks;  ///< begun in it
+  std::vector<EventRow> events;
+};
+
+struct TraineeRecord {
+  TraineeRow row;
+  std::vector<SessionRecord> sessions;  ///< oldest first
+};
+
+struct TrainingRecord {
+  std::vector<ClassRow> classes;
+  std::vector<ProtocolRow> protocols;
+  std::map<std::pair<std::string, int>, Protocol> settings;  ///< of protocols by id and version (readProtocols)
+  std::vector<TraineeRecord> trainees;                       ///< in the order of their pseudonyms: of no meaning
+};
+
+using TraineeRequest = std::function<bool(const TraineeRow&)>;
+
+/// Of the trainees that are wanted. Throws Error for a file that cannot be read.
+TrainingRecord trainingRecord(Store& store, const TraineeRequest& wanted);
+
+/// Fills in `settings`; what this version cannot read stays out: the rows can still be counted.
+void readProtocols(TrainingRecord& record);
+/// Null where the record has no such protocol.
+const Protocol* protocolOf(const TrainingRecord& record, const std::string& id, int version);
+
 /// Fewer answers than this say little more than what was believed before: no threshold is shown.
-inline constexpr int kLeastShownAnswers = 10;
+inline constexpr int kMinShownAnswers = 10;
 
 /// Test, examination and retention: no feedback, even tissue. Else practice.
-bool isTest(SittingKind kind);
+bool isTest(SessionKind kind);
 
 struct ThresholdPoint {
   Uuid block;
-  SittingKind kind = SittingKind::practice;
+  SessionKind kind = SessionKind::practice;
   int nth = 1;  ///< of its kind, of this trainee
   std::int64_t start_ms = 0;
   Method method = Method::marginal_psi;
@@ -40,7 +82,7 @@ struct ThresholdPoint {
   Verdict verdict = Verdict::none;
   std::optional<double> level;  ///< mastery
   TrialStatistics trials;
-  /// With kLeastShownAnswers and where the method measures one.
+  /// With kMinShownAnswers and where the method measures one.
   std::optional<ThresholdSummary> threshold;
   double slope = 0.0, lapse = 0.0;                           ///< posterior means
   AttentionCheck attention = {};                             ///< where there is a threshold

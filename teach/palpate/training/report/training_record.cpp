@@ -1,4 +1,4 @@
-#include "palpate/training/report/training_record.h"
+#include "palpate/training/report/threshold_points.h"
 
 #include <algorithm>
 
@@ -8,27 +8,27 @@ namespace palpate::training {
 
 namespace {
 
-SittingRecord sittingRecord(Store& store, const SittingRow& row) {
-  SittingRecord sitting{.row = row, .blocks = {}, .events = store.events(row.id)};
+SessionRecord sessionRecord(Store& store, const SessionRow& row) {
+  SessionRecord session{.row = row, .blocks = {}, .events = store.events(row.id)};
   for (BlockRow& block : store.blocks(row.id)) {
     std::vector<TrialRow> trials = store.trials(block.id);
     std::ranges::stable_sort(trials, {}, &TrialRow::number);
-    sitting.blocks.push_back({std::move(block), std::move(trials)});
+    session.blocks.push_back({std::move(block), std::move(trials)});
   }
-  return sitting;
+  return session;
 }
 
 }  // namespace
 
-TrainingRecord trainingRecord(Store& store, const TraineeWish& wanted) {
+TrainingRecord trainingRecord(Store& store, const TraineeRequest& wanted) {
   TrainingRecord record{.classes = store.classes(), .protocols = store.protocols(), .settings = {}, .trainees = {}};
   readProtocols(record);
   for (TraineeRow& row : store.trainees()) {
     if (!wanted(row)) continue;
-    TraineeRecord trainee{.row = std::move(row), .sittings = {}};
-    std::vector<SittingRow> sittings = store.sittings(trainee.row.id);
-    std::ranges::stable_sort(sittings, {}, &SittingRow::start_ms);
-    for (const SittingRow& sitting : sittings) trainee.sittings.push_back(sittingRecord(store, sitting));
+    TraineeRecord trainee{.row = std::move(row), .sessions = {}};
+    std::vector<SessionRow> sessions = store.sessions(trainee.row.id);
+    std::ranges::stable_sort(sessions, {}, &SessionRow::start_ms);
+    for (const SessionRow& session : sessions) trainee.sessions.push_back(sessionRecord(store, session));
     record.trainees.push_back(std::move(trainee));
   }
   std::ranges::sort(record.trainees, {}, [](const TraineeRecord& trainee) { return trainee.row.id; });

@@ -28,10 +28,10 @@ struct TestsAndPractice {
 
 TestsAndPractice trialsOf(const TrainingRecord& record, const TraineeRecord& trainee) {
   TestsAndPractice all;
-  for (const SittingRecord& sitting : trainee.sittings) {
-    for (const BlockRecord& block : sitting.blocks) {
+  for (const SessionRecord& session : trainee.sessions) {
+    for (const BlockRecord& block : session.blocks) {
       const ChosenTrials chosen = chosenTrials(record, block);
-      ChosenTrials& into = isTest(sitting.row.kind) ? all.tests : all.practice;
+      ChosenTrials& into = isTest(session.row.kind) ? all.tests : all.practice;
       into.insert(into.end(), chosen.begin(), chosen.end());
     }
   }
@@ -98,10 +98,10 @@ TraineeStatistics traineeStatistics(const TrainingRecord& record, const TraineeR
     }
   }
   statistics.compared = testsCompared(statistics.points);
-  for (const SittingRecord& sitting : trainee.sittings) {
-    SittingQuality quality{.row = sitting.row, .events = {}};
-    for (const EventRow& event : sitting.events) ++quality.events[event.kind];
-    statistics.sittings.push_back(std::move(quality));
+  for (const SessionRecord& session : trainee.sessions) {
+    SessionQuality quality{.row = session.row, .events = {}};
+    for (const EventRow& event : session.events) ++quality.events[event.kind];
+    statistics.sessions.push_back(std::move(quality));
   }
   statistics.changed_results = static_cast<int>(std::ranges::count_if(statistics.points, resultChanged));
   return statistics;
@@ -109,7 +109,7 @@ TraineeStatistics traineeStatistics(const TrainingRecord& record, const TraineeR
 
 // ---- the class
 
-using OccasionKey = std::pair<SittingKind, int>;
+using OccasionKey = std::pair<SessionKind, int>;
 
 /// Those of all trainees, and where in a trainee's course they stand on average.
 struct OccasionPoints {
@@ -220,17 +220,17 @@ const ThresholdPoint* TraineeStatistics::latest() const {
   return newest;
 }
 
-TrainingStatistics trainingStatistics(const TrainingRecord& record, const StatisticsWish& wish) {
+TrainingStatistics trainingStatistics(const TrainingRecord& record, const StatisticsRequest& request) {
   TrainingStatistics statistics;
   TestsAndPractice everybodys;
   for (const TraineeRecord& trainee : record.trainees) {
     statistics.trainees.push_back(traineeStatistics(record, trainee, everybodys));
-    if (wish.curves) addCurve(statistics.trainees.back());
+    if (request.curves) addCurve(statistics.trainees.back());
   }
   statistics.all.tests = trialStatistics(everybodys.tests);
   statistics.all.practice = trialStatistics(everybodys.practice);
   statistics.all.occasions = occasionsOf(statistics.trainees);
-  if (wish.groups) addGroups(statistics);
+  if (request.groups) addGroups(statistics);
   statistics.all.collapsed = collapsedAnswers(statistics.trainees);
   return statistics;
 }

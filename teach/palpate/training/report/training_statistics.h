@@ -18,9 +18,9 @@
 
 namespace palpate::training {
 
-/// What a sitting was made with, and what went wrong in it.
-struct SittingQuality {
-  SittingRow row;
+/// What a session was made with, and what went wrong in it.
+struct SessionQuality {
+  SessionRow row;
   std::map<std::string, int> events;  ///< by kind; their texts are not shown
 };
 
@@ -53,7 +53,7 @@ struct TraineeStatistics {
   std::optional<FittedLearning> learning = {};  ///< newest device, three blocks or more
   TrialStatistics tests = {}, practice = {};
   std::optional<TestsCompared> compared = {};  ///< with two tests or more
-  std::vector<SittingQuality> sittings = {};
+  std::vector<SessionQuality> sessions = {};
   Reasons excluded = {};
   int changed_results = 0;  ///< blocks whose stored threshold is not what their trials give
 
@@ -63,7 +63,7 @@ struct TraineeStatistics {
 
 /// An occasion of the class: "pre-test 1", "practice 3".
 struct Occasion {
-  SittingKind kind = SittingKind::practice;
+  SessionKind kind = SessionKind::practice;
   int nth = 1;
   Spread medians = {};       ///< of the trainees' own thresholds
   GroupEstimate group = {};  ///< of the class behind them
@@ -92,10 +92,10 @@ struct TrainingStatistics {
 };
 
 /// What costs time and is not asked of every report.
-struct StatisticsWish {
+struct StatisticsRequest {
   bool curves = true;  ///< of single trainees: filtered and fitted
   bool groups = true;  ///< of the class: mean and change of those behind the results
 };
-TrainingStatistics trainingStatistics(const TrainingRecord& record, const StatisticsWish& wish = {});
+TrainingStatistics trainingStatistics(const TrainingRecord& record, const StatisticsRequest& request = {});
 
 }  // namespace palpate::training

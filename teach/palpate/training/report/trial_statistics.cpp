@@ -50,7 +50,7 @@ double correctedForChance(double share, double chance) {
   return chance < 1.0 ? (share - chance) / (1.0 - chance) : 0.0;
 }
 
-double chanceOf(const TrialRow& trial) { return 1.0 / std::max(trial.visited, 1); }
+double chanceOf(const TrialRow& trial) { return 1.0 / std::max(trial.sites_felt, 1); }
 
 std::vector<LevelAccuracy> levelsOf(Trials trials) {
   std::map<double, LevelAccuracy> levels;
@@ -145,8 +145,8 @@ void countTrials(Trials trials, TrialStatistics& statistics) {
       ++statistics.warm_up;
       continue;
     }
-    statistics.timeouts += row.timeout ? 1 : 0;
-    statistics.not_all_felt += row.visited < trial.choices ? 1 : 0;
+    statistics.timeouts += row.timed_out ? 1 : 0;
+    statistics.not_all_felt += row.sites_felt < trial.choices ? 1 : 0;
     if (!countsForResults(row)) {
       ++statistics.excluded;
       continue;
@@ -168,7 +168,7 @@ void measureTrials(Trials trials, TrialStatistics& statistics) {
   };
   const auto member = [](double TrialRow::*value) { return [value](const TrialRow& row) { return row.*value; }; };
   const auto some = [](double TrialRow::*value) { return [value](const TrialRow& row) { return row.*value > 0.0; }; };
-  const auto places = [](const TrialRow& row) { return static_cast<double>(row.visited); };
+  const auto places = [](const TrialRow& row) { return static_cast<double>(row.sites_felt); };
   const std::vector<double> seconds = valuesWhere(trials, all, member(&TrialRow::seconds));
   const std::vector<double> search =
       valuesWhere(trials, some(&TrialRow::search_force_n), member(&TrialRow::search_force_n));
@@ -206,7 +206,7 @@ bool countsForResults(const TrialRow& trial) { return trial.kind != TrialKind::w
 std::string whyLeftOut(const TrialRow& trial) {
   if (trial.kind == TrialKind::warm_up) return {};
   if (!trial.excluded.empty()) return trial.excluded;
-  return trial.visited < 2 ? "fewer than two places felt" : "";  // as a block has it: nothing to compare with
+  return trial.sites_felt < 2 ? "fewer than two places felt" : "";  // as a block has it: nothing to compare with
 }
 
 double sortedQuantile(std::span<const double> sorted, double share) {

@@ -10,7 +10,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/engine/fingers.h"
-#include "palpate/engine/session_settings.h"
+#include "palpate/engine/recording_settings.h"
 #include "palpate/scene/words.h"
 #include "palpate/servo/device_limits.h"
 
@@ -59,10 +59,10 @@ std::string deviceWords(const device::HandChoice& hand) {
 BodyTouch::BodyTouch(TrialWorlds worlds, const SiteSet& sites, const BodyTouchSettings& settings)
     : worlds_(std::move(worlds)), world_(worlds_.even()), profile_(device::profileOf(settings.hand.device)) {
   if (settings.hand.hand == device::HandKind::dead_load || settings.hand.hand == device::HandKind::released) {
-    throw Error(fmt::format("trainee: {} is no hand that goes anywhere", wordFor(settings.hand.hand)));
+    throw Error(fmt::format("trainee: {} is not a hand that goes anywhere", wordFor(settings.hand.hand)));
   }
   const double tick_s = 1.0 / world_->scene.ticks_per_s;
-  const PressWish first = wishAt(sites.sites.front().place_mm, {});
+  const PressRequest first = requestAt(sites.sites.front().place_mm, {});
   const Vec3 start = first.skin + (kStartOverSkinMm + first.pad_mm) * first.normal;
   const device::SimulatedHandSettings hand = handSettings(settings.hand, tick_s, start);
   hand_ = std::make_unique<device::SimulatedHand>(hand);
@@ -75,19 +75,20 @@ BodyTouch::BodyTouch(TrialWorlds worlds, const SiteSet& sites, const BodyTouchSe
   parts.solvers = servo::makeSolvers(world_->surface, world_->hdb, 1, world_->breath);
   parts.devices.push_back(handDevice(settings.hand, hand, *hand_));
   rig_ = servo::rigOf(std::move(parts));
-  if (!settings.session.empty()) begin(settings);
+  if (!settings.recording.empty()) begin(settings);
 }
 
 BodyTouch::~BodyTouch() = default;
 
 void BodyTouch::begin(const BodyTouchSettings& settings) {
-  trace::SessionHeader header = engine::sessionHeader(world_->scene.ticks_per_s);
+  trace::RecordingHeader header = engine::recordingHeader(world_->scene.ticks_per_s);
   header.started_utc = utcWords(settings.start_ms);
   header.notes = settings.notes;
   header.tags = "training simulated";
-  session_.emplace(settings.session, header,
-                   std::vector<trace::SessionFinger>{engine::sessionFinger("index", rig_.fingers.front().device)});
-  session_->add(engine::sessionWorld(*world_, engine::feltWith(rig_)));
+  recording_.emplace(
+      settings.recording, header,
+      std::vector<trace::RecordingFinger>{engine::recordingFinger("index", rig_.fingers.front().device)});
+  recording_->add(engine::recordingWorld(*world_, engine::feltWith(rig_)));
 }
 
 servo::LimiterSettings BodyTouch::limitsOf(const scene::World& world) const {
@@ -102,7 +103,7 @@ void BodyTouch::change(const std::optional<HiddenNow>& hidden) {
   finger.limiter_settings = limitsOf(*next);
   world_ = std::move(next);
   ++rig_.world;
-  if (session_) session_->add(engine::sessionWorld(*world_, engine::feltWith(rig_)));
+  if (recording_) recording_->add(engine::recordingWorld(*world_, engine::feltWith(rig_)));
 }
 
 std::optional<double> BodyTouch::heightAt(const Vec2& place) const {
@@ -113,31 +114,31 @@ std::optional<double> BodyTouch::heightAt(const Vec2& place) const {
   return hit.point.z();
 }
 
-PressWish BodyTouch::wishAt(const Vec2& place, const MeantPress& meant) const {
+PressRequest BodyTouch::requestAt(const Vec2& place, const MeantPress& meant) const {
   const auto height = heightAt(place);
   if (!height) throw Error(fmt::format("trainee: there is no skin at ({:.1f}, {:.1f}) mm", place.x(), place.y()));
   const auto at = [&](double dx, double dy) { return heightAt(place + Vec2(dx, dy)).value_or(*height); };
   const double slope_x = (at(kSlopeMm, 0) - at(-kSlopeMm, 0)) / (2.0 * kSlopeMm);
   const double slope_y = (at(0, kSlopeMm) - at(0, -kSlopeMm)) / (2.0 * kSlopeMm);
-  PressWish wish;
-  wish.skin = Vec3(place.x(), place.y(), *height);
-  wish.normal = Vec3(-slope_x, -slope_y, 1.0).normalized();
-  wish.pad_mm = engine::fingerSettings(world_->scene, 1).front().radius_mm;
-  wish.force_n = meant.force_n;
-  wish.hold_s = meant.hold_s;
-  return wish;
+  PressRequest request;
+  request.skin = Vec3(place.x(), place.y(), *height);
+  request.normal = Vec3(-slope_x, -slope_y, 1.0).normalized();
+  request.pad_mm = engine::fingerSettings(world_->scene, 1).front().radius_mm;
+  request.force_n = meant.force_n;
+  request.hold_s = meant.hold_s;
+  return request;
 }
 
 void BodyTouch::runTick(const EachTick& each_tick) {
   hand_->goal = finger_->next(samples_.front());
   servo::runTick(rig_, next_, servo::LoopEvent::none, samples_);
   ++next_;
-  if (session_) session_->add(samples_.front());
+  if (recording_) recording_->add(samples_.front());
   each_tick(samples_.front());
 }
 
 FeltPress BodyTouch::press(const Site& site, const MeantPress& meant, const EachTick& each_tick) {
-  finger_->begin(wishAt(site.place_mm + meant.beside_mm, meant));
+  finger_->begin(requestAt(site.place_mm + meant.beside_mm, meant));
   while (!finger_->done()) runTick(each_tick);
   return finger_->felt();
 }
@@ -148,12 +149,12 @@ void BodyTouch::rest(double seconds, const EachTick& each_tick) {
 }
 
 void BodyTouch::mark(const std::string& text) {
-  if (session_) session_->add(trace::SessionEvent{.tick = next_, .finger = {}, .kind = "mark", .text = text});
+  if (recording_) recording_->add(trace::RecordingEvent{.tick = next_, .finger = {}, .kind = "mark", .text = text});
 }
 
 void BodyTouch::finish(std::int64_t end_ms) {
-  if (session_) session_->finish("done", utcWords(end_ms));
-  session_.reset();
+  if (recording_) recording_->finish("done", utcWords(end_ms));
+  recording_.reset();
 }
 
 }  // namespace palpate::training

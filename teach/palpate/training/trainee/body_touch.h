@@ -2,10 +2,10 @@
 // fast as it can; the same bits each time.
 //
 //   TraineeFinger ─ goal ─► SimulatedHand ─ tip ─► servo::runTick [ contact, limiter ] ─ force ─► SimulatedHand
-//                     ▲                                   └─ sample ─► trainee, Sitting, session file
+//                     ▲                                   └─ sample ─► trainee, Session, recording
 //                     └──────────────────── felt ────────────────┘
 //
-// One rig and one session for a whole sitting: ticks go on through all its trials, worlds are added as they change.
+// One rig and one session for a whole session: ticks go on through all its trials, worlds are added as they change.
 #pragma once
 
 #include <array>
@@ -13,20 +13,48 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "palpate/device/hand_device.h"
+#include "palpate/scene/world.h"
 #include "palpate/servo/tick.h"
-#include "palpate/trace/session_writer.h"
+#include "palpate/trace/recording_writer.h"
+#include "palpate/training/session/session.h"
 #include "palpate/training/trainee/touching.h"
-#include "palpate/training/trainee/trial_worlds.h"
 
 namespace palpate::training {
 
+// The bodies of a session's trials, made quickly: one even body, and copies of it with a hidden place.
+//
+//   body, protocol ─ TrialWorlds ─► the even world ─ with(hidden) ─► a world each trial
+//
+// A hidden place changes nothing but the stiffness map, so its world is the even one copied with another map: some
+// 10 ms, where scene::rebuilt takes 170 ms for the trunk (search tree, deformable skin). Both give the same forces bit
+// by bit, and a session that names the scene is replayed by the long way.
+
+class TrialWorlds {
+ public:
+  /// `body` is any world of that body. Throws Error as scene::rebuilt does.
+  TrialWorlds(const scene::World& body, const Protocol& protocol, SessionKind kind, const SiteSet& sites);
+
+  const std::shared_ptr<const scene::World>& even() const { return even_; }
+  /// Throws Error for a site that there is not.
+  std::shared_ptr<const scene::World> with(const std::optional<HiddenNow>& hidden) const;
+
+ private:
+  scene::Scene base_;
+  Protocol protocol_;
+  SessionKind kind_;
+  SiteSet sites_;
+  std::shared_ptr<const scene::World> even_;
+  std::vector<Index> reached_;  ///< vertices that a place on the map plane changes: of a closed body its back
+};
+
 struct BodyTouchSettings {
   device::HandChoice hand = {.hand = device::HandKind::thimble, .device = scene::DeviceModel::touch_x};
-  std::filesystem::path session;  ///< where it is recorded; empty: it is not
-  std::int64_t start_ms = 0;      ///< since 1970: for the session's header
-  std::string notes;              ///< likewise
+  std::filesystem::path recording;  ///< where it is recorded; empty: it is not
+  std::int64_t start_ms = 0;        ///< since 1970: for the session's header
+  std::string notes;                ///< likewise
 };
 
 /// "simulated thimble on touch_x": for records.
@@ -53,7 +81,7 @@ class BodyTouch final : public Touching {
   void begin(const BodyTouchSettings& settings);
   void runTick(const EachTick& each_tick);
   std::optional<double> heightAt(const Vec2& place) const;
-  PressWish wishAt(const Vec2& place, const MeantPress& meant) const;
+  PressRequest requestAt(const Vec2& place, const MeantPress& meant) const;
   servo::LimiterSettings limitsOf(const scene::World& world) const;
 
   TrialWorlds worlds_;
@@ -64,7 +92,7 @@ class BodyTouch final : public Touching {
   servo::Rig rig_;
   std::array<trace::Sample, 1> samples_{};
   std::uint64_t next_ = 0;
-  std::optional<trace::SessionWriter> session_;
+  std::optional<trace::RecordingWriter> recording_;
 };
 
 }  // namespace palpate::training

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/training/trial_scene.h"
+#include "palpate/training/session/trial_scene.h"
 
 namespace palpate::training {
 
 namespace {
 
-// What the closed loop takes (trainee_finger.cpp): from over one site to over the next, down to the wished force, up.
+// What the closed loop takes (trainee_finger.cpp): from over one site to over the next, down to the requested force,
+// up.
 constexpr double kImaginedTravelS = 0.3;
 constexpr double kImaginedDownS = 0.36;
 constexpr double kImaginedUpS = 0.2;
@@ -19,7 +20,7 @@ int ticksOf(double seconds) { return std::max(1, static_cast<int>(std::lround(se
 
 }  // namespace
 
-ImaginedTouch::ImaginedTouch(const Protocol& protocol, SittingKind kind)
+ImaginedTouch::ImaginedTouch(const Protocol& protocol, SessionKind kind)
     : protocol_(protocol), meaning_(settingsOf(protocol, kind).block.meaning) {}
 
 double ImaginedTouch::stiffnessAt(int site) const {

@@ -1,5 +1,5 @@
 // A simulated trainee without a body: each press has the force and depth that even tissue and its hidden place would
-// give, at 100 Hz, and nothing is computed by contact or servo. For classes of hundreds of sittings in seconds; records
+// give, at 100 Hz, and nothing is computed by contact or servo. For classes of hundreds of sessions in seconds; records
 // say so in their device field.
 #pragma once
 
@@ -10,14 +10,14 @@
 
 namespace palpate::training {
 
-/// SittingRow::device of whoever trained like this.
+/// SessionRow::device of whoever trained like this.
 inline constexpr std::string_view kNoBody = "simulated, no body";
 /// Of its samples, s.
 inline constexpr double kImaginedTickS = 0.01;
 
 class ImaginedTouch final : public Touching {
  public:
-  ImaginedTouch(const Protocol& protocol, SittingKind kind);
+  ImaginedTouch(const Protocol& protocol, SessionKind kind);
 
   void change(const std::optional<HiddenNow>& hidden) override { hidden_ = hidden; }
   FeltPress press(const Site& site, const MeantPress& meant, const EachTick& each_tick) override;

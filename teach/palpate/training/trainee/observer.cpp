@@ -43,9 +43,10 @@ std::vector<std::string> observerKeyNames() {
 
 double observerNumber(std::string_view key, std::string_view word, const NumberRange& range, bool whole) {
   const auto value = parseNumber(word);
-  if (!value) throw Error(fmt::format("trainee: {} = '{}' is no number", key, oneLine(word)));
+  if (!value) throw Error(fmt::format("trainee: {} = '{}' must be a number", key, oneLine(word)));
   if (!range.holds(*value)) throw Error(fmt::format("trainee: {} = {}", key, outOfRange(std::string(word), range)));
-  if (whole && *value != std::floor(*value)) throw Error(fmt::format("trainee: {} = {} is no whole number", key, word));
+  if (whole && *value != std::floor(*value))
+    throw Error(fmt::format("trainee: {} = {} must be a whole number", key, word));
   return *value;
 }
 

@@ -1,7 +1,7 @@
-// Sittings of simulated trainees from end to end, kept as a person's are: the sitting, its session file, its rows in a
+// Sessions of simulated trainees from end to end, kept as a person's are: the session, its recording, its rows in a
 // station's file of results; one after the other through a course, or for a whole class.
 //
-//   TraineeBench, TraineeSitting ─ sitThrough ─► Store, sessions/<sitting>.session
+//   TraineeBench, TraineeSession ─ sitThrough ─► Store, sessions/<session>.session
 //
 // A block that was interrupted goes on. Deterministic: ids, times and answers come from the seed and the start.
 #pragma once
@@ -10,35 +10,37 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "palpate/device/hand_device.h"
 #include "palpate/scene/world.h"
 #include "palpate/training/records/store.h"
-#include "palpate/training/sitting.h"
+#include "palpate/training/session/session.h"
 #include "palpate/training/trainee/observer.h"
+#include "palpate/training/trainee/touching.h"
 
 namespace palpate::training {
 
-/// What all sittings of a run share.
+/// What all sessions of a run share.
 struct TraineeBench {
   Protocol protocol;
   SiteSet sites;
   std::shared_ptr<const scene::World> body;  ///< null: nothing is touched (imagined_touch.h)
   device::HandChoice hand = {.hand = device::HandKind::thimble, .device = scene::DeviceModel::touch_x};
-  bool session_files = true;  ///< each sitting is recorded tick by tick; not without a body
+  bool recording_files = true;  ///< each session is recorded tick by tick; not without a body
   Uuid station;
-  std::function<bool()> stop = {};  ///< true: the sitting at hand is put down
+  std::function<bool()> stop = {};  ///< true: the session at hand is put down
   std::function<void(const TrialRow&)> answered = {};
 };
 
 /// The twelve sites, or the protocol's own. Throws Error.
 SiteSet sitesOn(const scene::World& body, const Protocol& protocol);
 
-struct TraineeSitting {
+struct TraineeSession {
   ObserverSettings observer;
-  SittingKind kind = SittingKind::pre_test;
+  SessionKind kind = SessionKind::pre_test;
   Uuid trainee;
   std::uint64_t seed = 1;
   std::int64_t start_ms = 0;
@@ -48,22 +50,22 @@ struct TraineeSitting {
 
 /// What came of one.
 struct SatThrough {
-  SittingRow row;
+  SessionRow row;
   BlockRow block;
-  std::vector<TrialRow> trials;       ///< of this sitting
+  std::vector<TrialRow> trials;       ///< of this session
   std::optional<BlockResult> result;  ///< of the whole block, once it is over
   bool resumed = false;
   double simulated_s = 0.0;
 };
 
-/// Throws Error as BodyTouch, Sitting and Store do.
-SatThrough sitThrough(Store& store, const TraineeBench& bench, const TraineeSitting& sitting);
+/// Throws Error as BodyTouch, Session and Store do.
+SatThrough sitThrough(Store& store, const TraineeBench& bench, const TraineeSession& session);
 
-/// One trainee's sittings, one after the other, a few days apart.
+/// One trainee's sessions, one after the other, a few days apart.
 struct TraineeCourse {
   ObserverSettings observer;
   Uuid trainee;
-  std::vector<SittingKind> kinds;
+  std::vector<SessionKind> kinds;
   bool goes_on = false;  ///< those kinds that the records hold already are left out
   std::uint64_t seed = 1;
   std::int64_t start_ms = 0;  ///< of the first, or later where the records hold newer ones
@@ -74,7 +76,7 @@ struct TraineeCourse {
 void sitCourse(Store& store, const TraineeBench& bench, const TraineeCourse& course,
                const std::function<void(const SatThrough&)>& after_each);
 
-/// The station of simulated trainees, and one of them; kept before the first sitting.
+/// The station of simulated trainees, and one of them; kept before the first session.
 StationRow simulatedStation(std::int64_t start_ms);
 TraineeRow simulatedTrainee(const std::string& class_id, const std::string& code, std::int64_t created_ms,
                             const std::string& key = {});
@@ -82,10 +84,68 @@ TraineeRow simulatedTrainee(const std::string& class_id, const std::string& code
 std::string simulatedCode(std::uint64_t seed, int number);
 
 /// The course of the Virtual Haptic Back: a pre-test, six practices, a post-test.
-std::vector<SittingKind> vhbCourse();
+std::vector<SessionKind> vhbCourse();
 
 /// Trainee number `number` of a class: thresholds before and after are log-normal around the given means, with this
 /// SD of the logarithm; who begins well ends well (r = 0.5).
 ObserverSettings oneOfClass(const ObserverSettings& mean, double spread, std::uint64_t seed, int number);
+
+// A simulated trainee sits through one session: walks the screens, presses the sites, decides, answers, and reads the
+// feedback, without a window and as fast as it can.
+//
+//   Session ─ screen, hidden place ─► TraineeRun ─ presses ─► Touching ─ samples ─► Session
+//                                        └─ felt stiffness ─ decide (observer.h) ─ answer ─► Session ─ rows ─► keep
+//
+// Time is the touching's ticks and nothing else: the same seeds give the same rows, bit by bit.
+
+struct TraineeOrders {
+  ObserverSettings observer;
+  int practised = 0;    ///< blocks that it has learned from
+  int most_trials = 0;  ///< puts the block down after so many; 0: goes on to its end
+  /// Rows in their order, after each answer and screen: a trial counts when this returns.
+  std::function<void(std::vector<Row>)> keep = {};
+  std::function<void(const TrialRow&)> answered = {};  ///< once its rows are kept; may be empty
+  std::function<bool()> stop = {};                     ///< asked before each press: true puts the block down
+};
+
+class TraineeRun {
+ public:
+  /// Both must outlive it. `start_ms`: of the touching's tick 0.
+  TraineeRun(Session& session, Touching& touching, const TraineeOrders& orders, std::int64_t start_ms);
+
+  /// To the end of the block, or until it is put down.
+  void run();
+  Moment now() const;
+
+  /// What was felt in the trial at hand or the last one: the sites, and their stiffness over the middle one's.
+  struct FeltSites {
+    std::vector<int> sites;
+    std::vector<double> stiffness_n_per_mm;
+    std::vector<double> ratios() const;
+  };
+  const FeltSites& felt() const { return felt_; }
+
+ private:
+  void walkScreen();
+  void checkDevice();
+  void tryTrial();
+  void search(int trial);
+  void answer(int site);
+  bool pressSite(int number);
+  void readFeedback();
+  void keepRows();
+  bool stops() const;
+
+  Session& session_;
+  Touching& touching_;
+  TraineeOrders orders_;
+  std::int64_t start_ms_;
+  Random random_;
+  Touching::EachTick each_tick_;
+  std::optional<HiddenNow> held_;  ///< by the body now
+  Vec2 place_mm_ = Vec2::Zero();   ///< of the finger, on the map plane
+  FeltSites felt_;
+  int answers_ = 0;
+};
 
 }  // namespace palpate::training

@@ -1,4 +1,4 @@
-#include "palpate/training/trainee/trainee_finger.h"
+#include "palpate/training/trainee/touching.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr double kTravelMmPerS = 500.0;
 /// less than a newton comes down more gently, or the hand's own lag would press harder than that.
 constexpr double kDownMmPerS = 60.0;
 constexpr double kGentleN = 1.0;
-constexpr double kLeastShareOfSpeed = 0.2;
+constexpr double kMinShareOfSpeed = 0.2;
 /// The goal goes no deeper: nothing is there, or the force is out of the arm's reach.
 constexpr double kDeepestGoalMm = 60.0;
 
@@ -41,9 +41,9 @@ double smoothShare(double t) {
 
 }  // namespace
 
-void TraineeFinger::begin(const PressWish& wish) {
-  wish_ = wish;
-  lift_to_ = wish.skin + (wish.pad_mm + kHoverMm) * wish.normal;
+void TraineeFinger::begin(const PressRequest& request) {
+  request_ = request;
+  lift_to_ = request.skin + (request.pad_mm + kHoverMm) * request.normal;
   felt_ = {};
   force_sum_ = depth_sum_ = 0.0;
   held_ticks_ = 0;
@@ -59,7 +59,7 @@ void TraineeFinger::enter(Phase phase) noexcept {
 device::HandGoal TraineeFinger::next(const trace::Sample& sample) noexcept {
   const Vec3 before = place_;
   time_s_ += tick_s_;
-  const double force_n = std::max(0.0, sample.device_force.dot(wish_.normal));
+  const double force_n = std::max(0.0, sample.device_force.dot(request_.normal));
   switch (phase_) {
     case Phase::travel:
       travel();
@@ -84,25 +84,25 @@ void TraineeFinger::travel() noexcept {
   const double seconds = kTravelS + way.norm() / kTravelMmPerS;
   const double share = smoothShare(time_s_ / seconds);
   const double arc = 4.0 * share * (1.0 - share) * kArcShare * way.norm();
-  place_ = from_ + share * way + arc * wish_.normal;
+  place_ = from_ + share * way + arc * request_.normal;
   if (time_s_ >= seconds) enter(Phase::down);
 }
 
 void TraineeFinger::goDown(double force_n) noexcept {
-  const double down = kDownMmPerS * std::clamp(wish_.force_n / kGentleN, kLeastShareOfSpeed, 1.0) * time_s_;
-  place_ = from_ - down * wish_.normal;
-  felt_.reached = force_n >= wish_.force_n;
+  const double down = kDownMmPerS * std::clamp(request_.force_n / kGentleN, kMinShareOfSpeed, 1.0) * time_s_;
+  place_ = from_ - down * request_.normal;
+  felt_.reached = force_n >= request_.force_n;
   if (felt_.reached || down >= kHoverMm + kDeepestGoalMm) enter(Phase::hold);
 }
 
 void TraineeFinger::hold(double force_n, double depth_mm) noexcept {
-  place_ = from_ + kTremorMm * std::sin(2.0 * M_PI * kTremorHz * time_s_) * wish_.normal;
-  if (time_s_ > std::min(kSettleS, 0.5 * wish_.hold_s)) {
+  place_ = from_ + kTremorMm * std::sin(2.0 * M_PI * kTremorHz * time_s_) * request_.normal;
+  if (time_s_ > std::min(kSettleS, 0.5 * request_.hold_s)) {
     force_sum_ += force_n;
     depth_sum_ += depth_mm;
     ++held_ticks_;
   }
-  if (time_s_ < wish_.hold_s) return;
+  if (time_s_ < request_.hold_s) return;
   felt_.force_n = force_sum_ / std::max(1, held_ticks_);
   felt_.depth_mm = depth_sum_ / std::max(1, held_ticks_);
   enter(Phase::up);

@@ -1,4 +1,4 @@
-#include "palpate/training/trainee/trainee_run.h"
+#include "palpate/training/trainee/trainee_course.h"
 
 #include <fmt/format.h>
 
@@ -15,23 +15,23 @@ namespace {
 
 // How a person's presses differ from each other: in place (each way), in force and in time (of the logarithm).
 constexpr double kBesideSdMm = 1.5;
-constexpr double kMostBesideMm = 4.0;
+constexpr double kMaxBesideMm = 4.0;
 constexpr double kForceSd = 0.10;
 constexpr double kHoldSd = 0.10;
 
 /// To make up its mind, and to read what is said.
 constexpr double kThinkS = 0.6;
 
-std::uint64_t traineeSeed(const Sitting& sitting, const ObserverSettings& observer) {
+std::uint64_t traineeSeed(const Session& session, const ObserverSettings& observer) {
   Hash hash;
   hash.add(observer.seed);
-  hash.add(sitting.plan().seed);
-  for (const char letter : sitting.plan().row.id) hash.add(static_cast<std::uint64_t>(letter));
+  hash.add(session.plan().seed);
+  for (const char letter : session.plan().row.id) hash.add(static_cast<std::uint64_t>(letter));
   return hash.value();
 }
 
 MeantPress meantPress(const ObserverSettings& observer, Random& random) {
-  const auto beside = [&] { return std::clamp(kBesideSdMm * random.normal(), -kMostBesideMm, kMostBesideMm); };
+  const auto beside = [&] { return std::clamp(kBesideSdMm * random.normal(), -kMaxBesideMm, kMaxBesideMm); };
   const double x = beside();
   const double y = beside();
   const double force = observer.press_n * std::exp(kForceSd * random.normal());
@@ -54,18 +54,18 @@ std::vector<double> TraineeRun::FeltSites::ratios() const {
   return ratios;
 }
 
-TraineeRun::TraineeRun(Sitting& sitting, Touching& touching, const TraineeOrders& orders, std::int64_t start_ms)
-    : sitting_(sitting),
+TraineeRun::TraineeRun(Session& session, Touching& touching, const TraineeOrders& orders, std::int64_t start_ms)
+    : session_(session),
       touching_(touching),
       orders_(orders),
       start_ms_(start_ms),
-      random_(traineeSeed(sitting, orders.observer)),
-      place_mm_(sitting.plan().sites.sites.front().place_mm) {
-  orders_.observer.meaning = settingsOf(sitting.plan().protocol, sitting.plan().kind).block.meaning;
+      random_(traineeSeed(session, orders.observer)),
+      place_mm_(session.plan().sites.sites.front().place_mm) {
+  orders_.observer.meaning = settingsOf(session.plan().protocol, session.plan().kind).block.meaning;
   each_tick_ = [this](const trace::Sample& sample) {
     const Moment moment = now();
-    sitting_.feel(sample, moment);
-    sitting_.tick(moment);
+    session_.feel(sample, moment);
+    session_.tick(moment);
   };
 }
 
@@ -80,12 +80,12 @@ bool TraineeRun::stops() const {
 
 void TraineeRun::run() {
   keepRows();
-  while (sitting_.screen() != Screen::finished) {
+  while (session_.screen() != Screen::finished) {
     if (stops()) {
-      sitting_.leave(now());
+      session_.leave(now());
     } else {
-      if (sitting_.hidden() != held_) {
-        held_ = sitting_.hidden();
+      if (session_.hidden() != held_) {
+        held_ = session_.hidden();
         touching_.change(held_);
       }
       walkScreen();
@@ -95,26 +95,26 @@ void TraineeRun::run() {
 }
 
 void TraineeRun::walkScreen() {
-  switch (sitting_.screen()) {
+  switch (session_.screen()) {
     case Screen::device_check:
       return checkDevice();
     case Screen::familiarisation:
       pressSite(held_->site);
-      return sitting_.next(now());
+      return session_.next(now());
     case Screen::instruction:
       touching_.rest(kThinkS, each_tick_);
-      return sitting_.next(now());
+      return session_.next(now());
     case Screen::trial:
       return tryTrial();
     case Screen::feedback:
       return readFeedback();
     case Screen::block_summary:
-      // A sitting is a block, also where practice would go on.
+      // A session is a block, also where practice would go on.
       touching_.mark("end of block");
-      return sitting_.showsProgress() ? sitting_.leave(now()) : sitting_.next(now());
+      return session_.showsProgress() ? session_.leave(now()) : session_.next(now());
     case Screen::free_exploration:
-      for (const Site& site : sitting_.plan().sites.sites) pressSite(site.number);
-      return sitting_.next(now());
+      for (const Site& site : session_.plan().sites.sites) pressSite(site.number);
+      return session_.next(now());
     case Screen::finished:
       return;
   }
@@ -122,19 +122,19 @@ void TraineeRun::walkScreen() {
 
 /// As firmly as it is asked to, also by one who presses too lightly later.
 void TraineeRun::checkDevice() {
-  constexpr int kMostTries = 3;
-  const double asked_n = 2.0 * sitting_.plan().protocol.exploration.force_n;
-  for (int i = 0; i < kMostTries && sitting_.screen() == Screen::device_check; ++i) {
+  constexpr int kMaxTries = 3;
+  const double asked_n = 2.0 * session_.plan().protocol.exploration.force_n;
+  for (int i = 0; i < kMaxTries && session_.screen() == Screen::device_check; ++i) {
     MeantPress meant = meantPress(orders_.observer, random_);
     meant.force_n = std::max(meant.force_n, asked_n);
-    touching_.press(sitting_.plan().sites.sites.front(), meant, each_tick_);
-    sitting_.next(now());
+    touching_.press(session_.plan().sites.sites.front(), meant, each_tick_);
+    session_.next(now());
   }
-  if (sitting_.screen() == Screen::device_check) throw Error("trainee: no press was felt by the device check");
+  if (session_.screen() == Screen::device_check) throw Error("trainee: no press was felt by the device check");
 }
 
 bool TraineeRun::pressSite(int number) {
-  const Site& site = *sitting_.plan().sites.numbered(number);
+  const Site& site = *session_.plan().sites.numbered(number);
   const FeltPress press = touching_.press(site, meantPress(orders_.observer, random_), each_tick_);
   place_mm_ = site.place_mm;
   if (!(press.depth_mm > 0.0)) return false;
@@ -145,7 +145,7 @@ bool TraineeRun::pressSite(int number) {
 
 /// From where the finger is always to the nearest that is left: down one side, and up the other.
 void TraineeRun::search(int trial) {
-  const SiteSet& sites = sitting_.plan().sites;
+  const SiteSet& sites = session_.plan().sites;
   std::vector<int> left = sitesSearched(orders_.observer, sites.choices(), random_);
   felt_ = {};
   const auto away = [&](int number) { return (sites.numbered(number)->place_mm - place_mm_).squaredNorm(); };
@@ -153,42 +153,42 @@ void TraineeRun::search(int trial) {
     const auto nearest = std::ranges::min_element(left, {}, away);
     pressSite(*nearest);
     left.erase(nearest);
-    const bool over = sitting_.screen() != Screen::trial || sitting_.trialNumber() != trial;
+    const bool over = session_.screen() != Screen::trial || session_.trialNumber() != trial;
     if (over || (orders_.stop && orders_.stop())) return;
   }
 }
 
 void TraineeRun::tryTrial() {
-  const int trial = sitting_.trialNumber();
+  const int trial = session_.trialNumber();
   touching_.mark(fmt::format("trial {}", trial));
   search(trial);
-  if (sitting_.screen() == Screen::trial && sitting_.trialNumber() == trial) touching_.rest(kThinkS, each_tick_);
+  if (session_.screen() == Screen::trial && session_.trialNumber() == trial) touching_.rest(kThinkS, each_tick_);
   // The time may have run out meanwhile, and the end may have been asked for.
-  const bool over = sitting_.screen() != Screen::trial || sitting_.trialNumber() != trial;
+  const bool over = session_.screen() != Screen::trial || session_.trialNumber() != trial;
   if (!over && stops()) return;
   if (!over) {
     const std::vector<double> ratios = felt_.ratios();
-    answer(decide(felt_.sites, ratios, orders_.observer, orders_.practised, sitting_.plan().sites.choices(), random_));
+    answer(decide(felt_.sites, ratios, orders_.observer, orders_.practised, session_.plan().sites.choices(), random_));
   }
   ++answers_;
   keepRows();
-  if (orders_.answered) orders_.answered(sitting_.trials().back());
+  if (orders_.answered) orders_.answered(session_.trials().back());
 }
 
 void TraineeRun::answer(int site) {
-  touching_.mark(fmt::format("trial {} answered {}", sitting_.trialNumber(), site));
+  touching_.mark(fmt::format("trial {} answered {}", session_.trialNumber(), site));
   // "Two places were not pressed yet" to one who searches fewer: it means what it says.
-  if (!sitting_.answer(site, now())) sitting_.answer(site, now());
+  if (!session_.answer(site, now())) session_.answer(site, now());
 }
 
 void TraineeRun::readFeedback() {
   touching_.rest(kThinkS, each_tick_);
-  if (!sitting_.trials().back().correct) pressSite(held_->site);
-  sitting_.next(now());
+  if (!session_.trials().back().correct) pressSite(held_->site);
+  session_.next(now());
 }
 
 void TraineeRun::keepRows() {
-  std::vector<Row> rows = sitting_.takeRows();
+  std::vector<Row> rows = session_.takeRows();
   if (orders_.keep && !rows.empty()) orders_.keep(std::move(rows));
 }
 

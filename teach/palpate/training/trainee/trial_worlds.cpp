@@ -1,9 +1,9 @@
-#include "palpate/training/trainee/trial_worlds.h"
+#include "palpate/training/trainee/body_touch.h"
 
 #include <utility>
 
 #include "palpate/maps/stiffness_map.h"
-#include "palpate/training/trial_scene.h"
+#include "palpate/training/session/trial_scene.h"
 
 namespace palpate::training {
 
@@ -22,7 +22,7 @@ std::vector<Index> verticesReached(const scene::World& world) {
 
 }  // namespace
 
-TrialWorlds::TrialWorlds(const scene::World& body, const Protocol& protocol, SittingKind kind, const SiteSet& sites)
+TrialWorlds::TrialWorlds(const scene::World& body, const Protocol& protocol, SessionKind kind, const SiteSet& sites)
     : base_(body.scene), protocol_(protocol), kind_(kind), sites_(sites) {
   even_ = scene::rebuilt(body, trialScene(base_, protocol_, kind_, sites_, {}));
   reached_ = verticesReached(*even_);

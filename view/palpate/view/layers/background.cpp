@@ -1,6 +1,6 @@
 // 16 x 16 squares made of vertex numbers, without a buffer: the gradient is worked out at their corners and not at each
-// pixel. Each picture. Own.
-#include "palpate/view/layers/background.h"
+// pixel. Each picture.
+#include "palpate/view/layers/support_layer.h"
 
 namespace palpate::view {
 

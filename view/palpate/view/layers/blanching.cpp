@@ -1,6 +1,6 @@
 // A press leaves a trace where its anchor is, and another each half radius it slides; a trace fades with the square of
-// the time left until the skin has refilled. Own.
-#include "palpate/view/layers/blanching.h"
+// the time left until the skin has refilled.
+#include "palpate/view/layers/skin_paint.h"
 
 #include <algorithm>
 
@@ -35,7 +35,7 @@ std::span<const PressMark> Blanching::at(double time_s, std::span<const Press> p
     marks_.back().strength *= static_cast<float>((1.0 - refilled) * (1.0 - refilled));
   }
   std::stable_sort(marks_.begin(), marks_.end(), [](const auto& a, const auto& b) { return a.strength > b.strength; });
-  if (marks_.size() > kMostMarks) marks_.resize(kMostMarks);
+  if (marks_.size() > kMaxMarks) marks_.resize(kMaxMarks);
   return marks_;
 }
 

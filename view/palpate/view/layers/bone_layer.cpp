@@ -1,5 +1,5 @@
 // Bones with the way to the nearest skin at each vertex, so that the shader can take light away by the flesh before
-// them. Whether skin hides a bone is asked of the tree, a segment from the eye to every tenth vertex. Own.
+// them. Whether skin hides a bone is asked of the tree, a segment from the eye to every tenth vertex.
 #include "palpate/view/layers/bone_layer.h"
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // ImGui's draw lists in a context of its own, current only while a page is begun, ended or shown. One atlas holds the
-// letters of all three sizes at the scale of the page; the font's file is put into the program by the assembler. Own.
+// letters of all three sizes at the scale of the page; the font's file is put into the program by the assembler.
 #include "palpate/view/layers/drawing.h"
 
 #include <backends/imgui_impl_opengl3.h>
@@ -61,21 +61,21 @@ class Inside {
 
 }  // namespace
 
-struct Drawing::Parts {
+struct Drawing::Impl {
   ImGuiContext* context = nullptr;
   ImDrawList* list = nullptr;
   std::array<ImFont*, kTextPoints.size()> fonts{};
   double scale = 0.0;
 
-  Parts();
-  ~Parts();
-  Parts(const Parts&) = delete;
-  Parts& operator=(const Parts&) = delete;
+  Impl();
+  ~Impl();
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
   void makeLetters(double pixels_per_point);
   ImFont* font(TextSize size) const { return fonts[static_cast<std::size_t>(size)]; }
 };
 
-Drawing::Parts::Parts() {
+Drawing::Impl::Impl() {
   const Inside inside(ImGui::GetCurrentContext());  // making a context may make it current
   context = ImGui::CreateContext();
   ImGui::SetCurrentContext(context);
@@ -86,13 +86,13 @@ Drawing::Parts::Parts() {
   }
 }
 
-Drawing::Parts::~Parts() {
+Drawing::Impl::~Impl() {
   const Inside inside(context);
   ImGui_ImplOpenGL3_Shutdown();
   ImGui::DestroyContext(context);
 }
 
-void Drawing::Parts::makeLetters(double pixels_per_point) {
+void Drawing::Impl::makeLetters(double pixels_per_point) {
   if (pixels_per_point == scale) return;
   scale = pixels_per_point;
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -110,33 +110,33 @@ void Drawing::Parts::makeLetters(double pixels_per_point) {
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-Drawing::Drawing() : parts_(std::make_unique<Parts>()) {}
+Drawing::Drawing() : impl_(std::make_unique<Impl>()) {}
 Drawing::~Drawing() = default;
 
 void Drawing::begin(const Vec2f& size, double scale) {
-  const Inside inside(parts_->context);
+  const Inside inside(impl_->context);
   size_ = size;
-  parts_->makeLetters(scale);
+  impl_->makeLetters(scale);
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = at(size);
   io.DeltaTime = 1.0f / 60.0f;  // nothing here moves by itself
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
-  parts_->list = ImGui::GetBackgroundDrawList();
+  impl_->list = ImGui::GetBackgroundDrawList();
   // Edges are softened over a pixel, not over a point.
-  parts_->list->_FringeScale = 1.0f / static_cast<float>(scale);
+  impl_->list->_FringeScale = 1.0f / static_cast<float>(scale);
 }
 
 void Drawing::end() {
-  const Inside inside(parts_->context);
+  const Inside inside(impl_->context);
   ImGui::Render();
-  parts_->list = nullptr;
+  impl_->list = nullptr;
 }
 
 void Drawing::present(int width, int height) const { present(width, height, Vec2f::Zero(), size_); }
 
 void Drawing::present(int width, int height, const Vec2f& corner, const Vec2f& whole) const {
-  const Inside inside(parts_->context);
+  const Inside inside(impl_->context);
   ImDrawData& data = *ImGui::GetDrawData();
   data.DisplayPos = at(-corner);
   data.DisplaySize = at(whole);
@@ -145,33 +145,33 @@ void Drawing::present(int width, int height, const Vec2f& corner, const Vec2f& w
 }
 
 void Drawing::line(const Vec2f& from, const Vec2f& to, const Ink& ink, float thickness) {
-  parts_->list->AddLine(at(from), at(to), packed(ink), thickness);
+  impl_->list->AddLine(at(from), at(to), packed(ink), thickness);
 }
 
 void Drawing::curve(std::span<const Vec2f> points, const Ink& ink, float thickness) {
   static_assert(sizeof(Vec2f) == sizeof(ImVec2));
-  parts_->list->AddPolyline(reinterpret_cast<const ImVec2*>(points.data()), static_cast<int>(points.size()),
-                            packed(ink), ImDrawFlags_None, thickness);
+  impl_->list->AddPolyline(reinterpret_cast<const ImVec2*>(points.data()), static_cast<int>(points.size()), packed(ink),
+                           ImDrawFlags_None, thickness);
 }
 
 void Drawing::box(const Vec2f& corner, const Vec2f& opposite, const Ink& ink, float rounding) {
-  parts_->list->AddRectFilled(at(corner), at(opposite), packed(ink), rounding);
+  impl_->list->AddRectFilled(at(corner), at(opposite), packed(ink), rounding);
 }
 
 void Drawing::frame(const Vec2f& corner, const Vec2f& opposite, const Ink& ink, float rounding) {
-  parts_->list->AddRect(at(corner), at(opposite), packed(ink), rounding);
+  impl_->list->AddRect(at(corner), at(opposite), packed(ink), rounding);
 }
 
 void Drawing::triangle(const Vec2f& a, const Vec2f& b, const Vec2f& c, const Ink& ink) {
-  parts_->list->AddTriangleFilled(at(a), at(b), at(c), packed(ink));
+  impl_->list->AddTriangleFilled(at(a), at(b), at(c), packed(ink));
 }
 
 void Drawing::disc(const Vec2f& middle, float radius, const Ink& ink) {
-  parts_->list->AddCircleFilled(at(middle), radius, packed(ink));
+  impl_->list->AddCircleFilled(at(middle), radius, packed(ink));
 }
 
 void Drawing::ring(const Vec2f& middle, float radius, const Ink& ink, float thickness) {
-  parts_->list->AddCircle(at(middle), radius, packed(ink), 0, thickness);
+  impl_->list->AddCircle(at(middle), radius, packed(ink), 0, thickness);
 }
 
 void Drawing::text(const Vec2f& place, std::string_view words, const Ink& ink, Align align, TextSize size) {
@@ -179,13 +179,13 @@ void Drawing::text(const Vec2f& place, std::string_view words, const Ink& ink, A
   const float left = align == Align::left ? 0.0f : align == Align::centre ? 0.5f * width : width;
   // Letters start on whole points: those of a supersampled picture are then reduced alike.
   const ImVec2 start{std::round(place.x() - left), std::round(place.y())};
-  parts_->list->AddText(parts_->font(size), kTextPoints[static_cast<std::size_t>(size)], start, packed(ink),
-                        words.data(), endOf(words));
+  impl_->list->AddText(impl_->font(size), kTextPoints[static_cast<std::size_t>(size)], start, packed(ink), words.data(),
+                       endOf(words));
 }
 
 Vec2f Drawing::measure(std::string_view words, TextSize size) const {
   const float points = kTextPoints[static_cast<std::size_t>(size)];
-  const ImVec2 extent = parts_->font(size)->CalcTextSizeA(points, INFINITY, 0.0f, words.data(), endOf(words));
+  const ImVec2 extent = impl_->font(size)->CalcTextSizeA(points, INFINITY, 0.0f, words.data(), endOf(words));
   return {extent.x, extent.y};
 }
 

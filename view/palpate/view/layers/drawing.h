@@ -33,7 +33,7 @@ class Drawing {
   Drawing();
   ~Drawing();
 
-  /// Starts a page. Letters are made anew when the scale (pixels a point) changes, which takes some 30 ms.
+  /// Starts a page. Letters are made again when the scale (pixels a point) changes, which takes some 30 ms.
   void begin(const Vec2f& size, double scale);
   void end();
   /// Draws the page into the bound framebuffer, stretched to its `width` x `height` pixels.
@@ -55,8 +55,8 @@ class Drawing {
   const Vec2f& size() const { return size_; }
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
   Vec2f size_ = Vec2f::Zero();
 };
 

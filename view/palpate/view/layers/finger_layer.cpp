@@ -1,6 +1,6 @@
 // A unit sphere for all balls, a hand a side made when first shown; one program shades both, darker and redder towards
 // the skin, by formula.
-// Data flow: FingerPose, HandPose -> here -> framebuffer, each picture. Own.
+// Data flow: FingerPose, HandPose -> here -> framebuffer, each picture.
 #include "palpate/view/layers/finger_layer.h"
 
 #include <cmath>

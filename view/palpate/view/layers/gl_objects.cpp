@@ -1,4 +1,4 @@
-// A program compiles and links as it is constructed; what the compiler says goes into the Error. Own.
+// A program compiles and links as it is constructed; what the compiler says goes into the Error.
 #include "palpate/view/layers/gl_objects.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // A ball on the skin -> the hand that holds it: the flattest angle at which no other part of the hand is in the skin at
-// rest, found by halving and asked of the tree at every seventh vertex; what still sinks in lifts the whole hand. Own.
-#include "palpate/view/layers/hand_pose.h"
+// rest, found by halving and asked of the tree at every seventh vertex; what still sinks in lifts the whole hand.
+#include "palpate/view/layers/finger_layer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@ constexpr double kTipMm = 35.0;
 /// Cranial along the skin; where the skin faces up or down, dorsal.
 Vec3 cranialAlong(const Vec3& normal) {
   const Vec3 cranial = Vec3::UnitY() - normal.y() * normal;
-  constexpr double kLeast = 1e-2;
-  if (cranial.norm() > kLeast) return cranial.normalized();
+  constexpr double kMin = 1e-2;
+  if (cranial.norm() > kMin) return cranial.normalized();
   return (Vec3::UnitZ() - normal.z() * normal).normalized();
 }
 

@@ -50,18 +50,18 @@ std::size_t polygonsIn(const std::vector<float>& values, int count) {
 
 }  // namespace
 
-struct ImmediateDrawing::Parts {
+struct ImmediateDrawing::Impl {
   OffscreenContext context{Profile::compatibility};
   Target target;
   std::string renderer = rendererName();
   std::vector<float> feedback;
 
-  Parts(int width, int height) : target(width, height) {}
+  Impl(int width, int height) : target(width, height) {}
 };
 
 ImmediateDrawing::ImmediateDrawing(const Eigen::AlignedBox3d& model, int width, int height)
-    : parts_(std::make_unique<Parts>(width, height)) {
-  parts_->target.bind();
+    : impl_(std::make_unique<Impl>(width, height)) {
+  impl_->target.bind();
   lookAt(model, width, height);
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_LIGHT0);
@@ -77,14 +77,14 @@ void ImmediateDrawing::corner(const Vec3& normal, const Vec3& position) {
 }
 
 std::size_t ImmediateDrawing::capture(std::size_t triangles, const Draw& draw) {
-  parts_->feedback.resize(kValuesPerTriangle * (triangles + 1));
+  impl_->feedback.resize(kValuesPerTriangle * (triangles + 1));
   glDisable(GL_LIGHTING);
-  glFeedbackBuffer(static_cast<GLsizei>(parts_->feedback.size()), GL_3D, parts_->feedback.data());
+  glFeedbackBuffer(static_cast<GLsizei>(impl_->feedback.size()), GL_3D, impl_->feedback.data());
   glRenderMode(GL_FEEDBACK);
   drawTriangles(draw);
   const int count = glRenderMode(GL_RENDER);
   if (count < 0) throw Error("immediate drawing: more triangles were drawn than announced");
-  return polygonsIn(parts_->feedback, count);
+  return polygonsIn(impl_->feedback, count);
 }
 
 void ImmediateDrawing::paint(const Draw& draw) {
@@ -96,8 +96,8 @@ void ImmediateDrawing::paint(const Draw& draw) {
   glFinish();
 }
 
-Image ImmediateDrawing::read() const { return parts_->target.read(); }
+Image ImmediateDrawing::read() const { return impl_->target.read(); }
 
-const std::string& ImmediateDrawing::renderer() const { return parts_->renderer; }
+const std::string& ImmediateDrawing::renderer() const { return impl_->renderer; }
 
 }  // namespace palpate::view

@@ -40,8 +40,8 @@ class ImmediateDrawing {
   const std::string& renderer() const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpate::view

@@ -1,5 +1,5 @@
 // Lines are cut at the near plane, projected and widened in pixels, with a pixel more for the soft edge; two passes
-// with opposite depth tests draw what the skin hides and what it does not. Each picture. Own.
+// with opposite depth tests draw what the skin hides and what it does not. Each picture.
 #include "palpate/view/layers/line_layer.h"
 
 #include <cstddef>

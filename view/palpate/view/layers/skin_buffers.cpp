@@ -1,6 +1,6 @@
 // World and DeformedSurface -> vertex buffers. Static arrays are filled once; of the deformation only the ranges that
-// the last apply wrote go up, each followed by its copies on seams of the texture. Own.
-#include "palpate/view/layers/skin_buffers.h"
+// the last apply wrote go up, each followed by its copies on seams of the texture.
+#include "palpate/view/layers/skin_layer.h"
 
 #include <algorithm>
 #include <cmath>

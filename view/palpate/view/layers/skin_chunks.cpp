@@ -19,7 +19,7 @@ namespace {
 constexpr Index kChunkTriangles = 64;
 constexpr Index kChunkIndices = 3 * kChunkTriangles;
 /// Skin moves no farther (the default caps of 10 and 20 mm together).
-constexpr float kMostDisplacementMm = 25.0f;
+constexpr float kMaxDisplacementMm = 25.0f;
 /// Skin that moves farther than this lies so near the finger that it counts as touched where it was.
 constexpr float kTouchedDisplacementMm = 12.0f;
 
@@ -115,8 +115,8 @@ bool facesOut(const DrawnShape& shape, const Triangle& t) {
   const Vec3f a = shape.places[t[0]];
   const Vec3f area = (shape.places[t[1]] - a).cross(shape.places[t[2]] - a);
   const Vec3f normals = shape.normals[t[0]] + shape.normals[t[1]] + shape.normals[t[2]];
-  constexpr float kLeastCosine = 0.3f;  // steeper against its corners it is a fold too
-  return area.dot(normals) > kLeastCosine * area.norm() * normals.norm();
+  constexpr float kMinCosine = 0.3f;  // steeper against its corners it is a fold too
+  return area.dot(normals) > kMinCosine * area.norm() * normals.norm();
 }
 
 }  // namespace
@@ -181,11 +181,11 @@ void SkinChunks::visit(const Question& question, std::size_t level, std::size_t 
   const Sphere& sphere = levels_[level][node];
   ++tested_;
   const float inside = question.cull ? insideBy(question.planes, sphere.centre) : sphere.radius_mm;
-  if (!(inside > -(sphere.radius_mm + kMostDisplacementMm))) return;
+  if (!(inside > -(sphere.radius_mm + kMaxDisplacementMm))) return;
   const bool touched = question.touches(sphere);
   if (level == 0) return take(touched ? runs_.touched : runs_.plain, node, node + 1);
   std::size_t first = node, end = node + 1;
-  if (!touched && inside > sphere.radius_mm - kMostDisplacementMm) {  // nor is any chunk in it, and all are seen
+  if (!touched && inside > sphere.radius_mm - kMaxDisplacementMm) {  // nor is any chunk in it, and all are seen
     for (std::size_t i = 0; i < level; ++i) {
       first *= kCellParts;
       end *= kCellParts;

@@ -1,6 +1,6 @@
 // Picks the program for each run of triangles: those near a finger get the one with shadows and blanching, the rest a
 // shorter one, because software OpenGL runs both sides of a condition. Transparent skin writes its depth first.
-// Data flow: Look, viewpoint, touches -> runs (skin_buffers.h) -> program (skin_paint.h) -> framebuffer. Own.
+// Data flow: Look, viewpoint, touches -> runs (SkinBuffers) -> program (skin_paint.h) -> framebuffer.
 #include "palpate/view/layers/skin_layer.h"
 
 #include <vector>

@@ -1,14 +1,92 @@
 // The skin as a picture shows it: its buffers, its programs and the user's picture on it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
-#include "palpate/view/layers/skin_buffers.h"
+#include "palpate/deform/surface.h"
+#include "palpate/scene/world.h"
+#include "palpate/view/layers/gl_objects.h"
+#include "palpate/view/layers/skin_chunks.h"
 #include "palpate/view/layers/skin_paint.h"
 #include "palpate/view/layers/skin_picture.h"
+#include "palpate/view/layers/viewpoint.h"
+#include "palpate/view/look.h"
 
 namespace palpate::view {
+
+// One world's skin on the graphics card: static arrays once, and of the deformation only what changed.
+
+class SkinBuffers {
+ public:
+  /// The world must outlive the buffers.
+  explicit SkinBuffers(const scene::World& world);
+
+  /// Goes over to a world with the same body: only its maps are new.
+  void setMapsOf(const scene::World& world);
+
+  /// Uploads the ranges that the last apply changed; the number of vertices.
+  Index update(const deform::DeformedSurface& surface);
+  void updateAll(const deform::DeformedSurface& surface);
+
+  /// The field of the colourings `stiffness` and `ellipses`, a vertex each.
+  void setField(Colouring colouring, std::span<const float> values);
+  /// Whether there is something to colour by: plain is none, and not every body has scalars.
+  bool hasField(const Look& look) const;
+  /// Makes the look's field the one that programs see; strain always is there.
+  void showField(const Look& look);
+  /// The body's file brings a colour for each vertex.
+  bool hasColours() const { return has_colours_; }
+
+  /// Binds vertices and triangles as fine as this viewpoint needs them; which of them may be seen. Valid until the next
+  /// call.
+  const SplitRuns& bind(const Viewpoint& viewpoint, std::span<const Influence> influences, bool cull = true);
+
+  /// Binds the skin's vertices with the edges of its triangles, for a program that draws lines; then drawEdges.
+  void bindEdges();
+  void drawEdges() const;
+
+  /// What a vertex of the skin gets of the breath's lift (BreathField::share); empty for one that does not breathe.
+  std::vector<float> breathShares() const;
+
+  /// At rest.
+  const Eigen::AlignedBox3f& box() const { return box_; }
+
+ private:
+  /// A set of triangles over the drawn vertices.
+  struct Density {
+    SkinChunks chunks;
+    GlVertexArray vertex_array;
+    GlBuffer triangles;
+    Density(std::span<const Vec3f> places, std::span<const Triangle> kept) : chunks(places, kept) {}
+  };
+  std::unique_ptr<Density> uploaded(std::span<const Vec3f> places, std::span<const Triangle> triangles) const;
+  void uploadBreath();
+  void makeCoarse(const std::vector<Vec3f>& places);
+  Density& densityFor(const Viewpoint& viewpoint);
+  /// Where an array of the deformation begins in its buffer, bytes.
+  std::size_t offsetOf(int array) const { return std::size_t{drawn_.count()} * sizeof(float) * array; }
+  void upload(const deform::DeformedSurface& surface, deform::VertexRange range);
+  void uploadCopies(std::span<const float> values, int array, deform::VertexRange copies);
+
+  const scene::World* world_;
+  DrawnVertices drawn_;
+  std::unique_ptr<Density> whole_;
+  std::unique_ptr<Density> coarse_;  // for a skin of very many triangles that is seen small
+  GlVertexArray edge_array_;
+  GlBuffer deformed_;  // x.. y.. z.. nx.. ny.. nz.. strain..: as the deformation keeps them, each with its copies
+  GlBuffer rest_, rest_normals_, tint_, field_values_, texture_places_, colours_, breath_, edges_;
+  bool has_colours_ = false;
+  std::vector<float> stiffness_;
+  std::vector<float> half_major_;  // made when first shown, empty before
+  std::vector<float> copies_;      // values on their way
+  Colouring shown_field_ = Colouring::plain;
+  std::string shown_scalar_;  // of Colouring::scalar
+  Index edge_indices_ = 0;    // made when first shown
+  Eigen::AlignedBox3f box_;
+};
 
 class SkinLayer {
  public:

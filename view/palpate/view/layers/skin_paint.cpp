@@ -1,4 +1,4 @@
-// Look, eye and touches -> the uniforms of the skin's programs, and the places whose colour a finger changes. Own.
+// Look, eye and touches -> the uniforms of the skin's programs, and the places whose colour a finger changes.
 #include "palpate/view/layers/skin_paint.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace palpate::view {
 namespace {
 
 constexpr int kMapTexels = 1024;
-constexpr std::size_t kMostFingers = 8;  // as in the shader
+constexpr std::size_t kMaxFingers = 8;  // as in the shader
 /// How far a finger darkens the skin round it, in its radii; how far away its shadow is followed, in mm and in its
 /// radii, and how wide it is (lightLeftByFingers() in the shader fades both to nothing).
 constexpr float kShadeRadii = 4.0f;
@@ -72,9 +72,9 @@ void uploadColourMap(GLuint texture, ColourMap map) {
 }
 
 void setFingers(const Program& program, std::span<const ShadowCaster> casters) {
-  casters = casters.first(std::min(kMostFingers, casters.size()));
-  std::array<Eigen::Vector4f, kMostFingers> balls;
-  std::array<Vec3f, kMostFingers> tails;
+  casters = casters.first(std::min(kMaxFingers, casters.size()));
+  std::array<Eigen::Vector4f, kMaxFingers> balls;
+  std::array<Vec3f, kMaxFingers> tails;
   for (std::size_t i = 0; i < casters.size(); ++i) {
     const Vec3f& centre = casters[i].from;
     balls[i] = {centre.x(), centre.y(), centre.z(), casters[i].radius_mm};
@@ -86,8 +86,8 @@ void setFingers(const Program& program, std::span<const ShadowCaster> casters) {
 }
 
 void setMarks(const Program& program, std::span<const PressMark> marks) {
-  std::array<Eigen::Vector4f, kMostMarks> places;
-  std::array<float, kMostMarks> strengths{};
+  std::array<Eigen::Vector4f, kMaxMarks> places;
+  std::array<float, kMaxMarks> strengths{};
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const Vec3f& place = marks[i].place;
     places[i] = {place.x(), place.y(), place.z(), marks[i].radius_mm};

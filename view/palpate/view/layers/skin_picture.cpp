@@ -1,5 +1,5 @@
 // Decoded by the processor, halved until it fits, turned over (OpenGL counts rows from below) and uploaded as sRGB, so
-// that filters and mipmaps average light. At a change of world; the picture that is there already stays. Own.
+// that filters and mipmaps average light. At a change of world; the picture that is there already stays.
 #include "palpate/view/layers/skin_picture.h"
 
 #include <fmt/format.h>
@@ -43,9 +43,9 @@ Image decodedPicture(const scene::SkinTexture& texture) {
   if (texture.made) return paintedSkin(*texture.made);
   const std::string file = texture.source.file.string();
   const ImageSize size = imageSizeOf(texture.picture);
-  if (std::max(size.width, size.height) > kMostPictureSide) {
+  if (std::max(size.width, size.height) > kMaxPictureSide) {
     scene::failForTexture(texture.source, fmt::format("{}: has {} x {} pixels; the most are {} along a side", file,
-                                                      size.width, size.height, kMostPictureSide));
+                                                      size.width, size.height, kMaxPictureSide));
   }
   Image image = decodeImage(texture.picture);
   if (image.pixels.empty()) scene::failForTexture(texture.source, file + ": is a broken picture");

@@ -10,9 +10,9 @@
 namespace palpate::view {
 
 /// The pixels of a texture, decoded or painted. Needs no GL; any thread. Throws Error naming the scene file for a
-/// broken picture, and for one of more than kMostPictureSide pixels along a side.
+/// broken picture, and for one of more than kMaxPictureSide pixels along a side.
 Image decodedPicture(const scene::SkinTexture& texture);
-inline constexpr int kMostPictureSide = 16384;
+inline constexpr int kMaxPictureSide = 16384;
 
 class SkinPicture {
  public:

@@ -1,6 +1,5 @@
 // Corners sorted by their vertex; each new place in the picture gets the vertex itself first and a copy after that.
-// Own.
-#include "palpate/view/layers/skin_seams.h"
+#include "palpate/view/layers/skin_chunks.h"
 
 #include <algorithm>
 

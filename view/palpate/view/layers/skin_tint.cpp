@@ -1,12 +1,11 @@
 // Three octaves of value noise in rest coordinates for blood and for pigment, the depth to bone, and the curvature from
-// the normals of neighbours become four bytes a vertex; folds are darker and redder (skin_shade.h).
+// the normals of neighbours become four bytes a vertex; folds are darker and redder (skyLeft).
 #include "palpate/view/layers/skin_tint.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/view/skin_shade.h"
-#include "palpate/view/value_noise.h"
+#include "palpate/view/made_skin.h"
 
 namespace palpate::view {
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "palpate/deform/skin.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::view {
@@ -20,5 +21,11 @@ inline constexpr double kTintUnit = 128.0;
 
 /// One a vertex of the skin.
 std::vector<TintBytes> skinTints(const scene::World& world);
+
+// How much of the sky each place of the skin at rest sees: in folds, under arms and along the spine less arrives. Once
+// at load; skinTints darkens the colour of the skin by it.
+
+/// One a vertex: 1 sees all of its sky, 0 nothing. A few hundredths of a second, whatever the number of triangles.
+std::vector<float> skyLeft(const deform::Skin& skin);
 
 }  // namespace palpate::view

@@ -19,7 +19,7 @@ class StereoComposer {
  public:
   StereoComposer();
 
-  /// The target one eye is drawn into, of this size; made anew only when the size changes.
+  /// The target one eye is drawn into, of this size; made again only when the size changes.
   const Target& eye(Eye eye, const EyePicture& picture);
 
   /// Puts the eyes together into `framebuffer` (0 = the window's). A row of an interlaced picture is `row_height`

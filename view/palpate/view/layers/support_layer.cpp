@@ -1,5 +1,5 @@
 // Dull padding in a colour that is neither skin nor ground; what the body covers of the sky is missing in all lights,
-// so that the body is seen to lie. Each picture. Own.
+// so that the body is seen to lie. Each picture.
 #include "palpate/view/layers/support_layer.h"
 
 #include <algorithm>

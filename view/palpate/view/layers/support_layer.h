@@ -1,4 +1,4 @@
-// The table or the seat below a body that lies or sits (support_shape.h).
+// What lies below and behind the body: the table or the seat of one that lies or sits (support_shape.h), the ground.
 #pragma once
 
 #include <optional>
@@ -28,6 +28,21 @@ class SupportLayer {
   GlVertexArray vertex_array_;
   GlBuffer vertices_, triangles_;
   GLsizei count_ = 0;
+};
+
+// What lies behind the body: a soft dark or light gradient, or white paper. Drawn after the opaque things, on the far
+// plane, so that no pixel is shaded twice.
+
+class Background {
+ public:
+  Background();
+  /// Fills what is still empty of the viewport: where the depth is that of the far plane.
+  void draw(const Look& look) const;
+
+ private:
+  Program program_;
+  /// Of no attributes: a core context draws nothing without one, not even vertices made of their number.
+  GlVertexArray nothing_;
 };
 
 }  // namespace palpate::view

@@ -1,5 +1,5 @@
 // The frame of the lights is made of the camera's right, laid level, and the body's up: that is its yaw without pitch
-// and roll. Frustum -> here, once a picture -> uniforms of every program. Own; of the shader see viewpoint.h.
+// and roll. Frustum -> here, once a picture -> uniforms of every program. Of the shader see viewpoint.h.
 #include "palpate/view/layers/viewpoint.h"
 
 #include "palpate/view/layers/gl_objects.h"
@@ -17,9 +17,9 @@ const Vec3f kFillLight = Vec3f(0.80f, -0.10f, 0.59f).normalized();
 Lights lightsFor(const Frustum& frustum) {
   const Vec3f right = frustum.view.block<1, 3>(0, 0).transpose();
   const Vec3f level(right.x(), 0.0f, right.z());
-  constexpr float kLeastLevel = 1e-3f;  // a camera rolled onto its side has no level right: any yaw will do
+  constexpr float kMinLevel = 1e-3f;  // a camera rolled onto its side has no level right: any yaw will do
   Eigen::Matrix3f axes;
-  axes.col(0) = level.norm() > kLeastLevel ? Vec3f(level.normalized()) : Vec3f(Vec3f::UnitX());
+  axes.col(0) = level.norm() > kMinLevel ? Vec3f(level.normalized()) : Vec3f(Vec3f::UnitX());
   axes.col(1) = Vec3f::UnitY();
   axes.col(2) = axes.col(0).cross(axes.col(1));
   return {axes * kKeyLight, axes * kFillLight};

@@ -1,5 +1,5 @@
 // A landmark goes to the nearest triangle of the skin at rest and keeps its shares there. Hidden is asked of the tree,
-// a segment from the eye to a little above the place: a dent takes no skin away, so rest is good enough. Own.
+// a segment from the eye to a little above the place: a dent takes no skin away, so rest is good enough.
 #include "palpate/view/overlays/body_names.h"
 
 #include <array>
@@ -17,7 +17,7 @@ namespace {
 /// Landmarks farther from the skin are none of this skin: a mesh may be a part of a body.
 constexpr double kFarthestFromSkinMm = 25.0;
 /// Cosine of the steepest skin that still shows a dot.
-constexpr double kLeastFacing = 0.12;
+constexpr double kMinFacing = 0.12;
 constexpr double kAboveSkinMm = 1.0;
 
 NameKind nameKindOf(std::string_view landmark) {
@@ -73,7 +73,7 @@ std::vector<const BodyName*> namesSeen(std::span<const BodyName> names, const sc
     const auto corners = restCornersOf(world, name.triangle);
     const Vec3 place = name.shares[0] * corners[0] + name.shares[1] * corners[1] + name.shares[2] * corners[2];
     const Vec3 normal = restNormalOf(corners);
-    if (!(normal.dot((eye - place).normalized()) > kLeastFacing)) continue;
+    if (!(normal.dot((eye - place).normalized()) > kMinFacing)) continue;
     const auto skin = tree::firstFrontCrossing(world.surface.geometry->tree, eye, place + kAboveSkinMm * normal);
     if (skin.triangle == kNoIndex) seen.push_back(&name);
   }

@@ -1,6 +1,6 @@
 // The places of a body that have a name, tied to the skin so that they go where it goes, and which of them an eye sees.
 //
-//   World::anatomy.landmarks ─ bodyNames ─► BodyName ─ namesSeen, each picture ─► SeenName ─ name_columns.h ─► plates
+//   World::anatomy.landmarks ─ bodyNames ─► BodyName ─ namesSeen, each picture ─► SeenName ─ nameColumns ─► plates
 #pragma once
 
 #include <cstdint>

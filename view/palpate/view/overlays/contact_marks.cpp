@@ -1,5 +1,5 @@
 // Crosses, ties and an arrow of a length in proportion to the force, broken where it would be too long.
-// Data flow: FingerOutput -> here -> Lines -> line_layer.h, each picture that asks for it. Own.
+// Data flow: FingerOutput -> here -> Lines -> line_layer.h, each picture that asks for it.
 #include "palpate/view/overlays/marks.h"
 
 namespace palpate::view {
@@ -23,8 +23,8 @@ void addBreak(const Vec3& at, const Vec3& direction, Lines& lines) {
 
 void addForce(const contact::FingerOutput& contact, Lines& lines) {
   const double newton = contact.force.norm();
-  constexpr double kLeastN = 0.01;
-  if (newton < kLeastN) return;
+  constexpr double kMinN = 0.01;
+  if (newton < kMinN) return;
   const Vec3 direction = contact.force / newton;
   const bool capped = kForceMmPerN * newton > kLongestForceMm;
   const double length = capped ? kLongestForceMm : kForceMmPerN * newton;

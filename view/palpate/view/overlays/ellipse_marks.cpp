@@ -1,8 +1,8 @@
 // 96 points of an ellipse are dropped along its normal onto the skin at rest, a segment through the tree each; triangle
 // and weights then move with the skin. A gap in the skin parts the curve. Key points keep theirs; a contact's are made
-// anew for each picture.
-// Data flow: regions of contacts, key points -> here -> Lines -> line_layer.h. Own.
-#include "palpate/view/overlays/ellipse_marks.h"
+// again for each picture.
+// Data flow: regions of contacts, key points -> here -> Lines -> line_layer.h.
+#include "palpate/view/overlays/overlays.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // What has its place comes first (scale bar, directions, legends, title, section) and notes where it lies; the numbers
-// of the fingers come last and look for a place that is free (plates.h). Worked out anew for each picture. Own.
+// of the fingers come last and look for a place that is free (plates.h). Worked out again for each picture.
 #include "palpate/view/overlays/labels.h"
 
 #include <fmt/format.h>
@@ -7,10 +7,7 @@
 #include <cmath>
 
 #include "palpate/view/overlays/legend.h"
-#include "palpate/view/overlays/name_labels.h"
-#include "palpate/view/overlays/overlay_key.h"
 #include "palpate/view/overlays/plates.h"
-#include "palpate/view/overlays/round_steps.h"
 #include "palpate/view/overlays/section.h"
 
 namespace palpate::view {

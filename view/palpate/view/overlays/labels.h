@@ -11,6 +11,7 @@
 
 #include "palpate/view/layers/drawing.h"
 #include "palpate/view/overlays/body_names.h"
+#include "palpate/view/overlays/plates.h"
 #include "palpate/view/renderer.h"
 #include "palpate/view/stereo.h"
 
@@ -34,5 +35,11 @@ std::vector<std::string> fingerWords(const scene::World& world, const FingerMark
 
 /// Draws all labels that the settings ask for, on a page that has begun.
 void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& settings);
+
+// The names of the body as they are drawn: a dot on the skin, a plate beside the body, a thin line between them.
+
+/// Draws those of `scene.names` that are seen from between the eyes, keeps out of what is taken and adds the plates to
+/// it. Plates lie in the plane of the screen, the same for both eyes; dots lie on the skin, where `scene.eye` sees it.
+void drawNames(Drawing& page, const LabelScene& scene, std::vector<LabelBox>& taken);
 
 }  // namespace palpate::view

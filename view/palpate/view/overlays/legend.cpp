@@ -1,12 +1,11 @@
 // The bar is drawn in strips by the colour map that the skin is drawn by. A finger's value is taken between the corners
-// of its triangle at rest, as a pixel's is. Each picture. Own.
+// of its triangle at rest, as a pixel's is. Each picture.
 #include "palpate/view/overlays/legend.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "palpate/scene/skin_channels.h"
-#include "palpate/view/overlays/round_steps.h"
 
 namespace palpate::view {
 
@@ -70,7 +69,7 @@ std::optional<double> valueUnder(const scene::World& world, const deform::Deform
 
 namespace {
 
-constexpr int kMostNumbers = 5;
+constexpr int kMaxNumbers = 5;
 constexpr float kPoint = 9.0f;  ///< height of a pointed end
 constexpr float kTick = 4.0f;
 
@@ -102,7 +101,7 @@ float heightOf(const Legend& legend, const LegendPlace& place, double value) {
 }
 
 void drawNumbers(Drawing& page, const Legend& legend, const LegendPlace& place, const LabelInks& inks) {
-  const std::vector<double> values = roundMarks(legend.range.low, legend.range.high, kMostNumbers);
+  const std::vector<double> values = roundMarks(legend.range.low, legend.range.high, kMaxNumbers);
   const double step = values.size() > 1 ? values[1] - values[0] : 1.0;
   const float right = place.corner.x() + place.size.x();
   const float half_line = 0.5f * page.measure("0", TextSize::small).y();

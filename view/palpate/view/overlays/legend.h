@@ -11,6 +11,7 @@
 #include "palpate/deform/surface.h"
 #include "palpate/scene/world.h"
 #include "palpate/view/layers/drawing.h"
+#include "palpate/view/lines.h"
 #include "palpate/view/look.h"
 #include "palpate/view/overlays/plates.h"
 
@@ -62,5 +63,41 @@ double heightOnBar(const Legend& legend, double value);
 
 /// Bar, numbers, title with unit, pointed ends (values beyond have the colour of the end), marks of the fingers.
 void drawLegend(Drawing& page, const Legend& legend, const LegendPlace& place, const LabelInks& inks);
+
+// What the lines and patches of the overlays mean: a plate of signs in their colours, each with its words.
+
+struct KeyEntry {
+  enum class Sign : std::uint8_t { line, cross, arrow, patch };
+  Sign sign = Sign::line;
+  Paint paint{};
+  std::string words;
+};
+
+/// A row for everything that the look draws over the skin, in the order of the overlays, and one for dents that are
+/// shaded more strongly than light would.
+std::vector<KeyEntry> overlayKey(const Look& look);
+
+/// Where the plate may lie, points: rows go down, then to the right; those that find no room are left out.
+struct KeyPlace {
+  Vec2f corner = Vec2f::Zero();
+  Vec2f room = Vec2f::Zero();
+};
+
+/// Draws it and returns what it covers; nothing for no entries.
+LabelBox drawOverlayKey(Drawing& page, const std::vector<KeyEntry>& entries, const KeyPlace& place,
+                        const LabelInks& inks);
+
+// Round numbers for scales: steps of 1, 2 or 5 times a power of ten.
+
+/// The smallest 1-2-5 step that is not below `least` (> 0).
+double roundStepUp(double least);
+/// The largest that is not above `most` (> 0).
+double roundStepDown(double most);
+
+/// Multiples of a round step within the range, at most `most` (>= 2) of them; both ends when no multiple fits.
+std::vector<double> roundMarks(double low, double high, int most);
+
+/// With as many decimals as the step needs: "-10", "0.4"; with a true minus sign.
+std::string markText(double value, double step);
 
 }  // namespace palpate::view

@@ -5,7 +5,7 @@
 
 #include "palpate/contact/finger.h"
 #include "palpate/scene/world.h"
-#include "palpate/view/layers/drawn_skin.h"
+#include "palpate/view/drawn_skin.h"
 #include "palpate/view/lines.h"
 
 namespace palpate::view {

@@ -2,9 +2,9 @@
 // the sum of squares allows, and change places with a neighbour as long as their lines cross. Where a column is full
 // the highest rank is given up as a whole, on both sides.
 //
-// Own; heights by pooling adjacent violators: Ayer and others, "An empirical distribution function for sampling with
+// Heights by pooling adjacent violators: Ayer and others, "An empirical distribution function for sampling with
 // incomplete information", 1955.
-#include "palpate/view/overlays/name_columns.h"
+#include "palpate/view/overlays/plates.h"
 
 #include <algorithm>
 #include <array>
@@ -197,9 +197,9 @@ std::vector<NamePlate> platesOf(std::span<const NameTag> tags, const NameColumn&
 
 /// Neighbours whose lines cross change places; a few rounds, because that can make others cross.
 std::vector<NamePlate> untangled(std::span<const NameTag> tags, NameColumn column, const FreeStretch& stretch) {
-  constexpr int kMostRounds = 12;
+  constexpr int kMaxRounds = 12;
   std::vector<NamePlate> plates = platesOf(tags, column, topsOf(tags, column.tags, stretch));
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     bool changed = false;
     for (std::size_t i = 0; i + 1 < plates.size(); ++i) {
       const NamePlate& a = plates[i];

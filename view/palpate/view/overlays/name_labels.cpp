@@ -1,12 +1,12 @@
 // Names seen -> places on the page -> columns -> ink. The silhouette comes from a thousand vertices. Each picture: half
-// a millisecond for the trunk's hundred names. Own.
-#include "palpate/view/overlays/name_labels.h"
+// a millisecond for the trunk's hundred names.
+#include "palpate/view/overlays/labels.h"
 
 #include <algorithm>
 
 #include "palpate/view/overlays/body_names.h"
 #include "palpate/view/overlays/marks.h"
-#include "palpate/view/overlays/name_columns.h"
+#include "palpate/view/overlays/plates.h"
 
 namespace palpate::view {
 
@@ -30,8 +30,8 @@ class PageSight {
 };
 
 void findSilhouette(const deform::DeformedSurface& surface, const PageSight& sight, NameGround& ground) {
-  constexpr Index kMost = 1000;
-  const Index step = std::max<Index>(1, surface.vertices() / kMost);
+  constexpr Index kMax = 1000;
+  const Index step = std::max<Index>(1, surface.vertices() / kMax);
   ground.body_left = ground.page.opposite.x();
   ground.body_right = ground.page.corner.x();
   for (Index v = 0; v < surface.vertices(); v += step) {

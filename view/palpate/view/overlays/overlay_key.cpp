@@ -1,6 +1,6 @@
 // The rows are a table by overlay; a sign lies on a chip of the colour of skin, so that white lines and yellow ones
-// are seen on a light plate too. Laid out anew for each picture. Own.
-#include "palpate/view/overlays/overlay_key.h"
+// are seen on a light plate too. Laid out again for each picture.
+#include "palpate/view/overlays/legend.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Asks for what the look shows. Shapes keep their memory from picture to picture; key ellipses and partition, which
-// cost more than a picture may, are made when first shown and kept. Own.
+// cost more than a picture may, are made when first shown and kept.
 #include "palpate/view/overlays/overlays.h"
 
 #include "palpate/view/overlays/marks.h"
@@ -10,7 +10,7 @@ namespace palpate::view {
 namespace {
 
 constexpr double kArrowSpacingMm = 6.0;
-constexpr Index kMostNormals = 6000;
+constexpr Index kMaxNormals = 6000;
 constexpr int kRings = 8;
 
 void clear(OverlayShapes& shapes) {
@@ -39,7 +39,7 @@ void Overlays::addPartition(const Look& look) {
 
 void Overlays::addBody(const Look& look, const DrawnSkin& skin) {
   if (look.shows(Overlay::arrows)) addDisplacements(world_, skin, kArrowSpacingMm, shapes_.thin);
-  if (look.shows(Overlay::normals)) addNormals(skin, kMostNormals, shapes_.thin);
+  if (look.shows(Overlay::normals)) addNormals(skin, kMaxNormals, shapes_.thin);
   if (look.shows(Overlay::ellipses)) {
     for (const Outline& outline : keyEllipses()) addOutline(outline, skin, kKeyEllipsePaint, shapes_.thin);
   }

@@ -1,19 +1,82 @@
 // All overlays of a picture as lines and patches; the wireframe alone is drawn from the skin's own buffers.
 //
-//   Look, DrawnSkin, fingers ─► Overlays ─ marks.h, ellipse_marks.h, partition_marks.h ─► OverlayShapes ─► LineLayer
+//   Look, DrawnSkin, fingers ─► Overlays ─ ellipses, partition, marks.h ─► OverlayShapes ─► LineLayer
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "palpate/contact/finger_state.h"
+#include "palpate/contact/surface.h"
+#include "palpate/hdb/haptic_box.h"
+#include "palpate/hdb/partition.h"
+#include "palpate/scene/world.h"
+#include "palpate/view/drawn_skin.h"
 #include "palpate/view/finger_pose.h"
-#include "palpate/view/layers/drawn_skin.h"
 #include "palpate/view/lines.h"
 #include "palpate/view/look.h"
-#include "palpate/view/overlays/ellipse_marks.h"
-#include "palpate/view/overlays/partition_marks.h"
 
 namespace palpate::view {
+
+// The dissertation's partition, drawn: leaves, splitting planes, and what the detecting box of a finger meets
+// (Fig 3.6).
+
+/// A partition of the world's skin, and the edges of the detecting box.
+struct ShownPartition {
+  std::shared_ptr<const hdb::Partition> partition;
+  Vec3 box_edges_mm = Vec3::Zero();
+};
+
+/// The one that fingers of this world touch through; built from the scene's settings when they do not.
+ShownPartition partitionOf(const scene::World& world);
+
+/// The cells of the leaves, blue.
+void addLeafBoxes(const hdb::Partition& partition, Lines& lines);
+
+/// Every splitting plane within its cell: square to x green, to y red, to z yellow; fainter level by level.
+void addPlanes(const hdb::Partition& partition, Lines& lines, Patches& patches);
+
+/// The box round the finger's proxy.
+void addDetectingBox(const ShownPartition& shown, const contact::FingerOutput& contact, Lines& lines);
+
+/// The triangles of all leaves that the box meets, green: what the haptic process works on.
+void addHapticTriangles(const ShownPartition& shown, const scene::World& world, const DrawnSkin& skin,
+                        const contact::FingerOutput& contact, Patches& patches);
+
+// Deformation ellipses as outlines that lie on the skin and move with it.
+
+/// A place of the skin that moves with it: a triangle and the weights of its corners.
+struct SkinSpot {
+  Triangle vertices{};
+  Vec3f weights = Vec3f::Zero();
+};
+
+/// Where a segment first enters the skin at rest.
+std::optional<SkinSpot> spotBetween(const contact::Surface& surface, const Vec3& from, const Vec3& to);
+
+inline Vec3 placeOf(const SkinSpot& spot, const DrawnSkin& skin) {
+  Vec3 place = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) place += static_cast<double>(spot.weights[i]) * skin.at(spot.vertices[i]);
+  return place;
+}
+
+/// Outlines as far as they lie over the skin: pieces of a closed curve.
+using Outline = std::vector<std::vector<SkinSpot>>;
+
+/// The ellipse round `centre` in the plane square to `normal` (unit), seen along it onto the skin.
+Outline outlineOf(const scene::World& world, const maps::SurfaceEllipse& ellipse, const Vec3& centre,
+                  const Vec3& normal);
+
+/// Of the map's key points, seen along z as the map is. Costs some 0.1 ms an ellipse: keep them.
+std::vector<Outline> keyOutlines(const scene::World& world);
+
+void addOutline(const Outline& outline, const DrawnSkin& skin, Paint paint, Lines& lines);
+
+/// The regions that a finger's normal and tangential part move.
+void addContactEllipses(const scene::World& world, const contact::FingerOutput& contact, const DrawnSkin& skin,
+                        Lines& lines);
 
 struct OverlayShapes {
   Patches patches;

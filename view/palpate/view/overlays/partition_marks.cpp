@@ -1,7 +1,7 @@
 // A plane is the rectangle that it cuts out of a node's cell: one in a BSP tree's node, three in an octree's.
 // Data flow: Partition, proxy -> here -> Lines, Patches -> line_layer.h.
 // Based on: Ji, dissertation 2008, chapter 3, Fig 3.6.
-#include "palpate/view/overlays/partition_marks.h"
+#include "palpate/view/overlays/overlays.h"
 
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace {
 
 /// Each level is drawn with this share of the one above; fainter than the least is left out.
 constexpr double kLevelShare = 0.8;
-constexpr double kLeastShare = 0.1;
+constexpr double kMinShare = 0.1;
 constexpr double kBoxFill = 0.04;
 
 /// The rectangle that the plane square to `axis` cuts out of a cell.
@@ -52,7 +52,7 @@ void addPlanes(const hdb::Partition& partition, Lines& lines, Patches& patches) 
   for (Index n = 0; n < partition.tree_node_count; ++n) {
     const hdb::Node& node = partition.nodes[n];
     const double share = std::pow(kLevelShare, node.level);
-    if (node.is_leaf || share < kLeastShare) continue;
+    if (node.is_leaf || share < kMinShare) continue;
     if (partition.tree == hdb::TreeKind::Bsp) {
       addPlane(partition.cells[n], hdb::splitAxis(node.level), share, lines, patches);
     } else {

@@ -1,5 +1,5 @@
 // Fourteen places round the point, those that are liked first; each is moved onto the page, then judged by the area
-// that it shares with what lies there. The first that shares nothing is taken, else the one that shares least. Own.
+// that it shares with what lies there. The first that shares nothing is taken, else the one that shares least.
 #include "palpate/view/overlays/plates.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Steps of 1, 2 and 5 times a power of ten, with slack for the rounding of logarithms.
-#include "palpate/view/overlays/round_steps.h"
+#include "palpate/view/overlays/legend.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // The cut by walking: from the crossed triangle nearest to the origin over shared edges, backward and forward, until
 // the width, a border or the start. A point on the plane counts as above it, so every triangle is crossed twice or
-// never. Own.
+// never.
 #include "palpate/view/overlays/section.h"
 
 #include <algorithm>
@@ -19,12 +19,12 @@ using tree::TriangleRecord;
 using Deformed = std::function<Vec3(Index)>;
 
 /// A drag shorter than this (mm) says nothing about where the finger wants to go.
-constexpr double kLeastDragMm = 0.2;
+constexpr double kMinDragMm = 0.2;
 
 Vec3 acrossThe(const Vec3& normal) {
   const Vec3 side = Vec3::UnitX() - normal.x() * normal;
-  constexpr double kLeastSide = 1e-3;  // the skin faces along x: go along the body instead
-  return side.norm() > kLeastSide ? Vec3(side.normalized()) : Vec3((Vec3::UnitY() - normal.y() * normal).normalized());
+  constexpr double kMinSide = 1e-3;  // the skin faces along x: go along the body instead
+  return side.norm() > kMinSide ? Vec3(side.normalized()) : Vec3((Vec3::UnitY() - normal.y() * normal).normalized());
 }
 
 /// Points on the plane count as above it, so that every triangle is crossed at two edges or none.
@@ -146,7 +146,7 @@ SectionPlane sectionPlane(const scene::World& world, const contact::FingerOutput
   }
   const Vec3 drag = contact.proxy - contact.anchor;
   const Vec3 in_skin = drag - drag.dot(plane.upward) * plane.upward;
-  plane.along = in_skin.norm() > kLeastDragMm ? Vec3(in_skin.normalized()) : acrossThe(plane.upward);
+  plane.along = in_skin.norm() > kMinDragMm ? Vec3(in_skin.normalized()) : acrossThe(plane.upward);
   return plane;
 }
 

@@ -1,4 +1,4 @@
-// The curve of section.h as a chart: axes that fit it, a grid in round steps, rest, deformed. Each picture. Own.
+// The curve of section.h as a chart: axes that fit it, a grid in round steps, rest, deformed. Each picture.
 #include "palpate/view/overlays/section.h"
 
 #include <fmt/format.h>
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "palpate/view/layers/drawing.h"
+#include "palpate/view/overlays/legend.h"
 #include "palpate/view/overlays/plates.h"
-#include "palpate/view/overlays/round_steps.h"
 
 namespace palpate::view {
 
@@ -40,8 +40,8 @@ Axes axesFor(std::span<const SectionPoint> curve, const SectionChart& chart) {
   }
   if (chart.cap_mm) axes.low.y() = std::min(axes.low.y(), -*chart.cap_mm);
   // A flat skin at rest still gets a scale.
-  constexpr double kLeastMm = 2.0;
-  const double range = std::max(axes.high.y() - axes.low.y(), kLeastMm);
+  constexpr double kMinMm = 2.0;
+  const double range = std::max(axes.high.y() - axes.low.y(), kMinMm);
   const double room = 0.08 * range;
   axes.low.y() -= chart.cap_mm ? 0.25 * range : room;  // words stand below the cap
   axes.high.y() += room;

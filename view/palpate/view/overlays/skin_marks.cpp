@@ -29,12 +29,12 @@ MarkCell cellOf(const Vec3& place, double size) {
 }
 
 std::vector<Moved> movedVertices(const deform::Skin& rest, const DrawnSkin& skin, double spacing) {
-  constexpr double kLeastMm = 0.3;
+  constexpr double kMinMm = 0.3;
   std::vector<Moved> moved;
   for (const deform::VertexRange& range : skin.changed()) {
     for (Index v = range.first; v < range.end; ++v) {
       const Vec3 place = rest.restPosition(v).cast<double>();
-      if ((skin.at(v) - place).norm() > kLeastMm) moved.push_back({cellOf(place, spacing), v});
+      if ((skin.at(v) - place).norm() > kMinMm) moved.push_back({cellOf(place, spacing), v});
     }
   }
   return moved;

@@ -1,0 +1,159 @@
+// `palpate recording bundle`: a recording with the files that its scene names, in one file to give away.
+#include <fmt/format.h>
+#include <pwd.h>
+#include <unistd.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/json.h"
+#include "cli/kit/progress_line.h"
+#include "cli/kit/readable_text.h"
+#include "palpate/base/error.h"
+#include "palpate/engine/recording_bundle.h"
+#include "palpate/engine/recording_settings.h"
+#include "palpate/trace/recording_edit.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct BundleArguments {
+  std::filesystem::path file;
+  std::filesystem::path out;
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> included;
+  bool json = false;
+};
+
+using Words = std::vector<std::pair<std::string, std::string>>;
+
+/// Names that are too short or too common to mean somebody are left.
+void addWord(Words& words, const std::string& word, const char* with) {
+  if (word.size() < 3 || word == "root" || word == "localhost" || word == "user") return;
+  words.emplace_back(word, with);
+}
+
+void addFolder(Words& words, const std::string& folder) {
+  if (folder.size() > 1 && folder != "/root") words.emplace_back(folder, "~");
+}
+
+/// Who this is and where: account, full name, home, computer.
+Words namesHere() {
+  Words words;
+  for (const char* name : {"USER", "LOGNAME"}) {
+    if (const char* user = std::getenv(name)) addWord(words, user, "user");
+  }
+  if (const char* home = std::getenv("HOME")) addFolder(words, home);
+  if (const passwd* account = ::getpwuid(::geteuid())) {
+    addWord(words, account->pw_name, "user");
+    const std::string full_name = account->pw_gecos == nullptr ? "" : account->pw_gecos;
+    addWord(words, full_name.substr(0, full_name.find(',')), "user");
+    addFolder(words, account->pw_dir);
+  }
+  std::array<char, 256> host{};
+  if (::gethostname(host.data(), host.size() - 1) == 0) {
+    const std::string name = host.data();
+    addWord(words, name, "host");
+    addWord(words, name.substr(0, name.find('.')), "host");
+  }
+  return words;
+}
+
+std::string versionsHere(const BundleArguments& arguments, const trace::RecordingFacts& facts) {
+  trace::Database database(arguments.file, trace::Database::Mode::read);
+  trace::Statement sqlite(database, "SELECT sqlite_version()");
+  sqlite.next();
+  const trace::RecordingHeader here = engine::recordingHeader(facts.header.ticks_per_s);
+  return fmt::format(
+      "recorded by  {} on {}\nbundled by   {} on {}\ntables       version {}\ncompiler     {}\nSQLite       {}\n"
+      "Eigen        {}.{}.{}\nfmt          {}\n",
+      facts.header.software, facts.header.machine, here.software, here.machine, facts.version, __VERSION__,
+      sqlite.text(0), EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, FMT_VERSION);
+}
+
+/// Of the files, not of the names that a stranger's scene has for them.
+std::vector<std::filesystem::path> allowedBy(const BundleArguments& arguments) {
+  std::vector<std::filesystem::path> allowed = arguments.included;
+  const std::filesystem::path beside = arguments.file.parent_path();
+  allowed.push_back(beside.empty() ? "." : beside);
+  if (!arguments.folder.empty()) allowed.push_back(arguments.folder);
+  return allowed;
+}
+
+void refuseFilesOutside(trace::RecordingReader& recording, const BundleArguments& arguments,
+                        const engine::BundleSettings& settings) {
+  const std::vector<std::filesystem::path> files = engine::filesOutside(recording, settings);
+  if (files.empty()) return;
+  std::string names;
+  std::string options;
+  for (const std::filesystem::path& file : files) {
+    names += (names.empty() ? "" : ", ") + file.string();
+    options += fmt::format(" --include '{}'", file.string());
+  }
+  throw Error::inFile(arguments.file.string(),
+                      fmt::format("its scene names files outside the folder of the recording: {}; to give them away "
+                                  "too, add{}",
+                                  names, options));
+}
+
+void print(const BundleArguments& arguments, const engine::BundleReport& report) {
+  if (arguments.json) {
+    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    for (const auto& file : report.files) files.push_back({{"name", file.name}, {"bytes", file.bytes}});
+    const nlohmann::ordered_json json = {
+        {"file", arguments.out.string()}, {"samples", report.samples}, {"files", files}, {"notes", report.notes}};
+    printReadable(jsonText(json));
+    return;
+  }
+  std::string text =
+      fmt::format("{}: {} samples, {} files that the scene names; `palpate recording replay` needs nothing else\n",
+                  arguments.out.string(), report.samples, report.files.size());
+  for (const auto& file : report.files) text += fmt::format("  file  {}, {} bytes\n", file.name, file.bytes);
+  for (const std::string& note : report.notes) text += "  note  " + note + "\n";
+  printReadable(text);
+}
+
+void runBundle(const BundleArguments& arguments) {
+  trace::refuseSame(arguments.out, arguments.file);
+  const FinishesInOrder in_order;  // files that a bundle carries lie in a folder that must go again
+  const trace::ReadingWatch watch(endIfAsked);
+  ProgressLine progress;
+  trace::RecordingReader recording(arguments.file);
+  engine::BundleSettings settings;
+  settings.folder = arguments.folder;
+  settings.allowed = allowedBy(arguments);
+  settings.hidden = namesHere();
+  settings.versions = versionsHere(arguments, recording.facts());
+  refuseFilesOutside(recording, arguments, settings);
+  const engine::BundleReport report = engine::bundle(recording, arguments.out, settings, progress.callback());
+  progress.clear();
+  print(arguments, report);
+}
+
+}  // namespace
+
+void addBundleCommand(CLI::App& recording) {
+  const auto arguments = std::make_shared<BundleArguments>();
+  BundleArguments& a = *arguments;
+  CLI::App& command = *recording.add_subcommand(
+      "bundle", "Write a recording with all files that its scene names, and without names of people or folders");
+  command.add_option("RECORDING", a.file, "Recording file")->required();
+  command.add_option("-o,--out", a.out, "Recording file to write")->required();
+  command.add_option("--folder", a.folder, "Where the files that the scene names lie now (default: where they lay)");
+  command
+      .add_option("--include", a.included,
+                  "Also pack what the scene names of this file or folder, once for each; files outside the "
+                  "recording's folder and --folder are refused without it")
+      ->type_name("PATH")
+      ->allow_extra_args(false);
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([=] { runBundle(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,167 @@
+// `palpate recording export`: a recording as files that other programs read.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/json.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "cli/kit/readable_text.h"
+#include "cli/recording/recording_export.h"
+#include "cli/recording/recording_text.h"
+#include "cli/simulate/run_recorder.h"
+#include "palpate/base/csv.h"
+#include "palpate/base/error.h"
+#include "palpate/base/text.h"
+#include "palpate/engine/recording_bundle.h"
+#include "palpate/trace/forces_csv.h"
+
+namespace palpate::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ExportArguments {
+  std::filesystem::path file;
+  std::filesystem::path csv;
+  std::filesystem::path json;
+  std::filesystem::path scene;
+  std::filesystem::path npz;
+  std::filesystem::path ply;
+  std::filesystem::path attachments;
+  std::filesystem::path folder;
+  std::optional<double> at_s;
+  bool raw = false;
+  TimeSpan span;
+};
+
+std::uint64_t writeCsv(trace::RecordingReader& recording, const ExportArguments& arguments, const Progress& progress) {
+  const trace::RecordingFacts& facts = recording.facts();
+  trace::ForcesCsvSettings settings;
+  for (const trace::RecordingFinger& finger : facts.fingers)
+    settings.finger_names.push_back(csvTextCell(finger.name, arguments.raw ? CsvText::raw : CsvText::safe));
+  settings.ticks_per_s = facts.header.ticks_per_s;
+  trace::ForcesCsvWriter table(arguments.csv, settings);
+  std::uint64_t rows = 0;
+  recording.forEachTick(ticksOf(arguments.span, settings.ticks_per_s), [&](std::span<const trace::Sample> samples) {
+    for (const trace::Sample& sample : samples) table.add(sample);
+    rows += samples.size();
+    if (rows % 20000 < samples.size()) {
+      report(progress, "writing the table", static_cast<double>(rows) / static_cast<double>(facts.samples));
+    }
+    return true;
+  });
+  table.commit();
+  return rows;
+}
+
+/// Everything but the ticks.
+void writeJson(trace::RecordingReader& recording, const ExportArguments& arguments) {
+  Json json = factsJson(recording.facts());
+  Json worlds = Json::array();
+  for (std::uint64_t i = 0; i < recording.facts().worlds; ++i) {
+    const trace::RecordingWorld world = recording.world(recording.facts().first_world + i);
+    worlds.push_back({{"body", world.body},
+                      {"triangles", world.triangles},
+                      {"hash", fmt::format("{:016x}", world.hash)},
+                      {"scene", world.scene}});
+  }
+  Json events = Json::array();
+  for (const trace::RecordingEvent& event :
+       recording.events(ticksOf(arguments.span, recording.facts().header.ticks_per_s))) {
+    events.push_back({{"tick", event.tick},
+                      {"finger", event.finger ? Json(*event.finger) : Json(nullptr)},
+                      {"kind", event.kind},
+                      {"text", event.text}});
+  }
+  json["world_list"] = worlds;
+  json["event_list"] = events;
+  writeFile(arguments.json, jsonText(json));
+}
+
+/// The skin as the recorded fingers deform it at a moment.
+std::string writePly(trace::RecordingReader& recording, const ExportArguments& arguments, const Progress& progress) {
+  const double rate = recording.facts().header.ticks_per_s;
+  const double time_s = arguments.at_s ? *arguments.at_s : static_cast<double>(deepestTick(recording)) / rate;
+  const servo::TickSamples frame = recordedFrames(recording, {time_s}).front();
+  const engine::CarriedFiles carried(recording);
+  const std::filesystem::path folder = arguments.folder.empty() ? carried.folder() : arguments.folder;
+  const auto world = worldToSee(recording, frame.front().world, folder, {}, progress);
+  requireFitting(frame, *world);
+  writeSurface(arguments.ply, *world, frame);
+  const std::string note = noteOfAnotherWorld(recording, frame.front().world, *world);
+  return fmt::format("skin at {:.3f} s -> {}\n", static_cast<double>(frame.front().tick) / rate,
+                     arguments.ply.string()) +
+         (note.empty() ? note : "  note: " + note + "\n");
+}
+
+void requireSomething(const ExportArguments& a) {
+  for (const std::filesystem::path* request : {&a.csv, &a.json, &a.scene, &a.npz, &a.ply, &a.attachments}) {
+    if (!request->empty()) return;
+  }
+  throw Error("export: say what to write: --csv, --npz, --json, --scene, --ply FILE or --attachments FOLDER");
+}
+
+void runExport(const ExportArguments& arguments) {
+  requireSomething(arguments);
+  if (arguments.raw && arguments.csv.empty()) throw Error("export: --raw is for --csv FILE");
+  if (arguments.at_s && arguments.ply.empty()) throw Error("export: --at says the moment of --ply FILE");
+  const FinishesInOrder in_order;  // files that the recording carries lie in a folder that must go again
+  const trace::ReadingWatch watch(endIfAsked);
+  ProgressLine progress;
+  trace::RecordingReader recording(arguments.file);
+  std::string text;
+  if (!arguments.csv.empty()) {
+    text += fmt::format("{} rows -> {}\n", writeCsv(recording, arguments, progress.callback()), arguments.csv.string());
+  }
+  if (!arguments.npz.empty()) {
+    const trace::TickSpan span = ticksOf(arguments.span, recording.facts().header.ticks_per_s);
+    text += fmt::format("{} rows -> {}\n", writeNpz(recording, span, arguments.npz, progress.callback()),
+                        arguments.npz.string());
+  }
+  if (!arguments.ply.empty()) text += writePly(recording, arguments, progress.callback());
+  if (!arguments.attachments.empty()) {
+    const trace::TickSpan span = ticksOf(arguments.span, recording.facts().header.ticks_per_s);
+    text += fmt::format("{} pictures, sound notes and the like -> {}\n",
+                        writeAttachments(recording, span, arguments.attachments), arguments.attachments.string());
+  }
+  if (!arguments.json.empty()) {
+    writeJson(recording, arguments);
+    text += fmt::format("header, worlds and events -> {}\n", arguments.json.string());
+  }
+  if (!arguments.scene.empty()) {
+    writeFile(arguments.scene, recording.world(recording.facts().first_world).scene);
+    text += fmt::format("scene -> {}\n", arguments.scene.string());
+  }
+  progress.clear();
+  printReadable(text);
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& recording) {
+  const auto arguments = std::make_shared<ExportArguments>();
+  ExportArguments& a = *arguments;
+  CLI::App& command = *recording.add_subcommand("export", "Write a recording as files that other programs read");
+  command.add_option("RECORDING", a.file, "Recording file")->required();
+  command.add_option("--csv", a.csv, "Every tick, as forces.csv has it");
+  command.add_flag("--raw", a.raw,
+                   "Of --csv: write names that begin like a formula (= + - @) as they are, for programs; without it an "
+                   "apostrophe stands before them");
+  command.add_option("--json", a.json, "Everything but the ticks: header, fingers, worlds, events");
+  command.add_option("--scene", a.scene, "The scene that it began with (TOML)");
+  command.add_option("--npz", a.npz, "Every column of every tick as arrays for NumPy: numpy.load(FILE)['index.tick']");
+  command.add_option("--ply", a.ply, "The deformed skin at a moment, with displacement and strain");
+  addNumber(command, "--at", a.at_s, between(0.0, 1e9, "s"),
+            "Moment of --ply (default: where the fingers press deepest)");
+  command.add_option("--attachments", a.attachments, "Folder for pictures and sound notes that were kept with it");
+  command.add_option("--folder", a.folder, "Where the files that the scene names lie now (default: where they lay)");
+  addTimeSpan(command, a.span);
+  command.callback([=] { runExport(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,57 @@
+// `palpate recording join`: recordings one after another in one file.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/json.h"
+#include "cli/kit/progress_line.h"
+#include "cli/kit/readable_text.h"
+#include "palpate/trace/recording_edit.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct JoinArguments {
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path out;
+  bool json = false;
+};
+
+void runJoin(const JoinArguments& arguments) {
+  ProgressLine progress;
+  const trace::ReadingWatch watch(endIfAsked);
+  const trace::Joined joined = trace::join(arguments.files, arguments.out, progress.callback());
+  progress.clear();
+  if (arguments.json) {
+    const nlohmann::ordered_json json = {{"file", arguments.out.string()},
+                                         {"samples", joined.samples},
+                                         {"begins", joined.begins},
+                                         {"last_tick", joined.last_tick},
+                                         {"notes", joined.notes}};
+    printReadable(jsonText(json));
+    return;
+  }
+  std::string text = fmt::format("{}: {} samples of {} recordings, one after another\n", arguments.out.string(),
+                                 joined.samples, joined.begins.size());
+  for (const std::string& note : joined.notes) text += "  note  " + note + "\n";
+  printReadable(text);
+}
+
+}  // namespace
+
+void addJoinCommand(CLI::App& recording) {
+  const auto arguments = std::make_shared<JoinArguments>();
+  JoinArguments& a = *arguments;
+  CLI::App& command = *recording.add_subcommand("join", "Write recordings of the same fingers one after another");
+  command.add_option("RECORDING", a.files, "Recording files, in their order")->required()->expected(2, 1000);
+  command.add_option("-o,--out", a.out, "Recording file to write")->required();
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([=] { runJoin(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,71 @@
+// `palpate recording list`: which recording files are in a folder, and what is in them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/json.h"
+#include "cli/kit/readable_text.h"
+#include "cli/recording/recording_text.h"
+#include "palpate/base/error.h"
+#include "view/viewer/files/recording_keeper.h"
+
+namespace palpate::app {
+
+namespace {
+
+struct RecordingsArguments {
+  std::filesystem::path folder = ".";
+  bool window = false;
+  bool json = false;
+};
+
+std::vector<std::filesystem::path> recordingFiles(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, error)) {
+    if (trace::isRecording(entry.path()) && entry.is_regular_file(error)) files.push_back(entry.path());
+  }
+  if (error) throw Error::inFile(folder.string(), error.message());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+void runRecordings(const RecordingsArguments& arguments) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  std::string text;
+  const std::filesystem::path folder = arguments.window ? viewer::recordingsFolder() : arguments.folder;
+  if (arguments.window && !std::filesystem::is_directory(folder)) {
+    throw Error(fmt::format("{}: no window has recorded anything yet", folder.string()));
+  }
+  for (const std::filesystem::path& file : recordingFiles(folder)) {
+    try {
+      const trace::RecordingReader reader(file);
+      nlohmann::ordered_json entry = {{"file", file.string()}};
+      entry.update(factsJson(reader.facts()));
+      json.push_back(entry);
+      text += fmt::format("{}  {}\n", file.string(), recordingLine(reader.facts()));
+    } catch (const Error& error) {
+      json.push_back({{"file", file.string()}, {"error", error.what()}});
+      text += fmt::format("{}\n", error.what());
+    }
+  }
+  if (text.empty()) text = fmt::format("no recording (*.session) under {}\n", folder.string());
+  printReadable(arguments.json ? jsonText(json) : text);
+}
+
+}  // namespace
+
+void addRecordingsCommand(CLI::App& recording) {
+  const auto arguments = std::make_shared<RecordingsArguments>();
+  CLI::App& command = *recording.add_subcommand("list", "List the recordings of a folder and what is in them");
+  command.add_option("FOLDER", arguments->folder, "With all folders in it")->capture_default_str();
+  command.add_flag("--window", arguments->window, "Those that the window recorded by itself, wherever they are");
+  command.add_flag("--json", arguments->json, "Print a list of objects");
+  command.callback([=] { runRecordings(*arguments); });
+}
+
+}  // namespace palpate::app

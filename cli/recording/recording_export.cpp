@@ -1,0 +1,309 @@
+#include "cli/recording/recording_export.h"
+
+#include <fmt/format.h>
+#include <zip.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
+#include "palpate/base/text.h"
+#include "palpate/engine/recording_bundle.h"
+#include "palpate/engine/recording_settings.h"
+#include "palpate/scene/scene_file.h"
+#include "palpate/trace/sample_block.h"
+
+namespace palpate::app {
+
+namespace {
+
+// A NumPy file of arrays with names (.npz): a ZIP archive of .npy files, as numpy.load reads it.
+//
+// Based on: NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays". The archive is minizip's.
+//
+// Entries are stored as they are: numpy.load then reads them at the speed of the disk. Own, over minizip's C interface.
+
+class NpzFile {
+ public:
+  /// Begins the file beside its target. Throws Error.
+  explicit NpzFile(const std::filesystem::path& file);
+  ~NpzFile();
+
+  /// `type` as NumPy has it, "<f8"; `bytes` are those of `count` numbers, little-endian. Throws Error.
+  void add(const std::string& name, std::string_view type, std::uint64_t count, std::string_view bytes);
+  /// A single number.
+  void add(const std::string& name, double number);
+  /// The last call: gives the file its name.
+  void commit();
+
+ private:
+  void add(const std::string& name, std::string_view header, std::string_view bytes, bool is_large);
+  [[noreturn]] void fail() const;
+
+  struct Archive;
+  std::string name_;
+  OutputFile file_;
+  std::unique_ptr<Archive> archive_;
+};
+
+/// What minizip is given at once; its lengths have 32 bits.
+constexpr std::size_t kMaxAtOnce = std::size_t{1} << 30;
+/// From here on an entry needs the larger form of the archive.
+constexpr std::uint64_t kLarge = 0xf0000000u;
+constexpr int kStored = 0;
+
+/// The head of a .npy file: its length with the ten bytes before it is a multiple of 64.
+std::string headOf(std::string_view type, const std::string& shape) {
+  std::string words = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type, shape);
+  words.append(63 - (10 + words.size()) % 64, ' ');
+  words += '\n';
+  std::string head("\x93NUMPY\x01\x00", 8);
+  head += static_cast<char>(words.size() & 0xffu);
+  head += static_cast<char>(words.size() >> 8);
+  return head + words;
+}
+
+struct NpzFile::Archive {
+  zipFile handle = nullptr;
+  ~Archive() {
+    if (handle != nullptr) zipClose(handle, nullptr);
+  }
+};
+
+NpzFile::NpzFile(const std::filesystem::path& file)
+    : name_(file.string()), file_(file), archive_(std::make_unique<Archive>()) {
+  archive_->handle = zipOpen64(file_.partial().c_str(), APPEND_STATUS_CREATE);
+  if (archive_->handle == nullptr) fail();
+}
+
+NpzFile::~NpzFile() = default;
+
+void NpzFile::fail() const {
+  const int reason = errno;
+  throw Error::inFile(name_, fmt::format("cannot be written: {}", reason == 0 ? "the archive" : std::strerror(reason)));
+}
+
+void NpzFile::add(const std::string& name, std::string_view type, std::uint64_t count, std::string_view bytes) {
+  add(name, headOf(type, fmt::format("({},)", count)), bytes, bytes.size() > kLarge);
+}
+
+void NpzFile::add(const std::string& name, double number) {
+  add(name, headOf("<f8", "()"), std::string_view(reinterpret_cast<const char*>(&number), sizeof number), false);
+}
+
+void NpzFile::add(const std::string& name, std::string_view header, std::string_view bytes, bool is_large) {
+  errno = 0;
+  const zip_fileinfo info{};  // without a date: the same recording gives the same file
+  const std::string entry = name + ".npy";
+  if (zipOpenNewFileInZip64(archive_->handle, entry.c_str(), &info, nullptr, 0, nullptr, 0, nullptr, kStored, 0,
+                            is_large ? 1 : 0) != ZIP_OK) {
+    fail();
+  }
+  for (std::string_view rest : {header, bytes}) {
+    while (!rest.empty()) {
+      const std::string_view now = rest.substr(0, kMaxAtOnce);
+      if (zipWriteInFileInZip(archive_->handle, now.data(), static_cast<unsigned>(now.size())) != ZIP_OK) fail();
+      rest.remove_prefix(now.size());
+    }
+  }
+  if (zipCloseFileInZip(archive_->handle) != ZIP_OK) fail();
+}
+
+void NpzFile::commit() {
+  errno = 0;
+  const zipFile handle = std::exchange(archive_->handle, nullptr);
+  if (zipClose(handle, nullptr) != ZIP_OK) fail();
+  file_.commit();
+}
+
+/// Names of a stranger's recording become names of files and arrays.
+std::string plainName(const std::string& name) {
+  std::string plain = name;
+  for (char& c : plain) {
+    const bool is_plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    if (!is_plain) c = '_';
+  }
+  return plain.empty() ? "unnamed" : plain;
+}
+
+std::vector<std::string> plainNames(const trace::RecordingFacts& facts) {
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const trace::RecordingFinger& finger : facts.fingers) {
+    std::string name = plainName(finger.name);
+    while (!taken.insert(name).second) name += '_';
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::string_view numpyTypeOf(const trace::SampleColumn& column) {
+  return column.type == "f64" ? "<f8" : column.type == "u64" ? "<u8" : "<u4";
+}
+
+/// The columns of one finger; another pass through the recording each, so that memory is for one.
+std::uint64_t addFinger(trace::RecordingReader& recording, const trace::TickSpan& span, std::uint32_t finger,
+                        const std::string& name, NpzFile& file) {
+  const auto columns = trace::sampleColumns();
+  std::vector<std::string> bytes(columns.size());
+  std::uint64_t rows = 0;
+  recording.forEachTick(span, [&](std::span<const trace::Sample> samples) {
+    for (const trace::Sample& sample : samples) {
+      if (sample.finger != finger) continue;
+      ++rows;
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::uint64_t bits = columns[i].bits(sample);
+        for (std::size_t byte = 0; byte < columns[i].width(); ++byte) {
+          bytes[i] += static_cast<char>((bits >> (8 * byte)) & 0xffu);
+        }
+      }
+    }
+    return true;
+  });
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    file.add(name + "." + std::string(columns[i].name), numpyTypeOf(columns[i]), rows, bytes[i]);
+    bytes[i] = std::string();
+  }
+  return rows;
+}
+
+std::string extensionOf(const trace::RecordingAttachment& attachment) {
+  static const std::map<std::string, std::string, std::less<>> extensions = {{"image/png", ".png"},
+                                                                             {"image/jpeg", ".jpg"},
+                                                                             {"audio/wav", ".wav"},
+                                                                             {"audio/x-wav", ".wav"},
+                                                                             {"text/plain", ".txt"}};
+  const auto known = extensions.find(attachment.media);
+  return known == extensions.end() ? ".bin" : known->second;
+}
+
+std::uint64_t tickAt(double time_s, const trace::RecordingFacts& facts) {
+  return static_cast<std::uint64_t>(std::llround(time_s * facts.header.ticks_per_s));
+}
+
+}  // namespace
+
+std::uint64_t writeNpz(trace::RecordingReader& recording, const trace::TickSpan& span,
+                       const std::filesystem::path& file, const Progress& progress) {
+  const std::vector<std::string> names = plainNames(recording.facts());
+  NpzFile npz(file);
+  npz.add("ticks_per_s", recording.facts().header.ticks_per_s);
+  std::uint64_t rows = 0;
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    report(progress, "writing the arrays", static_cast<double>(i) / static_cast<double>(names.size()));
+    rows += addFinger(recording, span, i, names[i], npz);
+  }
+  npz.commit();
+  return rows;
+}
+
+std::uint64_t writeAttachments(trace::RecordingReader& recording, const trace::TickSpan& span,
+                               const std::filesystem::path& folder) {
+  std::uint64_t count = 0;
+  recording.forEachAttachment(span, [&](const trace::RecordingAttachment& attachment) {
+    if (attachment.kind == trace::kCarriedFile) return;
+    if (count == 0) {
+      std::error_code error;
+      std::filesystem::create_directories(folder, error);
+      if (error) throw Error::inFile(folder.string(), "cannot be made: " + error.message());
+    }
+    const double time_s = static_cast<double>(attachment.tick) / recording.facts().header.ticks_per_s;
+    writeFile(folder / fmt::format("{:04}_{}_{:.3f}s{}", ++count, plainName(attachment.kind), time_s,
+                                   extensionOf(attachment)),
+              attachment.data);
+  });
+  return count;
+}
+
+std::shared_ptr<const scene::World> worldToSee(trace::RecordingReader& recording, std::uint32_t number,
+                                               const std::filesystem::path& folder,
+                                               const std::function<void(scene::Scene&)>& change,
+                                               const Progress& progress) {
+  const trace::RecordingWorld recorded = recording.world(number);
+  const std::filesystem::path from = folder.empty() ? std::filesystem::path(recorded.folder) : folder;
+  scene::Scene scene = scene::parse(recorded.scene, (from / "session.toml").string());
+  // A finger that found its own way is not in the scene; who is looked at is in the recording.
+  const auto& fingers = recording.facts().fingers;
+  std::vector<scene::Finger> all;
+  for (std::size_t i = 0; i < fingers.size(); ++i) {
+    const auto known = std::find_if(scene.fingers.begin(), scene.fingers.end(),
+                                    [&](const scene::Finger& finger) { return finger.name == fingers[i].name; });
+    all.push_back(known == scene.fingers.end() ? scene::Finger() : *known);
+    all.back().name = fingers[i].name;
+    if (i < recorded.fingers.size()) {
+      all.back().radius_mm = engine::contactSettingsFrom(recorded.fingers[i].contact).radius_mm;
+    }
+  }
+  scene.fingers = std::move(all);
+  if (change) change(scene);
+  return scene::build(scene, progress);
+}
+
+std::string noteOfAnotherWorld(trace::RecordingReader& recording, std::uint32_t number, const scene::World& world) {
+  const trace::RecordingWorld recorded = recording.world(number);
+  if (engine::hashOf(world) == recorded.hash) return {};
+  return fmt::format(
+      "world {} is not the recorded one: its body or its stiffness is another ({} triangles instead of {})", number,
+      world.body->skin.triangles.size(), recorded.triangles);
+}
+
+std::vector<servo::TickSamples> recordedFrames(trace::RecordingReader& recording, const std::vector<double>& times_s) {
+  const trace::RecordingFacts& facts = recording.facts();
+  if (facts.samples == 0) throw Error("the recording holds no tick");
+  const double rate = facts.header.ticks_per_s;
+  for (const double time_s : {times_s.front(), times_s.back()}) {
+    if (tickAt(time_s, facts) >= facts.first_tick && tickAt(time_s, facts) <= facts.last_tick) continue;
+    throw Error(fmt::format("there is no moment {} s: the recording lasts from {:.3f} to {:.3f} s", time_s,
+                            static_cast<double>(facts.first_tick) / rate, static_cast<double>(facts.last_tick) / rate));
+  }
+  std::vector<servo::TickSamples> frames;
+  recording.forEachTick({tickAt(times_s.front(), facts)}, [&](std::span<const trace::Sample> samples) {
+    while (frames.size() < times_s.size() && samples.front().tick >= tickAt(times_s[frames.size()], facts)) {
+      frames.emplace_back(samples.begin(), samples.end());
+    }
+    return frames.size() < times_s.size();
+  });
+  return frames;
+}
+
+void requireFitting(const servo::TickSamples& frame, const scene::World& world) {
+  for (const trace::Sample& sample : frame) {
+    const contact::FingerOutput& contact = sample.contact;
+    if (contact.touch == contact::Touch::free) continue;
+    bool fits = contact.triangle < world.body->skin.triangles.size() &&
+                contact.anchor_triangle < world.body->skin.triangles.size();
+    for (const Vec3* place :
+         {&contact.tip, &contact.proxy, &contact.anchor, &contact.hold, &contact.normal, &contact.force}) {
+      fits = fits && place->allFinite();
+    }
+    if (!fits) throw Error("the body is not the recorded one: what was touched is not on it");
+  }
+}
+
+std::uint64_t deepestTick(trace::RecordingReader& recording) {
+  std::uint64_t deepest = recording.facts().first_tick;
+  double deepest_mm = -1.0;
+  recording.forEachTick({}, [&](std::span<const trace::Sample> samples) {
+    double depth_mm = 0.0;
+    for (const trace::Sample& sample : samples) depth_mm += sample.contact.depth_mm;
+    if (depth_mm > deepest_mm) {
+      deepest_mm = depth_mm;
+      deepest = samples.front().tick;
+    }
+    return true;
+  });
+  return deepest;
+}
+
+}  // namespace palpate::app

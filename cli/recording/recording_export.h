@@ -1,0 +1,46 @@
+// What of a recording goes into files of other formats: columns for NumPy, the deformed skin of a moment, pictures and
+// sound notes.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/scene/world.h"
+#include "palpate/servo/loop.h"
+#include "palpate/trace/recording_reader.h"
+
+namespace palpate::app {
+
+/// Every column of every finger as an array, "index.tick"; "ticks_per_s". Rows of all fingers. Throws Error.
+std::uint64_t writeNpz(trace::RecordingReader& recording, const trace::TickSpan& span,
+                       const std::filesystem::path& file, const Progress& progress);
+
+/// All but the files that a bundle carries. Makes the folder. Throws Error. How many.
+std::uint64_t writeAttachments(trace::RecordingReader& recording, const trace::TickSpan& span,
+                               const std::filesystem::path& folder);
+
+/// A world of the recording to be looked at, with all of the recording's fingers; `folder`: of the files that its scene
+/// names, empty: as it says. Throws Error.
+std::shared_ptr<const scene::World> worldToSee(trace::RecordingReader& recording, std::uint32_t number,
+                                               const std::filesystem::path& folder,
+                                               const std::function<void(scene::Scene&)>& change,
+                                               const Progress& progress);
+
+/// A sentence where such a world is not the recorded one; empty: it is.
+std::string noteOfAnotherWorld(trace::RecordingReader& recording, std::uint32_t number, const scene::World& world);
+
+/// The fingers at these times, s, which must not fall. Throws Error for one that is not in the recording.
+std::vector<servo::TickSamples> recordedFrames(trace::RecordingReader& recording, const std::vector<double>& times_s);
+
+/// Throws Error for fingers on a body that is another than the recorded one: triangles that there are none of.
+void requireFitting(const servo::TickSamples& frame, const scene::World& world);
+
+/// The tick at which the fingers press deepest.
+std::uint64_t deepestTick(trace::RecordingReader& recording);
+
+}  // namespace palpate::app

@@ -1,0 +1,33 @@
+// What the commands of recordings share: what a recording holds, in words and as JSON, and --from, --to.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "palpate/trace/recording_reader.h"
+
+namespace palpate::app {
+
+/// Seconds of a recording.
+struct TimeSpan {
+  double from_s = 0.0;
+  double to_s = std::numeric_limits<double>::infinity();
+};
+void addTimeSpan(CLI::App& command, TimeSpan& span);
+/// Throws Error where it ends before it begins.
+trace::TickSpan ticksOf(const TimeSpan& span, double ticks_per_s);
+
+/// By its name, or by its first bytes: an SQLite file.
+bool isRecordingFile(const std::filesystem::path& file);
+
+std::string recordingInfo(const std::filesystem::path& file);
+nlohmann::ordered_json recordingInfoJson(const std::filesystem::path& file);
+
+/// "12.3 s, index, middle; ended: done"
+std::string recordingLine(const trace::RecordingFacts& facts);
+nlohmann::ordered_json factsJson(const trace::RecordingFacts& facts);
+
+}  // namespace palpate::app

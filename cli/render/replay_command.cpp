@@ -1,0 +1,153 @@
+// `palpate recording replay`: a recording's poses through its scene again, compared with what was felt, bit for bit.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/interruption.h"
+#include "cli/kit/json.h"
+#include "cli/kit/progress_line.h"
+#include "cli/kit/readable_text.h"
+#include "cli/recording/recording_text.h"
+#include "cli/render/render_options.h"
+#include "palpate/base/csv.h"
+#include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/engine/recording_bundle.h"
+#include "palpate/engine/recording_replay.h"
+#include "palpate/trace/forces_csv.h"
+
+namespace palpate::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ReplayArguments {
+  std::filesystem::path file;
+  std::filesystem::path out;
+  std::filesystem::path folder;
+  std::filesystem::path film;
+  TimeSpan span;
+  bool verify = false;
+  bool json = false;
+};
+
+trace::TickSpan spanOf(const ReplayArguments& arguments, const trace::RecordingFacts& facts) {
+  const double rate = facts.header.ticks_per_s;
+  const trace::TickSpan span = ticksOf(arguments.span, rate);
+  if (facts.samples == 0) throw Error::inFile(arguments.file.string(), "holds no tick");
+  if (span.from > facts.last_tick) {
+    throw Error::inFile(arguments.file.string(),
+                        fmt::format("ends at {} s, before --from", static_cast<double>(facts.last_tick) / rate));
+  }
+  return span;
+}
+
+Json differenceJson(const engine::ReplayReport& report) {
+  if (!report.first_difference) return nullptr;
+  const engine::ReplayDifference& first = *report.first_difference;
+  return {{"tick", first.tick},
+          {"finger", first.finger},
+          {"field", first.field},
+          {"recorded", first.recorded},
+          {"replayed", first.replayed}};
+}
+
+std::string textOf(const ReplayArguments& arguments, const engine::ReplayReport& report, double times_real_time) {
+  std::string text =
+      fmt::format("{}: {} samples felt again, {:.0f} times as fast as real time once the body was built\n",
+                  arguments.file.string(), report.ticks, times_real_time);
+  for (const std::string& note : report.notes) text += "  note       " + note + "\n";
+  for (const std::string& gap : report.gaps) text += "  unproven   " + gap + "\n";
+  if (report.ticks == 0) return text + "  nothing    could be compared\n";
+  if (!report.first_difference) return text + "  identical  every bit of contact, force and safety\n";
+  const engine::ReplayDifference& first = *report.first_difference;
+  return text + fmt::format("  different  {} samples, the first at tick {}, finger {}: {} was {}, is {}\n",
+                            report.different, first.tick, first.finger, first.field, first.recorded, first.replayed);
+}
+
+std::optional<trace::ForcesCsvWriter> tableFor(const ReplayArguments& arguments, const trace::RecordingFacts& facts) {
+  if (arguments.out.empty()) return std::nullopt;
+  trace::ForcesCsvSettings settings;
+  for (const trace::RecordingFinger& finger : facts.fingers) settings.finger_names.push_back(csvTextCell(finger.name));
+  settings.ticks_per_s = facts.header.ticks_per_s;
+  return std::optional<trace::ForcesCsvWriter>(std::in_place, arguments.out, settings);
+}
+
+/// As `palpate render` draws it: what was recorded, twenty-five pictures a second.
+void draw(const ReplayArguments& arguments) {
+  RenderOptions options;
+  options.scene.scene = arguments.file.string();
+  options.output = arguments.film;
+  {
+    const trace::RecordingReader recording(arguments.file);
+    const trace::RecordingFacts& facts = recording.facts();
+    const trace::TickSpan span = spanOf(arguments, facts);
+    const std::uint64_t first = std::max(span.from, facts.first_tick);
+    const std::uint64_t last = std::min(span.to, facts.last_tick);
+    const double rate = facts.header.ticks_per_s;
+    options.at_s = static_cast<double>(first) / rate;
+    options.frames = std::max(1, static_cast<int>(static_cast<double>(last - first) / rate * options.frames_per_s));
+  }
+  drawAndTell(options, !arguments.json);
+}
+
+void runReplay(const ReplayArguments& arguments) {
+  ProgressLine progress;
+  trace::RecordingReader recording(arguments.file);
+  const trace::TickSpan span = spanOf(arguments, recording.facts());
+  const FinishesInOrder in_order;  // files that the recording carries lie in a folder that must go again
+  const trace::ReadingWatch watch(endIfAsked);
+  const engine::CarriedFiles carried(recording);
+  const std::filesystem::path folder = arguments.folder.empty() ? carried.folder() : arguments.folder;
+  std::optional<trace::ForcesCsvWriter> table = tableFor(arguments, recording.facts());
+  const auto started = Clock::now();
+  const engine::ReplayReport report = engine::replay(
+      recording, {span, folder},
+      [&](std::span<const trace::Sample> samples) {
+        if (!table) return;
+        for (const trace::Sample& sample : samples) table->add(sample);
+      },
+      progress.callback());
+  if (table) table->commit();
+  const double times_real_time = recording.facts().seconds() / (secondsSince(started) - report.build_s);
+  progress.clear();
+  const Json json = {{"file", arguments.file.string()},
+                     {"identical", report.identical()},
+                     {"ticks", report.ticks},
+                     {"different", report.different},
+                     {"unproven", report.unproven},
+                     {"times_real_time", times_real_time},
+                     {"first_difference", differenceJson(report)},
+                     {"notes", report.notes},
+                     {"gaps", report.gaps}};
+  printReadable(arguments.json ? jsonText(json) : textOf(arguments, report, times_real_time));
+  if (!arguments.film.empty()) draw(arguments);
+  if (arguments.verify && !report.identical()) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void addReplayCommand(CLI::App& recording) {
+  const auto arguments = std::make_shared<ReplayArguments>();
+  ReplayArguments& a = *arguments;
+  CLI::App& command = *recording.add_subcommand(
+      "replay", "Feel a recording again, through its own scene, and compare every bit with what was felt");
+  command.add_option("RECORDING", a.file, "Recording file")->required();
+  command.add_flag("--verify", a.verify, "Exit code 1 unless every bit is the same");
+  addTimeSpan(command, a.span);
+  command.add_option("-o,--out", a.out, "Write what is felt now as a table of forces (CSV)");
+  command.add_option("--folder", a.folder, "Where the files that the scene names lie now (default: where they lay)");
+  command.add_option(
+      "--render", a.film,
+      "Also draw it, 25 pictures a second: a film (FILE.mp4, FILE.webm) or numbered pictures (FILE.png); "
+      "palpate render has more to choose");
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([=] { runReplay(*arguments); });
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,137 @@
+#include "cli/serve/finger_control.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpate::app::serving {
+
+namespace {
+
+/// Steps of the clock in which no place can have moved far: a page that froze does not fling the finger.
+constexpr double kLongestStepS = 0.1;
+constexpr double kMinStepMm = 1.0;
+
+}  // namespace
+
+FingerControl::FingerControl(std::vector<ControlledFinger> fingers, const Box3& body, PointServo point,
+                             HaltDevices halt, const ControlLimits& limits)
+    : fingers_(std::move(fingers)),
+      body_(body),
+      point_(std::move(point)),
+      halt_(std::move(halt)),
+      limits_(limits),
+      hands_(fingers_.size()) {
+  for (std::size_t i = 0; i < hands_.size(); ++i) hands_[i].target.radius_mm = fingers_[i].radius_mm;
+}
+
+bool FingerControl::hasFreeFinger() const {
+  return std::any_of(fingers_.begin(), fingers_.end(),
+                     [](const ControlledFinger& finger) { return finger.device.empty(); });
+}
+
+std::string FingerControl::hear(WatcherId who, Role role, const Request& request, double now_s) {
+  if (who == holder_) holder_heard_s_ = now_s;
+  if (const auto* to = std::get_if<Point>(&request)) return point(who, role, *to, now_s);
+  if (std::holds_alternative<Take>(request)) return take(who, role, now_s);
+  if (const auto* halt = std::get_if<Pause>(&request)) return pause(role, halt->on, now_s);
+  if (std::holds_alternative<Say>(request)) return role == Role::instruct ? "" : "only who instructs writes to all";
+  if (who != holder_) return "somebody else has the finger";
+  if (const auto* lift = std::get_if<Lift>(&request)) {
+    if (lift->finger >= hands_.size()) return "no such finger";
+    letGo(lift->finger, now_s);
+  } else {
+    left(who, now_s);
+  }
+  return {};
+}
+
+std::string FingerControl::take(WatcherId who, Role role, double now_s) {
+  if (role < Role::control) return "this token is for looking on";
+  if (who == holder_) return {};
+  if (holder_ != 0 && role != Role::instruct) return "somebody else has the finger";
+  letGoAll(now_s);
+  holder_ = who;
+  holder_heard_s_ = now_s;
+  return {};
+}
+
+std::string FingerControl::point(WatcherId who, Role role, const Point& request, double now_s) {
+  if (role < Role::control) return "this token is for looking on";
+  if (request.finger >= hands_.size()) return "no such finger";
+  if (!fingers_[request.finger].device.empty()) return "a device holds this finger";
+  if (paused_) return "paused by who instructs";
+  if (holder_ == 0) take(who, role, now_s);
+  if (who != holder_) return "somebody else has the finger";
+  const Vec3 margin = Vec3::Constant(limits_.beside_mm);
+  if (!Box3(body_.min() - margin, body_.max() + margin).contains(request.place)) return "the place is not on the body";
+  Hand& hand = hands_[request.finger];
+  device::FingerTarget& target = hand.target;
+  target.place = reachable(hand, request.place, now_s);
+  target.normal = request.normal;
+  target.present = true;
+  target.pressed = request.pressed;
+  target.by = request.force_n ? device::PressBy::force : device::PressBy::depth;
+  target.depth_mm = std::min(request.depth_mm, limits_.depth_mm);
+  target.force_n = std::min(request.force_n.value_or(0.0), limits_.force_n);
+  target.max_depth_mm = limits_.depth_mm;
+  hand.heard_s = now_s;
+  hand.let_go_s = -1.0;
+  point_(request.finger, target);
+  return {};
+}
+
+/// Of a finger that presses and goes on pressing, the way that it may have gone since.
+Vec3 FingerControl::reachable(const Hand& hand, const Vec3& place, double now_s) const {
+  if (!hand.target.present || !hand.target.pressed) return place;
+  const double step_s = std::clamp(now_s - hand.heard_s, 0.0, kLongestStepS);
+  const double most_mm = kMinStepMm + limits_.speed_mm_per_s * step_s;
+  const Vec3 way = place - hand.target.place;
+  const double length = way.norm();
+  return length <= most_mm ? place : Vec3(hand.target.place + way * (most_mm / length));
+}
+
+void FingerControl::letGo(std::size_t finger, double now_s) {
+  Hand& hand = hands_[finger];
+  if (!hand.target.present || hand.let_go_s >= 0.0) return;
+  hand.target.pressed = false;
+  hand.let_go_s = now_s;
+  point_(finger, hand.target);
+}
+
+void FingerControl::letGoAll(double now_s) {
+  for (std::size_t i = 0; i < hands_.size(); ++i) letGo(i, now_s);
+}
+
+std::string FingerControl::pause(Role role, bool on, double now_s) {
+  if (role != Role::instruct) return "only who instructs pauses";
+  if (std::exchange(paused_, on) == on) return {};
+  if (on) letGoAll(now_s);
+  if (halt_) halt_(on);
+  return {};
+}
+
+void FingerControl::left(WatcherId who, double now_s) {
+  if (who != holder_) return;
+  letGoAll(now_s);
+  holder_ = 0;
+}
+
+void FingerControl::tick(double now_s) {
+  for (std::size_t i = 0; i < hands_.size(); ++i) {
+    Hand& hand = hands_[i];
+    if (hand.target.pressed && now_s - hand.heard_s > limits_.silence_s) letGo(i, now_s);
+    if (hand.let_go_s < 0.0 || now_s - hand.let_go_s < limits_.leaving_s) continue;
+    hand.target.present = false;
+    hand.let_go_s = -1.0;
+    point_(i, hand.target);
+  }
+  if (holder_ != 0 && now_s - holder_heard_s_ > limits_.idle_s) left(holder_, now_s);
+}
+
+void FingerControl::close(double now_s) {
+  letGoAll(now_s);
+  holder_ = 0;
+  paused_ = true;
+}
+
+}  // namespace palpate::app::serving

@@ -1,0 +1,212 @@
+// One page that looks on, over a WebSocket: the newest frame whenever it is ready for one, words in between, and what
+// it requests. A frame that it was not ready for is gone: nothing ever queues up but a few words.
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <boost/beast/core.hpp>
+#include <boost/beast/websocket.hpp>
+#include <chrono>
+#include <deque>
+#include <utility>
+
+#include "cli/serve/hall.h"
+
+namespace palpate::app::serving {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+
+namespace {
+
+using Failure = boost::system::error_code;
+
+/// What the system may hold back for one that reads slowly: a second of frames, not minutes.
+constexpr int kSendBytes = 16384;
+constexpr int kUnsentBytes = 4096;
+
+/// Instructors' messages that wait; one that is behind by more reads nothing.
+constexpr std::size_t kMaxWaiting = 8;
+
+}  // namespace
+
+class Watcher : public std::enable_shared_from_this<Watcher> {
+ public:
+  Watcher(Wire wire, Hall& hall, Role role, WatcherId id)
+      : stream_(std::move(wire)), hall_(hall), role_(role), id_(id) {}
+
+  void accept(const HttpRequest& request) {
+    holdBackLittle();
+    stream_.set_option(websocket::stream_base::timeout{
+        std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * hall_.settings.handshake_s)),
+        std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * hall_.settings.silence_s)), true});
+    stream_.set_option(websocket::stream_base::decorator([](websocket::response_type& response) {
+      response.set(beast::http::field::server, "palpate");
+      response.set(beast::http::field::sec_websocket_protocol, beast::string_view(kProtocol.data(), kProtocol.size()));
+    }));
+    stream_.auto_fragment(false);
+    stream_.read_message_max(kMaxRequestBytes);
+    stream_.async_accept(request, [self = shared_from_this()](Failure failure) {
+      if (!failure) self->begin();
+    });
+  }
+
+  void tell(const std::string& state) {
+    state_ = state;
+    send();
+  }
+  void tellWords(const std::string& message) {
+    if (words_.size() == kMaxWaiting) return drop();
+    words_.push_back(message);
+    send();
+  }
+  void show(const Frame& frame) {
+    if (frame_) ++hall_.counts.frames_skipped;
+    frame_ = frame;
+    send();
+  }
+  void look() {
+    if (writing_ && hall_.now() - write_began_s_ > hall_.settings.stall_s) drop();
+  }
+  void close(websocket::close_code code, const char* reason) {
+    if (closing_) return;
+    closing_ = true;
+    stream_.async_close({code, reason}, [self = shared_from_this()](Failure) {});
+  }
+
+ private:
+  void holdBackLittle() {
+    const int socket = beast::get_lowest_layer(stream_).socket().native_handle();
+    for (const auto& [level, option, value] :
+         {std::tuple(SOL_SOCKET, SO_SNDBUF, kSendBytes), std::tuple<int, int, int>(IPPROTO_TCP, TCP_NODELAY, 1),
+          std::tuple<int, int, int>(IPPROTO_TCP, TCP_NOTSENT_LOWAT, kUnsentBytes)}) {
+      ::setsockopt(socket, level, option, &value, sizeof(value));  // without them it is only less fresh
+    }
+  }
+
+  void begin() {
+    if (hall_.closing || hall_.watchers.size() >= hall_.settings.watchers) {
+      ++hall_.counts.refused_full;
+      return close(websocket::close_code::try_again_later, "full");
+    }
+    hall_.join(shared_from_this(), id_);
+    nlohmann::ordered_json hello = {
+        {"type", "hello"}, {"version", 1}, {"you", id_}, {"role", std::string(wordOf(role_))}};
+    hello.update(hall_.exhibits.facts);
+    words_.push_back(
+        hello.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));  // a file may be called anything
+    frame_ = hall_.newest;
+    hall_.tellState();
+    read();
+  }
+
+  void read() {
+    stream_.async_read(buffer_, [self = shared_from_this()](Failure failure, std::size_t) { self->take(failure); });
+  }
+
+  void take(Failure failure) {
+    if (failure) {
+      if (failure == beast::error::timeout) ++hall_.counts.dropped;
+      if (failure == websocket::error::message_too_big) ++hall_.counts.malformed;
+      return hall_.leave(id_);
+    }
+    if (!closing_) hear();
+    buffer_.consume(buffer_.size());
+    read();  // also while closing: the other side's goodbye comes this way
+  }
+
+  void hear() {
+    if (isHasty()) return complain(websocket::close_code::policy_error, "too many messages");
+    if (!stream_.got_text()) return complain(websocket::close_code::unknown_data, "text only");
+    const auto bytes = buffer_.cdata();
+    std::string why;
+    const auto request = requestOf({static_cast<const char*>(bytes.data()), bytes.size()}, why);
+    if (!request) return complain(websocket::close_code::bad_payload, why.substr(0, 100).c_str());
+    const WatcherId holder = hall_.control.holder();
+    const bool paused = hall_.control.paused();
+    why = hall_.control.hear(id_, role_, *request, hall_.now());
+    if (!why.empty()) {
+      refused_ = nlohmann::ordered_json{{"type", "refused"}, {"why", why}}.dump();
+      return send();
+    }
+    if (const auto* say = std::get_if<Say>(&*request)) hall_.tellMessage(say->words);
+    if (holder != hall_.control.holder() || paused != hall_.control.paused()) hall_.tellState();
+  }
+
+  void complain(websocket::close_code code, const char* reason) {
+    ++hall_.counts.malformed;
+    hall_.control.left(id_, hall_.now());  // its finger does not wait for the goodbye
+    close(code, reason);
+  }
+
+  bool isHasty() {
+    const double now_s = hall_.now();
+    allowance_ = std::min(kMaxRequestsPerS, allowance_ + kMaxRequestsPerS * (now_s - allowed_at_s_));
+    allowed_at_s_ = now_s;
+    allowance_ -= 1.0;
+    return allowance_ < 0.0;
+  }
+
+  /// One message at a time, words before frames.
+  void send() {
+    if (writing_ || closing_) return;
+    std::string* const words = !words_.empty() ? &words_.front() : !state_.empty() ? &state_ : &refused_;
+    if (!words->empty()) {
+      under_way_ = std::make_shared<const std::string>(std::exchange(*words, {}));
+      if (words == (words_.empty() ? nullptr : &words_.front())) words_.pop_front();
+      stream_.text(true);
+    } else if (frame_) {
+      under_way_ = std::exchange(frame_, nullptr);
+      stream_.binary(true);
+      ++hall_.counts.frames_sent;
+      hall_.counts.bytes_sent += under_way_->size();
+    } else {
+      return;
+    }
+    writing_ = true;
+    write_began_s_ = hall_.now();
+    stream_.async_write(asio::buffer(*under_way_), [self = shared_from_this()](Failure failure, std::size_t) {
+      self->writing_ = false;
+      if (!failure) self->send();
+    });
+  }
+
+  /// Without a goodbye: it would not be read. What is being read or written ends with an error.
+  void drop() {
+    if (std::exchange(dropped_, true)) return;
+    ++hall_.counts.dropped;
+    closing_ = true;
+    Failure ignored;
+    beast::get_lowest_layer(stream_).socket().close(ignored);
+  }
+
+  websocket::stream<Wire> stream_;
+  Hall& hall_;
+  const Role role_;
+  const WatcherId id_;
+  beast::flat_buffer buffer_;
+  Frame frame_;                    // the newest that it has not had
+  std::string state_, refused_;    // likewise
+  std::deque<std::string> words_;  // all of them
+  Frame under_way_;
+  bool writing_ = false;
+  bool closing_ = false;
+  bool dropped_ = false;
+  double write_began_s_ = 0.0;
+  double allowance_ = kMaxRequestsPerS;
+  double allowed_at_s_ = 0.0;
+};
+
+void beginLooking(Wire wire, Hall& hall, Role role, const HttpRequest& request) {
+  std::make_shared<Watcher>(std::move(wire), hall, role, ++hall.last_id)->accept(request);
+}
+
+void tell(Watcher& watcher, const std::string& state) { watcher.tell(state); }
+void tellWords(Watcher& watcher, const std::string& message) { watcher.tellWords(message); }
+void show(Watcher& watcher, const Frame& frame) { watcher.show(frame); }
+void look(Watcher& watcher) { watcher.look(); }
+void sendAway(Watcher& watcher) { watcher.close(websocket::close_code::going_away, "the server ends"); }
+
+}  // namespace palpate::app::serving

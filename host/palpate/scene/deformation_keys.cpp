@@ -1,0 +1,204 @@
+// The tables [deformation] and [strain] of a scene file: how the skin gives way.
+//
+// The keys stand in the order in which a deformation is made: how far the skin follows (tissue), where it does
+// (regions), along which curve from the finger to the rim (a profile for the press and one for the drag), and what
+// remains.
+#include <iterator>
+
+#include "palpate/scene/detail/scene_keys.h"
+#include "palpate/scene/words.h"
+
+namespace palpate::scene {
+
+namespace {
+
+using D = DeformationSettings;
+using F = deform::FormSettings;
+using Keys = std::vector<Key<D>>;
+
+void append(Keys& keys, Keys more) { std::move(more.begin(), more.end(), std::back_inserter(keys)); }
+
+Keys tissueKeys() {
+  using T = deform::TissueSettings;
+  const auto tissue = [](double T::*member) { return way(&D::forms, &F::common, &deform::Settings::tissue, member); };
+  return {
+      choice<D, TissueModel>(
+          "tissue", &D::tissue,
+          "What lies over the bones: layers of skin, fat and muscle, as thick as they are at the "
+          "place (docs/explanation/tissue.md); "
+          "the half Gaussian, in regions of one size for the whole body; or that as printed (E18, "
+          "E21). A body without "
+          "bones is never layered, nor is a scene that sets fidelity.E15, E18 or E21, a profile, "
+          "profile_rim, region, normal_radius or radial_share of its own: a note then says so, and the "
+          "force law \"layered\" is F = k d. All other keys act on layers too."),
+      number<D>("normal_cap_mm", tissue(&T::normal_cap_mm), between(0, 1000),
+                "The skin is pressed in no deeper than this."),
+      number<D>("tangential_cap_mm", tissue(&T::tangential_cap_mm), between(0, 1000),
+                "The skin is dragged no farther than this."),
+      number<D>("f_adj", tissue(&T::f_adj), between(0, 10),
+                "Factor on how far the skin follows a drag: 1.3 for loose skin, 0.7 for tight skin."),
+      number<D>("normal_radius_mm", tissue(&T::normal_radius_mm), above(0, 10000),
+                "Radius of the dent at no depth ..."),
+      number<D>("normal_radius_per_depth", tissue(&T::normal_radius_per_depth), between(0, 1000),
+                "... and how much it grows per mm of depth."),
+  };
+}
+
+Keys regionKeys() {
+  return {
+      choice<D, deform::NormalRegion>("region", way(&D::forms, &F::region),
+                                      "Of the press: growing with the depth, of normal_radius_mm always, the same as "
+                                      "the drag's (E21), or the drag's "
+                                      "in proportion to the depth, whole at the cap (4.2)."),
+      choice<D, deform::Shape>(
+          "shape", way(&D::forms, &F::shape),
+          "Of the drag's region: the map's ellipse, the circle of its area, or an irregular contour."),
+      file<D>("contours", &D::contours,
+              "Shape \"contour\": table of measured contours (docs/reference/maps.md); default: they follow bones "
+              "and folds (docs/explanation/anatomical-regions.md)."),
+      choice<D, deform::Search>(
+          "search", way(&D::forms, &F::search),
+          "How a region's vertices are found: along the skin, or by the octree, which takes other fingers too."),
+      choice<D, deform::Boundary>(
+          "boundary", way(&D::forms, &F::boundary),
+          "What was measured as the drag's boundary: where the skin is still, or its 2 mm contour; that makes the "
+          "regions 1.635 times as large (E20). Layered tissue reads it as the 2 mm contour, whatever is said here."),
+  };
+}
+
+/// Where one of the two profiles stands in the settings, and what its keys and their meanings begin with.
+struct ProfilePlace {
+  std::string prefix;
+  std::string of;
+  tissue::ProfileSettings F::*settings;
+  std::filesystem::path D::*file;
+};
+const ProfilePlace kPress = {"profile", "Press", &F::normal_profile, &D::profile_file};
+const ProfilePlace kDrag = {"tangential_profile", "Drag", &F::tangential_profile, &D::tangential_profile_file};
+
+Keys profileKeys(const ProfilePlace& place) {
+  using P = tissue::ProfileSettings;
+  using G = tissue::TwoGaussians;
+  using T = tissue::PowerTail;
+  const auto& [prefix, of, settings, profile_file] = place;
+  const auto profile = [&](auto... members) { return way(&D::forms, place.settings, members...); };
+  return {
+      choice<D, tissue::ProfileKind>(prefix, profile(&P::kind),
+                                     of + ": the curve from the finger to the rim (docs/explanation/profiles.md)."),
+      choice<D, tissue::ProfileRim>(prefix + "_rim", profile(&P::rim),
+                                    of + ": what becomes of the curve's rest at the rim (E18)."),
+      count<D>(prefix + "_entries", profile(&P::table_entries), 2, 1'000'000,
+               of + ", \"table\": entries; 700 is the dissertation's choice."),
+      choice<D, tissue::TableLookup>(prefix + "_lookup", profile(&P::lookup),
+                                     of + ", \"table\": the nearest entry, or between two."),
+      number<D>(prefix + "_narrow", profile(&P::two_gaussians, &G::narrow), above(0, 10),
+                of + ", \"two_gaussians\": width of the dent, as a share of the region."),
+      number<D>(prefix + "_wide", profile(&P::two_gaussians, &G::wide), above(0, 10),
+                of + ", \"two_gaussians\": width of the bulge or foot."),
+      number<D>(prefix + "_wide_weight", profile(&P::two_gaussians, &G::wide_weight), between(-1, 1),
+                of + ", \"two_gaussians\": weight of the wide one; below 0 is a bulge."),
+      number<D>(prefix + "_tail_width", profile(&P::power, &T::width), above(0, 10),
+                of + ", \"power\": width, as a share of the region."),
+      number<D>(prefix + "_tail_exponent", profile(&P::power, &T::exponent), above(0, 10),
+                of + ", \"power\": how fast the tail falls."),
+      file<D>(prefix + "_file", profile_file, of + ", \"user\": table q,value (docs/explanation/profiles.md)."),
+      choice<D, tissue::UserInterpolation>(prefix + "_interpolation", profile(&P::interpolation),
+                                           of + ", \"user\": smooth without overshoot, or straight."),
+  };
+}
+
+Keys otherKeys() {
+  using R = tissue::RadialTerm;
+  return {
+      number<D>(
+          "radial_share", way(&D::forms, &F::radial, &R::share), between(-1, 1),
+          "How far pressed skin is also drawn in sideways, as a share of the depth; layered tissue shows 0.05 to 0.1."),
+      number<D>("radial_width", way(&D::forms, &F::radial, &R::width), above(0, 1),
+                "Where that is largest, as a share of the region."),
+      choice<D, deform::Together>(
+          "together", way(&D::forms, &F::together),
+          "Several fingers: each gets its own depth, or their displacements simply add up (E25)."),
+      choice<D, deform::Normals>(
+          "normals", way(&D::forms, &F::common, &deform::Settings::normals),
+          "Of the deformed skin: from the formulae (fast), from its triangles, or from those that changed."),
+  };
+}
+
+/// A file goes with the profile "user" and with no other.
+void checkProfileFile(const ProfilePlace& place, const D& settings, const Entry& entry) {
+  const bool is_user = (settings.forms.*place.settings).kind == tissue::ProfileKind::user;
+  const bool has_file = !(settings.*place.file).empty();
+  if (is_user && !has_file) entry.fail(fmt::format("{0} = \"user\" needs {0}_file", place.prefix));
+  if (!is_user && has_file) entry.fail(fmt::format("{0}_file is read only with {0} = \"user\"", place.prefix));
+}
+
+/// The same for a place.
+void checkPlaceFile(tissue::ProfileKind kind, const std::filesystem::path& file, std::string_view key,
+                    const Entry& entry) {
+  const bool is_user = kind == tissue::ProfileKind::user;
+  if (is_user && file.empty()) entry.fail(fmt::format("{0} = \"user\" needs {0}_file", key));
+  if (!is_user && !file.empty()) entry.fail(fmt::format("{0}_file is read only with {0} = \"user\"", key));
+}
+
+void checkFiles(const D& settings, const Entry& entry) {
+  checkProfileFile(kPress, settings, entry);
+  checkProfileFile(kDrag, settings, entry);
+  if (!settings.contours.empty() && settings.forms.shape != deform::Shape::contour) {
+    entry.fail("contours is read only with shape = \"contour\"");
+  }
+}
+
+}  // namespace
+
+Section deformationSection() {
+  Keys keys = tissueKeys();
+  append(keys, regionKeys());
+  append(keys, profileKeys(kPress));
+  append(keys, profileKeys(kDrag));
+  append(keys, otherKeys());
+  return section<D>("deformation", "How the skin gives way (functional shape matched deformation).",
+                    &Scene::deformation, std::move(keys), checkFiles);
+}
+
+Section profileSection() {
+  using S = PlaceProfile;
+  const std::vector<Key<S>> keys = {
+      text<S>("at", &S::at, "Centre by name: \"T9 right 30 mm\" (docs/reference/names.md)."),
+      unlessNamed(number<S>("x_mm", &S::x_mm, between(-kLongestMm, kLongestMm), "Centre in numbers, seen along z.")),
+      unlessNamed(number<S>("y_mm", &S::y_mm, between(-kLongestMm, kLongestMm), "Centre in numbers, seen along z.")),
+      number<S>("radius_mm", &S::radius_mm, above(0, kLongestMm), "Outside nothing changes."),
+      number<S>("edge_softness", &S::edge_softness, between(0, 1),
+                "Share of the radius over which the curves go over into those around the place; 0 is a hard edge."),
+      choice<S, tissue::ProfileKind>("press", &S::press,
+                                     "Curve of a press there, in the place of layers too; its numbers are those of "
+                                     "[deformation] profile_... (docs/explanation/profiles.md)."),
+      file<S>("press_file", &S::press_file, "Press, \"user\": table q,value."),
+      choice<S, tissue::ProfileKind>("drag", &S::drag, "The same for a drag."),
+      file<S>("drag_file", &S::drag_file, "Drag, \"user\": table q,value."),
+      number<S>("region", &S::region, above(0, 10),
+                "Factor on the regions that [deformation] and the map give press and drag there."),
+  };
+  const auto read = [keys](const toml::table& table, const Entry& entry) {
+    S profile;
+    readTable(table, entry.name, entry.file, keys, profile);
+    checkPlaceFile(profile.press, profile.press_file, "press", entry);
+    checkPlaceFile(profile.drag, profile.drag_file, "drag", entry);
+    return profile;
+  };
+  return listSection<S>("profile", "A place whose skin follows a curve of its own; its force stays.", &Scene::profiles,
+                        read, keys, [keys] { return describe<S>("[[profile]]", keys); });
+}
+
+Section strainSection() {
+  using Strain = StrainSettings;
+  std::vector<Key<Strain>> keys = {
+      choice<Strain, deform::StrainKind>("kind", &Strain::kind,
+                                         "Mean of a vertex's edges, or its larger principal strain, which shows shear "
+                                         "too (E24)."),
+      number<Strain>("range_percent", &Strain::range_percent, above(0, 1000),
+                     "Strain that is drawn in full red (tension) or full blue (compression)."),
+  };
+  return section<Strain>("strain", "The colours of the written surfaces.", &Scene::strain, std::move(keys));
+}
+
+}  // namespace palpate::scene

@@ -1,0 +1,159 @@
+// The tables [[finger]] and [[device]] of a scene file: who touches the body, the steps of a finger's script, and what
+// holds a finger.
+#include <algorithm>
+#include <cctype>
+
+#include "palpate/scene/detail/scene_keys.h"
+#include "palpate/scene/words.h"
+
+namespace palpate::scene {
+
+namespace {
+
+constexpr std::size_t kMaxButtons = 32;  // bits of a word
+
+/// The keys that a step of one kind takes; what belongs to another kind is an unknown key.
+std::vector<Key<Step>> stepKeys(Move move) {
+  using S = Step;
+  std::vector<Key<S>> keys = {
+      choice<S, Move>("do", &S::move, "What the finger does."),
+      number<S>("seconds", &S::seconds, above(0, 3600), "How long it takes."),
+  };
+  const Range length = between(-kLongestMm, kLongestMm);
+  if (move == Move::press)
+    keys.push_back(number<S>("depth_mm", &S::depth_mm, length, "Down to this depth in the skin."));
+  if (move == Move::lift)
+    keys.push_back(number<S>("height_mm", &S::height_mm, length, "Up to this height above the skin."));
+  if (move == Move::drag) keys.push_back(point2<S>("by_mm", &S::by_mm, length, "By this much along x and y."));
+  if (move == Move::circle) {
+    keys.push_back(number<S>("radius_mm", &S::radius_mm, above(0, kLongestMm), "Round the present place."));
+    keys.push_back(number<S>("turns", &S::turns, between(-1000, 1000), "Counter-clockwise; negative is clockwise."));
+  }
+  return keys;
+}
+
+Move moveOf(const toml::table& table, const Entry& entry) {
+  const toml::node* word = table.get("do");
+  if (word == nullptr) entry.fail(fmt::format("needs do = {}", choiceWords(wordList<Move>())));
+  return readChoice<Move>({*word, entry.file, entry.name + " do"});
+}
+
+Step readStep(const Entry& entry) {
+  const toml::table& table = tableOf(entry);
+  Step step;
+  const Move move = moveOf(table, entry);
+  const std::string title = fmt::format("{} {}", entry.name, wordFor(move));
+  readTable(table, title, entry.file, stepKeys(move), step);
+  return step;
+}
+
+std::string showStep(const Step& step) {
+  std::string words;
+  for (const Key<Step>& key : stepKeys(step.move)) {
+    words += fmt::format("{}{} = {}", words.empty() ? "" : ", ", key.name, key.show(step));
+  }
+  return "{ " + words + " }";
+}
+
+std::string showScript(const Finger& finger) {
+  std::string lines;
+  for (const Step& step : finger.steps) lines += "  " + showStep(step) + ",\n";
+  return lines.empty() ? lines : "[\n" + lines + "]";
+}
+
+Key<Finger> scriptKey() {
+  const auto read = [](Finger& finger, const Entry& entry) {
+    const toml::array* list = entry.node.as_array();
+    if (list == nullptr) entry.fail("must be a list of steps");
+    for (const toml::node& node : *list) finger.steps.push_back(readStep({node, entry.file, entry.name}));
+  };
+  return {"script", "list of steps", "What the finger does, step by step; see below.", read, showScript};
+}
+
+std::vector<Key<Finger>> fingerKeys() {
+  using S = Finger;
+  return {
+      text<S>("name", &S::name, "Letters, digits, '-' and '_'; different for each finger."),
+      number<S>("radius_mm", &S::radius_mm, between(0, 1000), "0 is a point, 8 a fingertip."),
+      file<S>("trajectory", &S::trajectory, "Table t_s,x_mm,y_mm,z_mm; instead of a script."),
+      text<S>("at", &S::at,
+              "Script: the place it starts over, by name: \"T6\", \"left PSIS\", \"T6 right 30 mm\" "
+              "(docs/reference/names.md)."),
+      unlessNamed(point2<S>("at_mm", &S::at_mm, between(-kLongestMm, kLongestMm),
+                            "Script: the same in numbers, seen along z.")),
+      number<S>("start_height_mm", &S::start_height_mm, between(-kLongestMm, kLongestMm),
+                "Script: height above the skin it starts from."),
+      scriptKey(),
+  };
+}
+
+bool isPlainName(const std::string& name) {
+  const auto plain = [](unsigned char c) { return (c < 0x80 && std::isalnum(c) != 0) || c == '-' || c == '_'; };
+  return !name.empty() && std::all_of(name.begin(), name.end(), plain);
+}
+
+void checkFinger(const Finger& finger, const Entry& entry) {
+  if (finger.name.empty()) entry.fail("needs a name");
+  if (!isPlainName(finger.name)) entry.fail("name may hold letters, digits, '-' and '_' only");
+  if (finger.trajectory.empty() == finger.steps.empty()) entry.fail("needs either a trajectory or a script");
+}
+
+std::vector<Key<DeviceSettings>> deviceKeys() {
+  using S = DeviceSettings;
+  const auto button = [](const char* name, std::size_t S::*member, const char* meaning) {
+    return count<S>(name, member, 0, kMaxButtons, meaning);
+  };
+  return {
+      text<S>("name", &S::name,
+              "As for `--device`, with :WHICH behind it where there are several (docs/reference/devices.md)."),
+      choice<S, HeldFinger>("finger", &S::finger, "The one that it holds: the scene's first or second."),
+      number<S>("scale", &S::scale, between(0.05, 20), "Millimetres of the body a millimetre of the device."),
+      point3<S>("turn_deg", &S::turn_deg, between(-360, 360),
+                "How the device stands: turned about the body's x, then y, then z."),
+      place<S>("origin_mm", &S::origin_mm, between(-kLongestMm, kLongestMm),
+               "Place of the body where the device's own origin lies (default: near the back, as the body suits)."),
+      button("clutch_button", &S::clutch_button,
+             "While it is held the device moves and the finger stays, without force; 1 is the first, 0 none."),
+      button("stop_button", &S::stop_button, "Presses the emergency stop; likewise."),
+  };
+}
+
+std::vector<KeyRow> describeFinger() {
+  std::vector<KeyRow> rows = describe<Finger>("[[finger]]", fingerKeys());
+  for (const auto& [word, move] : WordsOf<Move>::kAll) {
+    const std::string title = fmt::format("script, do = \"{}\"", word);
+    for (KeyRow& row : describe<Step>(title, stepKeys(move))) {
+      if (row.key != "do") rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+Section fingerSection() {
+  const auto read = [](const toml::table& table, const Entry& entry) {
+    Finger finger;
+    finger.scene_file = entry.file;
+    finger.line = entry.line();
+    readTable(table, entry.name, entry.file, fingerKeys(), finger);
+    checkFinger(finger, entry);
+    return finger;
+  };
+  return listSection<Finger>("finger", "Who touches it: any number of fingers, each on its own.", &Scene::fingers, read,
+                             fingerKeys(), describeFinger);
+}
+
+Section deviceSection() {
+  const auto read = [](const toml::table& table, const Entry& entry) {
+    DeviceSettings device;
+    readTable(table, entry.name, entry.file, deviceKeys(), device);
+    if (device.name.empty()) entry.fail("needs a name");
+    return device;
+  };
+  return listSection<DeviceSettings>("device", "What holds a finger, and where its space lies in the body.",
+                                     &Scene::devices, read, deviceKeys(),
+                                     [] { return describe<DeviceSettings>("[[device]]", deviceKeys()); });
+}
+
+}  // namespace palpate::scene

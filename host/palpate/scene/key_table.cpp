@@ -1,0 +1,126 @@
+// Values of a scene file: read with their ranges, and shown as they would stand there.
+#include "palpate/scene/detail/key_table.h"
+
+#include <algorithm>
+
+namespace palpate::scene {
+
+namespace {
+
+std::string typeWords(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::boolean:
+      return "true or false";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::integer:
+    case toml::node_type::floating_point:
+      return "a number";
+    default:
+      return "a date or time";
+  }
+}
+
+[[noreturn]] void failType(const Entry& entry, std::string_view expected) {
+  entry.fail(fmt::format("must be {}, not {}", expected, typeWords(entry.node)));
+}
+
+double finiteNumber(const Entry& entry, const toml::node& node, const Range& range) {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value) failType({node, entry.file, entry.name}, "a number");
+  if (!std::isfinite(*value)) entry.fail("must be finite");
+  if (!range.holds(*value)) entry.fail("= " + outOfRange(fmt::format("{}", *value), range));
+  return *value;
+}
+
+/// Longer than any file name or title.
+constexpr std::size_t kLongestText = 4096;
+
+bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+}  // namespace
+
+std::string rangeSuffix(const Range& range) {
+  const std::string words = range.words();
+  return words.empty() ? words : ", " + words;
+}
+
+std::string choiceWords(const std::vector<std::string>& choices) {
+  std::string words;
+  for (const std::string& choice : choices) words += fmt::format("{}\"{}\"", words.empty() ? "" : " or ", choice);
+  return words;
+}
+
+double readNumber(const Entry& entry, const Range& range) { return finiteNumber(entry, entry.node, range); }
+
+std::size_t readCount(const Entry& entry, std::size_t low, std::size_t high) {
+  if (!entry.node.is_integer()) failType(entry, "a whole number");
+  const auto value = *entry.node.value<std::int64_t>();
+  if (value < 0 || static_cast<std::uint64_t>(value) < low || static_cast<std::uint64_t>(value) > high) {
+    entry.fail("= " +
+               outOfRange(fmt::format("{}", value), between(static_cast<double>(low), static_cast<double>(high))));
+  }
+  return static_cast<std::size_t>(value);
+}
+
+std::string readText(const Entry& entry) {
+  const auto value = entry.node.value<std::string>();
+  if (!entry.node.is_string()) failType(entry, "a text in quotes");
+  if (std::any_of(value->begin(), value->end(), isControl) || value->size() > kLongestText) {
+    entry.fail("must be one line of plain text");
+  }
+  return *value;
+}
+
+bool readFlag(const Entry& entry) {
+  if (!entry.node.is_boolean()) failType(entry, "true or false");
+  return *entry.node.value<bool>();
+}
+
+std::vector<double> readNumbers(const Entry& entry, const Range& range) {
+  const toml::array* list = entry.node.as_array();
+  if (list == nullptr) failType(entry, "a list of numbers");
+  std::vector<double> values;
+  for (const toml::node& node : *list) values.push_back(finiteNumber(entry, node, range));
+  return values;
+}
+
+std::vector<double> readPoint(const Entry& entry, std::size_t count, const Range& range) {
+  std::vector<double> values = readNumbers(entry, range);
+  if (values.size() != count) entry.fail(fmt::format("must be {} numbers, not {}", count, values.size()));
+  return values;
+}
+
+std::string readWord(const Entry& entry, const std::vector<std::string>& choices) {
+  std::string word = readText(entry);
+  if (std::find(choices.begin(), choices.end(), word) != choices.end()) return word;
+  const std::string nearest = nearestName(word, choices);
+  const std::string hint = nearest.empty() ? nearest : fmt::format("; did you mean \"{}\"?", nearest);
+  entry.fail(fmt::format("must be {}, not \"{}\"{}", choiceWords(choices), oneLine(word), hint));
+}
+
+std::string inQuotes(std::string_view text) {
+  std::string words = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      words += '\\';
+      words += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      words += fmt::format("\\u{:04X}", byte);
+    } else {
+      words += c;
+    }
+  }
+  return words + '"';
+}
+
+std::string showNumber(double value) { return fmt::format("{}", value); }
+
+std::string showNumbers(const std::vector<double>& values) { return fmt::format("[{}]", fmt::join(values, ", ")); }
+
+}  // namespace palpate::scene

@@ -1,0 +1,225 @@
+// The tables [friction], [contact], [partition], [tissue] and [safety] of a scene file: how the body is felt.
+#include "palpate/scene/detail/scene_keys.h"
+#include "palpate/scene/words.h"
+#include "palpate/tissue/published.h"
+
+namespace palpate::scene {
+
+namespace {
+
+std::vector<std::string> frictionNames() {
+  std::vector<std::string> names;
+  for (const tissue::FrictionPreset& preset : tissue::frictionPresets()) names.emplace_back(preset.name);
+  return names;
+}
+
+/// The name of two coefficients and nothing beside them: who changes one of them has no such skin any more.
+Key<contact::FingerSettings> skinKey() {
+  using S = contact::FingerSettings;
+  const auto read = [](S& friction, const Entry& entry) {
+    const std::string name = readWord(entry, frictionNames());
+    const auto preset = std::ranges::find(tissue::frictionPresets(), name, &tissue::FrictionPreset::name);
+    friction.mu_static = preset->still;
+    friction.mu_dynamic = preset->slipping;
+  };
+  const auto show = [](const S& friction) -> std::string {
+    for (const tissue::FrictionPreset& preset : tissue::frictionPresets()) {
+      const bool same = preset.still == friction.mu_static && preset.slipping == friction.mu_dynamic;
+      if (same) return inQuotes(preset.name);
+    }
+    return {};
+  };
+  return {
+      .name = "skin",
+      .takes = choiceWords(frictionNames()),
+      .meaning =
+          "Both coefficients by what is on the skin: dry is 0.46 and 0.44, oiled 0.2 and 0.2 "
+          "(docs/reference/tissue-tables.md has the sources); where static or dynamic is written too, that one counts.",
+      .read = read,
+      .show = show,
+      .form = {KeyForm::Kind::choice, 0.0, 0.0, frictionNames()},
+      .first = true};
+}
+
+}  // namespace
+
+Section frictionSection() {
+  using S = contact::FingerSettings;
+  std::vector<Key<S>> keys = {
+      skinKey(),
+      number<S>("static", &S::mu_static, between(0, 5), "Coefficient up to which the skin sticks to the finger."),
+      number<S>("dynamic", &S::mu_dynamic, between(0, 5), "Coefficient while the finger slips; not above static."),
+      number<S>("stiffness_ratio", &S::stiffness_ratio, above(0, 100),
+                "Tangential over normal stiffness. Tissue has 0.6 to 1.1; 0.23 lets half-Gaussian tissue follow 20 mm "
+                "at 10 mm "
+                "depth, as the dissertation has it (E2)."),
+  };
+  return section<S>("friction", "How the skin holds the finger.", way(&Scene::contact, &ContactSettings::finger),
+                    std::move(keys), [](const S& friction, const Entry& entry) {
+                      if (friction.mu_dynamic > friction.mu_static) entry.fail("dynamic must not be above static");
+                    });
+}
+
+Section contactSection() {
+  using S = ContactSettings;
+  using F = contact::FingerSettings;
+  const auto finger = [](auto F::*member) { return way(&S::finger, member); };
+  std::vector<Key<S>> keys = {
+      choice<S, ContactSource>("source", &S::source,
+                               "What a finger collides with: the whole skin, or only the triangles near the proxy that "
+                               "the [partition] gives, as in the dissertation (docs/explanation/contact.md)."),
+      number<S>(
+          "max_depth_mm", finger(&F::max_depth_mm), above(0, kLongestMm),
+          "The deepest that is felt; a tip that is out of the body and farther than this from its proxy is let go."),
+      number<S>(
+          "catch_up_mm_per_s", finger(&F::catch_up_mm_per_s), above(0, 1e6),
+          "The proxy moves at most twice as far as the tip plus this speed; bounds the change of force at ridges."),
+      flag<S>("force_shading", finger(&F::force_shading), "Smooth the force over coarse triangles."),
+  };
+  return section<S>("contact", "How the finger meets the surface.", &Scene::contact, std::move(keys));
+}
+
+Section partitionSection() {
+  using S = PartitionSettings;
+  using B = hdb::BuildSettings;
+  const auto build = [](auto B::*member) { return way(&S::build, member); };
+  std::vector<Key<S>> keys = {
+      choice<S, hdb::TreeKind>("tree", build(&B::tree), "How space is divided."),
+      choice<S, hdb::Assignment>(
+          "assign", build(&B::assignment),
+          "A triangle across a plane is cut (A), goes to both sides (B) or to the side with most of it (C)."),
+      count<S, Index>("threshold", build(&B::threshold), 1, 100'000'000, "A leaf holds at most so many triangles."),
+      number<S>("hdb_fraction", &S::hdb_fraction, above(0, 100),
+                "Edge of the haptic detecting box as a share of the longest edge of the body."),
+      number<S>("hdb_edge_mm", &S::hdb_edge_mm, between(0, kLongestMm), "Edge of that box; 0 is by hdb_fraction."),
+      choice<S, hdb::HdbQuery>("query", &S::query,
+                               "What may be touched: all triangles of the leaves that the box meets, those that it "
+                               "meets itself, a list of these that is made again only when the box leaves it, or the "
+                               "same in a linked list that follows the box."),
+      choice<S, std::optional<hdb::LiteralTraversal>>(
+          "traversal", &S::traversal,
+          "How the leaves are found: all of them, or as printed, with its gaps; where it says "
+          "\"tight\", fidelity may still ask for a printed one (E4, E5, E10)."),
+      number<S>("refresh_s", &S::refresh_s, between(0, 60),
+                "The box follows the proxy every so many seconds; 0 is every tick."),
+  };
+  return section<S>("partition", "Where a finger of the contact source \"hdb\" finds its triangles.", &Scene::partition,
+                    std::move(keys));
+}
+
+namespace {
+
+std::vector<Key<TissueSettings>> relaxationKeys() {
+  using S = TissueSettings;
+  using R = contact::Relaxation;
+  const auto term = [](auto R::*member) { return way(&S::relaxation, member); };
+  return {
+      number<S>("relaxation", term(&R::share), between(0, contact::kMaxRelaxation),
+                "Share by which the force of a press that is held falls in time (docs/explanation/relaxation.md); 0 is "
+                "none, 0.15 what living limbs may have."),
+      number<S>("relaxation_s", term(&R::time_s), between(0.01, 1000),
+                "Relaxation: the time in which it falls by 63 % of that."),
+      number<S>("relaxation_2", term(&R::share_2), between(0, contact::kMaxRelaxation),
+                "Relaxation: a second share, which falls at its own pace; the two together at most 0.9."),
+      number<S>("relaxation_2_s", term(&R::time_2_s), between(0.01, 1000), "Relaxation: the second one's time."),
+  };
+}
+
+}  // namespace
+
+Section tissueSection() {
+  using S = TissueSettings;
+  using L = tissue::ForceLaw;
+  const auto law = [](auto L::*member) { return way(&S::force_law, member); };
+  std::vector<Key<S>> keys = {
+      choice<S, L::Kind>(
+          "force_law", law(&L::kind),
+          "Normal force by depth (docs/explanation/force-laws.md): stiffness times depth; a power of the depth; a "
+          "stiffness that "
+          "grows along a Gaussian; measured; by the layers of the place, linear where there are none. All agree with "
+          "the stiffness map at reference_depth_mm."),
+      number<S>("exponent", law(&L::exponent), between(1, 3), "Power: of the depth; layered tissue has 1.5 to 1.8."),
+      number<S>(
+          "reference_depth_mm", law(&L::reference_depth_mm), above(0, 1000),
+          "The depth at which every law pushes as hard as the linear one: what the stiffness map means. Layers: 8."),
+      number<S>("stiffening_ratio", law(&L::stiffening_ratio), above(0, 100),
+                "Stiffening: the stiffness deep down over that of a light touch."),
+      number<S>("stiffening_depth_mm", law(&L::stiffening_depth_mm), above(0, 1000),
+                "Stiffening: the depth at which that stiffness is reached."),
+      file<S>("force_table", &S::force_table, "Table: rows depth_mm,force_n; scaled so that it agrees with the map."),
+      number<S>(
+          "fat_mm", &S::fat_mm, between(0, 60),
+          "Layered tissue: fat between skin and muscle; 0 is by the body's mass (4 mm at a mass index of 18, 8 at "
+          "22, 15 at 30), and less where there is no room for it."),
+      file<S>("layer_table", &S::layer_table,
+              "Layered tissue: one stack for every place, from palpate tissue solve or palpate tissue fit profile; "
+              "default: the library's stacks by thickness."),
+      flag<S>(
+          "by_finger_radius", &S::by_finger_radius,
+          "Layered law: a larger finger is pushed back harder (1 to 24 mm; beyond, the nearest counts); false: every "
+          "finger feels what one of 8 mm does."),
+      number<S>("point_radius_mm", &S::point_radius_mm, between(1, 24),
+                "Layered law: the radius that a finger of radius 0 is felt with."),
+      flag<S>("narrow_bone", &S::narrow_bone,
+              "Layered law: bone that is narrow under the skin, as a spinous process or a rib, pushes back less than a "
+              "wide one; false: all bone counts as wide."),
+  };
+  const std::vector<Key<S>> relaxation = relaxationKeys();
+  keys.insert(keys.end(), relaxation.begin(), relaxation.end());
+  return section<S>(
+      "tissue", "How force grows with depth, and falls with time.", &Scene::tissue, std::move(keys),
+      [](const S& tissue, const Entry& entry) {
+        if (!(tissue.relaxation.share + tissue.relaxation.share_2 <= contact::kMaxRelaxation)) {
+          entry.fail(fmt::format("relaxation and relaxation_2 together must not be above {}", contact::kMaxRelaxation));
+        }
+        const bool wants_table = tissue.force_law.kind == L::Kind::table;
+        if (wants_table && tissue.force_table.empty()) entry.fail("law \"table\" needs a force_table");
+        if (!wants_table && !tissue.force_table.empty()) {
+          entry.fail("has a force_table but its force_law is not \"table\"");
+        }
+      });
+}
+
+Section safetySection() {
+  using S = SafetySettings;
+  std::vector<Key<S>> keys = {
+      choice<S, DeviceModel>("device", &S::device,
+                             "Whose limits hold without an open device; one that is open has its own."),
+      number<S>("nominal_force_n", &S::nominal_force_n, between(0, 100),
+                "Largest force sent to the device, never above its own; 0 is that (3.3 for a device of unknown type)."),
+      number<S>(
+          "stiffness_cap_n_per_mm", &S::stiffness_cap_n_per_mm, between(0, 100),
+          "Stiffest that a hand may feel anywhere, never above what the device, delay_ticks and ticks_per_s allow; "
+          "0 is that. All places are softened by one factor, and above 1 N their slopes are held. Only "
+          "--unsafe-stiffness allows more."),
+      number<S>(
+          "delay_ticks", &S::delay_ticks, between(0, 6),
+          "From sampling the pose to the force taking effect, in ticks, with the amplifier's lag; at least what an "
+          "open device has."),
+      number<S>("device_damping_n_s_per_mm", &S::device_damping_n_s_per_mm, between(0, 1),
+                "Measured on this very device; 0 is the assumption for its kind."),
+      number<S>("device_friction_n", &S::device_friction_n, between(0, 100), "Likewise."),
+      flag<S>("passivity", &S::passivity,
+              "Take away what the sampled loop gives beyond the skin's own law. Stays on where a device is open."),
+      flag<S>("soft_contact", &S::soft_contact,
+              "A fast first touch meets a soft toe of the force law. Stays on where a device is open."),
+      choice<S, StartRule>("start", &S::start,
+                           "Where the tip is inside at the start, or after a fault: no force until it has been outside "
+                           "once, or one that grows over ramp_s."),
+      number<S>("ramp_s", &S::ramp_s, between(0, 60), "With start = \"ramp\"."),
+      number<S>("max_age_ticks", &S::max_age_ticks, between(0, 1000), "An older pose is a fault: no force."),
+      number<S>("max_jump_mm", &S::max_jump_mm, above(0, 1e6),
+                "A tip that moves farther in a tick, and faster than max_tip_speed_mm_per_s, is a fault: no force."),
+      number<S>("max_tip_speed_mm_per_s", &S::max_tip_speed_mm_per_s, above(0, 1e9), "See max_jump_mm."),
+      number<S>("max_force_rate_n_per_ms", &S::max_force_rate_n_per_ms, above(0, 1e6),
+                "A force that grows faster is a fault: no force."),
+      number<S>("slew_per_motion", &S::slew_per_motion, between(0, 1000), "Without effect; goes with version 0.4."),
+      number<S>("slew_mm", &S::slew_mm, above(0, 1000), "Without effect; goes with version 0.4."),
+      number<S>("passivity_allowance_n_mm", &S::passivity_allowance_n_mm, between(0, 1e6),
+                "Without effect; goes with version 0.4."),
+  };
+  return section<S>("safety", "What a device may do to a hand; never changes forces.csv's contact force.",
+                    &Scene::safety, std::move(keys));
+}
+
+}  // namespace palpate::scene

@@ -1,0 +1,102 @@
+// The table [view] of a scene file: how pictures look.
+#include "palpate/scene/detail/scene_keys.h"
+
+namespace palpate::scene {
+
+namespace {
+
+using V = ViewSettings;
+Key<V> overlayList(std::string name, std::vector<Overlay> V::*member, std::string meaning) {
+  const auto read = [=](V& s, const Entry& entry) {
+    const toml::array* list = entry.node.as_array();
+    if (list == nullptr) entry.fail("must be a list of names");
+    for (const toml::node& node : *list) {
+      (s.*member).push_back(readChoice<Overlay>({node, entry.file, entry.name}));
+    }
+  };
+  const auto show = [=](const V& s) {
+    std::vector<std::string> quoted;
+    for (const Overlay overlay : s.*member) quoted.push_back(fmt::format("\"{}\"", wordFor(overlay)));
+    return quoted.empty() ? std::string() : fmt::format("[{}]", fmt::join(quoted, ", "));
+  };
+  return {std::move(name), "list of " + choiceWords(wordList<Overlay>()), std::move(meaning), read, show};
+}
+
+constexpr double kFarthestMm = 1e5;
+constexpr Range kPlaces = between(-kFarthestMm, kFarthestMm);
+
+/// Whatever a file counts in.
+constexpr Range kScalars = between(-1e9, 1e9);
+
+/// Two rising numbers that need not be given.
+Key<V> range(std::string name, std::optional<Vec2> V::*member, std::string meaning) {
+  const auto read = [=](V& s, const Entry& entry) {
+    const std::vector<double> v = readPoint(entry, 2, kScalars);
+    if (!(v[0] < v[1])) entry.fail("needs two rising numbers");
+    s.*member = Vec2(v[0], v[1]);
+  };
+  const auto show = [=](const V& s) {
+    const std::optional<Vec2>& v = s.*member;
+    return v ? showNumbers({v->x(), v->y()}) : std::string();
+  };
+  return {std::move(name), "two numbers" + rangeSuffix(kScalars), std::move(meaning), read, show};
+}
+
+}  // namespace
+
+Section viewSection() {
+  constexpr double kAround = 180.0;
+  constexpr double kAlmostAbove = 89.0;
+  std::vector<Key<V>> keys = {
+      choice<V, StandardView>("side", &V::side, "From where one looks; table: from beside a lying body, on its left."),
+      number<V>("yaw_deg", &V::yaw_deg, between(-kAround, kAround),
+                "Turned from that side; positive sees more of the patient's right."),
+      number<V>("pitch_deg", &V::pitch_deg, between(-kAlmostAbove, kAlmostAbove),
+                "Turned from that side; positive looks from above."),
+      number<V>("zoom", &V::zoom, between(0.01, 1000), "1 shows the whole body; larger is nearer."),
+      place<V>("look_at_mm", &V::look_at_mm, kPlaces,
+               "Place in the middle of the picture (default: the middle of the body)."),
+      number<V>("distance_mm", &V::distance_mm, between(0, kFarthestMm),
+                "Of the eye from that place; 0 is so far that zoom 1 shows the whole body."),
+      choice<V, Shading>("shading", &V::shading, "Light at the vertices, or skin."),
+      choice<V, Colouring>("colours", &V::colours, "What the colour of the skin says."),
+      text<V>("scalar", &V::scalar,
+              "With colours = \"scalar\": which number of the body's PLY file; empty: the first."),
+      choice<V, ColourMap>("scalar_map", &V::scalar_map, "The colours of that number."),
+      range("scalar_range", &V::scalar_range,
+            "Values of the two ends of its colours (default: its least and greatest)."),
+      range("stiffness_range_n_per_mm", &V::stiffness_range_n_per_mm,
+            "Ends of the colours of colours = \"stiffness\" (default: the body's softest and stiffest place)."),
+      range("ellipse_range_mm", &V::ellipse_range_mm,
+            "Ends of the colours of colours = \"ellipse-map\", half major axes (default: the body's)."),
+      overlayList("show", &V::show, "What is drawn over the skin (docs/howto/pictures.md)."),
+      number<V>("opacity", &V::opacity, between(0, 1), "Of the skin; below 1 the bones show through."),
+      number<V>("skin_tone", &V::skin_tone, between(1, 6),
+                "Of the skin, from very light to very dark, about as Fitzpatrick's types; fractions lie between two."),
+      number<V>("dent_contrast", &V::dent_contrast, between(0, 5),
+                "How strongly dents are shaded: 0 not at all, 1 as it would be; above it is exaggerated, and the "
+                "picture says so."),
+      choice<V, FingerShape>("finger", &V::finger, "What a finger looks like."),
+      flag<V>("white_background", &V::white_background, "White paper instead of grey."),
+      flag<V>("texture", &V::texture,
+              "The picture that [body] texture names, or the colours of a PLY file, on the skin."),
+      flag<V>("detail", &V::detail, "Skin lines, where skin is seen from near by."),
+      choice<V, StereoMode>("stereo", &V::stereo, "How two eyes share one picture."),
+      number<V>("eye_distance_mm", &V::eye_distance_mm, between(0, 200), "Between the eyes; 0 is as good as mono."),
+      number<V>("convergence_mm", &V::convergence_mm, between(0, kFarthestMm),
+                "From the eyes to what appears in the plane of the screen; 0 is the middle of the picture."),
+      flag<V>("swap_eyes", &V::swap_eyes, "For screens or glasses that are the other way round."),
+      place<V>("head_mm", &V::head_mm, kPlaces,
+               "Where the head is before a real screen, from the screen's middle: right, up, towards the head (> 0)."),
+      number<V>("screen_height_mm", &V::screen_height_mm, above(0, kFarthestMm),
+                "With head_mm: height of that screen, which then shows the body at true size."),
+  };
+  const auto check = [](const V& view, const Entry& entry) {
+    if (view.head_mm && !(view.head_mm->z() > 0.0)) {
+      entry.fail("head_mm must be in front of the screen: third number > 0");
+    }
+  };
+  return section<V>("view", "How pictures of it look.", &Scene::view, std::move(keys), check);
+}
+
+}  // namespace palpate::scene

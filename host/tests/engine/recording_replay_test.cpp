@@ -1,0 +1,241 @@
+// A recording felt again gives every bit, whatever happened while it was recorded.
+#include "palpate/engine/recording_replay.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+
+#include "palpate/base/error.h"
+#include "palpate/base/random.h"
+#include "palpate/engine/fingers.h"
+#include "palpate/engine/recording_settings.h"
+#include "palpate/engine/servo_thread.h"
+#include "palpate/mesh/files/save.h"
+#include "support/mesh_zoo.h"
+#include "support/temporary_folder.h"
+#include "support/wait_for.h"
+
+namespace palpate::engine {
+namespace {
+
+/// A finger that presses, slides, lifts, and whose device fails now and then.
+device::Device troubledDevice(std::uint64_t seed) {
+  device::Device device;
+  device.name = "troubled";
+  device.read_tip = [random = Random(seed)](std::uint64_t tick) mutable {
+    const double t = 0.001 * static_cast<double>(tick);
+    const Vec3 tip(100.0 + 30.0 * std::sin(3.0 * t), 100.0 + 20.0 * std::cos(2.0 * t), -4.0 + 7.0 * std::sin(9.0 * t));
+    if (random.below(200) == 0) return device::kNoPlace;
+    if (random.below(300) == 0) return Vec3(tip + Vec3(0, 0, 25));
+    return random.below(400) == 0 ? Vec3(Vec3::Constant(1e9)) : tip;
+  };
+  device.write_force = [](const Vec3&) {};
+  return device;
+}
+
+class RecordingReplay : public testing::Test {
+ protected:
+  RecordingReplay() { mesh::save(folder_ / "sheet.ply", zoo::grid(20, 200.0)); }
+
+  std::shared_ptr<const scene::World> worldOf(double stiffness) const {
+    scene::Scene scene;
+    scene.file = folder_ / "scene.toml";
+    scene.body.kind = scene::BodyKind::mesh;
+    scene.body.file = folder_ / "sheet.ply";
+    scene.stiffness.constant_n_per_mm = stiffness;
+    scene.fingers.resize(2);
+    scene.fingers[0].name = "left";
+    scene.fingers[1].name = "right";
+    scene.fingers[1].radius_mm = 8.0;
+    return scene::build(scene);
+  }
+
+  static std::vector<FeltWith> feltWith(const ServoPlan& plan) {
+    std::vector<FeltWith> fingers;
+    for (const contact::FingerSettings& finger : plan.fingers) fingers.push_back({finger, plan.limiter, true});
+    return fingers;
+  }
+
+  std::filesystem::path file() const { return folder_ / "run.session"; }
+
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(RecordingReplay, GivesEveryBitThroughFaultsWorldChangesAndAnEmergencyStop) {
+  trace::RecordingWriter writer(file(), recordingHeader(1000.0), {{"left", "troubled"}, {"right", "troubled"}});
+  const auto plan_of = [&](double stiffness, bool other_body) {
+    const auto world = worldOf(stiffness);
+    ServoPlan plan = servoPlan(world, fingerSettings(world->scene, 2));
+    plan.other_body = other_body;
+    return plan;
+  };
+  ServoPlan first = plan_of(0.5, true);
+  writer.add(recordingWorld(*first.world, feltWith(first)));
+  std::uint64_t popped = 0;
+  {
+    ServoThread servo(std::move(first), {troubledDevice(1), troubledDevice(2)});
+    const auto drain = [&] {
+      trace::Sample sample;
+      for (; servo.pop(sample); ++popped) writer.add(sample);
+    };
+    for (const double stiffness : {1.0, 0.7, 1.3}) {
+      const std::uint64_t enough = popped + 600;
+      ASSERT_TRUE(support::waitFor([&] { return drain(), popped > enough; }));
+      ServoPlan next = plan_of(stiffness, false);
+      writer.add(recordingWorld(*next.world, feltWith(next)));
+      servo.change(std::move(next));
+      ASSERT_TRUE(support::waitFor([&] { return servo.exchange(); }));
+      servo.emergencyStop().press();
+      const std::uint64_t stopped = popped + 60;
+      ASSERT_TRUE(support::waitFor([&] { return drain(), popped > stopped; }));
+      servo.emergencyStop().release();
+    }
+    const std::uint64_t enough = popped + 1000;
+    ASSERT_TRUE(support::waitFor([&] { return drain(), popped > enough; }));
+    servo.stop();
+    drain();
+    ASSERT_EQ(servo.droppedSamples(), 0u);
+  }
+  writer.finish("done");
+  trace::RecordingReader recording(file());
+  std::uint32_t seen = 0;
+  std::uint32_t last_world = 0;
+  recording.forEachTick({}, [&](std::span<const trace::Sample> samples) {
+    for (const trace::Sample& sample : samples) {
+      seen |= sample.safety;
+      last_world = sample.world;
+    }
+    return true;
+  });
+  EXPECT_EQ(last_world, 3u);
+  EXPECT_NE(seen & servo::kTipNotFinite, 0u);
+  EXPECT_NE(seen & servo::kTipJumped, 0u);
+  EXPECT_NE(seen & servo::kEmergencyStop, 0u);
+  const ReplayReport report = replay(recording);
+  ASSERT_FALSE(report.first_difference) << "tick " << report.first_difference->tick << " "
+                                        << report.first_difference->field << " was "
+                                        << report.first_difference->recorded << ", is "
+                                        << report.first_difference->replayed;
+  EXPECT_TRUE(report.identical());
+  EXPECT_EQ(report.ticks, popped);
+  if (const char* keep = std::getenv("PALPATE_KEEP_SESSION")) {  // tests/data/sessions/README.md
+    std::filesystem::copy(file(), std::filesystem::path(keep) / "troubled.session");
+    std::filesystem::copy(folder_ / "sheet.ply", std::filesystem::path(keep) / "sheet.ply");
+  }
+}
+
+/// Two fingers on their paths, for a second, without a thread.
+void recordHeadless(const std::filesystem::path& file, const std::shared_ptr<const scene::World>& world) {
+  trace::RecordingWriter writer(file, recordingHeader(1000.0), {{"left", "script"}, {"right", "script"}});
+  servo::RigParts parts;
+  parts.solvers = servo::makeSolvers(world->surface, nullptr, 2);
+  parts.fingers = fingerSettings(world->scene, 2);
+  parts.limiter = servoPlan(world, parts.fingers).limiter;
+  parts.devices = {troubledDevice(3), troubledDevice(4)};
+  servo::Rig rig = servo::rigOf(std::move(parts));
+  writer.add(recordingWorld(*world, feltWith(rig)));
+  std::vector<trace::Sample> samples(2);
+  for (std::uint64_t tick = 0; tick < 1000; ++tick) {
+    servo::runTick(rig, tick, servo::LoopEvent::none, samples);
+    for (const trace::Sample& sample : samples) writer.add(sample);
+  }
+  writer.finish("done");
+}
+
+TEST_F(RecordingReplay, NamesTheFirstDifference) {
+  recordHeadless(file(), worldOf(0.625));
+  {
+    trace::RecordingReader recording(file());
+    EXPECT_TRUE(replay(recording).identical());
+  }
+  // The same poses on a skin that is a little stiffer.
+  trace::Database database(file(), trace::Database::Mode::write);
+  database.run("UPDATE worlds SET scene = replace(scene, '0.625', '0.625001')");
+  trace::RecordingReader recording(file());
+  const ReplayReport report = replay(recording);
+  EXPECT_FALSE(report.identical());
+  ASSERT_TRUE(report.first_difference);
+  EXPECT_TRUE(report.first_difference->field.starts_with("force_")) << report.first_difference->field;
+  EXPECT_NE(report.first_difference->recorded, report.first_difference->replayed);
+  ASSERT_EQ(report.notes.size(), 1u);
+  EXPECT_NE(report.notes[0].find("world 0 is not the recorded one"), std::string::npos);
+}
+
+TEST_F(RecordingReplay, ComparesOnlyTheSpanThatIsAskedFor) {
+  recordHeadless(file(), worldOf(0.5));
+  trace::RecordingReader recording(file());
+  std::uint64_t felt = 0;
+  const ReplayReport report =
+      replay(recording, {{500, 599}, {}}, [&](std::span<const trace::Sample> tick) { felt += tick.size(); });
+  EXPECT_EQ(report.ticks, 200u);
+  EXPECT_EQ(felt, 200u);
+  EXPECT_TRUE(report.identical());
+}
+
+/// Files of every version are felt again for ever: the first, of a corner that was pressed by a point.
+TEST(RecordingVersions, TheFirstIsStillFeltAgain) {
+  const std::filesystem::path folder = std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / "version_1";
+  support::TemporaryFolder copy;  // a reader may leave files beside what it reads
+  std::filesystem::copy(folder / "press.session", copy / "press.session");
+  trace::RecordingReader recording(copy / "press.session");
+  EXPECT_EQ(recording.facts().samples, 50u);
+  const ReplayReport report = replay(recording, {{}, folder});
+  EXPECT_TRUE(report.identical()) << (report.first_difference ? report.first_difference->field : "notes");
+}
+
+/// The second, of two fingers through faults, three changed worlds and emergency stops.
+TEST(RecordingVersions, TheSecondIsStillFeltAgainThroughFaultsAndChangedWorlds) {
+  const std::filesystem::path folder = std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / "version_2";
+  support::TemporaryFolder copy;
+  std::filesystem::copy(folder / "troubled.session", copy / "troubled.session");
+  trace::RecordingReader recording(copy / "troubled.session");
+  EXPECT_EQ(recording.facts().version, 2);
+  EXPECT_EQ(recording.facts().worlds, 4u);
+  EXPECT_EQ(recording.facts().fingers.size(), 2u);
+  const ReplayReport report = replay(recording, {{}, folder});
+  EXPECT_TRUE(report.identical()) << (report.first_difference ? report.first_difference->field : "notes");
+  EXPECT_EQ(report.ticks, recording.facts().samples);
+}
+
+// Felt on the built-in trunk, which is made again here.
+TEST(RecordingVersions, TheThirdIsStillFeltAgain) {
+#ifdef __clang__
+  GTEST_SKIP() << "the trunk of another compiler differs in its last bits";
+#endif
+  const std::filesystem::path folder = std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / "version_3";
+  support::TemporaryFolder copy;
+  std::filesystem::copy(folder / "trunk.session", copy / "trunk.session");
+  trace::RecordingReader recording(copy / "trunk.session");
+  EXPECT_EQ(recording.facts().version, 3);
+  const ReplayReport report = replay(recording, {{}, folder});
+  EXPECT_TRUE(report.identical()) << (report.first_difference ? report.first_difference->field : "notes");
+  EXPECT_EQ(report.ticks, recording.facts().samples);
+}
+
+TEST(RecordingSettings, AreReadBackToTheBit) {
+  contact::FingerSettings contact;
+  contact.radius_mm = 1.0 / 3.0;
+  contact.force_shading = true;
+  EXPECT_EQ(contactSettingsFrom(asText(contact)).radius_mm, 1.0 / 3.0);
+  EXPECT_TRUE(contactSettingsFrom(asText(contact)).force_shading);
+  servo::LimiterSettings limiter;
+  limiter.passivity.friction_n = 0.1 + 0.2;
+  limiter.start = scene::StartRule::ramp;
+  const RecordedLimiter back = limiterFrom(asText(limiter, false));
+  EXPECT_EQ(back.settings.passivity.friction_n, 0.1 + 0.2);
+  EXPECT_EQ(back.settings.start, scene::StartRule::ramp);
+  EXPECT_FALSE(back.closes_loop);
+  EXPECT_TRUE(back.follows_exchange);
+  EXPECT_FALSE(limiterFrom("limited = 1\n").follows_exchange) << "recordings of before have no such line";
+  EXPECT_EQ(asText(limiter, false).find("unsafe"), std::string::npos) << "recordings of before have no such line";
+  limiter.unsafe = true;
+  EXPECT_TRUE(limiterFrom(asText(limiter, false)).settings.unsafe);
+  EXPECT_NE(limitsInWords(limiter).find("UNSAFE"), std::string::npos);
+  EXPECT_THROW(contactSettingsFrom("radius = 8\n"), Error);
+  EXPECT_THROW(contactSettingsFrom("radius_mm = much\n"), Error);
+}
+
+}  // namespace
+}  // namespace palpate::engine

@@ -1,0 +1,86 @@
+// A recording as a report: its numbers, the body with what was felt on it, and how they are told.
+//
+//   RecordingReader ─► trace::measure ─┐
+//   world ─► engine::builtWorld ─────┴─► RecordingReport ─► reportJson, reportPage (with pictures of report_figures.h)
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/base/progress.h"
+#include "palpate/body/torso.h"
+#include "palpate/trace/recording_statistics.h"
+
+namespace palpate::app {
+
+/// The skin as it was touched, or why it cannot be shown.
+struct ReportBody {
+  std::string name;  ///< of the body that was touched longest; empty: none was
+  std::optional<trace::TouchedSurface> surface;
+  std::string tissue;                         ///< of it and its force law, in words; empty: it cannot be built
+  std::string why_not;                        ///< a sentence; empty where there is a surface, or nothing was touched
+  std::vector<std::string> notes;             ///< what else is to be known about the map, a sentence each
+  std::vector<double> reach_mm;               ///< of each finger, as the maps have it
+  std::vector<body::SkinLandmark> landmarks;  ///< of the one body that was touched; empty: several, or it has no names
+};
+
+struct RecordingReport {
+  std::filesystem::path file;
+  trace::RecordingFacts facts;
+  bool whole = true;  ///< false: only what lies between --from and --to
+  trace::RecordingStatistics statistics;
+  std::vector<trace::RecordingEvent> events;
+  std::vector<std::string> unsafe;  ///< fingers that felt more than is safe, with their limits; usually empty
+  std::vector<std::string> bodies;  ///< of each world that was felt, in the order of statistics.worlds
+  ReportBody body;
+
+  double secondsAt(std::uint64_t tick) const { return static_cast<double>(tick) / statistics.ticks_per_s; }
+};
+
+struct ReportSettings {
+  std::filesystem::path file;
+  /// Where the files that the scene names lie now; empty: in the recording itself, else where they lay.
+  std::filesystem::path folder;
+  trace::TickSpan span;
+};
+
+/// Throws Error for what is no recording and for a block that is damaged; a body that cannot be built is said in it.
+RecordingReport recordingReport(trace::RecordingReader& recording, const ReportSettings& settings,
+                                const Progress& progress);
+
+/// Every number of the report.
+nlohmann::ordered_json reportJson(const RecordingReport& report);
+
+/// The report's main results, a sentence each.
+std::vector<std::string> reportSentences(const RecordingReport& report);
+
+/// One HTML page that needs nothing else, well-formed. Draws its pictures.
+std::string reportPage(const RecordingReport& report, const Progress& progress);
+/// Stands in every page, near its beginning.
+inline constexpr std::string_view kReportMark = "<meta name=\"generator\" content=\"palpate report\" />";
+
+/// A bit of a status that was set in some ticks of a finger.
+struct StatusLine {
+  std::size_t finger = 0;
+  std::string name;
+  std::string_view meaning;
+  trace::BitTally tally;
+};
+/// What the limiter did, and what contact said of itself: finger by finger, bit by bit.
+std::vector<StatusLine> safetyLines(const RecordingReport& report);
+std::vector<StatusLine> contactLines(const RecordingReport& report);
+/// How often the emergency stop was pressed: of all fingers the most.
+std::uint64_t emergencyStops(const RecordingReport& report);
+
+/// 3725.4 -> "1 h 02 min 05 s", 12.34 -> "12.3 s".
+std::string durationWords(double seconds);
+/// With so many digits behind the point; what is very large or no number as it can be said shortly.
+std::string fixedWords(double value, int decimals);
+/// "search"
+std::string_view phaseWord(trace::Phase phase);
+
+}  // namespace palpate::app

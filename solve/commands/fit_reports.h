@@ -1,0 +1,67 @@
+// What `palpate tissue fit` found.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "palpate/tissue/fitting/force_fit.h"
+#include "palpate/tissue/fitting/profile_fit.h"
+#include "report/charts/figure.h"
+
+namespace palpate::app {
+
+// What `palpate tissue fit force` found, for people and for programs.
+
+/// Every form on one curve; the fits in the order of kForceForms.
+struct FittedCurve {
+  tissue::ForceCurve curve;
+  std::vector<tissue::ForceFit> fits;
+};
+
+struct ForceResult {
+  std::string file;
+  bool free_offset = false;
+  std::vector<FittedCurve> curves;       ///< at least one
+  std::vector<tissue::ForceFit> shared;  ///< one shape for all curves; empty where there is one curve
+  tissue::ForceForm chosen = tissue::ForceForm::power;
+  std::string table;                 ///< that was written; empty: none
+  std::vector<std::string> written;  ///< every file
+
+  /// Of the only curve, or those that all share.
+  const std::vector<tissue::ForceFit>& fits() const { return shared.empty() ? curves.front().fits : shared; }
+};
+
+const tissue::ForceFit& fitOf(const std::vector<tissue::ForceFit>& fits, tissue::ForceForm form);
+
+/// Lines for a scene file; the table's name is needed where the engine has no law of this form.
+std::string sceneKeys(const ForceResult& result);
+
+std::string textOf(const ForceResult& result);
+nlohmann::ordered_json jsonOf(const ForceResult& result);
+
+// What `palpate tissue fit profile` found, for people and for programs, and as a picture.
+
+struct ProfileResult {
+  std::string file;
+  std::vector<tissue::SkinProfile> profiles;          ///< by depth; at least one
+  std::vector<std::vector<tissue::ProfileFit>> fits;  ///< of each depth all forms, in the order of kProfileForms
+  tissue::ProfileForm chosen = tissue::ProfileForm::two_gaussians;
+  std::optional<tissue::ForceFit> force;  ///< where forces were given
+  tissue::LayeredTable table;             ///< of the chosen form
+  tissue::SharedProfile shared;           ///< one curve for all depths
+  std::string table_file;                 ///< that was written; empty: none
+  std::string profile_file;               ///< likewise
+  std::vector<std::string> written;
+
+  const tissue::ProfileFit& chosenFit(std::size_t depth) const { return fits[depth][static_cast<std::size_t>(chosen)]; }
+};
+
+std::string textOf(const ProfileResult& result);
+nlohmann::ordered_json jsonOf(const ProfileResult& result);
+
+/// Places and fits by depth, down and sideways; what is missed; the curve for all depths.
+figures::Figure profileFitFigure(const ProfileResult& result);
+
+}  // namespace palpate::app

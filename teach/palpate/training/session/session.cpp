@@ -1,0 +1,419 @@
+#include "palpate/training/session/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "palpate/base/error.h"
+#include "palpate/base/hash.h"
+#include "palpate/base/random.h"
+#include "palpate/training/records/trainee_code.h"
+#include "palpate/training/session/trial_scene.h"
+
+namespace palpate::training {
+
+namespace {
+
+/// The place that familiarisation shows, where there are so many: in the middle of the left side.
+constexpr int kFamiliarSite = 4;
+constexpr double kSecondsAMinute = 60.0;
+
+std::uint64_t seedOf(const SessionPlan& plan) {
+  Hash hash;
+  hash.add(plan.seed);
+  for (const char letter : plan.row.id) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(letter)));
+  return hash.value();
+}
+
+/// Another block of the same session draws other sites.
+std::uint64_t blockSeed(const SessionPlan& plan, int number) {
+  Hash hash;
+  hash.add(plan.seed);
+  hash.add(static_cast<std::uint64_t>(number));
+  return hash.value();
+}
+
+}  // namespace
+
+ProtocolRow protocolRowOf(const Protocol& protocol) {
+  return {.id = protocol.id,
+          .version = protocol.version,
+          .text = protocolText(protocol),
+          .sha256 = protocolSha256(protocol)};
+}
+
+struct Session::Impl {
+  SessionPlan plan;
+  const SessionSettings& settings;
+  Random ids;  // of rows
+  Screen screen = Screen::instruction;
+  Said said;
+  Exploration exploration;
+  TrialWatch watch;
+  std::optional<Block> block;
+  BlockRow block_row;
+  std::vector<TrialRow> trials;
+  std::vector<Row> rows;
+  Moment started;  // the session
+  Moment trial_started;
+  double paused_s = 0.0;  // in this trial
+  std::optional<Moment> paused_since;
+  bool warned = false;  // of places not pressed, in this trial
+  bool device_works = false;
+  bool break_offered = false;
+  std::optional<BlockResult> result;
+  HiddenNow answered;  // what feedback lets feel
+
+  Impl(const SessionPlan& the_plan, const Moment& now)
+      : plan(the_plan),
+        settings(settingsOf(plan.protocol, plan.kind)),
+        ids(seedOf(plan)),
+        exploration(plan.sites, plan.protocol.exploration, plan.tick_s),
+        watch(plan.tick_s),
+        started(now) {}
+
+  void say(std::string text) {
+    said.text = std::move(text);
+    ++said.number;
+  }
+  Uuid newId(const Moment& now) {
+    const std::uint64_t first = ids.bits();
+    return uuidOf(now.utc_ms, {first, ids.bits()});
+  }
+  void keepEvent(std::string kind, std::string text, const Moment& now) {
+    rows.emplace_back(EventRow{.id = newId(now),
+                               .session_id = plan.row.id,
+                               .at_ms = now.utc_ms,
+                               .kind = std::move(kind),
+                               .text = std::move(text)});
+  }
+  void keepSession(std::int64_t end_ms) {
+    plan.row.end_ms = end_ms;
+    rows.emplace_back(plan.row);
+  }
+
+  // --- screens
+
+  void open(const Moment& now) {
+    plan.row.kind = plan.kind;
+    plan.row.rng_seed = plan.seed;
+    plan.row.start_ms = now.utc_ms;
+    keepSession(0);
+    if (!settings.natural_stiffness) keepEvent("tissue", fmt::format("{:g} N/mm", plan.protocol.base_n_per_mm), now);
+    if (plan.kind != SessionKind::free) takeBlock(now);
+    if (!plan.familiar) {
+      screen = Screen::device_check;
+      return say(deviceCheck(false));
+    }
+    introduce(now);
+  }
+
+  void takeBlock(const Moment& now) {
+    if (plan.resumed) {
+      block_row = *plan.resumed;
+      block = Block::resumed(settings.block, block_row.state_json);
+      plan.resumed.reset();
+      keepEvent("resume", fmt::format("block {}", block_row.number), now);
+    } else {
+      beginBlock(1, now);
+    }
+  }
+
+  void beginBlock(int number, const Moment& now) {
+    block = Block(settings.block, blockSeed(plan, number));
+    trials.clear();
+    result.reset();
+    block_row = {.id = newId(now),
+                 .session_id = plan.row.id,
+                 .number = number,
+                 .method = settings.block.method,
+                 .change_meaning = settings.block.meaning,
+                 .protocol_id = plan.protocol.id,
+                 .protocol_version = plan.protocol.version,
+                 .state_json = block->state()};
+    rows.emplace_back(block_row);
+  }
+
+  void familiarise() {
+    screen = Screen::familiarisation;
+    exploration.restart();
+    say(familiarisation(*plan.sites.numbered(familiarSite())));
+  }
+  int familiarSite() const { return std::min(kFamiliarSite, plan.sites.choices()); }
+
+  void introduce(const Moment& now) {
+    if (plan.kind == SessionKind::free) {
+      screen = Screen::free_exploration;
+      exploration.restart();
+      return say(instruction(plan.protocol, plan.kind));
+    }
+    if (block->finished()) return summarise(now);
+    screen = Screen::instruction;
+    say(instruction(plan.protocol, plan.kind));
+  }
+
+  void beginTrial(const Moment& now) {
+    screen = Screen::trial;
+    warned = false;
+    paused_since.reset();
+    startClock(now);
+  }
+  void startClock(const Moment& now) {
+    trial_started = now;
+    paused_s = 0.0;
+    exploration.restart();
+    watch.restart();
+  }
+
+  double elapsed(const Moment& now) const {
+    const double paused_now = paused_since ? now.s - paused_since->s : 0.0;
+    return std::max(0.0, now.s - trial_started.s - paused_s - paused_now);
+  }
+
+  // --- answers
+
+  TrialRow rowOf(const TrialOutcome& outcome, const Moment& now) {
+    const PlannedTrial& planned = block->next();
+    TrialRow row{.id = newId(now),
+                 .block_id = block_row.id,
+                 .session_id = plan.row.id,
+                 .number = planned.number,
+                 .start_ms = trial_started.utc_ms,
+                 .end_ms = now.utc_ms,
+                 .seconds = elapsed(now),
+                 .kind = planned.kind,
+                 .change = planned.change,
+                 .site_true = planned.site,
+                 .site_answer = outcome.answer,
+                 .correct = outcome.correct,
+                 .timed_out = outcome.answer == 0,
+                 .excluded = outcome.target_visited ? "" : "target not felt",
+                 .sites_felt = outcome.visited,
+                 .file_tick_first = trial_started.tick,
+                 .file_tick_last = now.tick,
+                 .visits = exploration.visits()};
+    watch.writeTo(row);
+    return row;
+  }
+
+  void take(int answer, const Moment& now) {
+    const PlannedTrial planned = block->next();
+    const TrialOutcome outcome{.answer = answer,
+                               .correct = answer == planned.site,
+                               .visited = exploration.visitedSites(),
+                               .target_visited = exploration.visited(planned.site)};
+    trials.push_back(rowOf(outcome, now));
+    rows.emplace_back(trials.back());
+    if (settings.all_sites && outcome.visited < plan.sites.choices()) {
+      keepEvent("warning",
+                fmt::format("trial {}: {} sites not felt", planned.number, plan.sites.choices() - outcome.visited),
+                now);
+    }
+    block->answer(outcome);
+    keepBlock();
+    const Site& truth = *plan.sites.numbered(planned.site);
+    tellAnswer(outcome, truth);
+    if (settings.feedback) {
+      screen = Screen::feedback;
+      answered = {.site = planned.site, .change = planned.change};
+    } else {
+      goAfterAnswer(now);
+    }
+  }
+
+  void tellAnswer(const TrialOutcome& outcome, const Site& truth) {
+    if (outcome.answer == 0) return say(timeIsUp(settings.feedback, truth));
+    if (!settings.feedback) return say(answerSaved());
+    say(outcome.correct ? rightAnswer(truth) : wrongAnswer(truth));
+  }
+
+  void goAfterAnswer(const Moment& now) {
+    if (block->finished()) return summarise(now);
+    offerBreak(now);
+    beginTrial(now);
+  }
+
+  void offerBreak(const Moment& now) {
+    const double after_s = kSecondsAMinute * plan.protocol.break_after_min;
+    if (break_offered || after_s <= 0.0 || now.s - started.s < after_s) return;
+    break_offered = true;
+    say(said.text + " " + breakOffered());
+    keepEvent("break", "offered", now);
+  }
+
+  /// With what the block knows by now.
+  void keepBlock() {
+    const BlockResult so_far = block->result();
+    block_row.state_json = block->state();
+    block_row.finished = block->finished();
+    block_row.threshold = so_far.threshold.median;
+    block_row.threshold_low = so_far.threshold.low;
+    block_row.threshold_high = so_far.threshold.high;
+    block_row.trials = so_far.trials;
+    block_row.mastered_change = so_far.level;
+    block_row.verdict = so_far.verdict;
+    rows.emplace_back(block_row);
+  }
+
+  void summarise(const Moment& now) {
+    screen = Screen::block_summary;
+    result = block->result();
+    say(blockSummary(*result, plan.kind, plan.before));
+    keepEvent("block", fmt::format("{} finished", block_row.number), now);
+  }
+
+  bool measures() const { return !settings.feedback; }
+
+  /// Practice goes on with another block, a test has one.
+  void afterSummary(const Moment& now) {
+    if (measures()) return finish(now);
+    beginBlock(block_row.number + 1, now);
+    introduce(now);
+  }
+
+  void finish(const Moment& now) {
+    const bool unfinished = block && !block->finished();
+    screen = Screen::finished;
+    keepSession(now.utc_ms);
+    say(goodbye(unfinished));
+  }
+};
+
+Session::Session(const SessionPlan& plan, const Moment& now) {
+  const SessionSettings& settings = settingsOf(plan.protocol, plan.kind);
+  if (plan.kind != SessionKind::free && settings.block.choices != plan.sites.choices()) {
+    throw Error(fmt::format("session: the protocol asks for {} sites, the body has {}", settings.block.choices,
+                            plan.sites.choices()));
+  }
+  impl_ = std::make_unique<Impl>(plan, now);
+  impl_->open(now);
+}
+
+Session::~Session() = default;
+
+Screen Session::screen() const { return impl_->screen; }
+Said Session::said() const { return impl_->said; }
+
+std::optional<HiddenNow> Session::hidden() const {
+  switch (impl_->screen) {
+    case Screen::familiarisation:
+      return HiddenNow{.site = impl_->familiarSite(), .change = largestChange(impl_->settings.block)};
+    case Screen::trial:
+      return HiddenNow{.site = impl_->block->next().site, .change = impl_->block->next().change};
+    case Screen::feedback:
+      return impl_->answered;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool Session::feelsTruth() const {
+  return impl_->screen == Screen::feedback || impl_->screen == Screen::familiarisation;
+}
+
+int Session::trialNumber() const { return impl_->block && !impl_->block->finished() ? impl_->block->next().number : 0; }
+int Session::trialsAtMost() const {
+  return impl_->block ? impl_->settings.block.warm_up + impl_->settings.block.stop.most : 0;
+}
+double Session::secondsLeft(const Moment& now) const {
+  if (impl_->settings.limit_s <= 0.0) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, impl_->settings.limit_s - impl_->elapsed(now));
+}
+double Session::shareOfTimeLeft(const Moment& now) const {
+  if (impl_->settings.limit_s <= 0.0) return 1.0;
+  return secondsLeft(now) / impl_->settings.limit_s;
+}
+bool Session::visited(int site) const { return impl_->exploration.visited(site); }
+int Session::touchedSite() const { return impl_->exploration.touchedSite(); }
+bool Session::showsProgress() const { return impl_->settings.feedback; }
+
+void Session::ready(const Moment& now) {
+  if (impl_->screen != Screen::trial) return;
+  const bool stands_still = paused();
+  impl_->startClock(now);
+  if (stands_still) impl_->paused_since = now;
+}
+
+void Session::feel(const trace::Sample& sample, const Moment& /*now*/) {
+  if (paused()) return;
+  impl_->exploration.follow(sample);
+  if (impl_->screen == Screen::trial) impl_->watch.follow(sample);
+  if (impl_->screen != Screen::device_check || impl_->device_works) return;
+  if (sample.device_force.norm() < impl_->plan.protocol.exploration.force_n) return;
+  impl_->device_works = true;
+  impl_->say(deviceCheck(true));
+}
+
+void Session::next(const Moment& now) {
+  if (paused()) return goOn(now);
+  switch (impl_->screen) {
+    case Screen::device_check:
+      if (!impl_->device_works) return impl_->say(deviceCheck(false));
+      return impl_->plan.kind == SessionKind::free ? impl_->introduce(now) : impl_->familiarise();
+    case Screen::familiarisation:
+      return impl_->introduce(now);
+    case Screen::instruction:
+      return impl_->beginTrial(now);
+    case Screen::feedback:
+      return impl_->goAfterAnswer(now);
+    case Screen::block_summary:
+      return impl_->afterSummary(now);
+    case Screen::free_exploration:
+      return impl_->finish(now);
+    case Screen::trial:
+    case Screen::finished:
+      return;
+  }
+}
+
+bool Session::answer(int site, const Moment& now) {
+  if (impl_->screen != Screen::trial || paused() || impl_->plan.sites.numbered(site) == nullptr) return false;
+  const int missing = impl_->plan.sites.choices() - impl_->exploration.visitedSites();
+  if (impl_->settings.all_sites && missing > 0 && !std::exchange(impl_->warned, true)) {
+    impl_->say(notPressedYet(missing));
+    return false;
+  }
+  impl_->take(site, now);
+  return true;
+}
+
+void Session::pause(const Moment& now) {
+  if (paused() || impl_->screen == Screen::finished) return;
+  impl_->paused_since = now;
+  impl_->keepEvent("pause", std::string(wordFor(impl_->screen)), now);
+  impl_->say(pausedWords());
+}
+
+void Session::goOn(const Moment& now) {
+  if (!paused()) return;
+  impl_->paused_s += now.s - impl_->paused_since->s;
+  impl_->paused_since.reset();
+  impl_->keepEvent("resume", std::string(wordFor(impl_->screen)), now);
+  impl_->say(impl_->screen == Screen::trial ? instruction(impl_->plan.protocol, impl_->plan.kind) : "");
+}
+
+bool Session::paused() const { return impl_->paused_since.has_value(); }
+
+void Session::tick(const Moment& now) {
+  if (impl_->screen != Screen::trial || paused()) return;
+  if (secondsLeft(now) <= 0.0) impl_->take(0, now);
+}
+
+void Session::safety(const std::string& what, const Moment& now) { impl_->keepEvent("safety", what, now); }
+
+void Session::leave(const Moment& now) {
+  if (impl_->screen == Screen::finished) return;
+  impl_->keepEvent("leave", std::string(wordFor(impl_->screen)), now);
+  impl_->paused_since.reset();
+  impl_->finish(now);
+}
+
+const SessionPlan& Session::plan() const { return impl_->plan; }
+const std::vector<TrialRow>& Session::trials() const { return impl_->trials; }
+std::optional<BlockResult> Session::result() const { return impl_->result; }
+std::vector<Row> Session::takeRows() { return std::exchange(impl_->rows, {}); }
+
+}  // namespace palpate::training

@@ -1,0 +1,132 @@
+// One session of one trainee, from the code at the door to the summary, as a machine of screens: the window shows what
+// it says and tells it what was done; a simulated trainee does the same without a window.
+//
+//   code, device, "next", answers, samples ─► Session ─► screen, words, hidden place now (trial_scene.h), rows to keep
+//
+// Knows no clock (every event brings its Moment), no window, no file. What it wants kept it hands out as rows
+// (`takeRows`), in their order; a trial counts as kept when its rows are. One thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "palpate/training/exploration.h"
+#include "palpate/training/protocol.h"
+#include "palpate/training/records/rows.h"
+#include "palpate/training/wording.h"
+
+namespace palpate::training {
+
+/// When something happened, on the clocks of whoever runs the session.
+struct Moment {
+  double s = 0.0;           ///< steady
+  std::int64_t utc_ms = 0;  ///< since 1970
+  std::uint64_t tick = 0;   ///< of the recording
+};
+
+enum class Screen : std::uint8_t {
+  device_check,     ///< touch the skin once: the device works
+  familiarisation,  ///< one obvious change, shown
+  instruction,
+  trial,
+  feedback,  ///< practice: right or wrong; the true site can be felt
+  block_summary,
+  free_exploration,  ///< no questions
+  finished,
+};
+
+struct SessionPlan {
+  Protocol protocol;
+  SessionKind kind = SessionKind::practice;
+  SiteSet sites;
+  std::uint64_t seed = 1;
+  double tick_s = 0.001;
+  SessionRow row = {};                        ///< ids, station, device and file filled in
+  std::optional<BlockRow> resumed = {};       ///< a block that was interrupted: goes on where it stopped
+  std::optional<ShownThreshold> before = {};  ///< the trainee's last measured result, for the summary
+  bool familiar = false;                      ///< has had device check and familiarisation today
+};
+
+/// A hidden place that is in the body now.
+struct HiddenNow {
+  int site = 0;
+  double change = 0.0;
+  friend bool operator==(const HiddenNow&, const HiddenNow&) = default;
+};
+
+/// What the screen says, in words that are also spoken.
+struct Said {
+  std::string text;
+  std::uint64_t number = 0;  ///< another number: it is to be spoken once
+};
+
+/// What has to be kept before the first block names it.
+ProtocolRow protocolRowOf(const Protocol& protocol);
+
+class Session {
+ public:
+  /// Throws Error where a resumed block does not fit.
+  Session(const SessionPlan& plan, const Moment& now);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  Screen screen() const;
+  Said said() const;
+  /// What the world must hold; nothing: no hidden place. Never to be shown by a test's screen.
+  std::optional<HiddenNow> hidden() const;
+  bool feelsTruth() const;  ///< feedback: the true site is shown
+
+  // Of a trial that is on the screen.
+  int trialNumber() const;  ///< from 1
+  int trialsAtMost() const;
+  double secondsLeft(const Moment& now) const;  ///< infinity without a limit
+  double shareOfTimeLeft(const Moment& now) const;
+  bool visited(int site) const;
+  int touchedSite() const;
+  bool showsProgress() const;  ///< practice shows what was right; tests show no level and no number
+
+  // Events.
+  /// The world at work holds what `hidden` says since now: the trial's clock starts, and what was felt before it is
+  /// forgotten. Whoever rebuilds worlds in no time need not call it.
+  void ready(const Moment& now);
+  void feel(const trace::Sample& sample, const Moment& now);  ///< every sample of every finger
+  void next(const Moment& now);                               ///< "Next", "Start", "Continue"
+  /// A site's number. The first answer with places not yet pressed is answered by words only; the same answer again is
+  /// taken, flagged. True: it was taken.
+  bool answer(int site, const Moment& now);
+  void pause(const Moment& now);  ///< the clock of the trial stands still; nothing is felt
+  void goOn(const Moment& now);
+  bool paused() const;
+  void tick(const Moment& now);                             ///< any number of times a second: time limits
+  void safety(const std::string& what, const Moment& now);  ///< an event for the record
+  /// Leaves now; the block can be taken up again.
+  void leave(const Moment& now);
+
+  const SessionPlan& plan() const;
+  const std::vector<TrialRow>& trials() const;  ///< of this session's block, in this session
+  std::optional<BlockResult> result() const;    ///< once a block is over
+  std::vector<Row> takeRows();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace palpate::training
+
+template <>
+struct palpate::WordsOf<palpate::training::Screen> {
+  using V = palpate::training::Screen;
+  static constexpr std::array kAll = {Word{"device_check", V::device_check},
+                                      Word{"familiarisation", V::familiarisation},
+                                      Word{"instruction", V::instruction},
+                                      Word{"trial", V::trial},
+                                      Word{"feedback", V::feedback},
+                                      Word{"block_summary", V::block_summary},
+                                      Word{"free_exploration", V::free_exploration},
+                                      Word{"finished", V::finished}};
+};

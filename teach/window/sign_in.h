@@ -1,0 +1,67 @@
+// From the code at the door to what is to be done: sign in, consent once, a choice; and who is there afterwards.
+//
+//   letters, acts ─► SignIn ─► stage and words (training_words.h), TraineeRow to keep, the kind that was chosen
+//
+// Looks into the record and writes the trainee's row; knows no window.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "palpate/training/records/store.h"
+#include "teach/window/training_words.h"
+
+namespace palpate::viewer {
+
+struct SignInSettings {
+  std::string class_id = {};
+  std::string trainee_key = {};  ///< the class's secret, from which ids are made; empty: it has none
+  /// Signs in at once; a typing error is told as if it had been typed.
+  std::string code = {};
+  /// Done at once after signing in, in place of the choice.
+  std::optional<training::SessionKind> kind = {};
+};
+
+class SignIn {
+ public:
+  /// The store must outlive it.
+  SignIn(training::Store& store, training::Protocol protocol, SignInSettings settings);
+
+  // Typing, while a code is asked for.
+  void type(std::string_view letters);
+  void erase();
+
+  /// True if the act meant something here. Throws Error where the record cannot be written.
+  bool act(TrainingAct act, int value);
+  /// A session is over, or could not begin: what is next?
+  void comeBack(std::string notice = {});
+  void tell(std::string notice) { notice_ = std::move(notice); }
+
+  TrainingStage stage() const { return stage_; }
+  const training::TraineeRow& trainee() const { return trainee_; }
+  /// Once, when the choice was made.
+  std::optional<training::SessionKind> takeChosen();
+  void describe(TrainingView& view) const;
+
+ private:
+  void signIn();
+  void enter();
+  void choices();
+  void signOut();
+  bool choose(int value);
+
+  training::Store& store_;
+  training::Protocol protocol_;
+  SignInSettings settings_;
+  TrainingStage stage_ = TrainingStage::sign_in;
+  std::string typed_;
+  std::string code_;
+  std::string notice_;
+  training::TraineeRow trainee_;
+  std::vector<Offer> offers_;
+  std::optional<training::SessionKind> chosen_;
+};
+
+}  // namespace palpate::viewer

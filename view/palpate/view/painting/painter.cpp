@@ -1,0 +1,167 @@
+// The mode that the canvas can show -> eyes moved together where the parallax would tire -> one page of labels -> each
+// eye drawn, the page over it -> both composed. The page lies in the screen, so it is laid out once for both; only one
+// with names, whose dots lie on the skin, is laid out for each.
+#include "palpate/view/painter.h"
+
+#include <optional>
+#include <span>
+
+#include "palpate/mesh/triangle_mesh.h"
+#include "palpate/view/layers/drawing.h"
+#include "palpate/view/layers/gl_objects.h"
+#include "palpate/view/layers/stereo_composer.h"
+#include "palpate/view/overlays/labels.h"
+#include "palpate/view/support_shape.h"
+
+namespace palpate::view {
+
+namespace {
+
+/// One picture on its way.
+struct Job {
+  const Frame& frame;
+  const deform::DeformedSurface& surface;
+  const PictureSettings& settings;
+  const Canvas& canvas;
+  const Painter::DrawOver& draw_over;
+  StereoSettings stereo;
+  EyePicture picture;
+  Eyes eyes;
+};
+
+/// A rectangle of the page, points.
+struct Part {
+  Vec2f corner;  ///< upper left
+  Vec2f size;
+};
+
+/// The page of one eye, points.
+Vec2f wholePage(const EyePicture& picture, const Canvas& canvas) {
+  return Vec2f(picture.seen_width, picture.seen_height) / static_cast<float>(canvas.pixels_per_point);
+}
+
+/// What is left of it for labels; never nothing.
+Part labelledPart(const EyePicture& picture, const Canvas& canvas) {
+  const auto& [left, top, right, below] = canvas.covered;
+  const Vec2f size = wholePage(picture, canvas) - Vec2f(left + right, top + below);
+  return {Vec2f(left, top), size.cwiseMax(Vec2f(1.0f, 1.0f))};
+}
+
+/// The part of a screen that a part of its picture shows.
+Screen partOf(const Screen& screen, const Part& part, const Vec2f& whole) {
+  const Vec3 right = screen.lower_right - screen.lower_left;
+  const Vec3 down = screen.lower_left - screen.upper_left;
+  const Vec2 from = part.corner.cwiseQuotient(whole).cast<double>();
+  const Vec2 to = (part.corner + part.size).cwiseQuotient(whole).cast<double>();
+  const auto at = [&](double x, double y) { return Vec3(screen.upper_left + x * right + y * down); };
+  return {at(from.x(), to.y()), at(to.x(), to.y()), at(from.x(), from.y())};
+}
+
+}  // namespace
+
+struct Painter::Impl {
+  std::shared_ptr<const scene::World> world;
+  Eigen::AlignedBox3d box;           // of the body
+  Eigen::AlignedBox3d with_support;  // and of what it lies on: all that is drawn
+  Renderer renderer;
+  StereoComposer composer;
+  Drawing page;
+  std::optional<std::vector<BodyName>> names;
+
+  explicit Impl(std::shared_ptr<const scene::World> shown) : world(std::move(shown)), renderer(world) { measure(); }
+
+  void measure() {
+    with_support = box = mesh::boundingBox(world->body->skin);
+    if (const auto slab = supportSlab(*world)) with_support.extend(slab->box());
+  }
+
+  /// Made when first shown.
+  std::span<const BodyName> namesFor(const Look& look) {
+    if (!look.shows(Overlay::names)) return {};
+    if (!names) names = bodyNames(*world);
+    return *names;
+  }
+
+  std::string noteOn(const Look& look) {
+    const bool nameless = look.shows(Overlay::names) && namesFor(look).empty();
+    return nameless ? "this body has no named places" : "";
+  }
+
+  void preparePage(const Job& job, const Vec3& eye) {
+    page.begin(labelledPart(job.picture, job.canvas).size, job.canvas.pixels_per_point);
+    Eyes eyes = job.eyes;
+    eyes.screen = partOf(eyes.screen, labelledPart(job.picture, job.canvas), wholePage(job.picture, job.canvas));
+    drawLabels(page,
+               {*world, job.surface, job.frame, job.settings.look, job.settings.camera, eyes,
+                namesFor(job.settings.look), eye},
+               job.settings.labels);
+    page.end();
+  }
+
+  void paintEye(const Job& job, Eye eye) {
+    const bool hands = job.settings.look.finger == FingerShape::hand && !job.frame.fingers.empty();
+    const double room_mm = hands ? kRoomForHandsMm : kRoomMm;
+    const Frustum frustum = frustumOf(job.eyes, eye, depthRangeOf(job.eyes, with_support, room_mm));
+    Frame frame = job.frame;
+    frame.pixels_per_point = job.canvas.pixels_per_point;
+    renderer.draw(frame, job.settings.look, frustum, job.picture.width, job.picture.height);
+    page.present(job.picture.width, job.picture.height, labelledPart(job.picture, job.canvas).corner,
+                 wholePage(job.picture, job.canvas));
+    if (job.draw_over) job.draw_over(job.picture);
+  }
+
+  void paintEyes(const Job& job) {
+    const Canvas& canvas = job.canvas;
+    if (isStereo(job.stereo.mode)) {
+      for (const Eye eye : {Eye::left, Eye::right}) {
+        if (job.settings.look.shows(Overlay::names)) preparePage(job, job.eyes.of(eye));
+        composer.eye(eye, job.picture).bind();
+        paintEye(job, eye);
+      }
+      composer.compose(job.stereo, canvas.framebuffer, canvas.width, canvas.height, canvas.supersampling);
+    } else {
+      glBindFramebuffer(GL_FRAMEBUFFER, canvas.framebuffer);
+      glViewport(0, 0, canvas.width, canvas.height);
+      paintEye(job, Eye::left);
+    }
+  }
+};
+
+Painter::Painter(std::shared_ptr<const scene::World> world) : impl_(std::make_unique<Impl>(std::move(world))) {}
+Painter::~Painter() = default;
+
+Renderer& Painter::renderer() { return impl_->renderer; }
+
+void Painter::setWorld(std::shared_ptr<const scene::World> world) {
+  impl_->renderer.setWorld(world);
+  impl_->names.reset();
+  impl_->world = std::move(world);
+  impl_->measure();
+}
+
+Painted Painter::paint(const Frame& frame, const deform::DeformedSurface& surface, const PictureSettings& settings,
+                       const Canvas& canvas, const DrawOver& draw_over) {
+  Job job{.frame = frame,
+          .surface = surface,
+          .settings = settings,
+          .canvas = canvas,
+          .draw_over = draw_over,
+          .stereo = settings.stereo,
+          .picture = {},
+          .eyes = {}};
+  const UsableMode usable = usableMode(job.stereo.mode, canvas.quad_buffer);
+  job.stereo.mode = usable.mode;
+  job.picture = eyePictureIn(usable.mode, canvas.width, canvas.height);
+  const ComfortableStereo calm = comfortable(settings.camera, job.stereo, job.picture.aspect(), impl_->box);
+  job.stereo = calm.settings;
+  job.eyes = eyesOf(settings.camera, job.stereo, job.picture.aspect());
+  impl_->preparePage(job, job.eyes.middle);
+  impl_->paintEyes(job);
+  Painted painted{job.eyes, usable.mode, {}};
+  for (const std::string& note : {usable.note, calm.note, impl_->noteOn(settings.look)}) {
+    if (!note.empty()) painted.notes.push_back(note);
+  }
+  return painted;
+}
+
+}  // namespace palpate::view

@@ -1,0 +1,191 @@
+// The layers and the order they are drawn in (docs/explanation/rendering.md). Of OpenGL's state it sets depth and
+// winding; a layer turns on what it needs and leaves the depth test on, by "less", and blending and culling off. A
+// world with the same body exchanges maps and keeps its buffers. Each picture.
+#include "palpate/view/renderer.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "palpate/scene/world.h"
+#include "palpate/view/drawn_skin.h"
+#include "palpate/view/layers/bone_layer.h"
+#include "palpate/view/layers/finger_layer.h"
+#include "palpate/view/layers/gl_objects.h"
+#include "palpate/view/layers/line_layer.h"
+#include "palpate/view/layers/skin_layer.h"
+#include "palpate/view/layers/skin_paint.h"
+#include "palpate/view/layers/support_layer.h"
+#include "palpate/view/overlays/marks.h"
+#include "palpate/view/overlays/overlays.h"
+
+namespace palpate::view {
+
+namespace {
+
+constexpr double kWireframePx = 0.8;
+/// Skin of a lighter tone gets a darker hand.
+constexpr double kLightBody = 2.5;
+
+/// Where the skin is at rest.
+std::vector<Press> pressesOf(const Frame& frame, const std::optional<body::BreathField>& breath) {
+  std::vector<Press> presses;
+  for (const FingerMark& finger : frame.fingers) {
+    if (finger.contact.touch == contact::Touch::free) continue;
+    const Vec3& anchor = finger.contact.anchor;
+    presses.push_back(
+        {breath ? breath->rest(anchor, frame.lift_mm) : anchor, finger.radius_mm, finger.contact.depth_mm});
+  }
+  return presses;
+}
+
+/// A mirrored display turns triangles inside out: keep fronts in front.
+void setWinding(const Frustum& frustum) {
+  const Mat4f clip = frustum.clip();
+  Eigen::Matrix3f seen;
+  seen << clip.block<1, 3>(0, 0), clip.block<1, 3>(1, 0), clip.block<1, 3>(3, 0);
+  glFrontFace(seen.determinant() < 0.0f ? GL_CCW : GL_CW);
+}
+
+}  // namespace
+
+struct Renderer::Impl {
+  std::shared_ptr<const scene::World> world;
+  Background background;
+  SkinLayer skin;
+  BoneLayer bones;
+  SupportLayer support;
+  FingerLayer fingers;
+  LineLayer lines;
+  std::optional<Overlays> overlays;
+  DrawnSkin drawn;
+  Blanching blanching;
+  std::vector<FingerPose> poses;
+  std::vector<HandPose> hands;  // of the poses, when hands are drawn
+  std::vector<ShadowCaster> casters;
+
+  void setWorld(std::shared_ptr<const scene::World> next) {
+    if (world && world->body == next->body) {
+      skin.setMapsOf(*next);
+      bones.setSameBody(*next);
+    } else {
+      skin.setWorld(*next);
+      bones.setWorld(*next);
+      support.setWorld(*next);
+    }
+    drawn.setBreath(skin.buffers().breathShares());
+    overlays.emplace(*next);
+    blanching = {};
+    world = std::move(next);
+  }
+
+  void poseFingers(const Frame& frame, const Look& look) {
+    poses.clear();
+    hands.clear();
+    casters.clear();
+    if (look.finger == FingerShape::none) return;
+    for (const FingerMark& finger : frame.fingers) poses.push_back(poseOf(*world, drawn, finger));
+    for (FingerPose& pose : poses) pose.outline *= frame.pixels_per_point;
+    if (look.finger == FingerShape::sphere) {
+      for (const FingerPose& pose : poses) {
+        const Vec3f centre = pose.centre.cast<float>();
+        casters.push_back({centre, centre, static_cast<float>(pose.radius_mm)});
+      }
+      return;
+    }
+    for (const FingerPose& pose : poses) {
+      hands.push_back(fingers.handPose(*world, pose));
+      fingers.addCasters(pose, hands.back(), casters);
+    }
+  }
+
+  void drawFingers(const Look& look, const Viewpoint& viewpoint) {
+    if (look.finger == FingerShape::sphere) fingers.drawBalls(poses, viewpoint);
+    drawHands(look, viewpoint, FingerLayer::Part::opaque);
+  }
+
+  /// In another tone than the body, so that the two are distinguished.
+  void drawHands(const Look& look, const Viewpoint& viewpoint, FingerLayer::Part part) {
+    const HandTones tones{.skin = look.skin_tone < kLightBody ? 4.0 : 2.0, .near_mm = viewpoint.near_mm};
+    for (std::size_t i = 0; i < hands.size(); ++i) fingers.drawHand(poses[i], hands[i], tones, viewpoint, part);
+  }
+
+  /// From outside of an opaque skin without a border; the near plane must not cut it open either.
+  bool hidesBones(const Look& look, const Viewpoint& viewpoint) {
+    return look.skin_opacity >= 1.0 && world->body->closed &&
+           skin.buffers().box().exteriorDistance(viewpoint.eye) > viewpoint.near_mm;
+  }
+
+  /// What hides comes first where nothing shines through, so that hidden pixels are never shaded; transparent skin
+  /// comes last, over what it covers.
+  void drawBody(const Look& look, const Viewpoint& viewpoint, std::span<const PressMark> marks) {
+    const bool opaque = look.skin_opacity >= 1.0;
+    if (opaque) skin.draw(look, viewpoint, {casters, marks});
+    drawFingers(look, viewpoint);
+    if (!hidesBones(look, viewpoint)) bones.draw(look, viewpoint);
+    const float support_opacity = support.opacityFor(look, viewpoint);
+    if (support_opacity == 1.0f) support.draw(viewpoint, 1.0f);
+    background.draw(look);
+    if (!opaque) skin.draw(look, viewpoint, {casters, marks});
+    if (support_opacity < 1.0f) support.draw(viewpoint, support_opacity);  // seen from below, over the body
+    drawHands(look, viewpoint, FingerLayer::Part::fading);
+  }
+
+  void drawOverlays(const Frame& frame, const Look& look, const Viewpoint& viewpoint) {
+    if (look.shows(Overlay::wireframe)) {
+      skin.buffers().bindEdges();
+      lines.drawEdges(viewpoint, kWireframePx * frame.pixels_per_point, kWireframePaint,
+                      [&] { skin.buffers().drawEdges(); });
+    }
+    const OverlayShapes& shapes = overlays->shapes(look, drawn, frame.fingers);
+    lines.draw(shapes.patches, viewpoint);
+    lines.draw(shapes.thin, viewpoint, frame.pixels_per_point);
+    lines.draw(shapes.bold, viewpoint, frame.pixels_per_point);
+    for (const Lines& marks : frame.marks) lines.draw(marks, viewpoint, frame.pixels_per_point);
+  }
+};
+
+Renderer::Renderer(std::shared_ptr<const scene::World> world) : impl_(std::make_unique<Impl>()) {
+  setWorld(std::move(world));
+}
+Renderer::~Renderer() = default;
+
+void Renderer::setWorld(std::shared_ptr<const scene::World> world) {
+  impl_->setWorld(std::move(world));
+  updateAll(deform::DeformedSurface(*impl_->world->deformable));
+}
+
+Index Renderer::update(const deform::DeformedSurface& surface) {
+  impl_->drawn.follow(surface);
+  return impl_->skin.buffers().update(surface);
+}
+
+void Renderer::updateAll(const deform::DeformedSurface& surface) {
+  impl_->drawn.copyAll(surface);
+  impl_->skin.buffers().updateAll(surface);
+}
+
+void Renderer::setField(Colouring colouring, std::span<const float> values) {
+  impl_->skin.buffers().setField(colouring, values);
+}
+
+void Renderer::setPartition(std::shared_ptr<const hdb::Partition> partition, const Vec3& box_edges_mm) {
+  impl_->overlays->setPartition({std::move(partition), box_edges_mm});
+}
+
+void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height) {
+  Viewpoint viewpoint = viewpointOf(frustum, width, height);
+  viewpoint.lift_mm = static_cast<float>(frame.lift_mm);
+  impl_->drawn.lift(viewpoint.lift_mm);
+  impl_->poseFingers(frame, look);
+  const auto marks = impl_->blanching.at(frame.time_s, pressesOf(frame, impl_->world->breath));
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  setWinding(frustum);
+  impl_->drawBody(look, viewpoint, marks);
+  impl_->drawOverlays(frame, look, viewpoint);
+  glBindVertexArray(0);
+  glFrontFace(GL_CCW);
+}
+
+}  // namespace palpate::view

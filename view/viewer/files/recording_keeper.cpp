@@ -1,0 +1,205 @@
+#include "view/viewer/files/recording_keeper.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+#include "palpate/base/error.h"
+#include "palpate/base/output_file.h"
+#include "palpate/base/text.h"
+#include "palpate/device/back_ends.h"
+#include "view/viewer/files/outputs.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kExtension = ".session";
+
+/// A file that is written changes every 150 ms; one that has not for so long has lost its program.
+constexpr std::chrono::seconds kAbandoned{10};
+
+bool isAbandoned(const fs::path& file) {
+  std::error_code error;
+  auto newest = fs::last_write_time(file, error);
+  if (error) return false;
+  const auto log = fs::last_write_time(file.string() + "-wal", error);
+  if (!error) newest = std::max(newest, log);
+  return fs::file_time_type::clock::now() - newest > kAbandoned;
+}
+
+void removeSession(const fs::path& file) {
+  std::error_code ignored;
+  for (const char* companion : {"", "-wal", "-shm"}) fs::remove(file.string() + companion, ignored);
+}
+
+/// 2026-11-21T23-05-12: names sort as times do.
+std::string nameNow() {
+  std::string name = trace::utcNow();
+  std::replace(name.begin(), name.end(), ':', '-');
+  return name.substr(0, name.size() - 1);
+}
+
+}  // namespace
+
+fs::path recordingsFolder() {
+  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0') {
+    return fs::path(state) / "palpate" / "sessions";
+  }
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+    return fs::path(home) / ".local" / "state" / "palpate" / "sessions";
+  }
+  return {};
+}
+
+std::vector<fs::path> tidySessions(const fs::path& folder) {
+  std::vector<fs::path> finished;
+  std::vector<fs::path> all;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const fs::path& file = entry.path();
+    const std::string name = file.filename().string();
+    const std::size_t stem = name.find(kExtension);
+    if (stem == std::string::npos) continue;
+    if (name.ends_with(kExtension)) all.push_back(file);
+    if (!name.ends_with(kPartialExtension) || !isAbandoned(file)) continue;
+    fs::path target = folder / (name.substr(0, stem) + std::string(kExtension));
+    if (fs::exists(target)) target = freshFile(folder, name.substr(0, stem), std::string(kExtension));
+    try {
+      trace::copyRecording(file, target, "interrupted");
+      removeSession(file);
+      finished.push_back(target);
+      all.push_back(target);
+    } catch (const Error&) {
+      // It stays as it is, for `palpate body repair`.
+    }
+  }
+  std::sort(all.begin(), all.end());
+  for (std::size_t i = 0; i + kKeptRuns < all.size(); ++i) removeSession(all[i]);
+  return finished;
+}
+
+RecordingKeeper::RecordingKeeper(LiveServo& servo, fs::path folder) : servo_(servo), folder_(std::move(folder)) {
+  if (!folder_.empty()) tidying_.start([folder = folder_] { return tidySessions(folder); });
+}
+
+void RecordingKeeper::begin(ViewerState& viewer) {
+  std::vector<trace::RecordingFinger> fingers;
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    held_by_[i] = viewer.devices.fingers[i].words;
+    std::string name(kFingerNames[i]);
+    if (servo_.isHeld(i)) {
+      fingers.push_back(engine::recordingFinger(std::move(name), servo_.device(i), &servo_.opened(i).workspace.frame));
+    } else {
+      fingers.push_back({std::move(name), "mouse"});
+    }
+  }
+  engine::RecorderSettings settings;
+  settings.header = engine::recordingHeader(servo_.thread().ticksPerS());
+  settings.header.notes = viewer.scene.title;
+  settings.fingers = std::move(fingers);
+  settings.keep_s = kLastHourS;
+  try {
+    fs::create_directories(folder_);
+    settings.file = freshFile(folder_, nameNow(), std::string(kExtension));
+    recorder_ = std::make_unique<engine::Recorder>(servo_.thread(), std::move(settings));
+  } catch (const std::exception& error) {
+    failed_ = true;
+    viewer.report(Severity::warning, fmt::format("The last hour is not recorded: {}", error.what()));
+  }
+}
+
+void RecordingKeeper::end(ViewerState& viewer, std::string_view ended_by) {
+  if (!recorder_) return;
+  viewer.recording.viewer = false;
+  try {
+    recorder_->anyTouch() ? recorder_->finish(ended_by) : recorder_->discard();
+  } catch (const std::exception& error) {
+    viewer.report(Severity::error, fmt::format("The recording ended: {}; what was written is kept in {}", error.what(),
+                                               recorder_->partial().string()));
+  }
+  recorder_.reset();
+}
+
+void RecordingKeeper::advance(ViewerState& viewer) {
+  if (const auto finished = tidying_.take(); finished && finished->value) {
+    for (const fs::path& file : *finished->value) {
+      viewer.messages.note(fmt::format("A run that did not end in order is kept as {}: Open shows it", file.string()),
+                           viewer.now_s);
+    }
+  }
+  const bool wanted = !folder_.empty() && viewer.state.keeps_last_hour;
+  if (!wanted) {
+    failed_ = false;
+    return end(viewer, "switched off");
+  }
+  if (!recorder_ && !failed_) begin(viewer);
+  if (!recorder_) return;
+  followDevices(viewer);
+  const engine::RecorderState state = recorder_->state();
+  Recording& recording = viewer.recording;
+  recording.viewer = true;
+  recording.session_s = state.seconds;
+  if (state.dropped > std::exchange(recording.dropped, state.dropped)) {
+    viewer.report(Severity::warning,
+                  fmt::format("The disk is too slow: {} samples are missing in the recording", state.dropped));
+  }
+  if (const auto kept = recorder_->takeKept()) {
+    recording.keeping = false;
+    if (kept->failure.empty()) {
+      recording.kept_file = kept->file.string();
+      viewer.report(Severity::info,
+                    fmt::format("The last {:.1f} s are kept as {}", kept->seconds, recording.kept_file));
+    } else {
+      viewer.report(Severity::error, "The recording is not kept: " + kept->failure);
+    }
+  }
+  if (state.failure.empty()) return;
+  failed_ = true;
+  end(viewer, {});
+}
+
+void RecordingKeeper::followDevices(const ViewerState& viewer) {
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    const std::string& now = viewer.devices.fingers[i].words;
+    if (std::exchange(held_by_[i], now) == now) continue;
+    const std::string words = now.empty() ? "the mouse" : device::describe(servo_.opened(i).device);
+    recorder_->event("device", fmt::format("held by {}", words), static_cast<std::uint32_t>(i));
+  }
+}
+
+void RecordingKeeper::keep(ViewerState& viewer, const fs::path& folder) {
+  if (!recorder_) {
+    return viewer.report(Severity::warning, "Nothing is recorded by itself: Record switches it on");
+  }
+  if (!recorder_->keep(freshFile(folder, "session-" + nameNow(), std::string(kExtension)))) return;
+  viewer.recording.keeping = true;
+}
+
+void RecordingKeeper::mark(ViewerState& viewer, std::string words) {
+  if (!recorder_) {
+    return viewer.report(Severity::warning, "Nothing is recorded by itself, so there is nothing to mark");
+  }
+  if (words.empty()) words = fmt::format("mark {}", viewer.recording.marks + 1);
+  ++viewer.recording.marks;
+  viewer.report(Severity::info, fmt::format("Marked: {}", words));
+  recorder_->mark(std::move(words));
+}
+
+void RecordingKeeper::attachPicture(const fs::path& file) {
+  constexpr std::size_t kMaxPictureBytes = std::size_t{1} << 26;
+  if (!recorder_) return;
+  try {
+    recorder_->attach({0, "picture", file.filename().string(), "image/png", readFile(file, kMaxPictureBytes)});
+  } catch (const Error&) {
+    // It was saved or its own message says why not.
+  }
+}
+
+void RecordingKeeper::finish(ViewerState& viewer, std::string_view ended_by) { end(viewer, ended_by); }
+
+}  // namespace palpate::viewer

@@ -1,0 +1,64 @@
+// The recording that the window records by itself: the last hour of every finger, in a file that a crash leaves
+// readable.
+//
+//   servo ─► engine::Recorder ─► FOLDER/2026-11-21T23-05-12.session ─ Shift+R ─► a copy where the user keeps
+//   files
+//
+// A run in which nobody touched the body leaves nothing. What a run that was killed left is finished by the next one.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/engine/recorder.h"
+#include "view/viewer/state/async_task.h"
+#include "view/viewer/state/viewer_state.h"
+#include "view/viewer/world/live_servo.h"
+
+namespace palpate::viewer {
+
+/// Where recordings lie that nobody asked for: $XDG_STATE_HOME/palpate/sessions or ~/.local/state/...; empty without a
+/// home.
+std::filesystem::path recordingsFolder();
+
+/// So much of a run is kept, s, of so many runs.
+inline constexpr double kLastHourS = 3600.0;
+inline constexpr std::size_t kKeptRuns = 10;
+
+/// Finishes the recordings in the folder that are no longer written (their program was killed), and removes all but the
+/// newest. Returns those that it finished.
+std::vector<std::filesystem::path> tidySessions(const std::filesystem::path& folder);
+
+class RecordingKeeper {
+ public:
+  /// An empty folder: nothing is recorded. The servo must outlive it.
+  RecordingKeeper(LiveServo& servo, std::filesystem::path folder);
+
+  /// Once a frame: begins and ends as the recording's switch says, notes who holds the fingers, tells what went wrong.
+  void advance(ViewerState& viewer);
+  /// Copies the last hour to a fresh name in the folder.
+  void keep(ViewerState& viewer, const std::filesystem::path& folder);
+  void mark(ViewerState& viewer, std::string words);
+  /// A picture that was saved, at the newest tick.
+  void attachPicture(const std::filesystem::path& file);
+  /// The run is over; the servo has stopped.
+  void finish(ViewerState& viewer, std::string_view ended_by);
+
+ private:
+  void begin(ViewerState& viewer);
+  void end(ViewerState& viewer, std::string_view ended_by);
+  void followDevices(const ViewerState& viewer);
+
+  LiveServo& servo_;
+  std::filesystem::path folder_;
+  std::unique_ptr<engine::Recorder> recorder_;
+  bool failed_ = false;  ///< until it is switched off and on again
+  std::array<std::string, kFingers> held_by_;
+  AsyncTask<std::vector<std::filesystem::path>> tidying_;
+};
+
+}  // namespace palpate::viewer

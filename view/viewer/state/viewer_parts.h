@@ -1,0 +1,81 @@
+// What the panels are about, besides the scene and what is kept between runs (view_state.h): plain data, a struct for
+// each. The session (viewer.h) holds one of every kind; a panel is handed those that it shows.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "palpate/base/vec.h"
+#include "palpate/scene/skin_channels.h"
+#include "palpate/servo/loop.h"
+#include "palpate/tissue/profile_settings.h"
+#include "palpate/window/head_tracker.h"
+
+namespace palpate::scene {
+struct World;
+}
+
+namespace palpate::viewer {
+
+/// What is known about how fast everything is; a frame's times in ms.
+struct Performance {
+  servo::LoopVitals servo;
+  std::size_t dropped_samples = 0;
+  double deform_ms = 0.0;
+  double upload_ms = 0.0;
+  double draw_ms = 0.0;
+  double frame_ms = 0.0;
+  double frames_per_s = 0.0;
+  std::string graphics;  ///< name of the GL renderer
+};
+
+struct Recording {
+  bool forces = false;
+  std::string forces_file;
+  double since_s = 0.0;
+  bool sequence = false;
+  std::string sequence_folder;
+  std::size_t pictures = 0;
+
+  // The session that is recorded by itself.
+  bool viewer = false;         ///< it is
+  double session_s = 0.0;      ///< that it holds
+  std::uint64_t dropped = 0;   ///< samples that the disk was too slow for
+  std::size_t marks = 0;       ///< set in this run
+  bool keeping = false;        ///< a copy is being written
+  std::string kept_file = {};  ///< the copy that was kept last
+};
+
+/// The world as the panels may know it.
+struct WorldFacts {
+  std::string name;
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  double width_mm = 0.0, height_mm = 0.0, depth_mm = 0.0;
+  bool closed = false;
+  bool has_bones = false;
+  double softest_n_per_mm = 0.0, stiffest_n_per_mm = 0.0;
+  std::vector<std::string> notes;
+  bool has_picture = false;
+  std::shared_ptr<const scene::SkinChannels> channels = nullptr;  ///< numbers and colours of its file, or null
+  std::string tissue = {};                                        ///< and its force law, in words
+  bool has_names = true;                                          ///< places that the overlay of names can show
+};
+WorldFacts factsOf(const scene::World& world);
+
+/// The tracked head in this frame.
+struct SeenHead {
+  Vec3 eyes_mm = Vec3::Zero();
+  window::HeadTracker::State state = window::HeadTracker::State::waiting;
+};
+
+/// The user's displacement profile while it is drawn.
+struct ProfileEdit {
+  std::vector<tissue::ProfileKnot> knots;
+  std::vector<tissue::ProfileKnot> drawn = {};  ///< as it was last written to its file; empty: not in this run
+  int handle = -1;                              ///< the one that is being dragged
+};
+
+}  // namespace palpate::viewer

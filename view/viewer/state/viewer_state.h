@@ -1,0 +1,83 @@
+// Everything that is shown and changed while the window is open, as plain data: the requested scene, how it is looked
+// at, what was measured.
+//
+// Keys, menus and panels edit it and note what they touched (state/requests.h); the viewer (viewer.h) looks once a
+// frame at what was noted and does it. A panel is handed only the parts that it shows (panels/panels.h).
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "palpate/device/device.h"
+#include "palpate/engine/world_builder.h"
+#include "palpate/scene/scene.h"
+#include "palpate/view/camera.h"
+#include "view/viewer/state/devices_shown.h"
+#include "view/viewer/state/edit_history.h"
+#include "view/viewer/state/editor.h"
+#include "view/viewer/state/replay.h"
+#include "view/viewer/state/requests.h"
+#include "view/viewer/state/ruler.h"
+#include "view/viewer/state/sample_history.h"
+#include "view/viewer/state/scene_document.h"
+#include "view/viewer/state/vertex_values.h"
+#include "view/viewer/state/view_state.h"
+#include "view/viewer/state/viewer_parts.h"
+
+namespace palpate::viewer {
+
+struct ViewerState {
+  // What is requested.
+  scene::Scene scene;  ///< the world at work may lag behind
+  ViewState state;
+  view::Camera camera;
+  std::size_t active_finger = 0;
+  bool mark_vertex = true;  ///< by a cross, while the vertex's panel is open
+  Editor editor;
+  ChangeHistory history;
+  ProfileEdit profile;
+  Plots plots;
+  Replay replay;
+  Ruler ruler;
+  int hint = 0;                      ///< how many hints have been followed
+  SceneDocument document;            ///< where save goes; without a file: to a fresh name (files/outputs.h)
+  OpenedLook opened;                 ///< what is no change of the look
+  std::optional<Question> question;  ///< nothing else is heard until it has an answer
+  double time_speed = 1.0;           ///< of what plays by itself
+  std::string beside_at_first = {};  ///< a session to be shown beside the first one that is replayed
+  Asks asks;
+
+  // What is.
+  double now_s = 0.0;
+  std::string held_by = "mouse";           ///< what moves the fingers, in words
+  std::vector<device::Capabilities> held;  ///< of the devices that hold fingers; empty: all are the mouse's
+  DevicesShown devices;
+  double ticks_per_s = 1000.0;  ///< of the servo: those of the scene that the window began with
+  WorldFacts world;
+  std::optional<VertexReading> reading;  ///< of the vertex that was clicked last
+  bool vertex_panel_open = false;
+  std::optional<engine::BuildProgress> building;
+  bool opening = false;  ///< another scene is on its way: what changes meanwhile is no step
+  std::array<contact::FingerOutput, 2> fingers;
+  std::array<bool, 2> finger_present{};
+  double device_limit_n = 3.3;
+  Vec2 size_points = Vec2(1280, 800);   ///< of the window
+  std::filesystem::path output_folder;  ///< absolute: for what has no place yet
+  SeenHead head;
+  Recording recording;
+  Performance performance;
+  bool simple_shading = false;       ///< drawn smooth for now, whatever state.look says
+  bool quad_buffer_offered = false;  ///< the window has a picture for each eye
+  Messages messages;
+
+  void request(Request request) { asks.request(std::move(request)); }
+  void ask(Question asked) { question = std::move(asked); }
+  void report(Severity severity, std::string text) { messages.add(severity, std::move(text), now_s); }
+  void plot(const trace::Sample& sample) { plots.fingers[sample.finger].add(sample, device_limit_n); }
+  DysfunctionEdit dysfunctions() { return {scene.dysfunctions, editor, asks}; }
+};
+
+}  // namespace palpate::viewer
