@@ -65,11 +65,16 @@ const FamilyCommand* familyOf(const std::vector<std::string>& words) {
   return nullptr;
 }
 
+std::filesystem::path ownProgram() {
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown);
+}
+
 std::filesystem::path familyProgram(std::string_view family) {
   std::error_code error;
-  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path own = ownProgram();
   std::filesystem::path program = own.parent_path() / fmt::format("palpate-{}", family);
-  return !error && std::filesystem::exists(program, error) ? program : std::filesystem::path();
+  return !own.empty() && std::filesystem::exists(program, error) ? program : std::filesystem::path();
 }
 
 void becomeFamily(const FamilyCommand& command, const std::vector<std::string>& words) {

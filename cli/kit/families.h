@@ -23,6 +23,8 @@ std::string_view familyTable();
 /// The row that a command line begins with; nullptr: the command is one of `palpate` itself, or of nobody.
 const FamilyCommand* familyOf(const std::vector<std::string>& words);
 
+/// The file of the program that runs; empty where the system does not say.
+std::filesystem::path ownProgram();
 /// Beside our own program; empty where it is not installed.
 std::filesystem::path familyProgram(std::string_view family);
 

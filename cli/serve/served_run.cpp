@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "cli/kit/families.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/progress_line.h"
@@ -81,9 +82,8 @@ std::unique_ptr<MadeFile> tokenFileFor(const ServeOptions& options, const Tokens
 Site siteFor(const ServeOptions& options) {
   if (!options.site.empty()) return Site(options.site);
   std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
   for (const char* place : {"../share/palpate/web", "../web/site"}) {
-    const fs::path folder = (program.parent_path() / place).lexically_normal();
+    const fs::path folder = (ownProgram().parent_path() / place).lexically_normal();
     if (fs::exists(folder / "index.html", error)) return Site(folder);
   }
   return {};

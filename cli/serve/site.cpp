@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "palpate/base/base64.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 
@@ -48,15 +49,6 @@ std::string sha256(std::string_view text) {
   unsigned size = 0;
   EVP_Digest(text.data(), text.size(), reinterpret_cast<unsigned char*>(digest.data()), &size, EVP_sha256(), nullptr);
   return digest;
-}
-
-std::string base64(std::string_view bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
-  const int length =
-      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(length));
-  return text;
 }
 
 std::string hex(std::string_view bytes) {

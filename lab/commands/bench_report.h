@@ -31,8 +31,5 @@ void printReport(nlohmann::ordered_json json, const std::string& text, bool as_j
 
 // `bench` is the bench command.
 void addBenchBaseline(CLI::App& bench);  ///< no subcommand: `palpate study bench --baseline FILE`
-void addBenchLoadCommand(CLI::App& bench);
-void addBenchServoCommand(CLI::App& bench);
-void addBenchRecordingCommand(CLI::App& bench);
 
 }  // namespace palpate::app

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/kit/families.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "lab/commands/bench_report.h"
@@ -27,11 +28,6 @@ std::vector<std::string> ownArguments() {
 
 constexpr const char* kPeersProgram = "palpate_peers";
 
-std::filesystem::path ownFile() {
-  std::error_code none;
-  return std::filesystem::read_symlink("/proc/self/exe", none);
-}
-
 bool linksLibraries(const PeersOption& option) {
   for (const bench::Peer& peer : option.peers) {
     if (!peer.package.empty() && peer.contact != nullptr) return true;
@@ -39,7 +35,7 @@ bool linksLibraries(const PeersOption& option) {
   return false;
 }
 
-bool isPeersProgram() { return ownFile().filename() == kPeersProgram; }
+bool isPeersProgram() { return ownProgram().filename() == kPeersProgram; }
 
 /// This program has none of the libraries by design: whether they are installed, only the peers' own program can know.
 bool lacksPeersProgram(const PeerFigures& figures) {
@@ -58,7 +54,7 @@ void addPeersOption(CLI::App& command, PeersOption& option) {
 
 void handOverToPeersProgram(const PeersOption& option) {
   std::error_code none;
-  const std::filesystem::path program = ownFile().parent_path() / kPeersProgram;
+  const std::filesystem::path program = ownProgram().parent_path() / kPeersProgram;
   if (linksLibraries(option) || isPeersProgram() || !std::filesystem::exists(program, none)) return;
   std::vector<std::string> arguments = ownArguments();
   std::vector<char*> pointers;

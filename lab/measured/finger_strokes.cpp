@@ -34,7 +34,8 @@ std::vector<Vec3> strokeWay(const StrokeSettings& settings, Random& random) {
   Vec2 from = Vec2::Zero();
   Vec2 direction = Vec2::Zero();
   do {
-    from = Vec2(random.uniform(0.0, kBackWidthMm), random.uniform(0.0, kBackLengthMm));
+    from.y() = random.uniform(0.0, kBackLengthMm);
+    from.x() = random.uniform(0.0, kBackWidthMm);
     direction = directionOf(random.uniform(0.0, 2.0 * std::numbers::pi));
   } while (!isInside(from) || !isInside(from + settings.slide_mm * direction));
   const double tilt = random.uniform(0.0, std::numbers::pi / 4.0);

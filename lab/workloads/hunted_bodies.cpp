@@ -19,18 +19,32 @@
 namespace palpate::lab {
 namespace {
 
-Vec3 anyDirection(Random& random) { return Vec3(random.normal(), random.normal(), random.normal()).normalized(); }
+Vec3 anyDirection(Random& random) { return random.normal3().normalized(); }
 
 mesh::TriangleMesh someShape(Random& random) {
   const std::vector<std::string> names = huntedShapeNames();
   return huntedShape(names[random.below(names.size())], random);
 }
 
+/// Draws are made one after another: in which order arguments are made is the compiler's choice.
+mesh::TriangleMesh someBall(Random& random, double radius, std::array<double, 2> bump, std::array<double, 2> waves,
+                            int rounds) {
+  const double number = random.uniform(waves[0], waves[1]);
+  const double height = random.uniform(bump[0], bump[1]);
+  return bumpyBallMesh(radius, height, number, rounds);
+}
+
+/// By a share of these, in any direction.
+void squeezeSomehow(mesh::TriangleMesh& mesh, Random& random, double low, double high) {
+  const double share = random.uniform(low, high);
+  squeeze(mesh, anyDirection(random), share);
+}
+
 /// A small closed part: balls, rings and plates of few triangles.
 mesh::TriangleMesh somePart(Random& random, double size) {
   switch (random.below(4)) {
     case 0:
-      return bumpyBallMesh(size, random.uniform(0, 0.1), random.uniform(2, 8), 4);
+      return someBall(random, size, {0, 0.1}, {2, 8}, 4);
     case 1:
       return torusMesh(size, random.uniform(0.2, 0.6) * size, 40, 16);
     case 2: {
@@ -49,14 +63,14 @@ mesh::TriangleMesh somePart(Random& random, double size) {
 // ---- slivers, coarse, noise ---------------------------------------------------------------------------------------
 
 mesh::TriangleMesh leaf(Random& random) {
-  mesh::TriangleMesh mesh = bumpyBallMesh(70, random.uniform(0, 0.08), random.uniform(3, 9), 5);
-  squeeze(mesh, anyDirection(random), random.uniform(0.02, 0.2));
+  mesh::TriangleMesh mesh = someBall(random, 70, {0, 0.08}, {3, 9}, 5);
+  squeezeSomehow(mesh, random, 0.02, 0.2);
   return mesh;
 }
 
 mesh::TriangleMesh coarse(Random& random) {
   const auto triangles = static_cast<std::size_t>(2 * (20 + random.below(300)));
-  return mesh::decimate(bumpyBallMesh(60, random.uniform(0.02, 0.2), random.uniform(3, 9), 4), triangles);
+  return mesh::decimate(someBall(random, 60, {0.02, 0.2}, {3, 9}, 4), triangles);
 }
 
 mesh::TriangleMesh slivers(Random& random) {
@@ -72,13 +86,15 @@ mesh::TriangleMesh noisy(Random& random) {
 }
 
 mesh::TriangleMesh octahedra(Random& random) {
-  mesh::TriangleMesh mesh = bumpyBallMesh(random.uniform(30, 70), 0, 0, static_cast<int>(random.below(3)));
-  squeeze(mesh, anyDirection(random), random.uniform(0.2, 1.0));
+  const auto rounds = static_cast<int>(random.below(3));
+  mesh::TriangleMesh mesh = bumpyBallMesh(random.uniform(30, 70), 0, 0, rounds);
+  squeezeSomehow(mesh, random, 0.2, 1.0);
   return mesh;
 }
 
 mesh::TriangleMesh narrowTorus(Random& random) {
-  return torusMesh(45, random.uniform(6, 30), 300, 8 + static_cast<int>(random.below(12)));
+  const int round = 8 + static_cast<int>(random.below(12));
+  return torusMesh(45, random.uniform(6, 30), 300, round);
 }
 
 mesh::TriangleMesh thinPlate(Random& random) { return plateMesh(90, random.uniform(0.05, 4.0), 24); }
@@ -129,7 +145,8 @@ mesh::TriangleMesh pierced(Random& random) {
 
 mesh::TriangleMesh slitted(Random& random) {
   mesh::TriangleMesh mesh = someShape(random);
-  slit(mesh, 1 + random.below(5), std::pow(10.0, random.uniform(-6, -1)), random);
+  const double width = std::pow(10.0, random.uniform(-6, -1));
+  slit(mesh, 1 + random.below(5), width, random);
   return mesh;
 }
 
@@ -233,7 +250,9 @@ mesh::TriangleMesh thinParts(Random& random) {
 
 /// A sound shape with an opening, all its triangles turned: repair has to find the outside.
 mesh::TriangleMesh insideOutOpen(Random& random) {
-  mesh::TriangleMesh mesh = bumpyBallMesh(random.uniform(40, 70), random.uniform(0, 0.1), random.uniform(2, 8), 5);
+  const double waves = random.uniform(2, 8);
+  const double bump = random.uniform(0, 0.1);
+  mesh::TriangleMesh mesh = bumpyBallMesh(random.uniform(40, 70), bump, waves, 5);
   const Vec3 axis = anyDirection(random);
   const double height = mesh::boundingBox(mesh).sizes().maxCoeff() * random.uniform(0.32, 0.45);
   std::erase_if(mesh.triangles, [&](const Triangle& t) { return mesh::centreOf(mesh, t).dot(axis) > height; });

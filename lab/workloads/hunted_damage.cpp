@@ -90,7 +90,8 @@ void repeatTriangles(mesh::TriangleMesh& mesh, std::size_t count, Random& random
 }
 
 void place(mesh::TriangleMesh& mesh, const Vec3& at, Random& random) {
-  const Eigen::AngleAxisd turn(random.uniform(0, std::numbers::pi), normalDeviate(random).normalized());
+  const Vec3 axis = normalDeviate(random).normalized();
+  const Eigen::AngleAxisd turn(random.uniform(0, std::numbers::pi), axis);
   for (Vec3& p : mesh.positions) p = turn * p + at;
 }
 

@@ -20,7 +20,7 @@ using body::Field;
 using std::numbers::pi;
 
 Vec3 someDirection(Random& random) {
-  const Vec3 v(random.normal(), random.normal(), random.normal());
+  const Vec3 v = random.normal3();
   return v.norm() > 1e-6 ? Vec3(v.normalized()) : Vec3(Vec3::UnitX());
 }
 
@@ -219,9 +219,7 @@ HuntedForm comb(Random& random) {
 /// Blocks joined and cut, edges as sharp as the lattice lets them be.
 HuntedForm blocks(Random& random) {
   std::vector<std::pair<Vec3, Vec3>> parts;
-  for (int i = 0; i < 8; ++i)
-    parts.push_back({Vec3(random.uniform(-25, 25), random.uniform(-25, 25), random.uniform(-25, 25)),
-                     Vec3(random.uniform(6, 24), random.uniform(6, 24), random.uniform(6, 24))});
+  for (int i = 0; i < 8; ++i) parts.push_back({random.uniform3(-25, 25), random.uniform3(6, 24)});
   return {[=](const Vec3& p) {
             double d = block(p, {24, 24, 24});
             for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -258,7 +256,8 @@ HuntedForm necklace(Random& random) {
   Capsules parts;
   const double neck = random.uniform(3, 6);
   for (int i = -2; i <= 2; ++i) {
-    const Vec3 at(22.0 * i, random.uniform(-6, 6), random.uniform(-6, 6));
+    const Vec2 aside = random.uniform2(-6, 6);
+    const Vec3 at(22.0 * i, aside.x(), aside.y());
     const double r = random.uniform(7, 13);
     parts.push_back({at, at, r, r});
     parts.back().to.x() += 1e-3;  // a capsule needs a length

@@ -69,7 +69,7 @@ class PathWriter {
   }
 
   Vec3 direction() {
-    const Vec3 v(random.normal(), random.normal(), random.normal());
+    const Vec3 v = random.normal3();
     return v.norm() > 1e-9 ? Vec3(v.normalized()) : Vec3(Vec3::UnitZ());
   }
   Vec3 tangent(const Vec3& normal) {
@@ -292,8 +292,7 @@ void tremble(PathWriter& w) {
   w.go(place.point - depth * place.normal, w.anySpeed());
   const Vec3 middle = w.tip();
   const double size = w.mm * anySize(w.random, 1e-5, 0.05);
-  for (std::size_t k = 0; k < 150 && !w.done(); ++k)
-    w.put(middle + size * Vec3(w.random.normal(), w.random.normal(), w.random.normal()));
+  for (std::size_t k = 0; k < 150 && !w.done(); ++k) w.put(middle + size * w.random.normal3());
 }
 
 /// Ticks that end on a vertex, an edge's middle, a corner's coordinates or a triangle's plane, bit by bit.
@@ -354,8 +353,7 @@ constexpr std::array<PathKind, 15> kPathKinds{{{"press", press},
 void addNoise(std::vector<Vec3>& tips, double mm, Random& random) {
   if (random.below(4) != 0) return;
   const double size = mm * anySize(random, 1e-4, 0.02);
-  for (std::size_t k = 1; k < tips.size(); ++k)
-    tips[k] += size * Vec3(random.normal(), random.normal(), random.normal());
+  for (std::size_t k = 1; k < tips.size(); ++k) tips[k] += size * random.normal3();
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ bool piercesItself(const mesh::TriangleMesh& mesh) { return mesh::repair(mesh).s
 mesh::TriangleMesh latticeSurface(const HuntedForm& shape, double cell, Random& random) {
   constexpr int kTries = 5;
   for (int i = 0;; ++i) {
-    const Vec3 off = cell * Vec3(random.uniform(), random.uniform(), random.uniform());
+    const Vec3 off = cell * random.uniform3();
     mesh::TriangleMesh mesh = body::meshZeroSurface(shape.field, {.low = Vec3::Constant(-shape.reach_mm) - off,
                                                                   .high = Vec3::Constant(shape.reach_mm + cell),
                                                                   .cell_mm = cell,

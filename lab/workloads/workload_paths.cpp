@@ -68,7 +68,7 @@ double reflected(double a, double low, double high) {
 Vec3 randomDirection(Random& random) {
   Vec3 d;
   do {
-    d = Vec3(random.normal(), random.normal(), random.normal());
+    d = random.normal3();
   } while (d.norm() < 1e-6);
   return d.normalized();
 }
@@ -248,8 +248,9 @@ device::Trajectory grooveShake(std::uint64_t seed) {
   Random random(seed);
   return twentySecondsOf([&](std::size_t k) {
     const double t = timeOf(k);
-    Vec3 tip(100 + 15 * std::sin(2 * pi * 5 * t) + 0.3 * random.normal(),
-             10 + 80 * (0.5 - 0.5 * std::cos(2 * pi * 0.2 * t)), -10 + 0.3 * random.normal());
+    const Vec2 noise = random.normal2();
+    Vec3 tip(100 + 15 * std::sin(2 * pi * 5 * t) + 0.3 * noise.x(), 10 + 80 * (0.5 - 0.5 * std::cos(2 * pi * 0.2 * t)),
+             -10 + 0.3 * noise.y());
     if (k < 200) tip = Vec3(100, tip.y(), ramp(60, -10, k, 200));
     return tip;
   });
@@ -259,8 +260,9 @@ device::Trajectory pitShake(std::uint64_t seed) {
   Random random(seed);
   return twentySecondsOf([&](std::size_t k) {
     const double t = timeOf(k);
-    Vec3 tip(100 + 8 * std::sin(2 * pi * 3.1 * t) + 0.3 * random.normal(),
-             100 + 8 * std::sin(2 * pi * 4.3 * t) + 0.3 * random.normal(), -10 + 0.3 * random.normal());
+    const Vec3 noise = random.normal3();
+    Vec3 tip(100 + 8 * std::sin(2 * pi * 3.1 * t) + 0.3 * noise.x(),
+             100 + 8 * std::sin(2 * pi * 4.3 * t) + 0.3 * noise.y(), -10 + 0.3 * noise.z());
     if (k < 200) tip = Vec3(100, 100, ramp(60, -10, k, 200));
     return tip;
   });

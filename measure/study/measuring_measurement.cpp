@@ -122,7 +122,7 @@ double timeFits(const MeasuringPlan& plan) {
     Random random(i);
     std::vector<measure::FieldDatum> dots;
     for (const measure::TrueDot& dot : measure::truthOf(made).dots) {
-      const Vec2 noise = 0.1 * Vec2(random.normal(), random.normal());
+      const Vec2 noise = 0.1 * random.normal2();
       dots.push_back(
           {dot.skin_mm, dot.moved_mm + noise, {dot.skin_mm.x(), -dot.skin_mm.y()}, Mat2(Vec2(1.0, -1.0).asDiagonal())});
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/base/order_statistics.h"
 #include "report/page/study_page.h"
 
 namespace palpate::study {
@@ -24,7 +25,7 @@ Percentiles percentiles(const std::vector<JudgedPair>& pairs, const Picks& picks
   for (const JudgedPair& pair : pairs) {
     if (picks(pair)) values.push_back(value(pair));
   }
-  return {percentileOf(values, 0.5), percentileOf(values, 0.95)};
+  return {quantileOf(values, 0.5), quantileOf(values, 0.95)};
 }
 
 void addOnce(std::vector<std::string>& codes, const std::string& code) {
@@ -45,13 +46,13 @@ Bar shareAtLeast(std::string what, double bar, double reached) {
 
 }  // namespace
 
-double percentileOf(std::vector<double> values, double share) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  std::sort(values.begin(), values.end());
-  const double rank = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(rank);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
+std::vector<std::string> halfAxisCells(const LevelErrors& errors) {
+  std::vector<std::string> cells;
+  for (const double percent :
+       {errors.major.percent, errors.major.stated_percent, errors.minor.percent, errors.minor.stated_percent}) {
+    cells.push_back(fmt::format("{:.3f}", percent));
+  }
+  return cells;
 }
 
 SetNumbers numbersOf(const std::vector<JudgedPair>& pairs) {

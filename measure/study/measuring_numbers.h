@@ -9,8 +9,8 @@
 
 namespace palpate::study {
 
-/// Linear between ranks: of 0 and 10 the share 0.25 is 2.5. NaN of nothing.
-double percentileOf(std::vector<double> values, double share);
+/// Off and stated sd of the major half axis, then of the minor one (%): four cells of a table.
+std::vector<std::string> halfAxisCells(const LevelErrors& errors);
 
 struct Percentiles {
   double median = 0.0;

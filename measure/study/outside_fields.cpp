@@ -176,7 +176,7 @@ measure::DotPair exactDots(const measure::SyntheticCase& made, const measure::Sy
   Random random(made.seed ^ 0xa0761d6478bd642full);
   measure::DotPair pair;
   const auto seen = [&](const Vec2& place_px) {
-    return measure::Dot{place_px + noise_mm * truth.px_per_mm * Vec2(random.normal(), random.normal()), 0.0};
+    return measure::Dot{place_px + noise_mm * truth.px_per_mm * random.normal2(), 0.0};
   };
   for (const measure::TrueDot& dot : truth.dots) {
     pair.before.push_back(seen(dot.before_px));

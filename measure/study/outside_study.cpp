@@ -46,26 +46,22 @@ TextTable outsideTable(const std::vector<JudgedPair>& pairs) {
                   {}};
   const auto number = [](double value) { return fmt::format("{:.3f}", value); };
   for (const JudgedPair& pair : pairs) {
-    table.rows.push_back({fmt::format("{}", pair.seed),
-                          pair.accepted ? "accepted" : "refused",
-                          fmt::format("{}", fmt::join(pair.refusals, " ")),
-                          fmt::format("{}", fmt::join(pair.warnings, " ")),
-                          pair.form,
-                          number(pair.true_half_major_mm),
-                          number(pair.true_ratio),
-                          number(pair.at_2_mm.major.percent),
-                          number(pair.at_2_mm.major.stated_percent),
-                          number(pair.at_2_mm.minor.percent),
-                          number(pair.at_2_mm.minor.stated_percent),
-                          number(pair.at_4_mm.major.percent),
-                          number(pair.at_4_mm.major.stated_percent),
-                          number(pair.at_4_mm.minor.percent),
-                          number(pair.at_4_mm.minor.stated_percent),
-                          pair.peak_stated ? number(pair.peak.percent) : "-",
-                          pair.peak_stated ? number(pair.peak.stated_percent) : "-",
-                          number(pair.direction_error_deg),
-                          number(pair.contact_error_mm),
-                          number(pair.residual_rms_mm)});
+    std::vector<std::string> row = {fmt::format("{}", pair.seed),
+                                    pair.accepted ? "accepted" : "refused",
+                                    fmt::format("{}", fmt::join(pair.refusals, " ")),
+                                    fmt::format("{}", fmt::join(pair.warnings, " ")),
+                                    pair.form,
+                                    number(pair.true_half_major_mm),
+                                    number(pair.true_ratio)};
+    for (const LevelErrors& errors : {pair.at_2_mm, pair.at_4_mm}) {
+      for (const std::string& cell : halfAxisCells(errors)) row.push_back(cell);
+    }
+    row.push_back(pair.peak_stated ? number(pair.peak.percent) : "-");
+    row.push_back(pair.peak_stated ? number(pair.peak.stated_percent) : "-");
+    for (const double value : {pair.direction_error_deg, pair.contact_error_mm, pair.residual_rms_mm}) {
+      row.push_back(number(value));
+    }
+    table.rows.push_back(std::move(row));
   }
   return table;
 }

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cstdint>
 #include <string_view>
 
+#include "palpate/base/base64.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 
@@ -244,23 +244,6 @@ std::string openingHtml(const ReportHead& head) {
 
 std::string htmlText(std::string_view text) {
   return withElement(withElement(escaped(text), "`", "code"), "**", "strong");
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t here = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      group = (group << 8) | (k < here ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += k <= here ? kLetters[(group >> (18 - 6 * k)) & 63u] : '=';
-    }
-  }
-  return text;
 }
 
 std::string reportHtml(const ReportHead& head, const std::vector<StudyPage>& chapters, const fs::path& folder) {

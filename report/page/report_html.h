@@ -29,7 +29,4 @@ std::string reportHtml(const ReportHead& head, const std::vector<StudyPage>& cha
 /// As it stands in HTML: & < > and quotes escaped, `words in backticks` as code, **these** strong.
 std::string htmlText(std::string_view text);
 
-/// Bytes in base 64, as data URIs want them.
-std::string base64(std::string_view bytes);
-
 }  // namespace palpate::study

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "cli/kit/readable_text.h"
+#include "palpate/base/base64.h"
 #include "report/page/report_html.h"
 
 namespace palpate::app {
@@ -55,10 +56,9 @@ std::string pictureData(const figures::Figure& figure) {
   const std::string png = figures::pngOf(figure, kPixels);
   const bool surfaces = std::ranges::any_of(
       figure.panels, [](const figures::Panel& panel) { return std::holds_alternative<figures::MeshView>(panel); });
-  if (surfaces) return "data:image/png;base64," + study::base64(png);
+  if (surfaces) return "data:image/png;base64," + base64(png);
   const std::string svg = figures::svgOf(figure);
-  return svg.size() <= png.size() ? "data:image/svg+xml;base64," + study::base64(svg)
-                                  : "data:image/png;base64," + study::base64(png);
+  return svg.size() <= png.size() ? "data:image/svg+xml;base64," + base64(svg) : "data:image/png;base64," + base64(png);
 }
 
 std::string rowOf(std::string_view tag, const Cells& cells) {

@@ -1,3 +1,4 @@
+#include "palpate/base/order_statistics.h"
 #include "solve/commands/fit_reports.h"
 
 #include <fmt/format.h>
@@ -13,15 +14,6 @@ using nlohmann::ordered_json;
 using tissue::FittedNumber;
 using tissue::ForceFit;
 using tissue::ForceForm;
-
-/// At a share of the sorted values: 0.5 is the median.
-double quantile(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  const double place = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
-}
 
 /// One number of every curve.
 template <class Number>
@@ -85,12 +77,13 @@ std::string spreadText(const ForceResult& result) {
   std::string text = "\nmedian over curves, each with numbers of its own\n";
   text += fmt::format("{:<12}{:>8}{:>9}\n", "form", "RMS", "unseen");
   for (const ForceForm form : tissue::kForceForms) {
-    text += fmt::format("{:<12}{:>6.1f} %{:>7.1f} %\n", nameOf(form),
-                        100.0 * quantile(ofAll(result, form, [](const ForceFit& fit) { return fit.rms; }), 0.5),
-                        100.0 * quantile(ofAll(result, form, [](const ForceFit& fit) { return fit.unseen_rms; }), 0.5));
+    text +=
+        fmt::format("{:<12}{:>6.1f} %{:>7.1f} %\n", nameOf(form),
+                    100.0 * quantileOf(ofAll(result, form, [](const ForceFit& fit) { return fit.rms; }), 0.5),
+                    100.0 * quantileOf(ofAll(result, form, [](const ForceFit& fit) { return fit.unseen_rms; }), 0.5));
   }
-  return text + fmt::format("exponent: {:.2f} in the middle, 8 of 10 from {:.2f} to {:.2f}\n", quantile(exponents, 0.5),
-                            quantile(exponents, 0.1), quantile(exponents, 0.9));
+  return text + fmt::format("exponent: {:.2f} in the middle, 8 of 10 from {:.2f} to {:.2f}\n",
+                            quantileOf(exponents, 0.5), quantileOf(exponents, 0.1), quantileOf(exponents, 0.9));
 }
 
 // --- JSON
@@ -122,10 +115,10 @@ ordered_json spreadJson(const ForceResult& result) {
   const std::vector<double> exponents = ofAll(result, ForceForm::power, exponentOf);
   ordered_json json;
   json["exponent"] = {
-      {"p10", quantile(exponents, 0.1)}, {"median", quantile(exponents, 0.5)}, {"p90", quantile(exponents, 0.9)}};
+      {"p10", quantileOf(exponents, 0.1)}, {"median", quantileOf(exponents, 0.5)}, {"p90", quantileOf(exponents, 0.9)}};
   for (const ForceForm form : tissue::kForceForms) {
     json["rms_median"][std::string(nameOf(form))] =
-        quantile(ofAll(result, form, [](const ForceFit& fit) { return fit.rms; }), 0.5);
+        quantileOf(ofAll(result, form, [](const ForceFit& fit) { return fit.rms; }), 0.5);
   }
   return json;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "palpate/base/order_statistics.h"
 #include "palpate/elements/drag_solver.h"
 #include "palpate/tissue/published.h"
 
@@ -81,14 +82,6 @@ class SolvedLimb {
   double muscle_kpa_;
   std::map<std::tuple<std::size_t, std::size_t, std::size_t>, double> solved_;
 };
-
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
 
 double medianError(const std::vector<double>& ratios, double factor) {
   std::vector<double> errors;

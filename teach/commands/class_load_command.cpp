@@ -19,6 +19,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/simulate/realtime_run.h"
 #include "palpate/base/error.h"
+#include "palpate/base/order_statistics.h"
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/station_link.h"
 #include "palpate/scene/scene_file.h"
@@ -132,11 +133,6 @@ class LinkBesideServo {
   std::thread thread_;
 };
 
-double medianOf(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
-
 double periodP99Us(const scene::World& world, double seconds, ProgressLine& progress) {
   constexpr double kPeriodUs = 1000.0;
   return kPeriodUs + measureServo(world, seconds, progress.display()).loop.lateness.p99_us;
@@ -173,7 +169,7 @@ void runServoBeside(const ClassLoadArguments& arguments) {
   const nlohmann::ordered_json json = {{"seconds", arguments.servo_s},
                                        {"period_p99_us_without", without},
                                        {"period_p99_us_with", with},
-                                       {"ratio_median", medianOf(ratios)}};
+                                       {"ratio_median", upperMedianOf(ratios)}};
   fmt::print("{}\n", json.dump(2));
 }
 

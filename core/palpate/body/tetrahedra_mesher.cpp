@@ -132,8 +132,12 @@ class Lattice {
       return vertexOnEdge(base, cell, a, b, value);
     };
     const bool flip = evenPermutation(order) != t.positive;
-    if (inside == 1) return addTriangle(vertex(0, 1), vertex(0, 2), vertex(0, 3), flip);
-    if (inside == 3) return addTriangle(vertex(0, 3), vertex(1, 3), vertex(2, 3), flip);
+    // Vertices are numbered as they are made: in braces from the left, in parentheses as the compiler likes.
+    const auto add = [&](const std::array<Index, 3>& last_first) {
+      addTriangle(last_first[2], last_first[1], last_first[0], flip);
+    };
+    if (inside == 1) return add({vertex(0, 3), vertex(0, 2), vertex(0, 1)});
+    if (inside == 3) return add({vertex(2, 3), vertex(1, 3), vertex(0, 3)});
     addQuad({vertex(0, 2), vertex(0, 3), vertex(1, 3), vertex(1, 2)}, flip);
   }
 

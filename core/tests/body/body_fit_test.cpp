@@ -70,12 +70,12 @@ TrueScan scanOf(std::uint64_t seed, bool whole = false) {
   const double scale = shape.stature_mm / 1750;
   TrueScan scan;
   scan.mesh = whole ? trunk.skin : patchOf(trunk.skin, scale, {random.uniform(-90, 90), random.uniform(-100, 80), 100});
-  const Vec3 phase(random.uniform(0, 6), random.uniform(0, 6), random.uniform(0, 6));
-  const Vec3 axis = Vec3(random.normal(), random.normal(), random.normal()).normalized();
+  const Vec3 phase = random.uniform3(0, 6);
+  const Vec3 axis = random.normal3().normalized();
   const Mat3 turn = Eigen::AngleAxisd(random.uniform(0, 3), axis).toRotationMatrix();
-  const Vec3 away(random.uniform(-900, 900), random.uniform(-900, 900), random.uniform(-900, 900));
+  const Vec3 away = random.uniform3(-900, 900);
   const auto moved = [&](const Vec3& p) { return Vec3(turn * waved(p, phase) + away); };
-  for (Vec3& p : scan.mesh.positions) p = moved(p) + 0.58 * Vec3(random.normal(), random.normal(), random.normal());
+  for (Vec3& p : scan.mesh.positions) p = moved(p) + 0.58 * random.normal3();
   for (const SkinLandmark& landmark : trunk.landmarks) scan.truth[spokenName(landmark.name)] = moved(landmark.position);
   scan.build = "seed " + std::to_string(seed) + ", " + std::to_string(std::lround(shape.stature_mm)) + " mm, " +
                std::to_string(std::lround(shape.body_mass_index)) + " kg/m2";

@@ -78,7 +78,7 @@ TEST(SphereFinger, NeverSinksInNorHangsInAWalkOverHills) {
     finger.to(tip);
     for (int i = 0; i < 4000; ++i) {
       const Vec3 goal(60 + 35 * std::sin(0.0011 * i), 60 + 35 * std::sin(0.0017 * i), radius - 6);
-      tip += 0.01 * (goal - tip) + 0.02 * Vec3(random.normal(), random.normal(), random.normal());
+      tip += 0.01 * (goal - tip) + 0.02 * random.normal3();
       const FingerOutput output = finger.to(tip);
       if (!touches(output)) continue;
       const auto nearest = nearestPoint(hills.geometry->tree, finger.state().centre, 3 * radius);

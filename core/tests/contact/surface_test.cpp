@@ -47,7 +47,7 @@ TEST(SurfaceWalk, OnAConvexBodyItEndsAtTheNearestPoint) {
   Random random(31);
   SurfacePoint place{surface.geometry->tree.records[0].corners[0], 0, tree::Feature::corner0};
   for (int i = 0; i < 500; ++i) {
-    const Vec3 target = 25.0 * Vec3(random.normal(), random.normal(), random.normal()).normalized();
+    const Vec3 target = 25.0 * random.normal3().normalized();
     const WalkResult walk = walkToNearest(surface, place, target, kAnyPath);
     ASSERT_TRUE(walk.finished);
     const double expected = nearestPoint(surface.geometry->tree, target, 1e3).closest.squared_distance;

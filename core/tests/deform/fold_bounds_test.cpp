@@ -118,7 +118,7 @@ TEST(FoldBounds, NameHowFarASlopeMayBeOff) {
   double nearest = 0.0;
   for (int i = 0; i < 20000; ++i) {
     Vec2 corner[3];
-    for (Vec2& c : corner) c = Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+    for (Vec2& c : corner) c = random.uniform2(-1, 1);
     if (i % 3 == 0) corner[2] = corner[0] + 0.05 * corner[2];  // needles
     mesh::TriangleMesh mesh;
     for (const Vec2& c : corner) mesh.positions.emplace_back(c.x(), c.y(), 0.0);
@@ -128,7 +128,7 @@ TEST(FoldBounds, NameHowFarASlopeMayBeOff) {
     const double turn = random.uniform(0.0, 3.2);
     const Vec2 u(std::cos(turn), std::sin(turn));
     const Vec2 v(-u.y(), u.x());
-    const Vec2 at(random.uniform(-1, 1), random.uniform(-1, 1));
+    const Vec2 at = random.uniform2(-1, 1);
     const double sign = i % 2 == 0 ? 1.0 : -1.0;
     const auto bent = [](double x) { return 0.5 * x * std::abs(x); };
     const double wave = slopeOff(

@@ -98,7 +98,7 @@ TEST(RegionFrame, SlopeIsTheDerivativeInEveryShape) {
   constexpr double kStep = 1e-5;
   for (const RegionFrame& frame : frames) {
     for (int i = 0; i < 200; ++i) {
-      const Vec2 at(random.uniform(-40, 40), random.uniform(-40, 40));
+      const Vec2 at = random.uniform2(-40, 40);
       if (at.norm() < 1.0) continue;
       for (int axis = 0; axis < 2; ++axis) {
         const Vec2 step = kStep * Vec2::Unit(axis);

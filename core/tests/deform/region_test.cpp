@@ -38,7 +38,7 @@ void expectSameRegions(const mesh::TriangleMesh& mesh, int contacts, std::uint64
   for (int i = 0; i < contacts; ++i) {
     Contact contact = anyContact(mesh, random);
     // A little off the facet's normal: a cube's sides would lie exactly on the silhouette.
-    contact.normal += 0.1 * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    contact.normal += 0.1 * random.uniform3(-1, 1);
     const auto scalar = test::scalarContact(contact);
     bool borderline = false;
     for (Index v = 0; v < skin.vertices; ++v) borderline = borderline || isBorderline(skin, scalar, v);

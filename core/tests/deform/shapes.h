@@ -58,7 +58,7 @@ inline Contact drag(Contact contact, const Vec3& along) {
 /// Any press and drag anywhere on the mesh, with any ellipses.
 inline Contact anyContact(const mesh::TriangleMesh& mesh, Random& random) {
   const auto triangle = static_cast<Index>(random.below(mesh.triangles.size()));
-  Vec3 weights(random.uniform(), random.uniform(), random.uniform());
+  Vec3 weights = random.uniform3();
   Contact contact = press(mesh, triangle, random.uniform(-2.0, 15.0), weights / weights.sum());
   const auto ellipse = [&] {
     return maps::liftedOntoSurface({random.uniform(5, 90), random.uniform(0.3, 1.0), random.uniform(0, 3.1)},

@@ -351,7 +351,7 @@ TEST(ShearLimit, RandomPressesAndDragsOnRandomBodiesAreSound) {
       for (std::uint64_t n = 1 + random.below(2); n > 0; --n) {
         const auto triangle = static_cast<Index>(random.below(mesh.triangles.size()));
         const Contact pressed = press(mesh, triangle, i % 3 == 0 ? 0.0 : 10.0);
-        const Vec3 along(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        const Vec3 along = random.uniform3(-1, 1);
         contacts.push_back(deepest(pressed, i % 3 == 1 ? Vec3(Vec3::Zero()) : along));
       }
       if (stage.apply(contacts).moved_vertices == 0) continue;
@@ -376,7 +376,7 @@ TEST(ShearLimit, DoesNotDependOnWhatWasHeldBefore) {
       std::vector<Contact> contacts;
       for (int n = 0; n <= i % 3; ++n) {
         const auto triangle = static_cast<Index>(random.below(mesh.triangles.size()));
-        const Vec3 along(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        const Vec3 along = random.uniform3(-1, 1);
         contacts.push_back(deepest(press(mesh, triangle, 10.0), along));
       }
       held += used.apply(contacts).held_vertices;

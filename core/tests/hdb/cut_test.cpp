@@ -103,7 +103,7 @@ TEST(Cut, BothPartsTogetherAreTheTriangleAndKeepItsWinding) {
   Random random(5);
   for (int i = 0; i < 2000; ++i) {
     Piece triangle;
-    for (Vec3& corner : triangle) corner = Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    for (Vec3& corner : triangle) corner = random.uniform3(-1, 1);
     const AxisPlane plane{static_cast<int>(random.below(3)), random.uniform(-0.5, 0.5)};
     const Vec3 whole = mesh::areaVector2(triangle[0], triangle[1], triangle[2]);
     Vec3 sum = Vec3::Zero();

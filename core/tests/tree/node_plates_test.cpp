@@ -78,7 +78,7 @@ bool isMinimumInFront(const TriangleTree& tree, const std::vector<std::vector<In
 Vec3 randomPlace(const TriangleTree& tree, Random& random) {
   const TriangleRecord& record = tree.records[random.below(tree.records.size())];
   const double reach = tree.diagonal * std::pow(10.0, random.uniform(-5.0, random.uniform() < 0.1 ? 3.0 : 0.0));
-  const Vec3 away(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  const Vec3 away = random.uniform3(-1, 1);
   return record.corners[random.below(3)] + reach * away;
 }
 

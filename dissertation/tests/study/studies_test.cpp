@@ -1,86 +1,13 @@
-// Every study in its small form: a full page, readable figures, and the physics that must hold at any size.
-#include "dissertation/studies.h"
-
+// The physics of the studies that must hold at any size, on their small plans.
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
 
 #include "dissertation/assignment/assignment_measurement.h"
 #include "dissertation/hdb/hdb_measurement.h"
 #include "dissertation/tables/rendering_rates.h"
 #include "dissertation/threshold/threshold_measurement.h"
-#include "palpate/base/error.h"
-#include "palpate/base/text.h"
 #include "palpate/hdb/haptic_box.h"
-#include "report/tests/report/texts_apart.h"
-#include "support/temporary_folder.h"
 
 namespace palpate::study {
-
-namespace {
-
-const Study& studyOf(const std::string& name) {
-  const auto at = std::find_if(studies().begin(), studies().end(), [&](const Study& s) { return s.name == name; });
-  if (at == studies().end()) throw Error("no study " + name);
-  return *at;
-}
-
-// Each is run once for all tests.
-const StudyPage& quickPage(const std::string& name) {
-  static std::map<std::string, StudyPage> pages;
-  const auto known = pages.find(name);
-  if (known != pages.end()) return known->second;
-  return pages[name] = runStudy(studyOf(name), {.quick = true});
-}
-
-constexpr const char* kPngStart = "\x89PNG\r\n\x1a\n";
-
-void expectAskedFoundAndMeasured(const Study& study, const StudyPage& page) {
-  EXPECT_FALSE(page.question.empty() || page.findings.empty() || page.method.empty()) << study.name;
-  EXPECT_FALSE(page.figures.empty() || page.tables.empty() || page.numbers.empty()) << study.name;
-  EXPECT_EQ(page.command, "palpate study " + study.name + " --quick --out DIR");
-  EXPECT_FALSE(page.machine.empty());
-}
-
-void expectUnitsOnTheAxes(const figures::Plot& plot, const std::string& stem) {
-  for (const figures::Axis& axis : {plot.x, plot.y}) {
-    EXPECT_TRUE(axis.hidden || !axis.ticks.empty() || !axis.label.empty()) << stem << ", " << plot.title;
-  }
-  for (const auto& series : plot.series) EXPECT_EQ(series.x.size(), series.y.size()) << series.name;
-}
-
-void expectFiguresWithTextsApart(const StudyPage& page) {
-  for (const StudyFigure& figure : page.figures) {
-    expectTextsApart(figure.figure, figure.stem);
-    EXPECT_TRUE(figures::pngOf(figure.figure, 0.5).starts_with(kPngStart)) << figure.stem;
-    for (const auto& panel : figure.figure.panels) {
-      if (const auto* plot = std::get_if<figures::Plot>(&panel)) expectUnitsOnTheAxes(*plot, figure.stem);
-    }
-  }
-}
-
-void expectTablesWithoutHoles(const StudyPage& page) {
-  for (const StudyTable& table : page.tables) {
-    EXPECT_FALSE(table.table.rows.empty()) << table.stem;
-    for (const auto& row : table.table.rows) EXPECT_EQ(row.size(), table.table.headings.size()) << table.stem;
-  }
-}
-
-}  // namespace
-
-// One test for what is asked of each: studies take seconds, and each test is a program of its own under ctest.
-TEST(Studies, WritePagesWithReadableFiguresAndTablesWithoutHoles) {
-  const support::TemporaryFolder folder;
-  for (const Study& study : studies()) {
-    const StudyPage& page = quickPage(study.name);
-    expectAskedFoundAndMeasured(study, page);
-    expectFiguresWithTextsApart(page);
-    expectTablesWithoutHoles(page);
-    writePage(page, folder.path());
-    EXPECT_TRUE(std::filesystem::exists(folder / (study.name + ".md")));
-  }
-}
 
 TEST(HdbStudy, LargerBoxesRenderMoreAndLetFewerStrokesThrough) {
   const HdbMeasurement found = measureHdbSizes(hdbPlan(true), {});

@@ -40,7 +40,7 @@ TEST(Calibration, NeverMirrorsTheHand) {
     DeviceFrame frame = someFrame();
     frame.axes = rotationOf({random.uniform(-180, 180), random.uniform(-90, 90), random.uniform(-180, 180)});
     Places body = touched(frame, kCorners);
-    for (Vec3& place : body) place += Vec3(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2));
+    for (Vec3& place : body) place += random.uniform3(-2, 2);
     const Calibration found = calibrationOf(kCorners, body);
     EXPECT_NEAR(found.frame.axes.determinant(), 1.0, 1e-9);
     EXPECT_LT((found.frame.axes * found.frame.axes.transpose() - Mat3::Identity()).norm(), 1e-9);

@@ -76,7 +76,7 @@ device::Trajectory wanderRound(lab::SurfaceSide& skin, const Vec3& near, double 
   lab::NearestPoint under = skin.nearestTo(near);
   const Vec3 middle = under.point;
   Vec3 tip = under.point + 10.0 * under.pseudo_normal;
-  Vec3 heading(random.normal(), random.normal(), random.normal());
+  Vec3 heading = random.normal3();
   Vec3 outward = under.pseudo_normal;  // a hand does not follow facets
   device::Trajectory path;
   for (std::size_t k = 0; k < ticks; ++k) {
@@ -84,7 +84,7 @@ device::Trajectory wanderRound(lab::SurfaceSide& skin, const Vec3& near, double 
     path.tip_mm.push_back(tip);
     const double t = path.time_s.back();
     const double speed = 0.3 + 0.2 * std::sin(2 * pi * 0.6 * t);  // mm a tick
-    heading += 0.05 * Vec3(random.normal(), random.normal(), random.normal());
+    heading += 0.05 * random.normal3();
     if ((under.point - middle).norm() > reach_mm) heading += 0.1 * (middle - under.point).normalized();
     heading -= heading.dot(under.pseudo_normal) * under.pseudo_normal;
     heading.normalize();

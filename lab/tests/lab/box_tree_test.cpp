@@ -24,7 +24,7 @@ TEST(BoxTree, FindsWhatALookAtEveryTriangleFinds) {
   Random random(6);
   std::vector<Index> within;
   for (int i = 0; i < 50; ++i) {
-    const Vec3 share(random.uniform(-0.2, 1.2), random.uniform(-0.2, 1.2), random.uniform(-0.2, 1.2));
+    const Vec3 share = random.uniform3(-0.2, 1.2);
     const Vec3 place = box.min() + share.cwiseProduct(box.diagonal());
     double nearest = std::numeric_limits<double>::infinity();
     std::size_t count = 0;

@@ -22,7 +22,7 @@ double largestError(const mesh::TriangleMesh& mesh, std::uint64_t seed) {
   Random random(seed);
   double largest = 0.0;
   for (int i = 0; i < 300; ++i) {
-    const Vec3 share(random.uniform(-0.5, 1.5), random.uniform(-0.5, 1.5), random.uniform(-0.5, 1.5));
+    const Vec3 share = random.uniform3(-0.5, 1.5);
     const Vec3 point = box.min() + share.cwiseProduct(box.diagonal());
     largest = std::max(largest, std::abs(fast.at(point) - windingNumber(mesh, point)));
   }

@@ -45,7 +45,7 @@ TEST(SurfaceSide, KnowsTheInsideOfAClosedBody) {
   lab::SurfaceSide side(box({0, 0, 0}, {10, 10, 10}));
   Random random(1);
   for (int i = 0; i < 5000; ++i) {
-    const Vec3 p(random.uniform(-5, 15), random.uniform(-5, 15), random.uniform(-5, 15));
+    const Vec3 p = random.uniform3(-5, 15);
     const bool inside = p.minCoeff() > 0 && p.maxCoeff() < 10;
     ASSERT_EQ(side.sideOf(p), inside ? lab::Side::inside : lab::Side::outside) << p.transpose();
   }

@@ -12,6 +12,8 @@
 #include <optional>
 #include <utility>
 
+#include "palpate/base/order_statistics.h"
+
 namespace palpate::measure {
 
 namespace {
@@ -237,9 +239,7 @@ class Lattice {
   static double medianOf(const std::map<Site, double>& misfits) {
     std::vector<double> values;
     for (const auto& [site, misfit] : misfits) values.push_back(misfit);
-    if (values.empty()) return 0.0;
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
+    return upperMedianOf(std::move(values));
   }
 
   /// A wrong dot makes its neighbours misfit too: only the worst of a neighbourhood is one.

@@ -2,6 +2,7 @@
 // The commonest hue among round blobs is the pen's, so that no colour need be named; lightness counts for nothing, so
 // shadows and moles drop out. Found on a picture reduced to two megapixels, centred on the full one.
 #include "palpate/measure/dots.h"
+#include "palpate/base/order_statistics.h"
 
 #include <algorithm>
 #include <array>
@@ -86,13 +87,6 @@ InkPicture inkPictureOf(const Photograph& picture) {
   return ink;
 }
 
-float medianOf(std::vector<float> values) {
-  if (values.empty()) return 0.0f;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Of a channel that is zero but for dots: 1.48 medians of its size.
 double robustSd(const cv::Mat1f& channel) {
   constexpr int kStep = 3;  // a ninth of the pixels tells it as well
@@ -100,7 +94,7 @@ double robustSd(const cv::Mat1f& channel) {
   for (int y = 0; y < channel.rows; y += kStep) {
     for (int x = 0; x < channel.cols; x += kStep) sizes.push_back(std::abs(channel(y, x)));
   }
-  return 1.4826 * static_cast<double>(medianOf(std::move(sizes)));
+  return 1.4826 * static_cast<double>(upperMedianOf(std::move(sizes)));
 }
 
 struct Blob {
@@ -212,7 +206,7 @@ std::optional<InkHere> inkHere(const std::vector<Sample>& samples, const std::op
     areas.push_back(static_cast<float>(sample.area));
   }
   if (peaks.empty()) return {};
-  return InkHere{{hue, static_cast<double>(medianOf(peaks))}, static_cast<double>(medianOf(areas))};
+  return InkHere{{hue, static_cast<double>(upperMedianOf(peaks))}, static_cast<double>(upperMedianOf(areas))};
 }
 
 /// Strength along the ink's hue where that is what a pixel differs in, elsewhere 0.
@@ -263,7 +257,7 @@ std::optional<Levels> levelsOf(const cv::Mat1f& ink, const Vec2& centre, double 
   if (ring.size() < 8 || inside.size() < 4) return {};
   const auto tenth = inside.begin() + static_cast<std::ptrdiff_t>(inside.size() * 9 / 10);
   std::nth_element(inside.begin(), tenth, inside.end());
-  const Levels levels{static_cast<double>(medianOf(std::move(ring))), static_cast<double>(*tenth)};
+  const Levels levels{static_cast<double>(upperMedianOf(std::move(ring))), static_cast<double>(*tenth)};
   return levels.peak > levels.skin + 1.0 ? std::optional(levels) : std::nullopt;
 }
 
@@ -331,7 +325,7 @@ FoundDots findDots(const Photograph& picture, const std::optional<Ink>& known) {
   for (const Blob& blob : blobs.all) {
     if (blob.area >= kMinBlobPx && isRound(blob)) areas.push_back(static_cast<float>(blob.area));
   }
-  const double area = areas.empty() ? here->area : static_cast<double>(medianOf(areas));
+  const double area = areas.empty() ? here->area : static_cast<double>(upperMedianOf(areas));
   const cv::Mat3b full = matrixOf(picture);
   for (const Blob& blob : blobs.all) {
     if (blob.area < kMinArea * area || blob.area > kMaxArea * area || blob.area < kMinBlobPx / 2) continue;

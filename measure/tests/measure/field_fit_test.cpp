@@ -25,7 +25,7 @@ std::vector<FieldDatum> dataOf(const std::function<Vec2(const Vec2&)>& motion, c
   for (int row = 0; row < sheet.rows; ++row) {
     for (int column = 0; column < sheet.columns; ++column) {
       const Vec2 place = placeOf(sheet, column, row);
-      const Vec2 noise = noise_mm * Vec2(random.normal(), random.normal());
+      const Vec2 noise = noise_mm * random.normal2();
       // The picture's y is down.
       const Mat2 flip = Vec2(1.0, -1.0).asDiagonal();
       data.push_back({place, motion(place) + flip * shift_mm + noise, flip * place, flip});

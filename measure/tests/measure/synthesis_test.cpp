@@ -273,7 +273,7 @@ TEST(TrueField, OfAHalfSpaceIsTheSumOfPointForces) {
     Random random(3);
     constexpr int kForces = 200000;
     for (int i = 0; i < kForces; ++i) {
-      const Vec2 arm = place - patch * Vec2(random.normal(), random.normal());
+      const Vec2 arm = place - patch * random.normal2();
       const double r = arm.norm();
       moved += Vec2(1.0 - poisson + poisson * arm.x() * arm.x() / (r * r), poisson * arm.x() * arm.y() / (r * r)) / r;
     }

@@ -74,14 +74,6 @@ const MeasuringMeasurement& smallMeasuring() {
 
 }  // namespace
 
-TEST(MeasuringNumbers, PercentilesLieBetweenRanks) {
-  EXPECT_DOUBLE_EQ(percentileOf({10.0, 0.0}, 0.25), 2.5);
-  EXPECT_DOUBLE_EQ(percentileOf({4.0, 1.0, 3.0, 2.0, 5.0}, 0.5), 3.0);
-  EXPECT_DOUBLE_EQ(percentileOf({4.0, 1.0, 3.0, 2.0, 5.0}, 1.0), 5.0);
-  EXPECT_DOUBLE_EQ(percentileOf({7.0}, 0.95), 7.0);
-  EXPECT_TRUE(std::isnan(percentileOf({}, 0.5)));
-}
-
 TEST(MeasuringNumbers, AreOfTheWorseAxisOfAcceptedPairs) {
   JudgedPair wild = pairOff(50.0);
   wild.accepted = false;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
+#include "palpate/base/order_statistics.h"
 #include "palpate/training/records/row_json.h"
 
 namespace palpate::classroom {
@@ -15,14 +16,6 @@ using training::Uuid;
 constexpr double kTouchN = 0.02;  // less is noise, not a touch
 /// More trainees than any class has: a station that invents them must not fill the memory.
 constexpr std::size_t kMaxRemembered = 20000;
-
-/// Of values in order; between two of them linearly.
-double quantileOf(const std::vector<double>& sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 bool measures(const training::BlockRow& block) {
   return block.finished && block.threshold > 0.0 && block.method != training::Method::mastery;
@@ -191,8 +184,7 @@ std::vector<CurvePoint> ClassBoard::learningCurve() const {
     for (const auto& [block, threshold] : blocks) columns[number++].push_back(threshold);
   }
   std::vector<CurvePoint> curve;
-  for (std::vector<double>& column : columns) {
-    std::ranges::sort(column);
+  for (const std::vector<double>& column : columns) {
     curve.push_back({static_cast<int>(curve.size()) + 1, static_cast<int>(column.size()), quantileOf(column, 0.5),
                      quantileOf(column, 0.25), quantileOf(column, 0.75)});
   }

@@ -1,7 +1,6 @@
 #include "palpate/classroom/messages.h"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -10,6 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "palpate/base/base64.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/training/records/row_check.h"
@@ -165,27 +165,6 @@ template <class Content>
 std::optional<Message<Content>> messageOf(const MessageReader& reader, Envelope envelope, Content content) {
   if (!reader.good()) return std::nullopt;
   return Message<Content>{std::move(envelope), std::move(content)};
-}
-
-std::string base64(const std::string& bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
-  const int written =
-      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(written));
-  return text;
-}
-
-std::optional<std::string> bytesOfBase64(const std::string& text) {
-  if (text.empty() || text.size() % 4 != 0) return std::nullopt;
-  std::string bytes(3 * text.size() / 4, '\0');
-  const int written =
-      EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
-                      reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
-  if (written < 0) return std::nullopt;
-  const auto padding = static_cast<std::size_t>(std::count(text.end() - 2, text.end(), '='));
-  bytes.resize(static_cast<std::size_t>(written) - padding);
-  return bytes;
 }
 
 std::string packed(const std::string& text) {

@@ -77,15 +77,7 @@ class MadeTrainees {
     std::vector<training::Row> rows = {session, row};
     std::int64_t now_ms = start_ms;
     while (!block.finished()) rows.emplace_back(trial(block, row, now_ms, between(0.0, 1.0) < course.skipping));
-    const training::BlockResult result = block.result();
-    row.state_json = block.state();
-    row.finished = true;
-    row.threshold = result.threshold.median;
-    row.threshold_low = result.threshold.low;
-    row.threshold_high = result.threshold.high;
-    row.trials = result.trials;
-    row.mastered_change = result.level;
-    row.verdict = result.verdict;
+    row.keepStateOf(block);
     rows.emplace_back(row);
     rows.emplace_back(training::EventRow{
         .id = id(), .session_id = session.id, .at_ms = now_ms, .kind = "pause", .text = "asked Anna Muster to wait"});

@@ -247,7 +247,7 @@ TEST(TrainingOffers, WhatHasStayedCannotBeTestedBeforeItsTime) {
 
 class TrainingDoor : public testing::Test {
  protected:
-  SignIn sign_in(SignInSettings settings = {}) { return {store, training::builtInProtocol(), std::move(settings)}; }
+  SignIn signIn(SignInSettings settings = {}) { return {store, training::builtInProtocol(), std::move(settings)}; }
   static TrainingView seen(const SignIn& sign_in) {
     TrainingView view;
     sign_in.describe(view);
@@ -264,7 +264,7 @@ class TrainingDoor : public testing::Test {
 };
 
 TEST_F(TrainingDoor, TellsATypingErrorAndLetsItBeMended) {
-  SignIn door = sign_in();
+  SignIn door = signIn();
   std::string wrong = someCode();
   wrong.back() = wrong.back() == '0' ? '1' : '0';
   door.type(wrong);
@@ -282,7 +282,7 @@ TEST_F(TrainingDoor, TellsATypingErrorAndLetsItBeMended) {
 }
 
 TEST_F(TrainingDoor, AsksAboutANewCodeAndForConsentOnce) {
-  SignIn first = sign_in({.code = someCode()});
+  SignIn first = signIn({.code = someCode()});
   EXPECT_EQ(first.stage(), TrainingStage::new_code);
   EXPECT_TRUE(store.trainees().empty()) << "nothing is kept before there is consent";
   agree(first);
@@ -290,11 +290,11 @@ TEST_F(TrainingDoor, AsksAboutANewCodeAndForConsentOnce) {
   ASSERT_EQ(store.trainees().size(), 1u);
   EXPECT_TRUE(store.trainees().front().consent);
   EXPECT_EQ(store.trainees().front().dominant_hand, "right");
-  EXPECT_EQ(sign_in({.code = someCode()}).stage(), TrainingStage::choice);
+  EXPECT_EQ(signIn({.code = someCode()}).stage(), TrainingStage::choice);
 }
 
 TEST_F(TrainingDoor, KeepsNothingOfWhoeverDoesNotAgree) {
-  SignIn door = sign_in({.code = someCode()});
+  SignIn door = signIn({.code = someCode()});
   door.act(TrainingAct::yes, 0);
   EXPECT_EQ(door.stage(), TrainingStage::consent);
   door.act(TrainingAct::no, 0);
@@ -304,7 +304,7 @@ TEST_F(TrainingDoor, KeepsNothingOfWhoeverDoesNotAgree) {
 }
 
 TEST_F(TrainingDoor, MakesACodeForWhoeverHasNone) {
-  SignIn door = sign_in();
+  SignIn door = signIn();
   door.act(TrainingAct::make_code, 0);
   EXPECT_EQ(door.stage(), TrainingStage::own_code);
   EXPECT_EQ(training::codeTyped(seen(door).code), seen(door).code);
@@ -313,7 +313,7 @@ TEST_F(TrainingDoor, MakesACodeForWhoeverHasNone) {
 }
 
 TEST_F(TrainingDoor, GoesStraightToWhatWasAskedFor) {
-  SignIn door = sign_in({.code = someCode(), .kind = SessionKind::exam});
+  SignIn door = signIn({.code = someCode(), .kind = SessionKind::exam});
   agree(door);
   EXPECT_EQ(door.takeChosen(), SessionKind::exam);
   EXPECT_EQ(door.takeChosen(), std::nullopt);

@@ -33,7 +33,7 @@ Tested tested(double threshold, int bursts, int length, std::uint64_t seed) {
   Random random(seed + 1'000'000);
   std::vector<bool> away(40, false);
   for (int i = 0; i < bursts; ++i) {
-    const auto from = random.below(static_cast<std::uint64_t>(40 - length + 1));
+    const auto from = random.below(41 - static_cast<std::uint64_t>(length));
     for (int j = 0; j < length; ++j) away[from + static_cast<std::size_t>(j)] = true;
   }
   const Psychometric trainee{.threshold = threshold, .slope = idealSlope(12)};
@@ -62,7 +62,7 @@ struct Shares {
 Shares sharesOf(int pairs, int bursts, int length) {
   Shares shares;
   for (int i = 0; i < pairs; ++i) {
-    const auto seed = static_cast<std::uint64_t>(100 * bursts + 10'000 * i);
+    const auto seed = 100 * static_cast<std::uint64_t>(bursts) + 10'000 * static_cast<std::uint64_t>(i);
     const Tested before = tested(thresholdOf(i), bursts, length, seed + 1);
     const Tested now = tested(thresholdOf(i), bursts, length, seed + 2);
     shares.tests += 2;

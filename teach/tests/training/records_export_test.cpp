@@ -76,15 +76,7 @@ struct RealSession {
       block.answer({trial.site_answer, trial.correct, 12, true});
       trials.emplace_back(trial);
     }
-    const BlockResult result = block.result();
-    row.state_json = block.state();
-    row.finished = block.finished();
-    row.threshold = result.threshold.median;
-    row.threshold_low = result.threshold.low;
-    row.threshold_high = result.threshold.high;
-    row.trials = result.trials;
-    row.mastered_change = result.level;
-    row.verdict = result.verdict;
+    row.keepStateOf(block);
     rows.emplace_back(row);
     rows.insert(rows.end(), trials.begin(), trials.end());
     rows.emplace_back(EventRow{samples::id(5, 1), session.id, session.start_ms, "message", "Well done, Anna Smith!"});

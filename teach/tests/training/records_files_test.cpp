@@ -129,7 +129,7 @@ void record(const fs::path& file, int ticks, bool finished, std::uint64_t seed =
   for (int i = 0; i < ticks; ++i) {
     trace::Sample sample;
     sample.tick = static_cast<std::uint64_t>(i);
-    sample.contact.tip = Vec3(noise_of.uniform(), noise_of.uniform(), noise_of.uniform());
+    sample.contact.tip = noise_of.uniform3();
     writer.add(sample);
   }
   writer.flush();

@@ -74,13 +74,13 @@ Averages averaged(const std::vector<Table>& tables, const std::optional<Drag>& d
 std::vector<measure::StencilSheet> stencil(double spacing_mm, int columns, int rows, double hole_mm,
                                            const std::string& page, bool scale_target) {
   using measure::StencilPage;
-  static const std::map<std::string, StencilPage> kPages = {{"auto", StencilPage::fitting},
+  static const std::map<std::string, StencilPage> pages = {{"auto", StencilPage::fitting},
                                                             {"a4", StencilPage::a4},
                                                             {"a3", StencilPage::a3},
                                                             {"a2", StencilPage::a2},
                                                             {"tiled-a4", StencilPage::tiled_a4}};
-  const auto found = kPages.find(page);
-  if (found == kPages.end()) {
+  const auto found = pages.find(page);
+  if (found == pages.end()) {
     throw py::value_error("page: \"auto\", \"a4\", \"a3\", \"a2\" or \"tiled-a4\", not " + page);
   }
   return measure::stencilSheets({.spacing_mm = spacing_mm,

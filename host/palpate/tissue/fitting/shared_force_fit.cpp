@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "palpate/base/order_statistics.h"
 #include "palpate/tissue/fitting/force_fit.h"
 #include "palpate/tissue/fitting/force_rows.h"
 
@@ -19,12 +20,6 @@ struct ForcePlace {
   Eigen::ArrayXd weights;
   double secant = 0.0;
 };
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 std::vector<ForcePlace> forcePlaces(std::span<const ForceCurve> curves, const std::vector<ForceFit>& alone) {
   std::vector<ForcePlace> places;
@@ -104,7 +99,7 @@ ForceFit fitSharedForce(std::span<const ForceCurve> curves, ForceForm form, cons
     secants.push_back(alone.back().secant.value);
   }
   const std::vector<ForcePlace> places = forcePlaces(curves, alone);
-  const double secant = medianOf(secants);
+  const double secant = upperMedianOf(secants);
   if (form == ForceForm::measured) return fitForce(pooled(places, alone, secant), form, {});
 
   const BoundedFit solved = solvePlaces(places, form);

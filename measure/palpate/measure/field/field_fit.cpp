@@ -20,6 +20,7 @@
 #include <limits>
 #include <utility>
 
+#include "palpate/base/order_statistics.h"
 #include "palpate/measure/field/field_form.h"
 #include "palpate/tissue/solved_drag.h"
 
@@ -372,12 +373,6 @@ Prior priorOf(std::span<const FieldDatum> data, const DriftPrior& drift, FieldFo
   return {form, drift, std::clamp(kPeakOverSeen * seen, 1.0, kPeakMostMm)};
 }
 
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Where the skin is seen at a grazing angle a pixel is many millimetres.
 double stretchOf(const FieldDatum& datum) {
   return std::max(1.0, Eigen::JacobiSVD<Mat2>(datum.to_skin).singularValues()[0]);
@@ -395,7 +390,7 @@ std::vector<double> residualsOf(std::span<const FieldDatum> data, FieldForm form
 std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const double> stretches, FieldForm form,
                               const FieldNumbers& n) {
   constexpr double kComponentOfLength = 0.6745 / 1.1774;  // medians of a component and of a length of two
-  const double noise = std::max(kMinSdMm, kSdMedians * kComponentOfLength * medianOf(residualsOf(data, form, n)));
+  const double noise = std::max(kMinSdMm, kSdMedians * kComponentOfLength * upperMedianOf(residualsOf(data, form, n)));
   std::vector<double> sd;
   const Shape shape = shapeOf(n);
   for (std::size_t i = 0; i < data.size(); ++i) {
@@ -482,7 +477,7 @@ FittedField fitOne(std::span<const FieldDatum> data, const DriftPrior& drift, st
 std::vector<double> sharesOf(std::span<const FieldDatum> data, const DriftPrior& drift,
                              std::span<const double> stretches, std::span<const FittedField> forms) {
   const auto best = std::min_element(forms.begin(), forms.end(), [](const FittedField& a, const FittedField& b) {
-    return medianOf(a.residuals_mm) < medianOf(b.residuals_mm);
+    return upperMedianOf(a.residuals_mm) < upperMedianOf(b.residuals_mm);
   });
   const std::vector<double> sd = weightsOf(data, stretches, best->form, best->numbers);
   std::vector<double> costs;

@@ -119,8 +119,8 @@ BodyMotion drawMotion(std::uint64_t seed, double drift_mm) {
   Random random(seed);
   const double size = drift_mm / 1.5;
   BodyMotion motion;
-  motion.shift_mm = size * Vec3(1.5 * random.normal(), 1.5 * random.normal(), 2.0 * random.normal());
-  motion.turn_rad = size * 0.3 * kRadPerDeg * Vec3(random.normal(), random.normal(), random.normal());
+  motion.shift_mm = size * Vec3(1.5, 1.5, 2.0).cwiseProduct(random.normal3());
+  motion.turn_rad = size * 0.3 * kRadPerDeg * random.normal3();
   motion.scale = size * 0.0015 * random.normal();
   return motion;
 }

@@ -84,8 +84,9 @@ StickPicture stickOf(const SyntheticCase& made, const SyntheticBody& body, const
 cv::Mat clothOf(const SyntheticCase& made) {
   Random random(made.look.seed ^ 0x9d39247e33776d41ull);
   cv::Mat_<cv::Vec3f> cloth(made.height_px / 40 + 4, made.width_px / 40 + 4);
-  const cv::Vec3f base(static_cast<float>(random.uniform(0.22, 0.36)), static_cast<float>(random.uniform(0.25, 0.38)),
-                       static_cast<float>(random.uniform(0.24, 0.38)));
+  const auto blue = static_cast<float>(random.uniform(0.24, 0.38));
+  const auto green = static_cast<float>(random.uniform(0.25, 0.38));
+  const cv::Vec3f base(static_cast<float>(random.uniform(0.22, 0.36)), green, blue);
   for (cv::Vec3f& value : cloth) value = static_cast<float>(random.uniform(0.75, 1.15)) * base;
   return cloth;
 }

@@ -101,11 +101,13 @@ void paintMolesAndPimples(cv::Mat& albedo, const SkinTexture& texture, const Ski
   const cv::Vec3f pimple(base[0], 0.55f * base[1], 0.55f * base[2]);
   for (int i = 0; i < look.moles; ++i) {
     const Vec2 place = somewhere(random);
-    paintBlot(albedo, texture, place, random.uniform(0.6, 2.6), mole, random.uniform(0.6, 0.95));
+    const double strength = random.uniform(0.6, 0.95);
+    paintBlot(albedo, texture, place, random.uniform(0.6, 2.6), mole, strength);
   }
   for (int i = 0; i < look.moles; ++i) {
     const Vec2 place = somewhere(random);
-    paintBlot(albedo, texture, place, random.uniform(0.7, 2.0), pimple, random.uniform(0.3, 0.7));
+    const double strength = random.uniform(0.3, 0.7);
+    paintBlot(albedo, texture, place, random.uniform(0.7, 2.0), pimple, strength);
   }
 }
 
@@ -197,7 +199,7 @@ InkMarks layMarks(const DotMarks& marks) {
   for (int row = 0; row < marks.rows; ++row) {
     for (int column = 0; column < marks.columns; ++column) {
       const Vec2 site = marks.corner_mm + marks.spacing_mm * Vec2(column, row);
-      const Vec2 slip = marks.jitter_mm * Vec2(random.normal(), random.normal());
+      const Vec2 slip = marks.jitter_mm * random.normal2();
       laid.dots.push_back({{column, row}, site + slip, marks.radius_mm * random.uniform(0.9, 1.1)});
     }
   }

@@ -78,6 +78,19 @@ struct BlockRow {
   int trials = 0;
   std::optional<double> mastered_change = {};
   Verdict verdict = Verdict::none;
+
+  /// What the block knows by now.
+  void keepStateOf(const Block& block) {
+    const BlockResult so_far = block.result();
+    state_json = block.state();
+    finished = block.finished();
+    threshold = so_far.threshold.median;
+    threshold_low = so_far.threshold.low;
+    threshold_high = so_far.threshold.high;
+    trials = so_far.trials;
+    mastered_change = so_far.level;
+    verdict = so_far.verdict;
+  }
 };
 
 struct TrialRow {

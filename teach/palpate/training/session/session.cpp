@@ -244,17 +244,8 @@ struct Session::Impl {
     keepEvent("break", "offered", now);
   }
 
-  /// With what the block knows by now.
   void keepBlock() {
-    const BlockResult so_far = block->result();
-    block_row.state_json = block->state();
-    block_row.finished = block->finished();
-    block_row.threshold = so_far.threshold.median;
-    block_row.threshold_low = so_far.threshold.low;
-    block_row.threshold_high = so_far.threshold.high;
-    block_row.trials = so_far.trials;
-    block_row.mastered_change = so_far.level;
-    block_row.verdict = so_far.verdict;
+    block_row.keepStateOf(*block);
     rows.emplace_back(block_row);
   }
 

@@ -8,6 +8,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
+#include "palpate/base/order_statistics.h"
 
 namespace palpate::training {
 
@@ -36,12 +37,6 @@ MeantPress meantPress(const ObserverSettings& observer, Random& random) {
   const double y = beside();
   const double force = observer.press_n * std::exp(kForceSd * random.normal());
   return {.beside_mm = Vec2(x, y), .force_n = force, .hold_s = observer.press_s * std::exp(kHoldSd * random.normal())};
-}
-
-double medianOf(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <tuple>
 #include <utility>
 
+#include "palpate/base/base64.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/detail/byte_reader.h"
@@ -75,30 +76,10 @@ double componentAt(const char* data, int component_type, bool normalised) {
 
 // --- where a buffer's bytes come from ---
 
-/// Value of a base64 digit, -1 for anything else.
-int base64Digit(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  return c == '+' ? 62 : c == '/' ? 63 : -1;
-}
-
 std::string decodeBase64(std::string_view digits, JsonValue where) {
-  while (digits.ends_with('=')) digits.remove_suffix(1);
-  std::string bytes;
-  bytes.reserve(digits.size() / 4 * 3 + 3);
-  std::uint32_t bits = 0;
-  int bit_count = 0;
-  for (char c : digits) {
-    const int digit = base64Digit(c);
-    if (digit < 0) where.fail("a data URI that is not base64");
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    bit_count += 6;
-    if (bit_count < 8) continue;
-    bit_count -= 8;
-    bytes += static_cast<char>(bits >> bit_count & 0xffu);
-  }
-  return bytes;
+  std::optional<std::string> bytes = bytesOfBase64(digits);
+  if (!bytes) where.fail("a data URI that is not base64");
+  return *std::move(bytes);
 }
 
 /// %20 and the like.

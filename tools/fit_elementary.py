@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Writes core/palpate/base/detail/elementary_tables.h: what the elementary functions look up, from 60 digits.
+
+  tools/fit_elementary.py            writes the table
+  tools/fit_elementary.py --check    exit code 1 when the table is not what would be written
+
+Needs mpmath (python3-mpmath)."""
+import pathlib
+import sys
+
+import mpmath
+from mpmath import mpf
+
+mpmath.mp.prec = 1400  # 2/pi is written to 1200 bits
+TABLE = pathlib.Path(__file__).resolve().parent.parent / "core/palpate/base/detail/elementary_tables.h"
+
+
+def double(value):
+    """Rounded once."""
+    with mpmath.workprec(53):
+        return float(+value)
+
+
+def words(value):
+    return float.hex(value)
+
+
+def pair(value):
+    """Two doubles whose sum is the value to some 2^-107 of it."""
+    high = double(value)
+    return high, double(value - mpf(high))
+
+
+def short(value, bits):
+    """The leading bits of the value: products with whole numbers of the other 53 - bits are exact."""
+    scale = mpf(2) ** (bits - 1 - int(mpmath.floor(mpmath.log(abs(value), 2))))
+    return float(mpmath.nint(value * scale) / scale)
+
+
+def pair_line(value):
+    return "    {%s, %s},\n" % tuple(words(part) for part in pair(value))
+
+
+def pair_table(name, about, values):
+    values = list(values)
+    body = "".join(pair_line(v) for v in values)
+    return f"/// {about}\ninline constexpr DoublePair {name}[{len(values)}] = {{\n{body}}};\n\n"
+
+
+def doubles(name, about, values):
+    values = list(values)
+    body = "".join(f"    {words(double(v))},\n" for v in values)
+    return f"/// {about}\ninline constexpr double {name}[{len(values)}] = {{\n{body}}};\n\n"
+
+
+def pair_constant(name, about, value):
+    return f"/// {about}\ninline constexpr DoublePair {name} = {{%s, %s}};\n" % tuple(words(p) for p in pair(value))
+
+
+def parts(name, about, value, bits, count):
+    """count doubles; all but the last have few bits, the last is what is left."""
+    found = []
+    for _ in range(count - 1):
+        found.append(short(value, bits))
+        value -= mpf(found[-1])
+    found.append(double(value))
+    numbers = ", ".join(words(n) for n in found)
+    return f"/// {about}\ninline constexpr double {name}[{count}] = {{{numbers}}};\n"
+
+
+def text():
+    ln2, pi = mpmath.log(2), mpmath.pi
+    two_over_pi = mpmath.floor(2 / pi * mpf(2) ** 1216)
+    limbs = [int(two_over_pi / mpf(2) ** (1216 - 32 * (i + 1))) & 0xFFFFFFFF for i in range(38)]
+    out = "// Written by tools/fit_elementary.py; do not edit by hand. What base/elementary.cpp looks up.\n#pragma once\n\n"
+    out += "#include <cstdint>\n\nnamespace palpate::elementary {\n\n// clang-format off\n"
+    out += "/// Their sum is meant: `low` is at most half of the last bit of `high`.\nstruct DoublePair {\n  double high, low;\n};\n\n"
+    out += parts("kLn2", "ln 2. The first has 32 bits: its product with an exponent is exact.", ln2, 32, 2)
+    out += parts("kLn2Of128", "ln 2 / 128. The first has 32 bits: its product with a whole number below 2^18 is exact.", ln2 / 128, 32, 2)
+    out += f"/// 128 / ln 2.\ninline constexpr double k128OfLn2 = {words(double(128 / ln2))};\n"
+    out += pair_constant("kOneOfLn2", "1 / ln 2.", 1 / ln2)
+    out += pair_constant("kLn2Pair", "ln 2.", ln2)
+    out += parts("kHalfPi", "pi / 2. Products of all but the last with a whole number below 2^20 are exact.", pi / 2, 33, 4)
+    out += pair_constant("kHalfPiPair", "pi / 2.", pi / 2)
+    out += pair_constant("kPiPair", "pi.", pi)
+    out += f"/// 2 / pi.\ninline constexpr double kTwoOfPi = {words(double(2 / pi))};\n"
+    out += f"/// 2 / sqrt(pi).\ninline constexpr double kTwoOfRootPi = {words(double(2 / mpmath.sqrt(pi)))};\n\n"
+    out += "/// 2 / pi as a binary fraction, 32 bits each.\ninline constexpr std::uint32_t kTwoOfPiBits[38] = {\n"
+    for i in range(0, 38, 8):
+        out += "    " + " ".join(f"0x{limb:08x}," for limb in limbs[i : i + 8]) + "\n"
+    out += "};\n\n"
+    out += pair_table("kExp2Of128ths", "2^(j / 128), j from 0.", (mpf(2) ** (mpf(j) / 128) for j in range(128)))
+    out += pair_table("kLogOf128ths", "ln(j / 128), j from kFirstLog.", (mpmath.log(mpf(j) / 128) for j in range(90, 183)))
+    out += "inline constexpr int kFirstLog = 90;\n\n"
+    out += doubles("kOneOf128ths", "128 / j, j from kFirstLog.", (mpf(128) / j for j in range(90, 183)))
+    out += pair_table("kAtanOf64ths", "atan(j / 64), j from 0 to 64.", (mpmath.atan(mpf(j) / 64) for j in range(65)))
+    out += pair_table("kErfOf16ths", "erf(j / 16), j from 0 to 96.", (mpmath.erf(mpf(j) / 16) for j in range(97)))
+    slopes = (2 / mpmath.sqrt(pi) * mpmath.exp(-(mpf(j) / 16) ** 2) for j in range(97))
+    out += doubles("kErfSlopeOf16ths", "2 / sqrt(pi) exp(-(j / 16)^2): the slope of erf, j from 0 to 96.", slopes)
+    out += "// clang-format on\n\n}  // namespace palpate::elementary\n"
+    return out
+
+
+def main():
+    if "--check" in sys.argv:
+        if TABLE.read_text() != text():
+            sys.exit(f"{TABLE}: not what tools/fit_elementary.py writes")
+    else:
+        TABLE.parent.mkdir(exist_ok=True)
+        TABLE.write_text(text())
+
+
+if __name__ == "__main__":
+    main()
