@@ -5,6 +5,7 @@
   tools/fit_elementary.py --check    exit code 1 when the table is not what would be written
 
 Needs mpmath (python3-mpmath)."""
+import argparse
 import pathlib
 import sys
 
@@ -79,12 +80,10 @@ def text():
     out += parts("kLn2Of128", "ln 2 / 128. The first has 32 bits: its product with a whole number below 2^18 is exact.", ln2 / 128, 32, 2)
     out += f"/// 128 / ln 2.\ninline constexpr double k128OfLn2 = {words(double(128 / ln2))};\n"
     out += pair_constant("kOneOfLn2", "1 / ln 2.", 1 / ln2)
-    out += pair_constant("kLn2Pair", "ln 2.", ln2)
     out += parts("kHalfPi", "pi / 2. Products of all but the last with a whole number below 2^20 are exact.", pi / 2, 33, 4)
     out += pair_constant("kHalfPiPair", "pi / 2.", pi / 2)
     out += pair_constant("kPiPair", "pi.", pi)
-    out += f"/// 2 / pi.\ninline constexpr double kTwoOfPi = {words(double(2 / pi))};\n"
-    out += f"/// 2 / sqrt(pi).\ninline constexpr double kTwoOfRootPi = {words(double(2 / mpmath.sqrt(pi)))};\n\n"
+    out += f"/// 2 / pi.\ninline constexpr double kTwoOfPi = {words(double(2 / pi))};\n\n"
     out += "/// 2 / pi as a binary fraction, 32 bits each.\ninline constexpr std::uint32_t kTwoOfPiBits[38] = {\n"
     for i in range(0, 38, 8):
         out += "    " + " ".join(f"0x{limb:08x}," for limb in limbs[i : i + 8]) + "\n"
@@ -102,7 +101,9 @@ def text():
 
 
 def main():
-    if "--check" in sys.argv:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="write nothing")
+    if parser.parse_args().check:
         if TABLE.read_text() != text():
             sys.exit(f"{TABLE}: not what tools/fit_elementary.py writes")
     else:

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include "palpate/base/detail/elementary_tables.h"
 
@@ -92,7 +94,7 @@ ExpParts partsOfExponent(double whole) {
   return {n >> 7, &kExp2Of128ths[n & 127]};
 }
 
-/// exp r - 1 - r over r, to 2^-70 of r.
+/// (exp r - 1 - r) / r, to 2^-63 of r.
 double expTail(double r) {
   return r * (1.0 / 2.0 + r * (1.0 / 6.0 + r * (1.0 / 24.0 + r * (1.0 / 120.0 + r * (1.0 / 720.0)))));
 }
@@ -120,8 +122,7 @@ DoublePair expm1Pair(double x) {
   const double two_k = powerOfTwo(parts.k);
   // exp r - 1 = r + r^2 / 2 + ...; the square as a pair, since near zero all of it is the answer.
   const DoublePair square = exactProduct(r.high, r.high);
-  const double rest =
-      r.low + r.high * r.low + 0.5 * square.low + r.high * r.high * (expTail(r.high) - 0.5 * r.high) / r.high;
+  const double rest = r.low + r.high * r.low + 0.5 * square.low + r.high * (expTail(r.high) - 0.5 * r.high);
   const DoublePair beyond_one = sum(exactSum(r.high, 0.5 * square.high), {rest, 0.0});
   const DoublePair grown = product({two_k * parts.table->high, two_k * parts.table->low}, beyond_one);
   const DoublePair base = exactSum(two_k * parts.table->high, -1.0);
@@ -331,7 +332,7 @@ DoublePair atanOfShare(double a, double b) {
 
 DoublePair difference(DoublePair a, DoublePair b) { return sum(a, {-b.high, -b.low}); }
 
-/// Of y >= 0; x and y finite, not both zero; x_low and y_low what they lack.
+/// Of y > 0; x and y finite.
 double atan2Upper(double y, double x) {
   const double size_x = std::fabs(x);
   const bool steep = y > size_x;
@@ -377,7 +378,7 @@ double exp2(double x) noexcept {
     if (x != x) return x;
   }
   const double whole = (x * 128.0 + kRounder) - kRounder;
-  return expOf(whole, (x - whole / 128.0) * kLn2Pair.high, 0.0);
+  return expOf(whole, (x - whole / 128.0) * std::numbers::ln2, 0.0);
 }
 
 double expm1(double x) noexcept {
@@ -469,11 +470,7 @@ double hypot(double x, double y) noexcept {
   double large = std::fabs(x);
   double small = std::fabs(y);
   if (large == kInfinity || small == kInfinity) return kInfinity;
-  if (large < small) {
-    const double swapped = large;
-    large = small;
-    small = swapped;
-  }
+  if (large < small) std::swap(large, small);
   if (!(small >= large * 0x1p-54)) return large + small;  // the smaller one does not show; or NaN
   double back = 1.0;
   if (large > 0x1p500) {

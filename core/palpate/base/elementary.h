@@ -4,7 +4,7 @@
 //
 // Each uses + - * / and sqrt alone, which IEEE 754 rounds the same way everywhere, in one order, without fused
 // multiply-add. Results are within 1 ulp of the exact value: at most 0.81 ulp was found over 10^7 arguments each. What
-// the C standard's Annex F says of zeros, infinities and NaN holds; errno and the floating-point flags are not touched.
+// the C standard's Annex F says of zeros, infinities and NaN holds; errno is not touched.
 // Any thread; nothing is allocated.
 //
 // Written from the literature, not from another library: Cody and Waite, "Software Manual for the Elementary Functions"

@@ -620,7 +620,7 @@ TEST_F(TrainingWindow, HidesThePlaceInTheBodyBeforeTheClockOfTheTrialBegins) {
   ASSERT_TRUE(stage.press(2));
   stage.answer(hidden->site);
   ASSERT_EQ(stage.session().screen(), Screen::feedback);
-  stage.key(Key::space);
+  stage.frame({pressOf(Key::space)});  // no more: the next one may have the new body
   ASSERT_TRUE(stage.training->waiting()) << "each trial has a body of its own";
   EXPECT_NE(stage.words().find(kOneMoment), std::string::npos);
   EXPECT_FALSE(stage.training->screen().time_left);

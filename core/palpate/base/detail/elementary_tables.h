@@ -19,8 +19,6 @@ inline constexpr double kLn2Of128[2] = {0x1.62e42ff000000p-8, -0x1.718432a1b0e26
 inline constexpr double k128OfLn2 = 0x1.71547652b82fep+7;
 /// 1 / ln 2.
 inline constexpr DoublePair kOneOfLn2 = {0x1.71547652b82fep+0, 0x1.777d0ffda0d24p-56};
-/// ln 2.
-inline constexpr DoublePair kLn2Pair = {0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 /// pi / 2. Products of all but the last with a whole number below 2^20 are exact.
 inline constexpr double kHalfPi[4] = {0x1.921fb54400000p+0, 0x1.0b4611a600000p-34, 0x1.3198a2e000000p-69, 0x1.b839a252049c1p-104};
 /// pi / 2.
@@ -29,8 +27,6 @@ inline constexpr DoublePair kHalfPiPair = {0x1.921fb54442d18p+0, 0x1.1a62633145c
 inline constexpr DoublePair kPiPair = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
 /// 2 / pi.
 inline constexpr double kTwoOfPi = 0x1.45f306dc9c883p-1;
-/// 2 / sqrt(pi).
-inline constexpr double kTwoOfRootPi = 0x1.20dd750429b6dp+0;
 
 /// 2 / pi as a binary fraction, 32 bits each.
 inline constexpr std::uint32_t kTwoOfPiBits[38] = {
