@@ -281,16 +281,19 @@ Reduced reduced(double x) {
   return {static_cast<int>(static_cast<std::int64_t>(n) & 3), rest};
 }
 
+/// The cube's share is up to an eighth of the result, so it is a pair, too.
 DoublePair sinOfRest(DoublePair r) {
-  const double z = r.high * r.high;
+  const DoublePair square = exactProduct(r.high, r.high);
+  const double z = square.high;
   const double tail =
-      -1.0 / 6.0 +
-      z * (1.0 / 120.0 +
-           z * (-1.0 / 5040.0 +
-                z * (1.0 / 362880.0 +
-                     z * (-1.0 / 39916800.0 +
-                          z * (1.0 / 6227020800.0 + z * (-1.0 / 1307674368000.0 + z * (1.0 / 355687428096000.0)))))));
-  return quickSum(r.high, r.high * z * tail + r.low * (1.0 - 0.5 * z));
+      1.0 / 120.0 +
+      z * (-1.0 / 5040.0 + z * (1.0 / 362880.0 + z * (-1.0 / 39916800.0 +
+                                                      z * (1.0 / 6227020800.0 + z * (-1.0 / 1307674368000.0 +
+                                                                                     z * (1.0 / 355687428096000.0))))));
+  const DoublePair cube = product(square, {r.high, 0.0});
+  const DoublePair sixth = quotient(cube, {-6.0, 0.0});
+  const DoublePair first = quickSum(r.high, sixth.high);
+  return quickSum(first.high, first.low + (sixth.low + cube.high * z * tail + r.low * (1.0 - 0.5 * z)));
 }
 
 DoublePair cosOfRest(DoublePair r) {

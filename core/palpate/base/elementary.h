@@ -3,9 +3,9 @@
 // one after another (CHANGELOG); tests/base/elementary_test.cpp holds them against MPFR.
 //
 // Each uses + - * / and sqrt alone, which IEEE 754 rounds the same way everywhere, in one order, without fused
-// multiply-add. Results are within 1 ulp of the exact value: at most 0.81 ulp was found over 10^7 arguments each. What
-// the C standard's Annex F says of zeros, infinities and NaN holds; errno is not touched.
-// Any thread; nothing is allocated.
+// multiply-add. Results are within 1 ulp of the exact value: none was off by 0.85 ulp among 10^7 arguments of each.
+// What the C standard's Annex F says of zeros, infinities and NaN holds; errno is not touched. Any thread; nothing is
+// allocated.
 //
 // Written from the literature, not from another library: Cody and Waite, "Software Manual for the Elementary Functions"
 // (1980); Tang, "Table-driven implementation of the exponential function" (TOMS 15, 1989) and "... of the logarithm

@@ -171,11 +171,11 @@ TEST(Elementary, AnglesOfAnySizeAreWithinAnUlp) {
 }
 
 TEST(Elementary, PowersAndLengthsAreWithinAnUlp) {
-  const Arguments2 anyResult = [](Random& random) {
+  const Arguments2 any_result = [](Random& random) {
     const double x = std::abs(anyDouble(random));
     return Two{x, random.uniform(-746.0, 710.0) / std::log(x)};
   };
-  const Arguments2 nearOne = [](Random& random) {
+  const Arguments2 near_one = [](Random& random) {
     const double x = near(1.0)(random);
     return Two{std::abs(x), random.uniform(-740.0, 709.0) / std::log(std::abs(x))};
   };
@@ -183,7 +183,7 @@ TEST(Elementary, PowersAndLengthsAreWithinAnUlp) {
     const double x = random.uniform(0.0, 10.0);
     return Two{x, random.uniform(-5.0, 5.0)};
   };
-  expectWithinAnUlp(elementary::pow, mpfr_pow, {anyResult, nearOne, usual});
+  expectWithinAnUlp(elementary::pow, mpfr_pow, {any_result, near_one, usual});
   expectWithinAnUlp(elementary::hypot, mpfr_hypot, {bothAny, ofOneSize});
 }
 
@@ -254,7 +254,7 @@ TEST(Elementary, GiveTheKeptBits) {
       bits = (bits ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u;
     }
   }
-  EXPECT_EQ(bits, 12671825734861767268u);
+  EXPECT_EQ(bits, 5537192728425342020u);
 }
 
 }  // namespace palpate
