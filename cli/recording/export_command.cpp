@@ -17,6 +17,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/engine/recording_bundle.h"
+#include "palpate/engine/recording_settings.h"
 #include "palpate/trace/forces_csv.h"
 
 namespace palpate::app {
@@ -93,7 +94,8 @@ std::string writePly(trace::RecordingReader& recording, const ExportArguments& a
   const auto world = worldToSee(recording, frame.front().world, folder, {}, progress);
   requireFitting(frame, *world);
   writeSurface(arguments.ply, *world, frame);
-  const std::string note = noteOfAnotherWorld(recording, frame.front().world, *world);
+  const std::string note =
+      engine::noteOfAnotherWorld(recording.world(frame.front().world), frame.front().world, *world);
   return fmt::format("skin at {:.3f} s -> {}\n", static_cast<double>(frame.front().tick) / rate,
                      arguments.ply.string()) +
          (note.empty() ? note : "  note: " + note + "\n");

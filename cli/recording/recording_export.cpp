@@ -250,14 +250,6 @@ std::shared_ptr<const scene::World> worldToSee(trace::RecordingReader& recording
   return scene::build(scene, progress);
 }
 
-std::string noteOfAnotherWorld(trace::RecordingReader& recording, std::uint32_t number, const scene::World& world) {
-  const trace::RecordingWorld recorded = recording.world(number);
-  if (engine::hashOf(world) == recorded.hash) return {};
-  return fmt::format(
-      "world {} is not the recorded one: its body or its stiffness is another ({} triangles instead of {})", number,
-      world.body->skin.triangles.size(), recorded.triangles);
-}
-
 std::vector<servo::TickSamples> recordedFrames(trace::RecordingReader& recording, const std::vector<double>& times_s) {
   const trace::RecordingFacts& facts = recording.facts();
   if (facts.samples == 0) throw Error("the recording holds no tick");

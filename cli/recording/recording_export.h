@@ -31,9 +31,6 @@ std::shared_ptr<const scene::World> worldToSee(trace::RecordingReader& recording
                                                const std::function<void(scene::Scene&)>& change,
                                                const Progress& progress);
 
-/// A sentence where such a world is not the recorded one; empty: it is.
-std::string noteOfAnotherWorld(trace::RecordingReader& recording, std::uint32_t number, const scene::World& world);
-
 /// The fingers at these times, s, which must not fall. Throws Error for one that is not in the recording.
 std::vector<servo::TickSamples> recordedFrames(trace::RecordingReader& recording, const std::vector<double>& times_s);
 

@@ -2,6 +2,7 @@
 
 #include "cli/recording/recording_export.h"
 #include "palpate/base/error.h"
+#include "palpate/engine/recording_settings.h"
 
 namespace palpate::app {
 
@@ -41,7 +42,7 @@ std::shared_ptr<const scene::World> RecordedInput::worldOf(const servo::TickSamp
         recording_, number, carried_.folder(),
         [this](scene::Scene& scene) { scene.view = viewOf(options_, scene.view); }, progress);
     number_ = number;
-    note_ = noteOfAnotherWorld(recording_, number, *world_);
+    note_ = engine::noteOfAnotherWorld(recording_.world(number), number, *world_);
   }
   requireFitting(frame, *world_);
   return world_;

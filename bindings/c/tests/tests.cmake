@@ -22,7 +22,7 @@ target_link_libraries(test_c_forces PRIVATE palpate palpate_lab palpate_build)
 target_sources(test_c_forces PRIVATE ${PROJECT_SOURCE_DIR}/lab/counters/thread_counts.cpp) # before the C library's own
 
 # A run of the command, then each of its ticks through the C interface.
-set(kept_session ${PROJECT_SOURCE_DIR}/tests/data/sessions/version_3/trunk.session)
+set(kept_session ${PROJECT_SOURCE_DIR}/tests/data/sessions/version_5/trunk.session)
 if(TARGET palpate_command)
   add_test(NAME c.simulate COMMAND palpate_command simulate ${tests}/press.toml --session --no-pictures --no-plot --overwrite
            --out ${c_stage}/run)

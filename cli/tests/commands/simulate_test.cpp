@@ -248,19 +248,6 @@ TEST_F(Simulate, RunsTheDefaultSceneFromAnyFolder) {
   }
 }
 
-TEST_F(Simulate, AnUnoptimisedBuildGivesTheSameForcesBitByBit) {
-  const auto twin = std::filesystem::path(PALPATE_BINARY_DIR) / "twin/scene_unoptimised";
-  if (!std::filesystem::exists(twin)) GTEST_SKIP() << "built without PALPATE_DETERMINISM_BUILD (tools/test-heavy)";
-  // Not the torso: without optimisation its bones take minutes.
-  write("dome.toml",
-        "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n[[finger]]\nname = \"a\"\ntrajectory = \"path.csv\"\n");
-  ASSERT_EQ(simulate("dome.toml --out fast").exit_code, 0);
-  ASSERT_EQ(support::runProgram(twin, "dome.toml slow.csv", folder_.path()).exit_code, 0);
-  const std::string forces = contentOf(folder_ / "fast/forces.csv");
-  EXPECT_GT(forces.size(), 100'000u);
-  EXPECT_TRUE(forces == contentOf(folder_ / "slow.csv"));
-}
-
 TEST_F(Simulate, RunsInRealTimeBesideTheDeformation) {
   ASSERT_EQ(simulate("--mesh dome.obj --trajectory path.csv --realtime").exit_code, 0);
   const auto json = report();

@@ -12,6 +12,8 @@
 #include <numbers>
 #include <span>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate {
 
 namespace {
@@ -50,7 +52,7 @@ Colour betweenKnots(std::span<const ColourBytes> knots, double value) {
 
 /// The sRGB transfer curve (IEC 61966-2-1), clamped to what a screen can show.
 double encoded(double linear) {
-  const double value = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
+  const double value = linear <= 0.0031308 ? 12.92 * linear : 1.055 * elementary::pow(linear, 1.0 / 2.4) - 0.055;
   return std::clamp(value, 0.0, 1.0);
 }
 
@@ -63,13 +65,13 @@ struct Msh {
 
 /// CIELAB under D65 to sRGB.
 Colour colourOf(const Msh& msh) {
-  const double lightness = msh.magnitude * std::cos(msh.saturation);
-  const double chroma = msh.magnitude * std::sin(msh.saturation);
+  const double lightness = msh.magnitude * elementary::cos(msh.saturation);
+  const double chroma = msh.magnitude * elementary::sin(msh.saturation);
   const double fy = (lightness + 16.0) / 116.0;
   const auto inverse = [](double f) { return f > 6.0 / 29.0 ? f * f * f : (f - 16.0 / 116.0) * 108.0 / 841.0; };
-  const double x = 0.9505 * inverse(fy + chroma * std::cos(msh.hue) / 500.0);
+  const double x = 0.9505 * inverse(fy + chroma * elementary::cos(msh.hue) / 500.0);
   const double y = inverse(fy);
-  const double z = 1.089 * inverse(fy - chroma * std::sin(msh.hue) / 200.0);
+  const double z = 1.089 * inverse(fy - chroma * elementary::sin(msh.hue) / 200.0);
   return {encoded(3.2406 * x - 1.5372 * y - 0.4986 * z), encoded(-0.9689 * x + 1.8758 * y + 0.0415 * z),
           encoded(0.0557 * x - 0.2040 * y + 1.0570 * z)};
 }
@@ -83,7 +85,7 @@ Colour coolWarm(double value) {
   const Msh& end = value < 0.5 ? kBlue : kRed;
   const double t = std::abs(2.0 * value - 1.0);  // 0 in the middle, 1 at the end
   const double reach = std::sqrt(kMiddle * kMiddle - end.magnitude * end.magnitude);
-  const double spin = end.saturation * reach / (end.magnitude * std::sin(end.saturation));
+  const double spin = end.saturation * reach / (end.magnitude * elementary::sin(end.saturation));
   const double grey_hue = end.hue > -std::numbers::pi / 3 ? end.hue + spin : end.hue - spin;
   return colourOf(Msh{kMiddle + t * (end.magnitude - kMiddle), t * end.saturation,  //
                       grey_hue + t * (end.hue - grey_hue)});
@@ -94,8 +96,8 @@ Colour onOklabCircle(double value) {
   constexpr double kLightness = 0.75;
   constexpr double kChroma = 0.12;
   const double hue = 2.0 * std::numbers::pi * value;
-  const double a = kChroma * std::cos(hue);
-  const double b = kChroma * std::sin(hue);
+  const double a = kChroma * elementary::cos(hue);
+  const double b = kChroma * elementary::sin(hue);
   const auto cube = [](double v) { return v * v * v; };
   const double l = cube(kLightness + 0.3963377774 * a + 0.2158037573 * b);
   const double m = cube(kLightness - 0.1055613458 * a - 0.0638541728 * b);

@@ -474,7 +474,7 @@ double hypot(double x, double y) noexcept {
   double small = std::fabs(y);
   if (large == kInfinity || small == kInfinity) return kInfinity;
   if (large < small) std::swap(large, small);
-  if (!(small >= large * 0x1p-54)) return large + small;  // the smaller one does not show; or NaN
+  if (!(small > large * 0x1p-54)) return large + small;  // the smaller one does not show; or both are 0; or NaN
   double back = 1.0;
   if (large > 0x1p500) {
     back = 0x1p600;

@@ -1,6 +1,6 @@
 // Elementary functions with the same bits on every compiler, processor and system. The C library's differ in the last
-// bit from one machine to the next, and a body that is built with them becomes another body. The rooms go over to these
-// one after another (CHANGELOG); tests/base/elementary_test.cpp holds them against MPFR.
+// bit from one machine to the next, and a body that is built with them becomes another body. Core and host call these
+// alone; tests/base/elementary_test.cpp holds them against MPFR.
 //
 // Each uses + - * / and sqrt alone, which IEEE 754 rounds the same way everywhere, in one order, without fused
 // multiply-add. Results are within 1 ulp of the exact value: none was off by 0.85 ulp among 10^7 arguments of each.
@@ -32,5 +32,7 @@ double atan2(double y, double x) noexcept;
 double hypot(double x, double y) noexcept;
 double tanh(double x) noexcept;
 double erf(double x) noexcept;
+
+constexpr double square(double x) noexcept { return x * x; }
 
 }  // namespace palpate::elementary

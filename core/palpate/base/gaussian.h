@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate {
 
 /// Where the curve is cut: y(1.4) = 0.0021 counts as zero.
@@ -14,6 +16,6 @@ inline constexpr double kGaussianCut = 1.4;
 inline constexpr double kGaussianRate = 3.141592653589793 * kGaussianCut * kGaussianCut;
 
 /// (4.2) without the cut: exp(-pi (1.4 q)^2), 1 at q = 0 and 0.0021 at q = 1.
-inline double halfGaussian(double q) { return std::exp(-kGaussianRate * q * q); }
+inline double halfGaussian(double q) { return elementary::exp(-kGaussianRate * q * q); }
 
 }  // namespace palpate

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/vec.h"
 
 namespace palpate {
@@ -27,8 +28,8 @@ class Random {
   std::uint64_t below(std::uint64_t n) { return bits() % n; }
   /// Normal with mean 0 and variance 1 (Box and Muller, one of the pair is dropped to stay stateless).
   double normal() {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-    return radius * std::cos(6.283185307179586 * uniform());
+    const double radius = std::sqrt(-2.0 * elementary::log(1.0 - uniform()));
+    return radius * elementary::cos(6.283185307179586 * uniform());
   }
 
   // Vectors of draws, the last component drawn first. Not Vec3(normal(), normal(), normal()): in which order arguments

@@ -5,11 +5,11 @@
 // Based on: Lawson, "Software for C1 surface interpolation" (1977) for the flips; Freitag, "On combining Laplacian and
 // optimization-based mesh smoothing techniques" (1997) for accepting a move only when the worst angle grows.
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <span>
 #include <vector>
 
+#include "palpate/base/elementary.h"
 #include "palpate/body/outline_mesher.h"
 #include "palpate/mesh/topology.h"
 
@@ -86,7 +86,7 @@ double flatArea2(const Band& band, Index a, Index b, Index c) {
 double angleAt(const Vec3& corner, const Vec3& a, const Vec3& b) {
   const Vec3 u = a - corner;
   const Vec3 v = b - corner;
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+  return elementary::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 int edgeFacing(const std::array<Index, 3>& neighbours, Index triangle) {

@@ -4,8 +4,9 @@
 // Based on: de Boor, "A Practical Guide to Splines" (1978), cubic interpolation, natural and periodic.
 #include "palpate/body/cubic_spline.h"
 
-#include <Eigen/LU>
 #include <algorithm>
+
+#include "palpate/base/dense_solve.h"
 
 namespace palpate::body {
 namespace {
@@ -37,7 +38,7 @@ CubicSpline::CubicSpline(std::span<const Vec3> points, Ends ends) : ends_(ends),
     right.row(0) = 6.0 * (slope(0) - slope(n - 2));
     matrix(n - 1, 0) = -1.0;  // the last second derivative equals the first
   }
-  const Eigen::MatrixXd solution = matrix.partialPivLu().solve(right);
+  const Eigen::MatrixXd solution = solved(std::move(matrix), std::move(right));
   for (Eigen::Index i = 0; i < n; ++i) second_.emplace_back(solution.row(i));
 }
 

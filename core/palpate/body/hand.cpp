@@ -6,11 +6,12 @@
 #include "palpate/body/hand.h"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
+#include "palpate/base/rotation.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
 #include "palpate/mesh/decimate.h"
@@ -21,7 +22,7 @@ namespace {
 constexpr double kTableLengthMm = 221.0;
 constexpr double kWristCutY = -32.0;
 constexpr double kCellMm = 2.2;
-constexpr int kRelaxRounds = 4;
+constexpr int kHandRelaxRounds = 4;
 constexpr std::size_t kFewestHandTriangles = 200;
 constexpr double kSkinFactor = 1.05;  // on the radii of the table, which are those of slim fingers
 constexpr double kWaist = 0.955;      // a phalanx is a little thinner between its joints; 0.93 looks bony
@@ -54,8 +55,8 @@ std::vector<Vec3> jointsOf(const FingerRow& finger) {
   double flexion = 0.0;
   for (std::size_t i = 0; i < finger.lengths.size(); ++i) {
     flexion += radians(finger.flexion_deg[i]);
-    const Vec3 direction(std::sin(abduction) * std::cos(flexion), std::cos(abduction) * std::cos(flexion),
-                         -std::sin(flexion));
+    const Vec3 direction(elementary::sin(abduction) * elementary::cos(flexion),
+                         elementary::cos(abduction) * elementary::cos(flexion), -elementary::sin(flexion));
     joints.push_back(joints.back() + finger.lengths[i] * direction);
   }
   return joints;
@@ -82,11 +83,11 @@ struct Pad {
   double turn_deg;
 
   double distance(const Vec3& p) const {
-    return ellipsoidDistance(Eigen::AngleAxisd(-radians(turn_deg), Vec3::UnitZ()) * (p - centre), radii);
+    return ellipsoidDistance(rotationAbout(Vec3::UnitZ(), -radians(turn_deg)) * (p - centre), radii);
   }
 };
 
-struct Parts {
+struct HandParts {
   std::vector<Phalanges> fingers;
   std::vector<EllipticCapsule> metacarpals;
   Phalanges thumb{kThumb, kThumbRadii};
@@ -95,7 +96,7 @@ struct Parts {
   Pad hypothenar{{22, 36, -12}, {13, 34, 12}, -14};
   EllipticCapsule wrist{{0, -60, -1}, {0, 16, -2}, Vec3::UnitX(), {28.5, 20}, {25, 14}};
 
-  Parts() {
+  HandParts() {
     for (std::size_t i = 0; i < kFingers.size(); ++i) {
       fingers.emplace_back(jointsOf(kFingers[i]), kFingers[i].radii);
       metacarpals.emplace_back(kMetacarpalRoots[i], kFingers[i].knuckle, Vec3::UnitZ(), HalfAxes{10.5, 11.0},
@@ -123,14 +124,14 @@ struct Parts {
 };
 
 mesh::TriangleMesh rightHand() {
-  const Parts parts;
+  const HandParts parts;
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
   MesherSettings box;
   box.low = {-92.0, kWristCutY - 6.0, -92.0};
   box.high = {66.0, 204.0, 34.0};
   box.cell_mm = kCellMm;
   mesh::TriangleMesh mesh = meshZeroSurface(field, box);
-  relaxOnSurface(mesh, field, kRelaxRounds);
+  relaxOnSurface(mesh, field, kHandRelaxRounds);
   return mesh;
 }
 
@@ -155,7 +156,7 @@ const Vec3 kThumbBack(-0.85, 0.0, 0.53);
 
 Vec3 forearmDirection() {
   const double back = radians(kWristBackDeg);
-  return {0.0, -std::cos(back), std::sin(back)};
+  return {0.0, -elementary::cos(back), elementary::sin(back)};
 }
 
 /// The last joint of a finger.
@@ -265,7 +266,7 @@ mesh::TriangleMesh palpatingShape() {
   box.high = {72.0, 204.0, 146.0};
   box.cell_mm = kPalpatingCellMm;
   mesh::TriangleMesh mesh = meshZeroSurface(field, box);
-  relaxOnSurface(mesh, field, kRelaxRounds);
+  relaxOnSurface(mesh, field, kHandRelaxRounds);
   return mesh::decimate(std::move(mesh), kPalpatingTriangles);
 }
 
@@ -292,7 +293,7 @@ float rednessAt(const std::vector<RedPlace>& places, const Vec3& p) {
   double redness = p.z() < -8.0 && p.y() > 0.0 ? 0.35 : 0.0;  // the palm
   for (const RedPlace& red : places) {
     const double away = (p - red.place).squaredNorm() / (red.reach_mm * red.reach_mm);
-    redness = std::max(redness, std::exp(-1.5 * away));
+    redness = std::max(redness, elementary::exp(-1.5 * away));
   }
   return static_cast<float>(redness);
 }

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
 #include "palpate/body/cubic_spline.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/spine_line.h"
@@ -80,8 +81,8 @@ Vec3 anglePoint(int number, const RibRow& r) { return {r.angle_x, headPoint(numb
 void addQuarter(std::vector<Vec3>& line, const Vec3& from, const Vec3& to, bool first, int count) {
   for (int i = 1; i <= count; ++i) {
     const double t = std::numbers::pi / 2 * i / count;
-    const double early = std::sin(t);
-    const double late = 1.0 - std::cos(t);
+    const double early = elementary::sin(t);
+    const double late = 1.0 - elementary::cos(t);
     line.emplace_back(mix(from.x(), to.x(), first ? early : late),
                       mix(from.y(), to.y(), static_cast<double>(i) / count),
                       mix(from.z(), to.z(), first ? late : early));
@@ -137,7 +138,7 @@ std::vector<Station> stationsOf(int number, const RibRow& row, double edge_mm) {
     const double roll = row.roll_deg * std::numbers::pi / 180.0 * smoothStep(kRollFrom, kRollUntil, share);
     const Vec3 along = (line[std::min(i + 1, count - 1)] - line[i > 0 ? i - 1 : 0]).normalized();
     const Vec3 from_cage = Vec3(line[i].x(), 0.0, line[i].z() - cage_centre_z).normalized();
-    Vec3 outward = std::cos(roll) * from_cage + std::sin(roll) * Vec3::UnitY();
+    Vec3 outward = elementary::cos(roll) * from_cage + elementary::sin(roll) * Vec3::UnitY();
     outward = (outward - outward.dot(along) * along).normalized();
     stations.push_back({line[i], along, outward, along.cross(outward), 0.5 * row.height * section.height,
                         0.5 * row.thickness * section.thickness});

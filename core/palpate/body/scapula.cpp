@@ -7,6 +7,7 @@
 // (length 139, lateral border 8.2, inferior angle 41 degrees) [A]. Rest: level of the spine's root T3, of the inferior
 // angle T8 (mean T8.03, PMC2647093) [A]; 41 degrees internal, 5 upward, 13 tilt, Ludewig 2009, is [R] recalled. The
 // coordinates are construction values of our choice.
+#include "palpate/base/rotation.h"
 #include "palpate/body/bone_shapes.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <numbers>
 #include <vector>
 
+#include "palpate/base/elementary.h"
 #include "palpate/body/cubic_spline.h"
 #include "palpate/body/plane_outline.h"
 #include "palpate/body/signed_distance.h"
@@ -35,14 +37,13 @@ const std::vector<Vec3> kCrest = {{2, 1, 3}, {12, 3, 7}, {40, 7, 18}, {70, 12, 2
 constexpr double kFinLean = 0.22;  // v per height: the spine leans cranially
 constexpr double kFinHalfThickness = 1.7;
 
-constexpr int kRelaxRounds = 3;
-
-double square(double x) { return x * x; }
+constexpr int kScapulaRelaxRounds = 3;
 
 // The blade's middle surface over its plane: hollow towards the ribs, the superior angle bent forwards.
 double bladeOffset(double u, double v) {
-  const double dome = 5.0 * (1.0 - square((u - 48.0) / 52.0)) * std::max(0.0, 1.0 - square((v + 30.0) / 95.0));
-  return dome - 0.016 * square(std::max(0.0, v - 12.0));
+  const double dome =
+      5.0 * (1.0 - elementary::square((u - 48.0) / 52.0)) * std::max(0.0, 1.0 - elementary::square((v + 30.0) / 95.0));
+  return dome - 0.016 * elementary::square(std::max(0.0, v - 12.0));
 }
 
 // Length of the normal (-dn/du, -dn/dv, 1) of the middle surface: a height over it, divided by this, is a distance.
@@ -82,7 +83,7 @@ class CrestTable {
   std::vector<Vec3> places_;
 };
 
-struct Parts {
+struct ScapulaParts {
   PlaneOutline outline{kOutline, kOutlinePoints, {{-20.0, -130.0}, 150, 190}};
   Tube medial_roll{{onBlade(9, 41), onBlade(3.5, 28), onBlade(2.2, 5), onBlade(3, -20), onBlade(5, -45),
                     onBlade(8, -72), onBlade(12, -95)},
@@ -151,7 +152,7 @@ struct Parts {
 
 Eigen::Isometry3d scapulaFrame(const ScapulaPlace& place) {
   const auto turn = [](double degrees, const Vec3& axis) {
-    return Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, axis);
+    return rotationAbout(axis, degrees * std::numbers::pi / 180.0);
   };
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   frame.translate(place.root);
@@ -161,14 +162,14 @@ Eigen::Isometry3d scapulaFrame(const ScapulaPlace& place) {
 }
 
 mesh::TriangleMesh makeRightScapula(double cell_mm, const ScapulaPlace& place) {
-  const Parts parts;
+  const ScapulaParts parts;
   MesherSettings box;
   box.low = {-6.0, -122.0, -46.0};
   box.high = {140.0, 62.0, 44.0};
   box.cell_mm = cell_mm;
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
   mesh::TriangleMesh mesh = meshZeroSurface(field, box);
-  relaxOnSurface(mesh, field, kRelaxRounds);
+  relaxOnSurface(mesh, field, kScapulaRelaxRounds);
   const Eigen::Isometry3d frame = scapulaFrame(place);
   for (Vec3& p : mesh.positions) p = frame * p;
   return mesh;

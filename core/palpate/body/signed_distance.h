@@ -13,6 +13,7 @@
 #include <cmath>
 #include <vector>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/vec.h"
 #include "palpate/body/cubic_spline.h"
 
@@ -31,7 +32,7 @@ inline double smoothDifference(double a, double cut, double k) { return -smoothU
 inline double roundedIntersection(double a, double b, double r) {
   const double qa = a + r;
   const double qb = b + r;
-  return std::min(std::max(qa, qb), 0.0) + std::hypot(std::max(qa, 0.0), std::max(qb, 0.0)) - r;
+  return std::min(std::max(qa, qb), 0.0) + elementary::hypot(std::max(qa, 0.0), std::max(qb, 0.0)) - r;
 }
 
 inline double mix(double from, double to, double t) { return from + (to - from) * t; }
@@ -58,8 +59,8 @@ struct Capsule {
 
 /// The same in the plane: an ellipse with half axes a (x) and b (z).
 inline double ellipseDistance(double x, double z, double a, double b) {
-  const double k0 = std::hypot(x / a, z / b);
-  const double k1 = std::hypot(x / (a * a), z / (b * b));
+  const double k0 = elementary::hypot(x / a, z / b);
+  const double k1 = elementary::hypot(x / (a * a), z / (b * b));
   return k1 > 0.0 ? k0 * (k0 - 1.0) / k1 : -std::min(a, b);
 }
 
@@ -128,13 +129,13 @@ struct PlateCapsule : FlatSegment {
 inline double superellipseDistance(double x, double z, double a, double b, double n) {
   const double u = std::abs(x) / a;
   const double w = std::abs(z) / b;
-  const double un = std::pow(u, n - 1.0);
-  const double wn = std::pow(w, n - 1.0);
+  const double un = elementary::pow(u, n - 1.0);
+  const double wn = elementary::pow(w, n - 1.0);
   const double sum = un * u + wn * w;
   if (sum <= 0.0) return -std::min(a, b);
-  const double f = std::pow(sum, 1.0 / n);
+  const double f = elementary::pow(sum, 1.0 / n);
   // Gradient of f: (f / sum) * (un / a, wn / b).
-  return (f - 1.0) * sum / (f * std::hypot(un / a, wn / b));
+  return (f - 1.0) * sum / (f * elementary::hypot(un / a, wn / b));
 }
 
 /// To the nearest of a few pieces: their union by the plain minimum.

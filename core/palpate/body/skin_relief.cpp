@@ -9,6 +9,7 @@
 #include <cmath>
 #include <vector>
 
+#include "palpate/base/elementary.h"
 #include "palpate/body/bones.h"
 #include "palpate/body/skin_outline.h"
 #include "palpate/body/skin_table.h"
@@ -74,7 +75,7 @@ Grid makeGrid() {
       const SkinPoint point = bare.at(place);
       grid.position.push_back(point.position);
       grid.inside.push_back(insideBorder(place));
-      grid.radial.push_back(point.normal.dot(Vec3(std::sin(place.angle), 0, std::cos(place.angle))));
+      grid.radial.push_back(point.normal.dot(Vec3(elementary::sin(place.angle), 0, elementary::cos(place.angle))));
     }
   }
   // Repeated sites have no distance of their own; the step of the parameter keeps the arc length growing.
@@ -108,7 +109,7 @@ void blurLine(const Layer& at, std::size_t first, std::size_t stride, int count,
       const std::size_t there = first + k * stride;
       const double offset = at[there] - at[here];
       if (offset > reach) break;
-      const double weight = std::exp(-0.5 * offset * offset / (sigma * sigma));
+      const double weight = elementary::exp(-0.5 * offset * offset / (sigma * sigma));
       sum += weight * from[there];
       weights += weight;
     }
@@ -155,8 +156,8 @@ void addGroup(const Grid& grid, std::span<const Bone> bones, const Group& group,
   const BoneDepth depth = depthToBones(grid.position, of_kind);
   Layer bump(grid.position.size());
   for (std::size_t i = 0; i < bump.size(); ++i) {
-    bump[i] =
-        factor * group.height * levelWeight(weights, grid.position[i].y()) * std::exp(-depth.depth_mm[i] / group.decay);
+    bump[i] = factor * group.height * levelWeight(weights, grid.position[i].y()) *
+              elementary::exp(-depth.depth_mm[i] / group.decay);
   }
   const Layer narrow = blurred(grid, bump, group.blur_across, group.blur_along);
   const Layer wide = blurred(grid, bump, group.wide_across, group.wide_along);
@@ -176,7 +177,7 @@ void addMuscles(const Grid& grid, double amount, Layer& sum) {
     for (const Bulge& bulge : kBulges) {
       const double dx = (grid.position[i].x() - bulge.x) / kWidth;
       const double dy = (grid.position[i].y() - bulge.y) / kLength;
-      sum[i] += amount * bulge.height * std::exp(-dx * dx - dy * dy);
+      sum[i] += amount * bulge.height * elementary::exp(-dx * dx - dy * dy);
     }
   }
 }

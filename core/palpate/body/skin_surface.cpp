@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/base/elementary.h"
 #include "palpate/body/skin_table.h"
 #include "palpate/body/spine_line.h"
 
@@ -52,15 +53,15 @@ Bend sway(double x, double y) {
   constexpr double kPi = std::numbers::pi;
   const double phase = kPi * (y - kSwayZero) / kSwayHalfWave;
   const double turn = kPi * x / kSwayReach;
-  const double fade = 0.5 * (1 + std::cos(turn));
-  return {std::sin(phase) * fade, -0.5 * std::sin(phase) * std::sin(turn) * kPi / kSwayReach,
-          std::cos(phase) * fade * kPi / kSwayHalfWave};
+  const double fade = 0.5 * (1 + elementary::cos(turn));
+  return {elementary::sin(phase) * fade, -0.5 * elementary::sin(phase) * elementary::sin(turn) * kPi / kSwayReach,
+          elementary::cos(phase) * fade * kPi / kSwayHalfWave};
 }
 
 Bend shoulderDrop(double x, double y) {
-  const double step = std::tanh((x - kShoulderSide) / kShoulderBlend);
+  const double step = elementary::tanh((x - kShoulderSide) / kShoulderBlend);
   const double lift = (y - kShoulderHeight) / kShoulderSpread;
-  const double bell = std::exp(-0.5 * lift * lift);
+  const double bell = elementary::exp(-0.5 * lift * lift);
   return {0.5 * (1 + step) * bell, 0.5 * (1 - step * step) / kShoulderBlend * bell,
           -0.5 * (1 + step) * bell * lift / kShoulderSpread};
 }
@@ -105,8 +106,8 @@ SplineValue SkinSurface::radius(const SkinAngle& place) const {
 
 SkinPoint SkinSurface::at(const SkinAngle& place) const {
   const SplineValue r = radius(place);
-  const double s = std::sin(place.angle);
-  const double c = std::cos(place.angle);
+  const double s = elementary::sin(place.angle);
+  const double c = elementary::cos(place.angle);
   const Warped warped = warp(asymmetry_, {r.value * s, place.y, kSkinAxisZ + r.value * c});
   const Vec3 around = warped.jacobian * Vec3(r.du * s + r.value * c, 0, r.du * c - r.value * s);
   const Vec3 upward = warped.jacobian * Vec3(r.dv * s, 1, r.dv * c);
@@ -119,10 +120,10 @@ double SkinSurface::heightOver(double x, double y) const {
   double high = kSkinHalfAngle;
   for (int step = 0; step < 50; ++step) {  // x grows with the angle; 50 halvings reach the last bit
     const double middle = (low + high) / 2;
-    const double reached = radius({middle, y / scale_}).value * std::sin(middle);
+    const double reached = radius({middle, y / scale_}).value * elementary::sin(middle);
     (reached < target ? low : high) = middle;
   }
-  return scale_ * (kSkinAxisZ + radius({low, y / scale_}).value * std::cos(low));
+  return scale_ * (kSkinAxisZ + radius({low, y / scale_}).value * elementary::cos(low));
 }
 
 }  // namespace palpate::body

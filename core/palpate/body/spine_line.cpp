@@ -25,6 +25,8 @@
 
 #include <numbers>
 
+#include "palpate/base/rotation.h"
+
 namespace palpate::body {
 namespace {
 
@@ -58,7 +60,7 @@ Eigen::Isometry3d vertebraFrame(const VertebraRow& row) {
   const double pitch = -row.pitch_deg * std::numbers::pi / 180.0;
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   frame.translate(Vec3(0.0, row.centre_y, row.centre_z));
-  frame.rotate(Eigen::AngleAxisd(pitch, Vec3::UnitX()));
+  frame.rotate(rotationAbout(Vec3::UnitX(), pitch));
   return frame;
 }
 

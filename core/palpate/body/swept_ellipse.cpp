@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::body {
 namespace {
 
@@ -19,13 +21,13 @@ void addEnd(std::vector<Station>& rings, const Station& end, double direction, c
   for (int i = 1; i <= kEndRings; ++i) {
     const double t = std::numbers::pi / 2 * i / (kEndRings + 1);
     Station ring = end;
-    ring.centre += direction * std::sin(t) * depthOf(end, shape) * end.along;
+    ring.centre += direction * elementary::sin(t) * depthOf(end, shape) * end.along;
     if (shape.rounding_mm > 0.0) {
-      ring.half_height -= (1.0 - std::cos(t)) * shape.rounding_mm;
-      ring.half_thickness -= (1.0 - std::cos(t)) * shape.rounding_mm;
+      ring.half_height -= (1.0 - elementary::cos(t)) * shape.rounding_mm;
+      ring.half_thickness -= (1.0 - elementary::cos(t)) * shape.rounding_mm;
     } else {
-      ring.half_height *= std::cos(t);
-      ring.half_thickness *= std::cos(t);
+      ring.half_height *= elementary::cos(t);
+      ring.half_thickness *= elementary::cos(t);
     }
     rings.push_back(ring);
   }
@@ -52,8 +54,8 @@ mesh::TriangleMesh sweepEllipse(const std::vector<Station>& stations, Index corn
   for (const Station& ring : rings) {
     for (Index c = 0; c < corners; ++c) {
       const double angle = 2.0 * std::numbers::pi * c / corners;
-      mesh.positions.push_back(ring.centre + std::cos(angle) * ring.half_thickness * ring.outward +
-                               std::sin(angle) * ring.half_height * ring.upward);
+      mesh.positions.push_back(ring.centre + elementary::cos(angle) * ring.half_thickness * ring.outward +
+                               elementary::sin(angle) * ring.half_height * ring.upward);
     }
   }
   const auto last_ring = static_cast<Index>((rings.size() - 1) * corners);

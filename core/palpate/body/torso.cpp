@@ -3,9 +3,9 @@
 #include "palpate/body/torso.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/body/bones.h"
 #include "palpate/body/skin_table.h"
@@ -47,7 +47,7 @@ class Shape {
 std::vector<SkinLandmark> skinLandmarks(const SkinSurface& surface, const Shape& shape) {
   std::vector<SkinLandmark> landmarks;
   for (const Landmark& point : boneLandmarks()) {
-    const double angle = std::atan2(point.position.x(), point.position.z() - kSkinAxisZ);
+    const double angle = elementary::atan2(point.position.x(), point.position.z() - kSkinAxisZ);
     const SkinPoint above = surface.at({angle, point.position.y()});
     landmarks.push_back({point.name, point.bone, above.position, above.normal, shape(point.position)});
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
 
@@ -13,7 +14,7 @@ namespace palpate::body {
 namespace {
 
 constexpr double kOutOfReach = 8.0;  // mm, beyond every blend and the mesher's blocks
-constexpr int kRelaxRounds = 3;
+constexpr int kVertebraRelaxRounds = 3;
 constexpr double kEndplateEdge = 2.5;    // mm, rounding of the rim of the endplates
 constexpr double kLaminaOverhang = 2.0;  // mm from the canal's wall to the middle of the lamina
 constexpr double kCanalLift = 0.5;       // mm by which the canal cuts into the body's dorsal wall
@@ -40,7 +41,7 @@ struct Arch {
 
 Vec3 spinousDirection(const VertebraRow& row) {
   const double down = radians(row.spinous_down_deg);
-  return {0.0, -std::sin(down), std::cos(down)};
+  return {0.0, -elementary::sin(down), elementary::cos(down)};
 }
 
 Vec3 spinousRoot(const VertebraRow& row) { return {0.0, -0.10 * row.height, Arch(row).lamina_z - 1.0}; }
@@ -58,7 +59,7 @@ Vec3 transverseRoot(const VertebraRow& row) {
 }
 
 // Everything but the spinous process, the canal not yet cut.
-struct Parts {
+struct VertebraParts {
   VertebraRow row;
   Arch arch;
   EllipticCapsule pedicle;
@@ -67,7 +68,7 @@ struct Parts {
   Capsule transverse;
   PlateCapsule spinous_root, spinous_tip;
 
-  explicit Parts(const VertebraRow& r)
+  explicit VertebraParts(const VertebraRow& r)
       : row(r),
         arch(r),
         pedicle(makePedicle(r, arch)),
@@ -91,8 +92,8 @@ struct Parts {
     for (const double degrees : {82.0, 60.0, 38.0, 18.0, 0.0}) {
       const double angle = radians(degrees);
       const double y = mix(-0.12 * r.height, a.pedicle_y - 0.18 * r.height, degrees / 82.0);
-      rings.push_back({{(a.half_canal + kLaminaOverhang) * std::sin(angle), y,
-                        centre_z + (r.canal_depth / 2 + kLaminaOverhang) * std::cos(angle)},
+      rings.push_back({{(a.half_canal + kLaminaOverhang) * elementary::sin(angle), y,
+                        centre_z + (r.canal_depth / 2 + kLaminaOverhang) * elementary::cos(angle)},
                        Vec3::UnitY(),
                        {0.42 * r.height, 3.0}});
     }
@@ -191,7 +192,7 @@ struct Parts {
 Vec3 transverseTip(const VertebraRow& row) {
   const Vec3 root = transverseRoot(row);
   const double x = row.transverse_span / 2 - row.transverse_radius - 1.5;
-  const double back = 0.55 * std::tan(radians(row.transverse_back_deg)) * (x - root.x());
+  const double back = 0.55 * elementary::tan(radians(row.transverse_back_deg)) * (x - root.x());
   const bool first = row.name[0] == 'T' && row.name[1] == '1' && row.name[2] == '\0';
   return {x, root.y() + (first ? 3.0 : 0.0), root.z() + back};
 }
@@ -202,10 +203,10 @@ Vec3 spinousTip(const VertebraRow& row) {
 }
 
 mesh::TriangleMesh makeVertebraHalf(const VertebraRow& row, double cell_mm) {
-  const Parts parts(row);
+  const VertebraParts parts(row);
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
   mesh::TriangleMesh half = meshZeroSurface(field, parts.box(cell_mm));
-  relaxOnSurface(half, field, kRelaxRounds);
+  relaxOnSurface(half, field, kVertebraRelaxRounds);
   return half;
 }
 

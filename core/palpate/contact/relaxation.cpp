@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::contact {
 
 namespace {
@@ -19,7 +21,7 @@ double restOf(const Relaxation& relaxation, const Eased& eased) noexcept {
 
 /// What is left of the way to what the skin holds, a term each, after a tick.
 Eased keptOf(const Relaxation& relaxation, double tick_s) noexcept {
-  return {std::exp(-tick_s / relaxation.time_s), std::exp(-tick_s / relaxation.time_2_s)};
+  return {elementary::exp(-tick_s / relaxation.time_s), elementary::exp(-tick_s / relaxation.time_2_s)};
 }
 
 void ease(const Eased& kept, double held_mm, Eased& eased) noexcept {

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <optional>
 
+#include "palpate/base/elementary.h"
 #include "palpate/contact/border.h"
 #include "palpate/contact/press.h"
 #include "palpate/contact/surface_walk.h"
@@ -229,7 +230,7 @@ bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot, StandingP
       planFrom(task, centre, feet, planes);
       continue;
     }
-    if (failures > kFullTrials) goal = centre + std::exp2(kFullTrials - failures) * (goal - centre);
+    if (failures > kFullTrials) goal = centre + elementary::exp2(kFullTrials - failures) * (goal - centre);
     if (length > longest) goal = centre + (longest / length) * (goal - centre);
     const bool nearer = isNearer(task, goal, centre);
     if (!nearer && failures == 0) return true;

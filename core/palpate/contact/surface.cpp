@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/contact/surface_walk.h"
 #include "palpate/mesh/intersections.h"
@@ -36,7 +37,7 @@ void checkEach(const std::vector<double>& values, std::size_t vertices, const st
 double angleAt(const TriangleRecord& record, int corner) {
   const Vec3 a = record.corners[(corner + 1) % 3] - record.corners[corner];
   const Vec3 b = record.corners[(corner + 2) % 3] - record.corners[corner];
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return elementary::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 void fillVertices(SurfaceGeometry& geometry, std::size_t vertices) {

@@ -5,8 +5,8 @@
 #include "palpate/deform/fast_displacement.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/tissue/profile.h"
 
 namespace palpate::deform {
@@ -62,7 +62,7 @@ void setLayered(const LayeredFrame& layered, const FlatEllipse& region, double a
 
 /// Not more than any location ratio in a ball. The ratio grows by at most `steepest` a mm; heights only add to it.
 double leastRatio(const FlatEllipse& ellipse, const Vec3& offset, double radius_mm) noexcept {
-  const double flat = std::hypot(ellipse.along.dot(offset), ellipse.across.dot(offset));
+  const double flat = elementary::hypot(ellipse.along.dot(offset), ellipse.across.dot(offset));
   return std::max(0.0, flat - radius_mm * ellipse.steepest());
 }
 
@@ -126,7 +126,7 @@ double FastDisplacement::mostAt(const Frame& frame, double press_mm, double drag
 double FastDisplacement::dragSlope(const Frame& frame, const Vec3& shift_mm) noexcept {
   if (!frame.drag.acts()) return 0.0;
   const double steepest = frame.layered ? frame.layered->drag.slope.at(0.0) : tissue::kProfileSteepest;
-  return steepest * std::hypot(frame.drag.along.dot(shift_mm), frame.drag.across.dot(shift_mm));
+  return steepest * elementary::hypot(frame.drag.along.dot(shift_mm), frame.drag.across.dot(shift_mm));
 }
 
 void FastDisplacement::addShear(const Frame& frame, const Mover& mover, ShearBound& shear) noexcept {

@@ -5,7 +5,8 @@
 #include "palpate/deform/forms.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "palpate/base/elementary.h"
 
 namespace palpate::deform {
 
@@ -25,7 +26,7 @@ bool isDefault(const tissue::ProfileSettings& profile) {
 }
 
 void scale(maps::SurfaceContour& contour, double factor) noexcept {
-  for (double& radius : contour.contour.log_radii) radius += std::log(factor);
+  for (double& radius : contour.contour.log_radii) radius += elementary::log(factor);
 }
 
 }  // namespace

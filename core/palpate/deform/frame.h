@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/deform/contact.h"
 
 namespace palpate::deform {
@@ -56,9 +57,9 @@ struct FlatEllipse {
   double halfMajor() const { return rise.level_mm; }
   /// Location ratio of a point (E14).
   double ratioAt(const Vec3& offset) const {
-    const double flat = std::hypot(along.dot(offset), across.dot(offset));
+    const double flat = elementary::hypot(along.dot(offset), across.dot(offset));
     const double up = rise.at(offset);
-    return up > 0.0 ? std::hypot(flat, up) : flat;
+    return up > 0.0 ? elementary::hypot(flat, up) : flat;
   }
   /// The largest slope of the ratio, 1/mm.
   double steepest() const { return across.norm(); }

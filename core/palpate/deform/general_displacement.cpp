@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/tissue/profile_forms.h"
 
 namespace palpate::deform {
@@ -105,7 +106,7 @@ Box3 boxAround(const FormedContact& frame) noexcept {
   double reach_mm = 0.0;
   for (const RegionFrame* region : {&frame.press, &frame.drag}) {
     if (!region->acts()) continue;
-    reach_mm = std::max(reach_mm, std::hypot(longestRadius(*region), 2.0 * region->rise.level_mm));
+    reach_mm = std::max(reach_mm, elementary::hypot(longestRadius(*region), 2.0 * region->rise.level_mm));
   }
   return {frame.anchor - Vec3::Constant(reach_mm), frame.anchor + Vec3::Constant(reach_mm)};
 }
@@ -214,7 +215,8 @@ double GeneralDisplacement::pressRoom(const Frame& frame, double q) const noexce
   if (frame.layered) return frame.layered->press_room.at(q);
   return mostFrom(q, [&](double at) {
     const double pressed = curves_.press.at(at).value;
-    return curves_.radial.share == 0.0 ? pressed : std::hypot(pressed, tissue::radialPull(curves_.radial, at).value);
+    return curves_.radial.share == 0.0 ? pressed
+                                       : elementary::hypot(pressed, tissue::radialPull(curves_.radial, at).value);
   });
 }
 
@@ -234,8 +236,8 @@ double GeneralDisplacement::dragSlope(const Frame& frame, const Vec3& shift_mm) 
   const RegionFrame& region = frame.drag;
   const double slope = frame.layered ? frame.layered->drag.slope.at(0.0) : drag_slope_;
   if (region.kind == RegionFrame::Kind::contour) return slope * shift_mm.norm() / shortestRadius(region);
-  return slope * std::hypot(region.along.dot(shift_mm) / region.half_along_mm,
-                            region.across.dot(shift_mm) / region.half_across_mm);
+  return slope * elementary::hypot(region.along.dot(shift_mm) / region.half_along_mm,
+                                   region.across.dot(shift_mm) / region.half_across_mm);
 }
 
 void GeneralDisplacement::displaceBlock(std::span<const OnBlock<Mover>> movers, const RestBlock& rest,

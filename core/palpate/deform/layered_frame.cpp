@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::deform {
 
 namespace {
@@ -87,7 +89,7 @@ LayeredFrame::LayeredFrame(const LayeredShape& of) noexcept : shape(of) {
   drag = steepnessOf(shape.drag, tissue::kDragBend);
   press_room = roomOf([&](double q) {
     const double sideways = q * tissue::curveAt(shape.press.outward, tissue::kPressBend, q * q).value;
-    return std::hypot(pressShare(q), sideways);
+    return elementary::hypot(pressShare(q), sideways);
   });
   drag_room = roomOf([&](double q) { return std::abs(dragShare(q)); });
 }

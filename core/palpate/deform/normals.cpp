@@ -8,6 +8,8 @@
 #include <bit>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::deform {
 
 namespace {
@@ -55,7 +57,7 @@ IncrementalNormals::IncrementalNormals(const Skin& skin, double most_mm)
   largest_ = kRoom / mostTrianglesOfVertex(skin);
   const double longest = longestEdge(skin) + 2.0 * most_mm;
   // A power of two: the conversion rounds once.
-  scale_ = std::exp2(std::floor(std::log2(largest_ / (1.0 + longest * longest))));
+  scale_ = elementary::exp2(std::floor(elementary::log2(largest_ / (1.0 + longest * longest))));
   changed_.reserve(skin.triangles.size());
   for (Index v = 0; v < skin.vertices; ++v) positions_.push_back(skin.restPosition(v));
   for (std::size_t t = 0; t < areas_.size(); ++t) {

@@ -9,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+#include "palpate/base/elementary.h"
 #include "palpate/deform/frame.h"
 
 namespace palpate::deform {
@@ -30,7 +31,7 @@ Location ellipseLocation(const RegionFrame& region, const Vec2& offset) noexcept
 Location contourLocation(const RegionFrame& region, const Vec2& offset) noexcept {
   const double distance = offset.norm();
   if (!(distance > 0.0)) return {};
-  const double angle = std::atan2(offset.y(), offset.x());
+  const double angle = elementary::atan2(offset.y(), offset.x());
   const double radius = maps::radiusAt(region.contour, angle);
   const double growth =
       (maps::radiusAt(region.contour, angle + kAngleStep) - maps::radiusAt(region.contour, angle - kAngleStep)) /
@@ -49,7 +50,7 @@ Rise riseOf(const RegionFrame& region, const Vec3& unit_normal, const FormSettin
 std::pair<double, double> radiiOf(const maps::PolarContour& contour) noexcept {
   const auto end = contour.log_radii.begin() + static_cast<std::ptrdiff_t>(contour.count);
   const auto [least, most] = std::minmax_element(contour.log_radii.begin(), end);
-  return {std::exp(*least), std::exp(*most)};
+  return {elementary::exp(*least), elementary::exp(*most)};
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ SpatialLocation locateInSpace(const RegionFrame& region, const Vec3& offset) noe
   const Vec3 slope = flat.slope.x() * region.along + flat.slope.y() * region.across;
   const double up = region.rise.at(offset);
   if (!(up > 0.0)) return {flat.q, slope};
-  const double q = std::hypot(flat.q, up);
+  const double q = elementary::hypot(flat.q, up);
   const double up_slope = std::copysign(1.0 / region.rise.level_mm, region.rise.normal.dot(offset));
   return {q, (flat.q * slope + up * up_slope * region.rise.normal) / q};
 }

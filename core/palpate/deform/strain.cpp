@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::deform {
 
 namespace {
@@ -47,7 +49,7 @@ class Rosette {
     if (!(factors.vectorD().minCoeff() > kSingular)) return {};
     const Vec3 strain = factors.solve(right_);
     const double middle = 0.5 * (strain[0] + strain[1]);
-    const double radius = 0.5 * std::hypot(strain[0] - strain[1], strain[2]);
+    const double radius = 0.5 * elementary::hypot(strain[0] - strain[1], strain[2]);
     return {lengthening(middle + radius), lengthening(middle - radius)};
   }
 

@@ -10,12 +10,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "palpate/base/dense_solve.h"
 #include "palpate/base/error.h"
 
 namespace palpate::device {
@@ -170,7 +171,7 @@ Fit fitWith(const SwingRecord& record, const std::vector<HalfSwing>& swings, dou
   const Eigen::Matrix4d scaled =
       size.cwiseInverse().asDiagonal() * normal.topLeftCorner<4, 4>() * size.cwiseInverse().asDiagonal();
   const Eigen::Vector4d wanted = normal.topRightCorner<4, 1>().cwiseQuotient(size);
-  fit.shares = scaled.ldlt().solve(wanted).cwiseQuotient(size);
+  fit.shares = solved(scaled, wanted).cwiseQuotient(size);
   fit.squares = std::max(0.0, normal(4, 4) - normal.topRightCorner<4, 1>().dot(fit.shares));
   return fit;
 }

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/base/number_range.h"
 #include "palpate/tree/triangle_tree.h"
@@ -38,7 +39,7 @@ Vec2 circleOffset(const scene::Step& step, double t) {
   const double spiral = std::min(half_turn, kLongestSpiral);
   const double radius = step.radius_mm * eased(t / spiral) * eased((1.0 - t) / spiral);
   const double angle = 2.0 * std::numbers::pi * step.turns * t;
-  return radius * Vec2(std::cos(angle), std::sin(angle));
+  return radius * Vec2(elementary::cos(angle), elementary::sin(angle));
 }
 
 /// The stand at share t of a step that began at `from`.
@@ -245,7 +246,7 @@ bool fits(const SkinHeight& height, double size) {
   for (double u = -kAutomaticCircle; u <= kAutomaticDrag + kAutomaticCircle; u += 0.5 * kAutomaticCircle) {
     for (double v = -kAutomaticCircle; v <= kAutomaticCircle; v += 0.5 * kAutomaticCircle) {
       const auto here = height(size * u, size * v);
-      const double reach = size * (std::hypot(u, v) + kAutomaticDepth);
+      const double reach = size * (elementary::hypot(u, v) + kAutomaticDepth);
       if (!here || std::abs(*here - top) > 0.8 * reach) return false;
     }
   }

@@ -4,8 +4,9 @@
 #include "palpate/device/mouse_finger.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
+
+#include "palpate/base/elementary.h"
 
 namespace palpate::device {
 
@@ -19,7 +20,7 @@ constexpr double kMinStiffness = 0.02;
 /// One tick of a critically damped follower; exact for a target that stands still, whatever the tick.
 template <class T>
 void follow(T& value, T& speed, const T& target, double rate, double tick_s) noexcept {
-  const double decay = std::exp(-rate * tick_s);
+  const double decay = elementary::exp(-rate * tick_s);
   const T away = value - target;
   const T push = (speed + rate * away) * tick_s;
   speed = (speed - rate * push) * decay;
@@ -67,7 +68,7 @@ void MouseFinger::jump(const FingerTarget& target) noexcept {
 
 void MouseFinger::turn(const FingerTarget& target) noexcept {
   const double constant_s = target.pressed ? settings_.turn_pressed_s : settings_.turn_free_s;
-  const Vec3 turned = normal_ + (1.0 - std::exp(-settings_.tick_s / constant_s)) * (target.normal - normal_);
+  const Vec3 turned = normal_ + (1.0 - elementary::exp(-settings_.tick_s / constant_s)) * (target.normal - normal_);
   const double length = turned.norm();
   if (length > 1e-6) normal_ = turned / length;
 }

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
+#include "palpate/base/elementary.h"
+#include "palpate/base/rotation.h"
 #include "palpate/device/finger_path.h"
 
 namespace palpate::device {
@@ -19,17 +20,17 @@ std::uint32_t buttonBit(std::size_t button) { return button == 0 ? 0 : std::uint
 
 Mat3 rotationOf(const Vec3& turn_deg) {
   const Vec3 turn = kRadPerDeg * turn_deg;
-  return (Eigen::AngleAxisd(turn.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(turn.y(), Vec3::UnitY()) *
-          Eigen::AngleAxisd(turn.x(), Vec3::UnitX()))
-      .toRotationMatrix();
+  return rotationAbout(Vec3::UnitZ(), turn.z()) * rotationAbout(Vec3::UnitY(), turn.y()) *
+         rotationAbout(Vec3::UnitX(), turn.x());
 }
 
 Vec3 turnOf(const Mat3& r) {
   constexpr double kUpright = 1e-9;
-  const double level = std::hypot(r(0, 0), r(1, 0));
-  Vec3 turn(std::atan2(r(2, 1), r(2, 2)), std::atan2(-r(2, 0), level), std::atan2(r(1, 0), r(0, 0)));
+  const double level = elementary::hypot(r(0, 0), r(1, 0));
+  Vec3 turn(elementary::atan2(r(2, 1), r(2, 2)), elementary::atan2(-r(2, 0), level),
+            elementary::atan2(r(1, 0), r(0, 0)));
   // Turned by 90 degrees about y, x and z turn about one axis: all of it is given to x.
-  if (level < kUpright) turn = Vec3(std::atan2(-r(1, 2), r(1, 1)), turn.y(), 0.0);
+  if (level < kUpright) turn = Vec3(elementary::atan2(-r(1, 2), r(1, 1)), turn.y(), 0.0);
   return turn / kRadPerDeg;
 }
 

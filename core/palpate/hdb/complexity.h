@@ -2,8 +2,9 @@
 // and 3.4. Closed forms; `arity` is 2 for the BSP tree and 8 for the octree, n is the number of leaves.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
+
+#include "palpate/base/elementary.h"
 
 namespace palpate::hdb {
 
@@ -11,7 +12,9 @@ inline constexpr int kBspArity = 2;
 inline constexpr int kOctreeArity = 8;
 
 /// h = log_arity(n). (3.1), (3.6)
-inline double heightOfCompleteTree(int arity, double leaves) { return std::log(leaves) / std::log(arity); }
+inline double heightOfCompleteTree(int arity, double leaves) {
+  return elementary::log(leaves) / elementary::log(arity);
+}
 
 /// arity^height; exact up to 2^63.
 inline std::uint64_t leavesOfCompleteTree(int arity, int height) {

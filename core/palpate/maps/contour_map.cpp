@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "palpate/base/csv.h"
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/maps/gaussian_interpolation.h"
@@ -90,7 +91,7 @@ std::vector<ContourPoint> contourPointsOf(std::span<const KeyPoint> keys, std::s
 }
 
 PolarContourMap::PolarContourMap(std::span<const ContourPoint> points, const EllipseMapSettings& settings)
-    : log_basic_radius_(std::log(settings.basic_radius_mm)), effect_radius_mm_(settings.effect_radius_mm) {
+    : log_basic_radius_(elementary::log(settings.basic_radius_mm)), effect_radius_mm_(settings.effect_radius_mm) {
   if (!(settings.basic_radius_mm > 0.0) || !std::isfinite(settings.basic_radius_mm)) {
     throw Error("contour map: the basic radius must be above 0 mm");
   }

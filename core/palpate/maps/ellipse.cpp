@@ -8,6 +8,8 @@
 #include <limits>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::maps {
 
 namespace {
@@ -50,24 +52,25 @@ Ellipse ellipseFromFullAxesCm(double along_cm, double across_cm, double directio
 }
 
 double locationRatio(const Ellipse& ellipse, const Vec2& offset) {
-  const Vec2 axis(std::cos(ellipse.direction_rad), std::sin(ellipse.direction_rad));
+  const Vec2 axis(elementary::cos(ellipse.direction_rad), elementary::sin(ellipse.direction_rad));
   const double length = ellipse.half_major_mm;
   return locationRatio(SurfaceEllipse{Vec3(axis.x() * length, axis.y() * length, 0.0), ellipse.aspect},
                        Vec3(offset.x(), offset.y(), 0.0));
 }
 
 LogTensor logTensor(const Ellipse& ellipse) {
-  const double log_major = std::log(ellipse.half_major_mm);
-  const double half_difference = -0.5 * std::log(ellipse.aspect);
+  const double log_major = elementary::log(ellipse.half_major_mm);
+  const double half_difference = -0.5 * elementary::log(ellipse.aspect);
   const double twice = 2.0 * ellipse.direction_rad;
-  return {log_major - half_difference, half_difference * std::cos(twice), half_difference * std::sin(twice)};
+  return {log_major - half_difference, half_difference * elementary::cos(twice),
+          half_difference * elementary::sin(twice)};
 }
 
 Ellipse ellipseOf(const LogTensor& tensor) {
-  const double half_difference = std::hypot(tensor.y(), tensor.z());
-  if (half_difference < kCircle) return {std::exp(tensor.x()), 1.0};
-  return {std::exp(tensor.x() + half_difference), std::exp(-2.0 * half_difference),
-          axisAngle(0.5 * std::atan2(tensor.z(), tensor.y()))};
+  const double half_difference = elementary::hypot(tensor.y(), tensor.z());
+  if (half_difference < kCircle) return {elementary::exp(tensor.x()), 1.0};
+  return {elementary::exp(tensor.x() + half_difference), elementary::exp(-2.0 * half_difference),
+          axisAngle(0.5 * elementary::atan2(tensor.z(), tensor.y()))};
 }
 
 Vec3 projectedOnPlane(const Vec3& point, const Vec3& origin, const Vec3& unit_normal) {
@@ -80,14 +83,14 @@ double locationRatio(const SurfaceEllipse& ellipse, const Vec3& offset_in_plane)
   const Vec3 axis = ellipse.half_major / length;
   const double along = offset_in_plane.dot(axis);
   const double across = (offset_in_plane - along * axis).norm();
-  return std::hypot(along, across / ellipse.aspect) / length;
+  return elementary::hypot(along, across / ellipse.aspect) / length;
 }
 
 SurfaceEllipse liftedOntoSurface(const Ellipse& ellipse, const Vec3& normal) {
   const double length = normal.norm();
   if (!(length > 0.0) || !std::isfinite(length)) return {};
   const Vec3 n = normal / length;
-  const Vec2 axis(std::cos(ellipse.direction_rad), std::sin(ellipse.direction_rad));
+  const Vec2 axis(elementary::cos(ellipse.direction_rad), elementary::sin(ellipse.direction_rad));
   const Vec3 lifted = std::abs(n.z()) > kParallel ? alongZ(axis, n) : acrossPlane(axis, n);
   return {lifted.normalized() * ellipse.half_major_mm, ellipse.aspect};
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/maps/gaussian_interpolation.h"
 
@@ -69,7 +70,7 @@ LiteralEllipseMap::Blended LiteralEllipseMap::encoded(const Ellipse& ellipse) co
       return {tensor.x(), tensor.y(), tensor.z(), 0.0};
     }
     case DirectionBlend::double_angle:
-      return {ellipse.half_major_mm, ratio, std::cos(twice), std::sin(twice)};
+      return {ellipse.half_major_mm, ratio, elementary::cos(twice), elementary::sin(twice)};
     case DirectionBlend::raw_degrees:
       break;
   }
@@ -82,7 +83,7 @@ Ellipse LiteralEllipseMap::decoded(const Blended& value) const {
       return ellipseOf(value.head<3>());
     case DirectionBlend::double_angle: {
       const bool undirected = value.tail<2>().isZero(1e-12);  // rounding alone: no direction, as for a circle
-      const double twice = undirected ? std::numbers::pi : std::atan2(value[3], value[2]);
+      const double twice = undirected ? std::numbers::pi : elementary::atan2(value[3], value[2]);
       return ellipseOfNumbers(value[0], value[1], 0.5 * twice);
     }
     case DirectionBlend::raw_degrees:

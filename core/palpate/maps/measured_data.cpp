@@ -10,6 +10,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::maps {
 
 namespace {
@@ -74,10 +76,10 @@ AxialMean axialMean(std::span<const MeasuredEllipse> rows) {
   Vec2 sum = Vec2::Zero();
   for (const MeasuredEllipse& row : rows) {
     const double twice = 2.0 * row.direction_deg * kRadPerDeg;
-    sum += Vec2(std::cos(twice), std::sin(twice));
+    sum += Vec2(elementary::cos(twice), elementary::sin(twice));
   }
   // A circle: canonicalEllipse folds the angle into [0, pi).
-  const Ellipse axis = canonicalEllipse(1.0, 1.0, 0.5 * std::atan2(sum.y(), sum.x()));
+  const Ellipse axis = canonicalEllipse(1.0, 1.0, 0.5 * elementary::atan2(sum.y(), sum.x()));
   return {axis.direction_rad / kRadPerDeg, sum.norm() / static_cast<double>(rows.size())};
 }
 

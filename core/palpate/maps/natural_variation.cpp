@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/random.h"
 
 namespace palpate::maps {
@@ -54,7 +55,7 @@ Axis axisAt(double place_steps) noexcept {
   axis.first = static_cast<std::int64_t>(below) - kBefore;
   for (std::size_t i = 0; i < axis.weights.size(); ++i) {
     const double away = below - kBefore + static_cast<double>(i) - place_steps;
-    axis.weights[i] = std::exp(-kRate * away * away);
+    axis.weights[i] = elementary::exp(-kRate * away * away);
   }
   return axis;
 }
@@ -90,11 +91,11 @@ std::vector<double> variationAt(std::span<const Vec3> places_mm, const NaturalVa
   const double steps_per_mm = 1.0 / (kStepOfLength * variation.length_mm);
   const std::uint64_t seed = Random(variation.seed).bits();
   // Of a log-normal number of mean 1: its logarithm's variance, and half of that off its mean.
-  const double variance = std::log1p(variation.variation * variation.variation);
+  const double variance = elementary::log1p(variation.variation * variation.variation);
   const double deviation = std::sqrt(variance);
   for (std::size_t i = 0; i < places_mm.size(); ++i) {
     const double field = std::clamp(fieldAt(steps_per_mm * places_mm[i], seed), -kFarthest, kFarthest);
-    factors[i] = std::exp(deviation * field - 0.5 * variance);
+    factors[i] = elementary::exp(deviation * field - 0.5 * variance);
   }
   return factors;
 }

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 
 namespace palpate::maps {
@@ -33,7 +34,7 @@ double catmullRom(double p0, double p1, double p2, double p3, double t) {
 
 /// The radius of an ellipse in a direction.
 double polarRadius(const Ellipse& ellipse, double angle_rad) {
-  return 1.0 / locationRatio(ellipse, Vec2(std::cos(angle_rad), std::sin(angle_rad)));
+  return 1.0 / locationRatio(ellipse, Vec2(elementary::cos(angle_rad), elementary::sin(angle_rad)));
 }
 
 double ratioOf(double distance, double radius) {
@@ -51,7 +52,7 @@ PolarContour contourOf(std::span<const double> radii_mm) {
     if (!(radii_mm[i] > 0.0) || !std::isfinite(radii_mm[i])) {
       throw Error(fmt::format("contour: radius {} of {} is {} mm", i + 1, contour.count, radii_mm[i]));
     }
-    contour.log_radii[i] = std::log(radii_mm[i]);
+    contour.log_radii[i] = elementary::log(radii_mm[i]);
   }
   return contour;
 }
@@ -62,7 +63,8 @@ PolarContour contourOf(const Ellipse& ellipse, std::size_t radii) {
   PolarContour contour;
   contour.count = radii;
   for (std::size_t i = 0; i < radii; ++i) {
-    contour.log_radii[i] = std::log(polarRadius(ellipse, kTurn * static_cast<double>(i) / static_cast<double>(radii)));
+    contour.log_radii[i] =
+        elementary::log(polarRadius(ellipse, kTurn * static_cast<double>(i) / static_cast<double>(radii)));
   }
   return contour;
 }
@@ -75,11 +77,11 @@ double radiusAt(const PolarContour& contour, double angle_rad) noexcept {
   const auto at = [&](std::size_t steps) {
     return contour.log_radii[(before + contour.count + steps - 1) % contour.count];
   };
-  return std::exp(catmullRom(at(0), at(1), at(2), at(3), position - static_cast<double>(before)));
+  return elementary::exp(catmullRom(at(0), at(1), at(2), at(3), position - static_cast<double>(before)));
 }
 
 double locationRatio(const PolarContour& contour, const Vec2& offset) noexcept {
-  return ratioOf(offset.norm(), radiusAt(contour, std::atan2(offset.y(), offset.x())));
+  return ratioOf(offset.norm(), radiusAt(contour, elementary::atan2(offset.y(), offset.x())));
 }
 
 SurfaceContour contourOnSurface(const PolarContour& contour, const Vec3& normal) noexcept {
@@ -92,7 +94,7 @@ SurfaceContour contourOnSurface(const PolarContour& contour, const Vec3& normal)
 }
 
 double locationRatio(const SurfaceContour& contour, const Vec3& offset_in_plane) noexcept {
-  const double angle = std::atan2(offset_in_plane.dot(contour.axis_y), offset_in_plane.dot(contour.axis_x));
+  const double angle = elementary::atan2(offset_in_plane.dot(contour.axis_y), offset_in_plane.dot(contour.axis_x));
   return ratioOf(offset_in_plane.norm(), radiusAt(contour.contour, angle));
 }
 

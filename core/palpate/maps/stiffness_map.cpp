@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 
 namespace palpate::maps {
@@ -30,7 +31,7 @@ double shareOfChange(const Dysfunction& dysfunction, double distance_mm) {
 
 double stiffnessAtDepth(double bone_depth_mm, const DepthLaw& law) {
   if (!std::isfinite(bone_depth_mm)) return law.soft_n_per_mm;
-  const double share = std::exp(-std::max(bone_depth_mm, 0.0) / law.fade_mm);
+  const double share = elementary::exp(-std::max(bone_depth_mm, 0.0) / law.fade_mm);
   return law.soft_n_per_mm + (law.stiff_n_per_mm - law.soft_n_per_mm) * share;
 }
 

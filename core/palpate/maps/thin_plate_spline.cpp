@@ -6,10 +6,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <cmath>
 
+#include "palpate/base/dense_solve.h"
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 
 namespace palpate::maps {
@@ -72,7 +73,7 @@ void requirePlane(const Eigen::MatrixXd& affine_rows) {
 }
 
 /// r^2 ln r of a squared distance.
-double bending(double squared) { return squared > 0.0 ? 0.5 * squared * std::log(squared) : 0.0; }
+double bending(double squared) { return squared > 0.0 ? 0.5 * squared * elementary::log(squared) : 0.0; }
 
 }  // namespace
 
@@ -96,7 +97,7 @@ ThinPlateSpline::ThinPlateSpline(std::span<const Vec2> places_mm, std::span<cons
   system.bottomLeftCorner(3, n) = affine_rows.transpose();
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(n + 3);
   for (Eigen::Index i = 0; i < n; ++i) wanted[i] = samples.values[i];
-  const Eigen::VectorXd solution = system.partialPivLu().solve(wanted);
+  const Eigen::VectorXd solution = solved(std::move(system), wanted);
   weights_.assign(solution.begin(), solution.begin() + n);
   affine_ = solution.tail<3>();
 }

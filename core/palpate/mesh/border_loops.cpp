@@ -10,6 +10,8 @@
 #include <tuple>
 #include <utility>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::mesh {
 
 namespace {
@@ -99,7 +101,7 @@ class Pairing {
   double gapBetween(Index vertex, Index to, Index from, const Vec3& normal) const {
     const Vec3 u = mesh_.positions[to] - mesh_.positions[vertex];
     const Vec3 w = mesh_.positions[from] - mesh_.positions[vertex];
-    const double angle = std::atan2(normal.dot(u.cross(w)), u.dot(w) - normal.dot(u) * normal.dot(w));
+    const double angle = elementary::atan2(normal.dot(u.cross(w)), u.dot(w) - normal.dot(u) * normal.dot(w));
     return angle < -kOverlapAngle ? angle + 2.0 * std::numbers::pi : std::abs(angle);
   }
 

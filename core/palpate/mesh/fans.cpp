@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 
+#include "palpate/base/elementary.h"
 #include "palpate/mesh/components.h"
 #include "palpate/mesh/topology.h"
 
@@ -38,7 +38,7 @@ std::vector<Page> pagesAt(const TriangleMesh& mesh, Index low, Index high, std::
   for (const EdgeUse& use : uses) {
     const Index third = mesh.triangles[use.half_edge / 3][(use.half_edge % 3 + 2) % 3];
     const Vec3 d = mesh.positions[third] - mesh.positions[low];
-    pages.push_back({use.half_edge, std::atan2(d.dot(w), d.dot(u)), halfEdgeStart(mesh, use.half_edge) == low});
+    pages.push_back({use.half_edge, elementary::atan2(d.dot(w), d.dot(u)), halfEdgeStart(mesh, use.half_edge) == low});
   }
   std::sort(pages.begin(), pages.end(), [](const Page& l, const Page& r) {
     return l.angle != r.angle ? l.angle < r.angle : l.half_edge < r.half_edge;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "palpate/base/elementary.h"
 #include "palpate/mesh/components.h"
 #include "palpate/mesh/winding.h"
 
@@ -107,7 +108,7 @@ OpenParts findOpenParts(const TriangleMesh& mesh, const EdgeUses& edges) {
       volume += volumeOf(pa - origins[part], pb - origins[part], pc - origins[part]);
       area += 0.5 * areaVector2(pa, pb, pc).norm();
     }
-    const double ball = std::pow(area + caps[part].area, 1.5) / (6.0 * std::sqrt(std::numbers::pi));
+    const double ball = elementary::pow(area + caps[part].area, 1.5) / (6.0 * std::sqrt(std::numbers::pi));
     if (!(volume < -kMinFullness * ball) || caps[part].area > kDoubtfulCaps * area) continue;
     work += mesh.triangles.size();
     const Index first = triangles[part][0];

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <utility>
 
+#include "palpate/base/elementary.h"
 #include "palpate/mesh/components.h"
 
 namespace palpate::mesh {
@@ -259,7 +260,7 @@ double windingNumber(const TriangleMesh& mesh, std::span<const Index> triangles,
     const double la = a.norm();
     const double lb = b.norm();
     const double lc = c.norm();
-    half_angles += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    half_angles += elementary::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return half_angles / (2.0 * std::numbers::pi);
 }

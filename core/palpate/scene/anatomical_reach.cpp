@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
 #include "palpate/scene/beneath/tissue_beneath.h"
 #include "palpate/tree/closest_on_triangle.h"
 
@@ -41,7 +42,7 @@ double angleOf(std::size_t direction) {
 
 std::vector<float> logarithms(std::span<const float> values) {
   std::vector<float> logs;
-  for (const float value : values) logs.push_back(std::log(value));
+  for (const float value : values) logs.push_back(elementary::log(value));
   return logs;
 }
 
@@ -80,7 +81,7 @@ double squaredCosine(const Vec3& unit, const Vec3& other) noexcept {
 }
 
 double logFactor(double reach_mm, double flat_mm) noexcept {
-  return std::log(std::clamp(reach_mm / flat_mm, kMinFactor, kMaxFactor));
+  return elementary::log(std::clamp(reach_mm / flat_mm, kMinFactor, kMaxFactor));
 }
 
 /// Between the two vertices of an edge.
@@ -93,7 +94,7 @@ maps::LogTensor evenPart(const DirectedFactors& factors) noexcept {
   maps::LogTensor even = maps::LogTensor::Zero();
   for (std::size_t i = 0; i < kDirections; ++i) {
     const double twice = 2.0 * angleOf(i);
-    even += factors[i] * Vec3(1.0, 2.0 * std::cos(twice), 2.0 * std::sin(twice));
+    even += factors[i] * Vec3(1.0, 2.0 * elementary::cos(twice), 2.0 * elementary::sin(twice));
   }
   return even / static_cast<double>(kDirections);
 }
@@ -134,7 +135,7 @@ struct AnatomicalReach::Cover {
     for (std::size_t i = 0; i <= kSteps; ++i) {
       const double q = static_cast<double>(i) / kSteps;
       const double outward = q * tissue::curveAt(press->outward, tissue::kPressBend, q * q).value;
-      moved[i] = std::hypot(tissue::curveAt(press->down, tissue::kPressBend, q * q).value, outward);
+      moved[i] = elementary::hypot(tissue::curveAt(press->down, tissue::kPressBend, q * q).value, outward);
     }
   }
   void keep(double distance_mm, double tissue_mm) noexcept {
@@ -167,13 +168,13 @@ AnatomicalReach::AnatomicalReach(const mesh::TriangleMesh& skin, const tree::Tri
                                  std::span<const double> nearest_mm, std::span<const body::Bone> bones,
                                  const tissue::LayeredTissue& layered)
     : record_of_triangle_(tree.source_triangle.size()),
-      log_thinnest_(std::log(layered.thinnest())),
-      log_step_(std::log(layered.thickest() / layered.thinnest()) / kRows) {
+      log_thinnest_(elementary::log(layered.thinnest())),
+      log_step_(elementary::log(layered.thickest() / layered.thinnest()) / kRows) {
   for (std::size_t record = 0; record < tree.source_triangle.size(); ++record) {
     record_of_triangle_[tree.source_triangle[record]] = static_cast<Index>(record);
   }
   for (std::size_t row = 0; row <= kRows; ++row) {
-    const double thickness = std::exp(log_thinnest_ + log_step_ * static_cast<double>(row));
+    const double thickness = elementary::exp(log_thinnest_ + log_step_ * static_cast<double>(row));
     const tissue::PressCurves press = layered.pressAt(thickness, tissue::kReferenceDepthMm);
     press_mm_[row] = press.radius_mm * quarterOf(press);
     const tissue::DragCurve drag = layered.dragAt(thickness);
@@ -204,7 +205,7 @@ AnatomicalReach::Rates AnatomicalReach::flatRates(Index triangle, const tree::Tr
   for (std::size_t i = 0; i < 3; ++i) {
     thickness += weights[static_cast<Eigen::Index>(i)] * static_cast<double>(nearest_mm_[record.vertices[i]]);
   }
-  return ratesAt(std::log(thickness));
+  return ratesAt(elementary::log(thickness));
 }
 
 void AnatomicalReach::walk(const tree::TriangleTree& tree, Index record, const Vec3& point, const Vec3& normal,
@@ -221,12 +222,12 @@ void AnatomicalReach::walk(const tree::TriangleTree& tree, Index record, const V
     if (cover.step_mm > 0.0) cover.keep((at.point - point).norm(), valueAt(nearest_mm_, at));
     const double step = way.ahead.dot(at.point - point) - ahead;
     const double rise = normal.dot(at.point - point) - up;
-    const double chord = std::hypot(step, rise);
+    const double chord = elementary::hypot(step, rise);
     if (chord < kChordMm) continue;
     if (!(step > 0.0)) return way.press.goOn(ahead, rates.press_mm);  // turns back: a drag ends, whatever is beyond
     if (!log_beneath_.empty()) rates = ratesAt(valueAt(log_beneath_, at));
     way.press.add(ahead, step, step / rates.press_mm);
-    way.drag.add(ahead, step, step / way.dragReach(rates) + folds.next(std::atan2(rise, step)));
+    way.drag.add(ahead, step, step / way.dragReach(rates) + folds.next(elementary::atan2(rise, step)));
     ahead += step;
     up += rise;
   }
@@ -244,7 +245,7 @@ PlaceReach AnatomicalReach::at(const tree::TriangleTree& tree, Index triangle, c
   Cover cover(presses ? request.press : nullptr);
   for (std::size_t i = 0; i < kDirections; ++i) {
     Way way;
-    way.ahead = std::cos(angleOf(i)) * place.first + std::sin(angleOf(i)) * place.second;
+    way.ahead = elementary::cos(angleOf(i)) * place.first + elementary::sin(angleOf(i)) * place.second;
     way.here = here;
     way.press.share = presses ? 0.0 : 1.0;
     way.drag.share = drags ? 0.0 : 1.0;
@@ -264,10 +265,11 @@ maps::SurfaceEllipse bentEllipse(const maps::SurfaceEllipse& ellipse, const Dire
                                  const PlaceReach& place) noexcept {
   const double length = ellipse.half_major.norm();
   if (!(length > 0.0) || !(ellipse.aspect > 0.0)) return ellipse;
-  const double direction = std::atan2(ellipse.half_major.dot(place.second), ellipse.half_major.dot(place.first));
+  const double direction = elementary::atan2(ellipse.half_major.dot(place.second), ellipse.half_major.dot(place.first));
   const maps::LogTensor flat = maps::logTensor({length, std::min(1.0, ellipse.aspect), direction});
   const maps::Ellipse bent = maps::ellipseOf(flat + evenPart(factors));
-  const Vec3 axis = std::cos(bent.direction_rad) * place.first + std::sin(bent.direction_rad) * place.second;
+  const Vec3 axis =
+      elementary::cos(bent.direction_rad) * place.first + elementary::sin(bent.direction_rad) * place.second;
   return {bent.half_major_mm * axis, bent.aspect};
 }
 
@@ -287,9 +289,9 @@ maps::SurfaceContour bentContour(maps::SurfaceContour contour, const DirectedFac
   const maps::PolarContour between = asRadii(factors);
   for (std::size_t i = 0; i < contour.contour.count; ++i) {
     const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(contour.contour.count);
-    const Vec3 ahead = std::cos(angle) * contour.axis_x + std::sin(angle) * contour.axis_y;
-    const double at_place = std::atan2(ahead.dot(place.second), ahead.dot(place.first));
-    contour.contour.log_radii[i] += std::log(maps::radiusAt(between, at_place));
+    const Vec3 ahead = elementary::cos(angle) * contour.axis_x + elementary::sin(angle) * contour.axis_y;
+    const double at_place = elementary::atan2(ahead.dot(place.second), ahead.dot(place.first));
+    contour.contour.log_radii[i] += elementary::log(maps::radiusAt(between, at_place));
   }
   return contour;
 }
@@ -301,8 +303,8 @@ maps::SurfaceContour bentContour(const maps::SurfaceEllipse& ellipse, const Dire
   const maps::PolarContour between = asRadii(factors);
   for (std::size_t i = 0; i < kRadii; ++i) {
     const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(kRadii);
-    const Vec3 ahead = std::cos(angle) * place.first + std::sin(angle) * place.second;
-    bent.contour.log_radii[i] = std::log(maps::radiusAt(between, angle) / maps::locationRatio(ellipse, ahead));
+    const Vec3 ahead = elementary::cos(angle) * place.first + elementary::sin(angle) * place.second;
+    bent.contour.log_radii[i] = elementary::log(maps::radiusAt(between, angle) / maps::locationRatio(ellipse, ahead));
   }
   return bent;
 }

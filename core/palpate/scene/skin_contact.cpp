@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
 #include "palpate/contact/friction.h"
 #include "palpate/deform/finger_contact.h"
 #include "palpate/deform/shear_limit.h"
@@ -88,7 +88,7 @@ double depthWithinPart(const World& world, const deform::Contact& contact) noexc
     const double r = q * reach_mm;
     for (int i = 0; i < (q > 0.0 ? kPlacesOfARing : 1); ++i) {
       const double angle = 2.0 * std::numbers::pi * i / kPlacesOfARing;
-      const Vec3 over = contact.anchor + r * (std::cos(angle) * first + std::sin(angle) * second);
+      const Vec3 over = contact.anchor + r * (elementary::cos(angle) * first + elementary::sin(angle) * second);
       depth_mm = deepestAt(world.surface.geometry->tree, over, normal, std::max(r, 1.0), tissue::profile(q), depth_mm);
     }
   }

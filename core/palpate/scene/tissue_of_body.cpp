@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/maps/ellipse.h"
 #include "palpate/scene/anatomical_reach.h"
@@ -54,11 +55,12 @@ maps::SurfaceEllipse ellipseOf(const Mat2& shape, const Vec3& first, const Vec3&
   const Mat2 square = shape * shape.transpose();
   const double mean = 0.5 * (square(0, 0) + square(1, 1));
   const double half_difference = 0.5 * (square(0, 0) - square(1, 1));
-  const double away = std::hypot(half_difference, square(0, 1));
-  const double angle = 0.5 * std::atan2(square(0, 1), half_difference);
+  const double away = elementary::hypot(half_difference, square(0, 1));
+  const double angle = 0.5 * elementary::atan2(square(0, 1), half_difference);
   const double major = std::sqrt(mean + away);
   const double minor = std::sqrt(std::max(0.0, mean - away));
-  return {major * (std::cos(angle) * first + std::sin(angle) * second), major > 0.0 ? minor / major : 0.0};
+  return {major * (elementary::cos(angle) * first + elementary::sin(angle) * second),
+          major > 0.0 ? minor / major : 0.0};
 }
 
 /// The measured ellipse turned with the drag, its axes times `scale`.
@@ -157,10 +159,10 @@ DirectedFactors dragFactors(const Scene& scene, const PlaceReach& place) noexcep
 
 /// A contour that was measured is where a tenth of the drag was left, as a measured ellipse is: its rim lies beyond.
 void scaleContour(maps::SurfaceContour& contour, double factor) noexcept {
-  const double log_farthest = std::log(kFarthestRimMm);
+  const double log_farthest = elementary::log(kFarthestRimMm);
   for (std::size_t i = 0; i < contour.contour.count; ++i) {
     double& radius = contour.contour.log_radii[i];
-    radius = std::min(radius + std::log(factor), log_farthest);
+    radius = std::min(radius + elementary::log(factor), log_farthest);
   }
 }
 

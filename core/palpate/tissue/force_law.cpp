@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/base/gaussian.h"
 #include "palpate/tissue/profile.h"
@@ -23,7 +24,7 @@ const double kGaussianWidth = std::sqrt(kGaussianRate);
 /// Integral of profile() from 0 to q.
 double profileArea(double q) noexcept {
   const double inside = std::min(q, 1.0);
-  const double gaussian_area = std::erf(kGaussianWidth * inside) / (2.0 * kGaussianCut);
+  const double gaussian_area = elementary::erf(kGaussianWidth * inside) / (2.0 * kGaussianCut);
   return kProfileScale * gaussian_area - kProfileOffset * inside;
 }
 
@@ -157,7 +158,7 @@ double tangentFactor(const ForceLaw& law, double depth, const PressedPlace& plac
     case ForceLaw::Kind::linear:
       return 1.0;
     case ForceLaw::Kind::power:
-      return law.exponent * std::pow(depth / law.reference_depth_mm, law.exponent - 1.0);
+      return law.exponent * elementary::pow(depth / law.reference_depth_mm, law.exponent - 1.0);
     case ForceLaw::Kind::stiffening:
       return scaleOf(law) *
              (law.stiffening_ratio + (1.0 - law.stiffening_ratio) * profile(depth / law.stiffening_depth_mm));
@@ -265,7 +266,7 @@ double detail::secantFactor(const ForceLaw& law, double depth_mm, const PressedP
     case ForceLaw::Kind::linear:
       return 1.0;
     case ForceLaw::Kind::power:
-      return std::pow(depth_mm / law.reference_depth_mm, law.exponent - 1.0);
+      return elementary::pow(depth_mm / law.reference_depth_mm, law.exponent - 1.0);
     case ForceLaw::Kind::stiffening:
       return scaleOf(law) * stiffened(law, depth_mm) / depth_mm;
     case ForceLaw::Kind::table:

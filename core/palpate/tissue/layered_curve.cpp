@@ -1,9 +1,10 @@
 // Least squares for the coefficients of a curve; load time.
 #include "palpate/tissue/layered_curve.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
+#include "palpate/base/dense_solve.h"
 #include "palpate/base/error.h"
 
 namespace palpate::tissue {
@@ -50,7 +51,7 @@ LayeredCurve fittedShare(std::span<const CurveSample> samples, double bend) {
     left.row(row) = sample.weight * (basis.tail<kCurveTerms - 1>().array() - basis[0]).matrix();
     right[row++] = sample.weight * (sample.value - basis[0]);
   }
-  const Eigen::VectorXd others = left.colPivHouseholderQr().solve(right);
+  const Eigen::VectorXd others = leastSquares(std::move(left), right);
   Eigen::VectorXd terms(kCurveTerms);
   terms << 1.0 - others.sum(), others;
   return curveOf(terms);
@@ -66,7 +67,7 @@ LayeredCurve fittedOutward(std::span<const CurveSample> samples, double bend) {
     left.row(row) = sample.weight * sample.q * basisAt(bend, sample.q);
     right[row++] = sample.weight * sample.value;
   }
-  return curveOf(left.colPivHouseholderQr().solve(right));
+  return curveOf(leastSquares(std::move(left), right));
 }
 
 }  // namespace palpate::tissue

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/tissue/layered_library.h"
 
@@ -81,7 +82,7 @@ double tenthOf(const LayeredCurve& share) {
 
 DragCurve dragCurve(const LayeredTable& table) {
   const DragShape drag = table.drag.value_or(DragShape{});
-  const double tenth = std::sqrt(std::pow(10.0, 1.0 / drag.exponent) - 1.0);
+  const double tenth = std::sqrt(elementary::pow(10.0, 1.0 / drag.exponent) - 1.0);
   DragCurve curve;
   curve.along_mm = std::min(kRimOverTenth * tenth * drag.along_mm, kLongestDragMm);
   curve.across_mm = curve.along_mm * drag.across_mm / drag.along_mm;
@@ -89,7 +90,7 @@ DragCurve dragCurve(const LayeredTable& table) {
   if (drag.on_along.empty()) {
     samples = samplesOf([&](double q) {
       const double widths = q * curve.along_mm / drag.along_mm;
-      return std::pow(1.0 + widths * widths, -drag.exponent);
+      return elementary::pow(1.0 + widths * widths, -drag.exponent);
     });
   } else {
     samples = samplesOf([&](double q) { return interpolated(table.radii_mm, drag.on_along, q * curve.along_mm); });
@@ -166,7 +167,7 @@ double secantOf(const LayeredNode& node, double depth_mm, double finger_mm) noex
 
 double geometric(double a, double b, double share) noexcept {
   if (!(a > 0.0) || !(b > 0.0)) return a + share * (b - a);
-  return std::exp(std::log(a) + share * (std::log(b) - std::log(a)));
+  return elementary::exp(elementary::log(a) + share * (elementary::log(b) - elementary::log(a)));
 }
 
 }  // namespace
@@ -276,7 +277,8 @@ LayeredTissue::Between LayeredTissue::between(double thickness_mm) const noexcep
   if (thickness_mm >= thickest()) return {&nodes_.back(), &nodes_.back(), 0.0};
   const auto above = std::ranges::upper_bound(nodes_, thickness_mm, {}, &LayeredNode::thickness_mm);
   const LayeredNode& a = *(above - 1);
-  return {&a, &*above, std::log(thickness_mm / a.thickness_mm) / std::log(above->thickness_mm / a.thickness_mm)};
+  return {&a, &*above,
+          elementary::log(thickness_mm / a.thickness_mm) / elementary::log(above->thickness_mm / a.thickness_mm)};
 }
 
 PressCurves LayeredTissue::pressAt(double thickness_mm, double depth_mm) const noexcept {

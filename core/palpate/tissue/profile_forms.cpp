@@ -4,9 +4,9 @@
 // fits.
 #include "palpate/tissue/profile_forms.h"
 
-#include <cmath>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/gaussian.h"
 
 namespace palpate::tissue {
@@ -29,30 +29,31 @@ ProfilePoint halfGaussianForm(double q) noexcept {
 ProfilePoint sharpForm(double q) noexcept {
   constexpr double kSpan = kGaussianCut - kInflection;
   const double x = kInflection + kSpan * q;
-  const double value = std::exp(-std::numbers::pi * (x * x - kInflection * kInflection));
+  const double value = elementary::exp(-std::numbers::pi * (x * x - kInflection * kInflection));
   return {value, -2.0 * std::numbers::pi * x * kSpan * value};
 }
 
 ProfilePoint cosineForm(double q) noexcept {
   const double angle = std::numbers::pi * q;
-  return {0.5 * (1.0 + std::cos(angle)), -0.5 * std::numbers::pi * std::sin(angle)};
+  return {0.5 * (1.0 + elementary::cos(angle)), -0.5 * std::numbers::pi * elementary::sin(angle)};
 }
 
 ProfilePoint logarithmForm(double q) noexcept {
-  const double whole = std::log1p(kLogarithmReach);
-  return {1.0 - std::log1p(kLogarithmReach * q) / whole, -kLogarithmReach / ((1.0 + kLogarithmReach * q) * whole)};
+  const double whole = elementary::log1p(kLogarithmReach);
+  return {1.0 - elementary::log1p(kLogarithmReach * q) / whole,
+          -kLogarithmReach / ((1.0 + kLogarithmReach * q) * whole)};
 }
 
 ProfilePoint twoGaussiansForm(const TwoGaussians& shape, double q) noexcept {
   const double w = shape.wide_weight;
-  const double narrow = (1.0 - w) * std::exp(-q * q / (shape.narrow * shape.narrow));
-  const double wide = w * std::exp(-q * q / (shape.wide * shape.wide));
+  const double narrow = (1.0 - w) * elementary::exp(-q * q / (shape.narrow * shape.narrow));
+  const double wide = w * elementary::exp(-q * q / (shape.wide * shape.wide));
   return {narrow + wide, -2.0 * q * (narrow / (shape.narrow * shape.narrow) + wide / (shape.wide * shape.wide))};
 }
 
 ProfilePoint powerForm(const PowerTail& shape, double q) noexcept {
   const double base = 1.0 + q * q / (shape.width * shape.width);
-  const double value = std::pow(base, -shape.exponent);
+  const double value = elementary::pow(base, -shape.exponent);
   const double slope = -2.0 * shape.exponent * q / (shape.width * shape.width) * value / base;
   return fadedOut({value, slope}, q);
 }

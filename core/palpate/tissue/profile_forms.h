@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/fidelity.h"
 #include "palpate/tissue/profile_curve.h"
 #include "palpate/tissue/profile_settings.h"
@@ -62,7 +63,7 @@ struct RadialTerm {
 inline ProfilePoint radialPull(const RadialTerm& term, double q) noexcept {
   if (!(q < 1.0)) return {};
   const double x = q / term.width;
-  const double bell = term.share * std::exp(0.5 * (1.0 - x * x));
+  const double bell = term.share * elementary::exp(0.5 * (1.0 - x * x));
   return fadedOut({x * bell, (1.0 - x * x) / term.width * bell}, q);
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::tissue {
 
 namespace {
@@ -43,10 +45,12 @@ double sum(const Curve& curve, std::size_t first, const std::array<double, 4>& w
 
 }  // namespace
 
-double solvedKnotMm(std::size_t i) { return kSolvedPatchMm * std::sqrt(std::expm1(kStep * static_cast<double>(i))); }
+double solvedKnotMm(std::size_t i) {
+  return kSolvedPatchMm * std::sqrt(elementary::expm1(kStep * static_cast<double>(i)));
+}
 
 SolvedDrag solvedDragAt(double rho2, double tail) {
-  const double place = std::log1p(rho2) / kStep;
+  const double place = elementary::log1p(rho2) / kStep;
   if (!(place < static_cast<double>(kSolvedKnots) - 2.0)) return {};
   const Weights w = weightsAt(place);
   constexpr double kPerTail = (kStacks - 1) / kSolvedLongestTail;

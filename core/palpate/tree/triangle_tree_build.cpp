@@ -9,6 +9,7 @@
 #include <limits>
 #include <string>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/tree/triangle_tree.h"
@@ -260,7 +261,7 @@ void setUnitFrame(const mesh::TriangleMesh& mesh, TriangleTree& tree) {
   tree.center = box.center();
   tree.diagonal = box.diagonal().norm();
   const double longest = box.sizes().maxCoeff();
-  tree.to_unit = longest > 0.0 ? std::exp2(-std::ceil(std::log2(longest))) : 1.0;
+  tree.to_unit = longest > 0.0 ? elementary::exp2(-std::ceil(elementary::log2(longest))) : 1.0;
 }
 
 void fillRecords(const mesh::TriangleMesh& mesh, const std::vector<Item>& items, TriangleTree& tree) {

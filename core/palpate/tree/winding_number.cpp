@@ -12,6 +12,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::tree {
 
 namespace {
@@ -97,7 +99,7 @@ double solidAngle(const TriangleRecord& record, const Vec3& point) {
   const Vec3 b = record.corners[1] - point;
   const Vec3 c = record.corners[2] - point;
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
-  return 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  return 2.0 * elementary::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
 }  // namespace

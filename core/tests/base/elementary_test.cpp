@@ -235,6 +235,7 @@ TEST(Elementary, EdgesOfTwoArgumentsAreThoseOfTheCLibrary) {
       for (const auto& [a, b] : {Two{x, y}, Two{-x, y}, Two{x, -y}, Two{-x, -y}}) {
         EXPECT_TRUE(same(elementary::pow(a, b), std::pow(a, b))) << a << " to the power " << b;
         EXPECT_TRUE(same(elementary::atan2(a, b), std::atan2(a, b))) << a << " over " << b;
+        EXPECT_TRUE(same(elementary::hypot(a, b), std::hypot(a, b))) << a << " and " << b;
       }
     }
   }

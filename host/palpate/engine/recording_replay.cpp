@@ -198,10 +198,8 @@ class Replay {
         settings_.folder.empty() ? std::filesystem::path(recorded.folder) : settings_.folder;
     const auto world = worldOf(recorded, folder);
     report_.build_s += secondsSince(started);
-    if (hashOf(*world) != recorded.hash) {
-      report_.notes.push_back(fmt::format(
-          "world {} is not the recorded one: its body or its stiffness is another ({} triangles instead of {})", number,
-          world->body->skin.triangles.size(), recorded.triangles));
+    if (std::string note = noteOfAnotherWorld(recorded, number, *world); !note.empty()) {
+      report_.notes.push_back(std::move(note));
     }
     // A file that somebody bent must not leave a finger on a triangle that there is none of.
     const bool other_body =

@@ -159,6 +159,18 @@ std::uint64_t hashOf(const scene::World& world) {
   return hash.value();
 }
 
+std::string noteOfAnotherWorld(const trace::RecordingWorld& recorded, std::uint32_t number, const scene::World& world) {
+  if (hashOf(world) == recorded.hash) return {};
+  const std::size_t triangles = world.body->skin.triangles.size();
+  std::string why;
+  if (triangles != recorded.triangles) {
+    why = fmt::format(" ({} triangles instead of {})", triangles, recorded.triangles);
+  } else if (world.scene.body.kind != scene::BodyKind::mesh) {
+    why = "; the built-in bodies of palpate 0.2 had other last bits";
+  }
+  return fmt::format("world {} is not the recorded one: its body or its stiffness is another{}", number, why);
+}
+
 std::vector<FeltWith> feltWith(const servo::Rig& rig) {
   std::vector<FeltWith> fingers;
   for (const servo::FingerChain& finger : rig.fingers) {

@@ -41,6 +41,9 @@ std::vector<FingerLimits> limitsIn(const trace::RecordingWorld& world, std::span
 /// Of skin, stiffness and force law: two worlds with the same hash give the same forces.
 std::uint64_t hashOf(const scene::World& world);
 
+/// A sentence where the world that was built is not the recorded one; empty: it is.
+std::string noteOfAnotherWorld(const trace::RecordingWorld& recorded, std::uint32_t number, const scene::World& world);
+
 /// What a finger is felt with.
 struct FeltWith {
   contact::FingerSettings contact;

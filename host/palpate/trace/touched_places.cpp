@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/hash.h"
 #include "palpate/tree/triangle_tree.h"
 
@@ -99,7 +100,7 @@ mesh::TriangleMesh cutSkin(const mesh::TriangleMesh& skin, const std::vector<boo
   for (;; longest_mm *= 1.5) {
     pieces = 0.0;
     for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
-      if (reached[t]) pieces += std::pow(stripsOf(longestSide(skin, skin.triangles[t]), longest_mm), 2.0);
+      if (reached[t]) pieces += elementary::square(stripsOf(longestSide(skin, skin.triangles[t]), longest_mm));
     }
     const auto reached_triangles = static_cast<double>(std::count(reached.begin(), reached.end(), true));
     if (pieces <= std::max(static_cast<double>(kMaxPieces), reached_triangles)) break;

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <optional>
 
+#include "palpate/base/elementary.h"
+#include "palpate/base/rotation.h"
 #include "palpate/mesh/nearest.h"
 
 namespace palpate::body {
@@ -175,7 +177,7 @@ void addPriors(const BodyPlacement& at, bool build_is_free, Normal& normal, Numb
     normal(number, number) += 1 / (deviation * deviation);
     right[number] += (mean - value) / (deviation * deviation);
   };
-  add(6, std::log(at.shape.stature_mm), std::log(kMeanStatureMm), kStatureDeviation);
+  add(6, elementary::log(at.shape.stature_mm), elementary::log(kMeanStatureMm), kStatureDeviation);
   for (std::size_t i = 0; i < kBuild.size(); ++i) {
     const int number = kPoseNumbers + static_cast<int>(i);
     const double stiff = build_is_free ? 1.0 : 1e-6;
@@ -188,11 +190,11 @@ BodyPlacement moved(BodyPlacement at, const Numbers& by) {
   Vec3 turn = at.rotation * by.head<3>();
   const double most = 0.5;
   if (turn.norm() > most) turn *= most / turn.norm();
-  if (turn.norm() > 0) at.rotation = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * at.rotation;
+  if (turn.norm() > 0) at.rotation = rotationAbout(turn.normalized(), turn.norm()) * at.rotation;
   at.rotation = Eigen::Quaterniond(at.rotation).normalized().toRotationMatrix();
   at.translation += by.segment<3>(3);
   at.shape.stature_mm =
-      std::clamp(at.shape.stature_mm * std::exp(std::clamp(by[6], -0.2, 0.2)), kMinStatureMm, kMaxStatureMm);
+      std::clamp(at.shape.stature_mm * elementary::exp(std::clamp(by[6], -0.2, 0.2)), kMinStatureMm, kMaxStatureMm);
   for (std::size_t i = 0; i < kBuild.size(); ++i) {
     double& value = at.shape.*kBuild[i].member;
     value = std::clamp(value + by[kPoseNumbers + static_cast<int>(i)], kBuild[i].low, kBuild[i].high);
@@ -314,7 +316,8 @@ Alignment aligned(const TemplateBody& body, const ScanSamples& scan, std::span<c
   double sigma = 5;
   for (int i = 0; i <= settings.rounds; ++i) {
     const double share = std::min(1.0, 1.4 * i / std::max(settings.rounds, 1));
-    const double reach = settings.first_reach_mm * std::pow(settings.last_reach_mm / settings.first_reach_mm, share);
+    const double reach =
+        settings.first_reach_mm * elementary::pow(settings.last_reach_mm / settings.first_reach_mm, share);
     std::optional<Round> own;
     if (build == nullptr) own.emplace(body, result.placement.shape, true);
     const Round& round = own ? *own : *build;

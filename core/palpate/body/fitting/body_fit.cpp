@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/body/fitting/alignment.h"
 #include "palpate/body/places.h"
@@ -127,8 +128,8 @@ bool isOfSpine(const SkinLandmark& landmark) {
 }
 
 double offOf(double deviation_mm, double rms_mm, double to_point_mm) {
-  const double near = std::exp(-to_point_mm * to_point_mm / (2 * kPointReachMm * kPointReachMm));
-  return std::hypot(deviation_mm, kOwnErrorMm + kHiddenShare * rms_mm * std::sqrt(1 - near * near));
+  const double near = elementary::exp(-to_point_mm * to_point_mm / (2 * kPointReachMm * kPointReachMm));
+  return elementary::hypot(deviation_mm, kOwnErrorMm + kHiddenShare * rms_mm * std::sqrt(1 - near * near));
 }
 
 double toNearest(std::span<const KnownPlace> known, const Vec3& place) {
@@ -158,7 +159,7 @@ double chanceOfAnother(const Alignment& best, const std::optional<Alignment>& ot
   const double sigma = std::max(best.rms_mm, 3.0);
   const double independent = area_mm2 / (kAlikeMm * kAlikeMm);
   const double worse = independent / 2 * (other->misfit - best.misfit) * kMisfitMm * kMisfitMm / (sigma * sigma);
-  return 1 / (1 + std::exp(std::min(worse, 50.0)));
+  return 1 / (1 + elementary::exp(std::min(worse, 50.0)));
 }
 
 std::string helpOf(bool by_points) { return by_points ? "" : "; name four points or more (--at T6=X,Y,Z)"; }
@@ -195,7 +196,7 @@ BodyFit fitOf(const TemplateBody& body, const ScanSamples& samples, const Alignm
       fit.spine_expected_mm = std::max(fit.spine_expected_mm, fit.expected_mm[i]);
   }
   if (fit.spine_expected_mm == 0) fit.spine_expected_mm = kOffMm;  // a scan without any spine
-  fit.certainty = std::erf(kOffMm / (kWorstOfAll * fit.spine_expected_mm * std::numbers::sqrt2)) *
+  fit.certainty = elementary::erf(kOffMm / (kWorstOfAll * fit.spine_expected_mm * std::numbers::sqrt2)) *
                   (1 - chanceOfAnother(best, other, samples.area_mm2));
   judge(best, known.size() >= kFewestNamedPoints, fit);
   return fit;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/body/bones.h"
 #include "palpate/body/places.h"
@@ -62,7 +63,7 @@ double keptUnder(double depth_mm) {
   constexpr double kSoftMm = 1.2;
   const double over = (depth_mm - kMinFittedCoverMm) / kSoftMm;
   if (over > 8) return depth_mm;
-  return kMinFittedCoverMm + kSoftMm * std::log1p(std::exp(over));
+  return kMinFittedCoverMm + kSoftMm * elementary::log1p(elementary::exp(over));
 }
 
 /// False where the bone is not under this skin, or more beside it than under it.

@@ -1,8 +1,8 @@
 // A kernel average for the many, Gaussian radial functions through the few.
 #include "palpate/body/fitting/residual_warp.h"
 
-#include <Eigen/Cholesky>
-#include <cmath>
+#include "palpate/base/dense_solve.h"
+#include "palpate/base/elementary.h"
 
 namespace palpate::body {
 
@@ -13,7 +13,9 @@ constexpr double kSkinNothing = 0.3;   // weight of "no move": far from all samp
 constexpr double kExactReachMm = 110;  // about four vertebrae
 constexpr double kExactSoftness = 1e-4;
 
-double bell(const Vec3& offset, double reach_mm) { return std::exp(-offset.squaredNorm() / (2 * reach_mm * reach_mm)); }
+double bell(const Vec3& offset, double reach_mm) {
+  return elementary::exp(-offset.squaredNorm() / (2 * reach_mm * reach_mm));
+}
 
 }  // namespace
 
@@ -31,7 +33,7 @@ ResidualWarp::ResidualWarp(std::vector<Move> skin, std::vector<Move> exact)
     kernels(i, i) += kExactSoftness;
     left.row(i) = (move.by - bySkin(move.place)).transpose();
   }
-  const Eigen::MatrixXd weights = kernels.ldlt().solve(left);
+  const Eigen::MatrixXd weights = solved(std::move(kernels), std::move(left));
   for (Eigen::Index i = 0; i < count; ++i) weights_.emplace_back(weights.row(i).transpose());
 }
 

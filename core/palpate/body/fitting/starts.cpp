@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::body {
 
 namespace {
@@ -41,7 +43,7 @@ std::vector<Mat3> turnsOfPatch(const Vec3& back) {
   std::vector<Mat3> turns;
   for (int i = 0; i < kTurnsOfPatch; ++i) {
     const double angle = 2 * std::numbers::pi * i / kTurnsOfPatch;
-    turns.push_back(frameOf(std::cos(angle) * first.col(1) + std::sin(angle) * first.col(0), back));
+    turns.push_back(frameOf(elementary::cos(angle) * first.col(1) + elementary::sin(angle) * first.col(0), back));
   }
   return turns;
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/skeleton/skeleton_shapes.h"
 #include "palpate/body/tetrahedra_mesher.h"
@@ -34,7 +35,7 @@ bool bifid(const VertebraRow& row) { return row.name[1] != '7'; }
 
 Vec3 cervicalSpinousDirection(const VertebraRow& row) {
   const double down = radiansOf(row.spinous_down_deg);
-  return {0.0, -std::sin(down), std::cos(down)};
+  return {0.0, -elementary::sin(down), elementary::cos(down)};
 }
 
 Vec3 cervicalSpinousRoot(const VertebraRow& row) { return {0.0, -1.5, row.depth / 2 + row.canal_depth + 0.5}; }
@@ -82,7 +83,7 @@ struct CervicalParts {
   // Of the transverse process.
   Vec3 tip() const {
     const double x = row.transverse_span / 2 - row.transverse_radius;
-    return {x, -1.0, half_depth - 2.0 + std::tan(radiansOf(row.transverse_back_deg)) * 0.5 * (x - half_width)};
+    return {x, -1.0, half_depth - 2.0 + elementary::tan(radiansOf(row.transverse_back_deg)) * 0.5 * (x - half_width)};
   }
 
   static std::vector<FlatRing> laminaRings(const VertebraRow& r, double pillar_x, double pillar_z) {

@@ -5,6 +5,7 @@
 // high, [R] recalled textbook values. The course under the skin, 5 mm and more, is our choice.
 #include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/skeleton/skeleton_shapes.h"
 
@@ -53,7 +54,7 @@ mesh::TriangleMesh makeRightClavicle(double edge_mm) {
 
 Ball sternoclavicularSocket() {
   const Vec3 along = (kClavicleLine[1] - kClavicleLine[0]).normalized();
-  return {kClavicleLine[0] + 4.0 * along, std::hypot(kClavicleSection[0].wide, 4.0) + kSocketMargin};
+  return {kClavicleLine[0] + 4.0 * along, elementary::hypot(kClavicleSection[0].wide, 4.0) + kSocketMargin};
 }
 
 ClaviclePoints rightClaviclePoints() {

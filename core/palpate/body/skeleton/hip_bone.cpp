@@ -8,11 +8,12 @@
 // (McGaugh 2007, Clin Anat 20:819) [A]; centre of the hip 0.36 of the breadth over the spines lateral, 0.19 behind and
 // 0.30 below the spine (Bell 1990, J Biomech 23:617) [R]. The skin of this body is narrow at the hips: the crests stand
 // 266 apart here, our choice. All coordinates are construction values of our choice.
-#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "palpate/base/dense_solve.h"
+#include "palpate/base/elementary.h"
 #include "palpate/body/plane_outline.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/skeleton/skeleton_shapes.h"
@@ -76,7 +77,7 @@ class BentPlate {
       matrix.col(i).tail(3) << 1.0, p.x(), p.y();
       right[i] = p.z();
     }
-    weights_ = matrix.partialPivLu().solve(right);
+    weights_ = solved(std::move(matrix), right);
     for (int j = 0; j < kRows; ++j) {
       for (int i = 0; i < kColumns; ++i) table_.push_back(exact(kLow + kStepMm * Vec2(i, j)));
     }
@@ -105,7 +106,7 @@ class BentPlate {
 
   static double bend(const Vec3& a, const Vec3& b) {
     const double r2 = (a - b).head<2>().squaredNorm();
-    return r2 > 0.0 ? r2 * std::log(r2) : 0.0;
+    return r2 > 0.0 ? r2 * elementary::log(r2) : 0.0;
   }
   double exact(const Vec2& p) const {
     const auto n = static_cast<Eigen::Index>(points_.size());

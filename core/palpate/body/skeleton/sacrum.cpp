@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "palpate/base/elementary.h"
+#include "palpate/base/rotation.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/skeleton/skeleton_shapes.h"
 #include "palpate/body/tetrahedra_mesher.h"
@@ -63,7 +65,7 @@ Eigen::Isometry3d sacralFrame() {
   // The axis v of the table points down; here (x, -v, n) is right-handed, so y of the frame is -v.
   Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
   placed.translate(kOrigin);
-  placed.rotate(Eigen::AngleAxisd(-kChordDeg * std::numbers::pi / 180.0, Vec3::UnitX()));
+  placed.rotate(rotationAbout(Vec3::UnitX(), -kChordDeg * std::numbers::pi / 180.0));
   return placed;
 }
 
@@ -118,8 +120,8 @@ struct SacrumParts {
   double endplateDistance(const Vec3& p) const {
     // A short column, its top turned by the slope of the endplate.
     const double turn = kEndplateDeg * std::numbers::pi / 180.0;
-    const double up = std::cos(turn) * p.y() + std::sin(turn) * p.z();
-    const double back = std::cos(turn) * p.z() - std::sin(turn) * p.y();
+    const double up = elementary::cos(turn) * p.y() + elementary::sin(turn) * p.z();
+    const double back = elementary::cos(turn) * p.z() - elementary::sin(turn) * p.y();
     const double side = superellipseDistance(p.x(), back, 24.5, 16.8, 2.4);
     return roundedIntersection(side, std::abs(up + 11.0) - 11.0, 2.2);
   }
@@ -132,7 +134,7 @@ struct SacrumParts {
     d = smoothUnion(d, nearestDistance(tubercles, p), 3.0);
     d = smoothUnion(d, facet.distance(p), 3.0);
     for (const Foramen& f : kForamina) {
-      d = smoothDifference(d, std::hypot(p.x() - f.x, p.y() + f.v) - f.radius, 2.5);
+      d = smoothDifference(d, elementary::hypot(p.x() - f.x, p.y() + f.v) - f.radius, 2.5);
     }
     return smoothUnion(d, nearestDistance(coccyx, p), 2.5);
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/elementary.h"
 #include "palpate/body/plane_outline.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/skeleton/skeleton_shapes.h"
@@ -81,9 +82,9 @@ struct SternumParts {
     d = smoothUnion(d, Capsule{{0, 96, -52.2}, {13, 96, -50.8}, 5.0, 4.2}.distance(p), 3.0);
     for (int number = 1; number <= 7; ++number) {
       const Vec3 middle = sternalNotch(number) + Vec3(kNotchRadius - kNotchDepth, 0.0, 0.0);
-      d = smoothDifference(d, std::hypot(p.x() - middle.x(), p.y() - middle.y()) - kNotchRadius, 2.0);
+      d = smoothDifference(d, elementary::hypot(p.x() - middle.x(), p.y() - middle.y()) - kNotchRadius, 2.0);
     }
-    d = smoothDifference(d, std::hypot(p.x(), p.y() - 150.0) - 13.0, 2.5);
+    d = smoothDifference(d, elementary::hypot(p.x(), p.y() - 150.0) - 13.0, 2.5);
     return smoothDifference(d, (p - socket.centre).norm() - socket.radius, 1.5);
   }
 };

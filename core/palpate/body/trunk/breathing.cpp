@@ -10,6 +10,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "palpate/base/elementary.h"
+
 namespace palpate::body {
 
 namespace {
@@ -58,7 +60,7 @@ std::optional<BreathField> BreathField::of(const Breathing& breathing, std::span
 double BreathField::lift(double seconds) const noexcept {
   const double breaths = seconds * breathing_.per_minute / 60.0;
   const double turn = 2.0 * std::numbers::pi * (breaths - std::floor(breaths));
-  return breathing_.depth_mm * 0.5 * (1.0 - std::cos(turn));
+  return breathing_.depth_mm * 0.5 * (1.0 - elementary::cos(turn));
 }
 
 double BreathField::share(const Vec3& rest) const noexcept {

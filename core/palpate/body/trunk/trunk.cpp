@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "palpate/base/background.h"
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/body/bones.h"
 #include "palpate/body/skeleton/skeleton.h"
@@ -74,7 +75,7 @@ class Shaper {
   /// The relief of the dorsal bones is a change of the radius about the axis of the back's skin (skin_relief.h).
   Vec3 relief(const SkinPoint& fitted) const {
     const Vec3& p = fitted.position;
-    const SkinAngle place{std::atan2(p.x(), p.z() - kSkinAxisZ), p.y()};
+    const SkinAngle place{elementary::atan2(p.x(), p.z() - kSkinAxisZ), p.y()};
     const Vec2 unit = unitOfPlace(place);
     const bool on_back =
         (unit.array() >= 0).all() && (unit.array() <= 1).all() && std::abs(place.angle) < borderAngle(p.y());
@@ -84,7 +85,7 @@ class Shaper {
     const double inside = std::clamp((p.y() - kSkinLow) / kFadeMm, 0.0, 1.0);
     const double top = std::clamp((kSkinHigh - p.y()) / kFadeMm, 0.0, 1.0);
     const double fade = inside * inside * (3 - 2 * inside) * top * top * (3 - 2 * top);
-    const Vec3 radial(std::sin(place.angle), 0, std::cos(place.angle));
+    const Vec3 radial(elementary::sin(place.angle), 0, elementary::cos(place.angle));
     // At the root of the neck the front is dorsal of that axis too.
     constexpr double kFacesBack = 0.3;
     const double back = std::clamp(fitted.normal.dot(radial) / kFacesBack, 0.0, 1.0);

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <string>
 
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 
 namespace palpate::body {
@@ -35,7 +36,7 @@ double hillsAt(std::span<const Hill> hills, const Vec3& place) {
   const auto add = [&](const Hill& hill, double side) {
     const Vec3 offset(side * place.x() - hill.middle.x(), place.y() - hill.middle.y(), place.z() - hill.middle.z());
     const double square = offset.cwiseQuotient(hill.width).squaredNorm();
-    if (square < 16) sum += hill.height * std::exp(-square);
+    if (square < 16) sum += hill.height * elementary::exp(-square);
   };
   for (const Hill& hill : hills) {
     add(hill, 1);
@@ -112,7 +113,7 @@ double keptOffBone(double growth, double depth_mm) {
   if (growth >= 0) return growth;
   const double most = kSpareShare * std::max(depth_mm - kMinCoverMm, 0.0);
   // Towards `most` without a kink: thin skin over a rib follows it, between ribs it sinks.
-  return most > 0 ? -most * std::tanh(-growth / most) : 0.0;
+  return most > 0 ? -most * elementary::tanh(-growth / most) : 0.0;
 }
 
 BodyWarp::Bend::Bend(double axis_z, double fixed_y, std::vector<Window> windows, bool upright)
@@ -120,7 +121,7 @@ BodyWarp::Bend::Bend(double axis_z, double fixed_y, std::vector<Window> windows,
   const auto index = [](double y) { return static_cast<std::size_t>(std::lround(y - kBentLow)); };
   const auto build = [&] {
     axis_.assign(index(kBentHigh) + 1, Vec2(fixed_y, axis_z));
-    const auto middle = [&](double y) { return Vec2(std::cos(angleAt(y)), -std::sin(angleAt(y))); };
+    const auto middle = [&](double y) { return Vec2(elementary::cos(angleAt(y)), -elementary::sin(angleAt(y))); };
     for (std::size_t i = index(fixed_y); i + 1 < axis_.size(); ++i) {
       axis_[i + 1] = axis_[i] + middle(kBentLow + static_cast<double>(i) + 0.5);
     }
@@ -133,7 +134,7 @@ BodyWarp::Bend::Bend(double axis_z, double fixed_y, std::vector<Window> windows,
   // The neck stays above the sacrum: the whole body leans back by what the bend leans it forward.
   constexpr double kNeckY = 190;
   const Vec2 neck = axis_[index(kNeckY)] - axis_[index(fixed_y)];
-  angle_offset_ -= std::atan2(-neck.y(), neck.x());
+  angle_offset_ -= elementary::atan2(-neck.y(), neck.x());
   build();
 }
 
@@ -141,7 +142,7 @@ double BodyWarp::Bend::angleAt(double y) const {
   double angle = angle_offset_;
   for (const Window& window : windows_) {
     const double t = std::clamp((y - window.low) / (window.high - window.low), 0.0, 1.0);
-    angle += window.angle * (t - std::sin(2 * std::numbers::pi * t) / (2 * std::numbers::pi));
+    angle += window.angle * (t - elementary::sin(2 * std::numbers::pi * t) / (2 * std::numbers::pi));
   }
   return angle;
 }
@@ -153,7 +154,7 @@ Vec3 BodyWarp::Bend::operator()(const Vec3& point) const {
   const Vec2 axis = (1 - share) * axis_[below] + share * axis_[below + 1];
   const double angle = angleAt(point.y());
   const double out = point.z() - axis_z_;
-  return {point.x(), axis.x() + out * std::sin(angle), axis.y() + out * std::cos(angle)};
+  return {point.x(), axis.x() + out * elementary::sin(angle), axis.y() + out * elementary::cos(angle)};
 }
 
 namespace {
@@ -198,7 +199,7 @@ double tablePlane(double lowest_z) { return lowest_z + kPressedFlatMm; }
 Vec3 flattened(const Vec3& point, double plane_z) {
   const double over = (point.z() - plane_z) / kPressEdgeMm;
   if (over > 30) return point;
-  return {point.x(), point.y(), plane_z + kPressEdgeMm * std::log1p(std::exp(over))};
+  return {point.x(), point.y(), plane_z + kPressEdgeMm * elementary::log1p(elementary::exp(over))};
 }
 
 }  // namespace palpate::body

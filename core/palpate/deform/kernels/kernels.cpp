@@ -56,9 +56,9 @@ HWY_INLINE RegionReach reachOf(const PartLanes& part, const V3& centre, const V3
   const V t_least = hn::Max(hn::Sub(t, t_half), hn::Zero(d));
   const V s_most = hn::Add(s, s_half);
   const V t_most = hn::Add(t, t_half);
-  const V flat_least = hn::MulAdd(s_least, s_least, hn::Mul(t_least, t_least));
-  const V flat_most = hn::MulAdd(s_most, s_most, hn::Mul(t_most, t_most));
-  return {{hn::MulAdd(rise_least, rise_least, flat_least), hn::MulAdd(rise_most, rise_most, flat_most)}, flat_least};
+  const V flat_least = mulAdd(s_least, s_least, hn::Mul(t_least, t_least));
+  const V flat_most = mulAdd(s_most, s_most, hn::Mul(t_most, t_most));
+  return {{mulAdd(rise_least, rise_least, flat_least), mulAdd(rise_most, rise_most, flat_most)}, flat_least};
 }
 
 /// Boxes whose vertices do not rise in this part, or that it does not move however high they lie.
@@ -100,7 +100,7 @@ HWY_INLINE M isNear(const PartLanes& part, const V3& offset, V height) {
   V q2 = locate(part, offset).q2;
   if constexpr (!kLevel) {
     const V rise = riseAt(part, height);
-    q2 = hn::MulAdd(rise, rise, q2);
+    q2 = mulAdd(rise, rise, q2);
   }
   return hn::Lt(q2, hn::Set(Lanes(), 1.0f));
 }
@@ -133,7 +133,7 @@ HWY_INLINE V gaussian(V q2) {
   const hn::RebindToSigned<Lanes> di;
   constexpr double kLn2 = 0.6931471805599453;
   const auto series = [&](V sum, V f, double coefficient)
-                          HWY_ATTR { return hn::MulAdd(sum, f, hn::Set(d, static_cast<float>(coefficient))); };
+                          HWY_ATTR { return mulAdd(sum, f, hn::Set(d, static_cast<float>(coefficient))); };
   const V t = hn::Mul(q2, hn::Set(d, static_cast<float>(-kGaussianRate / kLn2)));
   // Added to 1.5 * 2^23 a small number is rounded to a whole one, which then stands in the last bits.
   const V shift = hn::Set(d, 12582912.0f);
@@ -153,8 +153,8 @@ HWY_INLINE V gaussian(V q2) {
 
 HWY_INLINE V profileScaled(V gauss) {
   const Lanes d;
-  return hn::MulSub(hn::Set(d, static_cast<float>(tissue::kProfileScale)), gauss,
-                    hn::Set(d, static_cast<float>(tissue::kProfileOffset)));
+  return hn::Sub(hn::Mul(hn::Set(d, static_cast<float>(tissue::kProfileScale)), gauss),
+                 hn::Set(d, static_cast<float>(tissue::kProfileOffset)));
 }
 
 HWY_INLINE float lengthOf(const float (&v)[3]) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
@@ -185,11 +185,11 @@ HWY_INLINE void addMostMoved(const ContactLanes& contact, const PartLanes& movin
     if (hn::AllFalse(d, maskAt(of, lane))) continue;
     const V3 offset = sub(load(edge.rest.values, lane), anchor);
     const V rise = riseAt(part, hn::Abs(dot(facing, offset)));
-    const V q = hn::Sqrt(hn::MulAdd(rise, rise, locate(part, offset).q2));
+    const V q = hn::Sqrt(mulAdd(rise, rise, locate(part, offset).q2));
     const V nearer = hn::Max(hn::Sub(q, nearer_by), hn::Zero(d));
     const V weight = contact.layered ? roomFrom(part, nearer)
                                      : profileScaled(gaussian(hn::Min(hn::Mul(nearer, nearer), hn::Set(d, 1.0f))));
-    hn::Store(hn::MulAdd(weight, length, hn::Load(d, most_mm + lane)), d, most_mm + lane);
+    hn::Store(mulAdd(weight, length, hn::Load(d, most_mm + lane)), d, most_mm + lane);
   }
 }
 
@@ -246,7 +246,7 @@ HWY_INLINE void moveByOne(const ContactLanes& contact, const V3& position, M reg
   const V3 b = broadcast(contact.tangential.shift);
   const Profile drag = profileOf<false>(contact.tangential, offset, region);
   const V stretch = hn::Add(dot(b, drag.gradient), hn::Set(d, 1.0f));
-  const V tilt = hn::NegMulAdd(a_n, dot(b, press.gradient), dot(b, normal));
+  const V tilt = mulSub(a_n, dot(b, press.gradient), dot(b, normal));
   displacement = mulAdd(drag.weight, b, displacement);
   normal = mulSub(tilt, drag.gradient, scaled(stretch, pressed));
 }
@@ -257,7 +257,7 @@ HWY_INLINE Profile risingProfileOf(const PartLanes& part, const V3& facing, cons
   const V height = dot(facing, offset);
   const V rise = riseAt(part, hn::Abs(height));
   const Location at = locate(part, offset);
-  const V q2 = hn::MulAdd(rise, rise, at.q2);
+  const V q2 = mulAdd(rise, rise, at.q2);
   const M acts = hn::And(region, hn::Lt(q2, hn::Set(d, 1.0f)));
   const V gauss = gaussian(q2);
   const V weight = profileScaled(gauss);
@@ -321,16 +321,7 @@ HWY_INLINE void moveByManyLayered(std::span<const ContactOnBlock> contacts, cons
   turn(motion, normal);
 }
 
-/// 1 / sqrt(x) within 3e-7 of its value for x not below 1e-37: root and division would be half of the kernel's time.
-HWY_INLINE V inverseRoot(V x) {
-  const Lanes d;
-  const V half_x = hn::Mul(hn::Set(d, 0.5f), x);
-  V y = hn::ApproximateReciprocalSqrt(x);
-  for (int step = 0; step < kNewtonSteps; ++step) {
-    y = hn::Mul(y, hn::NegMulAdd(hn::Mul(half_x, y), y, hn::Set(d, 1.5f)));
-  }
-  return y;
-}
+HWY_INLINE V inverseRoot(V x) { return hn::Div(hn::Set(Lanes(), 1.0f), hn::Sqrt(x)); }
 
 /// The normal made unit; the rest normal where it vanishes (skin folded flat).
 HWY_INLINE V3 unitOr(const V3& normal, const V3& rest) {

@@ -44,21 +44,29 @@ HWY_INLINE void store(const V3& v, float* const* values, size_t lane) {
   hn::Store(v.z, d, values[2] + lane);
 }
 
-HWY_INLINE V dot(const V3& a, const V3& b) { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z))); }
+// Products are rounded before they are added: the skin has the same bits on every processor, with fused multiply-add or
+// without. The machine's estimates of 1 / x and 1 / sqrt(x) would not have them either.
+
+/// a b + c
+HWY_INLINE V mulAdd(V a, V b, V c) { return hn::Add(hn::Mul(a, b), c); }
+/// c - a b
+HWY_INLINE V mulSub(V a, V b, V c) { return hn::Sub(c, hn::Mul(a, b)); }
+
+HWY_INLINE V dot(const V3& a, const V3& b) { return mulAdd(a.x, b.x, mulAdd(a.y, b.y, hn::Mul(a.z, b.z))); }
 HWY_INLINE V3 sub(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
 HWY_INLINE V3 add(const V3& a, const V3& b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
 /// a + s b
 HWY_INLINE V3 mulAdd(V s, const V3& b, const V3& a) {
-  return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
+  return {mulAdd(s, b.x, a.x), mulAdd(s, b.y, a.y), mulAdd(s, b.z, a.z)};
 }
 HWY_INLINE V3 scaled(V s, const V3& a) { return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)}; }
 /// a - s b
 HWY_INLINE V3 mulSub(V s, const V3& b, const V3& a) {
-  return {hn::NegMulAdd(s, b.x, a.x), hn::NegMulAdd(s, b.y, a.y), hn::NegMulAdd(s, b.z, a.z)};
+  return {mulSub(s, b.x, a.x), mulSub(s, b.y, a.y), mulSub(s, b.z, a.z)};
 }
 HWY_INLINE V3 cross(const V3& a, const V3& b) {
-  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
-          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+  return {mulSub(a.z, b.y, hn::Mul(a.y, b.z)), mulSub(a.x, b.z, hn::Mul(a.z, b.x)),
+          mulSub(a.y, b.x, hn::Mul(a.x, b.y))};
 }
 HWY_INLINE V3 select(M mask, const V3& yes, const V3& no) {
   return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
@@ -79,7 +87,7 @@ struct Location {
 HWY_INLINE Location locate(const PartLanes& part, const V3& offset) {
   const V s = dot(broadcast(part.along), offset);
   const V t = dot(broadcast(part.across), offset);
-  return {s, t, hn::MulAdd(s, s, hn::MulAdd(t, t, hn::Set(Lanes(), part.outside)))};
+  return {s, t, mulAdd(s, s, mulAdd(t, t, hn::Set(Lanes(), part.outside)))};
 }
 
 /// Of heights without their sign.
@@ -100,10 +108,6 @@ HWY_INLINE std::uint64_t bitsOf(M mask, size_t lane) {
 HWY_INLINE bool drags(const ContactLanes& contact) { return contact.tangential.outside == 0.0f; }
 
 HWY_INLINE V3 absolute(const V3& v) { return {hn::Abs(v.x), hn::Abs(v.y), hn::Abs(v.z)}; }
-
-/// The machine's estimates of 1 / x and 1 / sqrt(x) have 12 bits or more on x86, 8 elsewhere; each of Newton's steps
-/// doubles them.
-constexpr int kNewtonSteps = HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR ? 1 : 2;
 
 /// profile(q) and its gradient at 16 (8, 4) vertices; both 0 outside the region and from q = 1 on.
 struct Profile {

@@ -24,19 +24,10 @@ struct OnBell {
   V x_by_q2;
 };
 
-/// 1 / x within 3e-7 of its value for x from 1 to 10: a division would be a fifth of the kernel's time. See
-/// inverseRoot.
-HWY_INLINE V inverse(V x) {
-  const V two = hn::Set(Lanes(), 2.0f);
-  V y = hn::ApproximateReciprocal(x);
-  for (int step = 0; step < kNewtonSteps; ++step) y = hn::Mul(y, hn::NegMulAdd(x, y, two));
-  return y;
-}
-
 HWY_INLINE OnBell onBell(const CurveLanes& curve, V q2) {
   const Lanes d;
   const V one = hn::Set(d, 1.0f);
-  const V bell = inverse(hn::MulAdd(hn::Set(d, curve.bend), q2, one));
+  const V bell = hn::Div(one, mulAdd(hn::Set(d, curve.bend), q2, one));
   const V x = hn::Mul(hn::Sub(bell, hn::Set(d, curve.rim)), hn::Set(d, curve.scale));
   const V fall = hn::Mul(hn::Mul(bell, bell), hn::Set(d, -curve.bend * curve.scale));
   return {x, hn::Sub(hn::Add(x, x), one), fall};
@@ -52,10 +43,10 @@ HWY_INLINE CurveLane curveOn(const float (&terms)[tissue::kCurveTerms], const On
   V sum = hn::Set(d, terms[tissue::kCurveTerms - 1]);
   V slope = hn::Zero(d);
   for (int k = tissue::kCurveTerms - 2; k >= 0; --k) {
-    slope = hn::MulAdd(slope, at.y, sum);
-    sum = hn::MulAdd(sum, at.y, hn::Set(d, terms[k]));
+    slope = mulAdd(slope, at.y, sum);
+    sum = mulAdd(sum, at.y, hn::Set(d, terms[k]));
   }
-  const V by_x = hn::Mul(hn::Add(at.x, at.x), hn::MulAdd(at.x, slope, sum));
+  const V by_x = hn::Mul(hn::Add(at.x, at.x), mulAdd(at.x, slope, sum));
   return {hn::Mul(hn::Mul(at.x, at.x), sum), hn::Mul(hn::Add(at.x_by_q2, at.x_by_q2), by_x)};
 }
 
@@ -74,7 +65,7 @@ HWY_INLINE Place placeIn(const ContactLanes& contact, const PartLanes& part, con
   const V height = dot(facing, offset);
   const V rise = riseAt(part, hn::Abs(height));
   const V up = hn::CopySign(hn::Mul(rise, hn::Set(Lanes(), part.slope)), height);
-  return {hn::MulAdd(rise, rise, at.q2), mulAdd(up, facing, flat), flat};
+  return {mulAdd(rise, rise, at.q2), mulAdd(up, facing, flat), flat};
 }
 
 template <bool kLevel>
@@ -98,9 +89,9 @@ HWY_INLINE void addLayeredPress(const ContactLanes& contact, const V3& offset, M
   const V xy = plane(1);
   const V xz = plane(2);
   const V yz = plane(4);
-  const V3 along{hn::MulAdd(pull_slope, at.flat.x, hn::Mul(slope, shift.x)),
-                 hn::MulAdd(pull_slope, at.flat.y, hn::Mul(slope, shift.y)),
-                 hn::MulAdd(pull_slope, at.flat.z, hn::Mul(slope, shift.z))};
+  const V3 along{mulAdd(pull_slope, at.flat.x, hn::Mul(slope, shift.x)),
+                 mulAdd(pull_slope, at.flat.y, hn::Mul(slope, shift.y)),
+                 mulAdd(pull_slope, at.flat.z, hn::Mul(slope, shift.z))};
   motion.row_x = mulAdd(along.x, at.gradient, add(motion.row_x, {plane(0), xy, xz}));
   motion.row_y = mulAdd(along.y, at.gradient, add(motion.row_y, {xy, plane(3), yz}));
   motion.row_z = mulAdd(along.z, at.gradient, add(motion.row_z, {xz, yz, plane(5)}));
@@ -139,21 +130,29 @@ HWY_INLINE void moveByLayeredDrag(const ContactLanes& contact, const V3& offset,
 }
 
 /// Most of a dragged region lies outside of the press: those vertices need no more than their drag.
-HWY_INLINE bool isBeyondPress(const ContactLanes& contact, const V3& offset) {
-  const Lanes d;
-  return hn::AllFalse(d, hn::Lt(locate(contact.normal, offset).q2, hn::Set(d, 1.0f)));
+HWY_INLINE M beyondPress(const ContactLanes& contact, const V3& offset) {
+  return hn::Not(hn::Lt(locate(contact.normal, offset).q2, hn::Set(Lanes(), 1.0f)));
 }
 
-/// One contact with layered tissue, on a level block.
+/// One contact with layered tissue, on a level block. Each vertex goes its own way, whoever shares its vector: else its
+/// bits would follow the vectors' width.
 HWY_INLINE void moveByOneLayered(const ContactLanes& contact, const V3& position, M region, V3& displacement,
                                  V3& normal) {
+  const Lanes d;
   const V3 offset = sub(position, broadcast(contact.anchor));
-  if (isBeyondPress(contact, offset)) return moveByLayeredDrag(contact, offset, region, displacement, normal);
-  Motion motion = noMotion();
-  addLayeredPress<true>(contact, offset, region, motion);
-  addLayeredDrag<true>(contact, offset, region, motion);
-  displacement = motion.displacement;
-  turn(motion, normal);
+  const M beyond = beyondPress(contact, offset);
+  V3 dragged = normal;
+  V3 dragged_by = offset;
+  if (!hn::AllFalse(d, beyond)) moveByLayeredDrag(contact, offset, region, dragged_by, dragged);
+  if (!hn::AllTrue(d, beyond)) {
+    Motion motion = noMotion();
+    addLayeredPress<true>(contact, offset, region, motion);
+    addLayeredDrag<true>(contact, offset, region, motion);
+    displacement = motion.displacement;
+    turn(motion, normal);
+  }
+  displacement = select(beyond, dragged_by, displacement);
+  normal = select(beyond, dragged, normal);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "palpate/body/bones.h"
 #include "palpate/tissue/narrow_bone.h"
@@ -15,14 +16,15 @@ namespace {
 
 constexpr double kAsideMm = tissue::kFingertipMm;
 /// Four directions, each to both sides: what a bone is only tilted by takes itself away.
+constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
 constexpr std::array<std::array<double, 2>, 8> kRing = {{{1, 0},
                                                          {-1, 0},
                                                          {0, 1},
                                                          {0, -1},
-                                                         {M_SQRT1_2, M_SQRT1_2},
-                                                         {-M_SQRT1_2, -M_SQRT1_2},
-                                                         {M_SQRT1_2, -M_SQRT1_2},
-                                                         {-M_SQRT1_2, M_SQRT1_2}}};
+                                                         {kDiagonal, kDiagonal},
+                                                         {-kDiagonal, -kDiagonal},
+                                                         {kDiagonal, -kDiagonal},
+                                                         {-kDiagonal, kDiagonal}}};
 
 double radiusOf(double depth_mm, double aside_mm) {
   const double farther = aside_mm - depth_mm;

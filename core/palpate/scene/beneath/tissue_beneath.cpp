@@ -6,6 +6,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "palpate/base/elementary.h"
 #include "palpate/tree/triangle_tree.h"
 
 namespace palpate::scene {
@@ -59,7 +60,7 @@ Cells askedCells(const mesh::TriangleMesh& skin, std::span<const double> nearest
     if (cell.rays >= kRays || !(nearest_mm[v] > 0.0) || !std::isfinite(nearest_mm[v])) continue;
     ++cell.rays;
     cell.sum += skin.positions[v];
-    cell.log_sum += std::log(beneath(bones, skin.positions[v], normals[v], nearest_mm[v]));
+    cell.log_sum += elementary::log(beneath(bones, skin.positions[v], normals[v], nearest_mm[v]));
   }
   return cells;
 }
@@ -102,7 +103,7 @@ std::vector<float> tissueBeneath(const mesh::TriangleMesh& skin, std::span<const
   thickness.reserve(skin.positions.size());
   for (std::size_t v = 0; v < skin.positions.size(); ++v) {
     const double log_mm = evenedLog(cells, skin.positions[v]);
-    thickness.push_back(static_cast<float>(std::isfinite(log_mm) ? std::exp(log_mm) : nearest_mm[v]));
+    thickness.push_back(static_cast<float>(std::isfinite(log_mm) ? elementary::exp(log_mm) : nearest_mm[v]));
   }
   return thickness;
 }

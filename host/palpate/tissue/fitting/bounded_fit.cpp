@@ -1,10 +1,11 @@
 #include "palpate/tissue/fitting/bounded_fit.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "palpate/base/dense_solve.h"
 
 namespace palpate::tissue {
 
@@ -91,7 +92,7 @@ class Descent {
     Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
     const double least = 1e-12 * std::max(normal.trace(), std::numeric_limits<double>::min());
     normal.diagonal() += damping * normal.diagonal() + Eigen::VectorXd::Constant(normal.rows(), least);
-    return normal.ldlt().solve(-jacobian.transpose() * rest);
+    return solved(std::move(normal), -jacobian.transpose() * rest);
   }
 
   bool isNoStep(const Eigen::VectorXd& step) const {

@@ -3,10 +3,10 @@
 #include "palpate/tissue/fitting/force_fit.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 
+#include "palpate/base/elementary.h"
 #include "palpate/tissue/fitting/force_rows.h"
 
 namespace palpate::tissue {
@@ -99,13 +99,13 @@ Weighed reweighed(const CurveFit& fit, const ForceRows& rows, const Solved& firs
   Weighed weighed{.solved = first, .weights = {}, .floor = floor};
   for (int i = 0; i < kReweighings; ++i) {
     const Eigen::ArrayXd force = fit.forces(weighed.solved, rows.depth_mm);
-    weighed.weights = (force.square() + std::pow(floor * rows.most_n, 2)).rsqrt();
+    weighed.weights = (force.square() + elementary::square(floor * rows.most_n)).rsqrt();
     weighed.solved = fit.solveFrom({weighed.solved.inner}, weighed.weights);
   }
   const Eigen::ArrayXd rest = weighed.weights * (fit.forces(weighed.solved, rows.depth_mm) - rows.force_n);
   const double variance = std::max(rest.square().mean(), 1e-24);
-  weighed.likelihood =
-      weighed.weights.log().sum() - 0.5 * static_cast<double>(rows.depth_mm.size()) * std::log(variance);
+  weighed.likelihood = weighed.weights.unaryExpr(&elementary::log).sum() -
+                       0.5 * static_cast<double>(rows.depth_mm.size()) * elementary::log(variance);
   return weighed;
 }
 
@@ -231,7 +231,7 @@ ForceTable tableOf(const ForceFit& fit) {
   constexpr std::uint32_t kRows = 40;
   for (std::uint32_t i = 0; i < kRows; ++i) {
     // Closer where a power of the depth bends most.
-    const double depth = fit.deepest_mm * std::pow((i + 1.0) / kRows, 1.5);
+    const double depth = fit.deepest_mm * elementary::pow((i + 1.0) / kRows, 1.5);
     table.depth_mm.at(i) = depth;
     table.effective_mm.at(i) = forceOf(fit, depth + fit.offset.value);
   }

@@ -1,7 +1,6 @@
 // The forms are those of docs/explanation/force-laws.md and the cubic of docs/explanation/fit-tissue.md.
+#include "palpate/base/elementary.h"
 #include "palpate/tissue/fitting/force_fit.h"
-
-#include <cmath>
 
 namespace palpate::tissue {
 
@@ -37,15 +36,15 @@ std::string_view nameOf(ForceForm form) {
   return kNames.at(static_cast<std::size_t>(form));
 }
 
-double FormNumber::innerOf(double value) const { return logarithmic ? std::log(value) : value; }
-double FormNumber::valueOf(double number) const { return logarithmic ? std::exp(number) : number; }
+double FormNumber::innerOf(double value) const { return logarithmic ? elementary::log(value) : value; }
+double FormNumber::valueOf(double number) const { return logarithmic ? elementary::exp(number) : number; }
 
 const std::vector<FormNumber>& numbersOf(ForceForm form) {
   static const std::vector<FormNumber> none;
   static const std::vector<FormNumber> power = {{"exponent", {0.3, 6.0}, false, &ForceLaw::exponent}};
   static const std::vector<FormNumber> stiffening = {
-      {"stiffening_ratio", {std::log(0.05), std::log(100.0)}, true, &ForceLaw::stiffening_ratio},
-      {"stiffening_depth_mm", {std::log(1.0), std::log(60.0)}, true, &ForceLaw::stiffening_depth_mm}};
+      {"stiffening_ratio", {elementary::log(0.05), elementary::log(100.0)}, true, &ForceLaw::stiffening_ratio},
+      {"stiffening_depth_mm", {elementary::log(1.0), elementary::log(60.0)}, true, &ForceLaw::stiffening_depth_mm}};
   static const std::vector<FormNumber> cubic = {{"cubic_share", {0.0, 1.0}, false, nullptr}};
   switch (form) {
     case ForceForm::power:

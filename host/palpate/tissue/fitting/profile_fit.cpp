@@ -4,11 +4,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/dense_solve.h"
+#include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/base/gaussian.h"
 #include "palpate/tissue/fitting/bounded_fit.h"
@@ -41,7 +42,7 @@ struct Places {
 
 Eigen::ArrayXd areasOf(const Eigen::ArrayXd& radius) {
   Eigen::ArrayXd areas(radius.size());
-  const auto squared = [](double r) { return std::pow(std::min(r, kJudgedRadiusMm), 2); };
+  const auto squared = [](double r) { return elementary::square(std::min(r, kJudgedRadiusMm)); };
   double inner = 0.0;
   for (Eigen::Index i = 0; i < radius.size(); ++i) {
     const double outer = i + 1 < radius.size() ? 0.5 * (radius[i] + radius[i + 1]) : radius[i];
@@ -90,7 +91,7 @@ struct ShapeNumber {
 };
 
 std::vector<ShapeNumber> innerNumbers(ProfileForm form) {
-  const auto logarithms = [](double low, double high) { return Bounds{std::log(low), std::log(high)}; };
+  const auto logarithms = [](double low, double high) { return Bounds{elementary::log(low), elementary::log(high)}; };
   switch (form) {
     case ProfileForm::half_gaussian:
       return {{"radius_mm", logarithms(1.0, 1000.0)}};
@@ -106,13 +107,15 @@ std::vector<ShapeNumber> innerNumbers(ProfileForm form) {
 }
 
 std::vector<Eigen::VectorXd> shapeStarts(ProfileForm form) {
-  const auto log2 = [](double a, double b) { return Eigen::VectorXd(Eigen::Vector2d(std::log(a), std::log(b))); };
+  const auto log2 = [](double a, double b) {
+    return Eigen::VectorXd(Eigen::Vector2d(elementary::log(a), elementary::log(b)));
+  };
   const auto gaussians = [](double narrow, double ratio, double weight) {
-    return Eigen::VectorXd(Eigen::Vector3d(std::log(narrow), std::log(ratio), weight));
+    return Eigen::VectorXd(Eigen::Vector3d(elementary::log(narrow), elementary::log(ratio), weight));
   };
   switch (form) {
     case ProfileForm::half_gaussian:
-      return {Eigen::VectorXd::Constant(1, std::log(12.0)), Eigen::VectorXd::Constant(1, std::log(50.0))};
+      return {Eigen::VectorXd::Constant(1, elementary::log(12.0)), Eigen::VectorXd::Constant(1, elementary::log(50.0))};
     case ProfileForm::power_tail:
       return {log2(8.0, 1.0), log2(20.0, 3.0)};
     default:
@@ -122,7 +125,7 @@ std::vector<Eigen::VectorXd> shapeStarts(ProfileForm form) {
 
 /// As people read them: the wide Gaussian's width instead of its ratio to the narrow one's.
 Eigen::VectorXd valuesOf(ProfileForm form, const Eigen::VectorXd& inner) {
-  Eigen::VectorXd values = inner.array().exp().matrix();
+  Eigen::VectorXd values = inner.unaryExpr(&elementary::exp);
   if (form != ProfileForm::two_gaussians) return values;
   values[1] *= values[0];
   values[2] = inner[2];
@@ -130,12 +133,12 @@ Eigen::VectorXd valuesOf(ProfileForm form, const Eigen::VectorXd& inner) {
 }
 
 double shareAt(ProfileForm form, const Eigen::VectorXd& values, double radius) {
-  const auto bell = [radius](double width) { return std::exp(-std::pow(radius / width, 2)); };
+  const auto bell = [radius](double width) { return elementary::exp(-elementary::square(radius / width)); };
   switch (form) {
     case ProfileForm::half_gaussian:
       return halfGaussian(radius / values[0]);
     case ProfileForm::power_tail:
-      return std::pow(1.0 + std::pow(radius / values[0], 2), -values[1]);
+      return elementary::pow(1.0 + elementary::square(radius / values[0]), -values[1]);
     default:
       return (1.0 - values[2]) * bell(values[0]) + values[2] * bell(values[1]);
   }
@@ -167,7 +170,7 @@ BoundedFit solveDown(const Places& places, ProfileForm form, const std::vector<E
 
 double outwardTerm(double radius, double width) {
   const double q = radius / width;
-  return q * std::exp(0.5 - 0.5 * q * q);
+  return q * elementary::exp(0.5 - 0.5 * q * q);
 }
 
 /// The two amplitudes for these widths.
@@ -178,10 +181,12 @@ Eigen::Vector2d amplitudesOf(const Places& places, const Eigen::Vector2d& widths
   }
   Eigen::Matrix2d normal = terms.transpose() * terms;
   normal.diagonal().array() += 1e-12 * normal.trace() + 1e-300;
-  return normal.ldlt().solve(terms.transpose() * (places.weights * places.outward).matrix());
+  return solved(normal, terms.transpose() * (places.weights * places.outward).matrix());
 }
 
-Eigen::Vector2d widthsOf(const Eigen::VectorXd& inner) { return {std::exp(inner[0]), std::exp(inner[0] + inner[1])}; }
+Eigen::Vector2d widthsOf(const Eigen::VectorXd& inner) {
+  return {elementary::exp(inner[0]), elementary::exp(inner[0] + inner[1])};
+}
 
 void fitOutward(const Places& places, ProfileFit& fit) {
   const auto residuals = [&](const Eigen::VectorXd& inner) -> Eigen::VectorXd {
@@ -193,10 +198,11 @@ void fitOutward(const Places& places, ProfileFit& fit) {
     return (places.weights * (motion - places.outward)).matrix();
   };
   const auto start = [](double narrow, double ratio) {
-    return Eigen::VectorXd(Eigen::Vector2d(std::log(narrow), std::log(ratio)));
+    return Eigen::VectorXd(Eigen::Vector2d(elementary::log(narrow), elementary::log(ratio)));
   };
-  const BoundedFit solved = fitWithin(residuals, {start(4.0, 2.5), start(8.0, 2.0), start(15.0, 1.5)},
-                                      {{std::log(1.0), std::log(80.0)}, {std::log(1.2), std::log(8.0)}});
+  const BoundedFit solved =
+      fitWithin(residuals, {start(4.0, 2.5), start(8.0, 2.0), start(15.0, 1.5)},
+                {{elementary::log(1.0), elementary::log(80.0)}, {elementary::log(1.2), elementary::log(8.0)}});
   const Eigen::Vector2d widths = widthsOf(solved.numbers);
   const Eigen::Vector2d amplitudes = amplitudesOf(places, widths);
   fit.outward_mm = {amplitudes[0], amplitudes[1]};
@@ -230,7 +236,7 @@ double middleOf(const std::vector<ProfileKnot>& knots) {
     terms.row(i) << 1.0, knot.q * knot.q;
     values[i] = knot.value;
   }
-  return (terms.transpose() * terms).ldlt().solve(terms.transpose() * values)[0];
+  return solved(terms.transpose() * terms, terms.transpose() * values)(0);
 }
 
 RadialCurve curveThrough(std::vector<ProfileKnot> knots, double on_axis, double scale, UserInterpolation between) {

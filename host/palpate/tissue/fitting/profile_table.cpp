@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 
+#include "palpate/base/elementary.h"
 #include "palpate/tissue/fitting/profile_fit.h"
 
 namespace palpate::tissue {
@@ -48,7 +49,7 @@ void findRegion(const std::vector<double>& rims, std::span<const PressedShape> s
   double square = 0.0;
   for (std::size_t i = 0; i < rims.size(); ++i) {
     across += (shapes[i].depth_mm - mean_depth) * (rims[i] - mean_rim);
-    square += std::pow(shapes[i].depth_mm - mean_depth, 2);
+    square += elementary::square(shapes[i].depth_mm - mean_depth);
   }
   const double most = (mean_rim - kMinRegionMm) / mean_depth;
   shared.radius_per_depth = square > 0.0 ? std::clamp(across / square, 0.0, std::max(0.0, most)) : 0.0;
@@ -85,7 +86,7 @@ double missOf(const std::vector<double>& radii, std::span<const PressedShape> sh
   for (const PressedShape& shape : shapes) {
     for (std::size_t i = 1; i < radii.size() && radii[i] <= kSummedRadiusMm; ++i) {
       const double ring = radii[i] * (radii[i] - radii[i - 1]);
-      squares += ring * std::pow(sampled(q, values, radii[i] / regionOf(shared, shape)) - shape.down[i], 2);
+      squares += ring * elementary::square(sampled(q, values, radii[i] / regionOf(shared, shape)) - shape.down[i]);
       area += ring;
     }
   }
@@ -97,7 +98,7 @@ double missOf(const std::vector<double>& radii, std::span<const PressedShape> sh
 ProfileForm bestForm(std::span<const std::vector<ProfileFit>> fits) {
   std::array<double, kProfileForms.size()> squares{};
   for (const std::vector<ProfileFit>& of_depth : fits) {
-    for (std::size_t f = 0; f < of_depth.size(); ++f) squares.at(f) += std::pow(of_depth[f].unseen_rms, 2);
+    for (std::size_t f = 0; f < of_depth.size(); ++f) squares.at(f) += elementary::square(of_depth[f].unseen_rms);
   }
   const double least = *std::ranges::min_element(squares);
   // They stand in the order of their numbers.

@@ -1,0 +1,25 @@
+// A turn about an axis with the same bits everywhere: Eigen's AngleAxis takes the C library's sine and cosine.
+#pragma once
+
+#include "palpate/base/elementary.h"
+#include "palpate/base/vec.h"
+
+namespace palpate {
+
+/// Rodrigues' formula; `axis` is a unit vector, the turn right-handed.
+inline Mat3 rotationAbout(const Vec3& axis, double angle_rad) {
+  const double cosine = elementary::cos(angle_rad);
+  const Vec3 sine = elementary::sin(angle_rad) * axis;
+  const Vec3 rest = (1.0 - cosine) * axis;
+  Mat3 rotation = rest * axis.transpose();
+  rotation.diagonal().array() += cosine;
+  rotation(1, 0) += sine.z();
+  rotation(0, 1) -= sine.z();
+  rotation(0, 2) += sine.y();
+  rotation(2, 0) -= sine.y();
+  rotation(2, 1) += sine.x();
+  rotation(1, 2) -= sine.x();
+  return rotation;
+}
+
+}  // namespace palpate
