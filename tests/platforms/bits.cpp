@@ -66,7 +66,7 @@ double depthOf(const std::vector<trace::Sample>& samples) {
   return depth;
 }
 
-/// Along the scene's paths, `ticks` long or, where that is 0, to their end.
+/// Along the scene's paths to their end, or again and again for so many ticks.
 Bits bitsOf(const scene::World& world, std::uint64_t ticks) {
   const device::FingerPaths paths = device::pathsOf(world);
   servo::Rig rig = servo::scriptedRig(world, paths);
@@ -75,7 +75,7 @@ Bits bitsOf(const scene::World& world, std::uint64_t ticks) {
   Hash forces;
   if (ticks == 0) ticks = paths.ticks;
   for (std::uint64_t tick = 0; tick < ticks; ++tick) {
-    servo::runTick(rig, tick, servo::LoopEvent::none, samples);
+    servo::runTick(rig, tick % paths.ticks, servo::LoopEvent::none, samples);
     for (const trace::Sample& sample : samples) forces.add(sample.contact.force);
     if (depthOf(samples) > depthOf(deepest)) deepest = samples;
   }
