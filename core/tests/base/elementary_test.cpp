@@ -40,8 +40,11 @@ class Exact {
 
   /// How far `value` is from this, in units of the last bit that a double of this size has.
   double ulpsTo(double value) {
+    if (mpfr_regular_p(number_) == 0) {  // zero, infinity, not a number: no exponent
+      const double special = mpfr_get_d(number_, MPFR_RNDN);
+      return value == special || (std::isnan(value) && std::isnan(special)) ? 0.0 : kInfinity;
+    }
     if (std::isinf(value) && mpfr_get_exp(number_) > 1024) return 0.0;
-    if (mpfr_zero_p(number_) != 0) return value == 0.0 ? 0.0 : kInfinity;
     const long unit = std::max<long>(mpfr_get_exp(number_) - 53, -1074);
     Exact distance(value);
     mpfr_sub(distance.get(), distance.get(), number_, MPFR_RNDN);
