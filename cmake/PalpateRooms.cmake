@@ -3,8 +3,7 @@
 set(PALPATE_CORE_ROOMS base mesh body tissue maps tree contact hdb deform trace scene device servo engine)
 set(PALPATE_HOST_ROOMS base mesh tissue trace scene device servo engine)
 
-# palpate_add_rooms(<house> <prefix> <room>...) compiles <house>/palpate/<room> as <prefix>_<room>. Called again by the
-# determinism tests with other flags.
+# palpate_add_rooms(<house> <prefix> <room>...) compiles <house>/palpate/<room> as <prefix>_<room>.
 function(palpate_add_rooms house prefix)
   set(folder ${PROJECT_SOURCE_DIR}/${house}/palpate)
   # These include themselves, once for each instruction set.

@@ -7,7 +7,6 @@
 // (length 139, lateral border 8.2, inferior angle 41 degrees) [A]. Rest: level of the spine's root T3, of the inferior
 // angle T8 (mean T8.03, PMC2647093) [A]; 41 degrees internal, 5 upward, 13 tilt, Ludewig 2009, is [R] recalled. The
 // coordinates are construction values of our choice.
-#include "palpate/base/rotation.h"
 #include "palpate/body/bone_shapes.h"
 
 #include <algorithm>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "palpate/base/elementary.h"
+#include "palpate/base/rotation.h"
 #include "palpate/body/cubic_spline.h"
 #include "palpate/body/plane_outline.h"
 #include "palpate/body/signed_distance.h"

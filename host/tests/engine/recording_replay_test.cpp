@@ -175,37 +175,47 @@ TEST_F(RecordingReplay, ComparesOnlyTheSpanThatIsAskedFor) {
   EXPECT_TRUE(report.identical());
 }
 
+/// A kept file, open in a copy: a reader may leave files beside what it reads.
+struct Kept {
+  Kept(const char* version, const char* file)
+      : folder(std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / version), recording(copied(file)) {}
+
+  std::filesystem::path folder;
+  support::TemporaryFolder copy;
+  trace::RecordingReader recording;
+
+ private:
+  std::filesystem::path copied(const char* file) const {
+    std::filesystem::copy(folder / file, copy / file);
+    return copy / file;
+  }
+};
+
 /// Files of every version are felt again for ever: the first, of a corner that was pressed by a point.
 TEST(RecordingVersions, TheFirstIsStillFeltAgain) {
-  const std::filesystem::path folder = std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / "version_1";
-  support::TemporaryFolder copy;  // a reader may leave files beside what it reads
-  std::filesystem::copy(folder / "press.session", copy / "press.session");
-  trace::RecordingReader recording(copy / "press.session");
+  Kept kept("version_1", "press.session");
+  trace::RecordingReader& recording = kept.recording;
   EXPECT_EQ(recording.facts().samples, 50u);
-  const ReplayReport report = replay(recording, {{}, folder});
+  const ReplayReport report = replay(recording, {{}, kept.folder});
   EXPECT_TRUE(report.identical()) << (report.first_difference ? report.first_difference->field : "notes");
 }
 
 /// The second, of two fingers through faults, three changed worlds and emergency stops.
 TEST(RecordingVersions, TheSecondIsStillFeltAgainThroughFaultsAndChangedWorlds) {
-  const std::filesystem::path folder = std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / "version_2";
-  support::TemporaryFolder copy;
-  std::filesystem::copy(folder / "troubled.session", copy / "troubled.session");
-  trace::RecordingReader recording(copy / "troubled.session");
+  Kept kept("version_2", "troubled.session");
+  trace::RecordingReader& recording = kept.recording;
   EXPECT_EQ(recording.facts().version, 2);
   EXPECT_EQ(recording.facts().worlds, 4u);
   EXPECT_EQ(recording.facts().fingers.size(), 2u);
-  const ReplayReport report = replay(recording, {{}, folder});
+  const ReplayReport report = replay(recording, {{}, kept.folder});
   EXPECT_TRUE(report.identical()) << (report.first_difference ? report.first_difference->field : "notes");
   EXPECT_EQ(report.ticks, recording.facts().samples);
 }
 
 /// The third, on the built-in trunk, which is made again here: since 0.2 it has other last bits.
 TEST(RecordingVersions, TheThirdIsFeltAgainWithAForceThatDiffersByLittleAndANoteThatSaysWhy) {
-  const std::filesystem::path folder = std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / "version_3";
-  support::TemporaryFolder copy;
-  std::filesystem::copy(folder / "trunk.session", copy / "trunk.session");
-  trace::RecordingReader recording(copy / "trunk.session");
+  Kept kept("version_3", "trunk.session");
+  trace::RecordingReader& recording = kept.recording;
   EXPECT_EQ(recording.facts().version, 3);
   std::vector<Vec3> recorded;
   recording.forEachTick({}, [&](std::span<const trace::Sample> tick) {
@@ -214,7 +224,7 @@ TEST(RecordingVersions, TheThirdIsFeltAgainWithAForceThatDiffersByLittleAndANote
   });
   double off_n = 0.0;
   std::size_t at = 0;
-  const ReplayReport report = replay(recording, {{}, folder}, [&](std::span<const trace::Sample> tick) {
+  const ReplayReport report = replay(recording, {{}, kept.folder}, [&](std::span<const trace::Sample> tick) {
     for (const trace::Sample& sample : tick) off_n = std::max(off_n, (sample.contact.force - recorded[at++]).norm());
   });
   EXPECT_EQ(report.ticks, recording.facts().samples);
@@ -226,12 +236,10 @@ TEST(RecordingVersions, TheThirdIsFeltAgainWithAForceThatDiffersByLittleAndANote
 
 /// The fifth, on the built-in trunk, to the bit on every platform.
 TEST(RecordingVersions, TheFifthIsStillFeltAgain) {
-  const std::filesystem::path folder = std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / "version_5";
-  support::TemporaryFolder copy;
-  std::filesystem::copy(folder / "trunk.session", copy / "trunk.session");
-  trace::RecordingReader recording(copy / "trunk.session");
+  Kept kept("version_5", "trunk.session");
+  trace::RecordingReader& recording = kept.recording;
   EXPECT_EQ(recording.facts().version, 5);
-  const ReplayReport report = replay(recording, {{}, folder});
+  const ReplayReport report = replay(recording, {{}, kept.folder});
   EXPECT_TRUE(report.identical()) << (report.first_difference ? report.first_difference->field : "notes");
   EXPECT_EQ(report.ticks, recording.facts().samples);
 }
