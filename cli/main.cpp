@@ -1,10 +1,13 @@
 // `palpate`: reads the command line and hands over to the chosen subcommand, or to the program that holds it.
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "cli/kit/command_pages.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/families.h"
 #include "cli/kit/progress_line.h"
+#include "palpate/base/system/process.h"
 
 namespace {
 
@@ -28,28 +31,30 @@ void addFamilies(CLI::App& app) {
 }
 
 /// `run` is the window with the modes of every package that is there. A shell that asks what may come next asks whom
-/// the command is of.
-void handOver(const std::vector<std::string>& words) {
+/// the command is of. Nothing: the command is one of our own.
+std::optional<int> handOver(const std::vector<std::string>& words) {
   const bool completes = !words.empty() && words.front() == kCompleteOption;
   const std::vector<std::string> typed(words.begin() + (completes ? 1 : 0), words.end());
   const FamilyCommand* command = familyOf(typed);
-  if (command != nullptr) becomeFamily(*command, words);
+  if (command != nullptr) return becomeFamily(*command, words);
   if (!typed.empty() && typed.front() == "run" && !familyProgram("measure").empty()) {
-    becomeFamily({.group = {}, .command = "run", .family = "measure", .what = {}}, words);
+    return becomeFamily({.group = {}, .command = "run", .family = "measure", .what = {}}, words);
   }
+  return std::nullopt;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> words = withPresentCommand(wordsOf(argc, argv));
+  const std::vector<std::string> words = withPresentCommand(palpate::system::commandLine(argc, argv));
   try {
-    handOver(words);
+    if (const std::optional<int> exit_code = handOver(words)) return *exit_code;
   } catch (const std::exception& error) {
     say(fmt::format("palpate: {}\n", error.what()));
     return kWrongInput;
   }
   CLI::App app{"Palpate: feel, see and measure touch on a soft human body.", "palpate"};
+  app.allow_windows_style_options(false);  // "/tmp" is a folder
   app.set_version_flag("--version", PALPATE_VERSION);
   app.require_subcommand(1);
   addOwnCommands(app);

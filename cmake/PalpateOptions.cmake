@@ -8,6 +8,9 @@ target_compile_options(palpate_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno
 # Not where files are compiled together: a local may bear the name of a neighbour's helper. tools/check-alone, which compiles
 # each file by itself, has the warning for all of them.
 target_compile_options(palpate_options INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>)
+if(WIN32) # the compiler's own libraries go into the programs: whoever gets one needs no other file
+  target_link_options(palpate_options INTERFACE -static)
+endif()
 if(PALPATE_WERROR)
   # But not those that depend on what the optimiser could see.
   target_compile_options(palpate_options INTERFACE -Werror

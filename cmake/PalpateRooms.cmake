@@ -3,18 +3,45 @@
 set(PALPATE_CORE_ROOMS base mesh body tissue maps tree contact hdb deform trace scene device servo engine)
 set(PALPATE_HOST_ROOMS base mesh tissue trace scene device servo engine)
 
+# Files of one system alone; `posix` is every other than Windows.
+if(WIN32)
+  set(PALPATE_FOREIGN_SYSTEMS posix linux apple)
+elseif(APPLE)
+  set(PALPATE_FOREIGN_SYSTEMS windows linux)
+else()
+  set(PALPATE_FOREIGN_SYSTEMS windows apple)
+endif()
+
+# palpate_glob(<variable> <folder>): the sources below the folder that are for the system that is built for.
+function(palpate_glob variable folder)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  foreach(system ${PALPATE_FOREIGN_SYSTEMS})
+    file(GLOB_RECURSE foreign CONFIGURE_DEPENDS ${folder}/*_${system}.cpp)
+    list(REMOVE_ITEM sources ${foreign})
+  endforeach()
+  set(${variable} ${sources} PARENT_SCOPE)
+endfunction()
+
 # palpate_add_rooms(<house> <prefix> <room>...) compiles <house>/palpate/<room> as <prefix>_<room>.
 function(palpate_add_rooms house prefix)
   set(folder ${PROJECT_SOURCE_DIR}/${house}/palpate)
   # These include themselves, once for each instruction set.
-  set_property(SOURCE ${folder}/tree/wide_node.cpp ${folder}/deform/kernels/kernels.cpp PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+  set(vectors ${folder}/tree/wide_node.cpp ${folder}/deform/kernels/kernels.cpp)
+  set_property(SOURCE ${vectors} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+  if(CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64)
+    # Highway 1.0.3 takes its NEON from compilers that are told of AES (no such instruction is made), has no vectors of SVE in
+    # structures, and GCC 12 fails on its header of SVE after a precompiled one.
+    set_property(SOURCE ${vectors} PROPERTY COMPILE_OPTIONS -march=armv8-a+crypto)
+    set_property(SOURCE ${vectors} PROPERTY COMPILE_DEFINITIONS HWY_COMPILE_ONLY_STATIC)
+    set_property(SOURCE ${vectors} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+  endif()
   set_property(SOURCE ${folder}/engine/recording_settings.cpp PROPERTY COMPILE_DEFINITIONS
                PALPATE_VERSION="${PROJECT_VERSION}") # recordings say what wrote them
   if(NOT PALPATE_THREADS)
     set_property(SOURCE ${folder}/base/host_environment.cpp PROPERTY COMPILE_DEFINITIONS PALPATE_NO_THREADS)
   endif()
   foreach(room ${ARGN})
-    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/${room}/*.cpp)
+    palpate_glob(sources ${folder}/${room})
     if(NOT PALPATE_ASSIMP)
       list(REMOVE_ITEM sources ${folder}/mesh/files/read_foreign.cpp)
     endif()
@@ -51,7 +78,7 @@ endfunction()
 function(palpate_add_library target house)
   set(sources)
   foreach(folder ${ARGN})
-    file(GLOB_RECURSE found CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${house}/${folder}/*.cpp)
+    palpate_glob(found ${PROJECT_SOURCE_DIR}/${house}/${folder})
     list(APPEND sources ${found})
   endforeach()
   add_library(${target} STATIC ${sources})

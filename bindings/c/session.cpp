@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "answers.h"
+#include "palpate/base/path_text.h"
 #include "palpate/engine/recording_replay.h"
 #include "structs.h"
 #include "touch.h"
@@ -104,7 +105,7 @@ using c_api::require;
 int32_t palpate_session_open(const char* utf8_path, palpate_session** out, palpate_error* error) noexcept {
   return c_api::answeredWith(out, error, [&] {
     require(utf8_path != nullptr, "the path is null");
-    return std::make_unique<palpate_session>(c_api::pathOf(utf8_path)).release();
+    return std::make_unique<palpate_session>(pathOf(utf8_path)).release();
   });
 }
 
@@ -145,7 +146,7 @@ int32_t palpate_session_replay(palpate_session* session, const char* folder, pal
     require(session != nullptr, "the session is null");
     require(c_api::isUsable(replay), "recording replay is null, or its size is not set");
     engine::ReplaySettings settings;
-    if (folder != nullptr) settings.folder = c_api::pathOf(folder);
+    if (folder != nullptr) settings.folder = pathOf(folder);
     c_api::toCaller(c_api::plain(engine::replay(session->reader, settings)), replay);
   });
 }
@@ -155,7 +156,7 @@ int32_t palpate_session_world(palpate_session* session, uint64_t number, const c
   return c_api::answeredWith(out, error, [&] {
     require(session != nullptr, "the session is null");
     const trace::RecordingWorld recorded = session->reader.world(number);
-    const std::filesystem::path at = folder != nullptr ? c_api::pathOf(folder) : std::filesystem::path(recorded.folder);
+    const std::filesystem::path at = folder != nullptr ? pathOf(folder) : pathOf(recorded.folder);
     return c_api::handleOf(engine::builtWorld(recorded, at));
   });
 }

@@ -60,10 +60,4 @@ void putText(std::string_view text, char (&target)[Room]) noexcept {
   std::memset(target + length, 0, Room - length);
 }
 
-/// A path that is UTF-8, whatever the program's locale.
-inline std::filesystem::path pathOf(const char* utf8) {
-  const std::string_view text = utf8;
-  return std::u8string(text.begin(), text.end());
-}
-
 }  // namespace palpate::c_api

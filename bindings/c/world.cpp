@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "answers.h"
+#include "palpate/base/path_text.h"
 #include "palpate/engine/arrays.h"
 #include "palpate/scene/scene_file.h"
 #include "structs.h"
@@ -64,7 +65,7 @@ using c_api::require;
 int32_t palpate_world_load(const char* utf8_path, palpate_world** out, palpate_error* error) noexcept {
   return answeredWith(out, error, [&] {
     require(utf8_path != nullptr, "the path is null");
-    return c_api::handleOf(scene::build(scene::load(c_api::pathOf(utf8_path))));
+    return c_api::handleOf(scene::build(scene::load(pathOf(utf8_path))));
   });
 }
 

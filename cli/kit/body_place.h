@@ -1,11 +1,11 @@
 // Options that take a place on the body: x,y,z in mm, or the words of an examiner.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "cli/kit/cli11.h"
 #include "palpate/base/vec.h"
 #include "palpate/scene/world.h"
 

@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "cli/kit/cli11.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/words.h"
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string_view>
@@ -17,6 +16,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/nearest_name.h"
+#include "palpate/base/system/signals.h"
 
 namespace palpate::app {
 
@@ -120,7 +120,7 @@ int parse(CLI::App& app, const std::vector<std::string>& words) {
 int flushed(int exit_code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
   const int reason = errno;
-  if (reason == EPIPE) return exitCodeOf(SIGPIPE);  // the reader has what it wanted
+  if (reason == EPIPE) return exitCodeOf(system::kBrokenPipe);  // the reader has what it wanted
   say(fmt::format("palpate: standard output: cannot be written: {}\n", std::generic_category().message(reason)));
   return kWrongInput;
 }
@@ -191,8 +191,6 @@ std::string_view presentCommand(const MovedCommand& moved, const std::vector<std
 }
 
 }  // namespace
-
-std::vector<std::string> wordsOf(int argc, char** argv) { return {argv + std::min(argc, 1), argv + argc}; }
 
 std::vector<std::string> withPresentCommand(std::vector<std::string> words) {
   const auto moved =

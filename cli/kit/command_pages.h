@@ -5,9 +5,10 @@
 //   palpate-teach --man                 ─► palpate-teach.1, written when it is built
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+#include "cli/kit/cli11.h"
 
 namespace palpate::app {
 

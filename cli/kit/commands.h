@@ -3,14 +3,12 @@
 // when chosen.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
-namespace palpate::app {
+#include "cli/kit/cli11.h"
 
-/// The words behind the program's name.
-std::vector<std::string> wordsOf(int argc, char** argv);
+namespace palpate::app {
 
 /// Commands that were called otherwise in the last release get their present names, and it is said.
 std::vector<std::string> withPresentCommand(std::vector<std::string> words);

@@ -1,11 +1,11 @@
 // --device: who moves the fingers instead of the scene's paths or the mouse.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "cli/kit/cli11.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/scene/scene.h"
 

@@ -23,14 +23,12 @@ std::string_view familyTable();
 /// The row that a command line begins with; nullptr: the command is one of `palpate` itself, or of nobody.
 const FamilyCommand* familyOf(const std::vector<std::string>& words);
 
-/// The file of the program that runs; empty where the system does not say.
-std::filesystem::path ownProgram();
 /// Beside our own program; empty where it is not installed.
 std::filesystem::path familyProgram(std::string_view family);
 
-/// This process becomes that program, with these words. Throws Error, which says which package is missing and how it is
-/// built.
-[[noreturn]] void becomeFamily(const FamilyCommand& command, const std::vector<std::string>& words);
+/// This process becomes that program, with these words; where the system has no such thing, the program's exit code.
+/// Throws Error, which says which package is missing and how it is built.
+int becomeFamily(const FamilyCommand& command, const std::vector<std::string>& words);
 
 /// Runs it to its end, silently. False where it is not installed or has failed.
 bool runFamily(std::string_view family, const std::vector<std::string>& words);

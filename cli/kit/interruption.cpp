@@ -2,16 +2,13 @@
 // that was begun in order looks at the number at its next sign of life.
 #include "cli/kit/interruption.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <atomic>
-#include <csignal>
 #include <cstdint>
-#include <ctime>
 #include <utility>
 
 #include "palpate/base/output_file.h"
+#include "palpate/base/system/signals.h"
 
 namespace palpate::app {
 
@@ -21,10 +18,11 @@ struct EndingSignal {
   int number;
   std::string_view name;
 };
-constexpr std::array<EndingSignal, 3> kEndingSignals = {{{SIGINT, "SIGINT"}, {SIGTERM, "SIGTERM"}, {SIGHUP, "SIGHUP"}}};
+constexpr std::array<EndingSignal, 3> kEndingSignals = {
+    {{system::kInterrupt, "SIGINT"}, {system::kTerminate, "SIGTERM"}, {system::kHangUp, "SIGHUP"}}};
 
-constexpr std::string_view kEnding = "\npalpate: ending in order; once more ends at once\n";
-constexpr std::string_view kEnded = "\npalpate: ended by a signal\n";
+constexpr const char* kEnding = "\npalpate: ending in order; once more ends at once\n";
+constexpr const char* kEnded = "\npalpate: ended by a signal\n";
 
 /// A closing terminal sends its signal twice, a logout two kinds at once: only what comes later is meant as a second
 /// one.
@@ -37,43 +35,21 @@ std::atomic<servo::EmergencyStop*> pressed_first{nullptr};
 static_assert(std::atomic<servo::EmergencyStop*>::is_always_lock_free);
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 
-std::int64_t clockNs() {  // allowed in a handler, unlike std::chrono
-  timespec now = {};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  return now.tv_sec * std::int64_t{1'000'000'000} + now.tv_nsec;
-}
-
-void tell(std::string_view line) {
-  // Nothing can be done where nobody reads it.
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
-}
-
 extern "C" void askForEnd(int signal) {
   if (servo::EmergencyStop* stop = pressed_first.load()) stop->press();
   int nobody = 0;
   if (asked_by.compare_exchange_strong(nobody, signal)) {
-    asked_at_ns.store(clockNs());
-    if (orderly.load() > 0 || filesUnderWay() > 0) return tell(kEnding);
-    tell(kEnded);
-    ::_exit(exitCodeOf(signal));
+    asked_at_ns.store(system::clockInHandlerNs());
+    if (orderly.load() > 0 || filesUnderWay() > 0) return system::tellInHandler(kEnding);
+    system::tellInHandler(kEnded);
+    system::endNow(exitCodeOf(signal));
   }
-  if (clockNs() - asked_at_ns.load() > kSecondAfterNs) ::_exit(exitCodeOf(signal));
+  if (system::clockInHandlerNs() - asked_at_ns.load() > kSecondAfterNs) system::endNow(exitCodeOf(signal));
 }
 
 }  // namespace
 
-void listenForSignals() {
-  for (const EndingSignal& signal : kEndingSignals) {
-    struct sigaction before = {};
-    if (::sigaction(signal.number, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
-    struct sigaction action = {};
-    action.sa_handler = askForEnd;
-    action.sa_flags = SA_RESTART;
-    ::sigaction(signal.number, &action, nullptr);
-  }
-  std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN);
-}
+void listenForSignals() { system::whenAskedToEnd(askForEnd); }
 
 FinishesInOrder::FinishesInOrder() { ++orderly; }
 FinishesInOrder::~FinishesInOrder() { --orderly; }

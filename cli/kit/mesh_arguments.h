@@ -1,9 +1,9 @@
 // What every command says that reads a mesh file: which file, in which unit, which part of it.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "cli/kit/cli11.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/scene/scene.h"
 

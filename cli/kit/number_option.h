@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <concepts>
@@ -14,6 +13,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "cli/kit/cli11.h"
 #include "palpate/base/number_range.h"
 #include "palpate/base/vec.h"
 

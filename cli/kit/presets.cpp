@@ -1,11 +1,11 @@
 // A preset is the text of a file of scenes/ and, for the printed reading of it, every switch of fidelity.
 #include "cli/kit/presets.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 
 #include "cli/kit/choice_option.h"
+#include "cli/kit/cli11.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/scene/scene_file.h"

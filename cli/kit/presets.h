@@ -1,11 +1,11 @@
 // Scenes that are compiled in: the default one, and those that are known by a word, `--preset vhb`.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "cli/kit/cli11.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate::app {

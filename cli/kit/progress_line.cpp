@@ -1,11 +1,11 @@
 #include "cli/kit/progress_line.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 
 #include "cli/kit/interruption.h"
+#include "palpate/base/system/process.h"
 
 namespace palpate::app {
 
@@ -22,7 +22,7 @@ void say(std::string_view text) {
   std::fflush(stderr);
 }
 
-ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0), next_(Clock::now()) {
+ProgressLine::ProgressLine() : terminal_(system::messagesGoToATerminal()), next_(Clock::now()) {
   if (!terminal_) next_ += kLogPause;
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 
 namespace palpate::app {
@@ -24,7 +25,7 @@ constexpr std::size_t kMaxReportBytes = std::size_t{1} << 24;
 constexpr std::size_t kMaxNames = 4;
 
 /// Of this folder alone: a report is a file that anybody may have written.
-bool isPlainName(const std::string& name) { return !name.empty() && fs::path(name).filename() == name; }
+bool isPlainName(const std::string& name) { return !name.empty() && pathOf(name).filename() == pathOf(name); }
 
 std::vector<std::string> listedFiles(const fs::path& folder) {
   std::vector<std::string> names;
@@ -42,8 +43,9 @@ std::vector<std::string> filesOfRun(const fs::path& folder) {
   names.insert(names.end(), {"forces.csv", "pictures.png", kReport});
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
-  std::erase_if(names,
-                [&](const std::string& name) { return !isPlainName(name) || !fs::is_regular_file(folder / name); });
+  std::erase_if(names, [&](const std::string& name) {
+    return !isPlainName(name) || !fs::is_regular_file(folder / pathOf(name));
+  });
   return names;
 }
 
@@ -57,14 +59,14 @@ bool isFree(const fs::path& folder) {
 fs::path freshFolder(const fs::path& folder) {
   const fs::path plain = folder.has_filename() ? folder : folder.parent_path();  // "monday/" is "monday"
   fs::path fresh = plain;
-  for (int i = 2; !isFree(fresh); ++i) fresh = fmt::format("{}-{}", plain.string(), i);
+  for (int i = 2; !isFree(fresh); ++i) fresh = withEnding(plain, fmt::format("-{}", i));
   return fresh;
 }
 
 ResultsFolder resultsFolder(const std::optional<std::string>& wanted, bool overwrite) {
   if (!wanted && !overwrite) return {freshFolder(kDefaultFolder), {}};
   ResultsFolder results;
-  results.folder = wanted.value_or(kDefaultFolder);
+  results.folder = pathOf(wanted.value_or(kDefaultFolder));
   results.earlier = filesOfRun(results.folder);
   if (overwrite || results.earlier.empty()) return results;
   std::vector<std::string> named = results.earlier;
@@ -78,7 +80,8 @@ ResultsFolder resultsFolder(const std::optional<std::string>& wanted, bool overw
 void removeEarlier(const ResultsFolder& results, const std::vector<std::string>& written) {
   for (const std::string& name : results.earlier) {
     std::error_code ignored;  // what stays is told by its date
-    if (std::find(written.begin(), written.end(), name) == written.end()) fs::remove(results.folder / name, ignored);
+    if (std::find(written.begin(), written.end(), name) == written.end())
+      fs::remove(results.folder / pathOf(name), ignored);
   }
 }
 

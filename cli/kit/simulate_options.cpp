@@ -2,15 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <utility>
 
 #include "cli/kit/choice_option.h"
+#include "cli/kit/cli11.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/presets.h"
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/words.h"
@@ -21,7 +22,7 @@ namespace {
 
 /// A mesh where a scene may stand is palpated as it is, as the window does.
 SimulateOptions withMeshApart(SimulateOptions options) {
-  if (options.scene.empty() || !mesh::isMeshFile(options.scene)) return options;
+  if (options.scene.empty() || !mesh::isMeshFile(pathOf(options.scene))) return options;
   if (!options.mesh.empty())
     throw Error(fmt::format("{} and --mesh {}: one body at a time", options.scene, options.mesh));
   options.mesh = std::exchange(options.scene, {});
@@ -35,7 +36,7 @@ scene::Scene startingScene(const SimulateOptions& options) {
     return presetScene(options.preset);
   }
   if (!options.scene.empty()) {
-    scene::Scene scene = scene::load(options.scene);
+    scene::Scene scene = scene::load(pathOf(options.scene));
     if (options.trajectories.empty() && options.needs_fingers) scene::requireFingers(scene);
     return scene;
   }
@@ -46,7 +47,7 @@ scene::Scene startingScene(const SimulateOptions& options) {
 void useMesh(const SimulateOptions& options, scene::Scene& scene) {
   if (options.mesh.empty()) return;
   scene.body.kind = scene::BodyKind::mesh;
-  scene.body.file = options.mesh;
+  scene.body.file = pathOf(options.mesh);
   scene.body.scale = options.mesh_scale;
   useUnit(options.mesh_unit_mm, scene.body);
   scene.body.group = options.mesh_group;
@@ -60,7 +61,7 @@ void useTrajectories(const SimulateOptions& options, scene::Scene& scene) {
       scene.fingers.emplace_back();
       scene.fingers.back().name = fmt::format("finger_{}", i + 1);
     }
-    scene.fingers[i].trajectory = options.trajectories[i];
+    scene.fingers[i].trajectory = pathOf(options.trajectories[i]);
     scene.fingers[i].steps.clear();
   }
 }

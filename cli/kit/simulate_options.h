@@ -1,11 +1,11 @@
 // What `palpate simulate` was asked for, and the scene that comes of it.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/kit/cli11.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate::app {

@@ -15,6 +15,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/model/scanned_body.h"
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/body/fitting/body_fit.h"
@@ -50,7 +51,7 @@ struct FitBodyResult {
 
 std::vector<body::NamedPoint> pointsOf(const FitBodyArguments& arguments, double mm_per_unit) {
   std::vector<body::NamedPoint> points;
-  if (!arguments.points.empty()) points = readNamedPoints(arguments.points);
+  if (!arguments.points.empty()) points = readNamedPoints(pathOf(arguments.points));
   for (const std::string& word : arguments.at) points.push_back(namedPointFrom("--at", word));
   for (body::NamedPoint& point : points) point.position *= mm_per_unit;
   return points;
@@ -88,13 +89,13 @@ scene::Finger exampleFinger(const body::FittedBody& body) {
 }
 
 fs::path besideOutput(const FitBodyArguments& arguments, const char* ending) {
-  const fs::path output = arguments.output;
-  return fs::absolute(output.parent_path() / (output.stem().string() + ending));
+  const fs::path output = pathOf(arguments.output);
+  return fs::absolute(output.parent_path() / pathOf(output.stem().string() + ending));
 }
 
 void writeScene(const FitBodyArguments& arguments, FitBodyResult& result) {
   scene::Scene scene;
-  scene.title = fs::path(arguments.scan.file).filename().string() + ", fitted";
+  scene.title = pathOf(arguments.scan.file).filename().string() + ", fitted";
   scene.body.kind = scene::BodyKind::mesh;
   constexpr double kTurnedDeg = 15;  // seen along z it is still the back
   if (result.turned_deg > kTurnedDeg && !arguments.keep_frame) {
@@ -103,7 +104,7 @@ void writeScene(const FitBodyArguments& arguments, FitBodyResult& result) {
     mesh::save(scene.body.file, result.scan.mesh, result.scan.channels);
     result.written.push_back(scene.body.file.string());
   } else {
-    scene.body.file = fs::absolute(arguments.scan.file);
+    scene.body.file = fs::absolute(pathOf(arguments.scan.file));
     scene.body.group = arguments.scan.options.group;
     useUnit(result.scan.unit_mm, scene.body);
   }
@@ -111,15 +112,15 @@ void writeScene(const FitBodyArguments& arguments, FitBodyResult& result) {
   writeFile(scene.body.fit, body::fitAsJson(result.fit));
   result.written.push_back(scene.body.fit.string());
   scene.fingers.push_back(exampleFinger(result.body));
-  scene::save(scene, fs::absolute(arguments.output));
-  result.written.push_back(fs::absolute(arguments.output).string());
+  scene::save(scene, fs::absolute(pathOf(arguments.output)));
+  result.written.push_back(fs::absolute(pathOf(arguments.output)).string());
 }
 
 FitBodyResult fitScan(const FitBodyArguments& arguments) {
   const auto start = Clock::now();
   ProgressLine progress;
   FitBodyResult result;
-  result.scan = readScan(arguments.scan.file, arguments.scan.options, progress.callback());
+  result.scan = readScan(pathOf(arguments.scan.file), arguments.scan.options, progress.callback());
   const std::vector<body::NamedPoint> points = pointsOf(arguments, result.scan.mm_per_unit);
   report(progress.callback(), "building the template", 0.0);
   const body::TemplateBody trunk;
@@ -201,7 +202,7 @@ std::string textOf(const FitBodyResult& result, const std::vector<Vec3>& places)
 }
 
 void runFitBody(const FitBodyArguments& arguments) {
-  if (fs::path(arguments.output).extension() != ".toml") {
+  if (pathOf(arguments.output).extension() != ".toml") {
     throw Error::inFile(arguments.output, "a scene file ends in .toml");
   }
   FitBodyResult result = fitScan(arguments);

@@ -20,6 +20,7 @@
 #include "cli/model/triangle_shape.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/mesh/validate.h"
 #include "palpate/trace/forces_table.h"
 
@@ -235,7 +236,7 @@ Inspection inspect(const InfoArguments& arguments) {
   ProgressLine progress;
   mesh::LoadOptions options = arguments.mesh.options;
   options.keep_wrong_indices = true;  // to be counted, not refused
-  const mesh::TriangleMesh surface = mesh::load(arguments.mesh.file, options, progress.callback());
+  const mesh::TriangleMesh surface = mesh::load(pathOf(arguments.mesh.file), options, progress.callback());
   Inspection found{mesh::validate(surface, {.self_intersections = !arguments.quick}, progress.callback()), {}};
   const bool can_be_measured = found.report.wrong_indices.count == 0 && found.report.non_finite_vertices.count == 0;
   if (arguments.shape && can_be_measured) found.shapes = triangleShapes(surface);
@@ -243,13 +244,14 @@ Inspection inspect(const InfoArguments& arguments) {
 }
 
 void runInfo(const InfoArguments& arguments) {
-  if (isRecordingFile(arguments.mesh.file)) {
-    printReadable(arguments.json ? jsonText(recordingInfoJson(arguments.mesh.file))
-                                 : recordingInfo(arguments.mesh.file));
+  if (isRecordingFile(pathOf(arguments.mesh.file))) {
+    printReadable(arguments.json ? jsonText(recordingInfoJson(pathOf(arguments.mesh.file)))
+                                 : recordingInfo(pathOf(arguments.mesh.file)));
     return;
   }
-  if (isTableOrUnfinished(arguments.mesh.file)) {
-    printReadable(arguments.json ? jsonText(tableInfoJson(arguments.mesh.file)) : tableInfo(arguments.mesh.file));
+  if (isTableOrUnfinished(pathOf(arguments.mesh.file))) {
+    printReadable(arguments.json ? jsonText(tableInfoJson(pathOf(arguments.mesh.file)))
+                                 : tableInfo(pathOf(arguments.mesh.file)));
     return;
   }
   const Inspection found = inspect(arguments);

@@ -16,6 +16,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/body/back.h"
 #include "palpate/body/bones.h"
@@ -67,8 +68,8 @@ mesh::VertexChannels channelsOf(const Model& model) {
 }
 
 void write(const std::string& file, const Model& model) {
-  const bool carries_values = std::filesystem::path(file).extension() == ".ply";
-  mesh::save(file, model.mesh, carries_values ? channelsOf(model) : mesh::VertexChannels{});
+  const bool carries_values = pathOf(file).extension() == ".ply";
+  mesh::save(pathOf(file), model.mesh, carries_values ? channelsOf(model) : mesh::VertexChannels{});
 }
 
 /// Of a torso or a trunk.

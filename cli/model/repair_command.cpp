@@ -17,6 +17,7 @@
 #include "cli/kit/readable_text.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/trace/recording_repair.h"
@@ -111,7 +112,8 @@ mesh::RepairResult repairFile(const RepairArguments& arguments, mesh::VertexChan
   ProgressLine progress;
   mesh::LoadOptions load_options = arguments.mesh.options;
   load_options.keep_wrong_indices = true;
-  mesh::MeshWithChannels loaded = mesh::loadWithChannels(arguments.mesh.file, load_options, progress.callback());
+  mesh::MeshWithChannels loaded =
+      mesh::loadWithChannels(pathOf(arguments.mesh.file), load_options, progress.callback());
   try {
     const mesh::RepairOptions options{.weld = !arguments.no_weld,
                                       .weld_distance_mm = arguments.weld_distance_mm,
@@ -195,9 +197,8 @@ nlohmann::ordered_json jsonOf(const mesh::RepairResult& result) {
 void runRepair(const RepairArguments& arguments) {
   mesh::VertexChannels channels;
   const mesh::RepairResult result = repairFile(arguments, channels);
-  const bool has_room =
-      std::filesystem::path(arguments.output).extension() == ".ply";  // other formats hold places only
-  mesh::save(arguments.output, result.mesh, has_room ? channels : mesh::VertexChannels());
+  const bool has_room = pathOf(arguments.output).extension() == ".ply";  // other formats hold places only
+  mesh::save(pathOf(arguments.output), result.mesh, has_room ? channels : mesh::VertexChannels());
   fmt::print("{}", arguments.json ? jsonOf(result).dump(2) + "\n" : textOf(result));
 }
 
@@ -231,9 +232,9 @@ void addRepairCommand(CLI::App& group) {
   command.add_flag("--keep-holes", arguments->keep_holes, "Leave the small holes of nearly closed parts open");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &command] {
-    if (isOrWasRecording(arguments->mesh.file)) {
+    if (isOrWasRecording(pathOf(arguments->mesh.file))) {
       refuseMeshOptions(command);
-      salvageRecording(arguments->mesh.file, arguments->output, arguments->json);
+      salvageRecording(pathOf(arguments->mesh.file), pathOf(arguments->output), arguments->json);
     } else {
       runRepair(*arguments);
     }

@@ -2,16 +2,17 @@
 // sound notes.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
 
+#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 #include "palpate/trace/recording_edit.h"
 
@@ -66,7 +67,7 @@ constexpr std::array<Media, 8> kMedia = {{{".png", "picture", "image/png"},
 
 trace::RecordingAttachment attachmentOf(const At& at) {
   constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
-  const std::filesystem::path file = at.what;
+  const std::filesystem::path file = pathOf(at.what);
   const std::string extension = file.extension().string();
   for (const Media& media : kMedia) {
     if (extension != media.extension) continue;

@@ -1,11 +1,7 @@
 // `palpate recording bundle`: a recording with the files that its scene names, in one file to give away.
 #include <fmt/format.h>
-#include <pwd.h>
-#include <unistd.h>
 
 #include <Eigen/Core>
-#include <array>
-#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +11,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/system/process.h"
 #include "palpate/engine/recording_bundle.h"
 #include "palpate/engine/recording_settings.h"
 #include "palpate/trace/recording_edit.h"
@@ -46,22 +43,12 @@ void addFolder(Words& words, const std::string& folder) {
 /// Who this is and where: account, full name, home, computer.
 Words namesHere() {
   Words words;
-  for (const char* name : {"USER", "LOGNAME"}) {
-    if (const char* user = std::getenv(name)) addWord(words, user, "user");
-  }
-  if (const char* home = std::getenv("HOME")) addFolder(words, home);
-  if (const passwd* account = ::getpwuid(::geteuid())) {
-    addWord(words, account->pw_name, "user");
-    const std::string full_name = account->pw_gecos == nullptr ? "" : account->pw_gecos;
-    addWord(words, full_name.substr(0, full_name.find(',')), "user");
-    addFolder(words, account->pw_dir);
-  }
-  std::array<char, 256> host{};
-  if (::gethostname(host.data(), host.size() - 1) == 0) {
-    const std::string name = host.data();
-    addWord(words, name, "host");
-    addWord(words, name.substr(0, name.find('.')), "host");
-  }
+  const system::Identity here = system::identity();
+  for (const std::string& account : here.accounts) addWord(words, account, "user");
+  addWord(words, here.full_name, "user");
+  for (const std::string& home : here.homes) addFolder(words, home);
+  addWord(words, here.computer, "host");
+  addWord(words, here.computer.substr(0, here.computer.find('.')), "host");
   return words;
 }
 

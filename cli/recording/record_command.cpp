@@ -1,8 +1,6 @@
 // `palpate recording new`: palpates with devices, without a window, until somebody ends it; every tick goes into a
 // recording.
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <memory>
@@ -17,6 +15,7 @@
 #include "cli/kit/simulate_options.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/system/process.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/device/finger_path.h"
 #include "palpate/engine/fingers.h"
@@ -42,13 +41,9 @@ class Lines {
  public:
   /// What was typed before an Enter, or nothing.
   std::optional<std::string> take() {
-    pollfd input{STDIN_FILENO, POLLIN, 0};
-    while (open_ && ::poll(&input, 1, 0) == 1) {
-      char letter = 0;
-      open_ = ::read(STDIN_FILENO, &letter, 1) == 1;
-      if (!open_) break;
-      if (letter == '\n') return std::exchange(line_, {});
-      line_ += letter;
+    while (const std::optional<char> letter = system::typedLetter(open_)) {
+      if (*letter == '\n') return std::exchange(line_, {});
+      if (*letter != '\r') line_ += *letter;
     }
     return std::nullopt;
   }
@@ -120,7 +115,7 @@ std::size_t waitForTheEnd(engine::ServoThread& servo, engine::Recorder& recorder
                           const std::vector<device::Device>& devices, double seconds, const scene::Scene& scene) {
   constexpr std::chrono::milliseconds kLook{20};
   constexpr int kLooksPerTending = 50;  // a second: a driver may take its time
-  const bool terminal = ::isatty(STDERR_FILENO) != 0;
+  const bool terminal = system::messagesGoToATerminal();
   Lines lines;
   std::size_t marks = 0;
   if (terminal) say("Enter sets a mark (with what was typed before it), Ctrl+C ends the recording\n");

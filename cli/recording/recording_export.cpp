@@ -1,7 +1,6 @@
 #include "cli/recording/recording_export.h"
 
 #include <fmt/format.h>
-#include <zip.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -15,8 +14,10 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/recording/zip_archive.h"
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 #include "palpate/engine/recording_bundle.h"
 #include "palpate/engine/recording_settings.h"
@@ -82,7 +83,7 @@ struct NpzFile::Archive {
 
 NpzFile::NpzFile(const std::filesystem::path& file)
     : name_(file.string()), file_(file), archive_(std::make_unique<Archive>()) {
-  archive_->handle = zipOpen64(file_.partial().c_str(), APPEND_STATUS_CREATE);
+  archive_->handle = newZipArchive(file_.partial());
   if (archive_->handle == nullptr) fail();
 }
 
@@ -231,7 +232,7 @@ std::shared_ptr<const scene::World> worldToSee(trace::RecordingReader& recording
                                                const std::function<void(scene::Scene&)>& change,
                                                const Progress& progress) {
   const trace::RecordingWorld recorded = recording.world(number);
-  const std::filesystem::path from = folder.empty() ? std::filesystem::path(recorded.folder) : folder;
+  const std::filesystem::path from = folder.empty() ? pathOf(recorded.folder) : folder;
   scene::Scene scene = scene::parse(recorded.scene, (from / "session.toml").string());
   // A finger that found its own way is not in the scene; who is looked at is in the recording.
   const auto& fingers = recording.facts().fingers;

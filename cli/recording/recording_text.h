@@ -1,12 +1,12 @@
 // What the commands of recordings share: what a recording holds, in words and as JSON, and --from, --to.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "cli/kit/cli11.h"
 #include "palpate/trace/recording_reader.h"
 
 namespace palpate::app {

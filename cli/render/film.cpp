@@ -1,25 +1,15 @@
-// A socket in place of a pipe: writing to one whose reader has ended can be told not to raise SIGPIPE. ffmpeg's words
-// go to a file and not to another pipe, which it could fill while we fill its input. It gets a process group of its
-// own, so that Ctrl-C reaches this program alone, which then ends it.
 #include "cli/render/film.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstdlib>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
+#include "palpate/base/system/files.h"
+#include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
 
 namespace palpate::app {
@@ -66,20 +56,12 @@ std::string quoted(const std::string& word) {
 }
 
 /// The last line that is not empty.
-std::string lastLineOf(std::FILE* words) {
-  std::rewind(words);
-  std::string line;
+std::string lastLineOf(std::string_view words) {
   std::string last;
-  for (int c = std::fgetc(words); c != EOF; c = std::fgetc(words)) {
-    if (c != '\n') line += static_cast<char>(c);
-    if (!trimmed(line).empty()) last = line;
-    if (c == '\n') line.clear();
+  for (const std::string_view line : split(words, '\n')) {
+    if (!trimmed(line).empty()) last = trimmed(line);
   }
-  return std::string(trimmed(last));
-}
-
-[[noreturn]] void failFor(const std::filesystem::path& film, std::string_view what, int reason) {
-  throw Error::inFile(film.string(), fmt::format("{}: {}", what, std::generic_category().message(reason)));
+  return last;
 }
 
 }  // namespace
@@ -87,11 +69,11 @@ std::string lastLineOf(std::FILE* words) {
 bool isFilm(const std::filesystem::path& file) { return file.extension() == ".mp4" || file.extension() == ".webm"; }
 
 std::optional<std::filesystem::path> installedFfmpeg() {
-  const char* path = std::getenv("PATH");
-  for (const std::string_view folder : split(path != nullptr ? path : "", ':')) {
+  const std::string path = system::variable("PATH");
+  for (const std::string_view folder : split(path, system::kBetweenFolders)) {
     if (folder.empty()) continue;  // the current folder: a program there is not the system's
-    const std::filesystem::path program = std::filesystem::path(folder) / kProgram;
-    if (std::filesystem::is_regular_file(program) && access(program.c_str(), X_OK) == 0) return program;
+    const std::filesystem::path program = pathOf(folder) / pathOf(std::string(kProgram) + system::kProgramExtension);
+    if (std::filesystem::is_regular_file(program) && system::mayRun(program)) return program;
   }
   return std::nullopt;
 }
@@ -110,88 +92,27 @@ std::string commandToJoin(const std::filesystem::path& film, double frames_per_s
 }
 
 FilmWriter::FilmWriter(const std::filesystem::path& ffmpeg, const std::filesystem::path& film, const FilmFormat& format)
-    : film_(film), output_(film), words_(std::tmpfile(), &std::fclose) {
-  if (!words_) failFor(film_, "ffmpeg cannot be started", errno);
-  start(ffmpeg, format);
+    : film_(film), output_(film), ffmpeg_(ffmpeg, argumentsFor(film, output_.partial(), format)) {
+  if (ffmpeg_.reason() == 0) return;
+  throw Error::inFile(film_.string(), "ffmpeg cannot be started: " + std::generic_category().message(ffmpeg_.reason()));
 }
 
-void FilmWriter::start(const std::filesystem::path& ffmpeg, const FilmFormat& format) {
-  std::array<int, 2> ends{};
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    failFor(film_, "ffmpeg cannot be started", errno);
-  }
-  std::vector<std::string> words = argumentsFor(film_, output_.partial(), format);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, ends[1], STDIN_FILENO);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&files, fileno(words_.get()), STDERR_FILENO);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  const int error = posix_spawn(&process_, ffmpeg.c_str(), &files, &attributes, arguments.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  close(ends[1]);
-  input_ = ends[0];
-  if (error == 0) return;
-  process_ = -1;
-  closeInput();
-  failFor(film_, "ffmpeg cannot be started", error);
-}
-
-FilmWriter::~FilmWriter() {
-  closeInput();
-  if (process_ <= 0) return;
-  kill(process_, SIGKILL);
-  wait();
-}
-
-void FilmWriter::closeInput() {
-  if (input_ >= 0) close(std::exchange(input_, -1));
-}
-
-int FilmWriter::wait() {
-  const int process = std::exchange(process_, -1);
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
-}
-
-void FilmWriter::fail(int status) {
-  const std::string words = lastLineOf(words_.get());
-  const std::string how =
-      WIFEXITED(status) ? fmt::format("exit code {}", WEXITSTATUS(status)) : fmt::format("signal {}", WTERMSIG(status));
+void FilmWriter::fail(const system::FedProgram::Ending& ending) {
+  const std::string words = lastLineOf(ffmpeg_.said());
   throw Error::inFile(film_.string(),
-                      fmt::format("ffmpeg made no film of it ({}){}{}", how, words.empty() ? "" : ": ", words));
+                      fmt::format("ffmpeg made no film of it ({}){}{}", ending.how, words.empty() ? "" : ": ", words));
 }
 
 void FilmWriter::add(const view::Image& picture) {
   const auto* bytes = reinterpret_cast<const char*>(picture.pixels.data());
-  std::size_t left = picture.pixels.size() * sizeof(view::Pixel);
-  while (left > 0) {
-    const ssize_t sent = send(input_, bytes, left, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0) {
-      closeInput();
-      fail(wait());  // it reads no more: it has ended, or will now
-    }
-    bytes += sent;
-    left -= static_cast<std::size_t>(sent);
-  }
+  if (!ffmpeg_.feed({bytes, picture.pixels.size() * sizeof(view::Pixel)})) fail(ffmpeg_.finish());
 }
 
 void FilmWriter::finish() {
-  closeInput();
-  const int status = wait();
+  const system::FedProgram::Ending ending = ffmpeg_.finish();
   // ffmpeg 5.1 ends with 0 where the film's last bytes find no room on the disk, and only says so.
-  const bool unwritten = lastLineOf(words_.get()).starts_with("Error ");
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || unwritten) fail(status);
+  const bool unwritten = lastLineOf(ffmpeg_.said()).starts_with("Error ");
+  if (!ending.well || unwritten) fail(ending);
   output_.commit();
 }
 

@@ -2,6 +2,7 @@
 
 #include "cli/recording/recording_export.h"
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/engine/recording_settings.h"
 
 namespace palpate::app {
@@ -21,7 +22,7 @@ void refuseOthers(const RenderOptions& options) {
 }  // namespace
 
 RecordedInput::RecordedInput(const RenderOptions& options)
-    : options_(options), recording_(options.scene.scene), carried_(recording_) {
+    : options_(options), recording_(pathOf(options.scene.scene)), carried_(recording_) {
   refuseOthers(options);
 }
 

@@ -22,6 +22,7 @@
 #include "cli/render/picture_series.h"
 #include "cli/render/render_options.h"
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/skin_channels.h"
@@ -175,7 +176,7 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   result.size = options.size;
   const std::vector<std::filesystem::path> files = filesOf(options);
   const auto started = Clock::now();
-  const bool is_recorded = isRecordingFile(options.scene.scene);
+  const bool is_recorded = isRecordingFile(pathOf(options.scene.scene));
   std::optional<FinishesInOrder> in_order;
   if (is_recorded) in_order.emplace();  // files that the recording carries lie in a folder that must go again
   const Input input =

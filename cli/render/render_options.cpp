@@ -5,6 +5,7 @@
 #include "cli/render/film.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 
 namespace palpate::app {
@@ -108,7 +109,7 @@ std::vector<std::filesystem::path> filesOf(const RenderOptions& options) {
 }
 
 std::filesystem::path fileOfSeries(const RenderOptions& options, int number) {
-  return options.output.parent_path() / fmt::format("{}_{:04d}.png", options.output.stem().string(), number);
+  return options.output.parent_path() / pathOf(fmt::format("{}_{:04d}.png", options.output.stem().string(), number));
 }
 
 }  // namespace palpate::app

@@ -2,12 +2,13 @@
 
 #include "cli/kit/device_option.h"
 #include "cli/kit/interruption.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 
 namespace palpate::app {
 
 Playback::Playback(const std::string& file) {
-  if (!file.empty()) script_ = viewer::readInputScript(file);
+  if (!file.empty()) script_ = viewer::readInputScript(pathOf(file));
 }
 
 bool Playback::play(double now_s, window::Window& window, viewer::Viewer& viewer,

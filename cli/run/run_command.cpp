@@ -23,6 +23,7 @@
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/device/head/head_stream.h"
 #include "palpate/device/head/openxr_head.h"
@@ -173,19 +174,19 @@ void keepChanges(const viewer::Viewer& viewer) {
 /// What is remembered between runs is the user's; without it recordings need a folder that is named.
 std::filesystem::path recordingFolder(const RunOptions& options) {
   if (options.no_recording) return {};
-  if (!options.recordings.empty()) return std::filesystem::absolute(options.recordings);
+  if (!options.recordings.empty()) return std::filesystem::absolute(pathOf(options.recordings));
   return options.no_state ? std::filesystem::path() : viewer::recordingsFolder();
 }
 
 /// What cannot be read opens no window.
 void checkReplays(const RunOptions& options) {
-  if (!options.beside.empty() && !trace::isRecording(options.replay)) {
+  if (!options.beside.empty() && !trace::isRecording(pathOf(options.replay))) {
     throw Error("--beside is for a recording beside that of --replay");
   }
   for (const std::string& file : {options.replay, options.beside}) {
     if (file.empty()) continue;
-    trace::isRecording(file) ? static_cast<void>(trace::RecordingReader(file))
-                             : static_cast<void>(trace::readForcesTable(file));
+    trace::isRecording(pathOf(file)) ? static_cast<void>(trace::RecordingReader(pathOf(file)))
+                                     : static_cast<void>(trace::readForcesTable(pathOf(file)));
   }
 }
 
@@ -232,7 +233,7 @@ void runWindow(const RunOptions& options) {
   window::Window window(windowFor(options, state));
   viewer::ViewerSettings settings;
   settings.intro = !options.no_intro && !state.remembered && options.play.empty();
-  settings.output_folder = options.out;
+  settings.output_folder = pathOf(options.out);
   settings.recording_folder = recordingFolder(options);
   settings.default_scene = standardScene();
   viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};

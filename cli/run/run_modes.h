@@ -1,10 +1,10 @@
 // What other products add to the window of `palpate run`: a mode each, and its options.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 
+#include "cli/kit/cli11.h"
 #include "view/viewer/modes/mode.h"
 
 namespace palpate::app {

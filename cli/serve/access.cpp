@@ -15,7 +15,9 @@
 #include "palpate/base/error.h"
 #include "palpate/base/hmac_sha256.h"
 #include "palpate/base/output_file.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/private_folder.h"
+#include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
 
 namespace palpate::app::serving {
@@ -77,7 +79,7 @@ std::string faultOfToken(std::string_view token) {
 
 std::string makeToken() {
   std::array<unsigned char, 20> random{};
-  if (::getentropy(random.data(), random.size()) != 0) throw Error("the system gives no random numbers");
+  if (!system::fillWithRandom(random)) throw Error("the system gives no random numbers");
   std::string token;
   for (const unsigned char byte : random) token += fmt::format("{:02x}", byte);
   return token;
@@ -115,7 +117,7 @@ std::filesystem::path freshTokenFile() {
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     if (isOfDeadServer(entry.path().filename().string())) std::filesystem::remove(entry.path(), error);
   }
-  return folder / fmt::format("{}{}-{}.json", kTokenFileStem, ::getpid(), makeToken().substr(0, 8));
+  return folder / pathOf(fmt::format("{}{}-{}.json", kTokenFileStem, ::getpid(), makeToken().substr(0, 8)));
 }
 
 Tokens readTokens(const std::filesystem::path& file) {

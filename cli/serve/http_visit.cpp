@@ -57,7 +57,7 @@ std::string_view tokenIn(beast::string_view authorization) {
 }
 
 /// Without what a query adds.
-std::string_view pathOf(const HttpRequest& request) {
+std::string_view pathOfRequest(const HttpRequest& request) {
   const std::string_view target = viewOf(request.target());
   return target.substr(0, target.find('?'));
 }
@@ -125,7 +125,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
   }
 
   void answer() {
-    const std::string_view path = pathOf(request_);
+    const std::string_view path = pathOfRequest(request_);
     if (beast::websocket::is_upgrade(request_)) return path == kStream ? open() : refuse(http::status::not_found);
     if (request_.method() != http::verb::get && request_.method() != http::verb::head) {
       return refuse(http::status::method_not_allowed);

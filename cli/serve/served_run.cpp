@@ -18,7 +18,9 @@
 #include "cli/serve/wire.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/base/system/process.h"
 #include "palpate/body/places.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/engine/contact_stream.h"
@@ -83,7 +85,7 @@ Site siteFor(const ServeOptions& options) {
   if (!options.site.empty()) return Site(options.site);
   std::error_code error;
   for (const char* place : {"../share/palpate/web", "../web/site"}) {
-    const fs::path folder = (ownProgram().parent_path() / place).lexically_normal();
+    const fs::path folder = (system::ownProgram().parent_path() / pathOf(place)).lexically_normal();
     if (fs::exists(folder / "index.html", error)) return Site(folder);
   }
   return {};

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "palpate/base/path_text.h"
 #include "palpate/engine/recording_settings.h"
 #include "palpate/servo/scripted_rig.h"
 
@@ -127,7 +128,7 @@ void RunRecorder::addFrame() {
 
 void RunRecorder::write(const Moment& moment) {
   if (moment.frame.empty()) return;
-  writeSurface(folder_ / moment.file, world_, moment.frame);
+  writeSurface(folder_ / pathOf(moment.file), world_, moment.frame);
   files_.push_back(moment.file);
 }
 

@@ -68,7 +68,7 @@ servo::LoopReport runSleepUntil(servo::Rig& rig, std::uint64_t ticks, const serv
 }
 
 std::string schedulerOf(const servo::PacingGrant& grant) {
-  return grant.fifo ? fmt::format("SCHED_FIFO {}", servo::PacingSettings{}.realtime_priority) : "SCHED_OTHER";
+  return grant.realtime ? fmt::format("SCHED_FIFO {}", servo::PacingSettings{}.realtime_priority) : "SCHED_OTHER";
 }
 
 }  // namespace palpate::app

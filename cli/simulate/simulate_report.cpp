@@ -87,7 +87,7 @@ Json pacingJson(const servo::LoopReport& loop, const DisplayReport& display) {
   return {{"lateness_us", percentilesJson(loop.lateness)},
           {"stalls", loop.stalls},
           {"dropped_samples", loop.dropped_samples},
-          {"fifo", loop.grant.fifo},
+          {"fifo", loop.grant.realtime},
           {"memory_locked", loop.grant.memory_locked},
           {"refused", loop.grant.note},
           {"display",
@@ -152,9 +152,9 @@ std::string coverLine(const SimulationResult& result) {
 std::string realtimeLines(const SimulationResult& result) {
   if (!result.display) return {};
   const servo::LoopReport& loop = result.loop;
-  std::string text =
-      fmt::format("  late       {}   ({} scheduling{})\n", percentilesLine(loop.lateness),
-                  loop.grant.fifo ? "real-time" : "ordinary", loop.grant.note.empty() ? "" : ": " + loop.grant.note);
+  std::string text = fmt::format("  late       {}   ({} scheduling{})\n", percentilesLine(loop.lateness),
+                                 loop.grant.realtime ? "real-time" : "ordinary",
+                                 loop.grant.note.empty() ? "" : ": " + loop.grant.note);
   text += fmt::format("  display    {} frames; deformation {}\n", result.display->frames,
                       percentilesLine(result.display->deform));
   if (loop.dropped_samples > 0) text += fmt::format("  lost       {} samples were not written\n", loop.dropped_samples);

@@ -1,13 +1,12 @@
 // What several benchmark commands take: a mesh or a trajectory, and the kind of partition.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <optional>
 #include <string>
 
 #include "cli/kit/choice_option.h"
+#include "cli/kit/cli11.h"
 #include "palpate/base/private_folder.h"
 #include "palpate/base/progress.h"
 #include "palpate/device/trajectory.h"

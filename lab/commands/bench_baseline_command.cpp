@@ -1,6 +1,5 @@
 // `palpate study bench --baseline FILE`: which kernel got slower since the file was written, and by how much.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "cli/kit/cli11.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"

@@ -1,11 +1,11 @@
 // `palpate study bench`: measures the engine on known meshes and trajectories; what each subcommand does is in a file
 // of its own.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <memory>
 #include <string>
 
+#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"

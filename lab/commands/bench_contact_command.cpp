@@ -1,7 +1,6 @@
 // `palpate study bench contact`: one finger along one trajectory over one mesh.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "cli/kit/choice_option.h"
+#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/kit/cli11.h"
 #include "cli/kit/progress_line.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"

@@ -1,12 +1,12 @@
 // What every `palpate study bench` command prints in the same way: percentiles, counts and the machine.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
+#include "cli/kit/cli11.h"
 #include "lab/counters/statistics.h"
 
 namespace palpate::app {

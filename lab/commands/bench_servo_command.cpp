@@ -1,12 +1,11 @@
 // `palpate study bench servo`: how punctual the servo loop is, and how long its ticks take, in real time.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/kit/cli11.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"

@@ -1,7 +1,6 @@
 // `palpate study hunt`: random bodies and paths, judged by code that shares nothing with the finger; failing paths are
 // made short and written as cases.
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/mesh_arguments.h"

@@ -11,6 +11,7 @@
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "lab/commands/bench_report.h"
+#include "palpate/base/system/process.h"
 
 namespace palpate::app {
 
@@ -35,7 +36,7 @@ bool linksLibraries(const PeersOption& option) {
   return false;
 }
 
-bool isPeersProgram() { return ownProgram().filename() == kPeersProgram; }
+bool isPeersProgram() { return system::ownProgram().filename() == kPeersProgram; }
 
 /// This program has none of the libraries by design: whether they are installed, only the peers' own program can know.
 bool lacksPeersProgram(const PeerFigures& figures) {
@@ -54,7 +55,7 @@ void addPeersOption(CLI::App& command, PeersOption& option) {
 
 void handOverToPeersProgram(const PeersOption& option) {
   std::error_code none;
-  const std::filesystem::path program = ownProgram().parent_path() / kPeersProgram;
+  const std::filesystem::path program = system::ownProgram().parent_path() / kPeersProgram;
   if (linksLibraries(option) || isPeersProgram() || !std::filesystem::exists(program, none)) return;
   std::vector<std::string> arguments = ownArguments();
   std::vector<char*> pointers;

@@ -1,12 +1,12 @@
 // The keys and lines that `--peers` adds to a benchmark's report.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "cli/kit/cli11.h"
 #include "lab/peers/judge.h"
 #include "lab/peers/peer.h"
 

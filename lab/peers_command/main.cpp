@@ -3,6 +3,7 @@
 #include "cli/kit/commands.h"
 #include "lab/commands/peers_report.h"
 #include "lab/peers/peer.h"
+#include "palpate/base/system/process.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Palpate's benchmarks beside other libraries.", "palpate_peers"};
@@ -13,5 +14,5 @@ int main(int argc, char** argv) {
   bench.require_subcommand(1);
   palpate::app::addBenchContactCommand(bench, palpate::bench::linkedPeers());
   palpate::app::addBenchPartitionCommand(bench, palpate::bench::linkedPeers());
-  return palpate::app::runCommandLine(app, palpate::app::wordsOf(argc, argv));
+  return palpate::app::runCommandLine(app, palpate::system::commandLine(argc, argv));
 }

@@ -1,13 +1,13 @@
 // The subcommands of `palpate class`, a file each.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
+#include "cli/kit/cli11.h"
 #include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/class_watch.h"
 #include "palpate/training/records/rows.h"

@@ -2,11 +2,11 @@
 // read.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/kit/cli11.h"
 #include "palpate/training/records/store.h"
 
 namespace palpate::app {

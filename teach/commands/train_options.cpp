@@ -1,9 +1,9 @@
 #include "teach/commands/train_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "cli/kit/choice_option.h"
+#include "cli/kit/cli11.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/presets.h"

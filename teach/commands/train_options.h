@@ -1,13 +1,13 @@
 // What `palpate train` was asked for: the same for the window and for a simulated trainee (trainee_course.h).
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/kit/cli11.h"
 #include "palpate/scene/scene.h"
 #include "palpate/training/protocol.h"
 

@@ -1,9 +1,9 @@
 // Options -> records, body, trainees -> their sessions, one line each, and a report for machines.
+#include "cli/kit/cli11.h"
 #include "teach/commands/train_options.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>

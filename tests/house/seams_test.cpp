@@ -111,7 +111,7 @@ TEST(Seams, ColdWorkAsksOnePlaceForThreads) {
 
 /// One place reads whole files, one pieces of them, one writes them.
 TEST(Seams, FilesAreOpenedInOnePlace) {
-  expectOnlyIn({"base/host_environment.cpp", "base/byte_file.", "base/output_file.cpp"}, kOpens);
+  expectOnlyIn({"base/host_environment.cpp", "base/byte_file.", "base/system/files_posix.cpp"}, kOpens);
   for (const char* line : {"#include <fstream>", "std::ifstream stream(file);", "std::ofstream out(file);",
                            R"(std::FILE* file = std::fopen(name, "rb");)", "stbi_load(file.c_str(), &w, &h, &n, 3);",
                            "stbi_write_png(name, w, h, 3, pixels, 3 * w);", "toml::parse_file(name);"}) {
@@ -123,7 +123,7 @@ TEST(Seams, FilesAreOpenedInOnePlace) {
 /// Whatever the product writes appears whole or not at all: through OutputFile. The window's broken state and the
 /// folder of a class's removed station are put aside.
 TEST(Seams, TheWholeProductWritesFilesInOnePlace) {
-  const std::vector<std::string> owners = {"palpate/base/output_file.cpp", "viewer/state/state_file.cpp",
+  const std::vector<std::string> owners = {"palpate/base/system/files_posix.cpp", "viewer/state/state_file.cpp",
                                            "palpate/classroom/class_folder.cpp"};
   for (const char* house :
        {"core", "host", "view", "report", "cli", "measure", "teach", "dissertation", "solve", "lab", "examples"}) {

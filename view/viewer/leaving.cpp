@@ -1,3 +1,4 @@
+#include "palpate/base/path_text.h"
 #include "view/viewer/request_handler.h"
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ namespace {
 struct LeavesTheScene {
   /// A recording is looked at in the scene that there is.
   bool operator()(const OpenFile& request) const {
-    return !request.sure && !trace::isForcesTable(request.file) && !trace::isRecording(request.file);
+    return !request.sure && !trace::isForcesTable(pathOf(request.file)) && !trace::isRecording(pathOf(request.file));
   }
   bool operator()(const OpenBuiltIn& request) const { return !request.sure; }
   bool operator()(const Reload& request) const { return !request.sure; }

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "palpate/base/path_text.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/recording_reader.h"
 #include "view/viewer/files/recorded_touch.h"
@@ -19,7 +20,7 @@ constexpr const char* kStillReading = "Another table is still being read";
 void ReplayPlayer::load(const std::string& file, bool beside, const std::shared_ptr<const scene::World>& world,
                         ViewerState& viewer) {
   const auto read = [world, scene = viewer.scene, file] {
-    return trace::isRecording(file) ? touchOfSession(file) : touchedAgain(world, scene, file);
+    return trace::isRecording(pathOf(file)) ? touchOfSession(pathOf(file)) : touchedAgain(world, scene, pathOf(file));
   };
   if (!loader_.load(read)) return viewer.report(Severity::info, kStillReading);
   loads_beside_ = beside;
@@ -67,7 +68,7 @@ void ReplayPlayer::show(RecordedTouch touch, LiveModel& model, ViewerState& view
   if (!viewer.beside_at_first.empty()) {
     viewer.request(OpenBeside{std::exchange(viewer.beside_at_first, {})});
   }
-  if (!trace::isRecording(recorded_->file) && trace::isUnfinished(recorded_->file)) {
+  if (!trace::isRecording(pathOf(recorded_->file)) && trace::isUnfinished(pathOf(recorded_->file))) {
     viewer.report(Severity::warning,
                   fmt::format("{} was not finished: its {:.1f} s are what was written before the end", recorded_->file,
                               viewer.replay.to_s - viewer.replay.from_s));

@@ -1,5 +1,6 @@
 #include "view/viewer/request_handler.h"
 
+#include "palpate/base/path_text.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/recording_reader.h"
 #include "view/viewer/files/scene_snippet.h"
@@ -15,7 +16,7 @@ void RequestHandler::handle(const Request& request) {
 
 void RequestHandler::fulfil(const OpenFile& request) {
   ViewerState& viewer = parts_.viewer;
-  const bool recorded = trace::isForcesTable(request.file) || trace::isRecording(request.file);
+  const bool recorded = trace::isForcesTable(pathOf(request.file)) || trace::isRecording(pathOf(request.file));
   if (!recorded) return parts_.world_swap.open(request.file, viewer);
   parts_.replay.load(request.file, viewer.replay.chooses_beside, parts_.world, viewer);
 }

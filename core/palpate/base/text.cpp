@@ -2,7 +2,10 @@
 #include "palpate/base/text.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 
 #include "palpate/base/environment.h"
 
@@ -24,10 +27,37 @@ std::optional<double> parseNumber(std::string_view text) {
   text = trimmed(text);
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  if (!readNumber(text, value)) return std::nullopt;
   return value;
 }
+
+#if defined(__cpp_lib_to_chars) || defined(__GLIBCXX__)
+
+bool readNumber(std::string_view text, double& value) noexcept {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+#else
+
+// LLVM's library has it for whole numbers only before its version 20. strtod takes more than from_chars does: blanks, a
+// plus, hexadecimal; and the decimal point of the locale, which no program of ours changes.
+bool readNumber(std::string_view text, double& value) noexcept {
+  constexpr std::size_t kLongest = 400;  // digits beyond it would not change the number of any real file
+  char copy[kLongest + 1];
+  const std::string_view digits = text.starts_with('-') ? text.substr(1) : text;
+  const bool plain = !digits.empty() && digits.find_first_of("xX+- \t\r\n\v\f") != 0 &&
+                     digits.find_first_of("xX") == std::string_view::npos;
+  if (!plain || text.size() > kLongest) return false;
+  text.copy(copy, text.size());
+  copy[text.size()] = '\0';
+  char* end = nullptr;
+  errno = 0;
+  value = std::strtod(copy, &end);
+  return end == copy + text.size() && (errno != ERANGE || (value != 0.0 && std::isfinite(value)));
+}
+
+#endif
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(kBlanks);

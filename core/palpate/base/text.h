@@ -21,6 +21,9 @@ void writeFile(const std::filesystem::path& file, std::string_view content);
 /// are read as such: the caller decides whether they are wanted.
 std::optional<double> parseNumber(std::string_view text);
 
+/// The same without blanks around it and without a plus; takes no memory. False where the text is not a number.
+bool readNumber(std::string_view text, double& value) noexcept;
+
 /// The text without blanks, tabs and line ends at both ends.
 std::string_view trimmed(std::string_view text);
 

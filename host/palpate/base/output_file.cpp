@@ -4,10 +4,7 @@
 // tells at once, and a program that is killed leaves what it has written. Cold path.
 #include "palpate/base/output_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
@@ -15,6 +12,8 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
+#include "palpate/base/system/files.h"
 
 namespace palpate {
 
@@ -23,15 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMaxLinks = 40;
-constexpr mode_t kNewFileMode = 0666;  // less the umask
-constexpr mode_t kOwnerMode = 0600;
-
-/// Where everybody may lay a link under any name: the system's folder for temporary files.
-bool isOpenFolder(const fs::path& folder) {
-  struct stat facts = {};
-  return ::stat(folder.empty() ? "." : folder.c_str(), &facts) == 0 && (facts.st_mode & S_ISVTX) != 0 &&
-         (facts.st_mode & S_IWOTH) != 0;
-}
 
 /// A link on the way to this file that anybody may have laid; empty: none.
 fs::path linkOfAnybody(const fs::path& file) {
@@ -40,7 +30,7 @@ fs::path linkOfAnybody(const fs::path& file) {
   for (const fs::path& part : file) {
     const fs::path before = way;
     way /= part;
-    if (fs::is_symlink(fs::symlink_status(way, error)) && isOpenFolder(before)) return way;
+    if (fs::is_symlink(fs::symlink_status(way, error)) && system::isOpenToAll(before)) return way;
   }
   return {};
 }
@@ -77,42 +67,15 @@ bool isWrittenDirectly(const fs::path& target) {
   return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-int create(const fs::path& file, mode_t mode) {
-  return ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-}
-
 /// Creates the first partial file beside the target that is not there yet.
-int createPartial(const fs::path& target, mode_t mode, fs::path& partial) {
-  partial = target.string() + std::string(kPartialExtension);
-  int descriptor = create(partial, mode);
+int createPartial(const fs::path& target, system::ReadableBy readers, fs::path& partial) {
+  partial = withEnding(target, kPartialExtension);
+  int descriptor = system::createFile(partial, readers);
   for (int i = 2; descriptor < 0 && errno == EEXIST; ++i) {
-    partial = fmt::format("{}.{}{}", target.string(), i, kPartialExtension);
-    descriptor = create(partial, mode);
+    partial = withEnding(target, fmt::format(".{}{}", i, kPartialExtension));
+    descriptor = system::createFile(partial, readers);
   }
   return descriptor;
-}
-
-/// The mode of the file that is replaced; somebody else's never opens ours wider. Where it cannot be kept, the usual
-/// one is as good.
-void keepMode(int descriptor, const struct stat& old) {
-  struct stat fresh = {};
-  if (::fstat(descriptor, &fresh) != 0) return;
-  const bool ours = old.st_uid == ::geteuid();
-  ::fchmod(descriptor, old.st_mode & 0777 & (ours ? mode_t{0777} : fresh.st_mode));
-}
-
-/// Some file systems cannot, and say so with one of these; a disk that failed says another.
-bool synced(int descriptor) {
-  return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
-}
-
-/// The new name. That it cannot be made safe is not told: the file is there, and whole.
-void syncFolderOf(const fs::path& file) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
 }
 
 std::atomic<int> files_under_way{0};
@@ -127,11 +90,11 @@ void writePrivateFile(const fs::path& file, std::string_view content) {
 }
 
 void createPrivateFile(const fs::path& file) {
-  const int descriptor = create(file, kOwnerMode);
+  const int descriptor = system::createFile(file, system::ReadableBy::owner);
   if (descriptor < 0) {
     throw Error::inFile(file.string(), "cannot be written: " + std::generic_category().message(errno));
   }
-  ::close(descriptor);
+  system::close(descriptor);
 }
 
 int filesUnderWay() noexcept { return files_under_way.load(); }
@@ -143,23 +106,24 @@ OutputFile::OutputFile(fs::path target, Unfinished unfinished, Access access) : 
   refuseLinksOfAnybody(target_);
   if (isWrittenDirectly(target_)) {
     written_ = target_;
-    descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    descriptor_ = system::openForWriting(target_);
     check(descriptor_ >= 0);
     return;
   }
   place_ = withoutLinks(target_);
-  struct stat old = {};
-  const bool replaces = ::stat(place_.c_str(), &old) == 0;
+  std::error_code ignored;
+  const bool replaces = fs::exists(place_, ignored);
   // A rename asks only the folder: a file that its owner protected stays protected.
-  if (replaces) check(::access(place_.c_str(), W_OK) == 0);
-  descriptor_ = createPartial(place_, access == Access::owner_only ? kOwnerMode : kNewFileMode, written_);
+  if (replaces) check(system::mayWrite(place_));
+  const bool usual = access == Access::usual;
+  descriptor_ = createPartial(place_, usual ? system::ReadableBy::usual : system::ReadableBy::owner, written_);
   check(descriptor_ >= 0);
   removes_ = unfinished == Unfinished::remove;
-  if (replaces && access == Access::usual) keepMode(descriptor_, old);
+  if (replaces && usual) system::takeRightsOf(place_, descriptor_);
 }
 
 OutputFile::~OutputFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (descriptor_ >= 0) system::close(descriptor_);
   std::error_code ignored;  // a destructor has nobody to tell
   if (place_.empty()) return;
   if (removes_ || (!committed_ && fs::file_size(written_, ignored) == 0)) fs::remove(written_, ignored);
@@ -167,23 +131,21 @@ OutputFile::~OutputFile() {
 
 void OutputFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t count = system::writeSome(descriptor_, bytes);
     check(count >= 0);
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
-  struct stat now = {};
-  if (!place_.empty() && ::fstat(descriptor_, &now) == 0 && now.st_nlink == 0) fail(ENOENT);
+  if (!place_.empty() && system::wasDeleted(descriptor_)) fail(ENOENT);
 }
 
 void OutputFile::commit() {
-  check(place_.empty() || synced(descriptor_));
-  check(::close(std::exchange(descriptor_, -1)) == 0 || errno == EINTR);
+  check(place_.empty() || system::flush(descriptor_));
+  check(system::close(std::exchange(descriptor_, -1)));
   if (place_.empty()) return;
-  check(::rename(written_.c_str(), place_.c_str()) == 0);
+  check(system::replace(written_, place_));
   removes_ = false;
   committed_ = true;
-  syncFolderOf(place_);
+  system::flushFolder(place_.has_parent_path() ? place_.parent_path() : fs::path("."));
 }
 
 void OutputFile::check(bool done) const {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/private_folder.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/load.h"
@@ -128,7 +129,7 @@ class Bundle {
 
   fs::path folderOf(const trace::RecordingWorld& world) const {
     if (!settings_.folder.empty()) return settings_.folder;
-    return carried_.folder().empty() ? fs::path(world.folder) : carried_.folder();
+    return carried_.folder().empty() ? pathOf(world.folder) : carried_.folder();
   }
 
   scene::Scene sceneOf(const trace::RecordingWorld& world) const {
@@ -174,7 +175,7 @@ class Bundle {
     const fs::path folder = fs::path("files") / std::to_string(names_.size() + 1);
     std::string own_name = file.filename().string();
     hide(own_name);
-    const fs::path name = folder / own_name;
+    const fs::path name = folder / pathOf(own_name);
     names_[file.string()] = name;
     std::error_code error;
     if (!named.is_needed && !fs::exists(file, error)) {
@@ -200,8 +201,8 @@ class Bundle {
           fmt::format("{} itself holds '{}': look into it before you give it away", name.filename().string(), word));
     }
     writer_->add(trace::RecordingAttachment{recording_.facts().first_tick, std::string(trace::kCarriedFile),
-                                            name.string(), "application/octet-stream", bytes});
-    report_.files.push_back({name.string(), bytes.size()});
+                                            name.generic_string(), "application/octet-stream", bytes});
+    report_.files.push_back({name.generic_string(), bytes.size()});
   }
 
   trace::RecordingReader& recording_;
@@ -237,7 +238,7 @@ CarriedFiles::CarriedFiles(trace::RecordingReader& recording) {
   try {
     recording.forEachAttachment({}, [this](const trace::RecordingAttachment& attachment) {
       if (attachment.kind != trace::kCarriedFile) return;
-      const fs::path name = attachment.name;
+      const fs::path name = pathOf(attachment.name);
       if (!isWithin(name)) {
         throw Error(fmt::format("the recording carries a file named '{}', which would lie outside of its folder",
                                 attachment.name));

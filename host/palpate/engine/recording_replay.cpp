@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/engine/recording_settings.h"
 #include "palpate/scene/scene_file.h"
@@ -194,8 +195,7 @@ class Replay {
                               recorded.fingers.size(), fingers_.size()));
     }
     const auto started = Clock::now();
-    const std::filesystem::path folder =
-        settings_.folder.empty() ? std::filesystem::path(recorded.folder) : settings_.folder;
+    const std::filesystem::path folder = settings_.folder.empty() ? pathOf(recorded.folder) : settings_.folder;
     const auto world = worldOf(recorded, folder);
     report_.build_s += secondsSince(started);
     if (std::string note = noteOfAnotherWorld(recorded, number, *world); !note.empty()) {

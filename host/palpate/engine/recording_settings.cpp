@@ -2,7 +2,6 @@
 #include "palpate/engine/recording_settings.h"
 
 #include <fmt/format.h>
-#include <sys/utsname.h>
 
 #include <algorithm>
 #include <functional>
@@ -10,6 +9,8 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
+#include "palpate/base/path_text.h"
+#include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/scene/scene_writer.h"
@@ -183,11 +184,11 @@ trace::RecordingWorld recordingWorld(const scene::World& world, std::span<const 
   trace::RecordingWorld recorded;
   const std::filesystem::path folder = world.scene.file.empty() ? "." : world.scene.file.parent_path();
   std::error_code error;
-  recorded.folder = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error).string();
+  recorded.folder = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error).generic_string();
   scene::Scene scene = world.scene;
   // A finger that finds its own way has none in the file; where it went is in the samples.
   std::erase_if(scene.fingers, [](const scene::Finger& finger) { return finger.findsItsOwnWay(); });
-  recorded.scene = scene::sceneAsToml(scene, recorded.folder);
+  recorded.scene = scene::sceneAsToml(scene, pathOf(recorded.folder));
   recorded.body = world.body->name;
   recorded.triangles = world.body->skin.triangles.size();
   recorded.hash = hashOf(world);
@@ -230,9 +231,7 @@ trace::RecordingHeader recordingHeader(double ticks_per_s) {
   header.started_utc = trace::utcNow();
   header.software = "palpate " PALPATE_VERSION;
   header.ticks_per_s = ticks_per_s;
-  utsname system{};
-  header.machine =
-      ::uname(&system) == 0 ? fmt::format("{} {}, {}", system.sysname, system.release, system.machine) : "unknown";
+  header.machine = system::machineWords();
   return header;
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "palpate/base/stopwatch.h"
-#include "palpate/base/thread_priority.h"
+#include "palpate/base/system/thread.h"
 
 namespace palpate::engine {
 
@@ -62,7 +62,7 @@ std::optional<BuildProgress> WorldBuilder::progress() const {
 }
 
 void WorldBuilder::run() {
-  lowerPriority(kPatience);
+  system::lowerPriority(kPatience);
   std::unique_lock lock(mutex_);
   while (true) {
     wake_.wait(lock, [this] { return quit_ || next_; });

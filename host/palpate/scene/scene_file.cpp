@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/scene/detail/scene_keys.h"
@@ -40,7 +41,7 @@ void requireNamesApart(const Scene& scene, std::string_view name) {
 Scene parse(std::string_view toml_text, std::string_view name) {
   const toml::table root = parsedToml(toml_text, name);
   Scene scene;
-  scene.file = name;
+  scene.file = pathOf(name);
   readTable(root, "", name, topKeys(), scene, sectionNames());
   readSections(root, name, scene);
   requireNamesApart(scene, name);

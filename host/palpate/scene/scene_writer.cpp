@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "palpate/base/output_file.h"
+#include "palpate/base/path_text.h"
 #include "palpate/scene/detail/scene_keys.h"
 
 namespace palpate::scene {
@@ -18,9 +19,10 @@ namespace fs = std::filesystem;
 /// A shown file name without its quotes; names with escapes stay as they are, which is right too.
 std::string nearTo(const fs::path& folder, const std::string& shown) {
   if (folder.empty() || shown.find('\\') != std::string::npos) return shown;
-  const fs::path file = shown.substr(1, shown.size() - 2);
+  const fs::path file = pathOf(std::string_view(shown).substr(1, shown.size() - 2));
   const fs::path relative = file.lexically_relative(fs::absolute(folder).lexically_normal());
-  return relative.empty() || relative.native().starts_with("..") ? shown : inQuotes(relative.string());
+  const std::string name = relative.generic_string();
+  return name.empty() || name.starts_with("..") ? shown : inQuotes(name);
 }
 
 bool isDefault(const KeyRow& row, const std::vector<KeyRow>& defaults) {

@@ -6,7 +6,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+
+#include "palpate/base/system/thread.h"
 
 namespace palpate::servo {
 
@@ -14,17 +15,12 @@ struct PacingSettings {
   double period_s = 0.001;
   /// Spun away before each tick, s. 100 us costs a tenth of a core and removes the wake-up error on an idle machine.
   double spin_s = 100e-6;
-  bool realtime = true;        ///< ask for SCHED_FIFO, locked memory and exact timers
-  int realtime_priority = 80;  ///< above ordinary real-time work (50), below the kernel's own watchdogs (99)
+  bool realtime = true;  ///< ask for a priority before ordinary work, locked memory and exact timers
+  int realtime_priority =
+      80;  ///< of SCHED_FIFO: above ordinary real-time work (50), below the kernel's own watchdogs (99)
 };
 
-/// What the system granted, in words for a report.
-struct PacingGrant {
-  bool fifo = false;
-  bool memory_locked = false;
-  bool exact_timers = false;
-  std::string note;  ///< why something was refused; empty when everything was granted
-};
+using PacingGrant = system::ThreadGrant;
 
 /// Prepares the calling thread (and, for memory, its process). Never fails.
 PacingGrant prepareServoThread(const PacingSettings& settings);

@@ -12,6 +12,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
+#include "palpate/base/path_text.h"
 
 namespace palpate::trace {
 
@@ -197,8 +198,8 @@ Database::Database(const std::filesystem::path& file, Mode mode, const std::file
   if (exists && !std::filesystem::is_regular_file(kind)) throw Error::inFile(name_, "is not a file");
   if (mode == Mode::create && !in_memory) createPrivateFile(file);
   sqlite3* database = nullptr;
-  const int result =
-      ::sqlite3_open_v2(file.c_str(), &database, flagsOf(mode) | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW, nullptr);
+  const int result = ::sqlite3_open_v2(file.string().c_str(), &database,
+                                       flagsOf(mode) | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW, nullptr);
   database_.reset(database);
   if (result != SQLITE_OK) fail("cannot be opened");
   ::sqlite3_busy_timeout(database_.get(), kBusyMs);
@@ -229,7 +230,7 @@ int Database::onProgress(void* of_database) noexcept {
   std::error_code error;
   std::int64_t bytes = 0;
   for (const char* companion : {"", "-wal"}) {
-    const auto size = std::filesystem::file_size(guard.file.string() + companion, error);
+    const auto size = std::filesystem::file_size(withEnding(guard.file, companion), error);
     if (!error) bytes += static_cast<std::int64_t>(size);
   }
   return guard.steps > kFreeSteps + kStepsPerByte * bytes ? 1 : 0;

@@ -9,6 +9,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
+#include "palpate/base/path_text.h"
 #include "palpate/trace/recording_rest.h"
 
 namespace palpate::trace {
@@ -295,7 +296,7 @@ WholeOrNothing::~WholeOrNothing() {
   if (partial_.empty()) return;
   std::error_code ignored;
   for (const char* companion : {"", "-wal", "-shm"}) {
-    std::filesystem::remove(partial_.string() + companion, ignored);
+    std::filesystem::remove(withEnding(partial_, companion), ignored);
   }
 }
 

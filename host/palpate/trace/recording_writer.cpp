@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/trace/recording_schema.h"
 #include "palpate/trace/sample_block.h"
 
@@ -40,7 +41,7 @@ void takeInLog(Database& database) {
 /// What SQLite keeps beside a file that is written; a full disk or a reader may leave it there.
 void removeCompanions(const std::filesystem::path& file) {
   std::error_code ignored;
-  for (const char* companion : {"-wal", "-shm"}) std::filesystem::remove(file.string() + companion, ignored);
+  for (const char* companion : {"-wal", "-shm"}) std::filesystem::remove(withEnding(file, companion), ignored);
 }
 
 std::string hexadecimal(std::uint64_t hash) { return fmt::format("{:016x}", hash); }

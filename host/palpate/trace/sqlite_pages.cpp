@@ -1,5 +1,6 @@
 // Based on: the SQLite project's "Database File Format", sections 1.3 (header), 1.5 (freelist), 1.6 (b-tree pages,
 // cells and their overflow), 2.1 (records), 4 (write-ahead log).
+#include "palpate/base/path_text.h"
 #include "palpate/trace/recording_remains.h"
 
 #include <algorithm>
@@ -140,7 +141,7 @@ struct SqlitePages::Node {
 };
 
 SqlitePages::SqlitePages(const std::filesystem::path& file)
-    : name_(file.string()), file_(file), log_(file.string() + "-wal") {
+    : name_(file.string()), file_(file), log_(withEnding(file, "-wal")) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
     throw Error::inFile(name_, std::filesystem::exists(file, error) ? "is not a file" : "no such file");

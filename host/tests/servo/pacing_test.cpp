@@ -73,11 +73,11 @@ TEST(Pacer, NeverWakesBeforeItsDeadlineAndSkipsMissedOnes) {
 TEST(PrepareServoThread, SaysWhyWhateverWasRefused) {
   PacingSettings settings;
   settings.realtime = false;
-  EXPECT_FALSE(prepareServoThread(settings).fifo);
+  EXPECT_FALSE(prepareServoThread(settings).realtime);
   settings.realtime = true;
   settings.realtime_priority = 100000;  // no such priority
   const PacingGrant grant = prepareServoThread(settings);
-  EXPECT_FALSE(grant.fifo);
+  EXPECT_FALSE(grant.realtime);
   EXPECT_NE(grant.note.find("SCHED_FIFO refused"), std::string::npos);
   releaseServoMemory(grant);
 }

@@ -12,6 +12,7 @@
 #include <cstdlib>
 
 #include "palpate/base/error.h"
+#include "palpate/base/system/process.h"
 #include "palpate/view/layers/gl_objects.h"
 
 namespace palpate::window {
@@ -320,11 +321,8 @@ int Window::top() const {
 }
 
 bool displayOffered() {
-  const auto set = [](const char* name) {
-    const char* value = std::getenv(name);
-    return value != nullptr && *value != '\0';
-  };
-  return set("DISPLAY") || set("WAYLAND_DISPLAY");
+  if (system::kIsWindows || system::kIsApple) return true;
+  return !system::variable("DISPLAY").empty() || !system::variable("WAYLAND_DISPLAY").empty();
 }
 
 }  // namespace palpate::window

@@ -4,6 +4,7 @@
 
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 
 namespace palpate::viewer {
@@ -81,7 +82,7 @@ InputEvent inputOf(InputEvent::Kind kind, const Vec2& cursor) {
 /// Reads row by row; the cursor stays where the last move put it.
 class Reader {
  public:
-  explicit Reader(std::string_view file) : folder_(std::filesystem::path(file).parent_path()) {}
+  explicit Reader(std::string_view file) : folder_(pathOf(file).parent_path()) {}
 
   void read(const CsvRow& row) {
     const double time = csvNumber(row, 0, "time", kScriptTimesS);
@@ -130,7 +131,7 @@ class Reader {
       add(inputOf(InputEvent::Kind::leave, cursor_));
     } else if (name == "drop") {
       InputEvent event = inputOf(InputEvent::Kind::drop, cursor_);
-      event.text = (folder_ / field(row, 2, "a file")).string();
+      event.text = (folder_ / pathOf(field(row, 2, "a file"))).string();
       add(event);
     } else if (name == "size") {
       ScriptEvent& event = events.emplace_back();

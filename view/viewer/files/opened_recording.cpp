@@ -1,3 +1,4 @@
+#include "palpate/base/path_text.h"
 #include "view/viewer/files/recorded_touch.h"
 
 #include <fmt/format.h>
@@ -62,8 +63,7 @@ RecordedTouch touchOfSession(const std::filesystem::path& file) {
   recorded.history = TouchHistory(rate, std::min(facts.seconds(), kLongestReplayS));
   const trace::RecordingWorld shown = viewer.world(newestWorld(viewer));
   const engine::CarriedFiles carried(viewer);
-  recorded.world =
-      engine::builtWorld(shown, carried.folder().empty() ? std::filesystem::path(shown.folder) : carried.folder());
+  recorded.world = engine::builtWorld(shown, carried.folder().empty() ? pathOf(shown.folder) : carried.folder());
   if (engine::hashOf(*recorded.world) != shown.hash) {
     recorded.notes.emplace_back("The body or its stiffness is not the recorded one any more");
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "palpate/base/output_file.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_writer.h"
 
@@ -33,9 +34,9 @@ bool attempt(ViewerState& viewer, const Action& action) {
 fs::path freshFile(const fs::path& folder, const std::string& stem, const std::string& kind) {
   std::error_code ignored;
   fs::create_directories(folder, ignored);
-  fs::path file = folder / (stem + kind);
-  const auto taken = [&] { return fs::exists(file) || fs::exists(file.string() + std::string(kPartialExtension)); };
-  for (int i = 2; taken(); ++i) file = folder / fmt::format("{}-{}{}", stem, i, kind);
+  fs::path file = folder / pathOf(stem + kind);
+  const auto taken = [&] { return fs::exists(file) || fs::exists(withEnding(file, kPartialExtension)); };
+  for (int i = 2; taken(); ++i) file = folder / pathOf(fmt::format("{}-{}{}", stem, i, kind));
   return file;
 }
 
@@ -107,7 +108,7 @@ void Outputs::savePlots(ViewerState& viewer) {
 }
 
 Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request) {
-  fs::path target = !request.file.empty() ? fs::path(request.file) : viewer.document.file;
+  fs::path target = !request.file.empty() ? pathOf(request.file) : viewer.document.file;
   if (target.empty()) target = freshFile(folder_, "scene", ".toml");
   if (!request.sure && wouldOverwrite(viewer.document, target)) {
     const bool known = fs::absolute(target).lexically_normal() == viewer.document.file;
@@ -161,7 +162,8 @@ void Outputs::keepFrame(ViewerState& viewer, view::Image image) {
     }
   }
   if (!recording.sequence) return;
-  const fs::path file = fs::path(recording.sequence_folder) / fmt::format("frame_{:05d}.png", recording.pictures++);
+  const fs::path file =
+      pathOf(recording.sequence_folder) / pathOf(fmt::format("frame_{:05d}.png", recording.pictures++));
   pictures_.write(file, std::move(image));
 }
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "palpate/base/output_file.h"
-#include "palpate/base/thread_priority.h"
+#include "palpate/base/system/thread.h"
 #include "palpate/device/mouse_finger.h"
 #include "palpate/view/image.h"
 #include "view/viewer/world/live_servo.h"
@@ -80,7 +80,7 @@ void PictureWriter::finish() {
 }
 
 void PictureWriter::run() {
-  lowerPriority(5);  // behind what draws; not far, or the queue fills and drawing waits after all
+  system::lowerPriority(5);  // behind what draws; not far, or the queue fills and drawing waits after all
   std::unique_lock lock(mutex_);
   while (true) {
     change_.wait(lock, [this] { return quit_ || !jobs_.empty(); });

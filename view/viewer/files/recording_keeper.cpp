@@ -8,6 +8,8 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
+#include "palpate/base/path_text.h"
+#include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
 #include "palpate/device/back_ends.h"
 #include "view/viewer/files/outputs.h"
@@ -27,14 +29,14 @@ bool isAbandoned(const fs::path& file) {
   std::error_code error;
   auto newest = fs::last_write_time(file, error);
   if (error) return false;
-  const auto log = fs::last_write_time(file.string() + "-wal", error);
+  const auto log = fs::last_write_time(withEnding(file, "-wal"), error);
   if (!error) newest = std::max(newest, log);
   return fs::file_time_type::clock::now() - newest > kAbandoned;
 }
 
 void removeSession(const fs::path& file) {
   std::error_code ignored;
-  for (const char* companion : {"", "-wal", "-shm"}) fs::remove(file.string() + companion, ignored);
+  for (const char* companion : {"", "-wal", "-shm"}) fs::remove(withEnding(file, companion), ignored);
 }
 
 /// 2026-11-21T23-05-12: names sort as times do.
@@ -47,13 +49,8 @@ std::string nameNow() {
 }  // namespace
 
 fs::path recordingsFolder() {
-  if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0') {
-    return fs::path(state) / "palpate" / "sessions";
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-    return fs::path(home) / ".local" / "state" / "palpate" / "sessions";
-  }
-  return {};
+  const fs::path state = system::stateFolder();
+  return state.empty() ? fs::path() : state / "palpate" / "sessions";
 }
 
 std::vector<fs::path> tidySessions(const fs::path& folder) {
@@ -67,7 +64,7 @@ std::vector<fs::path> tidySessions(const fs::path& folder) {
     if (stem == std::string::npos) continue;
     if (name.ends_with(kExtension)) all.push_back(file);
     if (!name.ends_with(kPartialExtension) || !isAbandoned(file)) continue;
-    fs::path target = folder / (name.substr(0, stem) + std::string(kExtension));
+    fs::path target = folder / pathOf(name.substr(0, stem) + std::string(kExtension));
     if (fs::exists(target)) target = freshFile(folder, name.substr(0, stem), std::string(kExtension));
     try {
       trace::copyRecording(file, target, "interrupted");

@@ -10,6 +10,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "palpate/base/path_text.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -64,7 +65,7 @@ Listing& shownListing() {
 /// The file that was clicked, or none. A listing is read when the folder changes, not in every frame.
 std::string walk(Listing& listing) {
   std::string chosen;
-  ImGui::TextDisabled("%s", listing.folder.c_str());
+  ImGui::TextDisabled("%s", listing.folder.string().c_str());
   fs::path next;
   if (ImGui::BeginChild("files", {0.0f, std::min(240.0f, 0.4f * ImGui::GetIO().DisplaySize.y)}, true)) {
     if (listing.folder.has_parent_path() && ImGui::Selectable("..")) next = listing.folder.parent_path();
@@ -72,7 +73,7 @@ std::string walk(Listing& listing) {
       if (ImGui::Selectable((folder.filename().string() + "/").c_str())) next = folder;
     }
     for (const fs::path& file : listing.files) {
-      if (ImGui::Selectable(file.filename().c_str())) chosen = file.string();
+      if (ImGui::Selectable(file.filename().string().c_str())) chosen = file.string();
     }
     if (listing.folders.empty() && listing.files.empty()) remark("nothing of that kind here");
   }
@@ -148,7 +149,7 @@ void saveDialog(const fs::path& now, const fs::path& folder, bool& open, Asks& a
       listing = listingOf(now.empty() ? folder : now.parent_path());
       typed = now.empty() ? "scene.toml" : now.filename().string();
     }
-    const fs::path walked = walk(listing);
+    const fs::path walked = pathOf(walk(listing));
     if (walked.extension() == ".toml") typed = walked.filename().string();
     ImGui::SetNextItemWidth(-80.0f);
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
@@ -156,7 +157,7 @@ void saveDialog(const fs::path& now, const fs::path& folder, bool& open, Asks& a
     notePlace("save/file");
     ImGui::SameLine();
     if ((buttonWidget("save/save", "Save") || entered) && !typed.empty()) {
-      fs::path file = listing.folder / typed;  // a full path stays one
+      fs::path file = listing.folder / pathOf(typed);  // a full path stays one
       if (file.extension() != ".toml") file += ".toml";
       asks.request(SaveScene{file.string()});
       open = false;

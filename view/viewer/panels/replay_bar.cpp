@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 
+#include "palpate/base/path_text.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 #include "view/viewer/state/replay.h"
@@ -19,8 +20,8 @@ constexpr float kButtonsWidth = 214.0f;
 
 std::string wordsFor(const Replay& replay) {
   if (replay.table.empty()) return fmt::format("Frozen, {:.3f} s ago", replay.to_s - replay.at_s);
-  return fmt::format("{}: {:.3f} of {:.3f} s", std::filesystem::path(replay.table).filename().string(),
-                     replay.at_s - replay.from_s, replay.to_s - replay.from_s);
+  return fmt::format("{}: {:.3f} of {:.3f} s", pathOf(replay.table).filename().string(), replay.at_s - replay.from_s,
+                     replay.to_s - replay.from_s);
 }
 
 void stepButtons(Replay& replay, Asks& asks) {
@@ -85,8 +86,8 @@ void sessionButtons(Replay& replay, Asks& asks) {
 
 /// Whose half is whose.
 void nameHalves(const Replay& replay, const FreeArea& free) {
-  const std::array<std::string, 2> names = {std::filesystem::path(replay.table).filename().string(),
-                                            std::filesystem::path(replay.beside).filename().string()};
+  const std::array<std::string, 2> names = {pathOf(replay.table).filename().string(),
+                                            pathOf(replay.beside).filename().string()};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const float left = i == 0 ? free.left : 0.5f * (free.left + free.right);
     ImGui::GetForegroundDrawList()->AddText({left + 12.0f, free.top + 8.0f}, ImGui::GetColorU32(ImGuiCol_Text),

@@ -6,6 +6,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/scene_writer.h"
@@ -128,7 +129,7 @@ SceneWriting writeScene(const scene::Scene& scene, const SceneDocument& document
   SceneWriting writing;
   auto text = document.text.empty() ? std::nullopt : scene::patchedScene(document.text, scene, file);
   if (!document.text.empty() && !text && file == document.file) {
-    writing.kept = file.string() + ".bak";
+    writing.kept = withEnding(file, ".bak");
     writeWords(writing.kept, document.text);
   }
   if (!text) text = scene::sceneAsToml(scene, file.parent_path());

@@ -10,6 +10,8 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
+#include "palpate/base/path_text.h"
+#include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
 #include "palpate/base/words.h"
 #include "palpate/scene/detail/key_table.h"
@@ -126,13 +128,8 @@ void keepSensible(Remembered& r) {
 }  // namespace
 
 fs::path stateFile() {
-  if (const char* config = std::getenv("XDG_CONFIG_HOME"); config != nullptr && *config != '\0') {
-    return fs::path(config) / "palpate" / "window.toml";
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-    return fs::path(home) / ".config" / "palpate" / "window.toml";
-  }
-  return {};
+  const fs::path settings = system::settingsFolder();
+  return settings.empty() ? fs::path() : settings / "palpate" / "window.toml";
 }
 
 std::string stateAsToml(const Remembered& remembered) {
@@ -167,7 +164,7 @@ StateReading readState(const fs::path& file) {
   try {
     reading.remembered = parseState(readFile(file, kMaxStateBytes), file.string());
   } catch (const std::exception& failure) {
-    fs::rename(file, fs::path(file.string() + ".bad"), error);
+    fs::rename(file, withEnding(file, ".bad"), error);
     reading.note = fmt::format("{}; it was put aside and the defaults are used", failure.what());
   }
   return reading;
@@ -188,7 +185,7 @@ bool writeState(const fs::path& file, const Remembered& remembered) {
 }
 
 void remember(std::vector<std::string>& recent, const std::string& file) {
-  const std::string full = fs::absolute(file).lexically_normal().string();
+  const std::string full = fs::absolute(pathOf(file)).lexically_normal().string();
   std::erase(recent, full);
   recent.insert(recent.begin(), full);
   if (recent.size() > kRecentFiles) recent.resize(kRecentFiles);

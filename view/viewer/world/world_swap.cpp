@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/servo/device_limits.h"
@@ -57,7 +58,7 @@ void tellLimits(const engine::ServoPlan& plan, ViewerState& viewer) {
 }  // namespace
 
 scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like) {
-  const std::filesystem::path path(file);
+  const std::filesystem::path path(pathOf(file));
   std::string kind = path.extension().string();
   std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
   if (kind == ".toml") return scene::load(path);

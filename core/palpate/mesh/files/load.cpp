@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/detail/readers.h"
 #include "palpate/mesh/weld.h"
@@ -67,7 +68,7 @@ TriangleMesh read(const MeshFile& file, Format format, VertexChannels* channels)
     case Format::glb:
       return readGltf(file);
     case Format::foreign:
-      return readForeign(file, extensionOf(std::string(file.name)).substr(1));
+      return readForeign(file, extensionOf(pathOf(file.name)).substr(1));
   }
   return {};
 }

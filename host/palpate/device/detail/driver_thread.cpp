@@ -7,11 +7,7 @@
 #include <utility>
 
 #include "palpate/base/stopwatch.h"
-
-#ifdef __linux__
-#include <pthread.h>
-#include <sched.h>
-#endif
+#include "palpate/base/system/thread.h"
 
 namespace palpate::device {
 
@@ -19,19 +15,11 @@ namespace {
 
 constexpr int kPriority = 80;  // servo::PacingSettings
 
-void askForPriority() {
-#ifdef __linux__
-  sched_param priority{};
-  priority.sched_priority = kPriority;
-  (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority);  // refused: it runs all the same
-#endif
-}
-
 }  // namespace
 
 DriverThread::DriverThread(std::function<void()> work, double rate_hz) {
   thread_ = std::thread([this, work = std::move(work), rate_hz] {
-    askForPriority();
+    system::askForRealtimePriority(kPriority);
     const auto period = std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate_hz));
     for (auto due = Clock::now(); !stop_.load(std::memory_order_relaxed);) {
       work();

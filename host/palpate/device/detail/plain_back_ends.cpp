@@ -1,5 +1,6 @@
 // Mouse: the link that a window fills. Script: tips in memory. Playback: a file -> one tip a tick, in the
 // body frame as it was written. Cold paths.
+#include "palpate/base/path_text.h"
 #include "palpate/device/detail/each_back_end.h"
 
 #include <fmt/format.h>
@@ -35,7 +36,7 @@ Probe here(std::string what) {
 std::pair<std::filesystem::path, std::string> fileAndFinger(const std::string& which) {
   const std::size_t colon = which.rfind(':');
   std::error_code error;
-  if (colon == std::string::npos || std::filesystem::exists(which, error)) return {which, {}};
+  if (colon == std::string::npos || std::filesystem::exists(pathOf(which), error)) return {pathOf(which), {}};
   return {which.substr(0, colon), which.substr(colon + 1)};
 }
 

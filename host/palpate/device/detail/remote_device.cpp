@@ -1,25 +1,20 @@
-// recvfrom until nothing waits, the newest good pose counts; sendto whoever holds the finger.
+// Received until nothing waits, the newest good pose counts; sent to whoever holds the finger.
 #include "palpate/device/detail/remote_device.h"
 
-#include <arpa/inet.h>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
+#include "palpate/base/system/process.h"
 #include "palpate/device/detail/remote_socket.h"
 
 namespace palpate::device {
@@ -34,8 +29,7 @@ SocketAddress listenAt(const std::string& which) {
 
 /// The secret that clients must have; none where the variable is not set, on loopback. Throws Error.
 std::optional<std::string> keyFor(const SocketAddress& listen) {
-  const char* file = std::getenv(kRemoteKeyVariable);  // NOLINT(concurrency-mt-unsafe)
-  if (file != nullptr && *file != '\0') return readRemoteKey(file);
+  if (const std::string file = system::variable(kRemoteKeyVariable); !file.empty()) return readRemoteKey(pathOf(file));
   if (isOnThisMachine(listen)) return std::nullopt;
   throw Error(
       fmt::format("remote: other computers reach {}:{}, so clients must have a key: name its file in {} "
@@ -45,7 +39,7 @@ std::optional<std::string> keyFor(const SocketAddress& listen) {
 
 RemoteGate::Seed randomSeed() {
   std::array<unsigned char, RemoteGate::Seed().size() / 2> random{};
-  if (::getentropy(random.data(), random.size()) != 0) throw Error("remote: the system gives no random numbers");
+  if (!system::fillWithRandom(random)) throw Error("remote: the system gives no random numbers");
   RemoteGate::Seed seed;
   for (std::size_t i = 0; i < random.size(); ++i) fmt::format_to_n(seed.data() + 2 * i, 2, "{:02x}", random[i]);
   return seed;
@@ -113,13 +107,11 @@ class Remote {
     gate_.tick(tick);
     std::array<char, kMaxDatagramBytes + 1> message;
     for (int i = 0; i < kMaxDatagramsPerTick; ++i) {
-      sockaddr_in from{};
-      socklen_t length = sizeof(from);
-      const ssize_t bytes =
-          ::recvfrom(socket_.file(), message.data(), message.size(), 0, reinterpret_cast<sockaddr*>(&from), &length);
+      RemotePeer sender;
+      const int bytes = socket_.port().receive(message, sender);
       if (bytes < 0) break;  // nothing waits, or an earlier answer found nobody
-      const RemotePeer sender{ntohl(from.sin_addr.s_addr), ntohs(from.sin_port)};
-      const auto pose = gate_.take({message.data(), static_cast<std::size_t>(bytes)}, sender, tick);
+      const std::size_t size = std::min(static_cast<std::size_t>(bytes), message.size());
+      const auto pose = gate_.take({message.data(), size}, sender, tick);
       send(gate_.reply(), sender);
       if (!pose) continue;
       pose_ = *pose;
@@ -135,13 +127,7 @@ class Remote {
   }
 
   void send(std::string_view text, const RemotePeer& peer) noexcept {
-    if (text.empty()) return;
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_port = htons(peer.port);
-    to.sin_addr.s_addr = htonl(peer.address);
-    (void)::sendto(socket_.file(), text.data(), text.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
-                   reinterpret_cast<const sockaddr*>(&to), sizeof(to));
+    if (!text.empty()) socket_.port().send(text, peer);
   }
 
   RemoteGate gate_;

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "palpate/base/hmac_sha256.h"
+#include "palpate/base/system/udp.h"
 #include "palpate/base/vec.h"
 #include "palpate/device/back_ends.h"
 
@@ -64,11 +65,7 @@ std::optional<RemotePose> parsePose(std::string_view message) noexcept;
 std::string readRemoteKey(const std::filesystem::path& file);
 
 /// Where a datagram came from, IPv4.
-struct RemotePeer {
-  std::uint32_t address = 0;
-  std::uint16_t port = 0;
-  bool operator==(const RemotePeer&) const = default;
-};
+using RemotePeer = system::UdpPeer;
 
 struct RemoteCounts {
   std::atomic<std::uint64_t> malformed{0};   ///< not "p x y z"

@@ -2,7 +2,6 @@
 #include "palpate/device/detail/remote_device.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -11,6 +10,7 @@
 #include <system_error>
 
 #include "palpate/base/error.h"
+#include "palpate/base/system/files.h"
 #include "palpate/base/text.h"
 #include "palpate/device/trajectory.h"
 
@@ -47,8 +47,8 @@ std::string_view lastWord(std::string_view& text) noexcept {
   return word;
 }
 
-template <class Number>
-bool readNumber(std::string_view word, Number& value) noexcept {
+template <class Whole>
+bool readWhole(std::string_view word, Whole& value) noexcept {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   return error == std::errc() && end == word.data() + word.size();
 }
@@ -76,17 +76,17 @@ std::optional<RemotePose> parsePose(std::string_view message) noexcept {
     if (!readNumber(nextWord(message), value) || !(std::abs(value) <= kMaxCoordinateMm)) return std::nullopt;
   }
   const std::string_view buttons = nextWord(message);
-  if (!buttons.empty() && !readNumber(buttons, pose.buttons)) return std::nullopt;
+  if (!buttons.empty() && !readWhole(buttons, pose.buttons)) return std::nullopt;
   if (!nextWord(message).empty()) return std::nullopt;
   return pose;
 }
 
 std::string readRemoteKey(const std::filesystem::path& file) {
-  struct stat facts = {};
-  if (::stat(file.c_str(), &facts) != 0) {
-    throw Error::inFile(file.string(), std::generic_category().message(errno));
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    throw Error::inFile(file.string(), std::generic_category().message(error ? error.value() : ENOENT));
   }
-  if ((facts.st_mode & 0077) != 0) {
+  if (!system::isClosedToOthers(file)) {
     throw Error::inFile(file.string(), "others may read or write it: chmod 600 " + file.string());
   }
   const std::string content = readFile(file, kMaxKeyFileBytes);
@@ -159,7 +159,7 @@ std::string_view RemoteGate::opened(std::string_view message) noexcept {
   auto text = verified(message);
   if (!text) return {};
   std::uint64_t number = 0;
-  if (!readNumber(lastWord(*text), number) || number <= pose_number_) return {};
+  if (!readWhole(lastWord(*text), number) || number <= pose_number_) return {};
   if (lastWord(*text) != std::string_view(nonce_.data(), nonce_.size())) return {};
   pose_number_ = number;
   return *text;

@@ -1,16 +1,11 @@
 #include "palpate/device/detail/remote_socket.h"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
-#include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "palpate/base/error.h"
@@ -21,9 +16,27 @@ namespace palpate::device {
 
 namespace {
 
-[[noreturn]] void refuse(const char* who, const char* what, const SocketAddress& listen) {
-  throw Error(fmt::format("{}: {} at {}:{}: {}; another program may listen there: say {}:PORT", who, what,
-                          listen.address, listen.port, std::generic_category().message(errno), who));
+constexpr std::uint32_t kLoopbackNet = 127;
+
+/// "127.0.0.1"; nothing for anything but four numbers of a byte.
+std::optional<std::uint32_t> ipv4Of(std::string_view text) {
+  std::uint32_t address = 0;
+  for (int i = 0; i < 4; ++i) {
+    std::uint8_t byte = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), byte);
+    if (error != std::errc()) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    if (i < 3 && !text.starts_with('.')) return std::nullopt;
+    if (i < 3) text.remove_prefix(1);
+    address = address << 8 | byte;
+  }
+  return text.empty() ? std::optional(address) : std::nullopt;
+}
+
+system::UdpPeer peerAt(const SocketAddress& listen, const char* who) {
+  const std::optional<std::uint32_t> address = ipv4Of(listen.address);
+  if (!address) throw Error(fmt::format("{}: '{}' must be an IPv4 address", who, oneLine(listen.address)));
+  return {*address, static_cast<std::uint16_t>(listen.port)};
 }
 
 }  // namespace
@@ -45,27 +58,14 @@ SocketAddress socketAddressOf(const std::string& which, SocketAddress standard, 
 }
 
 bool isOnThisMachine(const SocketAddress& listen) {
-  in_addr address{};
-  constexpr std::uint32_t kLoopbackNet = 127;
-  return ::inet_pton(AF_INET, listen.address.c_str(), &address) != 1 || ntohl(address.s_addr) >> 24 == kLoopbackNet;
+  const std::optional<std::uint32_t> address = ipv4Of(listen.address);
+  return !address || *address >> 24 == kLoopbackNet;
 }
 
-UdpSocket::UdpSocket(const SocketAddress& listen, const char* who) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(listen.port));
-  if (::inet_pton(AF_INET, listen.address.c_str(), &address.sin_addr) != 1) {
-    throw Error(fmt::format("{}: '{}' must be an IPv4 address", who, oneLine(listen.address)));
-  }
-  file_ = ::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-  if (file_ < 0) refuse(who, "no socket", listen);
-  if (::bind(file_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0) return;
-  const int reason = errno;
-  ::close(file_);
-  errno = reason;
-  refuse(who, "cannot listen", listen);
+UdpSocket::UdpSocket(const SocketAddress& listen, const char* who) : port_(peerAt(listen, who)) {
+  if (port_.trouble().empty()) return;
+  throw Error(fmt::format("{}: cannot listen at {}:{}: {}; another program may listen there: say {}:PORT", who,
+                          listen.address, listen.port, port_.trouble(), who));
 }
-
-UdpSocket::~UdpSocket() { ::close(file_); }
 
 }  // namespace palpate::device

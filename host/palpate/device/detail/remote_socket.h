@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "palpate/base/system/udp.h"
+
 namespace palpate::device {
 
 struct SocketAddress {
@@ -21,13 +23,10 @@ bool isOnThisMachine(const SocketAddress& listen);
 class UdpSocket {
  public:
   UdpSocket(const SocketAddress& listen, const char* who);
-  ~UdpSocket();
-  UdpSocket(const UdpSocket&) = delete;
-  UdpSocket& operator=(const UdpSocket&) = delete;
-  int file() const noexcept { return file_; }
+  const system::UdpPort& port() const noexcept { return port_; }
 
  private:
-  int file_;
+  system::UdpPort port_;
 };
 
 }  // namespace palpate::device

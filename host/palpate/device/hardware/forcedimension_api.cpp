@@ -1,5 +1,6 @@
 // Names of the library's functions, and the devices it knows. Forces, stiffnesses and reaches as CHAI3D 3.3 lists them
 // for these devices. Cold path.
+#include "palpate/base/system/process.h"
 #include "palpate/device/hardware/forcedimension_driver.h"
 
 #include <fmt/format.h>
@@ -26,6 +27,7 @@ constexpr std::array kProfiles = {
 }  // namespace
 
 std::vector<std::string> libraryNames(const std::string& file) {
+  if (system::kIsWindows) return namesToTry(file, kLibraryVariable, {"drd64.dll", "dhd64.dll"});
   return namesToTry(file, kLibraryVariable, {"libdrd.so.3", "libdhd.so.3", "libdrd.so", "libdhd.so"});
 }
 

@@ -10,6 +10,8 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
+#include "palpate/base/path_text.h"
+#include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
 
 namespace palpate::device::haply {
@@ -20,7 +22,6 @@ namespace {
 constexpr double kPatienceS = 1.0;
 
 constexpr double kLargestForceN = 20.0;
-constexpr const char* kSettingsFolder = "etc/haply-inverse-service";
 
 [[noreturn]] void refuse(std::string_view part) {
   throw Error(
@@ -115,9 +116,15 @@ Version askVersion(const Settings& settings, const Address& address, Probe& prob
   return version;
 }
 
+/// Below the root of the system, or with its own.
+std::filesystem::path settingsFolder() {
+  if (system::kIsWindows) return pathOf(system::variable("PROGRAMDATA")) / "Haply" / "Inverse";
+  return "etc/haply-inverse-service";
+}
+
 bool isInstalled(const std::filesystem::path& system_root, Probe& probe) {
   std::error_code error;
-  const std::filesystem::path folder = system_root / kSettingsFolder;
+  const std::filesystem::path folder = system_root / settingsFolder();
   const bool found = std::filesystem::is_directory(folder, error);
   probe.looked_for.push_back({"the service's settings", folder.string(), found, ""});
   return found;
@@ -127,7 +134,8 @@ void explainSilence(const std::filesystem::path& system_root, Probe& probe) {
   for (const LookedFor& looked : probe.looked_for) {
     if (!looked.found) probe.reason += (probe.reason.empty() ? "no service answers: " : "; ") + looked.words;
   }
-  probe.remedy = "start it: sudo systemctl start haply-inverse-service";
+  probe.remedy = system::kIsWindows ? "start it: Haply Inverse Service, in Windows' list of services"
+                                    : "start it: sudo systemctl start haply-inverse-service";
   if (!isInstalled(system_root, probe)) {
     probe.remedy = "install the maker's Inverse Service, 3.1 to 3.5, and " + probe.remedy;
   }
@@ -147,10 +155,7 @@ bool refuseVersion(const Version& version, Probe& probe) {
 Settings settingsOf(const std::string& said) {
   Settings settings;
   settings.words = said;
-  if (const char* variable = std::getenv(kServiceVariable);  // NOLINT(concurrency-mt-unsafe)
-      said.empty() && variable != nullptr) {
-    settings.words = variable;
-  }
+  if (said.empty()) settings.words = system::variable(kServiceVariable);
   if (settings.words.empty()) return settings;
   for (const std::string_view part : split(settings.words, ',')) takePart(part, settings);
   return settings;

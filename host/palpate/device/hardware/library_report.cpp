@@ -1,5 +1,6 @@
 // Findings -> sentences. The first thing that is wrong is the reason; what comes after it cannot be judged. Cold path.
 #include "palpate/device/hardware/library_report.h"
+#include "palpate/base/path_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +12,7 @@ namespace palpate::device {
 namespace {
 
 std::string remedyFor(const std::string& dependency, const LibraryRemedies& remedies) {
-  const std::string name = std::filesystem::path(dependency).filename().string();
+  const std::string name = pathOf(dependency).filename().string();
   for (const auto& [beginning, remedy] : remedies.dependencies) {
     if (name.starts_with(beginning)) return remedy;
   }
@@ -29,7 +30,7 @@ void explainRefusal(const LibraryFindings& findings, Probe& probe) {
   }
   probe.reason = fmt::format("{} does not load: {}", findings.what, attempt->words);
   probe.remedy = fmt::format("{}, or name its file: {}=/path/to/{}", remedies.install, remedies.variable,
-                             std::filesystem::path(attempt->name).filename().string());
+                             pathOf(attempt->name).filename().string());
   if (attempt->words.find("ELFCLASS") != std::string::npos) {
     probe.remedy = "this file is for another processor or for 32 bit: " + probe.remedy;
   }

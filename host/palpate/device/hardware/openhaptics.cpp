@@ -1,5 +1,6 @@
 // Session's slot -> Device, and the doctor's questions in their order: library, functions, bus, device. Cold path but
 // for the three functions of a tick, which are the link's.
+#include "palpate/base/path_text.h"
 #include "palpate/device/detail/each_back_end.h"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/system/process.h"
 #include "palpate/device/hardware/library_report.h"
 #include "palpate/device/hardware/openhaptics_session.h"
 #include "palpate/device/hardware/usb_search.h"
@@ -39,11 +41,11 @@ std::vector<UsbDevice> pluggedIn(const OpenOptions& options) {
 }
 
 void lookForConfiguration(Probe& probe) {
-  const char* home = std::getenv("GTDD_HOME");  // NOLINT(concurrency-mt-unsafe)
-  const std::string folder = home == nullptr ? "/usr/share/3DSystems/config" : home;
+  std::string folder = system::variable("GTDD_HOME");
+  if (folder.empty()) folder = "/usr/share/3DSystems/config";
   std::error_code error;
   probe.looked_for.push_back(
-      {"the driver's settings (GTDD_HOME)", folder, std::filesystem::is_directory(folder, error), ""});
+      {"the driver's settings (GTDD_HOME)", folder, std::filesystem::is_directory(pathOf(folder), error), ""});
 }
 
 /// Opens it for a moment. One that this program holds already is there.

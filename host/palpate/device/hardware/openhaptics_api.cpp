@@ -1,4 +1,5 @@
 // Names of the library's functions and what its error codes mean. Cold path.
+#include "palpate/base/system/process.h"
 #include "palpate/device/hardware/openhaptics_session.h"
 
 #include <fmt/format.h>
@@ -54,6 +55,7 @@ ErrorWords wordsOf(std::uint32_t code) {
 }
 
 std::vector<std::string> libraryNames(const std::string& file) {
+  if (system::kIsWindows) return namesToTry(file, kLibraryVariable, {"HD.dll"});
   return namesToTry(file, kLibraryVariable, {"libHD.so", "libHD.so.3.4", "libHD.so.3.4.0", "libHD.so.3.0"});
 }
 

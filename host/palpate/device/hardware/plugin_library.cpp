@@ -1,9 +1,12 @@
-// dlopen -> palpate_device_plugin -> its table, checked. Cold path.
+// The loader -> palpate_device_plugin -> its table, checked. Cold path.
+#include "palpate/base/path_text.h"
 #include "palpate/device/hardware/plugin_driver.h"
 
 #include <algorithm>
 #include <cstdlib>
 
+#include "palpate/base/system/library.h"
+#include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
 #include "palpate/device/hardware/plugin_checks.h"
 
@@ -22,13 +25,14 @@ bool isFile(const fs::path& path) {
 
 /// The file that a name stands for, or the name itself.
 std::string fileNamed(const std::string& name) {
-  if (name.empty() || name.find('/') != std::string::npos) return name;
+  if (name.empty() || pathOf(name).has_parent_path()) return name;
   for (const fs::path& folder : folders()) {
-    for (const std::string& file : {name, name + ".so", "lib" + name + ".so"}) {
-      if (isFile(folder / file)) return (folder / file).string();
+    for (const std::string& file :
+         {name, name + system::libraryExtension(), "lib" + name + system::libraryExtension()}) {
+      if (isFile(folder / pathOf(file))) return (folder / pathOf(file)).string();
     }
   }
-  return isFile(name) ? "./" + name : name;  // without a slash the loader would look elsewhere
+  return isFile(pathOf(name)) ? "./" + name : name;  // without a slash the loader would look elsewhere
 }
 
 }  // namespace
@@ -67,10 +71,10 @@ std::string nameOf(const Plugin& plugin) { return wordsIn(plugin.table->name, kM
 std::string aboutOf(const Plugin& plugin) { return wordsIn(plugin.table->about, kMaxNameBytes); }
 
 std::vector<fs::path> folders() {
-  const char* said = std::getenv(kFoldersVariable);  // NOLINT(concurrency-mt-unsafe)
+  const std::string said = system::variable(kFoldersVariable);
   std::vector<fs::path> found;
-  for (const std::string_view folder : split(said == nullptr ? "" : said, ':')) {
-    if (!folder.empty()) found.emplace_back(folder);
+  for (const std::string_view folder : split(said, system::kBetweenFolders)) {
+    if (!folder.empty()) found.push_back(pathOf(folder));
   }
   return found;
 }
@@ -81,7 +85,7 @@ std::vector<std::string> filesIn(const std::vector<fs::path>& folders) {
     const std::size_t first = files.size();
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-      if (entry->path().extension() == ".so") files.push_back(entry->path().string());
+      if (entry->path().extension() == system::libraryExtension()) files.push_back(entry->path().string());
     }
     std::sort(files.begin() + static_cast<std::ptrdiff_t>(first), files.end());
   }
@@ -91,7 +95,7 @@ std::vector<std::string> filesIn(const std::vector<fs::path>& folders) {
 Wanted wantedOf(const std::string& words) {
   const std::string whole = fileNamed(words);
   const std::size_t colon = words.rfind(':');
-  if (colon == std::string::npos || isFile(whole)) return {whole, {}};
+  if (colon == std::string::npos || isFile(pathOf(whole))) return {whole, {}};
   return {fileNamed(words.substr(0, colon)), words.substr(colon + 1)};
 }
 

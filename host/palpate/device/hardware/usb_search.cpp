@@ -2,7 +2,6 @@
 #include "palpate/device/hardware/usb_search.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,6 +9,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
+#include "palpate/base/system/files.h"
 #include "palpate/base/text.h"
 
 namespace palpate::device {
@@ -43,8 +43,6 @@ bool bears(const UsbDevice& device, const UsbMarks& marks) {
          std::find(marks.numbers.begin(), marks.numbers.end(), number) != marks.numbers.end();
 }
 
-bool mayOpen(const fs::path& node) { return ::access(node.c_str(), R_OK | W_OK) == 0; }
-
 fs::path busNode(const fs::path& attributes, const fs::path& root) {
   const std::optional<double> bus = parseNumber(attributeOf(attributes, "busnum"));
   const std::optional<double> number = parseNumber(attributeOf(attributes, "devnum"));
@@ -76,7 +74,7 @@ std::vector<UsbDevice> usbDevices(const UsbMarks& marks, const fs::path& root) {
     device.product = attributeOf(attributes, "product");
     if (!bears(device, marks)) continue;
     device.node = busNode(attributes, root);
-    device.may_open = mayOpen(device.node);
+    device.may_open = system::mayReadAndWrite(device.node);
     found.push_back(std::move(device));
   }
   return found;
@@ -90,7 +88,7 @@ std::vector<UsbDevice> deviceNodes(std::span<const std::string> beginnings, cons
     if (!std::any_of(beginnings.begin(), beginnings.end(), begins)) continue;
     UsbDevice device;
     device.node = node;
-    device.may_open = mayOpen(node);
+    device.may_open = system::mayReadAndWrite(node);
     found.push_back(std::move(device));
   }
   return found;

@@ -1,7 +1,5 @@
 #include "palpate/device/head/head_stream.h"
 
-#include <sys/socket.h>
-
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -38,12 +36,14 @@ HeadStream::HeadStream(const std::string& which)
 
 std::optional<Vec3> HeadStream::newest() noexcept {
   std::optional<Vec3> newest;
-  std::array<unsigned char, 64> message;
+  std::array<char, 64> message;
+  system::UdpPeer nobody;
   for (int read = 0; read < kMaxMessages; ++read) {
-    const ssize_t bytes = ::recv(socket_.file(), message.data(), message.size(), MSG_TRUNC);
+    const int bytes = socket_.port().receive(message, nobody);
     if (bytes < 0) break;
     if (static_cast<std::size_t>(bytes) > message.size()) continue;  // longer than any
-    const std::optional<Vec3> place = headPlaceOf(std::span(message).first(static_cast<std::size_t>(bytes)));
+    const std::optional<Vec3> place =
+        headPlaceOf(std::span(reinterpret_cast<const unsigned char*>(message.data()), static_cast<std::size_t>(bytes)));
     if (place) newest = place;
   }
   return newest;

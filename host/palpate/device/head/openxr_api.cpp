@@ -1,6 +1,7 @@
 // Names of OpenXR's functions. The loader gives them out by xrGetInstanceProcAddr, those of extensions only so. Cold
 // path.
 #include "palpate/device/head/openxr_api.h"
+#include "palpate/base/system/process.h"
 
 namespace palpate::device::openxr {
 
@@ -19,6 +20,7 @@ void askFor(const Api& api, Handle instance, const char* name, Pointer& pointer,
 }  // namespace
 
 std::vector<std::string> libraryNames(const std::string& file) {
+  if (system::kIsWindows) return namesToTry(file, kLibraryVariable, {"openxr_loader.dll"});
   return namesToTry(file, kLibraryVariable, {"libopenxr_loader.so.1", "libopenxr_loader.so"});
 }
 
@@ -41,7 +43,7 @@ std::vector<std::string> resolveInstance(Handle instance, Api& api) {
   askFor(api, instance, "xrCreateReferenceSpace", api.create_reference_space, missing);
   askFor(api, instance, "xrLocateSpace", api.locate_space, missing);
   askFor(api, instance, "xrPollEvent", api.poll_event, missing);
-  askFor(api, instance, "xrConvertTimespecTimeToTimeKHR", api.convert_time, missing);
+  askFor(api, instance, kClockFunction, api.convert_time, missing);
   return missing;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/system/clock.h"
 #include "palpate/device/hardware/shared_library.h"
 
 namespace palpate::device::openxr {
@@ -69,7 +70,13 @@ enum ReferenceSpace : std::int32_t { kViewSpace = 1, kLocalSpace = 2 };
 inline constexpr std::uint64_t kPositionValid = 2;  ///< a bit of SpaceLocation::flags
 
 inline constexpr const char* kHeadlessExtension = "XR_MND_headless";
-inline constexpr const char* kTimespecExtension = "XR_KHR_convert_timespec_time";
+#ifdef _WIN32
+inline constexpr const char* kClockExtension = "XR_KHR_win32_convert_performance_counter_time";
+inline constexpr const char* kClockFunction = "xrConvertWin32PerformanceCounterToTimeKHR";
+#else
+inline constexpr const char* kClockExtension = "XR_KHR_convert_timespec_time";
+inline constexpr const char* kClockFunction = "xrConvertTimespecTimeToTimeKHR";
+#endif
 
 /// 1.0: major in the upper 16 bits.
 inline constexpr std::uint64_t kApiVersion = std::uint64_t{1} << 48;
@@ -191,7 +198,7 @@ struct Api {
   Result (*create_reference_space)(Handle session, const ReferenceSpaceCreateInfo* info, Handle* space) = nullptr;
   Result (*locate_space)(Handle space, Handle base, Time time, SpaceLocation* location) = nullptr;
   Result (*poll_event)(Handle instance, EventDataBuffer* event) = nullptr;
-  Result (*convert_time)(Handle instance, const std::timespec* clock, Time* time) = nullptr;
+  Result (*convert_time)(Handle instance, const system::RawClock* clock, Time* time) = nullptr;
 };
 
 /// The environment variable that names the loader's file.

@@ -24,7 +24,7 @@ namespace palpate::device {
 namespace {
 
 constexpr double kMmInM = 1000.0;
-constexpr std::array kExtensions = {openxr::kHeadlessExtension, openxr::kTimespecExtension};
+constexpr std::array kExtensions = {openxr::kHeadlessExtension, openxr::kClockExtension};
 
 /// A runtime says a handful in its whole life; a flood must not keep a picture from being drawn.
 constexpr int kMaxEvents = 64;
@@ -183,9 +183,9 @@ struct OpenXrHead::Impl {
   }
 
   std::optional<openxr::Time> now() const noexcept {
-    std::timespec clock{};
+    system::RawClock clock{};
     openxr::Time time = 0;
-    if (::clock_gettime(CLOCK_MONOTONIC, &clock) != 0) return std::nullopt;
+    if (!system::readRawClock(clock)) return std::nullopt;
     if (api.convert_time(instance, &clock, &time) != openxr::kSuccess) return std::nullopt;
     return time;
   }

@@ -20,6 +20,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/number_range.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/vec.h"
 #include "palpate/base/words.h"
 #include "palpate/scene/scene_file.h"
@@ -146,10 +147,11 @@ Key<S> file(std::string name, Access<S, std::filesystem::path> at, std::string m
   return {std::move(name),
           std::string(kTakesFile),
           std::move(meaning),
-          [at](S& s, const Entry& e) { at(s) = std::filesystem::path(e.file).parent_path() / readText(e); },
+          [at](S& s, const Entry& e) { at(s) = pathOf(e.file).parent_path() / pathOf(readText(e)); },
           [at](const S& s) {
             const std::filesystem::path path = valueOf<S, std::filesystem::path>(at, s);
-            return path.empty() ? std::string() : inQuotes(std::filesystem::absolute(path).lexically_normal().string());
+            return path.empty() ? std::string()
+                                : inQuotes(std::filesystem::absolute(path).lexically_normal().generic_string());
           },
           {KeyForm::Kind::file}};
 }

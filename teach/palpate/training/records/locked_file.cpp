@@ -3,11 +3,11 @@
 //   pieces: sealed bytes, 16 bytes of seal; all full but the last, which may be empty
 // Numbers are little-endian. A piece's nonce is the file's and its number; what is sealed with it, unencrypted, is the
 // whole header and whether it is the last.
+#include "palpate/base/system/process.h"
 #include "palpate/training/records/key_vault.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
@@ -52,7 +52,8 @@ LockHeader newHeader(const std::string& key_ref) {
   LockHeader header;
   header.key_ref = key_ref;
   header.nonce.resize(8);
-  if (::getentropy(header.nonce.data(), header.nonce.size()) != 0) throw Error("the system gives no random numbers");
+  if (!system::fillWithRandom({reinterpret_cast<unsigned char*>(header.nonce.data()), header.nonce.size()}))
+    throw Error("the system gives no random numbers");
   header.bytes = kLockMagic;
   appendNumber(header.bytes, kLockVersion);
   appendNumber(header.bytes, header.piece);
@@ -137,7 +138,7 @@ class PieceCipher {
 
 TraineeKey newTraineeKey() {
   TraineeKey key{};
-  if (::getentropy(key.data(), key.size()) != 0) throw Error("the system gives no random numbers");
+  if (!system::fillWithRandom(key)) throw Error("the system gives no random numbers");
   return key;
 }
 

@@ -6,12 +6,11 @@
 // Based on: D. Crockford's base 32 (no I, L, O, U); RFC 9562 (UUID versions 7 and 8).
 #include "palpate/training/records/trainee_code.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 
 #include "palpate/base/error.h"
+#include "palpate/base/system/process.h"
 #include "palpate/training/sha256.h"
 
 namespace palpate::training {
@@ -121,7 +120,8 @@ Uuid uuidOf(std::int64_t unix_ms, const std::array<std::uint64_t, 2>& random) {
 
 std::array<std::uint64_t, 2> systemRandom() {
   std::array<std::uint64_t, 2> bits{};
-  if (::getentropy(bits.data(), sizeof bits) != 0) throw Error("the system gives no random numbers");
+  if (!system::fillWithRandom({reinterpret_cast<unsigned char*>(bits.data()), sizeof bits}))
+    throw Error("the system gives no random numbers");
   return bits;
 }
 

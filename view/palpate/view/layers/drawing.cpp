@@ -10,14 +10,25 @@
 #include "palpate/base/error.h"
 
 // The assembler copies the file into the read-only data; PALPATE_FONT_FILE is found by CMake.
-asm(".pushsection .rodata\n"
+#if defined(_WIN32)
+#define PALPATE_READ_ONLY ".section .rdata,\"dr\"\n"
+#define PALPATE_SYMBOL ""
+#elif defined(__APPLE__)
+#define PALPATE_READ_ONLY ".const_data\n"
+#define PALPATE_SYMBOL "_"
+#else
+#define PALPATE_READ_ONLY ".section .rodata\n"
+#define PALPATE_SYMBOL ""
+#endif
+// clang-format off
+asm(PALPATE_READ_ONLY
     ".balign 16\n"
-    "palpate_font_begin:\n"
-    ".incbin \"" PALPATE_FONT_FILE
-    "\"\n"
-    "palpate_font_end:\n"
+    PALPATE_SYMBOL "palpate_font_begin:\n"
+    ".incbin \"" PALPATE_FONT_FILE "\"\n"
+    PALPATE_SYMBOL "palpate_font_end:\n"
     ".byte 0\n"
-    ".popsection\n");
+    ".text\n");
+// clang-format on
 extern "C" {  // NOLINTBEGIN(readability-identifier-naming): the assembler's, above
 extern const unsigned char palpate_font_begin[];
 extern const unsigned char palpate_font_end[];

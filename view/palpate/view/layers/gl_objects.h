@@ -111,6 +111,12 @@ class Program {
 /// Sets how transparent things cover what is there. The picture itself stays opaque: some desktops would show through.
 inline void blendOver() { glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); }
 
+/// What the driver says of itself, GL_VERSION for instance; empty where it says nothing.
+inline std::string glWords(GLenum name) {
+  const auto* words = reinterpret_cast<const char*>(glGetString(name));
+  return words == nullptr ? "" : words;
+}
+
 /// Version the current context offers as major * 10 + minor.
 inline int contextVersion() { return epoxy_gl_version(); }
 inline constexpr int kNeededVersion = 33;

@@ -15,6 +15,7 @@
 
 #include "palpate/base/base64.h"
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/detail/byte_reader.h"
 
@@ -101,7 +102,7 @@ std::string decodePercent(std::string_view uri) {
 /// Files beside the glTF file or in folders below it; a stranger's file does not get to read anything else.
 std::filesystem::path pathBeside(const MeshFile& file, const std::string& uri, JsonValue where) {
   const std::string name = decodePercent(uri);
-  const std::filesystem::path relative(name);
+  const std::filesystem::path relative(pathOf(name));
   const bool leaves_folder = std::find(relative.begin(), relative.end(), "..") != relative.end();
   if (file.folder.empty()) where.fail("it refers to another file, and there is no folder to look in");
   if (relative.is_absolute() || leaves_folder || uri.find(':') != std::string::npos) {

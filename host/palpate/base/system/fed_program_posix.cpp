@@ -1,0 +1,110 @@
+// A socket in place of a pipe: writing to one whose reader has ended can be told not to raise SIGPIPE. Its words go to
+// a file and not to another pipe, which it could fill while we fill its input. A process group of its own keeps signals
+// away.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <utility>
+
+#include "palpate/base/system/fed_program.h"
+#include "palpate/base/system/process.h"
+
+namespace palpate::system {
+
+namespace {
+
+int started(const std::filesystem::path& program, std::vector<std::string> words, int input, int said, pid_t& process) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&files, said, STDERR_FILENO);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  const int error =
+      posix_spawn(&process, program.c_str(), &files, &attributes, arguments.data(), environmentOfTheProgram());
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&files);
+  return error;
+}
+
+int ended(pid_t process) {
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+}  // namespace
+
+FedProgram::FedProgram(const std::filesystem::path& program, const std::vector<std::string>& words)
+    : words_(std::tmpfile(), &std::fclose) {
+  std::array<int, 2> ends{};
+  if (!words_ || ::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) {
+    reason_ = errno;
+    return;
+  }
+  for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+#ifdef SO_NOSIGPIPE
+  const int on = 1;
+  ::setsockopt(ends[0], SOL_SOCKET, SO_NOSIGPIPE, &on, sizeof(on));
+#endif
+  pid_t process = -1;
+  reason_ = started(program, words, ends[1], ::fileno(words_.get()), process);
+  ::close(ends[1]);
+  input_ = ends[0];
+  process_ = reason_ == 0 ? process : -1;
+}
+
+FedProgram::~FedProgram() {
+  closeInput();
+  if (process_ <= 0) return;
+  ::kill(static_cast<pid_t>(process_), SIGKILL);
+  ended(static_cast<pid_t>(process_));
+}
+
+void FedProgram::closeInput() {
+  if (input_ >= 0) ::close(static_cast<int>(std::exchange(input_, -1)));
+}
+
+bool FedProgram::feed(std::string_view bytes) {
+#ifdef MSG_NOSIGNAL
+  constexpr int kFlags = MSG_NOSIGNAL;
+#else
+  constexpr int kFlags = 0;
+#endif
+  while (!bytes.empty()) {
+    const ssize_t sent = ::send(static_cast<int>(input_), bytes.data(), bytes.size(), kFlags);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(sent));
+  }
+  return true;
+}
+
+FedProgram::Ending FedProgram::finish() {
+  closeInput();
+  const int status = ended(static_cast<pid_t>(std::exchange(process_, -1)));
+  if (!WIFEXITED(status)) return {false, fmt::format("signal {}", WTERMSIG(status))};
+  return {WEXITSTATUS(status) == 0, fmt::format("exit code {}", WEXITSTATUS(status))};
+}
+
+std::string FedProgram::said() {
+  std::rewind(words_.get());
+  std::string all;
+  for (int c = std::fgetc(words_.get()); c != EOF; c = std::fgetc(words_.get())) all += static_cast<char>(c);
+  return all;
+}
+
+}  // namespace palpate::system

@@ -1,0 +1,51 @@
+// Files and folders as the system has them, for base/output_file.cpp and base/private_folder.cpp, which say what is
+// done with them. No words and no exceptions: what fails returns false, or -1, and leaves its reason in errno.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+
+namespace palpate::system {
+
+enum class ReadableBy : unsigned char { usual, owner };  // usual: as the system does it for any program
+
+/// A file that is not there yet; EEXIST where it is.
+int createFile(const std::filesystem::path& file, ReadableBy readers);
+/// One that is there, from its beginning; for pipes and devices.
+int openForWriting(const std::filesystem::path& file);
+/// How many of the bytes were taken.
+std::ptrdiff_t writeSome(int descriptor, std::string_view bytes);
+/// To the disk. True also where the file system knows no such thing.
+bool flush(int descriptor);
+bool close(int descriptor);
+/// Its name was taken away while it was open.
+bool wasDeleted(int descriptor);
+/// As another file has them; somebody else's never opens ours wider. Where it cannot be done, the usual ones are as
+/// good.
+void takeRightsOf(const std::filesystem::path& other, int descriptor);
+/// Gives the file another's name and place, in one step.
+bool replace(const std::filesystem::path& file, const std::filesystem::path& place);
+/// The names in it, to the disk, where the system does that.
+void flushFolder(const std::filesystem::path& folder);
+
+bool mayWrite(const std::filesystem::path& file);
+bool mayReadAndWrite(const std::filesystem::path& file);
+bool mayRun(const std::filesystem::path& program);
+
+/// Everybody may lay a link there under any name, as in /tmp; "" is the current folder.
+bool isOpenToAll(const std::filesystem::path& folder);
+/// Nobody but its owner (and who looks after the machine) may read or write it.
+bool isClosedToOthers(const std::filesystem::path& file);
+/// A folder, no link, that belongs to this user.
+bool isOwnFolder(const std::filesystem::path& folder);
+
+/// A new folder, closed to others from its first moment; EEXIST where it is there.
+bool makeClosedFolder(const std::filesystem::path& folder);
+bool closeToOthers(const std::filesystem::path& folder);
+/// A fresh one of those, in the folder for temporary files; empty where it cannot be made.
+std::filesystem::path makeTemporaryFolder(std::string_view stem);
+/// Where a running program keeps what only its own user may see; it need not be there.
+std::filesystem::path runtimeFolder();
+
+}  // namespace palpate::system

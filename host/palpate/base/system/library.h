@@ -1,0 +1,26 @@
+// A library that is opened while the program runs; device/hardware/shared_library.h says what becomes of it. Thread: as
+// the system's loader, any.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace palpate::system {
+
+struct OpenedLibrary {
+  void* handle = nullptr;
+  std::string file;   ///< that was opened, as far as the system says
+  std::string words;  ///< why it was not, in words of the loader; "NAME: cannot open shared object file: No such file
+                      ///< or directory" where there is none of that name
+};
+
+/// Names in it are there for libraries that are opened after it.
+OpenedLibrary openLibrary(const std::string& name);
+
+/// Null when it has none of that name.
+void* symbolOf(void* library, const char* name);
+
+/// ".so", ".dll"
+const char* libraryExtension();
+
+}  // namespace palpate::system

@@ -1,0 +1,76 @@
+// What a program asks the system about itself and its surroundings, and how it starts another.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace palpate::system {
+
+/// An environment variable, in UTF-8; empty where it is not set.
+std::string variable(const char* name);
+
+#ifdef _WIN32
+inline constexpr bool kIsWindows = true;
+#else
+inline constexpr bool kIsWindows = false;
+#endif
+#ifdef __APPLE__
+inline constexpr bool kIsApple = true;
+#else
+inline constexpr bool kIsApple = false;
+#endif
+inline constexpr char kBetweenFolders = kIsWindows ? ';' : ':';  ///< in a variable that lists them
+inline constexpr const char* kProgramExtension = kIsWindows ? ".exe" : "";
+
+/// False where the system gives no random numbers.
+bool fillWithRandom(std::span<unsigned char> bytes) noexcept;
+
+/// "Linux 6.1.0, x86_64"; for recordings.
+std::string machineWords();
+
+/// Who uses this computer, as far as the system says; for leaving it out of what is given away.
+struct Identity {
+  std::vector<std::string> accounts;
+  std::string full_name;
+  std::vector<std::string> homes;
+  std::string computer;
+};
+Identity identity();
+
+/// Where a program keeps what it remembers for its user, and what it has written for them; empty where there is no
+/// home.
+std::filesystem::path settingsFolder();
+std::filesystem::path stateFolder();
+
+/// The file of the running program; empty where the system does not say.
+std::filesystem::path ownProgram();
+
+/// Whether messages are read at a terminal, which can rewrite a line.
+bool messagesGoToATerminal();
+
+/// A letter that was typed or sent to the program; does not wait. Nothing: none is there now; `open` becomes false at
+/// the end of the input.
+std::optional<char> typedLetter(bool& open);
+
+/// The words of the command line, without the program's own, in UTF-8.
+std::vector<std::string> commandLine(int argc, char** argv);
+
+/// The other program takes this one's place, under the name `called`. -1: it cannot be started, and errno says why. Where
+/// the system has no such thing (Windows), it runs below this one to its end, and its exit code is returned.
+int becomeProgram(const std::filesystem::path& program, const std::string& called,
+                   const std::vector<std::string>& words);
+
+#ifdef _WIN32
+/// Words as one line, from which the other program's C library takes them again.
+std::wstring commandLineOf(const std::vector<std::string>& words);
+#else
+char** environmentOfTheProgram();
+#endif
+
+/// Runs another program to its end without a word; its exit code, or -1 where it did not come to one.
+int runQuietly(const std::filesystem::path& program, const std::string& called, const std::vector<std::string>& words);
+
+}  // namespace palpate::system

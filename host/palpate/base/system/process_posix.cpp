@@ -1,0 +1,137 @@
+// POSIX; the program's own file is asked of Linux's /proc and of macOS's loader.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <pwd.h>
+#include <spawn.h>
+#include <sys/utsname.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#ifdef __APPLE__
+#include <crt_externs.h>
+#include <mach-o/dyld.h>
+#include <sys/random.h>
+#endif
+
+#include "palpate/base/system/clock.h"
+#include "palpate/base/system/process.h"
+
+namespace palpate::system {
+
+namespace {
+
+/// As the system takes them; `words` must outlive it.
+std::vector<char*> argumentsOf(std::string& called, std::vector<std::string>& words) {
+  std::vector<char*> arguments = {called.data()};
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  return arguments;
+}
+
+}  // namespace
+
+char** environmentOfTheProgram() {
+#ifdef __APPLE__
+  return *::_NSGetEnviron();
+#else
+  return ::environ;
+#endif
+}
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
+  return value == nullptr ? std::string() : value;
+}
+
+bool fillWithRandom(std::span<unsigned char> bytes) noexcept { return ::getentropy(bytes.data(), bytes.size()) == 0; }
+
+std::string machineWords() {
+  utsname machine{};
+  if (::uname(&machine) != 0) return "unknown";
+  return fmt::format("{} {}, {}", machine.sysname, machine.release, machine.machine);
+}
+
+Identity identity() {
+  Identity here{{variable("USER"), variable("LOGNAME")}, {}, {variable("HOME")}, {}};
+  if (const passwd* account = ::getpwuid(::geteuid())) {  // NOLINT(concurrency-mt-unsafe)
+    here.accounts.emplace_back(account->pw_name);
+    here.homes.emplace_back(account->pw_dir);
+    const std::string about = account->pw_gecos == nullptr ? "" : account->pw_gecos;
+    here.full_name = about.substr(0, about.find(','));
+  }
+  std::array<char, 256> computer{};
+  if (::gethostname(computer.data(), computer.size() - 1) == 0) here.computer = computer.data();
+  return here;
+}
+
+namespace {
+
+/// The specification of base directories: a variable, or a folder in the user's home.
+std::filesystem::path baseFolder(const char* name, const char* in_home) {
+  if (const std::string folder = variable(name); !folder.empty()) return folder;
+  const std::string home = variable("HOME");
+  return home.empty() ? std::filesystem::path() : std::filesystem::path(home) / in_home;
+}
+
+}  // namespace
+
+std::filesystem::path settingsFolder() { return baseFolder("XDG_CONFIG_HOME", ".config"); }
+std::filesystem::path stateFolder() { return baseFolder("XDG_STATE_HOME", ".local/state"); }
+
+std::filesystem::path ownProgram() {
+#ifdef __APPLE__
+  char name[4096];
+  std::uint32_t size = sizeof(name);
+  return ::_NSGetExecutablePath(name, &size) == 0 ? std::filesystem::path(name) : std::filesystem::path();
+#else
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown);
+#endif
+}
+
+bool readRawClock(RawClock& clock) noexcept { return ::clock_gettime(CLOCK_MONOTONIC, &clock) == 0; }
+
+bool messagesGoToATerminal() { return ::isatty(STDERR_FILENO) != 0; }
+
+std::optional<char> typedLetter(bool& open) {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  if (!open || ::poll(&input, 1, 0) != 1) return std::nullopt;
+  char letter = 0;
+  open = ::read(STDIN_FILENO, &letter, 1) == 1;
+  return open ? std::optional(letter) : std::nullopt;
+}
+
+std::vector<std::string> commandLine(int argc, char** argv) { return {argv + std::min(argc, 1), argv + argc}; }
+
+int becomeProgram(const std::filesystem::path& program, const std::string& called,
+                   const std::vector<std::string>& words) {
+  std::string name = called;
+  std::vector<std::string> own = words;
+  return ::execv(program.c_str(), argumentsOf(name, own).data());
+}
+
+int runQuietly(const std::filesystem::path& program, const std::string& called, const std::vector<std::string>& words) {
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    posix_spawn_file_actions_addopen(&files, stream, "/dev/null", O_WRONLY, 0);
+  }
+  std::string name = called;
+  std::vector<std::string> own = words;
+  pid_t child = 0;
+  const bool started = posix_spawn(&child, program.c_str(), &files, nullptr, argumentsOf(name, own).data(),
+                                   environmentOfTheProgram()) == 0;
+  posix_spawn_file_actions_destroy(&files);
+  int status = 0;
+  while (started && ::waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return -1;
+  }
+  return started && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace palpate::system

@@ -1,0 +1,163 @@
+// Windows: words are UTF-16 there and UTF-8 here.
+#include <conio.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <io.h>
+#include <process.h>
+#include <shellapi.h>
+#include <windows.h>
+// After windows.h.
+#include <ntsecapi.h>
+
+#include <cerrno>
+#include <cstdlib>
+
+#include "palpate/base/path_text.h"
+#include "palpate/base/system/clock.h"
+#include "palpate/base/system/process.h"
+
+namespace palpate::system {
+
+namespace {
+
+constexpr DWORD kLongestPath = 32768;
+
+std::string inUtf8(const std::wstring& text) { return std::filesystem::path(text).string(); }
+std::wstring inUtf16(const std::string& text) { return pathOf(text).wstring(); }
+
+/// So that the other program reads the same words again: its C library takes them out of one line.
+std::wstring quoted(const std::string& word) {
+  std::wstring text = L"\"";
+  std::size_t backslashes = 0;
+  for (const wchar_t letter : inUtf16(word)) {
+    if (letter == L'"') text.append(backslashes + 1, L'\\');
+    backslashes = letter == L'\\' ? backslashes + 1 : 0;
+    text += letter;
+  }
+  text.append(backslashes, L'\\');
+  return text + L"\"";
+}
+
+std::vector<std::wstring> quotedAll(const std::string& called, const std::vector<std::string>& words) {
+  std::vector<std::wstring> all = {quoted(called)};
+  for (const std::string& word : words) all.push_back(quoted(word));
+  return all;
+}
+
+std::vector<const wchar_t*> pointersTo(const std::vector<std::wstring>& words) {
+  std::vector<const wchar_t*> pointers;
+  for (const std::wstring& word : words) pointers.push_back(word.c_str());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+}  // namespace
+
+std::wstring commandLineOf(const std::vector<std::string>& words) {
+  std::wstring line;
+  for (const std::string& word : words) line += (line.empty() ? L"" : L" ") + quoted(word);
+  return line;
+}
+
+std::string variable(const char* name) {
+  const std::wstring wide = inUtf16(name);
+  std::wstring value(kLongestPath, L'\0');
+  const DWORD length = ::GetEnvironmentVariableW(wide.c_str(), value.data(), kLongestPath);
+  if (length >= kLongestPath) return {};
+  value.resize(length);
+  return inUtf8(value);
+}
+
+bool fillWithRandom(std::span<unsigned char> bytes) noexcept {
+  return ::RtlGenRandom(bytes.data(), static_cast<ULONG>(bytes.size())) != FALSE;
+}
+
+std::string machineWords() {
+  OSVERSIONINFOW version{};
+  version.dwOSVersionInfoSize = sizeof(version);
+  // GetVersionEx answers what a program's manifest wants to hear; the kernel's own answers the truth.
+  const auto ask = reinterpret_cast<LONG(WINAPI*)(OSVERSIONINFOW*)>(
+      reinterpret_cast<void*>(::GetProcAddress(::GetModuleHandleW(L"ntdll.dll"), "RtlGetVersion")));
+  if (ask == nullptr || ask(&version) != 0) return "Windows, x86_64";
+  return fmt::format("Windows {}.{}.{}, x86_64", version.dwMajorVersion, version.dwMinorVersion, version.dwBuildNumber);
+}
+
+Identity identity() {
+  std::wstring computer(256, L'\0');
+  auto size = static_cast<DWORD>(computer.size());
+  computer.resize(::GetComputerNameExW(ComputerNamePhysicalDnsHostname, computer.data(), &size) != 0 ? size : 0);
+  // As it is written in messages, and as in scenes.
+  const std::string home = variable("USERPROFILE");
+  return {{variable("USERNAME")}, {}, {home, pathOf(home).generic_string()}, inUtf8(computer)};
+}
+
+std::filesystem::path settingsFolder() { return pathOf(variable("APPDATA")); }
+std::filesystem::path stateFolder() { return pathOf(variable("LOCALAPPDATA")); }
+
+std::filesystem::path ownProgram() {
+  std::wstring name(kLongestPath, L'\0');
+  name.resize(::GetModuleFileNameW(nullptr, name.data(), kLongestPath));
+  return name;
+}
+
+bool readRawClock(RawClock& clock) noexcept {
+  return ::QueryPerformanceCounter(reinterpret_cast<LARGE_INTEGER*>(&clock)) != 0;
+}
+
+bool messagesGoToATerminal() { return ::_isatty(::_fileno(stderr)) != 0; }
+
+std::optional<char> typedLetter(bool& open) {
+  const HANDLE input = ::GetStdHandle(STD_INPUT_HANDLE);
+  DWORD waiting = 0;
+  if (!open) return std::nullopt;
+  if (::GetFileType(input) == FILE_TYPE_CHAR) {
+    if (::_kbhit() == 0) return std::nullopt;
+  } else if (::GetFileType(input) == FILE_TYPE_PIPE) {
+    open = ::PeekNamedPipe(input, nullptr, 0, nullptr, &waiting, nullptr) != 0;
+    if (!open || waiting == 0) return std::nullopt;
+  }
+  char letter = 0;
+  open = ::_read(::_fileno(stdin), &letter, 1) == 1;
+  return open ? std::optional(letter) : std::nullopt;
+}
+
+/// Also makes what is printed the same bytes as elsewhere: UTF-8, and no carriage returns.
+std::vector<std::string> commandLine(int, char**) {
+  ::SetConsoleOutputCP(CP_UTF8);
+  ::_setmode(::_fileno(stdout), _O_BINARY);
+  int count = 0;
+  wchar_t** words = ::CommandLineToArgvW(::GetCommandLineW(), &count);
+  std::vector<std::string> own;
+  for (int i = 1; i < count; ++i) own.push_back(inUtf8(words[i]));
+  ::LocalFree(words);
+  return own;
+}
+
+int becomeProgram(const std::filesystem::path& program, const std::string& called,
+                   const std::vector<std::string>& words) {
+  const std::vector<std::wstring> all = quotedAll(called, words);
+  const intptr_t answer = ::_wspawnv(_P_WAIT, program.c_str(), pointersTo(all).data());
+  return static_cast<int>(answer);
+}
+
+int runQuietly(const std::filesystem::path& program, const std::string& called, const std::vector<std::string>& words) {
+  std::vector<std::string> all = {called};
+  all.insert(all.end(), words.begin(), words.end());
+  std::wstring line = commandLineOf(all);
+  STARTUPINFOW start{};
+  start.cb = sizeof(start);
+  start.dwFlags = STARTF_USESTDHANDLES;  // which are none
+  PROCESS_INFORMATION child{};
+  if (::CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, FALSE, CREATE_NO_WINDOW, nullptr, nullptr,
+                       &start, &child) == 0) {
+    return -1;
+  }
+  ::WaitForSingleObject(child.hProcess, INFINITE);
+  DWORD answer = 0;
+  const bool ended = ::GetExitCodeProcess(child.hProcess, &answer) != 0;
+  ::CloseHandle(child.hThread);
+  ::CloseHandle(child.hProcess);
+  return ended ? static_cast<int>(answer) : -1;
+}
+
+}  // namespace palpate::system

@@ -1,0 +1,27 @@
+// What asks a program to end: signals, and on Windows the console's events and the end of a session.
+#pragma once
+
+#include <cstdint>
+
+namespace palpate::system {
+
+/// As POSIX numbers them, on every system: exit codes are made of them.
+inline constexpr int kInterrupt = 2;    ///< Ctrl-C
+inline constexpr int kHangUp = 1;       ///< the terminal was closed
+inline constexpr int kTerminate = 15;   ///< anybody else
+inline constexpr int kBrokenPipe = 13;  ///< the reader of the output has left
+
+/// `ask` is called with the signal: in its handler, so that it may do only what a handler may (lock-free numbers, tell,
+/// endNow); on Windows on a thread of its own. A signal that was ignored when the program started stays ignored. A file
+/// that grows over a limit and a reader of a pipe that has left become errors of the write.
+void whenAskedToEnd(void (*ask)(int signal));
+
+// Allowed in a handler.
+
+/// The monotonic clock.
+std::int64_t clockInHandlerNs();
+/// To the standard error; lost where nobody reads it.
+void tellInHandler(const char* words);
+[[noreturn]] void endNow(int exit_code);
+
+}  // namespace palpate::system

@@ -1,0 +1,39 @@
+#include <signal.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <initializer_list>
+
+#include "palpate/base/system/signals.h"
+
+namespace palpate::system {
+
+static_assert(kInterrupt == SIGINT && kHangUp == SIGHUP && kTerminate == SIGTERM && kBrokenPipe == SIGPIPE);
+
+void whenAskedToEnd(void (*ask)(int signal)) {
+  for (const int signal : {kInterrupt, kTerminate, kHangUp}) {
+    struct sigaction before = {};
+    if (::sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
+    struct sigaction action = {};
+    action.sa_handler = ask;
+    action.sa_flags = SA_RESTART;
+    ::sigaction(signal, &action, nullptr);
+  }
+  ::signal(SIGXFSZ, SIG_IGN);
+  ::signal(SIGPIPE, SIG_IGN);
+}
+
+std::int64_t clockInHandlerNs() {
+  timespec now = {};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return now.tv_sec * std::int64_t{1'000'000'000} + now.tv_nsec;
+}
+
+void tellInHandler(const char* words) {
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, words, std::strlen(words));
+}
+
+void endNow(int exit_code) { ::_exit(exit_code); }
+
+}  // namespace palpate::system
