@@ -7,8 +7,8 @@
 
 #include "palpate/base/path_text.h"
 
-// A name that CLI11 looks for. NOLINTNEXTLINE(readability-identifier-naming)
 namespace CLI::detail {
+// A name that CLI11 looks for. NOLINTNEXTLINE(readability-identifier-naming)
 inline bool lexical_cast(const std::string& input, std::filesystem::path& output) {
   output = palpate::pathOf(input);
   return true;
