@@ -7,12 +7,13 @@
 
 #include "palpate/base/path_text.h"
 
+// Names that CLI11 looks for. NOLINTBEGIN(readability-identifier-naming)
 namespace CLI::detail {
-// A name that CLI11 looks for. NOLINTNEXTLINE(readability-identifier-naming)
 inline bool lexical_cast(const std::string& input, std::filesystem::path& output) {
   output = palpate::pathOf(input);
   return true;
 }
 }  // namespace CLI::detail
+// NOLINTEND(readability-identifier-naming)
 
 #include <CLI/CLI.hpp>
