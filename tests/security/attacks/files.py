@@ -267,7 +267,7 @@ def started_server(room, runtime, *more):
     lab.Mend("teach/palpate/training/trainee/trainee_course.cpp",
              "makePrivateFolder(settings.recording.parent_path(), ExistingFolder::closed);",
              "std::filesystem::create_directories(settings.recording.parent_path());"),
-    lab.Mend(OUTPUT, "constexpr mode_t kOwnerMode = 0600;", "constexpr mode_t kOwnerMode = 0666;"),
+    lab.Mend("host/palpate/base/system/files_posix.cpp", "constexpr mode_t kOwnersFile = 0600;", "constexpr mode_t kOwnersFile = 0666;"),
 ], seconds=40)
 def reading_what_runs(room):
     """Another user reads a session, records, keys and tokens while they are written, at any moment (umask 0)."""

@@ -58,10 +58,10 @@ std::optional<char> typedLetter(bool& open);
 /// The words of the command line, without the program's own, in UTF-8.
 std::vector<std::string> commandLine(int argc, char** argv);
 
-/// The other program takes this one's place, under the name `called`. -1: it cannot be started, and errno says why. Where
-/// the system has no such thing (Windows), it runs below this one to its end, and its exit code is returned.
+/// The other program takes this one's place, under the name `called`. -1: it cannot be started, and errno says why.
+/// Where the system has no such thing (Windows), it runs below this one to its end, and its exit code is returned.
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
-                   const std::vector<std::string>& words);
+                  const std::vector<std::string>& words);
 
 #ifdef _WIN32
 /// Words as one line, from which the other program's C library takes them again.

@@ -109,7 +109,7 @@ std::optional<char> typedLetter(bool& open) {
 std::vector<std::string> commandLine(int argc, char** argv) { return {argv + std::min(argc, 1), argv + argc}; }
 
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
-                   const std::vector<std::string>& words) {
+                  const std::vector<std::string>& words) {
   std::string name = called;
   std::vector<std::string> own = words;
   return ::execv(program.c_str(), argumentsOf(name, own).data());

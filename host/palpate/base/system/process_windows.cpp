@@ -134,7 +134,7 @@ std::vector<std::string> commandLine(int, char**) {
 }
 
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
-                   const std::vector<std::string>& words) {
+                  const std::vector<std::string>& words) {
   const std::vector<std::wstring> all = quotedAll(called, words);
   const intptr_t answer = ::_wspawnv(_P_WAIT, program.c_str(), pointersTo(all).data());
   return static_cast<int>(answer);
