@@ -51,7 +51,12 @@ int ended(pid_t process) {
 FedProgram::FedProgram(const std::filesystem::path& program, const std::vector<std::string>& words)
     : words_(std::tmpfile(), &std::fclose) {
   std::array<int, 2> ends{};
-  if (!words_ || ::socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) {
+#ifdef SOCK_CLOEXEC  // at once: a program that another thread starts must not hold our end open
+  constexpr int kKind = SOCK_STREAM | SOCK_CLOEXEC;
+#else
+  constexpr int kKind = SOCK_STREAM;
+#endif
+  if (!words_ || ::socketpair(AF_UNIX, kKind, 0, ends.data()) != 0) {
     reason_ = errno;
     return;
   }
@@ -98,13 +103,6 @@ FedProgram::Ending FedProgram::finish() {
   const int status = ended(static_cast<pid_t>(std::exchange(process_, -1)));
   if (!WIFEXITED(status)) return {false, fmt::format("signal {}", WTERMSIG(status))};
   return {WEXITSTATUS(status) == 0, fmt::format("exit code {}", WEXITSTATUS(status))};
-}
-
-std::string FedProgram::said() {
-  std::rewind(words_.get());
-  std::string all;
-  for (int c = std::fgetc(words_.get()); c != EOF; c = std::fgetc(words_.get())) all += static_cast<char>(c);
-  return all;
 }
 
 }  // namespace palpate::system

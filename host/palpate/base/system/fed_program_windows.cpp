@@ -94,11 +94,4 @@ FedProgram::Ending FedProgram::finish() {
   return {answer == 0, fmt::format("exit code {}", answer)};
 }
 
-std::string FedProgram::said() {
-  std::rewind(words_.get());
-  std::string all;
-  for (int c = std::fgetc(words_.get()); c != EOF; c = std::fgetc(words_.get())) all += static_cast<char>(c);
-  return all;
-}
-
 }  // namespace palpate::system

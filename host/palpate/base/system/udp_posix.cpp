@@ -23,6 +23,12 @@ sockaddr_in systemsAddress(const UdpPeer& peer) {
 
 std::string reason() { return std::generic_category().message(errno); }
 
+#ifdef SOCK_CLOEXEC  // at once: a program that another thread starts must not get it
+constexpr int kKind = SOCK_DGRAM | SOCK_CLOEXEC;
+#else
+constexpr int kKind = SOCK_DGRAM;
+#endif
+
 /// Not waiting, and not handed on to programs that are started.
 bool setUp(int socket) {
   return ::fcntl(socket, F_SETFL, O_NONBLOCK) == 0 && ::fcntl(socket, F_SETFD, FD_CLOEXEC) == 0;
@@ -30,7 +36,7 @@ bool setUp(int socket) {
 
 }  // namespace
 
-UdpPort::UdpPort(const UdpPeer& at) : socket_(::socket(AF_INET, SOCK_DGRAM, 0)) {
+UdpPort::UdpPort(const UdpPeer& at) : socket_(::socket(AF_INET, kKind, 0)) {
   const int socket = static_cast<int>(socket_);
   const sockaddr_in address = systemsAddress(at);
   const bool bound =
