@@ -96,6 +96,7 @@ class Page {
     this.source.onFrame((frame) => this.frames.push(frame));
     this.source.onTrouble((words) => this.fail(words));
     this.source.onBody((body) => this.setBody(body));
+    this.source.onAway?.((words) => this.away(words));
   }
 
   async start() {
@@ -173,10 +174,19 @@ class Page {
     element('depth').textContent = finger.touch === 0 ? 'free' : `${finger.depth.toFixed(1)} mm deep, ${finger.touch === 2 ? 'slides' : 'sticks'}`;
   }
   showPace(pace) {
+    if (this.is_away) return;
     const [width, height] = this.picture.pixels();
     const fps = this.picture.quality.fps;
     const ticks = pace ? `${pace.ticks_per_s.toFixed(0)} ticks/s, late ${pace.late_ms.toFixed(1)} ms (p99)${pace.lost > 0 ? `, ${pace.lost} lost` : ''}` : '';
     element('pace').textContent = `${ticks} · ${fps.toFixed(0)} pictures/s at ${width} x ${height} · ${this.body.corners.length / 3} triangles`;
+  }
+  /// Whoever feels the body is out of reach (words), or back (null): nothing old may look like news.
+  away(words) {
+    this.is_away = words !== null;
+    if (!this.is_away) return;
+    element('pace').textContent = words;
+    element('force').textContent = '–';
+    element('depth').textContent = 'no server';
   }
   showFingers() {
     const { active, aims, held } = this.fingers;

@@ -10,6 +10,7 @@ const AIM_MS = 16; // between two places of a finger
 const ALIVE_MS = 150; // a pressing finger says so often that it is still meant: the server lets go of a silent one
 const FIRST_WAIT_MS = 500;
 const LONGEST_WAIT_MS = 10000;
+const SILENT_MS = 5000; // the server says something every second: a network that was cut closes nothing
 
 /// From the address once, then out of it: an address that is shown or copied gives nothing away.
 function takeToken() {
@@ -29,6 +30,7 @@ class ServedSource {
     this.frame = () => {};
     this.trouble = () => {};
     this.body = () => {};
+    this.away = () => {};
     this.aims = [undefined, undefined]; // of each finger: what the server has to hear
     this.told = [null, null];
     this.told_ms = [0, 0];
@@ -43,36 +45,41 @@ class ServedSource {
   onBody(callback) {
     this.body = callback;
   }
+  onAway(callback) {
+    this.away = callback;
+  }
 
   async start() {
     this.token = takeToken();
-    if (!this.token) throw new Error('This page shows a body that is felt elsewhere: open it by the address with #token= that the server printed.');
-    this.bar = new ServedBar((message) => this.say(message));
+    if (!this.token) throw new Error('This page shows a body that is served by another computer: open it with the address that the server printed, including #token=.');
+    this.bar = new ServedBar((message) => this.say(message), () => this.reconnect());
     this.skin = await ServedSkin.load();
     const body = await this.connect();
     setInterval(() => this.sendAims(), AIM_MS);
+    setInterval(() => this.listenForSilence(), 1000);
     requestAnimationFrame(() => this.draw());
     return body;
   }
 
   // ---- the server
 
-  async fetched(what) {
-    const answer = await fetch(`./served/${what}`, { headers: { Authorization: `Bearer ${this.token}` }, cache: 'no-store' });
-    if (answer.status === 401) throw new Refused('The server does not know this token: it was started anew, or the address is wrong.');
-    if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
+  async fetched(what, signal = undefined) {
+    const answer = await fetch(`./served/${what}`, { headers: { Authorization: `Bearer ${this.token}` }, cache: 'no-store', signal });
+    if (answer.status === 401) throw new Refused('The server does not know this token: it was restarted with new tokens, or the address is wrong.');
+    if (!answer.ok) throw new Error(`the server answered ${answer.status}`);
     return new Uint8Array(await answer.arrayBuffer());
   }
 
   /// A Body when it is another than before, else null.
   async connect() {
-    await this.fetched('state'); // a WebSocket does not say why it was refused
+    await this.fetched('state', AbortSignal.timeout(SILENT_MS)); // a WebSocket does not say why it was refused
     const address = new URL('./served/contacts', location.href);
     address.protocol = address.protocol.replace('http', 'ws');
     this.socket = new WebSocket(address, ['palpate.1', `palpate.token.${this.token}`]);
     this.socket.binaryType = 'arraybuffer';
     const hello = await new Promise((resolve, reject) => {
-      this.socket.onclose = (event) => reject(new Error(event.reason || 'there is no room, or no server'));
+      setTimeout(() => reject(new Error('it does not answer')), SILENT_MS);
+      this.socket.onclose = (event) => reject(new Error(event.reason || 'the server is full or not running'));
       this.socket.onmessage = ({ data }) => {
         const message = typeof data === 'string' ? JSON.parse(data) : {};
         if (message.type === 'hello') resolve(message);
@@ -83,6 +90,8 @@ class ServedSource {
     this.newest = null;
     this.told = [null, null];
     this.wait_ms = FIRST_WAIT_MS;
+    this.heard_ms = performance.now();
+    this.away(null);
     this.socket.onmessage = ({ data }) => this.take(data);
     this.socket.onclose = (event) => this.lost(event.reason);
     if (known) return null;
@@ -94,28 +103,54 @@ class ServedSource {
     };
   }
 
+  listenForSilence() {
+    if (this.socket?.readyState !== WebSocket.OPEN || performance.now() - this.heard_ms < SILENT_MS) return;
+    this.drop();
+    this.lost('it does not answer');
+  }
+  /// The connection ends without a word to anybody.
+  drop() {
+    if (!this.socket) return;
+    this.socket.onclose = this.socket.onmessage = null;
+    this.socket.close();
+  }
   lost(reason) {
-    this.state = null;
-    this.bar.away(`No server${reason ? ` (${reason})` : ''}: trying again`);
+    this.gone(`The server is gone${reason ? ` (${reason})` : ''}. Trying to reconnect.`);
     // Apart from each other, or a hall of pages comes back in the same moment.
     const wait_ms = this.wait_ms * (0.75 + 0.5 * Math.random());
     this.wait_ms = Math.min(LONGEST_WAIT_MS, 2 * this.wait_ms);
-    setTimeout(() => this.again(), wait_ms);
+    this.timer = setTimeout(() => this.again(), wait_ms);
+  }
+  gone(words) {
+    this.state = this.newest = null;
+    this.bar.away(words);
+    this.away(words);
+  }
+  /// The user does not want to wait.
+  reconnect() {
+    clearTimeout(this.timer);
+    this.wait_ms = FIRST_WAIT_MS;
+    this.again();
   }
   async again() {
+    if (this.connecting) return undefined;
+    this.connecting = true;
     try {
       const body = await this.connect();
       if (body) this.body(body);
     } catch (error) {
-      this.socket?.close();
+      this.drop();
       if (!(error instanceof Refused)) return this.lost(error.message);
-      this.bar.away(error.message);
+      this.gone(error.message);
       this.trouble(error.message);
+    } finally {
+      this.connecting = false;
     }
     return undefined;
   }
 
   take(data) {
+    this.heard_ms = performance.now();
     if (typeof data !== 'string') {
       this.newest = new Uint8Array(data); // older ones are of no use
       return;

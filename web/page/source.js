@@ -12,6 +12,7 @@
 //   source.onFrame(callback)        callback(frame), at most one a picture, see below
 //   source.taken(frames)            so many of them were drawn or thrown away: only then others follow
 //   source.onTrouble(callback)      callback(words) when it stops for good; onBody(callback): another Body from now on
+//   source.onAway?.(callback)       callback(words) while who feels the body is out of reach, callback(null) when back
 //   await source.open(name, bytes, unit_mm)      a mesh file: a Body; rejects in words and keeps the old body
 //   await source.setDysfunctions([{x, y, radius, change}])   gives the new stiffness (Float32Array)
 //   await source.record()           {csv, toml}: what was felt so far and the scene it was felt on

@@ -61,20 +61,20 @@ test('one page presses, another sees it, and who instructs halts it', { timeout:
   const hand = await opened('control', other);
   await hand.press(...MIDDLE);
   await pressing(hand);
-  await says(hand, 'You have the finger');
+  await says(hand, 'You control the finger');
   assert.equal(await hand.ask('location.hash'), '', 'the token stays in the address');
   assert.equal(await hand.ask('crossOriginIsolated'), true);
   writeFileSync(join(drawn, 'served_hand.png'), await hand.screenshot());
 
   const watcher = await opened('look');
   await pressing(watcher);
-  await says(watcher, 'Somebody has the finger');
+  await says(watcher, 'Someone else controls the finger');
   assert.ok(await watcher.ask('document.querySelector("#served-take").hidden'));
   writeFileSync(join(drawn, 'served_watcher.png'), await watcher.screenshot());
 
   const teacher = await opened('instruct');
   await teacher.click('#served-pause');
-  await says(watcher, 'it is paused');
+  await says(watcher, 'touch is paused');
   await free(teacher); // the watcher's page is hidden behind it: a browser draws it no more
   await teacher.ask("(() => { const e = document.querySelector('#served-text'); e.value = '<b>softer</b>'; e.dispatchEvent(new KeyboardEvent('keydown', {key: 'Enter'})); })()");
   await says(watcher, '<b>softer</b>');
@@ -83,15 +83,33 @@ test('one page presses, another sees it, and who instructs halts it', { timeout:
   await hand.close();
 });
 
-test('a page comes back by itself when the server does', { timeout: 240000 }, async () => {
+test('a page says that the server is gone, and comes back when it does', { timeout: 240000 }, async () => {
   const tab = await opened('look');
   const { port } = server;
   await ended(server.child);
-  await says(tab, 'trying again');
+  await says(tab, 'Trying to reconnect');
+  assert.match(await tab.ask("document.getElementById('pace').textContent"), /^The server is gone/);
+  assert.equal(await tab.ask("document.getElementById('force').textContent"), '–');
+  assert.equal(await tab.ask("document.getElementById('served-again').hidden"), false);
+  await pause(4000); // it tries less and less often
   server = await started(port);
-  await says(tab, 'You look on');
+  await tab.click('#served-again');
+  assert.ok(await tab.until("/ticks\\/s/.test(document.getElementById('pace').textContent)", 15));
+  assert.equal(await tab.ask("document.getElementById('served-again').hidden"), true);
+  await says(tab, 'You are watching');
   const frames = await tab.ask('palpate.newest.tick');
   await tab.until(`palpate.newest.tick !== ${frames}`);
+});
+
+test('a server that answers no more is gone too, although nothing was closed', { timeout: 240000 }, async () => {
+  const tab = await opened('look');
+  server.child.kill('SIGSTOP');
+  try {
+    await tab.until("/^The server is gone \\(it does not answer\\)/.test(document.getElementById('pace').textContent)", 20);
+  } finally {
+    server.child.kill('SIGCONT');
+  }
+  await tab.until("/ticks\\/s/.test(document.getElementById('pace').textContent)", 30);
 });
 
 test('a page that comes to be hidden lifts its finger, and does not knock', { timeout: 240000 }, async () => {
@@ -108,7 +126,7 @@ test('a page that comes to be hidden lifts its finger, and does not knock', { ti
 });
 
 test('a wrong token and none are told in words', { timeout: 120000 }, async () => {
-  for (const [end, words] of [['#token=wrong-0123456789abcdef', 'does not know this token'], ['', 'open it by the address']]) {
+  for (const [end, words] of [['#token=wrong-0123456789abcdef', 'does not know this token'], ['', 'open it with the address']]) {
     const tab = await browser.open(`${address}/${end}`);
     await tab.until("document.body.dataset.state === 'failed'");
     assert.match(await tab.ask("document.querySelector('#message-words').textContent"), new RegExp(words));
