@@ -3,8 +3,10 @@ import * as THREE from './three.module.min.js';
 
 const STEEPEST = 1.5; // radians: not quite from straight above
 const FIELD_DEG = 32;
-// Round the body's long axis, and up: from the back, the patient's right, the front, the left.
-const VIEWS = [[0, 0], [Math.PI / 2, 0], [Math.PI, 0], [-Math.PI / 2, 0], [0, 0.9]];
+// Round the body's long axis, and up: obliquely from behind, where a dent shows its depth; from the back, the patient's
+// right, the front, the left, above.
+const OBLIQUE = [0.32, 0.2];
+const VIEWS = [OBLIQUE, [0, 0], [Math.PI / 2, 0], [Math.PI, 0], [-Math.PI / 2, 0], [0, 0.9]];
 
 export class OrbitCamera {
   constructor() {
@@ -22,6 +24,7 @@ export class OrbitCamera {
     this.home();
   }
   home() {
+    this.flight = null;
     [this.yaw, this.pitch] = VIEWS[this.view];
     if (this.middle) this.target.copy(this.middle);
     this.distance = this.fitting();
@@ -55,13 +58,38 @@ export class OrbitCamera {
     this.camera.updateMatrixWorld();
   }
 
+  /// Looks obliquely at a place of the skin from so far away, mm, after `ms` of flight.
+  flyTo(place, normal, distance, ms) {
+    const bounded = (angle) => Math.max(-STEEPEST, Math.min(STEEPEST, angle));
+    const yaw = Math.atan2(normal[0], normal[2]) + OBLIQUE[0];
+    const round = Math.round((this.yaw - yaw) / (2 * Math.PI)) * 2 * Math.PI; // the short way
+    const to = { target: new THREE.Vector3(...place), yaw: yaw + round, pitch: bounded(Math.asin(normal[1]) + OBLIQUE[1]), distance };
+    const from = { target: this.target.clone(), yaw: this.yaw, pitch: this.pitch, distance: this.distance };
+    this.flight = { from, to, ms, start: null };
+    if (ms === 0) this.fly(0);
+  }
+  /// Time is `now`, ms: a flight goes on.
+  fly(now) {
+    if (!this.flight) return;
+    const { from, to, ms } = this.flight;
+    this.flight.start ??= now;
+    const t = ms > 0 ? Math.min(1, (now - this.flight.start) / ms) : 1;
+    const share = t * t * (3 - 2 * t);
+    for (const key of ['yaw', 'pitch', 'distance']) this[key] = from[key] + share * (to[key] - from[key]);
+    this.target.lerpVectors(from.target, to.target, share);
+    if (t === 1) this.flight = null;
+    this.place();
+  }
+
   turn(dx, dy) {
+    this.flight = null;
     this.yaw -= dx * 0.008;
     this.pitch = Math.max(-STEEPEST, Math.min(STEEPEST, this.pitch + dy * 0.008));
     this.place();
   }
   /// By pixels of a picture so high.
   shift(dx, dy, height) {
+    this.flight = null;
     const mm = (2 * this.distance * Math.tan((FIELD_DEG * Math.PI) / 360)) / height;
     const right = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 0);
     const up = new THREE.Vector3().setFromMatrixColumn(this.camera.matrix, 1);
@@ -69,6 +97,7 @@ export class OrbitCamera {
     this.place();
   }
   zoom(factor) {
+    this.flight = null;
     this.distance = Math.max(60, Math.min(20 * this.fitting(), this.distance * factor));
     this.place();
   }

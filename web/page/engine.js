@@ -116,6 +116,17 @@ export class Engine {
     };
   }
 
+  /// The hand that is drawn: {positions, corners, held: pad, direction of its joint and of the forearm}.
+  hand() {
+    const m = this.module;
+    this.check(m._palpate_make_hand());
+    return {
+      positions: this.floats(m._palpate_hand_positions(), 3 * m._palpate_hand_vertices()),
+      corners: this.whole(m._palpate_hand_triangles(), m._palpate_hand_corners()),
+      held: this.doubles(m._palpate_hand_held(), 9),
+    };
+  }
+
   // ---- what was felt, taken along
 
   record() {

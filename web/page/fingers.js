@@ -51,6 +51,11 @@ export class Fingers {
     this.aims[finger] = { ...aim, pressed: false };
     this.tell(finger);
   }
+  lift(finger) {
+    this.held[finger] = false;
+    this.release(finger);
+    this.changed();
+  }
   leave(finger) {
     this.held[finger] = false;
     this.aims[finger] = null;

@@ -2,7 +2,7 @@
 //
 // The seed in the address (?game=7) makes the same place for everybody. What is hidden is in the engine's stiffness; the
 // page shows it after the answer only.
-import { inWords } from './names.js';
+import { inWords } from './places.js';
 
 export const HIDDEN = { radius: 18, change: 60 };
 const LEVELS = ['T4', 'T6', 'T8', 'T10', 'T12', 'L2'];
@@ -45,15 +45,18 @@ export const canPlay = (body) => LEVELS.every((level) => body.landmarks.some(({ 
 
 export class Game {
   /// `hooks`: ring(which, place, normal, radius), colouring(name, locked), skinAt(x, y) -> {place, normal} or null,
-  /// fail(words).
+  /// fail(words), announce(words), feel(): the picture gets the keys.
   constructor(parts, source, hooks) {
     Object.assign(this, { parts, source, hooks, state: 'idle', body: null });
     const seed = new URLSearchParams(location.search).get('game');
     this.seed = /^\d{1,9}$/.test(seed ?? '') ? Number(seed) : null;
-    parts.start.addEventListener('click', () => this.begin());
+    parts.start.addEventListener('click', () => this.begin().then(hooks.feel)); // the button is gone then
     parts.mark.addEventListener('click', () => this.setMarking(!this.marking));
     parts.answer.addEventListener('click', () => this.answer());
-    parts.end.addEventListener('click', () => this.end());
+    parts.end.addEventListener('click', () => {
+      this.end();
+      hooks.feel();
+    });
   }
 
   setBody(body) {
@@ -61,18 +64,23 @@ export class Game {
     this.state = 'idle';
     const playable = this.source.can.dysfunctions && canPlay(body);
     this.parts.start.disabled = !playable;
-    this.say(playable ? `One place of the back is ${HIDDEN.change} % stiffer than it should be. Feel for it, mark it.`
-                      : 'The game needs the back that the page begins with.');
+    this.say(playable ? `One place on the back is ${HIDDEN.change} % stiffer than it should be. Find it by touch and mark it.`
+                      : 'The game needs the body that the page opens with.');
     this.show();
     if (this.seed !== null && playable) this.begin();
   }
   say(words) {
     this.parts.words.textContent = words;
   }
+  /// For those too who do not see the panel.
+  tell(words) {
+    this.say(words);
+    this.hooks.announce(words);
+  }
   show() {
     const playing = this.state === 'playing';
     this.parts.start.hidden = playing;
-    this.parts.start.textContent = this.state === 'answered' ? 'Another one' : 'Begin';
+    this.parts.start.textContent = this.state === 'answered' ? 'Play again' : 'Start';
     this.parts.mark.hidden = this.parts.answer.hidden = this.parts.end.hidden = !playing;
     this.parts.answer.disabled = !this.mark;
     this.parts.mark.setAttribute('aria-pressed', String(Boolean(this.marking)));
@@ -95,9 +103,9 @@ export class Game {
       return this.hooks.fail(error.message);
     }
     this.state = 'playing';
-    this.started = null; // the clock begins with the first press
+    this.started = null; // the clock starts with the first contact
     this.setMarking(false);
-    this.say('It is beside the spine, between T4 and L2. Press, compare left and right; then press Mark and click the place.');
+    this.tell('It is next to the spine, between T4 and L2. Compare left and right, then choose Mark and press on the place (key: X).');
     return undefined;
   }
   end() {
@@ -107,7 +115,7 @@ export class Game {
     this.state = 'idle';
     this.hooks.ring('mark', null);
     this.hooks.colouring('plain', false);
-    this.say('Given up. Another one?');
+    this.tell('You gave up. Play again?');
     this.show();
   }
 
@@ -115,17 +123,17 @@ export class Game {
     this.marking = on;
     this.show();
   }
+  /// A finger touches, whatever moved it.
+  touched() {
+    if (this.state === 'playing') this.started ??= performance.now();
+  }
   /// The skin was clicked: true when that was a mark.
   click(hit) {
-    if (this.state !== 'playing') return false;
-    if (!this.marking) {
-      this.started ??= performance.now();
-      return false;
-    }
+    if (this.state !== 'playing' || !this.marking) return false;
     this.mark = hit;
     this.hooks.ring('mark', hit.place, hit.normal, 9);
     this.setMarking(false);
-    this.say(`Marked at ${inWords(this.body.landmarks, hit.place)}.`);
+    this.tell(`Marked at ${inWords(this.body.landmarks, hit.place)}. Mark another place, or choose Answer.`);
     return true;
   }
 
@@ -141,9 +149,11 @@ export class Game {
     const found = distance <= HIDDEN.radius ? 'Found' : 'Not quite';
     const b = document.createElement('b');
     b.textContent = `${points} points. `;
-    this.parts.words.replaceChildren(b, `${found}: ${distance.toFixed(0)} mm away, after ${seconds.toFixed(0)} s. `
-      + `It was at ${inWords(this.body.landmarks, [this.hidden.x, this.hidden.y, 0])}.`);
+    this.parts.words.replaceChildren(b, `${found}: ${distance.toFixed(0)} mm away after ${seconds.toFixed(0)} s. `
+      + `The place was at ${inWords(this.body.landmarks, skin?.place ?? [this.hidden.x, this.hidden.y, 0])}.`);
     this.result = { points, distance, seconds };
     this.show();
+    this.parts.start.focus(); // the button that was pressed is gone
+    this.hooks.announce(this.parts.words.textContent);
   }
 }

@@ -36,6 +36,7 @@ export class Gestures {
   }
 
   down(event) {
+    this.canvas.classList.add('by-pointer'); // no frame round it for those who see where they press
     this.canvas.focus({ preventScroll: true });
     if (event.pointerType === 'mouse' && this.pointers.has(event.pointerId)) return; // a second button
     event.preventDefault();

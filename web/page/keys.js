@@ -2,36 +2,51 @@
 // do the same here.
 
 const STEP_MM = 2;
+const TURN_PX = 15; // as dragging by so many pixels
+const ZOOM = 1.1;
 
-/// `page`: fingers, moveOnSkin(right_mm, up_mm), toggleTurn(), toggleColour(name), toggle(input id), markHere(), camera.
+/// `page`: fingers, moveOnSkin(right_mm, up_mm), pressHere(), liftHere(), toggleHold(), toggleTurn(), toggleColour(name),
+/// toggle(input id), markHere(), look(right, up, shifts) in pixels, lookHere(), readOut(), search(), escape(), camera.
+/// A key is [names, meaning, act, and what letting it go does, if anything].
 export function keysOf(page) {
   const { fingers } = page;
   const step = (event) => (event.shiftKey ? 0.5 : STEP_MM);
   const deeper = (event, sign) => fingers.deeper(fingers.active, sign * (event.shiftKey ? 0.1 : 0.5));
+  const arrow = (right, up) => (e) => {
+    if (page.turning()) page.look(right * TURN_PX, up * TURN_PX, e.shiftKey);
+    else page.moveOnSkin(right * step(e), up * step(e));
+  };
   return [
-    [['Enter'], 'Keep the finger pressed; again: lift it', () => fingers.toggleHold(fingers.active)],
-    [['PageDown', ']'], 'Deeper', (e) => deeper(e, 1)],
-    [['PageUp', '['], 'Less deep', (e) => deeper(e, -1)],
-    [['ArrowLeft'], 'Finger to the left', (e) => page.moveOnSkin(-step(e), 0)],
-    [['ArrowRight'], 'Finger to the right', (e) => page.moveOnSkin(step(e), 0)],
-    [['ArrowUp'], 'Finger up', (e) => page.moveOnSkin(0, step(e))],
-    [['ArrowDown'], 'Finger down', (e) => page.moveOnSkin(0, -step(e))],
-    [['1'], 'Left finger', () => fingers.choose(0)],
-    [['2'], 'Right finger', () => fingers.choose(1)],
-    [['Backspace'], 'Lift every finger', () => [0, 1].forEach((finger) => fingers.leave(finger))],
-    [['Home'], 'The whole body', () => page.camera.home()],
-    [['v'], 'The next view', (e) => page.camera.nextView(e.shiftKey ? -1 : 1)],
-    [['s'], 'Colour by strain', () => page.toggleColour('strain')],
-    [['m'], 'Colour by stiffness', () => page.toggleColour('stiffness')],
-    [['o'], 'Bones through the skin', () => page.toggle('bones')],
-    [['i'], 'Names of places', () => page.toggle('places')],
-    [['t'], 'Turn the body by the left button', () => page.toggleTurn()],
+    [['Enter'], 'Put the finger on the skin and keep it pressed; again: lift it', () => page.toggleHold()],
+    [[' '], 'Press for as long as the key is down', () => page.pressHere(), () => page.liftHere()],
+    [['ArrowLeft'], 'Move the finger 2 mm to the left; with Shift 0.5 mm', arrow(-1, 0)],
+    [['ArrowRight'], 'Move it to the right', arrow(1, 0)],
+    [['ArrowUp'], 'Move it up', arrow(0, 1)],
+    [['ArrowDown'], 'Move it down', arrow(0, -1)],
+    [['PageDown', ']'], 'Press 0.5 mm deeper; with Shift 0.1 mm', (e) => deeper(e, 1)],
+    [['PageUp', '['], 'Press less deep', (e) => deeper(e, -1)],
+    [['1'], 'Use the left finger', () => fingers.choose(0)],
+    [['2'], 'Use the right finger', () => fingers.choose(1)],
+    [['Backspace'], 'Lift both fingers', () => [0, 1].forEach((finger) => fingers.leave(finger))],
+    [['q'], 'Read out force, depth and place', () => page.readOut()],
+    [['t'], 'Turn the body with the arrow keys; with Shift shift it; again: move the finger', () => page.toggleTurn()],
+    [['+', '='], 'Zoom in', () => page.camera.zoom(1 / ZOOM)],
+    [['-'], 'Zoom out', () => page.camera.zoom(ZOOM)],
+    [['f'], 'Look closely at the place under the finger', () => page.lookHere()],
+    [['v'], 'Show the next view; with Shift the one before', (e) => page.camera.nextView(e.shiftKey ? -1 : 1)],
+    [['Home'], 'Show the whole body', () => page.camera.home()],
+    [['/'], 'Search for a place', () => page.search()],
+    [['s'], 'Colour the skin by strain; again: off', () => page.toggleColour('strain')],
+    [['m'], 'Colour the skin by stiffness; again: off', () => page.toggleColour('stiffness')],
+    [['o'], 'Show the bones through the skin', () => page.toggle('bones')],
+    [['i'], 'Show the names of places', () => page.toggle('places')],
     [['x'], 'In the game: mark the place under the finger', () => page.markHere()],
-    [['Tab'], 'The controls, one after the other', null],
+    [['Escape'], 'Close a message; stop marking', () => page.escape()],
+    [['Tab'], 'Go to the controls, one after the other', null],
   ];
 }
 
-const SHOWN = { ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓', PageDown: 'PgDn', PageUp: 'PgUp' };
+const SHOWN = { ' ': 'Space', Escape: 'Esc', ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓', PageDown: 'PgDn', PageUp: 'PgUp' };
 
 /// Fills the list and listens. Keys mean this only while the picture has them, or nothing has.
 export function listen(keys, list, picture) {
@@ -42,13 +57,26 @@ export function listen(keys, list, picture) {
     dd.textContent = meaning;
     list.append(dt, dd);
   }
+  const keyOf = (event) => {
+    const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    return keys.find(([names, , act]) => act && names.includes(name));
+  };
+  const down = new Map(); // of those that do something when they are let go
   addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     if (document.activeElement !== picture && document.activeElement !== document.body) return;
-    const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const key = keys.find(([names, , act]) => act && names.includes(name));
+    picture.classList.remove('by-pointer');
+    const key = keyOf(event);
     if (!key) return;
     event.preventDefault();
+    if (key[3] && event.repeat) return;
+    if (key[3]) down.set(event.key, key[3]);
     key[2](event);
   });
+  const release = (name) => {
+    down.get(name)?.();
+    down.delete(name);
+  };
+  addEventListener('keyup', (event) => release(event.key));
+  addEventListener('blur', () => [...down.keys()].forEach(release));
 }

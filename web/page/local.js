@@ -92,7 +92,7 @@ class LocalSource {
     this.asked.clear();
   }
   ask(message) {
-    if (!this.worker) return Promise.reject(new Error('the engine is not there'));
+    if (!this.worker) return Promise.reject(new Error('the engine is not running'));
     const id = this.next_id++;
     this.worker.postMessage({ id, ...message });
     return new Promise((resolve, reject) => this.asked.set(id, { resolve, reject }));

@@ -3,20 +3,29 @@
 //   gestures, keys, headset ─► Fingers ─► source ─ frames ─► Picture, plot, words
 //                                           ▲
 //                         files, game ──────┘ bodies, hidden places
+import { Announcer } from './announcer.js';
 import { chooseSource } from './source.js';
 import { Files } from './files.js';
+import { Find } from './find.js';
 import { Fingers } from './fingers.js';
 import { Game } from './game.js';
 import { Gestures } from './gestures.js';
 import { Headset } from './headset.js';
+import { Hint } from './hint.js';
 import { Legend } from './legend.js';
 import { Names } from './names.js';
 import { Picture } from './picture.js';
 import { Plot } from './plot.js';
+import { inWords } from './places.js';
 import { keysOf, listen } from './keys.js';
 import { missingHere, wordsFor } from './support.js';
+import { TouchEvents } from './touch_events.js';
 
 const element = (id) => document.getElementById(id);
+const FLIGHT_MS = 700;
+const CLOSE_MM = 450; // from the eye to a place that is looked at
+const FOUND_MM = 12; // radius of the ring round it
+const SIDES = ['Left', 'Right'];
 
 class Page {
   constructor(source) {
@@ -27,14 +36,19 @@ class Page {
     this.plot = new Plot(element('plot'));
     this.names = new Names(element('names'));
     this.legend = new Legend();
+    this.announcer = new Announcer(element('events'));
+    this.hint = new Hint(element('hint'), element('picture'));
+    this.touches = new TouchEvents({
+      contact: (finger) => this.announcer.say(`${SIDES[finger]} finger in contact${this.placeOf(finger, ' at ')}`),
+      lifted: (finger, most) => this.announcer.say(`${SIDES[finger]} finger lifted; largest force ${most.toFixed(1)} newtons`),
+    });
+    this.find = new Find({ form: element('find'), input: element('find-words'), says: element('find-says'), near: element('find-near') },
+                         { go: (place) => this.goTo(place) });
     this.frames = [];
     const pick = (x, y) => this.picture.pick(x, y);
     this.gestures = new Gestures(element('picture'), this.camera, this.fingers, {
       pick,
-      click: (hit) => {
-        element('hint').classList.add('gone');
-        return this.game.click(hit);
-      },
+      click: (hit) => this.game.click(hit),
     });
     this.game = new Game({
       words: element('game-words'), start: element('game-start'), mark: element('game-mark'), answer: element('game-answer'), end: element('game-end'),
@@ -47,6 +61,8 @@ class Page {
       colouring: (name, locked) => this.colour(name, locked),
       skinAt: (x, y) => this.picture.skinAt(x, y),
       fail: (words) => this.fail(words),
+      announce: (words) => this.announcer.say(words),
+      feel: () => element('picture').focus(),
     });
     this.files = new Files({ open: element('open'), file: element('file'), unit: element('unit'), export: element('export'), drop: element('drop') }, {
       open: (name, bytes, unit_mm) => this.open(name, bytes, unit_mm),
@@ -66,9 +82,7 @@ class Page {
 
   connect() {
     const on = (id, name, act) => element(id).addEventListener(name, act);
-    on('message-away', 'click', () => {
-      element('message').hidden = true;
-    });
+    on('message-away', 'click', () => this.closeMessage());
     on('colouring', 'change', () => this.colour(element('colouring').value));
     on('bones', 'change', () => this.picture.showBones(element('bones').checked));
     on('places', 'change', () => {
@@ -79,16 +93,14 @@ class Page {
       this.fingers.deepens = element('deeper').checked;
     });
     [0, 1].forEach((finger) => on(`finger-${finger}`, 'click', () => this.fingers.choose(finger)));
-    on('hold', 'click', () => this.fingers.toggleHold(this.fingers.active));
+    on('hold', 'click', () => this.toggleHold());
     on('turn', 'click', () => this.toggleTurn());
+    on('read-out', 'click', () => this.readOut());
     on('whole', 'click', () => this.camera.home());
     on('next-view', 'click', () => this.camera.nextView());
     on('first-body', 'click', () => this.backToFirst());
     on('give-up', 'click', () => this.giveUp());
-    on('panel-button', 'click', () => {
-      const narrow = document.body.classList.toggle('narrow');
-      element('panel-button').setAttribute('aria-expanded', String(!narrow));
-    });
+    on('panel-button', 'click', () => this.showPanel(document.body.classList.contains('narrow')));
     this.fingers.changed = () => this.showFingers();
     const can = this.source.can;
     element('open').disabled = !can.open;
@@ -100,7 +112,7 @@ class Page {
   }
 
   async start() {
-    this.wait('Building the body');
+    this.wait('Building the body …');
     const starting = this.source.start();
     starting.catch(() => {}); // awaited below
     const preview = await this.source.preview?.();
@@ -123,7 +135,8 @@ class Page {
     this.picture.setBody(body);
     this.names.setBody(body);
     this.names.show(element('places').checked);
-    for (const ring of ['mark', 'truth']) this.picture.fingers.showRing(ring, null);
+    this.find.setBody(body);
+    for (const ring of ['mark', 'truth', 'found']) this.picture.fingers.showRing(ring, null);
     this.colour('plain');
     element('bones').disabled = !body.bones;
     element('places').disabled = body.landmarks.length === 0;
@@ -156,6 +169,7 @@ class Page {
       this.plot.add(frame.fingers.map(({ force }) => Math.hypot(...force)), frame.tick);
     }
     const newest = frames.at(-1);
+    if (newest) this.felt(newest.fingers, now);
     this.picture.draw(now);
     this.names.draw(this.camera);
     if (!newest) return;
@@ -165,28 +179,56 @@ class Page {
       this.plotted = now;
       this.plot.draw();
       this.showPace(newest.pace);
+      this.showPlace();
     }
     if (document.body.dataset.state !== 'ready') document.body.dataset.state = 'ready';
   }
   showFelt(felt) {
     const finger = felt[this.fingers.active];
     element('force').textContent = `${Math.hypot(...finger.force).toFixed(2)} N`;
-    element('depth').textContent = finger.touch === 0 ? 'free' : `${finger.depth.toFixed(1)} mm deep, ${finger.touch === 2 ? 'slides' : 'sticks'}`;
+    element('depth').textContent = finger.touch === 0 ? 'no contact' : `${finger.depth.toFixed(1)} mm deep, ${finger.touch === 2 ? 'slips' : 'sticks'}`;
+  }
+  /// Events of touch: for the game's clock, and in words for those who do not see them.
+  felt(fingers, now) {
+    this.touches.take(fingers, now);
+    if (fingers.every(({ touch }) => touch === 0)) return;
+    this.hint.done();
+    this.game.touched();
+  }
+  /// Where a finger is wanted, in words, or '' where it is nowhere.
+  placeOf(finger, before = '') {
+    const aim = this.fingers.aims[finger];
+    const words = aim ? inWords(this.body.landmarks, aim.place) : '';
+    return words && before + words;
+  }
+  showPlace() {
+    element('place').textContent = this.placeOf(this.fingers.active);
+  }
+  /// Asked for: what the readout shows.
+  readOut() {
+    const felt = this.newest?.fingers[this.fingers.active];
+    if (!felt || this.is_away) return this.announcer.now('No connection to the server');
+    const touch = felt.touch === 0 ? 'No contact' : `${Math.hypot(...felt.force).toFixed(1)} newtons, ${felt.depth.toFixed(1)} millimetres deep`;
+    return this.announcer.now(touch + this.placeOf(this.fingers.active, ', '));
   }
   showPace(pace) {
     if (this.is_away) return;
     const [width, height] = this.picture.pixels();
     const fps = this.picture.quality.fps;
     const ticks = pace ? `${pace.ticks_per_s.toFixed(0)} ticks/s, late ${pace.late_ms.toFixed(1)} ms (p99)${pace.lost > 0 ? `, ${pace.lost} lost` : ''}` : '';
-    element('pace').textContent = `${ticks} · ${fps.toFixed(0)} pictures/s at ${width} x ${height} · ${this.body.corners.length / 3} triangles`;
+    element('pace').textContent = `${ticks}${ticks && ' · '}${fps.toFixed(0)} pictures/s at ${width} x ${height} · ${this.body.corners.length / 3} triangles`;
   }
   /// Whoever feels the body is out of reach (words), or back (null): nothing old may look like news.
   away(words) {
+    const was_away = Boolean(this.is_away);
     this.is_away = words !== null;
-    if (!this.is_away) return;
-    element('pace').textContent = words;
-    element('force').textContent = '–';
-    element('depth').textContent = 'no server';
+    element('pace').classList.toggle('lost', this.is_away);
+    if (this.is_away) {
+      element('pace').textContent = words;
+      element('force').textContent = '–';
+      element('depth').textContent = 'no server';
+    }
+    if (was_away !== this.is_away) this.announcer.say(this.is_away ? 'The connection to the server is lost' : 'Connected to the server again');
   }
   showFingers() {
     const { active, aims, held } = this.fingers;
@@ -194,10 +236,11 @@ class Page {
     element('hold').setAttribute('aria-pressed', String(held[active]));
     const depth = aims[active]?.pressed ? aims[active].depth : this.fingers.depth;
     element('wanted-depth').value = depth;
+    element('wanted-depth').setAttribute('aria-valuetext', `${depth.toFixed(1)} millimetres`);
     element('wanted-depth-words').textContent = `${depth.toFixed(1)} mm`;
   }
 
-  // ---- wishes
+  // ---- requests
 
   wishDepth(mm) {
     const finger = this.fingers.active;
@@ -237,6 +280,67 @@ class Page {
     if (aim) this.fingers.move(finger, hit);
     else this.fingers.hover(finger, hit);
   }
+  /// The active finger is somewhere on the skin: in the middle of the picture where it was nowhere.
+  putFinger() {
+    if (!this.fingers.aims[this.fingers.active]) this.moveOnSkin(0, 0);
+    return this.fingers.aims[this.fingers.active];
+  }
+  toggleHold() {
+    if (this.putFinger()) this.fingers.toggleHold(this.fingers.active);
+  }
+  pressHere() {
+    const aim = this.putFinger();
+    this.pressed_by_key = this.fingers.active;
+    if (aim) this.fingers.press(this.pressed_by_key, aim);
+  }
+  liftHere() {
+    this.fingers.lift(this.pressed_by_key);
+  }
+  turning() {
+    return this.gestures.turning;
+  }
+  look(right_px, up_px, shifts) {
+    if (shifts) this.camera.shift(right_px, -up_px, element('picture').clientHeight);
+    else this.camera.turn(right_px, -up_px);
+  }
+  flyTo({ place, normal }) {
+    const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
+    this.camera.flyTo(place, normal, Math.min(CLOSE_MM, this.camera.fitting()), still ? 0 : FLIGHT_MS);
+  }
+  lookHere() {
+    const aim = this.fingers.aims[this.fingers.active];
+    if (aim) this.flyTo(aim);
+  }
+  /// A place that was found in words: seen, marked, and under the finger.
+  goTo({ name, at, normal }) {
+    const from = at.map((x, axis) => x + 200 * normal[axis]);
+    const hit = this.picture.picker.pick(from, normal.map((x) => -x)) ?? { place: at, normal };
+    this.picture.fingers.showRing('found', hit.place, hit.normal, FOUND_MM);
+    this.picture.stale = true;
+    this.flyTo(hit);
+    this.fingers.leave(this.fingers.active);
+    this.fingers.hover(this.fingers.active, hit);
+    this.announcer.now(`At ${name}`);
+    element('picture').focus();
+  }
+  showPanel(on) {
+    document.body.classList.toggle('narrow', !on);
+    element('panel-button').setAttribute('aria-expanded', String(on));
+  }
+  search() {
+    this.showPanel(true);
+    element('find-words').focus();
+    element('find-words').select();
+  }
+  escape() {
+    this.closeMessage();
+    this.game.setMarking(false);
+  }
+  closeMessage() {
+    const had_focus = element('message').contains(document.activeElement);
+    element('message').hidden = true;
+    if (had_focus) element('picture').focus();
+  }
   markHere() {
     const aim = this.fingers.aims[this.fingers.active];
     if (!aim || this.game.state !== 'playing') return;
@@ -247,7 +351,7 @@ class Page {
   // ---- bodies
 
   async open(name, bytes, unit_mm) {
-    this.wait(`Reading ${name}`, true);
+    this.wait(`Reading ${name} …`, true);
     let given_up = false;
     try {
       this.setBody(await this.source.open(name, bytes, unit_mm));
@@ -263,7 +367,7 @@ class Page {
     }
   }
   async backToFirst() {
-    this.wait('Building the body');
+    this.wait('Building the body …');
     try {
       this.setBody(await this.source.firstBody());
       element('first-body').hidden = true;
@@ -273,7 +377,7 @@ class Page {
     this.wait(null);
   }
   async giveUp() {
-    this.wait('Putting the old body back');
+    this.wait('Restoring the previous body …');
     try {
       this.setBody(await this.source.restart());
     } catch (error) {

@@ -1,5 +1,4 @@
-// What the places of the body are called, beside them: those that look at the viewer and do not cover each other; and a
-// place in the words of an examiner.
+// What the places of the body are called, beside them: those that look at the viewer and do not cover each other.
 import { dot, minus } from './picker.js';
 
 export class Names {
@@ -38,17 +37,4 @@ export class Names {
       span.style.transform = `translate(${box[0].toFixed(1)}px, ${box[1].toFixed(1)}px)`;
     });
   }
-}
-
-/// "T9, 28 mm right": the nearest place on the spine, else the nearest of all.
-export function inWords(landmarks, place) {
-  const spine = landmarks.filter(({ name }) => /^[CTL]\d+$/.test(name));
-  const among = spine.length > 0 ? spine : landmarks;
-  if (among.length === 0) return '';
-  const nearest = among.reduce((best, l) => (Math.abs(l.at[1] - place[1]) < Math.abs(best.at[1] - place[1]) ? l : best));
-  const [dx, dy] = [place[0] - nearest.at[0], place[1] - nearest.at[1]];
-  const parts = [];
-  if (Math.abs(dx) >= 1) parts.push(`${Math.abs(dx).toFixed(0)} mm ${dx > 0 ? 'right' : 'left'}`);
-  if (Math.abs(dy) >= 3) parts.push(`${Math.abs(dy).toFixed(0)} mm ${dy > 0 ? 'up' : 'down'}`);
-  return [nearest.name, ...parts].join(', ');
 }

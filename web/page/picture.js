@@ -3,6 +3,7 @@ import * as THREE from './three.module.min.js';
 import { BonesView } from './bones_view.js';
 import { FLOATS_OF_VERTEX } from './engine.js';
 import { FingersView } from './fingers_view.js';
+import { fetchHand } from './hand_shape.js';
 import { OrbitCamera } from './camera.js';
 import { Picker } from './picker.js';
 import { Quality } from './quality.js';
@@ -26,13 +27,29 @@ export class Picture {
     sun.position.set(-0.45, 0.62, 0.64);
     this.orbit.camera.add(sun, new THREE.AmbientLight(0xffffff, 0.9));
     this.scene.add(this.orbit.camera);
-    this.fingers = new FingersView();
+    this.fingers = new FingersView((place) => this.picker?.normalAround(place, [0, 0, 0]));
     this.world.add(this.fingers.group);
-    this.quality = new Quality(() => this.resize());
+    this.quality = new Quality(() => {
+      this.fingers.showAs(this.quality.generous() ? 'hand' : 'finger');
+      this.resize();
+    });
+    if (!this.in_software) this.bringHand();
     this.drawn = 0;
     this.passed = 0;
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    new ResizeObserver(() => {
+      this.resize();
+      this.render(); // or what was emptied would be shown
+    }).observe(canvas.parentElement);
     this.resize();
+  }
+
+  /// A hand for the finger, as long as pictures come quickly.
+  async bringHand() {
+    const hand = await fetchHand();
+    if (!hand) return;
+    this.fingers.setHand(hand);
+    this.fingers.showAs(this.quality.generous() ? 'hand' : 'finger');
+    this.stale = true;
   }
 
   setBody(body) {
@@ -93,19 +110,20 @@ export class Picture {
     return [this.canvas.width, this.canvas.height];
   }
 
+  render() {
+    this.stale = false;
+    ++this.drawn;
+    this.renderer.render(this.scene, this.orbit.camera);
+  }
   /// Once a picture of the screen; draws only what is new.
   draw(now) {
+    this.orbit.fly(now);
     const camera = this.orbit.camera.matrixWorld.elements.join();
     if (camera !== this.camera_before) this.stale = true;
     this.camera_before = camera;
     ++this.passed;
-    if (this.stale || this.renderer.xr.isPresenting) {
-      this.stale = false;
-      ++this.drawn;
-      this.renderer.render(this.scene, this.orbit.camera);
-      this.quality.add(now, true);
-    } else {
-      this.quality.add(now, false);
-    }
+    // Before it is drawn: another number of pixels empties the picture.
+    this.quality.add(now, this.stale || this.renderer.xr.isPresenting);
+    if (this.stale || this.renderer.xr.isPresenting) this.render();
   }
 }

@@ -1,4 +1,4 @@
-// How many pictures a second there are, and fewer pixels while there are too few.
+// How many pictures a second there are, and less to draw while there are too few: fewer pixels, a finger for a hand.
 
 const FEW = 29; // pictures a second
 const MANY = 55;
@@ -17,6 +17,10 @@ export class Quality {
     this.start = now;
     this.pictures = 0;
     this.drawn = 0;
+  }
+  /// Whether there is time for what is drawn only because it is beautiful.
+  generous() {
+    return this.step === 0;
   }
   share() {
     return STEPS[this.step];

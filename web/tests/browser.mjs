@@ -141,11 +141,20 @@ class Tab {
     await this.release(x, y);
   }
   async key(key, code = key) {
-    const text = key.length === 1 ? key : undefined;
-    const codes = { Enter: 13, Tab: 9, ArrowLeft: 37, ArrowRight: 39, ArrowUp: 38, ArrowDown: 40, PageDown: 34, Backspace: 8, Home: 36 };
+    const text = key.length === 1 ? key : { Enter: '\r' }[key];
+    const codes = { Enter: 13, Tab: 9, Escape: 27, '/': 191, '+': 187, '-': 189, ArrowLeft: 37, ArrowRight: 39, ArrowUp: 38, ArrowDown: 40, PageDown: 34, Backspace: 8, Home: 36 };
     const windowsVirtualKeyCode = codes[key] ?? key.toUpperCase().charCodeAt(0);
     await this.send('Input.dispatchKeyEvent', { type: 'keyDown', key, code, text, windowsVirtualKeyCode });
     await this.send('Input.dispatchKeyEvent', { type: 'keyUp', key, code, windowsVirtualKeyCode });
+  }
+  keyDown(key, more = {}) {
+    return this.send('Input.dispatchKeyEvent', { type: 'keyDown', key, windowsVirtualKeyCode: key.toUpperCase().charCodeAt(0), ...more });
+  }
+  keyUp(key, more = {}) {
+    return this.send('Input.dispatchKeyEvent', { type: 'keyUp', key, windowsVirtualKeyCode: key.toUpperCase().charCodeAt(0), ...more });
+  }
+  async type(words) {
+    await this.send('Input.insertText', { text: words });
   }
   /// A file from this machine into the page's file chooser.
   async choose(selector, files) {

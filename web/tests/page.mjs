@@ -50,6 +50,7 @@ const untilFree = (tab) => tab.until('palpate.newest.fingers.every(({ force }) =
 /// `name`: of a picture in web/tests/pictures. Software drawing differs a little between versions of a browser.
 async function looksAs(tab, name, box = STAGE) {
   await tab.ask('(() => { const q = palpate.picture.quality; q.change = () => {}; q.step = 0; palpate.picture.resize(); })()'); // all pixels, however slow
+  await tab.until("!hint.classList.contains('gone') || getComputedStyle(hint).visibility === 'hidden'", 5);
   await pause(500);
   const picture = await tab.screenshot();
   writeFileSync(join(drawn, `${name}.png`), picture);
@@ -236,6 +237,172 @@ test('the game is played to its answer', async () => {
   quiet(tab);
 });
 
+/// By Tab to the control of this id; each one on the way shows that it has the focus.
+async function tabTo(tab, id) {
+  for (let i = 0; i < 60; ++i) {
+    await tab.key('Tab');
+    const [at, outline] = await tab.ask("[document.activeElement.id, getComputedStyle(document.activeElement).outlineStyle]");
+    assert.notEqual(outline, 'none', `${at} does not show its focus`);
+    if (at === id) return;
+  }
+  assert.fail(`Tab does not come to ${id}`);
+}
+
+test('the game is played by the keys alone, and its clock runs', async () => {
+  const tab = await opened();
+  await tabTo(tab, 'game-start');
+  await tab.key('Enter');
+  await tab.until("document.body.dataset.game === 'playing' && document.activeElement.id === 'picture'", 20);
+  assert.equal(await tab.ask('palpate.game.started'), null);
+  await tab.key('Enter');
+  await untilForce(tab);
+  await tab.until('palpate.game.started !== null', 5);
+  await tab.key('x');
+  assert.match(await tab.ask("document.getElementById('game-words').textContent"), /Marked at/);
+  await tabTo(tab, 'game-answer');
+  await tab.key('Enter');
+  await tab.until("document.body.dataset.game === 'answered'", 5);
+  assert.ok((await tab.ask('palpate.game.result.seconds')) > 0);
+  assert.equal(await tab.ask('document.activeElement.id'), 'game-start', 'the focus is where it goes on');
+  quiet(tab);
+});
+
+test('everything the mouse does is done by the keys: press and let go, turn, shift, zoom, look closely', async () => {
+  const tab = await opened();
+  await tab.ask("document.getElementById('picture').focus()");
+  const camera = () => tab.ask('({ ...palpate.camera, camera: null, middle: null, flight: null, target: palpate.camera.target.toArray() })');
+  await tab.keyDown(' ', { text: ' ' });
+  await untilForce(tab);
+  await tab.keyUp(' ');
+  await untilFree(tab);
+  const start = await camera();
+  await tab.key('t');
+  await tab.key('ArrowRight');
+  await tab.key('ArrowUp');
+  const turned = await camera();
+  assert.ok(turned.yaw < start.yaw && turned.pitch < start.pitch, 'as dragging to the right and up');
+  await tab.keyDown('ArrowRight', { modifiers: 8 });
+  await tab.keyUp('ArrowRight', { modifiers: 8 });
+  assert.notDeepEqual((await camera()).target, turned.target);
+  await tab.key('t');
+  await tab.key('+');
+  assert.ok((await camera()).distance < turned.distance);
+  await tab.key('-');
+  await tab.key('f');
+  await tab.until('palpate.camera.flight === null && palpate.camera.distance < 500', 10);
+  await tab.key('Home');
+  assert.equal((await camera()).distance, start.distance);
+  await tab.key('v');
+  assert.notEqual((await camera()).yaw, start.yaw);
+  const help = await tab.ask("document.getElementById('keys').textContent");
+  for (const words of ['Press for as long as', 'Turn the body', 'Zoom in', 'Search for a place', 'Read out', 'Lift both fingers']) assert.ok(help.includes(words), words);
+  quiet(tab);
+});
+
+test('a place is found by its words: flown to, marked, and under the finger; misspelt ones get suggestions', async () => {
+  const tab = await opened();
+  await tab.ask("document.getElementById('picture').focus()");
+  await tab.key('/');
+  assert.equal(await tab.ask('document.activeElement.id'), 'find-words');
+  await tab.type('t6 right 30');
+  await tab.key('Enter');
+  await tab.until('palpate.camera.flight === null && palpate.camera.distance < 500', 10);
+  const { t6, aim, ring } = await tab.ask(`({ t6: palpate.body.landmarks.find(({ name }) => name === 'T6').at, aim: palpate.fingers.aims[0].place,
+    ring: [palpate.picture.fingers.found.visible, ...palpate.picture.fingers.found.position] })`);
+  assert.equal(ring[0], true);
+  assert.ok(Math.hypot(aim[0] - t6[0] - 30, aim[1] - t6[1]) < 8, `${aim}`);
+  await tab.until("/^T\\d+, \\d+ mm right/.test(document.getElementById('place').textContent)", 5);
+  await tab.until("document.getElementById('events').textContent === 'At T6 right 30 mm'", 5);
+  await tab.key('Enter');
+  await untilForce(tab);
+  await looksAs(tab, 'found');
+  await tab.key('Backspace');
+  await tab.until("/lifted/.test(document.getElementById('events').textContent)", 5);
+  await tab.key('/');
+  await tab.type('lft rib 7 angel');
+  await tab.key('Enter');
+  const near = await tab.ask("[...document.querySelectorAll('#find-near button')].map((b) => b.textContent)");
+  assert.equal(near[0], 'left rib 7 angle');
+  assert.ok(near.length <= 3);
+  await tab.click('#find-near button');
+  await tab.until("document.getElementById('events').textContent === 'At left rib 7 angle'", 5);
+  await tab.key('/');
+  await tab.type('the moon');
+  await tab.key('Enter');
+  assert.match(await tab.ask("document.getElementById('find-says').textContent"), /No place here is called “the moon”. Try “T6”/);
+  assert.equal(await tab.ask("document.querySelectorAll('#find-near button').length"), 0);
+  quiet(tab);
+});
+
+test('the first sentence says what to do: with a mouse, with the keys, by touch; and goes when it was done', async () => {
+  const hint = (tab) => tab.ask("document.getElementById('hint').textContent");
+  let tab = await opened();
+  assert.equal(await tab.ask("document.body.innerText.split('\\n').find((line) => line.trim() !== '')"), await hint(tab));
+  assert.match(await hint(tab), /^Press on the back with the left mouse button/);
+  await tab.key('Tab');
+  assert.match(await hint(tab), /^Press Enter to put a finger on the back/);
+  await tab.key('Enter');
+  await tab.until("document.getElementById('hint').classList.contains('gone')", 10);
+  tab = await opened(isolated, { touch: true, width: 390, height: 780 });
+  assert.match(await hint(tab), /^Press and hold on the back/);
+  quiet(tab);
+});
+
+test('on a phone every target is at least 44 pixels wide and high', async () => {
+  const tab = await opened(isolated, { path: '?game=7', touch: true, width: 390, height: 780 });
+  await tab.until("document.body.dataset.game === 'playing'", 20);
+  await tab.ask("(palpate.fail('A message'), palpate.find.look('left rib 7 angel'))");
+  const small = () => tab.ask(`[...document.querySelectorAll('button, select, input, summary')].filter((e) => e.checkVisibility())
+    .map((e) => [e.id || e.textContent, (e.type === 'checkbox' ? e.closest('label') : e).getBoundingClientRect()])
+    .filter(([, { width, height }]) => width < 44 || height < 44).map(([name, { width, height }]) => name + ' ' + width + ' x ' + height)`);
+  assert.deepEqual(await small(), []);
+  assert.ok((await tab.ask("document.querySelectorAll('#find-near button').length")) > 0);
+  await tab.ask("document.getElementById('message-away').click()");
+  await looksAs(tab, 'phone', [0, 0, 390, 430]);
+  quiet(tab);
+});
+
+test('a screen reader: everything has a name, numbers are read on demand, only events are announced', async () => {
+  const tab = await opened();
+  const { nodes } = await tab.send('Accessibility.getFullAXTree');
+  const named = nodes.filter(({ ignored, role }) => !ignored && ['application', 'button', 'checkbox', 'combobox', 'searchbox', 'slider', 'image'].includes(role?.value));
+  assert.ok(named.some(({ role, name }) => role.value === 'application' && name.value === 'Body to palpate'));
+  for (const { role, name } of named) assert.ok(name?.value, `a ${role.value} without a name`);
+  assert.equal(await tab.ask("['force', 'depth', 'wanted-depth-words', 'place', 'pace'].some((id) => document.getElementById(id).closest('output, [aria-live], [role=status], [role=alert]'))"), false);
+  await tab.ask(`(palpate.heard = [], new MutationObserver(() => palpate.heard.push(document.getElementById('events').textContent))
+    .observe(document.getElementById('events'), { childList: true }), 0)`);
+  await tab.press(...MIDDLE);
+  await untilForce(tab);
+  await pause(3000);
+  await tab.release(...MIDDLE);
+  await untilFree(tab);
+  await tab.until('palpate.heard.length >= 2', 10);
+  const heard = await tab.ask('palpate.heard');
+  assert.equal(heard.length, 2, heard.join('; '));
+  assert.match(heard[0], /^Left finger in contact at T\d+/);
+  assert.match(heard[1], /^Left finger lifted; largest force \d+\.\d newtons/);
+  await tab.key('q');
+  await tab.until("/^No contact, T\\d+/.test(document.getElementById('events').textContent)", 5);
+  quiet(tab);
+});
+
+test('a hand presses where pictures come quickly, a finger where they do not', async () => {
+  const tab = await opened();
+  const shown = () => tab.ask("Object.entries(palpate.picture.fingers.fingers[0].shapes).filter(([, shape]) => shape?.visible).map(([name]) => name)");
+  assert.deepEqual(await shown(), ['finger'], 'drawn by the processor');
+  await tab.ask('(palpate.fingers.deepens = false, palpate.picture.bringHand())');
+  await tab.until('palpate.picture.fingers.fingers[0].shapes.hand !== null', 10);
+  assert.deepEqual(await shown(), ['hand']);
+  await tab.press(...MIDDLE);
+  await untilForce(tab);
+  await pause(500);
+  await looksAs(tab, 'hand');
+  await tab.release(...MIDDLE);
+  await tab.ask('(delete palpate.picture.quality.change, palpate.picture.quality.change(performance.now(), 1))');
+  assert.deepEqual(await shown(), ['finger']);
+  quiet(tab);
+});
+
 test('the same seed hides the same place, another seed another one', async () => {
   const tab = await opened();
   const places = await tab.ask(`import('./game.js').then(({ hiddenPlace }) => [7, 7, 8].map((seed) => hiddenPlace(seed, palpate.body.landmarks)))`);
@@ -297,7 +464,7 @@ test('a mesh that takes too long is given up, and the body before is felt again'
   await tab.choose('#file', [file]);
   await tab.until("!document.getElementById('give-up').hidden", 10);
   await tab.ask("document.getElementById('give-up').click()");
-  assert.match(await tab.ask("document.getElementById('waiting-words').textContent"), /old body/);
+  assert.match(await tab.ask("document.getElementById('waiting-words').textContent"), /previous body/);
   await tab.until("document.getElementById('waiting').hidden && palpate.body.landmarks.length > 0", 60);
   assert.equal(await tab.ask("document.getElementById('message').hidden"), true, 'it was wished, so it is not a fault');
   await tab.press(...MIDDLE);
