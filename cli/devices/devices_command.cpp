@@ -13,6 +13,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/device/mouse_finger.h"
 
 namespace palpate::app {
@@ -67,7 +68,7 @@ void runIdentify(const DevicesOptions& options) {
   settings.realtime = options.realtime;
   const Identified found = identifyDevice(settings, progress.display());
   progress.clear();
-  fmt::print("{}", options.json ? jsonOf(found).dump(2) + "\n" : textOf(found));
+  fmt::print("{}", options.json ? jsonDump(jsonOf(found), 2) + "\n" : textOf(found));
 }
 
 void runDevices(const DevicesOptions& options) {
@@ -84,7 +85,7 @@ void runDevices(const DevicesOptions& options) {
     text += textOf(finding, options.doctor);
   }
   progress.clear();
-  fmt::print("{}", options.json ? json.dump(2) + "\n" : text);
+  fmt::print("{}", options.json ? jsonDump(json, 2) + "\n" : text);
   if (!options.names.empty() && !all_here) throw CLI::RuntimeError(1);
 }
 

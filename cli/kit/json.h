@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "palpate/base/json_text.h"
 #include "palpate/base/vec.h"
 #include "palpate/servo/histogram.h"
 
@@ -12,9 +13,7 @@ namespace palpate::app {
 
 /// For people and programs, with a line end. Text of a stranger's file that is not UTF-8 gets U+FFFD; plain dump
 /// throws.
-inline std::string jsonText(const nlohmann::ordered_json& json) {
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
+inline std::string jsonText(const nlohmann::ordered_json& json) { return jsonDump(json, 2) + "\n"; }
 
 /// [x, y, z]; mm for a place, unit length for a direction.
 inline nlohmann::ordered_json vectorJson(const Vec3& v) { return {v.x(), v.y(), v.z()}; }

@@ -15,6 +15,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/model/scanned_body.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
@@ -209,7 +210,7 @@ void runFitBody(const FitBodyArguments& arguments) {
   std::vector<Vec3> places;
   for (const body::SkinLandmark& landmark : result.body.landmarks) places.push_back(landmark.position);
   if (result.fit.doubt.empty()) writeScene(arguments, result);
-  fmt::print("{}", arguments.json ? jsonOf(arguments, result, places).dump(2) + "\n" : textOf(result, places));
+  fmt::print("{}", arguments.json ? jsonDump(jsonOf(arguments, result, places), 2) + "\n" : textOf(result, places));
   if (result.fit.doubt.empty()) return;
   say(fmt::format("{}: not sure enough, nothing was written: {}\n", arguments.scan.file, result.fit.doubt));
   throw CLI::RuntimeError(1);

@@ -20,6 +20,7 @@
 #include "cli/model/triangle_shape.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/path_text.h"
 #include "palpate/mesh/validate.h"
 #include "palpate/trace/forces_table.h"
@@ -259,7 +260,7 @@ void runInfo(const InfoArguments& arguments) {
     nlohmann::ordered_json json = {{"file", arguments.mesh.file}};
     json.update(jsonOf(found.report));
     if (found.shapes) json["shape"] = asJson(*found.shapes);
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", jsonDump(json, 2));
   } else {
     printReadable((found.shapes ? asText(*found.shapes) : "") + textOf(found.report));
   }

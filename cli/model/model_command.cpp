@@ -16,6 +16,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/body/back.h"
@@ -145,7 +146,7 @@ void finish(const char* name, const ModelOptions& options, const Model& model, d
   extra["box_mm"] = vectorJson(box);
   extra["smallest_angle_deg"] = smallestAngleDeg(model.mesh);
   extra["seconds"] = seconds;
-  fmt::print("{}\n", extra.dump(2));
+  fmt::print("{}\n", jsonDump(extra, 2));
 }
 
 void makeBackModel(const ModelOptions& options) {

@@ -17,6 +17,7 @@
 #include "cli/kit/readable_text.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/path_text.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/mesh/repair.h"
@@ -199,7 +200,7 @@ void runRepair(const RepairArguments& arguments) {
   const mesh::RepairResult result = repairFile(arguments, channels);
   const bool has_room = pathOf(arguments.output).extension() == ".ply";  // other formats hold places only
   mesh::save(pathOf(arguments.output), result.mesh, has_room ? channels : mesh::VertexChannels());
-  fmt::print("{}", arguments.json ? jsonOf(result).dump(2) + "\n" : textOf(result));
+  fmt::print("{}", arguments.json ? jsonDump(jsonOf(result), 2) + "\n" : textOf(result));
 }
 
 /// Options that say something of a mesh.

@@ -15,6 +15,7 @@
 #include "cli/kit/simulate_options.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/system/process.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/device/finger_path.h"
@@ -170,7 +171,7 @@ void runRecord(const RecordArguments& arguments) {
     json["marks"] = marks;
     json["overruns"] = loop.overruns;
     json["stalls"] = loop.stalls;
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", jsonDump(json, 2));
     return;
   }
   fmt::print("{}\n  {}; {} marks, {} deadlines missed\n", arguments.out.string(), recordingLine(recording.facts()),

@@ -22,6 +22,7 @@
 #include "cli/render/picture_series.h"
 #include "cli/render/render_options.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
@@ -377,7 +378,7 @@ void drawAndTell(const RenderOptions& options, bool tells) {
   ProgressLine progress;
   const RenderReport result = render(options, progress.display());
   progress.clear();
-  if (tells) fmt::print("{}", options.json ? jsonOf(result).dump(2) + "\n" : summaryOf(result));
+  if (tells) fmt::print("{}", options.json ? jsonDump(jsonOf(result), 2) + "\n" : summaryOf(result));
   if (result.film_missed) throw CLI::RuntimeError(1);
 }
 

@@ -14,6 +14,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/hmac_sha256.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/private_folder.h"
@@ -108,7 +109,7 @@ void writeTokens(const std::filesystem::path& file, const Tokens& tokens) {
   if (std::filesystem::exists(std::filesystem::symlink_status(file))) failAt(file, EEXIST);
   const nlohmann::ordered_json json = {
       {"look", tokens.look}, {"control", tokens.control}, {"instruct", tokens.instruct}};
-  writePrivateFile(file, json.dump(2) + "\n");
+  writePrivateFile(file, jsonDump(json, 2) + "\n");
 }
 
 std::filesystem::path freshTokenFile() {

@@ -23,6 +23,7 @@
 #include "cli/serve/access.h"
 #include "cli/serve/hall.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 
 namespace palpate::app::serving {
 
@@ -213,7 +214,7 @@ std::string Hall::state() const {
   nlohmann::ordered_json json = {
       {"type", "state"}, {"holder", control.holder()}, {"paused", control.paused()}, {"onlookers", watchers.size()}};
   if (!vitals.is_null()) json["servo"] = vitals;
-  return json.dump();
+  return jsonDump(json);
 }
 
 void Hall::tellState() {
@@ -222,7 +223,7 @@ void Hall::tellState() {
 }
 
 void Hall::tellMessage(const std::string& words) {
-  const std::string text = nlohmann::ordered_json{{"type", "message"}, {"text", words}}.dump();
+  const std::string text = jsonDump(nlohmann::ordered_json{{"type", "message"}, {"text", words}});
   for (const auto& [id, watcher] : watchers) tellWords(*watcher, text);
 }
 

@@ -18,6 +18,7 @@
 #include "cli/serve/wire.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/system/process.h"
@@ -252,7 +253,7 @@ void printAddress(const ServeOptions& options, const Network& network, const Tok
     const nlohmann::ordered_json line = {
         {"event", "serving"},     {"address", addresses.front()},     {"addresses", addresses},
         {"port", network.port()}, {"tls", !options.tls_cert.empty()}, {"token_file", file.string()}};
-    fmt::print("{}\n", line.dump());
+    fmt::print("{}\n", jsonDump(line));
   } else {
     fmt::print("Palpate serves \"{}\" on {}\n", title, fmt::join(addresses, ", "));
     for (const auto& [what, token] : {std::pair("look on ", &tokens.look), std::pair("touch   ", &tokens.control),
@@ -285,7 +286,7 @@ nlohmann::ordered_json reportJson(const NetworkCounts& counts, const servo::Loop
 
 void printReport(const ServeOptions& options, const NetworkCounts& counts, const servo::LoopReport& loop) {
   if (options.json) {
-    fmt::print("{}\n", reportJson(counts, loop).dump());
+    fmt::print("{}\n", jsonDump(reportJson(counts, loop)));
     return;
   }
   fmt::print("{} viewers at most, {} frames; {} ticks, {} deadlines missed\n", counts.most_watchers, counts.frames_sent,

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "cli/serve/hall.h"
+#include "palpate/base/json_text.h"
 
 namespace palpate::app::serving {
 
@@ -95,8 +96,7 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
     nlohmann::ordered_json hello = {
         {"type", "hello"}, {"version", 1}, {"you", id_}, {"role", std::string(wordOf(role_))}};
     hello.update(hall_.exhibits.facts);
-    words_.push_back(
-        hello.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));  // a file may be called anything
+    words_.push_back(jsonDump(hello));  // a file may be called anything
     frame_ = hall_.newest;
     hall_.tellState();
     read();
@@ -128,7 +128,7 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
     const bool paused = hall_.control.paused();
     why = hall_.control.hear(id_, role_, *request, hall_.now());
     if (!why.empty()) {
-      refused_ = nlohmann::ordered_json{{"type", "refused"}, {"why", why}}.dump();
+      refused_ = jsonDump(nlohmann::ordered_json{{"type", "refused"}, {"why", why}});
       return send();
     }
     if (const auto* say = std::get_if<Say>(&*request)) hall_.tellMessage(say->words);

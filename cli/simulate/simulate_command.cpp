@@ -11,6 +11,7 @@
 #include "cli/kit/results_folder.h"
 #include "cli/kit/simulate_options.h"
 #include "cli/simulate/simulation.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_file.h"
 
@@ -29,7 +30,7 @@ void runSimulate(const SimulateOptions& options) {
   progress.clear();
   result.preset = options.preset;
   result.files.emplace_back("report.json");
-  const std::string json = reportOf(result).dump(2) + "\n";
+  const std::string json = jsonDump(reportOf(result), 2) + "\n";
   writeFile(result.folder / "report.json", json);
   removeEarlier(results, result.files);
   fmt::print("{}", options.json ? json : summaryOf(result));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/words.h"
 #include "report/page/study_page.h"
@@ -117,7 +118,7 @@ std::string errataJson(const ErrataEffects& effects) {
   const nlohmann::ordered_json json = {{"corrected", listOf(effects.corrected)},
                                        {"all_literal", listOf(effects.all_literal)},
                                        {"errata", listOf(effects.errata)}};
-  return json.dump(2) + "\n";
+  return jsonDump(json, 2) + "\n";
 }
 
 void writeErrata(const ErrataEffects& effects, const std::filesystem::path& folder) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
 #include "report/page/study_page.h"
 
@@ -100,7 +101,7 @@ std::string jsonOf(const std::vector<NumberRow>& rows) {
                                        {"counts", counts},
                                        {"rows", listOf(rows, true)},
                                        {"statements", listOf(rows, false)}};
-  return json.dump(2) + "\n";
+  return jsonDump(json, 2) + "\n";
 }
 
 std::string markdownOf(const std::vector<NumberRow>& rows) {

@@ -16,6 +16,7 @@
 #include "dissertation/partition/partition_report.h"
 #include "lab/commands/bench_arguments.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/hdb/literal_octree.h"
 
@@ -162,7 +163,7 @@ void runPartition(const PartitionArguments& arguments) {
     writePictures(arguments, partitionFigure(mesh, built.partition, report, sight->second));
   }
   progress.clear();
-  fmt::print("{}", arguments.json ? jsonOf(report).dump(2) + "\n" : textOf(report));
+  fmt::print("{}", arguments.json ? jsonDump(jsonOf(report), 2) + "\n" : textOf(report));
 }
 
 void addBoxOptions(CLI::App& command, PartitionArguments& arguments) {

@@ -15,6 +15,7 @@
 #include "lab/counters/machine.h"
 #include "lab/kernels/kernel_times.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
 
 namespace palpate::app {
@@ -74,7 +75,7 @@ void writeBaseline(const std::filesystem::path& file, const Baseline& baseline) 
     json["kernels"].push_back({{"name", time.name}, {"ratio", time.ratio}, {"ns", time.ns}, {"item", time.item}});
   }
   json["machine"] = machineJson();
-  writeFile(file, json.dump(2) + "\n");
+  writeFile(file, jsonDump(json, 2) + "\n");
 }
 
 constexpr int kSlower = 1;  // exit code: the answer is "no"

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/counters/machine.h"
+#include "palpate/base/json_text.h"
 
 namespace palpate::app {
 
@@ -28,7 +29,7 @@ nlohmann::ordered_json machineJson() {
 
 void printReport(nlohmann::ordered_json json, const std::string& text, bool as_json) {
   json["machine"] = machineJson();
-  fmt::print("{}\n", as_json ? json.dump(2) : text + "measured on " + lab::lineOf(lab::thisMachine()));
+  fmt::print("{}\n", as_json ? jsonDump(json, 2) : text + "measured on " + lab::lineOf(lab::thisMachine()));
 }
 
 }  // namespace palpate::app

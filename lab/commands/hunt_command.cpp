@@ -22,6 +22,7 @@
 #include "lab/hunt/hunt.h"
 #include "lab/hunt/kept_case.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 
 namespace palpate::app {
 
@@ -297,7 +298,7 @@ void runHunt(const HuntArguments& arguments) {
   std::vector<std::string> files(result.failing.size());
   if (!arguments.out.empty()) files = writeCases(plan, result, arguments, progress.display());
   progress.clear();
-  fmt::print("{}", arguments.json ? huntJson(plan, result, files).dump(2) + "\n" : huntText(result, files));
+  fmt::print("{}", arguments.json ? jsonDump(huntJson(plan, result, files), 2) + "\n" : huntText(result, files));
   if (!result.failing.empty()) endWithFindings();
 }
 

@@ -18,6 +18,7 @@
 #include "measure/commands/dots_report.h"
 #include "measure/pages/photograph_overlay.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/key_row.h"
 #include "palpate/measure/overlay.h"
@@ -137,7 +138,7 @@ std::vector<std::string> write(const DotsArguments& arguments, const Outputs& ou
   writes(outputs.dots, [&] { writeFile(outputs.dots, dotTableOf(measuring.result)); });
   writes(outputs.key_points, [&] { writeFile(outputs.key_points, keyTable(measuring.result, measuring.pair)); });
   writes(outputs.report,
-         [&] { writeFile(outputs.report, reportJson(measuring.result, measuring.pair).dump(1) + "\n"); });
+         [&] { writeFile(outputs.report, jsonDump(reportJson(measuring.result, measuring.pair), 1) + "\n"); });
   return written;
 }
 
@@ -248,7 +249,7 @@ void run(const DotsArguments& arguments) {
   if (arguments.json) {
     auto report = reportJson(measuring.result, measuring.pair);
     report["files"] = written;
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", jsonDump(report, 2));
   } else {
     fmt::print("{}", reportText(measuring.result, measuring.pair));
     if (!written.empty()) fmt::print("  -> {}\n", fmt::join(written, ", "));

@@ -13,6 +13,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/average.h"
@@ -241,7 +242,7 @@ void runMeasureAverage(const MeasureAverageArguments& arguments) {
     writePicture(averageFigure(averages), arguments.plot);
     written.push_back(arguments.plot);
   }
-  if (arguments.json) return fmt::print("{}\n", jsonOf(averages, written).dump(2));
+  if (arguments.json) return fmt::print("{}\n", jsonDump(jsonOf(averages, written), 2));
   fmt::print("{}", textOf(averages));
   for (const std::string& file : written) fmt::print("-> {}\n", file);
 }

@@ -20,6 +20,7 @@
 #include "measure/commands/dots_report.h"
 #include "measure/pages/photograph_overlay.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
 #include "palpate/maps/key_points.h"
@@ -107,7 +108,7 @@ void runInit(const MeasureSessionArguments& arguments) {
   const FinishesInOrder in_order;
   const std::vector<std::string> written = beginPerson(arguments.folder, protocol);
   if (arguments.json) {
-    return fmt::print("{}\n", ordered_json{{"person", protocol.person}, {"written", written}}.dump(2));
+    return fmt::print("{}\n", jsonDump(ordered_json{{"person", protocol.person}, {"written", written}}, 2));
   }
   fmt::print("{}: {} pictures wanted (checklist.md)\n", protocol.person, 4 * plannedPresses(protocol).size());
   for (const std::string& file : written) fmt::print("-> {}\n", file);
@@ -129,7 +130,7 @@ measure::PressOutcome measureWithOverlay(const fs::path& folder, const Protocol&
   const FinishesInOrder in_order;
   const figures::OverlayPage page{.overlay = overlayOf(measured.measurement), .before = &before, .after = &after};
   figures::writeOverlay(page, folder / (planned.name + "_overlay.png"));
-  writeFile(folder / (planned.name + ".json"), reportJson(measured.measurement, pair).dump(1) + "\n");
+  writeFile(folder / (planned.name + ".json"), jsonDump(reportJson(measured.measurement, pair), 1) + "\n");
   return measured.outcome;
 }
 
@@ -234,7 +235,7 @@ void runWalk(const MeasureSessionArguments& arguments) {
   }
   progress.clear();
   if (arguments.json) {
-    fmt::print("{}\n", walkJson(walk, result).dump(2));
+    fmt::print("{}\n", jsonDump(walkJson(walk, result), 2));
   } else {
     fmt::print("{}{}", walkText(walk), result ? resultText(*result) : std::string());
   }

@@ -11,6 +11,7 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/progress_line.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/place_stiffness.h"
 #include "report/charts/figure.h"
@@ -184,7 +185,7 @@ void runMeasureStiffness(const MeasureStiffnessArguments& arguments) {
     written.push_back(arguments.plot);
   }
   if (arguments.json) {
-    fmt::print("{}\n", jsonOf(fits, arguments.output, written).dump(2));
+    fmt::print("{}\n", jsonDump(jsonOf(fits, arguments.output, written), 2));
   } else {
     fmt::print("{}", textOf(fits, arguments.output));
     for (const std::string& file : written) fmt::print("-> {}\n", file);

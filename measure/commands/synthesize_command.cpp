@@ -16,6 +16,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/measure/synthesis/synthetic_files.h"
 
 namespace palpate::app {
@@ -114,7 +115,7 @@ void tell(const SynthesizeArguments& arguments, const std::vector<std::filesyste
     for (const auto& file : files) json["files"].push_back(file.filename().string());
     json["truth"] = nlohmann::ordered_json::parse(measure::truthJson(made, truth));
     json["truth"].erase("dots");
-    fmt::print("{}\n", json.dump(1));
+    fmt::print("{}\n", jsonDump(json, 1));
     return;
   }
   for (const auto& file : files) fmt::print("-> {}\n", file.string());

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/text.h"
 
 namespace palpate::figures {
 
@@ -186,7 +187,7 @@ void Canvas::image(const Rect& place, int columns, int rows, const std::vector<s
 Rect Canvas::textBox(const Vec2& at, const std::string& text, const TextStyle& style) const {
   setFont(impl_->context.get(), style);
   cairo_text_extents_t extents;
-  cairo_text_extents(impl_->context.get(), text.c_str(), &extents);
+  cairo_text_extents(impl_->context.get(), wellFormed(text).c_str(), &extents);
   const double width = extents.x_advance;
   const double height = (kAscent + kDescent) * style.size_px;
   if (style.upwards) {  // "across" runs upwards, "down" runs to the right
@@ -199,8 +200,9 @@ Rect Canvas::textBox(const Vec2& at, const std::string& text, const TextStyle& s
   return {left, top, left + width, top + height};
 }
 
-void Canvas::text(const Vec2& at, const std::string& text, const TextStyle& style) {
-  if (text.empty()) return;
+void Canvas::text(const Vec2& at, const std::string& any_bytes, const TextStyle& style) {
+  if (any_bytes.empty()) return;
+  const std::string text = wellFormed(any_bytes);  // cairo draws nothing any more after one byte that is of no letter
   const Rect box = textBox(at, text, style);
   impl_->texts.push_back({text, box.left, box.top, box.right, box.bottom});
   cairo_t* context = impl_->context.get();

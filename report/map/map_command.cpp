@@ -11,6 +11,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/scene/errata.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/words.h"
@@ -72,12 +73,12 @@ nlohmann::ordered_json summaryOf(const MapArguments& arguments, const MapSkin& s
 }
 
 void print(const MapArguments& arguments, const nlohmann::ordered_json& summary) {
-  if (arguments.json) return fmt::print("{}\n", summary.dump(2));
+  if (arguments.json) return fmt::print("{}\n", jsonDump(summary, 2));
   fmt::print("{} over {}: {} {:.4g} to {:.4g}", summary["map"].get<std::string>(), summary["skin"].get<std::string>(),
              summary["quantity"].get<std::string>(), summary["range"][0].get<double>(),
              summary["range"][1].get<double>());
   for (const char* key : {"fit_error", "fit_error_n_per_mm"}) {
-    if (summary.contains(key)) fmt::print("; {} at the key points {}", key, summary[key].dump());
+    if (summary.contains(key)) fmt::print("; {} at the key points {}", key, jsonDump(summary[key]));
   }
   fmt::print(" -> {}\n", fmt::join(arguments.files, ", "));
   for (const auto& note : summary.value("notes", nlohmann::ordered_json::array())) {

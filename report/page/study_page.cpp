@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
 #include "report/page/plot_parts.h"
 
@@ -109,7 +110,7 @@ std::string jsonOf(const StudyPage& page) {
   json["command"] = page.command;
   json["machine"] = page.machine;
   json["seconds"] = page.seconds;
-  return json.dump(2) + "\n";
+  return jsonDump(json, 2) + "\n";
 }
 
 std::string textOf(const StudyPage& page) {

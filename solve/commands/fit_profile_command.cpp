@@ -12,6 +12,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
 #include "report/charts/picture_file.h"
 #include "solve/commands/fit_reports.h"
@@ -120,7 +121,7 @@ void runFitProfile(const FitProfileArguments& arguments) {
     writePicture(profileFitFigure(result), arguments.plot);
     result.written.push_back(arguments.plot);
   }
-  fmt::print("{}", arguments.json ? jsonOf(result).dump(2) + "\n" : textOf(result));
+  fmt::print("{}", arguments.json ? jsonDump(jsonOf(result), 2) + "\n" : textOf(result));
 }
 
 std::vector<std::string> profileFormWords() {

@@ -13,6 +13,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/output_file.h"
 #include "palpate/elements/drag_solver.h"
 #include "palpate/elements/finger_solver.h"
@@ -184,7 +185,7 @@ void listLibrary(const LibraryArguments& arguments) {
                               {"secant_n_per_mm", secant},
                               {"tangential_over_normal", tissue.tangentialAt(thickness)}});
   }
-  fmt::print("{}", arguments.json ? json.dump(2) + "\n" : text);
+  fmt::print("{}", arguments.json ? jsonDump(json, 2) + "\n" : text);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/kit/commands.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/number_range.h"
 #include "palpate/tissue/published.h"
 
@@ -75,7 +76,7 @@ void addTissueModuliCommand(CLI::App& parent) {
   const auto json = std::make_shared<bool>(false);
   CLI::App& command = *parent.add_subcommand("moduli", "List published stiffness and friction, with their sources");
   command.add_flag("--json", *json, "Print one JSON object");
-  command.callback([json] { fmt::print("{}", *json ? moduliJson().dump(2) + "\n" : moduliText()); });
+  command.callback([json] { fmt::print("{}", *json ? jsonDump(moduliJson(), 2) + "\n" : moduliText()); });
 }
 
 }  // namespace palpate::app

@@ -13,6 +13,7 @@
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/tissue/pressed_numbers.h"
 #include "report/charts/picture_file.h"
 #include "solve/commands/layered_figure.h"
@@ -142,7 +143,7 @@ void runShow(const ShowArguments& arguments) {
     nlohmann::ordered_json json;
     json["tables"] = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < tables.size(); ++i) json["tables"].push_back(tableJson(arguments.files[i], tables[i]));
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", jsonDump(json, 2));
     return;
   }
   for (std::size_t i = 0; i < tables.size(); ++i) fmt::print("{}{}", i > 0 ? "\n" : "", tableText(tables[i]));

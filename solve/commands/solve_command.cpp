@@ -15,6 +15,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/elements/finger_solver.h"
 #include "palpate/elements/stack_solver.h"
 #include "report/charts/picture_file.h"
@@ -156,7 +157,7 @@ void runSolve(const SolveArguments& arguments) {
   progress.clear();
   const elements::PressSolution& press = solution.press;
   if (!press.table.shapes.empty()) writeResults(arguments, solution);
-  fmt::print("{}", arguments.json ? jsonOf(solution).dump(2) + "\n" : textOf(solution));
+  fmt::print("{}", arguments.json ? jsonDump(jsonOf(solution), 2) + "\n" : textOf(solution));
   if (press.stopped_by.empty()) return;
   say(fmt::format("palpate: solved to {:.4g} of {:.4g} mm: {}\n", press.converged_to_mm,
                   settings.press.depths_mm.back(), press.stopped_by));

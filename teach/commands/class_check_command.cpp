@@ -13,6 +13,7 @@
 
 #include "cli/kit/commands.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/certificates.h"
@@ -167,7 +168,7 @@ void runClassCheck(const std::string& folder, bool json) {
       all["steps"].push_back(
           {{"what", finding.what}, {"ok", finding.good}, {"warning", finding.warns}, {"detail", finding.detail}});
     }
-    fmt::print("{}\n", all.dump(2));
+    fmt::print("{}\n", jsonDump(all, 2));
   } else {
     for (const Finding& finding : findings) {
       fmt::print("{:<4}{}{}{}\n", finding.good ? "ok" : "NO", finding.what, finding.detail.empty() ? "" : ": ",

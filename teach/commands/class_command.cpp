@@ -10,6 +10,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_folder.h"
 #include "teach/commands/class_commands.h"
@@ -35,7 +36,7 @@ void runClassInit(const ClassInitArguments& arguments) {
                                          {"host", made.host},
                                          {"port", made.port},
                                          {"stations", made.stations}};
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", jsonDump(json, 2));
     return;
   }
   fmt::print("{}: class {} with {} stations, {} to {}\n\n", arguments.folder, made.class_id, made.stations.size(),

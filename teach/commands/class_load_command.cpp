@@ -19,6 +19,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/simulate/realtime_run.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/order_statistics.h"
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/station_link.h"
@@ -96,7 +97,7 @@ void runLoad(const ClassLoadArguments& arguments) {
       {"caught_up_s", report.caught_up_s},
       {"longest_keep_ms", report.longest_keep_ms}};
   if (!arguments.database.empty()) json.update(comparedWith(arguments.database, report.trials));
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", jsonDump(json, 2));
 }
 
 /// One station's link as the window feeds it: live at sixty pictures a second, an answer every two seconds.
@@ -170,7 +171,7 @@ void runServoBeside(const ClassLoadArguments& arguments) {
                                        {"period_p99_us_without", without},
                                        {"period_p99_us_with", with},
                                        {"ratio_median", upperMedianOf(ratios)}};
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", jsonDump(json, 2));
 }
 
 }  // namespace

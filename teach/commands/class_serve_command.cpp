@@ -16,6 +16,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/broker_process.h"
@@ -160,7 +161,7 @@ void runClassServe(const ClassServeArguments& arguments) {
     if (arguments.json) {
       nlohmann::ordered_json json = jsonOf(report, broker && broker->running());
       json["said"] = lines;
-      fmt::print("{}\n", json.dump());
+      fmt::print("{}\n", jsonDump(json));
       std::fflush(stdout);
     } else if (const std::string text = textOf(report); text != said) {
       progress.show(text, 0.0);

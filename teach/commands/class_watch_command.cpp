@@ -15,6 +15,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_folder.h"
@@ -66,7 +67,7 @@ void printBoard(const ClassWatchArguments& arguments, const classroom::ClassWatc
   const auto started = Clock::now();
   while (endAskedBy() == 0) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
-    printReadable(boardJson(watch).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    printReadable(jsonDump(boardJson(watch)) + "\n");
     std::fflush(stdout);
     if (arguments.seconds > 0.0 && secondsSince(started) >= arguments.seconds) return;
   }

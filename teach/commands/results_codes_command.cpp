@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/kit/number_option.h"
+#include "palpate/base/json_text.h"
 #include "palpate/training/records/trainee_code.h"
 #include "teach/commands/results_commands.h"
 
@@ -41,7 +42,7 @@ void runResultsCodes(const CodesArguments& arguments) {
     for (const std::string& code : codes) {
       list.push_back({{"code", code}, {"trainee", training::pseudonymOf(arguments.class_id, code, arguments.key)}});
     }
-    fmt::print("{}\n", nlohmann::ordered_json{{"class", arguments.class_id}, {"codes", list}}.dump(2));
+    fmt::print("{}\n", jsonDump(nlohmann::ordered_json{{"class", arguments.class_id}, {"codes", list}}, 2));
     return;
   }
   std::string text = arguments.csv ? "code,pseudonym,class,name (keep this list outside)\n" : "";

@@ -7,6 +7,7 @@
 
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/database_copy.h"
@@ -49,7 +50,7 @@ bool saidYes(const RowsOf& rows, const training::TraineeRow& trainee, std::strin
   return trimmed(answer) == "yes";
 }
 
-void printDeletedJson(const nlohmann::ordered_json& json) { fmt::print("{}\n", json.dump(2)); }
+void printDeletedJson(const nlohmann::ordered_json& json) { fmt::print("{}\n", jsonDump(json, 2)); }
 
 void deleteInDatabase(const DeleteArguments& arguments, Store& copy, const training::TraineeRow& trainee) {
   const RowsOf rows = rowsOf(copy, trainee);
@@ -116,7 +117,7 @@ void runResultsPurge(const DeleteArguments& arguments) {
                                          {"sittings", purged.sessions},
                                          {"session_files", purged.files},
                                          {"trainees", purged.trainees}};
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", jsonDump(json, 2));
     return;
   }
   fmt::print("{}: {} sessions, {} recordings, {} trainees of whom nothing is left\n",

@@ -5,6 +5,7 @@
 
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/trace/recording_edit.h"
 #include "palpate/training/records/recording_files.h"
@@ -59,7 +60,7 @@ void runTrialReplay(const TrialReplayArguments& arguments) {
                                          {"samples", trimmed.copied.samples},
                                          {"first_tick", trimmed.copied.first_tick},
                                          {"last_tick", trimmed.copied.last_tick}};
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", jsonDump(json, 2));
     return;
   }
   fmt::print("{}: trial {}, {} samples; it is not locked: remove it when you are done\n", arguments.out, trial.number,

@@ -21,6 +21,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/station_link.h"
@@ -262,9 +263,9 @@ class TraineeCommand {
 
   void finish(const training::Store& store) {
     const Json report = {{"records", store.file().string()}, {"seed", seed_}, {"trainees", std::move(trainees_)}};
-    if (!options_.out.empty()) writeFile(options_.out, report.dump(2) + "\n");
+    if (!options_.out.empty()) writeFile(options_.out, jsonDump(report, 2) + "\n");
     if (options_.json) {
-      fmt::print("{}\n", report.dump(2));
+      fmt::print("{}\n", jsonDump(report, 2));
       return;
     }
     if (simulated_.trainees > 1) fmt::print("{}", classLines());

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/body/torso.h"
 #include "palpate/training/psychometric.h"
 #include "report/recording/report_html.h"
@@ -185,8 +186,7 @@ class PageWriter {
 
   /// In the page for programs; markup letters are escaped as JSON has it, so that they are none.
   void numbers() {
-    std::string text =
-        trainingReportJson(report_).dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
+    std::string text = jsonDump(trainingReportJson(report_), -1, true);
     for (const auto& [letter, escaped] : {std::pair{'<', "\\u003c"}, {'>', "\\u003e"}, {'&', "\\u0026"}}) {
       for (std::size_t at = text.find(letter); at != std::string::npos; at = text.find(letter, at)) {
         text.replace(at, 1, escaped);

@@ -142,6 +142,16 @@ TEST(Seams, TheWholeProductWritesFilesInOnePlace) {
   }
 }
 
+/// Plain dump() throws where a name of a file is no UTF-8, after all the work is done.
+TEST(Seams, JsonBecomesTextInOnePlace) {
+  const std::regex dumps(R"(\.dump\()");
+  EXPECT_EQ(placesIn(kSourceFolder / "core", dumps, {}).size(), 1u) << "base/json_text.h looks at something";
+  for (const char* house :
+       {"core", "host", "view", "report", "cli", "measure", "teach", "dissertation", "solve", "lab", "bindings"}) {
+    EXPECT_EQ(placesIn(kSourceFolder / house, dumps, {"palpate/base/json_text.h"}), kNowhere) << house;
+  }
+}
+
 TEST(Seams, OneFileKnowsBoost) {
   expectOnlyIn({"device/hardware/haply_connection.cpp"}, std::regex("<boost/|boost::"));
 }

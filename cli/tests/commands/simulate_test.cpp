@@ -110,6 +110,21 @@ TEST_F(Simulate, FindsItsOwnWayOverAnyMeshAndSavesIt) {
   EXPECT_NEAR(report("again")["fingers"][0]["force_n"]["peak"], report("own")["fingers"][0]["force_n"]["peak"], 1e-4);
 }
 
+/// What Latin 1 calls an e with an accent is of no letter of UTF-8.
+TEST_F(Simulate, NamesOfFilesMayBeAnyBytes) {
+  std::filesystem::copy_file(folder_ / "dome.obj", folder_ / "d\xf4me.obj");
+  const CommandResult mesh = simulate("--mesh 'd\xf4me.obj' --trajectory path.csv --session --json");
+  ASSERT_EQ(mesh.exit_code, 0) << mesh.err;
+  EXPECT_EQ(report()["body"]["name"], "d\xef\xbf\xbdme.obj");
+  EXPECT_EQ(nlohmann::json::parse(mesh.out), report());
+  write("sz\xe9ne.toml",
+        "[body]\nkind = \"mesh\"\nfile = \"dome.obj\"\n[[finger]]\nname = \"a\"\nat_mm = [0, 0]\n"
+        "script = [{ do = \"press\", depth_mm = 4, seconds = 0.1 }]\n");
+  const CommandResult scene = simulate("'sz\xe9ne.toml' --out scene");
+  ASSERT_EQ(scene.exit_code, 0) << scene.err;
+  EXPECT_GT(report("scene")["ticks"], 0);
+}
+
 TEST_F(Simulate, AMeshWhereASceneMayStandIsPalpatedAsItIs) {
   ASSERT_EQ(simulate("--mesh dome.obj --trajectory path.csv --out named").exit_code, 0);
   ASSERT_EQ(simulate("dome.obj --trajectory path.csv --out alone").exit_code, 0);

@@ -1,4 +1,4 @@
-// Reading text that a stranger wrote: whole files with a size limit, numbers without a locale.
+// Reading text that a stranger wrote: whole files with a size limit, numbers without a locale, letters of UTF-8.
 #pragma once
 
 #include <cstdint>
@@ -29,5 +29,13 @@ std::string_view trimmed(std::string_view text);
 
 /// The fields between separators, each trimmed; "a,,b" has three fields, "" has one.
 std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// How many bytes the letter of UTF-8 has that the text begins with; 0: it begins with none. As RFC 3629 has it: no
+/// overlong forms, no surrogates, nothing beyond U+10FFFF.
+std::size_t letterBytes(std::string_view text) noexcept;
+
+/// The text with U+FFFD for each byte that is of no letter. Names of files are any bytes; JSON, SVG and who draws
+/// letters take UTF-8 alone.
+std::string wellFormed(std::string_view text);
 
 }  // namespace palpate

@@ -37,4 +37,23 @@ TEST(WriteFile, IsReadBackAndNamesTheFileThatCannotBe) {
   EXPECT_THROW(writeFile("/nowhere/at-all.txt", "x"), Error);
 }
 
+TEST(WellFormed, KeepsLettersAndMarksBytesThatAreOfNone) {
+  const std::string mark = "\xef\xbf\xbd";
+  const std::string good = "T6 \xc3\xa9 \xe2\x82\xac \xf0\x9f\x91\x8b";
+  EXPECT_EQ(wellFormed(good), good);
+  EXPECT_EQ(wellFormed("sz\xe9ne.toml"), "sz" + mark + "ne.toml");
+  EXPECT_EQ(wellFormed("\xc0\xaf"), mark + mark) << "overlong";
+  EXPECT_EQ(wellFormed("\xed\xa0\x80"), mark + mark + mark) << "a surrogate";
+  EXPECT_EQ(wellFormed("\xe2\x82"), mark + mark) << "torn off";
+  EXPECT_EQ(wellFormed("\xf4\x90\x80\x80"), mark + mark + mark + mark) << "beyond U+10FFFF";
+  EXPECT_EQ(wellFormed(""), "");
+}
+
+TEST(LetterBytes, CountsTheLetterThatATextBeginsWith) {
+  EXPECT_EQ(letterBytes("a"), 1u);
+  EXPECT_EQ(letterBytes("\xc3\xa9!"), 2u);
+  EXPECT_EQ(letterBytes("\xa9"), 0u);
+  EXPECT_EQ(letterBytes(""), 0u);
+}
+
 }  // namespace palpate

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "palpate/base/error.h"
+#include "palpate/base/text.h"
 #include "palpate/trace/recording_schema.h"
 #include "palpate/trace/sample_block.h"
 
@@ -40,27 +41,10 @@ bool isLike(const Values& values, std::string_view shape, bool is_whole) {
   return true;
 }
 
-bool isUtf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i]);
-    const std::size_t more = lead < 0x80                   ? 0
-                             : lead >= 0xc2 && lead < 0xe0 ? 1
-                             : lead >= 0xe0 && lead < 0xf0 ? 2
-                             : lead >= 0xf0 && lead < 0xf5 ? 3
-                                                           : 9;
-    if (more == 9 || i + more >= text.size()) return false;
-    for (std::size_t k = 1; k <= more; ++k) {
-      if ((static_cast<unsigned char>(text[i + k]) & 0xc0u) != 0x80u) return false;
-    }
-    i += more + 1;
-  }
-  return true;
-}
-
 /// Of bytes that nothing vouches for.
 std::string textOf(const RawValue& value) {
   std::string text = value.bytes;
-  const bool readable = isUtf8(text);
+  const bool readable = wellFormed(text) == text;
   for (char& c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f || (byte >= 0x80 && !readable)) c = '?';

@@ -123,6 +123,14 @@ TEST(Figure, SvgIsWellFormedAndNamesItsSeriesAxesAndUnits) {
   }
 }
 
+TEST(Figure, BytesOfANameThatAreNoLettersAreMarked) {
+  const Figure figure{.title = "sz\xe9ne", .panels = {ratesPlot()}};
+  const std::string svg = svgOf(figure);
+  EXPECT_TRUE(isWellFormed(svg));
+  EXPECT_NE(svg.find("sz\xef\xbf\xbdne"), std::string::npos);
+  EXPECT_FALSE(pngOf(figure).empty());
+}
+
 TEST(Figure, EqualFiguresGiveEqualFiles) {
   EXPECT_EQ(svgOf(manyPanels()), svgOf(manyPanels()));
   EXPECT_EQ(pngOf(manyPanels()), pngOf(manyPanels()));

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "palpate/base/base64.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/training/records/row_check.h"
@@ -60,7 +61,7 @@ double rounded(double value, double most, double steps) { return std::round(with
 Json enveloped(const Envelope& envelope) {
   return {{"seq", envelope.sequence}, {"id", envelope.id}, {"t", rounded(envelope.monotonic_s, 1e9, 1000.0)}};
 }
-std::string lineOf(const Json& message) { return message.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string lineOf(const Json& message) { return jsonDump(message); }
 
 std::string shortened(const std::string& text, std::size_t most) {
   std::size_t end = std::min(text.size(), most);

@@ -6,6 +6,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
+#include "palpate/base/json_text.h"
 
 namespace palpate::training {
 
@@ -62,7 +63,7 @@ std::string blockStateText(const BlockSettings& settings, const BlockState& stat
     text["outcomes"].push_back(
         {outcome.answer, outcome.correct ? 1 : 0, outcome.visited, outcome.target_visited ? 1 : 0});
   }
-  return text.dump();
+  return jsonDump(text);
 }
 
 BlockState parseBlockState(const BlockSettings& settings, std::string_view text) {

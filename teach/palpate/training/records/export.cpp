@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "palpate/base/json_text.h"
 #include "palpate/training/records/row_fields.h"
 
 namespace palpate::training {
@@ -114,7 +115,7 @@ std::string jsonText(RowTables& rows) {
   for (const AnyRow& row : exportedRows(rows)) {
     json[std::string(kindOf(row))].push_back(nlohmann::ordered_json::parse(rowJson(row)));
   }
-  return json.dump(1) + "\n";
+  return jsonDump(json, 1) + "\n";
 }
 
 }  // namespace palpate::training

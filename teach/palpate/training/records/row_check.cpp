@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "palpate/base/error.h"
+#include "palpate/base/text.h"
 
 namespace palpate::training {
 
@@ -19,32 +20,12 @@ bool isWordLetter(char letter) {
          letter == '.' || letter == '_' || letter == '-';
 }
 
-/// How many bytes of a well-formed UTF-8 character begin here; 0: none. Surrogates, overlong forms and what is beyond
-/// U+10FFFF are none: PostgreSQL refuses them, with the whole batch.
-std::size_t utf8Length(std::string_view text) {
-  const auto byte = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  const auto follows = [&byte](std::size_t i, unsigned low = 0x80, unsigned high = 0xbf) {
-    return byte(i) >= low && byte(i) <= high;
-  };
-  const unsigned first = byte(0);
-  if (first < 0x80) return 1;
-  if (first >= 0xc2 && first <= 0xdf) return follows(1) ? 2 : 0;
-  if (first >= 0xe0 && first <= 0xef) {
-    const bool second = follows(1, first == 0xe0 ? 0xa0 : 0x80, first == 0xed ? 0x9f : 0xbf);
-    return second && follows(2) ? 3 : 0;
-  }
-  if (first >= 0xf0 && first <= 0xf4) {
-    const bool second = follows(1, first == 0xf0 ? 0x90 : 0x80, first == 0xf4 ? 0x8f : 0xbf);
-    return second && follows(2) && follows(3) ? 4 : 0;
-  }
-  return 0;
-}
-
+/// PostgreSQL refuses bytes that are of no letter of UTF-8, with the whole batch.
 bool isPlainText(std::string_view text) {
   while (!text.empty()) {
     const auto first = static_cast<unsigned char>(text.front());
     if ((first < 0x20 && first != '\n' && first != '\t' && first != '\r') || first == 0x7f) return false;
-    const std::size_t length = utf8Length(text);
+    const std::size_t length = letterBytes(text);
     if (length == 0) return false;
     text.remove_prefix(length);
   }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/training/records/row_check.h"
 #include "palpate/training/records/row_fields.h"
@@ -127,7 +128,7 @@ class FieldsFromJson {
     const bool in_range = from.is_number_unsigned() ? static_cast<double>(from.get<std::uint64_t>()) <= rule.high
                                                     : static_cast<double>(from.get<std::int64_t>()) >= rule.low;
     if (!in_range) {
-      refuse(name, fmt::format("is {}, not within {} to {}", from.dump(), rule.low, rule.high));
+      refuse(name, fmt::format("is {}, not within {} to {}", jsonDump(from), rule.low, rule.high));
     }
     return from.get<std::int64_t>();
   }
@@ -204,7 +205,7 @@ std::string idOf(const AnyRow& row) {
 
 std::string rowJson(const AnyRow& row) {
   const RowObject object = std::visit([](const auto& held) { return objectOf(held); }, row);
-  return object.dump(-1, ' ', false, RowObject::error_handler_t::replace);
+  return jsonDump(object);
 }
 
 std::string rowJson(const Row& row) { return rowJson(anyRow(row)); }

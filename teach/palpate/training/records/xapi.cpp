@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "palpate/base/json_text.h"
 #include "palpate/training/psychometric.h"
 #include "palpate/training/records/export.h"
 #include "palpate/training/records/trainee_code.h"
@@ -41,7 +42,7 @@ class XapiStatements {
     }
     XapiObject list = XapiObject::array();
     for (const auto& [when, statement] : statements_) list.push_back(statement);
-    return list.dump(1) + "\n";
+    return jsonDump(list, 1) + "\n";
   }
 
  private:
