@@ -21,7 +21,7 @@ struct EndingSignal {
 constexpr std::array<EndingSignal, 3> kEndingSignals = {
     {{system::kInterrupt, "SIGINT"}, {system::kTerminate, "SIGTERM"}, {system::kHangUp, "SIGHUP"}}};
 
-constexpr const char* kEnding = "\npalpate: ending in order; once more ends at once\n";
+constexpr const char* kEnding = "\npalpate: stopping; press Ctrl+C again to quit immediately\n";
 constexpr const char* kEnded = "\npalpate: ended by a signal\n";
 
 /// A closing terminal sends its signal twice, a logout two kinds at once: only what comes later is meant as a second
@@ -53,6 +53,13 @@ void listenForSignals() { system::whenAskedToEnd(askForEnd); }
 
 FinishesInOrder::FinishesInOrder() { ++orderly; }
 FinishesInOrder::~FinishesInOrder() { --orderly; }
+
+NothingToFinish::NothingToFinish() : orderly_before_(orderly.exchange(0)) {
+  if (endAskedBy() == 0) return;
+  orderly += orderly_before_;
+  throw Ended();
+}
+NothingToFinish::~NothingToFinish() { orderly += orderly_before_; }
 
 StoppedBySignal::StoppedBySignal(servo::EmergencyStop& stop) { pressed_first = &stop; }
 StoppedBySignal::~StoppedBySignal() { pressed_first = nullptr; }

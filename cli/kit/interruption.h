@@ -25,6 +25,19 @@ class FinishesInOrder {
   FinishesInOrder& operator=(const FinishesInOrder&) = delete;
 };
 
+/// While one lives, a signal ends the program at once, whatever FinishesInOrder lives around it: a world is built, and
+/// there is nothing yet that anybody would miss. Where a signal has asked already, making one throws Ended.
+class NothingToFinish {
+ public:
+  NothingToFinish();
+  ~NothingToFinish();
+  NothingToFinish(const NothingToFinish&) = delete;
+  NothingToFinish& operator=(const NothingToFinish&) = delete;
+
+ private:
+  int orderly_before_;
+};
+
 /// While it lives, such a signal presses the emergency stop in its handler, before anything else is done about it: no
 /// hand waits for a window to close. One at a time.
 class StoppedBySignal {

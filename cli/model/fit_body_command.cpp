@@ -12,6 +12,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/mesh_arguments.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/model/scanned_body.h"
 #include "palpate/base/error.h"
@@ -229,7 +230,8 @@ void addFitBodyCommand(CLI::App& body) {
                   "more say where the body is, fewer help its shape, none leave it to the shape")
       ->type_name("NAME=PLACE");
   command.add_option("--points", arguments->points, "Table name,x,y,z of the same");
-  command.add_option("-o,--out", arguments->output, "Scene file to write; NAME.fit.json is written beside it")
+  namesFileToWrite(
+      command.add_option("-o,--out", arguments->output, "Scene file to write; NAME.fit.json is written beside it"))
       ->required();
   command.add_flag("--keep-frame", arguments->keep_frame,
                    "Use the scan as it lies, however it is turned: fingers press along its z");

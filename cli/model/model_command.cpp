@@ -16,6 +16,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "palpate/base/json_text.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
@@ -229,7 +230,8 @@ ModelCommand addModel(CLI::App& parent, const char* name, const char* what, std:
   auto options = std::make_shared<ModelOptions>();
   options->triangles = triangles;
   CLI::App* command = parent.add_subcommand(name, what);
-  command->add_option("-o,--out", options->output, "Mesh file to write: .obj, .stl or .ply")->required();
+  namesFileToWrite(command->add_option("-o,--out", options->output, "Mesh file to write: .obj, .stl or .ply"))
+      ->required();
   addNumber(*command, "--triangles", options->triangles, triangle_limits, "Triangles, exactly")->capture_default_str();
   command->add_flag("--json", options->json, "Print the summary as one JSON object");
   command->callback([make, options] { make(*options); });

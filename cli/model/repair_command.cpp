@@ -13,6 +13,7 @@
 #include "cli/kit/json.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "cli/recording/recording_text.h"
@@ -219,10 +220,11 @@ void addRepairCommand(CLI::App& group) {
   CLI::App& command =
       *group.add_subcommand("repair", "Make a mesh fit to be felt, or salvage a recording, and say what was done");
   addMeshArguments(command, arguments->mesh);
-  command
-      .add_option("-o,--out", arguments->output,
-                  "File to write: obj, stl or ply (mm); a ply keeps the numbers and colours of a ply's vertices. Of a "
-                  "recording, a recording")
+  namesFileToWrite(
+      command.add_option(
+          "-o,--out", arguments->output,
+          "File to write: obj, stl or ply (mm); a ply keeps the numbers and colours of a ply's vertices. Of a "
+          "recording, a recording"))
       ->required();
   command.add_flag("--no-weld", arguments->no_weld, "Leave vertices at the same place apart");
   addNumber(command, "--weld-distance-mm", arguments->weld_distance_mm, between(0.0, 1e9, "mm"),

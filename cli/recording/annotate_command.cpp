@@ -10,6 +10,7 @@
 #include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/path_text.h"
@@ -121,7 +122,7 @@ void addAnnotateCommand(CLI::App& recording) {
                   "Put a picture (png, jpg), a sound (wav, ogg, mp3, flac) or a note (txt) into it: FILE@SECONDS; any "
                   "number of times")
       ->allow_extra_args(false);
-  command.add_option("-o,--out", a.out, "Recording file to write")->required();
+  namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
   command.callback([=] { runAnnotate(*arguments); });
 }
 

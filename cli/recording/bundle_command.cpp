@@ -8,6 +8,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
@@ -131,7 +132,7 @@ void addBundleCommand(CLI::App& recording) {
   CLI::App& command = *recording.add_subcommand(
       "bundle", "Write a recording with all files that its scene names, and without names of people or folders");
   command.add_option("RECORDING", a.file, "Recording file")->required();
-  command.add_option("-o,--out", a.out, "Recording file to write")->required();
+  namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
   command.add_option("--folder", a.folder, "Where the files that the scene names lie now (default: where they lay)");
   command
       .add_option("--include", a.included,

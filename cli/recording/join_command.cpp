@@ -8,6 +8,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/trace/recording_edit.h"
@@ -49,7 +50,7 @@ void addJoinCommand(CLI::App& recording) {
   JoinArguments& a = *arguments;
   CLI::App& command = *recording.add_subcommand("join", "Write recordings of the same fingers one after another");
   command.add_option("RECORDING", a.files, "Recording files, in their order")->required()->expected(2, 1000);
-  command.add_option("-o,--out", a.out, "Recording file to write")->required();
+  namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([=] { runJoin(*arguments); });
 }

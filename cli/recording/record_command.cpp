@@ -11,6 +11,7 @@
 #include "cli/kit/device_option.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/simulate_options.h"
 #include "cli/recording/recording_text.h"
@@ -141,13 +142,13 @@ std::size_t waitForTheEnd(engine::ServoThread& servo, engine::Recorder& recorder
 }
 
 void runRecord(const RecordArguments& arguments) {
-  const FinishesInOrder in_order;
   if (!arguments.overwrite && std::filesystem::exists(arguments.out)) {
     throw Error::inFile(arguments.out.string(), "exists already: another name, or --overwrite");
   }
   ProgressLine progress;
   const auto world = scene::build(sceneFor(arguments.input), progress.callback());
   progress.clear();
+  const FinishesInOrder in_order;
   const device::FingerPaths paths = device::pathsOf(*world);
   const std::vector<device::Device> devices = devicesFor(arguments, *world, paths);
   const double scripted_s = static_cast<double>(paths.ticks) / world->scene.ticks_per_s;
@@ -191,7 +192,7 @@ void addRecordCommand(CLI::App& recording) {
             "How long to record (default: until Ctrl+C, without a device until the last path has ended)");
   addDeviceOption(command, a.devices, "Holds the first finger instead of its path, the next one when given again");
   addUnsafeStiffness(command, a.input.unsafe_stiffness);
-  command.add_option("-o,--out", a.out, "Recording file to write")->required();
+  namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
   command.add_flag("--overwrite", a.overwrite, "Replace a recording of that name");
   command.add_option("--notes", a.notes, "What it is about, in a sentence (default: the scene's title)");
   command.add_option("--tags", a.tags, "Words to find it by, with blanks between");

@@ -7,6 +7,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "cli/recording/recording_text.h"
@@ -73,7 +74,7 @@ void addTrimCommand(CLI::App& recording) {
   CLI::App& command = *recording.add_subcommand("trim", "Write a part of a recording as a recording");
   command.add_option("RECORDING", a.file, "Recording file")->required();
   addTimeSpan(command, a.span);
-  command.add_option("-o,--out", a.out, "Recording file to write")->required();
+  namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
   command.add_flag("--exact", a.exact,
                    "Begin just there, also in the middle of a contact (default: where every finger was last at rest)");
   command.add_flag("--json", a.json, "Print one JSON object");

@@ -15,6 +15,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/recording/recording_text.h"
 #include "cli/render/film.h"
@@ -360,10 +361,10 @@ void addSize(CLI::App& command, view::PictureSize& size) {
 }
 
 void addOutputOptions(CLI::App& command, RenderOptions& options) {
-  command
-      .add_option("-o,--out", options.output,
-                  "PNG file; a sequence gets numbers before .png. With --frames also .mp4 or .webm, if ffmpeg is "
-                  "installed; otherwise numbered PNG files and exit code 1")
+  namesFileToWrite(command.add_option(
+                       "-o,--out", options.output,
+                       "PNG file; a sequence gets numbers before .png. With --frames also .mp4 or .webm, if ffmpeg is "
+                       "installed; otherwise numbered PNG files and exit code 1"))
       ->capture_default_str();
   addSize(command, options.size);
   addNumber(command, "--supersampling", options.size.supersampling, between(1, 4),

@@ -9,6 +9,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "cli/recording/recording_text.h"
@@ -140,7 +141,7 @@ void addReplayCommand(CLI::App& recording) {
   command.add_option("RECORDING", a.file, "Recording file")->required();
   command.add_flag("--verify", a.verify, "Exit code 1 unless every bit is the same");
   addTimeSpan(command, a.span);
-  command.add_option("-o,--out", a.out, "Write what is felt now as a table of forces (CSV)");
+  namesFileToWrite(command.add_option("-o,--out", a.out, "Write what is felt now as a table of forces (CSV)"));
   command.add_option("--folder", a.folder, "Where the files that the scene names lie now (default: where they lay)");
   command.add_option(
       "--render", a.film,

@@ -313,7 +313,6 @@ std::vector<std::string> originsOf(const ServeOptions& options) {
 }  // namespace
 
 void serve(const ServeOptions& options) {
-  const FinishesInOrder in_order;
   NetworkSettings settings;
   settings.host = options.host;
   settings.port = options.port;
@@ -326,6 +325,7 @@ void serve(const ServeOptions& options) {
   ProgressLine progress;
   const auto world = scene::build(sceneFor(options.input), progress.callback());
   progress.clear();
+  const FinishesInOrder in_order;
   exhibits.skin = engine::encodedSkinOf(*world);
   exhibits.forms = engine::encodedFormsOf(*world, viewer::kFingers);
   exhibits.facts = factsOf(*world, fingersOf(*world, options), exhibits.skin);

@@ -7,6 +7,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/interruption.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/results_folder.h"
 #include "cli/kit/simulate_options.h"
@@ -24,6 +25,7 @@ void runSimulate(const SimulateOptions& options) {
   ProgressLine progress;
   const scene::Scene scene = sceneFor(options);
   const ResultsFolder results = resultsFolder(options.out, options.overwrite);
+  requireWritableFolder(results.folder);
   SimulationResult result = simulate(
       scene, {results.folder, options.realtime, options.devices, options.recording, options.pictures, options.plot},
       progress.display());

@@ -10,6 +10,7 @@
 #include "cli/kit/device_option.h"
 #include "cli/kit/families.h"
 #include "cli/kit/interruption.h"
+#include "cli/kit/output_place.h"
 #include "cli/render/picture_series.h"
 #include "cli/simulate/realtime_run.h"
 #include "cli/simulate/run_recorder.h"
@@ -33,13 +34,6 @@ constexpr const char* kPlotFile = "forces.png";
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
   to.insert(to.end(), from.begin(), from.end());
-}
-
-void makeFolder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder))
-    throw Error::inFile(folder.string(), "cannot be made a folder for results");
 }
 
 void saveAutomaticPaths(const scene::World& world, const device::FingerPaths& paths, SimulationResult& result) {
@@ -189,12 +183,15 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
   SimulationResult result;
   result.folder = settings.folder;
   const std::int64_t started_ns = monotonicNs();
-  result.world = scene::build(scene, endingWhenAsked(progress));
+  {
+    const NothingToFinish nothing;
+    result.world = scene::build(scene, progress);
+  }
   const scene::World& world = *result.world;
   const device::FingerPaths paths = device::pathsOf(world);
   result.build_s = static_cast<double>(monotonicNs() - started_ns) * 1e-9;
   result.planned_s = result.duration_s = static_cast<double>(paths.ticks) / scene.ticks_per_s;
-  makeFolder(settings.folder);
+  const MadeFolder made(settings.folder);
   saveAutomaticPaths(world, paths, result);
 
   RunRecorder recorder(world, paths, settings.folder);

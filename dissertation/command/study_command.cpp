@@ -15,6 +15,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
 #include "dissertation/errata/errata_study.h"
@@ -56,7 +57,7 @@ std::string pageName(const study::Study& study, const StudyArguments& arguments)
 }
 
 void run(const study::Study& study, const StudyArguments& arguments) {
-  if (!arguments.folder.empty()) study::makeFolder(arguments.folder);  // a folder that cannot be is refused at once
+  const MadeFolder made(arguments.folder);
   tellOfEarlier(arguments.folder, pageName(study, arguments) + ".md");
   ProgressLine progress;
   const study::StudyPage page = study::runStudy(study, {.quick = arguments.quick,
@@ -74,9 +75,10 @@ void run(const study::Study& study, const StudyArguments& arguments) {
 void addPage(CLI::App& parent, const study::Study& study) {
   auto arguments = std::make_shared<StudyArguments>();
   CLI::App& command = *parent.add_subcommand(study.name, study.what);
-  command.add_option("-o,--out", arguments->folder,
-                     "Write the page (" + study.name +
-                         ".md) with its figures (PNG, SVG) and tables (CSV) into this folder; made when missing");
+  namesFolderToWrite(
+      command.add_option("-o,--out", arguments->folder,
+                         "Write the page (" + study.name +
+                             ".md) with its figures (PNG, SVG) and tables (CSV) into this folder; made when missing"));
   command.add_flag("--quick", arguments->quick,
                    "Small models and few repetitions: a look at the page, not a measurement");
   command.add_flag("--json", arguments->json, "Print the findings and main numbers as one JSON object");
@@ -146,7 +148,8 @@ void addStudyAll(CLI::App& parent) {
   auto arguments = std::make_shared<AllArguments>();
   CLI::App& command = *parent.add_subcommand(
       "all", "Every study, a page each, and one readable report.html with all figures; some minutes on two cores");
-  command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing")->required();
+  namesFolderToWrite(command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing"))
+      ->required();
   command.add_flag("--quick", arguments->quick,
                    "Small models and few repetitions: a look at the report, not a measurement");
   command.callback([arguments] { runAll(*arguments); });
@@ -177,8 +180,8 @@ void addNumbers(CLI::App& study) {
       "Printed numbers of the dissertation beside ours, counted apart: from the engine, arithmetic of printed numbers, "
       "misprints, inconsistent, not computable. Exit code 0 when none differs without an erratum that names ours, 1 "
       "otherwise");
-  command.add_option("-o,--out", arguments->folder,
-                     "Also write numbers.md, numbers.csv and numbers.json into this folder");
+  namesFolderToWrite(command.add_option("-o,--out", arguments->folder,
+                                        "Also write numbers.md, numbers.csv and numbers.json into this folder"));
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runNumbers(*arguments); });
 }
@@ -212,7 +215,7 @@ void addFigures(CLI::App& study) {
                                             "Draw figures of the dissertation: PNG, SVG, the curves as CSV, and "
                                             "index.md with captions and what each is drawn "
                                             "from");
-  command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing");
+  namesFolderToWrite(command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing"));
   command.add_option("--only", arguments->only, "Only these, for example 4.8,5.11")->delimiter(',');
   addNumber(command, "--scale", arguments->scale, between(0.25, 8.0), "Pixels of the PNG for 1/96 inch")
       ->capture_default_str();
@@ -244,8 +247,8 @@ void addErrata(CLI::App& study) {
                                             "proxies (mm), skin (mm), strain (%), against "
                                             "the corrected engine");
   command.add_option("scene", arguments->scene, "Scene file (TOML); the built-in scene when left out");
-  command.add_option("-o,--out", arguments->folder,
-                     "Also write errata.md, errata.csv and errata.json into this folder");
+  namesFolderToWrite(command.add_option("-o,--out", arguments->folder,
+                                        "Also write errata.md, errata.csv and errata.json into this folder"));
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runErrata(*arguments); });
 }

@@ -12,6 +12,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "dissertation/partition/partition_report.h"
 #include "lab/commands/bench_arguments.h"
@@ -193,10 +194,11 @@ void addPartitionCommand(CLI::App& study) {
                   "Assignment C in the octree: majority by axes, or two of three vertices in an octant as printed, "
                   "which loses triangles (E6)");
   addBoxOptions(command, *arguments);
-  command
-      .add_option("-o,--out", arguments->pictures,
-                  "Picture, .png or .svg, repeatable: each leaf in a colour of its own, the leaves' boxes; with --box "
-                  "beside it what the box finds")
+  namesFileToWrite(
+      command.add_option(
+          "-o,--out", arguments->pictures,
+          "Picture, .png or .svg, repeatable: each leaf in a colour of its own, the leaves' boxes; with --box "
+          "beside it what the box finds"))
       ->allow_extra_args(false);
   takesOneOf(
       namesOf(sights()),

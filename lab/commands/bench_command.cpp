@@ -7,6 +7,7 @@
 
 #include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
+#include "cli/kit/output_place.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
 #include "lab/workloads/heldout_meshes.h"
@@ -33,7 +34,7 @@ void addWorkloadCommand(CLI::App& parent) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *parent.add_subcommand("workload", "Write a benchmark mesh (.stl, .obj, .ply) or path (.csv)");
   command.add_option("name", arguments->name, "Name, as `palpate study bench list` prints it")->required();
-  command.add_option("-o,--out", arguments->file, "File to write")->required();
+  namesFileToWrite(command.add_option("-o,--out", arguments->file, "File to write"))->required();
   command.callback([arguments] { writeWorkload(arguments->name, arguments->file); });
 }
 

@@ -17,6 +17,7 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/hunt/hunt.h"
@@ -104,9 +105,10 @@ void addHuntOptions(CLI::App& command, HuntArguments& a) {
   addBodyOptions(command, a);
   addNumber(command, "--threads", a.threads, between(0, 1024), "Threads; 0: as many as there are processors")
       ->capture_default_str();
-  command.add_option("-o,--out", a.out,
-                     "Folder for failing cases, made short: body.ply, path.csv, scene.toml (palpate simulate runs it), "
-                     "note.txt");
+  namesFolderToWrite(command.add_option(
+      "-o,--out", a.out,
+      "Folder for failing cases, made short: body.ply, path.csv, scene.toml (palpate simulate runs it), "
+      "note.txt"));
   addNumber(command, "--keep", a.keep, between(0, 1e6), "Cases that are written of each fault")->capture_default_str();
   command.add_option("--replay", a.replay, "Judge a written case again instead of hunting, repeatable")
       ->excludes("--mesh");

@@ -12,6 +12,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/results_folder.h"
@@ -104,16 +105,10 @@ Outputs outputsOf(const DotsArguments& arguments) {
     if (!arguments.overwrite) refuseOccupied(out);
     outputs = {out, out / kKeyFile, out / kReportFile, out / kDotFile, out / kOverlayFile};
   }
+  if (!out.empty()) outputs.folder.empty() ? requireWritableFile(out) : requireWritableFolder(out);
   if (!arguments.overlay.empty()) outputs.overlay = arguments.overlay;
   if (!outputs.overlay.empty()) checkPictureName(outputs.overlay);
   return outputs;
-}
-
-void makeFolder(const fs::path& folder) {
-  if (folder.empty()) return;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw Error::inFile(folder.string(), error.message());
 }
 
 void writeOverlayOf(const Measuring& measuring, const fs::path& file, double width_px) {
@@ -127,7 +122,7 @@ void writeOverlayOf(const Measuring& measuring, const fs::path& file, double wid
 
 std::vector<std::string> write(const DotsArguments& arguments, const Outputs& outputs, const Measuring& measuring) {
   const FinishesInOrder in_order;  // a folder with half of the files would look like a measurement
-  makeFolder(outputs.folder);
+  const MadeFolder made(outputs.folder);
   std::vector<std::string> written;
   const auto writes = [&](const fs::path& file, const auto& work) {
     if (file.empty()) return;

@@ -12,6 +12,7 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
+#include "cli/kit/output_place.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
 #include "palpate/base/nearest_name.h"
@@ -271,7 +272,8 @@ void addMeasureAverageCommand(CLI::App& parent) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("FROM:TO");
-  command.add_option("-o,--out", a.output, "Table of key points to write, as scenes and palpate body map read it");
+  namesFileToWrite(
+      command.add_option("-o,--out", a.output, "Table of key points to write, as scenes and palpate body map read it"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([arguments] { runMeasureAverage(*arguments); });

@@ -8,6 +8,7 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/stencil.h"
@@ -53,7 +54,7 @@ void addMeasureStencilCommand(CLI::App& parent) {
                                  {"tiled-a4", StencilPage::tiled_a4}},
             "Paper; tiled-a4: a file a sheet, to be glued");
   command.add_flag("--scale-target", s.scale_target, "With a ruler of 100 mm to tape onto the skin");
-  command.add_option("-o,--out", arguments->output, "Drawing to write: .svg")->required();
+  namesFileToWrite(command.add_option("-o,--out", arguments->output, "Drawing to write: .svg"))->required();
   command.callback([arguments] { runMeasureStencil(*arguments); });
 }
 

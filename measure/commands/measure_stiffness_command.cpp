@@ -10,6 +10,7 @@
 
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/json_text.h"
 #include "palpate/base/text.h"
@@ -210,7 +211,8 @@ void addMeasureStiffnessCommand(CLI::App& parent) {
                                               {"stiffening", ForceForm::stiffening}},
             "Of every place; best: what foretells unseen rows best");
   command.add_option("--keys", a.keys, "Key points that get the stiffness of the place of their name");
-  command.add_option("-o,--out", a.output, "Table of key points to write, as scenes and palpate body map read it");
+  namesFileToWrite(
+      command.add_option("-o,--out", a.output, "Table of key points to write, as scenes and palpate body map read it"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([arguments] { runMeasureStiffness(*arguments); });

@@ -14,6 +14,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
@@ -129,9 +130,7 @@ void tell(const SynthesizeArguments& arguments, const std::vector<std::filesyste
 void runSynthesize(const SynthesizeArguments& arguments) {
   const SyntheticCase made = wanted(arguments);
   const std::filesystem::path folder = arguments.folder;
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw Error::inFile(arguments.folder, error.message());
+  const MadeFolder made_folder(folder);
   ProgressLine progress;
   const auto files = writeSynthetic(folder, made, progress.callback());
   progress.clear();
@@ -191,7 +190,8 @@ void addMeasureSynthesizeCommand(CLI::App& parent) {
       "synthesize",
       "Paint photographs of a dotted back before and after a press (before.jpg, before2.jpg, after.jpg) with the truth "
       "beside them (truth.json); what is not asked for is drawn from the seed");
-  command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing")->required();
+  namesFolderToWrite(command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing"))
+      ->required();
   addNumber(command, "--seed", arguments->seed, between(0, 1e15), "Another body, grid, press, camera for each")
       ->capture_default_str();
   addNumber(command, "--megapixels", arguments->megapixels, between(0.5, 48.0), "Size of the pictures, 3 to 4")

@@ -9,6 +9,7 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
@@ -112,7 +113,8 @@ void run(const MapArguments& arguments, const Maker& make) {
 }
 
 void addFileOptions(CLI::App& command, MapArguments& a) {
-  command.add_option("-o,--out", a.files, "File to write by its extension, repeatable: .csv .ply .png .svg")
+  namesFileToWrite(
+      command.add_option("-o,--out", a.files, "File to write by its extension, repeatable: .csv .ply .png .svg"))
       ->required()
       ->allow_extra_args(false);
   addNumber(command, "--range", a.range, between(-1e9, 1e9),

@@ -11,6 +11,7 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "palpate/base/error.h"
 #include "palpate/trace/forces_table.h"
 #include "report/charts/picture_file.h"
@@ -113,7 +114,7 @@ void addPlotCommand(CLI::App& recording) {
   PlotArguments& a = *arguments;
   CLI::App& command = *recording.add_subcommand("plot", "Draw a table of forces over time: force, depth, lag, states");
   command.add_option("TABLE", a.table, "forces.csv of `palpate simulate` or of the window")->required();
-  command.add_option("-o,--out", a.output, "Picture to write: .png or .svg")->capture_default_str();
+  namesFileToWrite(command.add_option("-o,--out", a.output, "Picture to write: .png or .svg"))->capture_default_str();
   addNumber(command, "--from", a.from_s, between(-1e9, 1e9, "s"), "Begin at this time (default: with the first row)");
   addNumber(command, "--to", a.to_s, between(-1e9, 1e9, "s"), "End at this time (default: with the last row)");
   command.add_option("--finger", a.fingers, "Only this finger, by its name; repeatable")->allow_extra_args(false);

@@ -6,6 +6,7 @@
 
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
@@ -60,7 +61,8 @@ void addReportCommand(CLI::App& recording) {
   CLI::App& command = *recording.add_subcommand(
       "report", "Tell what a recording was (forces, contacts, phases, maps of the body) as one HTML page");
   command.add_option("FILE", a.request.file, "Recording file")->required();
-  command.add_option("-o,--out", a.request.out, "Page to write (default: the file's name with .html, in this folder)");
+  namesFileToWrite(command.add_option("-o,--out", a.request.out,
+                                      "Page to write (default: the file's name with .html, in this folder)"));
   addTimeSpan(command, a.span);
   command.add_option("--folder", a.folder,
                      "Where the files that the scene names lie now (default: in the recording, else where they lay)");

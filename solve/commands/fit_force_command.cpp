@@ -10,6 +10,7 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
@@ -265,7 +266,7 @@ void addFitForceCommand(CLI::App& parent) {
   addNumber(command, "--most-offset-mm", a.settings.most_offset_mm, above(0.0, 100.0, "mm"),
             "No deeper than this; with --free-offset")
       ->capture_default_str();
-  command.add_option("-o,--out", a.output, "Table to write, as force_table of a scene reads it");
+  namesFileToWrite(command.add_option("-o,--out", a.output, "Table to write, as force_table of a scene reads it"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([arguments] { runFitForce(*arguments); });

@@ -10,6 +10,7 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
@@ -145,7 +146,8 @@ void addFitProfileCommand(CLI::App& parent) {
   takesOneOf(profileFormWords(),
              command.add_option("--form", a.form, "Of the table; best: what foretells unseen places best"))
       ->capture_default_str();
-  command.add_option("-o,--out", a.output, "Table of layered tissue to write (docs/reference/tissue-tables.md)");
+  namesFileToWrite(
+      command.add_option("-o,--out", a.output, "Table of layered tissue to write (docs/reference/tissue-tables.md)"));
   command.add_option("--profile", a.profile, "Table q,value to write, as profile_file of a scene reads it");
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");

@@ -11,6 +11,7 @@
 
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
@@ -209,7 +210,7 @@ void addTissueLibraryCommand(CLI::App& parent) {
                 "With --solve: the drags that `palpate measure` fits to photographs, instead of the body's")
       ->needs(&solve)
       ->excludes(&fingers);
-  command.add_option("-o,--out", a.output, "With --solve: the file");
+  namesFileToWrite(command.add_option("-o,--out", a.output, "With --solve: the file"));
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([arguments] {
     if (arguments->drag) return solveDrags(*arguments);

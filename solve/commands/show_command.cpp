@@ -12,6 +12,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
 #include "palpate/tissue/pressed_numbers.h"
@@ -157,7 +158,7 @@ void addTissueShowCommand(CLI::App& parent) {
   ShowArguments& a = *arguments;
   CLI::App& command = *parent.add_subcommand("show", "Show tables of layered tissue: the pressed skin, force, stacks");
   command.add_option("TABLE", a.files, "Tables of `palpate tissue solve` or `palpate tissue fit profile`")->required();
-  command.add_option("-o,--out", a.output, "Picture to write: .png or .svg");
+  namesFileToWrite(command.add_option("-o,--out", a.output, "Picture to write: .png or .svg"));
   addNumber(command, "--depth", a.depth_mm, above(0.0, 500.0, "mm"),
             "Draw the skin at this depth (default: at every depth of one table, at the deepest that several share)");
   addNumber(command, "--radius-mm", a.radius_mm, between(1.0, 10'000.0, "mm"), "Draw the skin as far as this");

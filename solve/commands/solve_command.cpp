@@ -13,6 +13,7 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
@@ -197,7 +198,7 @@ void addTissueSolveCommand(CLI::App& parent) {
   command.add_flag("--fingers", a.fingers,
                    "Press spheres of 1 to 24 mm too (some 20 s): a scene then takes the table's own forces for a "
                    "finger's radius instead of the shipped stacks' ratio");
-  command.add_option("-o,--out", a.output, "Table to write (JSON)");
+  namesFileToWrite(command.add_option("-o,--out", a.output, "Table to write (JSON)"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([arguments] { runSolve(*arguments); });

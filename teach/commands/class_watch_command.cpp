@@ -82,13 +82,13 @@ void runClassWatch(const ClassWatchArguments& arguments) {
   for (const std::string& line : classroom::certificateWarnings({{"this window", member.certificate, days}})) {
     say(fmt::format("palpate: {}\n", line));
   }
+  viewer::ClassWindowSettings settings;
+  if (!arguments.json) settings.world = scene::build(scene::parse(defaultScene(), "default.toml"));
   const FinishesInOrder in_order;
   classroom::ClassWatch watch(member);
   if (!arguments.records.empty()) rememberRecords(arguments.records, watch);
   if (arguments.json) return printBoard(arguments, watch);
-  viewer::ClassWindowSettings settings;
   settings.title = fmt::format("{} - Palpate", member.class_id);
-  settings.world = scene::build(scene::parse(defaultScene(), "default.toml"));
   settings.opened = arguments.opened;
   settings.seconds = arguments.seconds;
   settings.picture = arguments.picture;

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
@@ -75,7 +76,9 @@ void addResultsReplayCommand(CLI::App& parent) {
       "replay", "One trial as a recording, for palpate recording replay, run, render and report");
   command.add_option("TRIAL", arguments->trial, "Its id, or the end of it")->required();
   addResultsFile(command, arguments->results);
-  command.add_option("-o,--out", arguments->out, "The recording to write")->required()->type_name("OUT.session");
+  namesFileToWrite(command.add_option("-o,--out", arguments->out, "The recording to write"))
+      ->required()
+      ->type_name("OUT.session");
   command.callback([arguments] { runTrialReplay(*arguments); });
 }
 

@@ -19,6 +19,7 @@
 
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
@@ -136,6 +137,7 @@ class TraineeCommand {
     if (!options.code.empty() && !training::codeTyped(options.code)) {
       throw Error(fmt::format("--code '{}' is not a code: a letter of it is wrong", options.code));
     }
+    if (!options.out.empty()) requireWritableFile(options.out);
     bench_.hand = device::handChoice(simulated.hand);
     bench_.protocol = training::protocolNamed(options.protocol);
     if (!options.class_id.empty() && !classroom::isClassWord(options.class_id)) {

@@ -1,6 +1,7 @@
 // `palpate train results report`: how training went, of a trainee or a class, as one page or as numbers.
 #include <memory>
 
+#include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/classroom/database_copy.h"
@@ -43,8 +44,9 @@ void addResultsReportCommand(CLI::App& parent) {
   command
       .add_option("FILE", a.request.file, "Record of training (.results), or a class's PostgreSQL: postgresql://...")
       ->required();
-  command.add_option("-o,--out", a.request.out,
-                     "Page to write (default: the file's name with .html (of a database class.html), in this folder)");
+  namesFileToWrite(command.add_option(
+      "-o,--out", a.request.out,
+      "Page to write (default: the file's name with .html (of a database class.html), in this folder)"));
   CLI::Option& trainee = *command.add_option("--trainee", a.settings.trainee,
                                              "One trainee, by code or by the first letters of the pseudonym");
   command.add_flag("--class", a.settings.whole_class, "All trainees, also where there is but one")->excludes(&trainee);

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -141,6 +142,27 @@ TEST_F(Signals, WhatHasNothingToFinishEndsAtOnce) {
                         [&] { return secondsSince(began) > 0.5; });
   EXPECT_EQ(end, 143);
   EXPECT_LT(secondsSince(began), 60.0);
+}
+
+/// A body of a million triangles takes seconds.
+TEST_F(Signals, WhoStillBuildsItsBodyEndsAtOnce) {
+  const std::string scene =
+      "[body]\nkind = \"trunk\"\ntriangles = 1000000\n[[finger]]\nname = \"a\"\nat = \"T6\"\n"
+      "script = [{ do = \"press\", depth_mm = 4, seconds = 0.1 }]\n";
+  std::ofstream(folder_ / "large.toml") << scene;
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"simulate", "large.toml", "--out", "made"},
+                                                  {"recording", "new", "large.toml", "--out", "made.session"}}) {
+    SCOPED_TRACE(command.front());
+    Clock::time_point asked;
+    const int end = ended(command, SIGINT, [&] {
+      asked = Clock::now();
+      return support::contentOf(folder_ / "err").find("building the ") != std::string::npos;
+    });
+    EXPECT_EQ(end, 130) << support::contentOf(folder_ / "err");
+    EXPECT_LT(secondsSince(asked), 1.0);
+    EXPECT_FALSE(fs::exists(folder_ / "made") || fs::exists(folder_ / "made.session"));
+    fs::remove(folder_ / "err");
+  }
 }
 
 TEST_F(Signals, ARunThatWasKilledLeavesAPartThatIsExplainedAndNeverOverwritten) {

@@ -317,7 +317,8 @@ TEST_F(Simulate, RefusesWrongInputInOneLineWithExitCodeTwo) {
   EXPECT_NE(errorOf("--mesh line.obj").find("palpate: line.obj: "), std::string::npos);
   EXPECT_NE(errorOf("--mesh path.csv").find("palpate: path.csv: "), std::string::npos);
   write("file", "");
-  EXPECT_EQ(errorOf("--mesh dome.obj --out file"), "palpate: file: cannot be made a folder for results\n");
+  EXPECT_EQ(errorOf("--mesh dome.obj --out file"),
+            "palpate: file: cannot be made a folder for results: Not a directory\n");
   EXPECT_EQ(errorOf("--mesh dome.obj --unit furlong"),
             "palpate: --unit: 'furlong' is neither one of auto, mm, cm, dm, m, in nor a number of millimetres (see "
             "--help)\n");

@@ -43,6 +43,7 @@ std::shared_ptr<const Body> builtBody(BodyParts parts, const Progress& progress)
   // Made beside the surface, which takes four times as long.
   Background making_deformable([&] { body->deformable = deform::buildSkin(skin); });
   body->geometry = contact::buildGeometry(skin, parts.self_intersecting);
+  report(progress, "building the contact surface", 0.8);
   body->box = mesh::boundingBox(skin);
   body->vertex_blocks = blocksOf(
       skin.positions.size(), [&](std::size_t v, Eigen::AlignedBox2d& box) { box.extend(skin.positions[v].head<2>()); });

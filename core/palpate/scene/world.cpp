@@ -216,11 +216,13 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
   TissueChoice choice = tissueChoice(scene, forms, !body->anatomy.depth_mm.empty());
   auto healthy = healthyTissue(scene, *body, choice.model, keys, before == nullptr ? nullptr : before->healthy);
   notes.insert(notes.end(), healthy->notes.begin(), healthy->notes.end());
+  report(progress, "mapping stiffness", 0.5);  // between long steps, so that who waits can also end it
   DiseasedStiffness stiffness = diseasedStiffness(scene, *body, *healthy, notes);
   if (std::string note = tissueNote(scene, choice, stiffness.n_per_mm); !note.empty()) notes.push_back(std::move(note));
   noteSteepMap(body->skin, stiffness.steepest, 1.0 / scene.ticks_per_s, notes);
   auto place_curves = placeCurvesOf(scene, forms, notes);
   const std::optional<body::BreathField> breath = breathOf(scene, *body, notes);
+  report(progress, "mapping stiffness", 0.8);
   contact::Surface surface =
       contact::surfaceOf(body->geometry, std::move(stiffness.n_per_mm),
                          {.force_law = forceLaw(scene, healthy->tissue), .tissue_mm = healthy->tissue.thickness_mm});
@@ -230,6 +232,7 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
   report(progress, "preparing the deformation", 0.0);
   const std::shared_ptr<const tissue::LayeredTissue> layered = healthy->tissue.layered;
   auto deformable = deformableOf(body, forms, layered != nullptr, before);
+  report(progress, "preparing the deformation", 0.5);
   const maps::EllipseMapSettings map_settings = ellipseMapSettings(scene, *body);
   maps::AnyEllipseMap ellipses(keys, map_settings, literalMapForms(scene));
   auto contours = contoursOf(scene, map_settings);

@@ -3,8 +3,10 @@
 #include "palpate/training/records/store.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <array>
+#include <csignal>
 #include <set>
 
 #include "palpate/base/text.h"
@@ -44,6 +46,22 @@ TEST(RecordsStore, IsThereAgainAfterItWasClosed) {
   EXPECT_EQ(fs::status(folder / "sub").permissions(), fs::perms::owner_all);
   const auto allowed = fs::status(folder / "sub/a.results").permissions();
   EXPECT_EQ(allowed & (fs::perms::group_all | fs::perms::others_all), fs::perms::none);
+}
+
+/// A limit on the size of files fails as a full disk does.
+TEST(RecordsStore, LeavesNoEmptyFileWhereItCannotBegin) {
+  const support::TemporaryFolder folder;
+  rlimit before = {};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto previous = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small = {0, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string message =
+      support::messageOf([&] { const Store store(folder / "a.results", Store::Open::create_too); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, previous);
+  EXPECT_NE(message, "no error");
+  EXPECT_FALSE(fs::exists(folder / "a.results"));
 }
 
 TEST(RecordsStore, IsAsDurableAsItSays) {

@@ -33,7 +33,16 @@ void turn(Sql& sql, const char* setting, bool on) {
 }
 
 /// A file of nothing: whoever made it was killed before there was a table in it.
-void makeEmptyFile(const fs::path& file) { trace::Database(file, trace::Database::Mode::create).run("VACUUM"); }
+void makeEmptyFile(const fs::path& file) {
+  std::error_code error;
+  const bool was_there = fs::exists(file, error);
+  try {
+    trace::Database(file, trace::Database::Mode::create).run("VACUUM");
+  } catch (...) {  // a full disk
+    if (!was_there && fs::file_size(file, error) == 0 && !error) fs::remove(file, error);
+    throw;
+  }
+}
 
 /// Tables of every version, made by it or brought forward to it.
 const trace::KnownSchema& schemaOfRecords() {
