@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <nlohmann/json_fwd.hpp>
@@ -22,6 +24,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
 #include "palpate/base/path_text.h"
+#include "palpate/mesh/files/load.h"
 #include "palpate/mesh/validate.h"
 #include "palpate/trace/forces_table.h"
 
@@ -219,6 +222,51 @@ nlohmann::ordered_json jsonOf(const ValidationReport& report) {
   return json;
 }
 
+// --- what the file has besides: numbers of vertices and faces ---
+
+struct FileNumber {
+  std::string name;
+  const char* of;  ///< "vertex" or "face"
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+};
+
+std::vector<FileNumber> numbersOf(const mesh::VertexChannels& channels) {
+  std::vector<FileNumber> numbers;
+  for (const mesh::VertexScalar& scalar : channels.scalars) {
+    FileNumber& number = numbers.emplace_back(FileNumber{scalar.name, "vertex"});
+    for (const float value : scalar.values) {
+      if (!std::isfinite(value)) continue;
+      number.least = std::min<double>(number.least, value);
+      number.most = std::max<double>(number.most, value);
+    }
+  }
+  for (const mesh::FaceScalar& scalar : channels.of_faces) {
+    numbers.push_back({scalar.name, "face", scalar.least, scalar.most});
+  }
+  return numbers;
+}
+
+std::string textOf(const std::vector<FileNumber>& numbers) {
+  std::string text;
+  for (const FileNumber& number : numbers) {
+    text += fmt::format("number      {} of each {}, ", number.name, number.of);
+    text +=
+        number.least > number.most ? "never finite\n" : fmt::format("{:.6g} to {:.6g}\n", number.least, number.most);
+  }
+  return text;
+}
+
+nlohmann::ordered_json jsonOf(const std::vector<FileNumber>& numbers) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const FileNumber& number : numbers) {
+    nlohmann::ordered_json one = {{"name", number.name}, {"of", number.of}, {"min", nullptr}, {"max", nullptr}};
+    if (number.least <= number.most) one.update({{"min", number.least}, {"max", number.most}});
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
 // --- the command ---
 
 struct InfoArguments {
@@ -231,14 +279,16 @@ struct InfoArguments {
 struct Inspection {
   ValidationReport report;
   std::optional<TriangleShapes> shapes;
+  std::vector<FileNumber> numbers;
 };
 
 Inspection inspect(const InfoArguments& arguments) {
   ProgressLine progress;
   mesh::LoadOptions options = arguments.mesh.options;
   options.keep_wrong_indices = true;  // to be counted, not refused
-  const mesh::TriangleMesh surface = mesh::load(pathOf(arguments.mesh.file), options, progress.callback());
-  Inspection found{mesh::validate(surface, {.self_intersections = !arguments.quick}, progress.callback()), {}};
+  const auto [surface, channels] = mesh::loadWithChannels(pathOf(arguments.mesh.file), options, progress.callback());
+  Inspection found{
+      mesh::validate(surface, {.self_intersections = !arguments.quick}, progress.callback()), {}, numbersOf(channels)};
   const bool can_be_measured = found.report.wrong_indices.count == 0 && found.report.non_finite_vertices.count == 0;
   if (arguments.shape && can_be_measured) found.shapes = triangleShapes(surface);
   return found;
@@ -259,10 +309,11 @@ void runInfo(const InfoArguments& arguments) {
   if (arguments.json) {
     nlohmann::ordered_json json = {{"file", arguments.mesh.file}};
     json.update(jsonOf(found.report));
+    json["numbers"] = jsonOf(found.numbers);
     if (found.shapes) json["shape"] = asJson(*found.shapes);
     fmt::print("{}\n", jsonDump(json, 2));
   } else {
-    printReadable((found.shapes ? asText(*found.shapes) : "") + textOf(found.report));
+    printReadable((found.shapes ? asText(*found.shapes) : "") + textOf(found.numbers) + textOf(found.report));
   }
 }
 

@@ -35,6 +35,23 @@ TEST_F(MeshCommands, InfoCountsTraits) {
   EXPECT_EQ(json["traits"]["opposite_triangles"]["first"], (std::vector<int>{13, 15}));
 }
 
+TEST_F(MeshCommands, InfoTellsTheNumbersOfAPly) {
+  writeFile(folder / "foot.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+            "property float pressure\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+            "element face 1\nproperty list uchar int vertex_indices\nproperty int label\nproperty float void\n"
+            "end_header\n0 0 0 1.5 9 9 9\n100 0 0 nan 9 9 9\n0 100 0 12.25 9 9 9\n3 0 1 2 7 nan\n");
+  const auto text = palpate("body info foot.ply");
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("number      pressure of each vertex, 1.5 to 12.25\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("number      label of each face, 7 to 7\n"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("number      void of each face, never finite\n"), std::string::npos) << text.out;
+  const auto numbers = nlohmann::json::parse(palpate("body info foot.ply --json").out)["numbers"];
+  EXPECT_EQ(numbers, nlohmann::json::parse(R"([{"name":"pressure","of":"vertex","min":1.5,"max":12.25},
+                                               {"name":"label","of":"face","min":7.0,"max":7.0},
+                                               {"name":"void","of":"face","min":null,"max":null}])"));
+}
+
 TEST_F(MeshCommands, InfoTellsHowEvenTrianglesAreWhenAsked) {
   mesh::save(folder / "cube.obj", zoo::cube(20));
   const auto shape = nlohmann::json::parse(palpate("body info cube.obj --shape --json").out)["shape"];

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "palpate/mesh/files/detail/byte_reader.h"
@@ -253,6 +254,30 @@ void addChannels(const std::vector<double>& row, const ChannelColumns& columns, 
   channels.colours.push_back(colour);
 }
 
+/// The columns of a face's numbers, a row of the channels each.
+std::vector<std::size_t> startFaceScalars(const Element& element, VertexChannels& channels) {
+  std::vector<std::size_t> columns;
+  for (std::size_t p = 0; p < element.properties.size(); ++p) {
+    const Property& property = element.properties[p];
+    const bool first_of_its_name = scalarColumn(element, property.name) == p;
+    if (property.is_list || !isNumberOfItsOwn(property.name) || !first_of_its_name) continue;
+    if (channels.of_faces.size() == kMaxVertexScalars) break;
+    columns.push_back(p);
+    channels.of_faces.push_back({std::string(property.name), std::numeric_limits<double>::infinity(),
+                                 -std::numeric_limits<double>::infinity()});
+  }
+  return columns;
+}
+
+void addFaceScalars(const std::vector<double>& row, const std::vector<std::size_t>& columns, VertexChannels& channels) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const double value = row[columns[i]];
+    if (!std::isfinite(value)) continue;
+    channels.of_faces[i].least = std::min(channels.of_faces[i].least, value);
+    channels.of_faces[i].most = std::max(channels.of_faces[i].most, value);
+  }
+}
+
 // --- body ---
 
 template <class Values>
@@ -309,14 +334,20 @@ class BodyReader {
 
   void readOthers(const Element& element) {
     if (element.properties.empty()) return;
+    const bool are_faces = element.name == "face";
+    const bool wanted = are_faces && channels_ != nullptr && channels_->of_faces.empty();
+    const auto columns = wanted ? startFaceScalars(element, *channels_) : std::vector<std::size_t>();
+    std::vector<double> values(element.properties.size());
     for (std::size_t row = 0; row < element.count; ++row) {
-      for (const Property& property : element.properties) {
-        if (element.name == "face" && isIndexList(property)) {
+      for (std::size_t p = 0; p < values.size(); ++p) {
+        const Property& property = element.properties[p];
+        if (are_faces && isIndexList(property)) {
           readPolygon(property);
         } else {
-          readOrPassOver(property);
+          values[p] = readOrPassOver(property);
         }
       }
+      if (!columns.empty()) addFaceScalars(values, columns, *channels_);
       reportProgress(row);
     }
   }

@@ -16,9 +16,17 @@ struct VertexScalar {
   std::vector<float> values;
 };
 
+/// A number that each polygon of a file has. Surfaces carry numbers of vertices alone: only what it spans is kept.
+struct FaceScalar {
+  std::string name;
+  double least = 0.0;
+  double most = 0.0;
+};
+
 struct VertexChannels {
   std::vector<VertexScalar> scalars;
   std::vector<std::array<std::uint8_t, 3>> colours;  ///< red, green, blue per vertex (sRGB); empty = none
+  std::vector<FaceScalar> of_faces;                  ///< told, and not used
 
   bool empty() const { return scalars.empty() && colours.empty(); }
 };
