@@ -37,7 +37,10 @@ void measure(const std::string& words, const DevicesOptions& options, const Prog
              DeviceFinding& finding) {
   try {
     const device::Device device = device::openNamed(words, {});
-    if (!device.capabilities.takes_force) return;  // values in memory: nothing to measure
+    if (!device.capabilities.takes_force) {
+      finding.why_nothing = "it takes no force";
+      return;
+    }
     finding.capabilities = device.capabilities;
     finding.measured = measureDevice(device, options.seconds, progress);
   } catch (const Error& error) {
@@ -55,7 +58,15 @@ DeviceFinding findingOf(const std::string& words, const DevicesOptions& options,
   finding.back_end = name.back_end;
   finding.probe = name.back_end->probe(opening);
   const bool hardware = !finding.probe.looked_for.empty() || name.back_end->name == "hand";
-  if (options.doctor && finding.probe.available && hardware) measure(words, options, progress, finding);
+  if (!options.doctor) {
+    finding.why_nothing = "not asked for: --doctor measures";
+    return finding;
+  }
+  if (finding.probe.available && hardware) {
+    measure(words, options, progress, finding);
+  } else {
+    finding.why_nothing = !finding.probe.available ? "it is not here" : "it is no hardware; its values lie in memory";
+  }
   return finding;
 }
 

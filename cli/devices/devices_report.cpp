@@ -97,7 +97,7 @@ nlohmann::ordered_json jsonOf(const DeviceFinding& finding) {
           {"looked_for", looked_for},
           {"capabilities", finding.capabilities ? capabilitiesJson(*finding.capabilities) : DevicesJson(nullptr)},
           {"measured", finding.measured ? measuredJson(*finding.measured) : DevicesJson(nullptr)},
-          {"not_measured", finding.not_measured}};
+          {"not_measured", finding.not_measured.empty() ? finding.why_nothing : finding.not_measured}};
 }
 
 std::string textOf(const DeviceFinding& finding, bool whole) {
@@ -113,6 +113,8 @@ std::string textOf(const DeviceFinding& finding, bool whole) {
   for (const device::LookedFor& looked : probe.looked_for) text += lookedText(looked);
   if (finding.capabilities) text += abilityText(*finding.capabilities);
   if (finding.measured) text += measuredText(*finding.measured);
+  if (probe.available && !finding.why_nothing.empty())
+    text += fmt::format("  measured   nothing: {}\n", finding.why_nothing);
   if (!finding.not_measured.empty()) text += fmt::format("  trouble    not measured: {}\n", finding.not_measured);
   return text;
 }

@@ -36,6 +36,7 @@ struct DeviceFinding {
   std::optional<device::Capabilities> capabilities;  ///< of one that was opened, like the measurement
   std::optional<DeviceMeasurement> measured;
   std::string not_measured;  ///< why, where it should have been
+  std::string why_nothing;   ///< there was nothing to measure
 };
 
 /// Keys carry their units; docs/reference/devices.md lists them.

@@ -81,6 +81,21 @@ TEST(Devices, WithoutJsonTheSameIsReadByAPerson) {
   }
 }
 
+TEST(Devices, TheDoctorSaysWhyItMeasuredNothing) {
+  for (const char* name : {"script", "mouse"}) {
+    const support::CommandResult result = support::runPalpate(std::string("devices --doctor --device ") + name);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("  measured   nothing: it is no hardware"), std::string::npos) << result.out;
+    const json finding = findings(std::string("--doctor --device ") + name).begin()->second;
+    EXPECT_TRUE(finding["measured"].is_null());
+    EXPECT_NE(finding["not_measured"], "");
+  }
+  const support::CommandResult plain = support::runPalpate("devices --device hand");
+  EXPECT_EQ(plain.out.find("measured"), std::string::npos) << plain.out;
+  const json asked = findings("--device hand").begin()->second;
+  EXPECT_EQ(asked["not_measured"], "not asked for: --doctor measures");
+}
+
 /// The first finding about the device. On a machine that does something else it may say so: then once more.
 json measuredFinding(const std::string& words) {
   json finding;
