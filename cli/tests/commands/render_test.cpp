@@ -213,7 +213,8 @@ TEST_F(RenderOfATorso, TurnsToAPlaceByItsName) {
   EXPECT_EQ(image("b.png").pixels, image("c.png").pixels);
   const CommandResult unknown = ofTorso("--look-at T66 -o d.png");
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_NE(unknown.err.find("palpate: --look-at: unknown place 't66'"), std::string::npos) << unknown.err;
+  EXPECT_NE(unknown.err.find("palpate: --look-at: unknown place 'T66'; did you mean 'T6'?"), std::string::npos)
+      << unknown.err;
 }
 
 TEST_F(RenderOfATorso, PressesPlacesByTheirNames) {

@@ -32,6 +32,14 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 /// The first word of a name: "radius" of "radius_mm" and of "radius-mm".
 std::string_view stem(std::string_view name) { return name.substr(0, name.find_first_of("_-")); }
 
+std::string inSmallLetters(std::string_view text) {
+  std::string small(text);
+  for (char& c : small) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return small;
+}
+
 bool isControlByte(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 }  // namespace
@@ -56,6 +64,21 @@ std::string nearestName(std::string_view written, const std::vector<std::string>
       nearest = name;
     }
   }
+  return nearest;
+}
+
+std::vector<std::string> nearestNames(std::string_view written, const std::vector<std::string>& names,
+                                      std::size_t most) {
+  struct Near {
+    std::size_t distance;
+    std::string name;
+  };
+  const std::string wanted = inSmallLetters(written.substr(0, kLongestName));
+  std::vector<Near> all;
+  for (const std::string& name : names) all.push_back({editDistance(inSmallLetters(name), wanted), name});
+  std::ranges::stable_sort(all, {}, &Near::distance);
+  std::vector<std::string> nearest;
+  for (std::size_t i = 0; i < std::min(most, all.size()); ++i) nearest.push_back(std::move(all[i].name));
   return nearest;
 }
 

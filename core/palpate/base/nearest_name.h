@@ -16,6 +16,10 @@ std::string oneLine(std::string_view text, std::size_t most = kLongestName);
 /// The name nearest to what was written, or nothing when none is near. A name that differs in its unit only is near.
 std::string nearestName(std::string_view written, const std::vector<std::string>& names);
 
+/// Those that are nearest, whatever their distance and their case, the nearest first: for a list too long to be read.
+std::vector<std::string> nearestNames(std::string_view written, const std::vector<std::string>& names,
+                                      std::size_t most);
+
 /// "did you mean 'radius_mm'?", or all names where none is near: "known: bsp, octree".
 std::string nameHint(std::string_view written, const std::vector<std::string>& names);
 

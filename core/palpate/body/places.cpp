@@ -124,6 +124,41 @@ std::optional<NamedPlace> siteNamed(std::span<const SkinLandmark> landmarks, Wor
   return std::nullopt;
 }
 
+/// "t6 rigth 30 mm" with the direction that was meant before the number; nothing where none is near.
+std::optional<Words> withDirections(Words words) {
+  static const std::vector<std::string> kDirections = {"right", "left", "up", "down", "cranial", "caudal"};
+  bool mended = false;
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    if (!distanceOf(words[i + 1]) || words[i].size() < 2) continue;
+    const std::string meant = nearestName(words[i], kDirections);
+    if (meant.empty() || meant == words[i]) continue;
+    words[i] = meant;
+    mended = true;
+  }
+  return mended ? std::optional(words) : std::nullopt;
+}
+
+/// All of some eighty names would hide the one that was meant.
+std::string placeHint(std::span<const SkinLandmark> landmarks, const Words& name) {
+  constexpr std::size_t kFew = 3;
+  if (const auto mended = withDirections(name)) {
+    try {
+      return "did you mean '" + placeNamed(landmarks, joined(*mended)).name + "'?";
+    } catch (const Error&) {
+      // More is wrong than a direction.
+    }
+  }
+  const std::vector<std::string> names = placeNames(landmarks);
+  if (const std::string nearest = nearestName(joined(name), names); !nearest.empty()) {
+    return "did you mean '" + nearest + "'?";
+  }
+  std::string nearest;
+  for (const std::string& one : nearestNames(joined(name), names, kFew)) {
+    nearest += (nearest.empty() ? "'" : ", '") + one + "'";
+  }
+  return "the nearest names are " + nearest;
+}
+
 bool isSpinous(const SkinLandmark& landmark) {
   return landmark.name.starts_with("spinous_") || landmark.name.starts_with("sacrum_");
 }
@@ -160,7 +195,7 @@ NamedPlace placeNamed(std::span<const SkinLandmark> landmarks, std::string_view 
     settle(plain);
     if (spoken == wanted || plain == wanted) place = NamedPlace{spokenName(landmark.name), landmark.position, false};
   }
-  if (!place) throw Error(unknownName("place", joined(moved.name), "", placeNames(landmarks)));
+  if (!place) throw Error("unknown place '" + oneLine(trimmed(words)) + "'; " + placeHint(landmarks, moved.name));
   place->point += Vec3(moved.by.x(), moved.by.y(), 0);
   place->moved = place->moved || !moved.by.isZero();
   place->name += moved.as_written;

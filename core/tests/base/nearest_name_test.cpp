@@ -20,6 +20,13 @@ TEST(NearestName, OfAShortWordOneLetterMustBeRight) {
   EXPECT_EQ(nearestName("bps", {"bsp", "octree"}), "bsp");
 }
 
+TEST(NearestNames, AreTheNearestOfAllWhateverTheirCase) {
+  const std::vector<std::string> names = {"T6", "left PSIS", "L2", "right PSIS"};
+  EXPECT_EQ(nearestNames("LEFT psis", names, 1), (std::vector<std::string>{"left PSIS"}));
+  EXPECT_EQ(nearestNames("x", names, 9).size(), 4u);
+  EXPECT_TRUE(nearestNames("x", {}, 3).empty());
+}
+
 TEST(UnknownName, SaysWhereAndWhatWasMeant) {
   EXPECT_EQ(unknownName("option", "secnds", "simulate", kNames),
             "unknown option 'secnds' in simulate; did you mean 'seconds'?");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "palpate/base/error.h"
+#include "support/error_message.h"
 
 namespace palpate::body {
 namespace {
@@ -58,6 +59,15 @@ TEST(Places, AMisspeltNameIsAnsweredWithTheOneThatIsNear) {
   EXPECT_THROW(placeNamed({}, "T6"), Error);
   EXPECT_THROW(placeNamed(kLandmarks, ""), Error);
   EXPECT_THROW(placeNamed(kLandmarks, "T6 right 1e9 mm"), Error);
+}
+
+TEST(Places, AMisspeltWordIsAnsweredWithFewNames) {
+  const auto message_of = [](const char* words) { return support::messageOf([&] { placeNamed(kLandmarks, words); }); };
+  EXPECT_EQ(message_of("T6 rigth 30 mm"), "unknown place 'T6 rigth 30 mm'; did you mean 'T6 right 30 mm'?");
+  EXPECT_EQ(message_of("iliac crest up 10 lft 5"),
+            "unknown place 'iliac crest up 10 lft 5'; did you mean 'right iliac crest'?");
+  EXPECT_EQ(message_of("somewhere on the belly"),
+            "unknown place 'somewhere on the belly'; the nearest names are 'T4', 'T6', 'C7'");
 }
 
 TEST(Places, APointIsToldFromTheLandmarkThatAnExaminerWouldStartFrom) {
