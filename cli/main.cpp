@@ -1,19 +1,55 @@
 // `palpate`: reads the command line and hands over to the chosen subcommand, or to the program that holds it.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include "cli/kit/command_pages.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/families.h"
 #include "cli/kit/progress_line.h"
+#include "cli/recording/recording_text.h"
+#include "palpate/base/path_text.h"
 #include "palpate/base/system/process.h"
+#include "palpate/trace/forces_table.h"
+#include "palpate/window/window.h"
 
 namespace {
 
 using namespace palpate::app;
 
 constexpr int kWrongInput = 2;
+
+/// For whom no window can be opened.
+constexpr const char* kFirstSteps =
+    "Palpate: feel, see and measure touch on a soft human body.\n"
+    "  palpate run         Open a window and touch a body with the mouse (needs a display; here is none)\n"
+    "  palpate simulate    Palpate without a window or device and write what was felt\n"
+    "  palpate train       Train and examine palpation\n"
+    "  palpate body ...    Make, fit, repair, look into and map a body\n"
+    "  palpate --help      All commands; palpate COMMAND --help says more\n";
+
+/// A file in place of a command: no command has a point or a slash in its name.
+bool isFile(const std::string& word) {
+  std::error_code error;
+  return !word.starts_with('-') && word.find_first_of("./\\") != std::string::npos &&
+         std::filesystem::is_regular_file(palpate::pathOf(word), error);
+}
+
+/// What is meant without a command: the window, with a file if one is named; help in one more way.
+std::vector<std::string> withMeantCommand(std::vector<std::string> words) {
+  if (words.empty()) return {"run"};
+  if (words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  } else if (isFile(words.front())) {
+    const std::filesystem::path file = palpate::pathOf(words.front());
+    if (isRecordingFile(file) || palpate::trace::isForcesTable(file)) words.insert(words.begin(), "--replay");
+    words.insert(words.begin(), "run");
+  }
+  return words;
+}
 
 /// For the help: what other programs do.
 void addFamilies(CLI::App& app) {
@@ -46,7 +82,12 @@ std::optional<int> handOver(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> words = withPresentCommand(palpate::system::commandLine(argc, argv));
+  const std::vector<std::string> typed = palpate::system::commandLine(argc, argv);
+  if (typed.empty() && !palpate::window::displayOffered()) {
+    fmt::print("{}", kFirstSteps);
+    return 0;
+  }
+  const std::vector<std::string> words = withMeantCommand(withPresentCommand(typed));
   try {
     if (const std::optional<int> exit_code = handOver(words)) return *exit_code;
   } catch (const std::exception& error) {

@@ -1,6 +1,11 @@
 // What `palpate` says to words that it does not know.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -50,6 +55,38 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"study hunt --ticks 1.5",
               "--ticks: '1.5' is not a whole number (1 to "
               "1,000,000,000,000)"}));
+
+/// On a machine without a display.
+support::CommandResult withoutDisplay(const std::string& arguments, const std::filesystem::path& in) {
+  return support::runProgram("/usr/bin/env",
+                             "-u DISPLAY -u WAYLAND_DISPLAY " PALPATE_BINARY_DIR "/palpate " + arguments, in);
+}
+
+TEST(CommandLine, WithoutACommandItSaysWhatThereIs) {
+  const support::TemporaryFolder folder;
+  const support::CommandResult result = withoutDisplay("", folder.path());
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 6) << result.out;
+  for (const char* command : {"palpate run", "palpate simulate", "palpate train", "palpate body", "palpate --help"}) {
+    EXPECT_NE(result.out.find(command), std::string::npos) << command;
+  }
+}
+
+TEST(CommandLine, HelpIsAWordToo) {
+  EXPECT_EQ(support::runPalpate("help").out, support::runPalpate("--help").out);
+  EXPECT_EQ(support::runPalpate("help simulate").out, support::runPalpate("simulate --help").out);
+}
+
+TEST(CommandLine, AFileInPlaceOfACommandIsRun) {
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "scene.toml") << "seconds = 1\n";
+  const support::CommandResult run = withoutDisplay("run scene.toml", folder.path());
+  EXPECT_NE(run.err.find("there is no display"), std::string::npos) << run.err;
+  EXPECT_EQ(withoutDisplay("scene.toml", folder.path()).err, run.err);
+  EXPECT_EQ(withoutDisplay("./scene.toml", folder.path()).err, run.err);
+  EXPECT_NE(withoutDisplay("gone.toml", folder.path()).err.find("unknown command 'gone.toml'"), std::string::npos);
+}
 
 TEST(CommandLine, AnEarlierNameOfACommandStillWorksAndSaysTheNewOne) {
   const support::CommandResult result = support::runPalpate("trim --help");
