@@ -145,8 +145,7 @@ std::string placeLines(const SimulationResult& result) {
 
 std::string coverLine(const SimulationResult& result) {
   if (!result.cover) return {};
-  return fmt::format("  cover      skin pressed deepest comes within {}\n",
-                     engine::inWords(*result.cover, *result.world));
+  return fmt::format("  clearance  {} at the deepest press\n", engine::inWords(*result.cover, *result.world));
 }
 
 std::string realtimeLines(const SimulationResult& result) {
@@ -175,8 +174,8 @@ std::string safetyLine(const SimulationResult& result) {
     factor += fmt::format("; above {:.1f} N no steeper than {:.2f} N/mm", limits.compared_n, limits.cap_n_per_mm);
   }
   const char* unsafe = limits.unsafe ? "UNSAFE: " : "";
-  return fmt::format("  device     {}force kept within {:.1f} N{}; changed in {:.1f} % of the touching ticks\n", unsafe,
-                     limits.force_n, factor, 100.0 * share(limited, touching));
+  return fmt::format("  device     {}force limit {:.1f} N (active in {:.1f} % of contact ticks){}\n", unsafe,
+                     limits.force_n, 100.0 * share(limited, touching), factor);
 }
 
 std::string filesLines(const SimulationResult& result) {

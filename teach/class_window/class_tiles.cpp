@@ -215,7 +215,7 @@ void backWithFinger(const OpenedStation& station, float height) {
 std::optional<classroom::Command> commandRow(const Tile& tile, ClassView& view) {
   std::optional<classroom::Command> asked;
   ImGui::SetNextItemWidth(-80.0f);
-  const bool entered = ImGui::InputTextWithHint("##message", "Words for this trainee", view.message.data(),
+  const bool entered = ImGui::InputTextWithHint("##message", "Message to this trainee", view.message.data(),
                                                 view.message.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();
   if ((ImGui::Button("Send") || entered) && view.message.front() != '\0') {

@@ -73,7 +73,9 @@ void topRow(const classroom::ClassWatch& watch, const std::vector<classroom::Til
     online += tile.online ? 1U : 0U;
     needing += tile.need != classroom::Need::none ? 1U : 0U;
   }
-  ImGui::TextUnformatted(fmt::format("{} of {} stations online, {} need help", online, tiles.size(), needing).c_str());
+  ImGui::TextUnformatted(fmt::format("{} of {} station{} online, {} need{} help", online, tiles.size(),
+                                     tiles.size() == 1 ? "" : "s", needing, needing == 1 ? "s" : "")
+                             .c_str());
   if (watch.connected()) return;
   ImGui::SameLine();
   ImGui::TextDisabled("- %s", watch.trouble().c_str());

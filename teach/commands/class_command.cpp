@@ -39,8 +39,8 @@ void runClassInit(const ClassInitArguments& arguments) {
     fmt::print("{}\n", jsonDump(json, 2));
     return;
   }
-  fmt::print("{}: class {} with {} stations, {} to {}\n\n", arguments.folder, made.class_id, made.stations.size(),
-             made.stations.front(), made.stations.back());
+  fmt::print("{}: class {} with {} station{}, {} to {}\n\n", arguments.folder, made.class_id, made.stations.size(),
+             made.stations.size() == 1 ? "" : "s", made.stations.front(), made.stations.back());
   fmt::print("On this computer:   palpate class serve {} --broker\n", arguments.folder);
   fmt::print("                    palpate class watch {}\n", arguments.folder);
   fmt::print("At each station:    its own folder of {}/stations, then palpate train --class FOLDER\n",

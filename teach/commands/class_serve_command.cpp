@@ -68,7 +68,8 @@ nlohmann::ordered_json jsonOf(const classroom::CollectorReport& report, bool bro
 }
 
 std::string textOf(const classroom::CollectorReport& report) {
-  std::string text = fmt::format("{} stations, {} rows, {} trials", report.stations, report.rows, report.trials);
+  std::string text = fmt::format("{} station{}, {} rows, {} trials", report.stations, report.stations == 1 ? "" : "s",
+                                 report.rows, report.trials);
   if (report.refused > 0) text += fmt::format(", {} refused", report.refused);
   if (!report.connected) text += "; no broker";
   if (!report.database) text += "; no database";

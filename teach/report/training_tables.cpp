@@ -54,15 +54,15 @@ std::string verdictWords(training::Verdict verdict) {
 std::string methodWords(training::Method method) {
   switch (method) {
     case training::Method::marginal_psi:
-      return "marginal psi";
+      return "adaptive levels";
     case training::Method::two_down_one_up:
-      return "2 down, 1 up";
+      return "staircase levels";
     case training::Method::mastery:
       return "mastery, 3 of 4";
     case training::Method::constant_levels:
       break;
   }
-  return "constant levels";
+  return "fixed levels";
 }
 
 std::string resultWords(const ThresholdPoint& point) {

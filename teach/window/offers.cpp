@@ -23,12 +23,12 @@ struct KindWords {
 };
 /// As they stand on the screen.
 constexpr std::array<KindWords, 7> kKindWords = {{
-    {SessionKind::pre_test, "Test before practice", "How small a change you find now. Answers are not told."},
+    {SessionKind::pre_test, "Test before practice", "How small a change you can feel now, without feedback."},
     {SessionKind::practice, "Practice", "After each answer you hear whether it was right."},
     {SessionKind::mastery, "Mastery", "Step by step to smaller changes, three of four right."},
     {SessionKind::post_test, "Test after practice", "The same test again, to see what has changed."},
-    {SessionKind::exam, "Examination", "Pass, not yet, or repeat. Answers are not told."},
-    {SessionKind::retention, "Test of what has stayed", "A week or more after the last test."},
+    {SessionKind::exam, "Examination", "Pass, not yet, or repeat, without feedback."},
+    {SessionKind::retention, "Retention test", "A week or more after the last test."},
     {SessionKind::free, "Free exploration", "Feel whatever you like. Nothing is asked."},
 }};
 

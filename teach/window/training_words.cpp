@@ -43,10 +43,10 @@ TrainingScreen signInScreen(const TrainingView& view) {
 
 TrainingScreen newCodeScreen(const TrainingView& view) {
   TrainingScreen screen;
-  screen.title = "This code is new here. Go on?";
+  screen.title = "This code is new here. Continue?";
   screen.entry = TrainingScreen::Entry{"Code", view.code};
   screen.lines = {"Is it the one on your card?"};
-  screen.buttons = {button(TrainingAct::yes, "Yes, go on"), button(TrainingAct::no, "No, type it again")};
+  screen.buttons = {button(TrainingAct::yes, "Yes, continue"), button(TrainingAct::no, "No, type it again")};
   screen.keys = kCardKeys;
   return screen;
 }
@@ -65,7 +65,7 @@ TrainingScreen consentScreen(const TrainingView& view) {
   TrainingScreen screen;
   screen.title = "What is kept";
   screen.lines = {"Kept: your answers, their times, and how the finger moved and pressed.",
-                  "Not kept: your name, your mail, your date of birth. A code stands for you.",
+                  "Not kept: your name, email address or date of birth. You are known only by your code.",
                   "Your teacher sees the results of your code. You may have all of it deleted at any time."};
   screen.buttons = {button(TrainingAct::yes, "I agree"), button(TrainingAct::no, "I do not agree", "Nothing is kept.")};
   screen.corner = view.code;
@@ -196,7 +196,7 @@ TrainingScreen cardOfSession(const TrainingView& view, TrainingScreen screen) {
   switch (session.screen()) {
     case Screen::instruction:
       screen.lines = {training::greeting(session.plan().kind),
-                      "A dot fills when its place was pressed enough. The ring shows the time."};
+                      "A dot fills when its place has been pressed enough. The ring shows the time."};
       if (session.plan().kind == SessionKind::mastery) screen.lines.pop_back();
       nextButton("Start", screen);
       return screen;
@@ -224,12 +224,13 @@ TrainingScreen sessionScreen(const TrainingView& view) {
       screen.sites.clear();
       if (view.by_mouse) screen.lines = {"Press with the left mouse button on the back. The wheel presses deeper."};
       if (view.force_share < kWholeForce) {
-        screen.lines.push_back(fmt::format("This device gives {:.0f} % of every force: all places are softer alike.",
-                                           100.0 * view.force_share));
+        screen.lines.push_back(
+            fmt::format("This device gives {:.0f} % of every force: all places feel softer to the same degree.",
+                        100.0 * view.force_share));
       }
       if (view.ratios_kept_to_n > 0.0) {
-        screen.lines.push_back(fmt::format("Above {:.2g} N it shows less of what differs: compare with less force.",
-                                           view.ratios_kept_to_n));
+        screen.lines.push_back(
+            fmt::format("Above {:.2g} N differences are harder to feel: press more gently.", view.ratios_kept_to_n));
       }
       nextButton("Next", screen);
       addTouchKeys(view, screen);
@@ -300,7 +301,7 @@ TrainingScreen overScreen(const TrainingView& view) {
       break;
     case TrainingOver::leaving:
       screen.title = "Leave now?";
-      screen.lines = {"Every answer is saved. Next time it goes on from here."};
+      screen.lines = {"Every answer is saved. Next time you continue from here."};
       screen.buttons = {button(TrainingAct::no, "Stay"), button(TrainingAct::yes, "Leave")};
       break;
     case TrainingOver::trouble:

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/body/places.h"
+
 namespace palpate::engine {
 
 BoneCoverMeter::BoneCoverMeter(const scene::World& world) : world_(world) {
@@ -39,9 +41,8 @@ std::optional<BoneCover> BoneCoverMeter::of(const deform::DeformedSurface& surfa
 }
 
 std::string inWords(const BoneCover& cover, const scene::World& world) {
-  std::string bone = world.body->anatomy.bones[cover.bone].name;
-  std::ranges::replace(bone, '_', ' ');
-  return fmt::format("{:.1f} mm of the {}", cover.least_mm, bone);
+  return fmt::format("{:.1f} mm of tissue left over {}", cover.least_mm,
+                     body::spokenName(world.body->anatomy.bones[cover.bone].name));
 }
 
 }  // namespace palpate::engine

@@ -83,7 +83,7 @@ class BoneCoverMeter {
   std::vector<Index> bone_of_triangle_;
 };
 
-/// "3.2 mm of the rib 7 left"
+/// "3.2 mm of tissue left over left rib 7"
 std::string inWords(const BoneCover& cover, const scene::World& world);
 
 }  // namespace palpate::engine

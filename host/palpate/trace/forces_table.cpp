@@ -80,12 +80,12 @@ ForcesRow rowFrom(const CsvRow& row) {
 [[noreturn]] void failForHeader(const CsvRow& row, std::span<const std::string_view> header) {
   const auto different = std::ranges::mismatch(row.fields, header);
   if (different.in1 == row.fields.begin() || different.in1 == row.fields.end()) {
-    throw Error::atLine(row.file, row.line, "is not a table of forces: it begins with other columns");
+    throw Error::atLine(row.file, row.line, "must be a table of forces: it begins with other columns");
   }
   const auto column = different.in1 - row.fields.begin();
   const std::string_view wanted = different.in2 == header.end() ? "nothing" : *different.in2;
   throw Error::atLine(row.file, row.line,
-                      fmt::format("is not a table of forces: column {} is '{}' instead of {}", column + 1,
+                      fmt::format("must be a table of forces: column {} is '{}' instead of {}", column + 1,
                                   different.in1->substr(0, 40), wanted));
 }
 

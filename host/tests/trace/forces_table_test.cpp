@@ -41,8 +41,8 @@ TEST(ForcesTable, RefusesWhatIsNone) {
   const auto message = [](const std::string& text) {
     return support::messageOf([&] { parseForcesTable(text, "t.csv"); });
   };
-  EXPECT_EQ(message("t_s,x_mm\n0,1\n"), "t.csv:1: is not a table of forces: column 2 is 'x_mm' instead of finger");
-  EXPECT_EQ(message("x_mm,y_mm\n0,1\n"), "t.csv:1: is not a table of forces: it begins with other columns");
+  EXPECT_EQ(message("t_s,x_mm\n0,1\n"), "t.csv:1: must be a table of forces: column 2 is 'x_mm' instead of finger");
+  EXPECT_EQ(message("x_mm,y_mm\n0,1\n"), "t.csv:1: must be a table of forces: it begins with other columns");
   EXPECT_EQ(message(tableOf({})), "t.csv: holds no forces");
   EXPECT_EQ(message(tableOf({}) + "0,left,1\n"), "t.csv:2: expected 22 fields, found 3");
   EXPECT_EQ(message(tableOf({}) + "0,left,1"), "t.csv:2: the table breaks off here: 3 of 22 fields");

@@ -72,7 +72,7 @@ class Layers {
     }
     addMarks(matched, MarkForm::ring, kGreen, "matched");
     addMarks(hidden, MarkForm::square, kYellow, "hidden: reported, not guessed");
-    addMarks(unusedAfter(matched), MarkForm::cross, kVermilion, "mark of no dot");
+    addMarks(unusedAfter(matched), MarkForm::cross, kVermilion, "mark without a matching dot");
     return std::move(panel_);
   }
 
@@ -149,7 +149,7 @@ class Layers {
     for (const Vec2& place : seen) {
       panel_.marks.push_back({.place_px = place, .form = MarkForm::dot, .colour = kInk, .radius = 1.4f});
     }
-    const char* words = m_.fit ? "motion of the skin, the body's own taken off" : "motion of the dots";
+    const char* words = m_.fit ? "motion of the skin relative to the body" : "motion of the dots";
     if (!seen.empty()) panel_.legend.push_back({.words = words, .colour = kInk, .is_line = true});
   }
 

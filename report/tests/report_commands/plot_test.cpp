@@ -100,7 +100,7 @@ TEST_F(PlotCommand, ASpikeOfOneTickIsSeenInALongRun) {
 TEST_F(PlotCommand, NamesTheLineOfWhatItCannotRead) {
   write("path.csv", "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n");
   EXPECT_EQ(errorOf("path.csv"),
-            "palpate: path.csv:1: is not a table of forces: column 2 is 'x_mm' instead of finger\n");
+            "palpate: path.csv:1: must be a table of forces: column 2 is 'x_mm' instead of finger\n");
   std::string text = pressedTable();
   write("cut.csv", text.substr(0, text.size() - 30));
   EXPECT_NE(errorOf("cut.csv").find("cut.csv:1201: the table breaks off here: "), std::string::npos);

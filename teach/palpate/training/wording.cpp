@@ -65,13 +65,13 @@ std::string greeting(SessionKind kind) {
     case SessionKind::mastery:
       return "Mastery: three of four right leads to the next level.";
     case SessionKind::pre_test:
-      return "Test before practice. Answers are saved and not told.";
+      return "Test before practice. Your answers are saved; there is no feedback.";
     case SessionKind::post_test:
-      return "Test after practice. Answers are saved and not told.";
+      return "Test after practice. Your answers are saved; there is no feedback.";
     case SessionKind::exam:
-      return "Examination. Answers are saved and not told.";
+      return "Examination. Your answers are saved; there is no feedback.";
     case SessionKind::retention:
-      return "Test of what has stayed. Answers are saved and not told.";
+      return "Retention test. Your answers are saved; there is no feedback.";
     case SessionKind::free:
       return "Free exploration. Feel whatever you like.";
   }
@@ -96,8 +96,8 @@ std::string wrongAnswer(const Site& site) {
 }
 
 std::string timeIsUp(bool feedback, const Site& site) {
-  if (!feedback) return "The time is over. Here is the next one.";
-  return fmt::format("The time is over. It was {}. Feel it now.", spoken(site));
+  if (!feedback) return "Time is up. Here is the next one.";
+  return fmt::format("Time is up. It was {}. Feel it now.", spoken(site));
 }
 
 std::string deviceCheck(bool works) {
@@ -109,14 +109,14 @@ std::string breakOffered() { return "You may take a break: press Pause."; }
 std::string pausedWords() { return "Paused. Nothing counts until you go on."; }
 
 std::string goodbye(bool unfinished) {
-  return unfinished ? "Saved. Next time it goes on from here." : "Saved. Thank you.";
+  return unfinished ? "Saved. Next time you continue from here." : "Saved. Thank you.";
 }
 
 std::string answerSaved() { return "Answer saved."; }
 
 std::string notPressedYet(int missing) {
-  return withCapital(missing == 1 ? "one place was not pressed yet."
-                                  : fmt::format("{} places were not pressed yet.", numberInWords(missing)));
+  return withCapital(missing == 1 ? "one place has not been pressed yet."
+                                  : fmt::format("{} places have not been pressed yet.", numberInWords(missing)));
 }
 
 std::string blockSummary(const BlockResult& result, SessionKind kind, const std::optional<ShownThreshold>& before) {

@@ -148,7 +148,7 @@ TEST(Session, PlacesNotPressedAreToldOnceAndThenFlagged) {
   const int left_out = truth % 12 + 1;
   trainee.pressAll(left_out);
   EXPECT_FALSE(trainee.answer(truth));
-  EXPECT_EQ(trainee->said().text, "One place was not pressed yet.");
+  EXPECT_EQ(trainee->said().text, "One place has not been pressed yet.");
   EXPECT_TRUE(trainee.answer(truth));
   const TrialRow row = trainee.rows<TrialRow>().back();
   EXPECT_EQ(row.sites_felt, 11);

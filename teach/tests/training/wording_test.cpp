@@ -18,8 +18,8 @@ const Site& site(int number) {
 TEST(Wording, SaysTheSitesAsTeachersDo) {
   EXPECT_EQ(rightAnswer(site(4)), "Correct. Site 4, left.");
   EXPECT_EQ(wrongAnswer(site(9)), "It was site 9, right. Feel it now; press Next when ready.");
-  EXPECT_EQ(notPressedYet(2), "Two places were not pressed yet.");
-  EXPECT_EQ(notPressedYet(1), "One place was not pressed yet.");
+  EXPECT_EQ(notPressedYet(2), "Two places have not been pressed yet.");
+  EXPECT_EQ(notPressedYet(1), "One place has not been pressed yet.");
   EXPECT_EQ(instruction(builtInProtocol(), SessionKind::practice),
             "One of the twelve places is stiffer. Press each, then answer.");
 }
