@@ -139,11 +139,12 @@ std::optional<Words> withDirections(Words words) {
 }
 
 /// All of some eighty names would hide the one that was meant.
-std::string placeHint(std::span<const SkinLandmark> landmarks, const Words& name) {
+std::string placeHint(std::span<const SkinLandmark> landmarks, const Moved& written) {
+  const Words& name = written.name;
   constexpr std::size_t kFew = 3;
   if (const auto mended = withDirections(name)) {
     try {
-      return "did you mean '" + placeNamed(landmarks, joined(*mended)).name + "'?";
+      return "did you mean '" + placeNamed(landmarks, joined(*mended)).name + written.as_written + "'?";
     } catch (const Error&) {
       // More is wrong than a direction.
     }
@@ -195,7 +196,7 @@ NamedPlace placeNamed(std::span<const SkinLandmark> landmarks, std::string_view 
     settle(plain);
     if (spoken == wanted || plain == wanted) place = NamedPlace{spokenName(landmark.name), landmark.position, false};
   }
-  if (!place) throw Error("unknown place '" + oneLine(trimmed(words)) + "'; " + placeHint(landmarks, moved.name));
+  if (!place) throw Error("unknown place '" + oneLine(trimmed(words)) + "'; " + placeHint(landmarks, moved));
   place->point += Vec3(moved.by.x(), moved.by.y(), 0);
   place->moved = place->moved || !moved.by.isZero();
   place->name += moved.as_written;
