@@ -291,9 +291,14 @@ void addMomentOptions(CLI::App& command, RenderOptions& options) {
       ->capture_default_str();
 }
 
+/// Words of earlier versions are taken too, but not listed.
 template <class Value>
 CLI::Option* takesWord(CLI::Option* option) {
-  return takesOneOf(wordList<Value>(), option);
+  const std::vector<std::string> names = wordList<Value>();
+  const auto fault = [names](const std::string& wanted) {
+    return valueNamed<Value>(wanted) ? std::string() : faultOfChoice(wanted, names);
+  };
+  return option->check(CLI::Validator(fault, ""))->type_name(fmt::format("{}", fmt::join(names, "|")));
 }
 
 void addCameraOptions(CLI::App& command, RenderOptions& options) {
@@ -319,7 +324,8 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
       ->expected(2)
       ->allow_extra_args(false);
   takesWord<scene::Shading>(command.add_option("--shading", options.shading, "Light"));
-  takesWord<scene::FingerShape>(command.add_option("--finger", options.finger, "What a finger looks like"));
+  takesWord<scene::FingerShape>(
+      command.add_option("--finger", options.finger, "What a finger looks like; auto is finger"));
   addNumber(command, "--opacity", options.opacity, between(0.0, 1.0), "Of the skin; below 1 the bones show");
   addNumber(command, "--skin-tone", options.skin_tone, between(1.0, 6.0), "Of the skin, very light to very dark");
   addNumber(command, "--dent-contrast", options.dent_contrast, between(0.0, 5.0),

@@ -68,19 +68,6 @@ std::vector<view::Lines> rings(const FrameParts& frame) {
   return marks;
 }
 
-view::PictureSettings pictureSettings(const FrameParts& frame) {
-  const ViewerState& viewer = frame.viewer;
-  view::PictureSettings picture;
-  picture.camera = viewer.camera;
-  picture.look = viewer.state.look;
-  if (viewer.simple_shading) picture.look.shading = view::Shading::gouraud;
-  picture.look.light_background = viewer.state.theme == window::Theme::light;
-  picture.stereo = frame.stereo;
-  picture.labels.numbers = viewer.state.shown.numbers;
-  for (const auto& mode : frame.modes) mode->adjust(picture);
-  return picture;
-}
-
 view::Canvas canvasOn(const view::Target& target, double pixels_per_point) {
   view::Canvas canvas;
   canvas.framebuffer = target.framebuffer();
@@ -94,6 +81,28 @@ view::Canvas canvasOn(const view::Target& target, double pixels_per_point) {
 
 bool drawsItself(const view::StereoSettings& stereo, bool quad_buffer) {
   return quad_buffer && stereo.mode == view::StereoMode::quad_buffer;
+}
+
+view::PictureSettings FramePainter::pictureSettings(const FrameParts& frame) const {
+  const ViewerState& viewer = frame.viewer;
+  view::PictureSettings picture;
+  picture.camera = viewer.camera;
+  picture.look = viewer.state.look;
+  picture.look.finger = finger_shape_;
+  if (viewer.simple_shading) picture.look.shading = view::Shading::gouraud;
+  picture.look.light_background = viewer.state.theme == window::Theme::light;
+  picture.stereo = frame.stereo;
+  picture.labels.numbers = viewer.state.shown.numbers;
+  for (const auto& mode : frame.modes) mode->adjust(picture);
+  return picture;
+}
+
+/// Once a frame. A recording next to another shows both alike.
+void FramePainter::chooseFingerShape(const FrameParts& frame) {
+  const double now_s = frame.viewer.now_s;
+  const double elapsed_s = now_s - painted_s_.value_or(now_s);
+  finger_shape_ = fingerShapeNow(finger_form_, frame.viewer, elapsed_s, elapsed_s > 0.0);
+  painted_s_ = now_s;
 }
 
 std::vector<view::FingerMark> FramePainter::fingerMarks(const FrameParts& frame) {
@@ -118,6 +127,7 @@ std::vector<view::FingerMark> FramePainter::fingerMarks(const FrameParts& frame)
 }
 
 void FramePainter::paint(const FrameParts& frame, window::Gui::Choice windows) {
+  chooseFingerShape(frame);
   if (frame.modes.claims().body && frame.stereo.mode == view::StereoMode::mono) {
     frame.target.clear();
     frame.target.bind();

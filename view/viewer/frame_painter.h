@@ -13,6 +13,7 @@
 #include "palpate/view/offscreen.h"
 #include "palpate/window/gui.h"
 #include "view/viewer/editing/pointer.h"
+#include "view/viewer/finger_form.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/replay_player.h"
 #include "view/viewer/state/viewer_state.h"
@@ -59,12 +60,17 @@ class FramePainter {
   view::CutOut paintClear(const FrameParts& frame);
 
  private:
+  view::PictureSettings pictureSettings(const FrameParts& frame) const;
+  void chooseFingerShape(const FrameParts& frame);
   std::vector<view::FingerMark> fingerMarks(const FrameParts& frame);
   void paintBeside(const FrameParts& frame, window::Gui::Choice windows);
   void paintHalf(const FrameParts& frame, LiveModel& model, std::span<const view::FingerMark> fingers);
 
   std::array<PressPeak, kFingers> peaks_;
-  std::unique_ptr<view::Target> half_;  ///< of a picture of two recordings
+  FingerForm finger_form_;
+  view::FingerShape finger_shape_ = view::FingerShape::finger;  ///< of this frame
+  std::optional<double> painted_s_;                             ///< when the frame before was
+  std::unique_ptr<view::Target> half_;                          ///< of a picture of two recordings
 };
 
 /// It is drawn for both eyes into framebuffer 0.

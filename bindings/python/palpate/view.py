@@ -77,7 +77,7 @@ def render(
     colours: "plain", "strain" (blue: pressed together), "stiffness", "ellipses", "scalar" (a number of the body's file,
     named by `scalar`). show: overlays, any of wireframe, triangles, leaves, planes, box, ellipses, rings, arrows,
     contact, normals, section, names. opacity: of the skin, 0 to 1; bones=True is 0.35 where it is not given.
-    finger: "sphere", "hand", "none". stereo: "mono", "anaglyph-dubois", "sbs-half" ... (docs/explanation/rendering.md).
+    finger: "finger" (what "auto" is here), "hand", "ball", "none". stereo: "mono", "anaglyph-dubois", "sbs-half" ... (docs/explanation/rendering.md).
     labels: legends, a scale, numbers beside the fingers; title: upper left.
 
     What is None is as the scene has it. What cannot be shown is a warning (UserWarning). Releases the GIL; the skin

@@ -26,7 +26,8 @@ struct Word {
 template <class Value>
 Word(const char*, Value) -> Word<Value>;
 
-/// `kAll` holds each value once, in the order in which menus and documents list them.
+/// `kAll` holds each value once, in the order in which menus and documents list them. `kFormer`, where there is one,
+/// holds words of earlier versions: they are still read, but listed and written nowhere.
 template <class Value>
 struct WordsOf;
 
@@ -43,6 +44,11 @@ template <class Value>
 constexpr std::optional<Value> valueNamed(std::string_view wanted) {
   for (const auto& [word, value] : WordsOf<Value>::kAll) {
     if (word == wanted) return value;
+  }
+  if constexpr (requires { WordsOf<Value>::kFormer; }) {
+    for (const auto& [word, value] : WordsOf<Value>::kFormer) {
+      if (word == wanted) return value;
+    }
   }
   return std::nullopt;
 }

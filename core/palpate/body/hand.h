@@ -1,5 +1,5 @@
 // Two hands: an open one with the index finger stretched out, as a model of any size, and the one that is drawn where a
-// finger touches: it palpates, and has its forearm.
+// finger touches: it palpates, and has its forearm. And the end of a finger alone, which is drawn in its place.
 #pragma once
 
 #include <array>
@@ -42,9 +42,18 @@ struct PalpatingHand {
   Vec3 pad_along = Vec3::UnitY();  ///< unit, of the last joint of the index finger towards its tip
   Vec3 forearm = -Vec3::UnitY();   ///< unit, from the wrist (the origin) to the elbow
   double forearm_mm = 260.0;       ///< where its end is cut, along that
+  double band_mm = 34.0;           ///< middle of the band in the hand's colour, along that
+  double band_half_mm = 8.0;       ///< half of the band's width
 };
 
 /// The left one is the mirror image of the right. Takes some tenths of a second.
 PalpatingHand makePalpatingHand(Side side);
+
+/// The radius of the fingertip below.
+inline constexpr double kFingertipMm = 8.0;
+
+/// A finger without its hand: the last joint and half of the one before, in a sleeve that is the band. The origin is
+/// the last joint; only the index finger has a nail. Some 900 triangles, made in no time.
+PalpatingHand makePalpatingFinger();
 
 }  // namespace palpate::body

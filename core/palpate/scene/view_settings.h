@@ -41,7 +41,14 @@ enum class Overlay : std::uint8_t {
   names,    ///< of the body's landmarks, as examiners say them (docs/reference/names.md)
 };
 
-enum class FingerShape : std::uint8_t { none, sphere, hand };
+/// `automatic`: the window draws hands where pictures then still come fast enough; everything else draws fingers.
+enum class FingerShape : std::uint8_t {
+  automatic,
+  finger,  ///< a fingertip to the middle of its second joint, with a sleeve in the hand's colour
+  hand,
+  ball,
+  none,
+};
 
 /// Side by side and top-bottom put the left eye left and on top, cross the other way round, for eyes that squint.
 /// "half" squeezes each eye's picture, as televisions want it; "full" does not.
@@ -72,8 +79,8 @@ struct ViewSettings {
   std::vector<Overlay> show;
   double opacity = 1.0;        ///< of the skin
   double skin_tone = 3.0;      ///< from 1, very light, to 6, very dark
-  double dent_contrast = 1.0;  ///< of the shading of dents; 0 none, 1 as it would be, above exaggerated
-  FingerShape finger = FingerShape::sphere;
+  double dent_contrast = 1.0;  ///< 0: dents are not shaded; 1: as they would be near by; above: exaggerated
+  FingerShape finger = FingerShape::automatic;
   bool white_background = false;
   bool texture = true;  ///< the body's own picture or colours, where its file has some
   // The colouring `scalar`: a number that the body's file brings for each vertex.
@@ -138,7 +145,9 @@ struct WordsOf<scene::Overlay> {
 template <>
 struct WordsOf<scene::FingerShape> {
   using V = scene::FingerShape;
-  static constexpr std::array kAll = {Word{"none", V::none}, Word{"sphere", V::sphere}, Word{"hand", V::hand}};
+  static constexpr std::array kAll = {Word{"auto", V::automatic}, Word{"finger", V::finger}, Word{"hand", V::hand},
+                                      Word{"ball", V::ball}, Word{"none", V::none}};
+  static constexpr std::array kFormer = {Word{"sphere", V::ball}};
 };
 
 template <>

@@ -73,10 +73,14 @@ Section viewSection() {
       number<V>("opacity", &V::opacity, between(0, 1), "Of the skin; below 1 the bones show through."),
       number<V>("skin_tone", &V::skin_tone, between(1, 6),
                 "Of the skin, from very light to very dark, about as Fitzpatrick's types; fractions lie between two."),
-      number<V>("dent_contrast", &V::dent_contrast, between(0, 5),
-                "How strongly dents are shaded: 0 not at all, 1 as it would be; above it is exaggerated, and the "
-                "picture says so."),
-      choice<V, FingerShape>("finger", &V::finger, "What a finger looks like."),
+      number<V>(
+          "dent_contrast", &V::dent_contrast, between(0, 5),
+          "How strongly dents are shaded: 0 not at all, 1 as it would be near by and stronger where the dent is small "
+          "in the picture; above 1 all of it is exaggerated, and the picture says so."),
+      choice<V, FingerShape>(
+          "finger", &V::finger,
+          "What a finger looks like: auto draws fingers, and in the window hands where they are drawn fast "
+          "enough."),
       flag<V>("white_background", &V::white_background, "White paper instead of grey."),
       flag<V>("texture", &V::texture,
               "The picture that [body] texture names, or the colours of a PLY file, on the skin."),

@@ -46,8 +46,8 @@ struct Look {
   std::bitset<kOverlays> overlays;
   double skin_opacity = 1.0;   ///< below 1 the bones show through; 0 hides the skin
   double skin_tone = 3.0;      ///< 1 very light to 6 very dark (skin_tone.h)
-  double dent_contrast = 1.0;  ///< of the shading of dents; 0 none, 1 as it would be, above exaggerated
-  FingerShape finger = FingerShape::sphere;
+  double dent_contrast = 1.0;  ///< 0: dents are not shaded; 1: as they would be near by; above: exaggerated
+  FingerShape finger = FingerShape::automatic;
   bool detail = true;   ///< pores (Shading::skin)
   bool texture = true;  ///< the user's picture or colours, on a skin that has some (Colouring::plain)
   bool cull = true;     ///< skin outside the picture is not drawn; false is for measuring what that saves

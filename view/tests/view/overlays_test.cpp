@@ -204,9 +204,9 @@ TEST(OverlayKey, SaysWhenDentsAreShadedMoreThanLightWould) {
   Look look;
   look.dent_contrast = 2.0;
   ASSERT_EQ(overlayKey(look).size(), 1u);
-  EXPECT_EQ(overlayKey(look)[0].words, "dent shading x2");
+  EXPECT_EQ(overlayKey(look)[0].words, "dent contrast x2");
   look.colouring = Colouring::strain;
-  EXPECT_TRUE(overlayKey(look).empty()) << "colours that mean something know no dent shading";
+  EXPECT_TRUE(overlayKey(look).empty()) << "colours that mean something know no dent contrast";
 }
 
 /// Steps along edges from the nearest corner of a triangle, for every vertex.

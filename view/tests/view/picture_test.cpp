@@ -61,7 +61,8 @@ double blueMiddle(const Image& image, const Half& half) {
 TEST(Picture, ShowsAPlaceToBothEyesWithTheParallaxOfItsDistance) {
   const auto world = flatWorld();
   const deform::DeformedSurface rest(*world->deformable);
-  const PictureSettings settings = settingsFor(StereoMode::sbs_full);
+  PictureSettings settings = settingsFor(StereoMode::sbs_full);
+  settings.look.finger = FingerShape::ball;  // all of it is blue, round its middle
   Studio studio(world);
   for (const double above : {10.0, 60.0, 100.0}) {
     const FingerMark ball[] = {ballAt({50.0, 50.0, above})};

@@ -148,7 +148,7 @@ TEST(Renderer, DrawsTheBallInFrontOfTheSkinItPresses) {
     scene.draw();
     const Vec3 tip = scene.fingers.front().contact.tip;
     const double skin = scene.distanceAt(tip);
-    scene.look.finger = FingerShape::sphere;
+    scene.look.finger = FingerShape::ball;
     scene.draw();
     // Seen from above: the ball's top is two radii nearer than the skin it lies on.
     EXPECT_NEAR(skin - scene.distanceAt(tip), 16.0, 1.0) << depth;
@@ -278,7 +278,7 @@ TEST(Renderer, ShowsAHandForEachFinger) {
     for (std::size_t i = 0; i < differs.size(); ++i) differs[i] = drawn.pixels[i] != bare.pixels[i];
     return differs;
   };
-  const auto ball = covered(FingerShape::sphere, {left});
+  const auto ball = covered(FingerShape::ball, {left});
   const auto ball_size = std::count(ball.begin(), ball.end(), true);
   const auto both = covered(FingerShape::hand, {left, right});
   const std::vector<bool> hands[] = {covered(FingerShape::hand, {left}), covered(FingerShape::hand, {right})};

@@ -133,7 +133,7 @@ TEST(Saving, AMeshIsSavedWithoutTheFingersOfTheBodyBefore) {
   ASSERT_TRUE(stage.until([&] { return stage.state().world.name == "ball.ply" && !stage.state().opening; }));
   stage.key(window::key('S'), kCtrl);
   const fs::path file = stage.state().document.file;
-  EXPECT_EQ(textOf(file).find("finger"), std::string::npos) << textOf(file);
+  EXPECT_EQ(textOf(file).find("[[finger"), std::string::npos) << textOf(file);
   EXPECT_NE(textOf(file).find("file = \"ball.ply\""), std::string::npos);
 }
 

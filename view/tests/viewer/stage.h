@@ -54,6 +54,7 @@ class Stage {
   static ViewState quiet() {
     ViewState state;
     state.look.shading = view::Shading::gouraud;
+    state.look.finger = view::FingerShape::finger;  // not by how fast this machine draws
     state.hints = false;
     state.reduced_motion = true;
     return state;

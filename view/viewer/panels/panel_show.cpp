@@ -18,7 +18,7 @@ constexpr std::string_view titleOf(view::Shading shading) {
   return shading == view::Shading::gouraud ? "smooth (Gouraud)" : wordFor(shading);
 }
 constexpr std::string_view titleOf(view::FingerShape shape) {
-  return shape == view::FingerShape::sphere ? "ball" : wordFor(shape);
+  return shape == view::FingerShape::automatic ? "hand where it is fast" : wordFor(shape);
 }
 
 /// In the order of the words, which is that of the enumerators.
@@ -53,8 +53,9 @@ void lookWidgets(const ShowPanel& panel) {
                {"show/opacity", "skin opacity", "%.2f", 0.0, 1.0, 1.0, "Below 1 the bones show through (key O)."});
   numberWidget(look.skin_tone, {"show/tone", "skin tone", "%.1f", 1.0, 6.0, 3.0,
                                 "From 1, very light, to 6, very dark, about as Fitzpatrick's types."});
-  numberWidget(look.dent_contrast, {"show/dents", "shading of dents", "%.1f x", 0.0, 5.0, 1.0,
-                                    "1 is as it would be; above, dents are drawn deeper than light would show them."});
+  numberWidget(look.dent_contrast,
+               {"show/dents", "dent contrast", "%.1f x", 0.0, 5.0, 1.0,
+                "1 is as it would be near by; above, dents are drawn deeper than light would show them."});
   const bool has_colours = panel.world.channels && !panel.world.channels->colours.empty();
   if (panel.world.has_picture) {
     flagWidget("show/picture", "picture on the skin", look.texture, "The one that the scene names.");

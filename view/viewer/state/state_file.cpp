@@ -46,7 +46,7 @@ void forEachValue(Remembered& r, const Visitor& visit) {
   visit("keeps_last_hour", s.keeps_last_hour);
   visit("shading", s.look.shading);
   visit("simpler_when_slow", s.simpler_when_slow);
-  visit("finger_shape", s.look.finger);
+  visit("drawn_finger", s.look.finger);  // finger_shape counted other forms
   visit("white_background", s.look.white_background);
   visit("press_by", s.touch.by);
   visit("depth_mm", s.touch.depth_mm);

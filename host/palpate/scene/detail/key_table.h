@@ -69,6 +69,8 @@ std::vector<double> readPoint(const Entry& entry, std::size_t count, const Range
 std::string readWord(const Entry& entry, const std::vector<std::string>& choices);
 template <class E>
 E readChoice(const Entry& entry) {
+  const std::string word = readText(entry);
+  if (const auto value = valueNamed<E>(word)) return *value;  // words of earlier versions too
   return *valueNamed<E>(readWord(entry, wordList<E>()));
 }
 

@@ -1,5 +1,5 @@
-// A unit sphere for all balls, a hand a side made when first shown; one program shades both, darker and redder towards
-// the skin, by formula.
+// A unit sphere for all balls, a finger for both sides and a hand a side, made when first shown. One program shades
+// balls and outlines, the other hands and fingers; both are darker towards the skin, by formula.
 // Data flow: FingerPose, HandPose -> here -> framebuffer, each picture.
 #include "palpate/view/layers/finger_layer.h"
 
@@ -91,6 +91,8 @@ uniform vec3 down;  // towards the skin, which takes away light
 uniform vec3 skin_colour;
 uniform float skin_scatter;
 uniform vec3 forearm;
+uniform float band_at;    // mm along the forearm
+uniform float band_half;  // mm
 uniform vec3 nail_centre[5];
 uniform vec3 nail_along[5];
 uniform vec3 nail_across[5];
@@ -124,10 +126,10 @@ void main() {
   skin = mix(skin, plate, on_nail) * (1.0 - 0.30 * border);
   sheen += 1.6 * on_nail;
   narrow -= 0.16 * on_nail;
-  // A band round the wrist.
-  float band = abs(dot(in_hand, forearm) - 34.0);
-  float on_band = 1.0 - smoothstep(8.0, 8.8, band);
-  skin = mix(skin, finger_colour, on_band) * (1.0 - 0.35 * smoothstep(6.6, 8.0, band) * (1.0 - smoothstep(8.6, 10.6, band)));
+  // A band round the wrist, or the sleeve of a finger.
+  float band = abs(dot(in_hand, forearm) - band_at) - band_half;
+  float on_band = 1.0 - smoothstep(0.0, 0.8, band);
+  skin = mix(skin, finger_colour, on_band) * (1.0 - 0.35 * smoothstep(-1.4, 0.0, band) * (1.0 - smoothstep(0.6, 2.6, band)));
   float near_skin = 0.5 + 0.5 * dot(n, down);
   float left = 1.0 - 0.42 * near_skin * near_skin;
   vec3 wrap = wrapOf(0.7, skin_scatter * (1.0 - on_band));
@@ -186,6 +188,10 @@ std::array<Vec3f, 5> floatsOf(const body::PalpatingHand& hand, Vec3 body::Nail::
   return floats;
 }
 
+void drawTriangles(Index indices) {
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices), GL_UNSIGNED_INT, nullptr);
+}
+
 void pointAt(GLuint location, GLuint buffer, const std::vector<Vec3f>& values) {
   fillBuffer<Vec3f>(GL_ARRAY_BUFFER, buffer, values);
   attributeAt(location, 3, GL_FLOAT);
@@ -209,17 +215,23 @@ FingerLayer::Shape FingerLayer::uploaded(const mesh::TriangleMesh& mesh) {
   return shape;
 }
 
-const FingerLayer::Hand& FingerLayer::hand(bool left) {
-  std::optional<Hand>& hand = hands_[left ? 1 : 0];
-  if (!hand) {
-    body::PalpatingHand made = body::makePalpatingHand(left ? body::Side::left : body::Side::right);
-    Shape shape = uploaded(made.mesh);
-    hand.emplace(Hand{std::move(made), std::move(shape), {}});
-    glBindVertexArray(hand->shape.vertex_array.get());
-    fillBuffer<float>(GL_ARRAY_BUFFER, hand->redness.get(), hand->hand.redness);
-    attributeAt(2, 1, GL_FLOAT);
-    glBindVertexArray(0);
+FingerLayer::Hand FingerLayer::uploaded(body::PalpatingHand made) {
+  Shape shape = uploaded(made.mesh);
+  Hand hand{std::move(made), std::move(shape), {}};
+  glBindVertexArray(hand.shape.vertex_array.get());
+  fillBuffer<float>(GL_ARRAY_BUFFER, hand.redness.get(), hand.hand.redness);
+  attributeAt(2, 1, GL_FLOAT);
+  glBindVertexArray(0);
+  return hand;
+}
+
+const FingerLayer::Hand& FingerLayer::hand(Form form, bool left) {
+  if (form == Form::finger) {
+    if (!finger_) finger_.emplace(uploaded(body::makePalpatingFinger()));
+    return *finger_;
   }
+  std::optional<Hand>& hand = hands_[left ? 1 : 0];
+  if (!hand) hand.emplace(uploaded(body::makePalpatingHand(left ? body::Side::left : body::Side::right)));
   return *hand;
 }
 
@@ -230,8 +242,7 @@ void FingerLayer::begin(const Viewpoint& viewpoint) const {
   glEnable(GL_CULL_FACE);
 }
 
-void FingerLayer::drawShape(const Shape& shape, const FingerPose& finger, const Mat3& axes, const Vec3& origin,
-                            const Viewpoint& viewpoint) const {
+void FingerLayer::setShape(const Shape& shape, const FingerPose& finger, const Mat3& axes, const Vec3& origin) const {
   program_.set("axes", Eigen::Matrix3f(axes.cast<float>()));
   program_.set("origin", Vec3f(origin.cast<float>()));
   program_.set("finger_colour", finger.colour);
@@ -239,36 +250,43 @@ void FingerLayer::drawShape(const Shape& shape, const FingerPose& finger, const 
   program_.set("grown", 0.0f);
   program_.set("rim", 0.0f);
   glBindVertexArray(shape.vertex_array.get());
-  const auto draw = [&] {
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(shape.indices), GL_UNSIGNED_INT, nullptr);
-  };
-  draw();
-  if (finger.outline <= 0.0) return;
-  // The back faces of a slightly larger shape: what stands out behind the shape is its outline.
+}
+
+/// The back faces of a slightly larger shape: what stands out behind the shape is its outline.
+void FingerLayer::drawRim(const Shape& shape, const FingerPose& finger, const Viewpoint& viewpoint) const {
   const float away_mm = (finger.centre.cast<float>() - viewpoint.eye).norm();
   program_.set("grown", static_cast<float>(finger.outline) * away_mm / viewpoint.pixels_per_radian);
   program_.set("rim", 1.0f);
   program_.set("finger_colour", Vec3f(kRim));
   glCullFace(GL_FRONT);
-  draw();
+  drawTriangles(shape.indices);
   glCullFace(GL_BACK);
 }
 
 void FingerLayer::drawBalls(std::span<const FingerPose> fingers, const Viewpoint& viewpoint) const {
   begin(viewpoint);
   for (const FingerPose& finger : fingers) {
-    drawShape(ball_, finger, finger.radius_mm * Mat3::Identity(), finger.centre, viewpoint);
+    setShape(ball_, finger, finger.radius_mm * Mat3::Identity(), finger.centre);
+    drawTriangles(ball_.indices);
+    if (finger.outline > 0.0) drawRim(ball_, finger, viewpoint);
   }
   glDisable(GL_CULL_FACE);
 }
 
-HandPose FingerLayer::handPose(const scene::World& world, const FingerPose& finger) {
-  return handPoseOf(world, finger, hand(finger.left).hand);
+HandPose FingerLayer::handPose(const scene::World& world, Form form, const FingerPose& finger) {
+  const double size = form == Form::finger ? finger.radius_mm / body::kFingertipMm : 1.0;
+  return handPoseOf(world, finger, hand(form, finger.left).hand, size);
 }
 
-void FingerLayer::addCasters(const FingerPose& finger, const HandPose& pose, std::vector<ShadowCaster>& casters) {
-  const body::PalpatingHand& hand = this->hand(finger.left).hand;
+void FingerLayer::addCasters(Form form, const FingerPose& finger, const HandPose& pose,
+                             std::vector<ShadowCaster>& casters) {
+  const body::PalpatingHand& hand = this->hand(form, finger.left).hand;
   const auto placed = [&](const Vec3& in_hand) { return Vec3f((pose.origin + pose.axes * in_hand).cast<float>()); };
+  if (form == Form::finger) {
+    const Vec3 sleeve = (hand.band_mm + hand.band_half_mm) * hand.forearm;
+    casters.push_back({placed(hand.pad), placed(sleeve), static_cast<float>(finger.radius_mm)});
+    return;
+  }
   const double side = finger.left ? -1.0 : 1.0;
   // The index finger from its pad to the knuckle, the other fingers together, and the palm.
   casters.push_back({placed(hand.pad), placed({-27.0 * side, 94.0, 1.0}), 8.0f});
@@ -288,6 +306,8 @@ void FingerLayer::setHand(const Hand& hand, const FingerPose& finger, const Hand
   hand_program_.set("forearm", Vec3f(hand.hand.forearm.cast<float>()));
   hand_program_.set("fade_begin", static_cast<float>(hand.hand.forearm_mm - kFadeMm));
   hand_program_.set("fade_end", static_cast<float>(hand.hand.forearm_mm - kUnseenMm));
+  hand_program_.set("band_at", static_cast<float>(hand.hand.band_mm));
+  hand_program_.set("band_half", static_cast<float>(hand.hand.band_half_mm));
   hand_program_.set("near_mm", static_cast<float>(tones.near_mm));
   for (const auto& [name, part] :
        {std::pair{"nail_centre", &body::Nail::centre}, std::pair{"nail_along", &body::Nail::along},
@@ -297,9 +317,10 @@ void FingerLayer::setHand(const Hand& hand, const FingerPose& finger, const Hand
   }
 }
 
-void FingerLayer::drawHand(const FingerPose& finger, const HandPose& pose, const HandTones& tones,
+void FingerLayer::drawHand(Form form, const FingerPose& finger, const HandPose& pose, const HandTones& tones,
                            const Viewpoint& viewpoint, Part part) {
-  const Hand& hand = this->hand(finger.left);
+  if (form == Form::finger && part == Part::fading) return;
+  const Hand& hand = this->hand(form, finger.left);
   setHand(hand, finger, tones, viewpoint);
   hand_program_.set("axes", Eigen::Matrix3f(pose.axes.cast<float>()));
   hand_program_.set("origin", Vec3f(pose.origin.cast<float>()));
@@ -309,8 +330,13 @@ void FingerLayer::drawHand(const FingerPose& finger, const HandPose& pose, const
   (part == Part::fading ? glEnable : glDisable)(GL_BLEND);
   blendOver();
   glBindVertexArray(hand.shape.vertex_array.get());
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(hand.shape.indices), GL_UNSIGNED_INT, nullptr);
+  drawTriangles(hand.shape.indices);
   glDisable(GL_BLEND);
+  if (form == Form::finger && finger.outline > 0.0) {
+    begin(viewpoint);
+    setShape(hand.shape, finger, pose.axes, pose.origin);
+    drawRim(hand.shape, finger, viewpoint);
+  }
   glDisable(GL_CULL_FACE);
 }
 

@@ -1,4 +1,4 @@
-// The fingers: balls, or hands whose index finger's pad lies where the ball would.
+// The fingers: balls, or hands and fingers without one whose pad lies where the ball would.
 #pragma once
 
 #include <array>
@@ -21,14 +21,15 @@ namespace palpate::view {
 
 /// From the hand's frame (body/hand.h) to the body's: place = origin + axes * point.
 struct HandPose {
-  Mat3 axes = Mat3::Identity();
+  Mat3 axes = Mat3::Identity();  ///< a turn, and a size
   Vec3 origin = Vec3::Zero();
 };
 
 /// The pad of the index finger lies where the finger's ball meets the skin; the hand is held as flat as its other parts
 /// allow without sinking into the skin at rest, and lifted where even that is not enough. `hand` must be the one of
-/// that side.
-HandPose handPoseOf(const scene::World& world, const FingerPose& finger, const body::PalpatingHand& hand);
+/// that side, `size` times as large.
+HandPose handPoseOf(const scene::World& world, const FingerPose& finger, const body::PalpatingHand& hand,
+                    double size = 1.0);
 
 /// What a hand looks like: linear.
 struct HandTones {
@@ -40,15 +41,17 @@ class FingerLayer {
  public:
   FingerLayer();
   void drawBalls(std::span<const FingerPose> fingers, const Viewpoint& viewpoint) const;
+  /// A whole hand, or a finger without it, as large as the ball would be.
+  enum class Form : std::uint8_t { hand, finger };
   /// Where hands lie; makes a hand when it is first asked for.
-  HandPose handPose(const scene::World& world, const FingerPose& finger);
+  HandPose handPose(const scene::World& world, Form form, const FingerPose& finger);
   /// A hand in two parts, since it fades out at its elbow and before the eye: what is opaque, among all that hides and
-  /// is hidden, and what is not, over everything else.
+  /// is hidden, and what is not, over everything else. A finger is all opaque.
   enum class Part : std::uint8_t { opaque, fading };
-  void drawHand(const FingerPose& finger, const HandPose& pose, const HandTones& tones, const Viewpoint& viewpoint,
-                Part part);
+  void drawHand(Form form, const FingerPose& finger, const HandPose& pose, const HandTones& tones,
+                const Viewpoint& viewpoint, Part part);
   /// What throws the shadow of a hand that was posed.
-  void addCasters(const FingerPose& finger, const HandPose& pose, std::vector<ShadowCaster>& casters);
+  void addCasters(Form form, const FingerPose& finger, const HandPose& pose, std::vector<ShadowCaster>& casters);
 
  private:
   /// A mesh on the graphics card.
@@ -63,15 +66,17 @@ class FingerLayer {
     GlBuffer redness;
   };
   static Shape uploaded(const mesh::TriangleMesh& mesh);
-  const Hand& hand(bool left);
+  static Hand uploaded(body::PalpatingHand made);
+  const Hand& hand(Form form, bool left);
   void setHand(const Hand& hand, const FingerPose& finger, const HandTones& tones, const Viewpoint& viewpoint) const;
   void begin(const Viewpoint& viewpoint) const;
-  void drawShape(const Shape& shape, const FingerPose& finger, const Mat3& axes, const Vec3& origin,
-                 const Viewpoint& viewpoint) const;
+  void setShape(const Shape& shape, const FingerPose& finger, const Mat3& axes, const Vec3& origin) const;
+  void drawRim(const Shape& shape, const FingerPose& finger, const Viewpoint& viewpoint) const;
 
   Program program_, hand_program_;
   Shape ball_;
   std::array<std::optional<Hand>, 2> hands_;  // right, left; made when first shown
+  std::optional<Hand> finger_;                // of either hand; made when first shown
 };
 
 }  // namespace palpate::view

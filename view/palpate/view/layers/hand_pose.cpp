@@ -69,9 +69,9 @@ double padReach(const body::PalpatingHand& hand, const Mat3& axes, const Vec3& d
 }
 
 /// The hand held at this angle with its pad where the ball meets the skin.
-HandPose heldAt(const FingerPose& finger, const body::PalpatingHand& hand, double steepness) {
+HandPose heldAt(const FingerPose& finger, const body::PalpatingHand& hand, double size, double steepness) {
   HandPose pose;
-  pose.axes = axesAt(finger, hand, steepness);
+  pose.axes = size * axesAt(finger, hand, steepness);
   const Vec3 contact = finger.centre - finger.radius_mm * finger.normal;
   const double reach = padReach(hand, pose.axes, -finger.normal);
   pose.origin = contact + reach * finger.normal - pose.axes * hand.pad;
@@ -92,15 +92,15 @@ double deepestPart(const scene::World& world, const FingerPose& finger, const bo
 
 }  // namespace
 
-HandPose handPoseOf(const scene::World& world, const FingerPose& finger, const body::PalpatingHand& hand) {
+HandPose handPoseOf(const scene::World& world, const FingerPose& finger, const body::PalpatingHand& hand, double size) {
   double flat = kFlattest;
   double steep = kSteepest;
   constexpr int kHalvings = 5;  // to a degree
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (flat + steep);
-    (deepestPart(world, finger, hand, heldAt(finger, hand, middle)) > 0.0 ? flat : steep) = middle;
+    (deepestPart(world, finger, hand, heldAt(finger, hand, size, middle)) > 0.0 ? flat : steep) = middle;
   }
-  HandPose pose = heldAt(finger, hand, steep);
+  HandPose pose = heldAt(finger, hand, size, steep);
   pose.origin += deepestPart(world, finger, hand, pose) * finger.normal;
   return pose;
 }

@@ -24,12 +24,19 @@ constexpr float kWidthRadii = 1.5f;
 constexpr float kWidening = 0.17f;
 /// The rim of a mark, in its radii (blanched() in the shader).
 constexpr float kMarkRadii = 2.3f;
+/// And the skin round it that may lie deep enough for a contour (contoursAt() in the shader), mm.
+constexpr float kDentReachMm = 70.0f;
 
 std::string vertexSource(std::string_view main) {
   return std::string(kSkinAttributes).append(kSkinOpacity).append(main);
 }
 std::string fragmentSource(std::string_view main) {
-  return std::string(kSkinOpacity).append("#ifdef TOUCHED\n").append(kFingerShade).append("#endif\n").append(main);
+  return std::string(kSkinOpacity)
+      .append("#ifdef TOUCHED\n")
+      .append(kFingerShade)
+      .append(kDentContours)
+      .append("#endif\n")
+      .append(main);
 }
 
 Program program(std::string_view name, std::string_view vertex, std::string_view fragment,
@@ -56,6 +63,7 @@ void start(const Program& program, const Look& look, const Viewpoint& viewpoint,
   program.set("skin_scatter", tone.scatter);
   program.set("skin_sheen", tone.sheen);
   program.set("dent_contrast", static_cast<float>(look.dent_contrast));
+  program.set("mm_a_point", viewpoint.pixels_per_point / viewpoint.pixels_per_radian);
   program.set("skin_opacity", static_cast<float>(std::min(1.0, look.skin_opacity)));
   program.set("picture", 0);
   program.set("made_white", needs.made ? kMadeSkinWhite : 0.0f);
@@ -110,7 +118,8 @@ std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights
       influences.push_back({end, end - length * lights.key, width});
     }
   }
-  for (const PressMark& mark : touch.marks) influences.push_back({mark.place, mark.place, kMarkRadii * mark.radius_mm});
+  for (const PressMark& mark : touch.marks)
+    influences.push_back({mark.place, mark.place, std::max(kDentReachMm, kMarkRadii * mark.radius_mm)});
   return influences;
 }
 
@@ -167,6 +176,7 @@ void SkinPaint::useTouched(const Look& look, const Viewpoint& viewpoint, const S
                            const SkinTouch& touch) {
   const Program& program = programFor(look.shading, needs, true);
   start(program, look, viewpoint, needs);
+  program.set("pixels_a_point", viewpoint.pixels_per_point);
   setFingers(program, touch.casters);
   setMarks(program, touch.marks);
 }

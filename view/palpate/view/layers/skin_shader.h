@@ -26,19 +26,22 @@ uniform vec3 skin_colour;
 uniform float skin_blood;   // SkinTone
 uniform float skin_opacity;
 uniform float made_white;   // kMadeSkinWhite where the picture has factors on the skin's colour; 0: it has colours
-uniform float dent_contrast;  // 1: as it would be; above, what a dent does to normals and to light is exaggerated
+uniform float dent_contrast;  // 1: as it would be near by; above, what a dent does to normals and light is exaggerated
+uniform float mm_a_point;     // of the picture, 1 mm from the eye
 
 vec3 placeHere() { return vec3(x, y, z + lift_mm * breath_share); }
+// What a dent needs to be seen: nothing near by, all of it where a dent of 40 mm is 50 points wide.
+float helpAt(vec3 place) { return smoothstep(0.25, 0.8, mm_a_point * dot(eye - place, backward)); }
+float contrastAt(vec3 place) { return dent_contrast * (1.0 + 1.2 * helpAt(place)); }
 // Normals that have turned since rest turn farther.
-vec3 normalHere() {
+vec3 normalHere(float contrast) {
   vec3 normal = vec3(nx, ny, nz);
-  return normal + max(dent_contrast - 1.0, 0.0) * (normal - rest_normal);
+  return normal + max(contrast - 1.0, 0.0) * (normal - rest_normal);
 }
-// The share of light that the walls of a dent leave, by how deep the place lies under where it was.
-float lightLeftByDent() {
-  float sunk = dot(rest_place - vec3(x, y, z), rest_normal);
-  return 1.0 - min(0.9, 0.34 * dent_contrast) * smoothstep(0.2, 9.0, sunk);
-}
+// How deep the place lies under where it was, mm.
+float sunkHere() { return dot(rest_place - vec3(x, y, z), rest_normal); }
+// The share of light that the walls of a dent leave, by that.
+float lightLeftByDent(float contrast) { return 1.0 - min(0.9, 0.34 * contrast) * smoothstep(0.2, 9.0, sunkHere()); }
 #ifdef COLOURS
 layout(location = 11) in vec4 given_colour;  // sRGB
 vec3 albedoHere() {
@@ -78,6 +81,7 @@ out vec3 back;
 #ifdef TOUCHED
 out vec3 place;
 out vec3 normal;
+out vec2 contour;  // depth under rest, mm; how much of the contours is seen
 #else
 vec3 place, normal;
 #endif
@@ -88,12 +92,16 @@ out vec2 at;
 void main() {
   place = placeHere();
   gl_Position = clip_from_body * vec4(place, 1.0);
-  normal = normalize(normalHere());
+  float contrast = contrastAt(place);
+  normal = normalize(normalHere(contrast));
+#ifdef TOUCHED
+  contour = vec2(sunkHere(), helpAt(place) * min(dent_contrast, 1.0));
+#endif
   vec3 to_eye = normalize(eye - place);
   vec3 wrap = wrapOf(tint.a, skin_scatter);
   float facing = dot(normal, to_eye);
   float slant = 1.0 - saturate(facing);
-  float dent = lightLeftByDent();
+  float dent = lightLeftByDent(contrast);
   vec3 light = skinLight(normal, wrap, dent, dent) + rim_light * (0.5 * slant * slant * slant);
   vec3 light_behind = skinLight(-normal, wrap, 0.5, 0.5) * 0.5;
   float shine = skin_sheen * dent * sheenOf(normal, to_key, to_eye, 0.60, 0.50);
@@ -118,13 +126,13 @@ out vec4 colour;
 #ifdef TOUCHED
 in vec3 place;
 in vec3 normal;
-float shade() {
+in vec2 contour;
+vec3 touched(vec3 encoded_colour) {
   vec2 left = lightLeftByFingers(place, normalize(normal));
-  return sqrt(0.65 * left.y + 0.35 * left.x);  // the colours below are encoded
+  return contoured(encoded_colour * sqrt(0.65 * left.y + 0.35 * left.x), contour);
 }
 #else
-const float shade_none = 1.0;
-float shade() { return shade_none; }
+vec3 touched(vec3 encoded_colour) { return encoded_colour; }
 #endif
 #ifdef PICTURE
 in float front_shine;
@@ -133,11 +141,31 @@ uniform sampler2D picture;
 void main() {
   vec3 skin = texture(picture, at).rgb;
   vec3 light = gl_FrontFacing ? skin * front.rgb + front_shine : skin * back;
-  colour = vec4(encoded(toned(light)) * shade(), front.a);
+  colour = vec4(touched(encoded(toned(light))), front.a);
 }
 #else
-void main() { colour = vec4((gl_FrontFacing ? front.rgb : back) * shade(), front.a); }
+void main() { colour = vec4(touched(gl_FrontFacing ? front.rgb : back), front.a); }
 #endif
+)";
+
+/// Contours of equal depth in a dent that is small in the picture (with TOUCHED): pairs of a dark line and a bright one
+/// outside of it, as wide near by as far away, so that both pale and dark skin have one that is seen.
+inline constexpr std::string_view kDentContours = R"(
+uniform float pixels_a_point;
+// x: depth under rest, mm; y: how much is seen. Colours are encoded.
+vec3 contoured(vec3 skin, vec2 contour) {
+  const float rim = 0.5;    // mm: the outermost contour
+  const float apart = 2.0;  // mm
+  const float width = 1.1;  // points
+  float slope = max(fwidth(contour.x), 1e-5);
+  float level = rim + apart * max(0.0, floor((contour.x - rim) / apart + 0.5));
+  float inward = (contour.x - level) / slope;  // pixels
+  float px = width * pixels_a_point;
+  vec2 line = clamp(0.5 * px + 0.5 - abs(vec2(inward - 0.5 * px, inward + 0.5 * px)), 0.0, 1.0);
+  // On ground that is almost level a line would be where rounding puts it.
+  line *= contour.y * smoothstep(0.01, 0.03, slope * pixels_a_point) * (level > rim ? 0.55 : 1.0);
+  return saturate(skin * (1.0 - 0.34 * line.x) + 0.14 * line.y);
+}
 )";
 
 /// What fingers leave of the light, by formula (with TOUCHED). Balls, and rods with round ends for fingers and hands.
@@ -181,15 +209,22 @@ out vec3 normal;
 out vec3 rest;
 out vec4 albedo;  // fourth: curvature
 out float dent;   // share of light left there
+#ifdef TOUCHED
+out vec2 contour;  // depth under rest, mm; how much of the contours is seen
+#endif
 #ifdef PICTURE
 out vec2 at;
 #endif
 void main() {
   place = placeHere();
-  normal = normalHere();
+  float contrast = contrastAt(place);
+  normal = normalHere(contrast);
   rest = rest_place;
   albedo = vec4(albedoHere(), tint.a);
-  dent = lightLeftByDent();
+  dent = lightLeftByDent(contrast);
+#ifdef TOUCHED
+  contour = vec2(sunkHere(), helpAt(place) * min(dent_contrast, 1.0));
+#endif
 #ifdef PICTURE
   at = picture_place;
 #endif
@@ -207,6 +242,9 @@ in vec3 normal;
 in vec3 rest;
 in vec4 albedo;
 in float dent;
+#ifdef TOUCHED
+in vec2 contour;
+#endif
 out vec4 colour;
 
 #ifdef PICTURE
@@ -326,7 +364,11 @@ void main() {
   vec3 seen_colour = skin * light + key_light * (left.y * dent * skin_sheen * gloss_of_key) +
                      ambientFrom(reflect(-to_eye, detailed)) * (left.x * dent * skin_sheen * gloss_of_sky);
   if (!gl_FrontFacing) seen_colour *= 0.5;
-  colour = vec4(encoded(toned(seen_colour)), opacityAt(facing, skin_opacity));
+  vec3 shown = encoded(toned(seen_colour));
+#ifdef TOUCHED
+  shown = contoured(shown, contour);
+#endif
+  colour = vec4(shown, opacityAt(facing, skin_opacity));
 }
 )";
 

@@ -33,6 +33,7 @@ struct Viewpoint {
   Vec2f pixels = Vec2f::Ones();    ///< of the viewport
   double near_mm = 1.0;            ///< nothing nearer is drawn
   float lift_mm = 0.0f;            ///< how far the breath has moved the body
+  float pixels_per_point = 1.0f;   ///< Frame::pixels_per_point
   float pixels_per_radian = 1.0f;  ///< in the middle of the picture: pixels of 1 mm at 1 mm, divide by the distance
 
   /// At the nearest place of a box; infinite within it.

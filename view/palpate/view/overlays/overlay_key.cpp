@@ -83,7 +83,7 @@ std::vector<KeyEntry> overlayKey(const Look& look) {
     if (look.shows(row.overlay)) entries.push_back({row.sign, row.paint, std::string(row.words)});
   }
   if (look.colouring == Colouring::plain && look.dent_contrast > 1.0) {
-    entries.push_back({Sign::patch, kDentPaint, fmt::format("dent shading x{:g}", look.dent_contrast)});
+    entries.push_back({Sign::patch, kDentPaint, fmt::format("dent contrast x{:g}", look.dent_contrast)});
   }
   return entries;
 }

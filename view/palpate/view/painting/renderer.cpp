@@ -26,6 +26,12 @@ namespace {
 constexpr double kWireframePx = 0.8;
 /// Skin of a lighter tone gets a darker hand.
 constexpr double kLightBody = 2.5;
+/// A near plane behind the eye, mm: nothing fades.
+constexpr double kNeverNear = -1e4;
+
+FingerLayer::Form formOf(const Look& look) {
+  return look.finger == FingerShape::hand ? FingerLayer::Form::hand : FingerLayer::Form::finger;
+}
 
 /// Where the skin is at rest.
 std::vector<Press> pressesOf(const Frame& frame, const std::optional<body::BreathField>& breath) {
@@ -61,7 +67,7 @@ struct Renderer::Impl {
   DrawnSkin drawn;
   Blanching blanching;
   std::vector<FingerPose> poses;
-  std::vector<HandPose> hands;  // of the poses, when hands are drawn
+  std::vector<HandPose> hands;  // of the poses, unless balls are drawn
   std::vector<ShadowCaster> casters;
 
   void setWorld(std::shared_ptr<const scene::World> next) {
@@ -86,7 +92,7 @@ struct Renderer::Impl {
     if (look.finger == FingerShape::none) return;
     for (const FingerMark& finger : frame.fingers) poses.push_back(poseOf(*world, drawn, finger));
     for (FingerPose& pose : poses) pose.outline *= frame.pixels_per_point;
-    if (look.finger == FingerShape::sphere) {
+    if (look.finger == FingerShape::ball) {
       for (const FingerPose& pose : poses) {
         const Vec3f centre = pose.centre.cast<float>();
         casters.push_back({centre, centre, static_cast<float>(pose.radius_mm)});
@@ -94,20 +100,23 @@ struct Renderer::Impl {
       return;
     }
     for (const FingerPose& pose : poses) {
-      hands.push_back(fingers.handPose(*world, pose));
-      fingers.addCasters(pose, hands.back(), casters);
+      hands.push_back(fingers.handPose(*world, formOf(look), pose));
+      fingers.addCasters(formOf(look), pose, hands.back(), casters);
     }
   }
 
   void drawFingers(const Look& look, const Viewpoint& viewpoint) {
-    if (look.finger == FingerShape::sphere) fingers.drawBalls(poses, viewpoint);
+    if (look.finger == FingerShape::ball) fingers.drawBalls(poses, viewpoint);
     drawHands(look, viewpoint, FingerLayer::Part::opaque);
   }
 
-  /// In another tone than the body, so that the two are distinguished.
+  /// In another tone than the body, so that the two are distinguished. A hand fades before it reaches the near plane,
+  /// which leaves room for it; a finger is too short to come there.
   void drawHands(const Look& look, const Viewpoint& viewpoint, FingerLayer::Part part) {
-    const HandTones tones{.skin = look.skin_tone < kLightBody ? 4.0 : 2.0, .near_mm = viewpoint.near_mm};
-    for (std::size_t i = 0; i < hands.size(); ++i) fingers.drawHand(poses[i], hands[i], tones, viewpoint, part);
+    const FingerLayer::Form form = formOf(look);
+    const HandTones tones{.skin = look.skin_tone < kLightBody ? 4.0 : 2.0,
+                          .near_mm = form == FingerLayer::Form::hand ? viewpoint.near_mm : kNeverNear};
+    for (std::size_t i = 0; i < hands.size(); ++i) fingers.drawHand(form, poses[i], hands[i], tones, viewpoint, part);
   }
 
   /// From outside of an opaque skin without a border; the near plane must not cut it open either.
@@ -176,6 +185,7 @@ void Renderer::setPartition(std::shared_ptr<const hdb::Partition> partition, con
 void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height) {
   Viewpoint viewpoint = viewpointOf(frustum, width, height);
   viewpoint.lift_mm = static_cast<float>(frame.lift_mm);
+  viewpoint.pixels_per_point = static_cast<float>(frame.pixels_per_point);
   impl_->drawn.lift(viewpoint.lift_mm);
   impl_->poseFingers(frame, look);
   const auto marks = impl_->blanching.at(frame.time_s, pressesOf(frame, impl_->world->breath));

@@ -1,0 +1,53 @@
+#include "view/viewer/finger_form.h"
+
+#include <algorithm>
+
+#include "view/viewer/state/viewer_state.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+/// A frame that was in time takes back as much of the suspicion as several slow ones of its length brought.
+constexpr double kFormForgiving = 2.0;
+constexpr double kLongestWaitS = 3600.0;
+
+}  // namespace
+
+void FingerForm::frame(double between_s, double cost_s, bool counts) {
+  if (!counts || between_s > settings_.hitch_s) return;
+  hand_ ? frameOfHand(between_s) : frameOfFinger(between_s, cost_s);
+}
+
+void FingerForm::frameOfHand(double between_s) {
+  const bool slow = between_s > settings_.slow_s;
+  slow_s_ = std::max(0.0, slow_s_ + (slow ? between_s : -kFormForgiving * between_s));
+  if (slow_s_ < settings_.slow_for_s) return;
+  hand_ = false;
+  again_s_ = again_s_ > 0.0 ? std::min(kLongestWaitS, 2.0 * again_s_) : settings_.again_after_s;
+  wait_s_ = again_s_;
+  slow_s_ = spare_s_ = 0.0;
+}
+
+void FingerForm::frameOfFinger(double between_s, double cost_s) {
+  const bool spare = between_s <= settings_.slow_s && cost_s < settings_.spare_share * settings_.slow_s;
+  spare_s_ = spare ? spare_s_ + between_s : 0.0;
+  if (spare_s_ < wait_s_) return;
+  hand_ = true;
+  slow_s_ = spare_s_ = 0.0;
+}
+
+view::FingerShape fingerShapeNow(FingerForm& form, const ViewerState& viewer, double elapsed_s, bool counts) {
+  const view::FingerShape chosen = viewer.state.look.finger;
+  if (chosen != view::FingerShape::automatic) {
+    form.reset();
+    return chosen;
+  }
+  const bool any = viewer.finger_present[0] || viewer.finger_present[1];
+  // Skin that is drawn simpler because pictures are slow leaves no time for hands.
+  const bool says = counts && any && !viewer.simple_shading && !viewer.building && !viewer.recording.sequence;
+  form.frame(elapsed_s, 1e-3 * viewer.performance.frame_ms, says);
+  return form.hand() && !viewer.simple_shading ? view::FingerShape::hand : view::FingerShape::finger;
+}
+
+}  // namespace palpate::viewer
