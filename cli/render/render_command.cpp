@@ -330,6 +330,7 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
   addNumber(command, "--skin-tone", options.skin_tone, between(1.0, 6.0), "Of the skin, very light to very dark");
   addNumber(command, "--dent-contrast", options.dent_contrast, between(0.0, 5.0),
             "How strongly dents are shaded; 1 is as it would be, above it is exaggerated");
+  command.add_flag("--lens", options.lens, "A close view from beside the finger in the lower left corner");
   command.add_flag("--white", options.white, "White background");
   command.add_flag_function(
       "--texture,!--no-texture", [&options](std::int64_t times) { options.texture = times > 0; },

@@ -90,6 +90,7 @@ scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettin
   useScalar(options, settings);
   settings.swap_eyes = settings.swap_eyes || options.swap_eyes;
   settings.white_background = settings.white_background || options.white;
+  settings.lens = settings.lens || options.lens;
   replace(settings.texture, options.texture);
   settings.detail = settings.detail && options.detail;
   return settings;

@@ -34,6 +34,7 @@ struct RenderOptions {
       screen_height_mm;
   bool swap_eyes = false;
   bool white = false;
+  bool lens = false;
   std::optional<bool> texture;
   bool detail = true;
 };

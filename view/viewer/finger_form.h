@@ -16,7 +16,7 @@ struct ViewerState;
 struct FingerFormSettings {
   double slow_s = 1.0 / 30.0;  ///< between two pictures; the hand is for those who have faster ones
   double slow_for_s = 1.0;     ///< so long before a hand is taken back: a hitch is no reason
-  /// Of `slow_s`: with a finger drawn, a picture must cost less. A hand adds up to its own half in software.
+  /// Of `slow_s`: with a finger drawn, a picture must cost less. In software a hand doubles the cost.
   double spare_share = 0.5;
   double spare_for_s = 3.0;     ///< so long before the first hand
   double again_after_s = 30.0;  ///< with time to spare, before the next one; twice as long after each that was too slow

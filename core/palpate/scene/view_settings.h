@@ -81,6 +81,7 @@ struct ViewSettings {
   double skin_tone = 3.0;      ///< from 1, very light, to 6, very dark
   double dent_contrast = 1.0;  ///< 0: dents are not shaded; 1: as they would be near by; above: exaggerated
   FingerShape finger = FingerShape::automatic;
+  bool lens = false;  ///< a close view from beside the finger in a corner
   bool white_background = false;
   bool texture = true;  ///< the body's own picture or colours, where its file has some
   // The colouring `scalar`: a number that the body's file brings for each vertex.

@@ -81,6 +81,7 @@ Section viewSection() {
           "finger", &V::finger,
           "What a finger looks like: auto draws fingers, and in the window hands where they are drawn fast "
           "enough."),
+      flag<V>("lens", &V::lens, "A close view from beside the finger in a corner of the picture."),
       flag<V>("white_background", &V::white_background, "White paper instead of grey."),
       flag<V>("texture", &V::texture,
               "The picture that [body] texture names, or the colours of a PLY file, on the skin."),

@@ -48,6 +48,7 @@ struct Look {
   double skin_tone = 3.0;      ///< 1 very light to 6 very dark (skin_tone.h)
   double dent_contrast = 1.0;  ///< 0: dents are not shaded; 1: as they would be near by; above: exaggerated
   FingerShape finger = FingerShape::automatic;
+  bool lens = false;    ///< a close view from beside the finger in a corner
   bool detail = true;   ///< pores (Shading::skin)
   bool texture = true;  ///< the user's picture or colours, on a skin that has some (Colouring::plain)
   bool cull = true;     ///< skin outside the picture is not drawn; false is for measuring what that saves

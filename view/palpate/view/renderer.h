@@ -53,8 +53,9 @@ class Renderer {
   void setPartition(std::shared_ptr<const hdb::Partition> partition, const Vec3& box_edges_mm);
 
   /// Draws into the bound framebuffer's viewport of `width` x `height` pixels: background, bones, skin, fingers,
-  /// overlays. Text and legends are the business of labels.h.
-  void draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height);
+  /// overlays. Text and legends are the business of labels.h. `lit_as`: the picture whose light it has, if not its own.
+  void draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height,
+            const Frustum* lit_as = nullptr);
 
  private:
   struct Impl;

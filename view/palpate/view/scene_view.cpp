@@ -51,6 +51,7 @@ Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
   look.skin_tone = view.skin_tone;
   look.dent_contrast = view.dent_contrast;
   look.finger = view.finger;
+  look.lens = view.lens;
   look.white_background = view.white_background;
   look.texture = view.texture;
   look.detail = view.detail;

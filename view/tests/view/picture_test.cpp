@@ -73,6 +73,40 @@ TEST(Picture, ShowsAPlaceToBothEyesWithTheParallaxOfItsDistance) {
   }
 }
 
+TEST(Picture, ChangesNothingOutsideOfItsLens) {
+  const auto world = flatWorld();
+  Studio studio(world);
+  PictureSettings settings;
+  settings.camera.centre = {50.0, 50.0, 0.0};
+  settings.labels = LabelSettings::none();
+  const FingerMark finger[] = {pressedFinger(*world, {50.0, 50.0, 0.0}, 6.0)};
+  const deform::DeformedSurface surface = deformedBy(*world, finger);
+  const PictureSize size{800, 600, 1};
+  const Image without = studio.take(surface, {finger, 0.0}, settings, size).image;
+  settings.look.lens = true;
+  const Image with = studio.take(surface, {finger, 0.0}, settings, size).image;
+  int changed = 0;
+  for (int y = 0; y < size.height; ++y) {
+    for (int x = 0; x < size.width; ++x) {
+      if (with.at(x, y) == without.at(x, y)) continue;
+      ++changed;
+      EXPECT_TRUE(x < 300 && y > 300) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(changed, 5000);
+  EXPECT_EQ(studio.take(surface, {{}, 0.0}, settings, size).image.pixels, studio
+                                                                              .take(
+                                                                                  surface, {{}, 0.0},
+                                                                                  [&] {
+                                                                                    auto s = settings;
+                                                                                    s.look.lens = false;
+                                                                                    return s;
+                                                                                  }(),
+                                                                                  size)
+                                                                              .image.pixels)
+      << "without a finger there is none";
+}
+
 TEST(Picture, ShowsBothEyesTheSameWithoutEyeDistance) {
   const auto world = flatWorld();
   const FingerMark fingers[] = {pressedFinger(*world, {50, 50, 0}, 5.0)};

@@ -39,6 +39,7 @@ void keepLook(const view::Look& was, const view::Look& is, scene::Scene& scene) 
   keepChange(was.skin_tone, is.skin_tone, view.skin_tone);
   keepChange(was.dent_contrast, is.dent_contrast, view.dent_contrast);
   keepChange(was.finger, is.finger, view.finger);
+  keepChange(was.lens, is.lens, view.lens);
   keepChange(was.white_background, is.white_background, view.white_background);
   keepChange(was.texture, is.texture, view.texture);
   keepChange(was.detail, is.detail, view.detail);

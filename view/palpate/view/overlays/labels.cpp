@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "palpate/view/overlays/legend.h"
+#include "palpate/view/overlays/lens.h"
 #include "palpate/view/overlays/plates.h"
 #include "palpate/view/overlays/section.h"
 
@@ -203,6 +204,20 @@ void drawKey(Drawing& page, const LabelScene& scene, const LabelSettings& settin
   if (covered.opposite != covered.corner) taken.push_back(covered);
 }
 
+// ---- the close view from the side
+
+/// Its frame; the picture in it is drawn already. Where what stands next to it may begin.
+float drawLensFrame(Drawing& page, const LabelScene& scene, Taken& taken) {
+  const auto place = lensPlace(scene.look, scene.frame.fingers, page.size());
+  if (!place) return kMargin;
+  const Vec2f opposite = place->corner + place->size;
+  const LabelInks& inks = inksFor(scene.look);
+  page.frame(place->corner, opposite, inks.letter);
+  writeLabel(page, place->corner + Vec2f(8.0f, 5.0f), "from the side", inks, Align::left, TextSize::small);
+  taken.push_back({place->corner, opposite});
+  return opposite.x() + kMargin;
+}
+
 // ---- the cut through the deepest contact
 
 /// The letter of an end, where the line on the skin ends.
@@ -216,14 +231,14 @@ void drawEnd(Drawing& page, const LabelScene& scene, const Vec3& place, const st
 }
 
 /// Above the scale bar: fingers are mostly in the middle.
-void drawCut(Drawing& page, const LabelScene& scene, const FingerMark* finger, Taken& taken) {
+void drawCut(Drawing& page, const LabelScene& scene, const FingerMark* finger, float left, Taken& taken) {
   if (finger == nullptr) return;
   const SectionPlane plane = sectionPlane(scene.world, finger->contact);
   const auto curve = sectionCurve(scene.world, scene.surface, plane, kSectionHalfWidthMm);
   if (curve.empty()) return;
   SectionChart chart;
   chart.size = sectionSize(page);
-  chart.corner = {kMargin, page.size().y() - chart.size.y() - kScaleBarHeight};
+  chart.corner = {left, page.size().y() - chart.size.y() - kScaleBarHeight};
   chart.ends = sectionEnds(plane);
   if (finger->contact.depth_mm > capOf(scene.world)) chart.cap_mm = capOf(scene.world);
   drawSection(page, curve, chart, inksFor(scene.look));
@@ -255,7 +270,8 @@ void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& set
   if (settings.legend) drawColours(page, scene, taken);
   drawTitle(page, settings.title, inks, taken);
   if (settings.legend) drawKey(page, scene, settings, taken);
-  drawCut(page, scene, chartedFinger(scene, settings), taken);
+  const float left = drawLensFrame(page, scene, taken);
+  drawCut(page, scene, chartedFinger(scene, settings), left, taken);
   if (scene.look.shows(Overlay::names)) drawNames(page, scene, taken);
   if (settings.numbers) drawFingers(page, scene, settings, taken);
 }

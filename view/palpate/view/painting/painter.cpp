@@ -11,6 +11,7 @@
 #include "palpate/view/layers/gl_objects.h"
 #include "palpate/view/layers/stereo_composer.h"
 #include "palpate/view/overlays/labels.h"
+#include "palpate/view/overlays/lens.h"
 #include "palpate/view/support_shape.h"
 
 namespace palpate::view {
@@ -98,6 +99,27 @@ struct Painter::Impl {
     page.end();
   }
 
+  /// In a part of the framebuffer, the same for both eyes.
+  void paintLens(const Job& job, const Frame& frame, const Frustum& whole) {
+    const Part page_part = labelledPart(job.picture, job.canvas);
+    const auto place = lensPlace(job.settings.look, frame.fingers, page_part.size);
+    if (!place) return;
+    const Vec2f pixels = Vec2f(job.picture.width, job.picture.height).cwiseQuotient(wholePage(job.picture, job.canvas));
+    const Eigen::Vector2i corner = (page_part.corner + place->corner).cwiseProduct(pixels).cast<int>();
+    const Eigen::Vector2i size = place->size.cwiseProduct(pixels).cast<int>();
+    const int below = job.picture.height - corner.y() - size.y();
+    Look look = job.settings.look;
+    look.overlays.reset();  // made for the whole picture, they would hide the dent
+    glViewport(corner.x(), below, size.x(), size.y());
+    glScissor(corner.x(), below, size.x(), size.y());
+    glEnable(GL_SCISSOR_TEST);
+    const double aspect = static_cast<double>(place->size.x() / place->size.y());
+    const Frustum beside = lensFrustum(frame.fingers, job.settings.camera, aspect);
+    renderer.draw(frame, look, beside, size.x(), size.y(), &whole);
+    glDisable(GL_SCISSOR_TEST);
+    glViewport(0, 0, job.picture.width, job.picture.height);
+  }
+
   void paintEye(const Job& job, Eye eye) {
     const bool hands = job.settings.look.finger == FingerShape::hand && !job.frame.fingers.empty();
     const double room_mm = hands ? kRoomForHandsMm : kRoomMm;
@@ -105,6 +127,7 @@ struct Painter::Impl {
     Frame frame = job.frame;
     frame.pixels_per_point = job.canvas.pixels_per_point;
     renderer.draw(frame, job.settings.look, frustum, job.picture.width, job.picture.height);
+    paintLens(job, frame, frustum);
     page.present(job.picture.width, job.picture.height, labelledPart(job.picture, job.canvas).corner,
                  wholePage(job.picture, job.canvas));
     if (job.draw_over) job.draw_over(job.picture);

@@ -182,8 +182,10 @@ void Renderer::setPartition(std::shared_ptr<const hdb::Partition> partition, con
   impl_->overlays->setPartition({std::move(partition), box_edges_mm});
 }
 
-void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height) {
+void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height,
+                    const Frustum* lit_as) {
   Viewpoint viewpoint = viewpointOf(frustum, width, height);
+  if (lit_as != nullptr) viewpoint.lights = lightsFor(*lit_as);
   viewpoint.lift_mm = static_cast<float>(frame.lift_mm);
   viewpoint.pixels_per_point = static_cast<float>(frame.pixels_per_point);
   impl_->drawn.lift(viewpoint.lift_mm);
