@@ -96,6 +96,16 @@ TEST(PalpatingHand, IsAClosedManifoldInOnePiece) {
   EXPECT_EQ(palpatingHand().redness.size(), palpatingHand().mesh.positions.size());
 }
 
+TEST(PalpatingFinger, IsAClosedManifoldInOnePieceAndSmall) {
+  const mesh::ValidationReport report = mesh::validate(makePalpatingFinger().mesh);
+  EXPECT_TRUE(report.closed);
+  EXPECT_TRUE(report.fit());
+  EXPECT_EQ(report.components, 1u);
+  EXPECT_EQ(report.self_intersections.count, 0u);
+  EXPECT_EQ(makePalpatingFinger().redness.size(), makePalpatingFinger().mesh.positions.size());
+  EXPECT_LE(makePalpatingFinger().mesh.triangles.size(), 1000u) << "it is drawn where a hand is too much";
+}
+
 TEST(PalpatingHand, HasAForearmAsLongAsItSays) {
   const PalpatingHand& hand = palpatingHand();
   double farthest = 0.0;

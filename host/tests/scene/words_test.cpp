@@ -38,6 +38,11 @@ TYPED_TEST(WordsOfAType, KnowNoOthers) {
   EXPECT_FALSE(valueNamed<TypeParam>("nonsense").has_value());
 }
 
+TEST(Words, OfEarlierVersionsAreReadAndNotListed) {
+  EXPECT_EQ(valueNamed<FingerShape>("sphere"), FingerShape::ball);
+  for (const std::string_view word : allWords<FingerShape>()) EXPECT_NE(word, "sphere");
+}
+
 /// The display keeps overlays as bits and remembers choices as numbers: tables without a gap.
 template <class E>
 void expectEveryNumber() {
