@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <io.h>
 #include <process.h>
-#include <shellapi.h>
 #include <windows.h>
 // After windows.h.
 #include <ntsecapi.h>
+#include <shellapi.h>
 
 #include <cerrno>
 #include <cstdlib>
