@@ -145,7 +145,8 @@ std::vector<std::string> completionsOf(const CLI::App& app, const std::vector<st
 
 std::string manPage(const CLI::App& app, const std::string& program) {
   return fmt::format(
-      ".TH {} 1 \"\" \"Palpate {}\" \"Palpate\"\n.SH NAME\n{} \\- feel, see and measure touch on a soft human body\n"
+      ".TH {} 1 \"\" \"Palpate {}\" \"Palpate\"\n.ad l\n.SH NAME\n{} \\- feel, see and measure touch on a soft human "
+      "body\n"
       ".SH SYNOPSIS\n.B palpate\n\\fICOMMAND\\fR [\\fIOPTION\\fR ...]\n"
       ".SH EXIT STATUS\n0: done; 1: the command's answer is \"no\"; 2: wrong input; 128 and its number: ended by a "
       "signal.\n"

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/kit/choice_option.h"
 #include "cli/kit/number_option.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
+#include "palpate/scene/presets.h"
 #include "palpate/scene/words.h"
 
 namespace palpate::app {
@@ -49,6 +51,14 @@ void useUnit(double unit_mm, scene::BodySettings& body) {
   }
   body.unit = scene::Unit::millimetre;
   body.scale *= unit_mm;
+}
+
+void addPresetOption(CLI::App& command, std::string& preset) {
+  takesOneOf(scene::presetNames(),
+             command.add_option("--preset", preset,
+                                "Built-in scene by name: vhb is the dissertation's Virtual Haptic Back "
+                                "(docs/reference/dissertation.md), vhb-literal the same with its formulae as printed; "
+                                "the others are the examples of the window"));
 }
 
 }  // namespace palpate::app

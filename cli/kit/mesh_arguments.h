@@ -26,4 +26,7 @@ CLI::Option* addUnit(CLI::App& command, double& unit_mm);
 /// The unit as a scene says it: one of its words, or millimetres and a factor.
 void useUnit(double unit_mm, scene::BodySettings& body);
 
+/// Adds --preset (scene/presets.h).
+void addPresetOption(CLI::App& command, std::string& preset);
+
 }  // namespace palpate::app

@@ -9,10 +9,10 @@
 #include "cli/kit/cli11.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/presets.h"
 #include "palpate/base/error.h"
 #include "palpate/base/path_text.h"
 #include "palpate/mesh/files/load.h"
+#include "palpate/scene/presets.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/words.h"
 
@@ -33,14 +33,14 @@ scene::Scene startingScene(const SimulateOptions& options) {
   if (!options.preset.empty()) {
     if (!options.scene.empty())
       throw Error(fmt::format("{} and --preset {}: one scene at a time", options.scene, options.preset));
-    return presetScene(options.preset);
+    return scene::presetScene(options.preset);
   }
   if (!options.scene.empty()) {
     scene::Scene scene = scene::load(pathOf(options.scene));
     if (options.trajectories.empty() && options.needs_fingers) scene::requireFingers(scene);
     return scene;
   }
-  if (options.mesh.empty() && options.trajectories.empty()) return scene::parse(defaultScene(), "default.toml");
+  if (options.mesh.empty() && options.trajectories.empty()) return scene::standardScene();
   return {};
 }
 

@@ -13,20 +13,21 @@
 #include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/device_option.h"
+#include "cli/kit/families.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
+#include "cli/run/opening.h"
 #include "cli/run/playback.h"
 #include "cli/run/run_modes.h"
-#include "palpate/base/background.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/device/head/head_stream.h"
 #include "palpate/device/head/openxr_head.h"
+#include "palpate/scene/presets.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/recording_reader.h"
@@ -115,33 +116,28 @@ void tellServo(const servo::LoopReport& report) {
       report.lateness.max_us));
 }
 
-/// Of no file: there is none that it could be saved to.
-scene::Scene standardScene() {
-  scene::Scene scene = scene::parse(defaultScene(), "default.toml");
-  scene.file.clear();
-  return scene;
-}
-
-scene::Scene namedScene(const RunOptions& options) {
+viewer::OpenedScene namedScene(const RunOptions& options) {
   if (!options.preset.empty() && !options.scene.empty()) {
     throw Error(options.scene + " and --preset " + options.preset + ": one scene at a time");
   }
-  if (!options.preset.empty()) return presetScene(options.preset);
-  const scene::Scene standard = standardScene();
-  if (options.scene.empty()) return standard;
-  scene::Scene scene = viewer::sceneFromFile(options.scene, standard);
-  if (options.unit_mm == 0.0 && options.group.empty()) return scene;
-  if (!scene.file.empty()) throw Error("--unit and --group are for mesh files: " + options.scene + " says its own");
-  useUnit(options.unit_mm, scene.body);
-  scene.body.group = options.group;
-  return scene;
+  if (!options.preset.empty()) return {scene::presetScene(options.preset), {}};
+  const scene::Scene standard = scene::standardScene();
+  if (options.scene.empty()) return {standard, {}};
+  viewer::OpenedScene opened = viewer::sceneFromFile(options.scene, standard);
+  if (options.unit_mm == 0.0 && options.group.empty()) return opened;
+  if (!opened.scene.file.empty()) {
+    throw Error("--unit and --group are for mesh files: " + options.scene + " says its own");
+  }
+  useUnit(options.unit_mm, opened.scene.body);
+  opened.scene.body.group = options.group;
+  return opened;
 }
 
 /// The consent is for this scene: one that is opened later does not have it.
-scene::Scene sceneToRun(const RunOptions& options) {
-  scene::Scene scene = namedScene(options);
-  scene.safety.unsafe_stiffness = options.unsafe_stiffness;
-  return scene;
+viewer::OpenedScene sceneToRun(const RunOptions& options) {
+  viewer::OpenedScene opened = namedScene(options);
+  opened.scene.safety.unsafe_stiffness = options.unsafe_stiffness;
+  return opened;
 }
 
 void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::Window& window) {
@@ -217,37 +213,62 @@ void followHead(HeadSource& heads, viewer::Viewer& viewer, double now_s) {
   if (place) viewer.headAt(head.expected_mm - head.offset_mm + *place, now_s);
 }
 
+/// The user has asked for nothing in particular.
+bool wantsStartPage(const RunOptions& options, const viewer::ViewState& state) {
+  const bool asked_for = !options.scene.empty() || !options.preset.empty() || !options.replay.empty() ||
+                         !options.play.empty() || !options.devices.empty() || options.frames > 0;
+  return state.start_page && !options.no_intro && !asked_for;
+}
+
+/// Becomes the window of the training, which is another program.
+void becomeTraining() { becomeFamily({.group = {}, .command = "train", .family = "teach", .what = {}}, {"train"}); }
+
 void runWindow(const RunOptions& options) {
   const auto started = Clock::now();
   Playback playback(options.play);
   checkReplays(options);
   HeadSource heads;
   openHeadSource(options.head_tracker, heads);
+  viewer::OpenedScene opened = sceneToRun(options);
   // The body is built while the window opens; without a display there is nothing to build it for.
-  std::shared_ptr<const scene::World> world;
-  std::optional<Background> building;
-  if (window::displayOffered()) {
-    building.emplace([&world, scene = sceneToRun(options)] { world = scene::build(scene); });
-  }
+  engine::WorldBuilder building({}, false);  // nobody touches anything yet
+  if (window::displayOffered()) building.request({.scene = opened.scene, .body = nullptr, .read = {}});
   const viewer::StateReading state = remembered(options);
   window::Window window(windowFor(options, state));
+  const FinishesInOrder in_order;
   viewer::ViewerSettings settings;
+  settings.document = std::move(opened.document);
   settings.intro = !options.no_intro && !state.remembered && options.play.empty();
   settings.output_folder = pathOf(options.out);
   settings.recording_folder = recordingFolder(options);
-  settings.default_scene = standardScene();
+  settings.default_scene = scene::standardScene();
   viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};
   view_state.input.shortcuts = !options.no_shortcuts;
   if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
   if (!options.head_tracker.empty()) view_state.head.on = true;
   for (const ModeMaker& make : options.modes) settings.modes.push_back(make());
-  building->join();  // without a display the window has thrown
-  if (!options.devices.empty()) settings.devices = openedFor(*world, options.devices);
-  viewer::Viewer viewer(world, std::move(view_state), std::move(settings), hostOf(window));
+  bool trains = false;
+  viewer::ViewerHost host = hostOf(window);
+  if (!familyProgram("teach").empty()) host.start_training = [&trains] { trains = true; };
+  const viewer::OpeningView::Offers offers{.page = wantsStartPage(options, view_state),
+                                           .training = bool(host.start_training),
+                                           .measuring = !settings.modes.empty()};
+  const Opening opening = showOpening(window, building, view_state, offers, [&] {
+    if (options.verbose) tell(fmt::format("start page after {:.3f} s\n", secondsSince(started)));
+  });
+  if (!opening.world) {
+    if (endAskedBy() == 0 && !opening.requests.empty()) becomeTraining();
+    return;
+  }
+  if (!options.devices.empty()) settings.devices = openedFor(*opening.world, options.devices);
+  viewer::Viewer viewer(opening.world, std::move(view_state), std::move(settings), std::move(host));
+  viewer.state().state.shown.start = opening.page;
+  if (options.no_intro) viewer.state().hint = viewer::kNoHint;
+  for (const viewer::Request& request : opening.requests) viewer.state().request(request);
+  for (const window::Action action : opening.actions) viewer.state().asks.act(action);
   if (!state.note.empty()) viewer.state().report(viewer::Severity::warning, state.note);
   if (!options.replay.empty()) viewer.state().request(viewer::OpenFile{options.replay});
   viewer.state().beside_at_first = options.beside;
-  const FinishesInOrder in_order;
   const StoppedBySignal stopped(viewer.emergencyStop());
   showFrames(window, viewer, playback, options.frames, [&](std::uint64_t frame, double now_s) {
     followHead(heads, viewer, now_s);
@@ -258,6 +279,7 @@ void runWindow(const RunOptions& options) {
   keepChanges(viewer);
   keepState(options, viewer, window);
   finishViewer(options, viewer);
+  if (trains) becomeTraining();
 }
 
 }  // namespace
@@ -306,7 +328,7 @@ void addRunCommand(CLI::App& app) {
             "Of the window, instead of the remembered one");
   addNumber(*command, "--height", options->height, between(240, 16384, "pixels"), "Of the window");
   command->add_flag("--full-screen", options->full_screen, "Fill the screen");
-  command->add_flag("--no-intro", options->no_intro, "Do not show how to press in the first seconds");
+  command->add_flag("--no-intro", options->no_intro, "Show neither the start page nor hints nor how to press");
   command->add_flag("--no-shortcuts", options->no_shortcuts, "Keys do nothing, but for F1 and Esc");
   command->add_flag("--no-state", options->no_state, "Neither read nor write what is remembered between runs");
   command->add_flag("--no-session", options->no_recording, "Do not record the last hour by itself");

@@ -16,7 +16,6 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
-#include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
 #include "dissertation/errata/errata_study.h"
 #include "dissertation/figures/figure_study.h"
@@ -24,6 +23,7 @@
 #include "dissertation/report/report.h"
 #include "dissertation/studies.h"
 #include "palpate/base/error.h"
+#include "palpate/scene/presets.h"
 #include "palpate/scene/scene_file.h"
 
 namespace palpate::app {
@@ -114,7 +114,7 @@ namespace {
 
 /// The default run on the dissertation's body and in its tissue.
 scene::Scene studyScene() {
-  scene::Scene scene = scene::parse(defaultScene(), "default.toml");
+  scene::Scene scene = scene::standardScene();
   scene.body = {};
   scene.body.kind = scene::BodyKind::torso;
   scene.deformation.tissue = scene::TissueModel::gaussian;

@@ -13,7 +13,6 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
-#include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/results_folder.h"
 #include "measure/commands/dots_report.h"
@@ -24,6 +23,7 @@
 #include "palpate/measure/key_row.h"
 #include "palpate/measure/overlay.h"
 #include "palpate/measure/tables/dot_table.h"
+#include "palpate/scene/presets.h"
 #include "palpate/scene/scene_file.h"
 #include "report/charts/picture_file.h"
 
@@ -151,7 +151,7 @@ std::optional<Vec2> placeFrom(const std::string& text) {
   }
   const BodyPlace place = bodyPlaceFrom("--at", text);
   ProgressLine progress;
-  const auto world = scene::build(scene::parse(defaultScene(), "default.toml"), progress.callback());
+  const auto world = scene::build(scene::standardScene(), progress.callback());
   return Vec2(pointOn(*world, place).head<2>());
 }
 

@@ -15,7 +15,6 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
 #include "measure/commands/dots_report.h"
 #include "measure/pages/photograph_overlay.h"
@@ -27,6 +26,7 @@
 #include "palpate/measure/overlay.h"
 #include "palpate/measure/person/person_folder.h"
 #include "palpate/measure/photograph.h"
+#include "palpate/scene/presets.h"
 #include "palpate/scene/scene_file.h"
 
 namespace palpate::app {
@@ -62,7 +62,7 @@ Vec2 placeOfPoint(const std::string& words, std::shared_ptr<const scene::World>&
   }
   if (!world) {
     ProgressLine progress;
-    world = scene::build(scene::parse(defaultScene(), "default.toml"), progress.callback());
+    world = scene::build(scene::standardScene(), progress.callback());
   }
   const Vec3 place = pointOn(*world, bodyPlaceFrom("--points", words));
   return {std::round(10.0 * place.x()) / 10.0, std::round(10.0 * place.y()) / 10.0};

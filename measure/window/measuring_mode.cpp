@@ -84,7 +84,7 @@ void useInScene(ViewerState& viewer, const fs::path& file) {
 bool MeasuringMode::handle(const window::InputEvent& event, ViewerState& viewer, bool typing) {
   const Shown& shown = viewer.state.shown;
   if (!view_.open || event.kind != window::InputEvent::Kind::key || !event.down) return false;
-  if (typing || shown.help || shown.messages || shown.open_dialog || shown.save_dialog) return false;
+  if (typing || shown.help || shown.messages) return false;
   return measuringKey(view_, event.key, event.modifiers, requests_);
 }
 
@@ -95,7 +95,7 @@ bool MeasuringMode::handle(const window::Command& command, ViewerState& viewer) 
     return true;
   }
   const Shown& shown = viewer.state.shown;
-  const bool covered = shown.open_dialog || shown.save_dialog || shown.help || shown.messages;
+  const bool covered = shown.help || shown.messages;
   if (command.action != window::Action::cancel || !view_.open || covered) return false;
   view_.open = false;
   return true;

@@ -15,7 +15,6 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
 #include "cli/simulate/realtime_run.h"
 #include "palpate/base/error.h"
@@ -23,6 +22,7 @@
 #include "palpate/base/order_statistics.h"
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/station_link.h"
+#include "palpate/scene/presets.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/training/records/store.h"
 #include "palpate/training/records/trainee_code.h"
@@ -143,7 +143,7 @@ double periodP99Us(const scene::World& world, double seconds, ProgressLine& prog
 void runServoBeside(const ClassLoadArguments& arguments) {
   const classroom::ClassFolder folder = classroom::readClassFolder(arguments.folder);
   const classroom::Member member = classroom::readMember(folder.station(folder.stations.front()));
-  const auto world = scene::build(scene::parse(defaultScene(), "default.toml"));
+  const auto world = scene::build(scene::standardScene());
   ProgressLine progress;
   std::vector<double> without;
   std::vector<double> with;

@@ -11,7 +11,6 @@
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/presets.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
@@ -20,6 +19,7 @@
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/class_settings.h"
+#include "palpate/scene/presets.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
 #include "palpate/training/records/store.h"
@@ -83,7 +83,7 @@ void runClassWatch(const ClassWatchArguments& arguments) {
     say(fmt::format("palpate: {}\n", line));
   }
   viewer::ClassWindowSettings settings;
-  if (!arguments.json) settings.world = scene::build(scene::parse(defaultScene(), "default.toml"));
+  if (!arguments.json) settings.world = scene::build(scene::standardScene());
   const FinishesInOrder in_order;
   classroom::ClassWatch watch(member);
   if (!arguments.records.empty()) rememberRecords(arguments.records, watch);

@@ -1,4 +1,5 @@
 #include "teach/commands/train_options.h"
+#include "palpate/scene/presets.h"
 
 #include <algorithm>
 
@@ -6,7 +7,6 @@
 #include "cli/kit/cli11.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/presets.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/training/records/store.h"
 #include "view/viewer/world/world_swap.h"
@@ -66,9 +66,8 @@ std::filesystem::path recordsFile(const TrainOptions& options) {
 }
 
 scene::Scene sceneToTrainOn(const TrainOptions& options) {
-  scene::Scene standard = scene::parse(defaultScene(), "default.toml");
-  standard.file.clear();
-  return options.scene.empty() ? standard : viewer::sceneFromFile(options.scene, standard);
+  const scene::Scene standard = scene::standardScene();
+  return options.scene.empty() ? standard : viewer::sceneFromFile(options.scene, standard).scene;
 }
 
 std::optional<training::SessionKind> kindAskedFor(const TrainOptions& options) {

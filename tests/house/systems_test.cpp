@@ -51,7 +51,7 @@ TEST(Systems, OneRoomIncludesWhatOnlySomeSystemsHave) {
 TEST(Systems, OneRoomAsksForWhichSystemItIsCompiled) {
   // Besides: what the C interfaces and a maker's runtime call their functions, and the assembler's dialects.
   const std::regex besides(
-      "^host/palpate/base/system/|palpate_device[.]h$|openxr_api[.]h$|view/layers/drawing[.]cpp$|bindings/c/"
+      "^host/palpate/base/system/|palpate_device[.]h$|openxr_api[.]h$|view/layers/embedded_file[.]h$|bindings/c/"
       "palpate[.]h$");
   EXPECT_EQ(matching(std::regex("_WIN32|__linux__|__APPLE__"), besides), Places());
 }

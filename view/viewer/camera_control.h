@@ -20,6 +20,8 @@ class CameraControl {
   /// Of the whole body, or of the part that a mode is about.
   void setView(view::StandardView side);
   void flyTo(const view::Camera& camera);
+  /// Close to a place of the skin, from the side where it is seen; the active finger hovers there.
+  void flyToPlace(const Vec3& point);
   /// Another body is seen from its back, or as its scene says.
   void showBody(const view::Camera& camera);
 

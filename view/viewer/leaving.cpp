@@ -15,9 +15,10 @@ struct LeavesTheScene {
   bool operator()(const OpenFile& request) const {
     return !request.sure && !trace::isForcesTable(pathOf(request.file)) && !trace::isRecording(pathOf(request.file));
   }
-  bool operator()(const OpenBuiltIn& request) const { return !request.sure; }
+  bool operator()(const OpenPreset& request) const { return !request.sure; }
   bool operator()(const Reload& request) const { return !request.sure; }
   bool operator()(const Quit& request) const { return !request.sure; }
+  bool operator()(const StartTraining& request) const { return !request.sure; }
   template <class Other>
   bool operator()(const Other& /*request*/) const {
     return false;
@@ -31,7 +32,7 @@ std::string nameOf(const ViewerState& viewer) {
 }  // namespace
 
 bool mustAskFirst(const Request& request, ViewerState& viewer) {
-  if (!std::visit(LeavesTheScene(), request) || !viewer.history.changed()) return false;
+  if (!std::visit(LeavesTheScene(), request) || !viewer.history.sceneChanged()) return false;
   viewer.ask({.kind = Question::Kind::leave,
               .words = fmt::format("{} was changed. Save it first?", nameOf(viewer)),
               .then = request});

@@ -1,6 +1,11 @@
 #include "view/viewer/request_handler.h"
 
+#include <fmt/format.h>
+
+#include "palpate/base/error.h"
 #include "palpate/base/path_text.h"
+#include "palpate/body/places.h"
+#include "palpate/scene/presets.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/recording_reader.h"
 #include "view/viewer/files/scene_snippet.h"
@@ -21,11 +26,11 @@ void RequestHandler::fulfil(const OpenFile& request) {
   parts_.replay.load(request.file, viewer.replay.chooses_beside, parts_.world, viewer);
 }
 
-void RequestHandler::fulfil(const OpenBuiltIn& /*request*/) {
-  parts_.world_swap.open(parts_.default_scene, parts_.viewer);
+void RequestHandler::fulfil(const OpenPreset& request) {
+  parts_.world_swap.open(scene::presetScene(request.name), parts_.viewer);
 }
 
-/// The scene's file, else the mesh's, else the built-in torso.
+/// The scene's file, else the mesh's, else the built-in body.
 void RequestHandler::fulfil(const Reload& /*request*/) {
   ViewerState& viewer = parts_.viewer;
   const scene::BodySettings& body = viewer.scene.body;
@@ -94,6 +99,19 @@ void RequestHandler::fulfil(const SetMark& request) { parts_.keeper.mark(parts_.
 
 void RequestHandler::fulfil(const GoHome& /*request*/) { parts_.camera.setView(view::StandardView::back); }
 
+void RequestHandler::fulfil(const SetView& request) { parts_.camera.setView(request.side); }
+
+void RequestHandler::fulfil(const GoToPlace& request) {
+  ViewerState& viewer = parts_.viewer;
+  try {
+    const body::NamedPlace place = body::placeNamed(viewer.world.landmarks, request.words);
+    parts_.camera.flyToPlace(place.point);
+    viewer.report(Severity::info, fmt::format("At {}. Enter presses the finger there", place.name));
+  } catch (const Error& error) {
+    viewer.report(Severity::warning, error.what());
+  }
+}
+
 void RequestHandler::fulfil(const ToggleFullScreen& /*request*/) {
   if (parts_.host.toggle_full_screen) parts_.host.toggle_full_screen();
 }
@@ -111,6 +129,12 @@ void RequestHandler::fulfil(const PasteView& /*request*/) {
 }
 
 void RequestHandler::fulfil(const Quit& /*request*/) { quits_ = true; }
+
+void RequestHandler::fulfil(const StartTraining& /*request*/) {
+  if (!parts_.host.start_training) return parts_.viewer.report(Severity::warning, "The training is not installed");
+  parts_.host.start_training();
+  quits_ = true;
+}
 
 // ---- devices
 

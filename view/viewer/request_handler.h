@@ -29,6 +29,8 @@ struct ViewerHost {
   std::function<void(const std::string&)> set_title;
   /// Framebuffer 0 has a picture for each eye; the viewer then draws quad-buffer stereo into it (drawsItself).
   bool quad_buffer = false;
+  /// Lets the training open once this window is closed; empty: it is not installed.
+  std::function<void()> start_training = {};
 };
 
 /// The parts of the viewer that requests are about; all must outlive the handler.
@@ -42,7 +44,7 @@ struct RequestParts {
   CameraControl& camera;
   const Modes& modes;
   const ViewerHost& host;
-  const scene::Scene& default_scene;  ///< for "Built-in torso"
+  const scene::Scene& default_scene;  ///< for Read again, where there is no file
   const std::shared_ptr<const scene::World>& world;
 };
 
@@ -57,7 +59,7 @@ class RequestHandler {
   // Nothing has to be asked any more.
   void fulfil(const OpenFile& request);
   void fulfil(const OpenBeside& request);
-  void fulfil(const OpenBuiltIn& request);
+  void fulfil(const OpenPreset& request);
   void fulfil(const Reload& request);
   void fulfil(const CancelBuild& request);
   void fulfil(const SaveScene& request);
@@ -76,6 +78,8 @@ class RequestHandler {
   void fulfil(const KeepRecording& request);
   void fulfil(const SetMark& request);
   void fulfil(const GoHome& request);
+  void fulfil(const GoToPlace& request);
+  void fulfil(const SetView& request);
   void fulfil(const ToggleFullScreen& request);
   void fulfil(const CopyView& request);
   void fulfil(const PasteView& request);
@@ -85,6 +89,7 @@ class RequestHandler {
   void fulfil(const StopDevices& request);
   void fulfil(const ReleaseStop& request);
   void fulfil(const Quit& request);
+  void fulfil(const StartTraining& request);
   void saveThen(const SaveScene& request, const std::optional<Request>& then);
 
   RequestParts parts_;

@@ -8,10 +8,9 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
-#include "view/viewer/editing/acts.h"
-#include "view/viewer/editing/dysfunction_editor.h"
 #include "view/viewer/panels/gui_layout.h"
 #include "view/viewer/panels/hints.h"
+#include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 #include "view/viewer/request_handler.h"
 #include "view/viewer/state/home_view.h"
@@ -19,8 +18,6 @@
 namespace palpate::viewer {
 
 namespace {
-
-using Kind = window::Command::Kind;
 
 /// The frame rate shown is the mean of about this many frames.
 constexpr double kRateSmoothing = 0.05;
@@ -48,11 +45,12 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
       eyesight_(host_.quad_buffer) {
   viewer_.state = std::move(state);
   viewer_.scene = world->scene;
-  viewer_.document = documentOf(world->scene.file);
+  viewer_.document = settings_.document;
   viewer_.output_folder = outputs_.folder();
   takeFacts();
   viewer_.profile.knots = world->deformation.normal_profile.knots;
   viewer_.held = servo_.abilities();
+  viewer_.offers_training = bool(host_.start_training);
   viewer_.ticks_per_s = servo_.thread().ticksPerS();
   world_swap_.planNow(viewer_);  // tells the viewer's state what the limits are
   for (SampleHistory& plot : viewer_.plots.fingers) plot = SampleHistory(viewer_.ticks_per_s);
@@ -96,18 +94,10 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   stereo_ = eyesight_.settings(viewer_);
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, width, height);
   viewer_.size_points = Vec2(eye.seen_width, eye.seen_height) / points;
-  gui_.begin(viewer_.size_points, points, elapsed_s, asOneEyeSees(events, stereo_.mode, width, height));
-  showCursor();
-  lookAround();
-  handle(events);
-  intro_.advance(pointer_, *world_, now_s);
-  pointer_.advance(viewer_);
-  placeRulerLabel();
-  drawGui(viewer_, modes_);
+  drawGuiPasses(asOneEyeSees(events, stereo_.mode, width, height), points, elapsed_s);
   const Asks& asks = viewer_.asks;
   const bool held = ImGui::IsAnyItemActive();
   const bool any = held || !events.empty() || asks.changed != kNothing || !asks.requests.empty();
-  gui_.end();
   useChanges(elapsed_s);
   if (!viewer_.opening && !modes_.claims().window)
     viewer_.history.follow(viewer_, {held, viewer_.editor.before.has_value(), any});
@@ -214,65 +204,6 @@ void Viewer::takeSamples() {
     viewer_.plot(sample);
     replay_.add(sample);
   }
-}
-
-void Viewer::handle(std::span<const window::InputEvent> events) {
-  input_.settings = viewer_.state.input;
-  input_.useFinger(viewer_.active_finger);
-  std::vector<window::Command> commands;
-  for (const window::InputEvent& event : events) {
-    using EventKind = window::InputEvent::Kind;
-    if (devices_.handle(event, gui_.wantsText(), viewer_)) continue;
-    if (event.kind == EventKind::drop && !modes_.claims().window) viewer_.request(OpenFile{event.text});
-    if (event.kind == EventKind::move || event.kind == EventKind::button) intro_.end(pointer_);
-    if (viewer_.question && event.kind == EventKind::key) {
-      const std::string_view chosen = event.down ? answerOf(event.key, viewer_) : std::string_view();
-      if (!chosen.empty()) viewer_.request(AnswerQuestion{std::string(chosen)});
-      continue;
-    }
-    if (modes_.handle(event, viewer_, gui_.wantsText())) continue;
-    window::Situation situation;
-    situation.over_gui = gui_.wantsMouse() || viewer_.question || modes_.claims().touch;
-    situation.gui_wants_text = gui_.wantsText();
-    situation.editing = viewer_.editor.active || viewer_.ruler.active;
-    situation.on_skin = event.kind == EventKind::button && pointer_.skinAt(event.at).has_value();
-    commands.clear();
-    input_.handle(event, situation, commands);
-    for (const window::Command& command : commands) handle(command);
-  }
-}
-
-void Viewer::handle(const window::Command& command) {
-  if (modes_.handle(command, viewer_)) return;
-  countHint(command, viewer_.hint, viewer_.state.hints);
-  if (command.kind == Kind::act) return actOn(command);
-  // With nothing selected the wheel has nothing to size, so it zooms.
-  if (command.kind == Kind::edit_size && (viewer_.ruler.active || viewer_.editor.selected < 0)) {
-    window::Command zoom = command;
-    zoom.kind = Kind::zoom;
-    pointer_.apply(zoom, viewer_);
-    return;
-  }
-  if (command.kind == Kind::press) {
-    if (const auto place = pointer_.skinAt(command.at)) viewer_.reading = readVertex(*world_, place->point);
-  }
-  if (pointer_.apply(command, viewer_)) return;
-  if (viewer_.ruler.active) return measure(command);
-  const auto place = pointer_.skinAt(command.at);
-  std::optional<Vec2> on_map;
-  if (place) on_map = Vec2(place->point.x(), place->point.y());
-  applyEdit(command, on_map, viewer_.dysfunctions());
-}
-
-void Viewer::actOn(const window::Command& command) {
-  if (replayKey(command.action, command.fine, viewer_.replay)) return;
-  if (pointer_.step(command.action, command.fine, viewer_)) return;
-  if (!camera_.act(command.action)) perform(command.action, viewer_);
-}
-
-void Viewer::measure(const window::Command& command) {
-  if (command.kind != Kind::edit_grab) return;
-  if (const auto place = pointer_.skinAt(command.at)) measureAt(*place, world_->surface, viewer_.ruler);
 }
 
 /// Beside its second end, as the middle of both eyes sees it.

@@ -23,6 +23,7 @@
 #include "view/viewer/frame_painter.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/panels/hints.h"
+#include "view/viewer/panels/start_page.h"
 #include "view/viewer/replay_player.h"
 #include "view/viewer/request_handler.h"
 #include "view/viewer/shading_guard.h"
@@ -36,7 +37,8 @@ namespace palpate::viewer {
 struct ViewerSettings {
   bool intro = true;                              ///< a finger shows by itself how to press, until the mouse moves
   std::filesystem::path output_folder = ".";      ///< for pictures, tables and scenes without a file
-  scene::Scene default_scene;                     ///< for "Built-in torso"
+  SceneDocument document = {};                    ///< of the world's scene, as it was read
+  scene::Scene default_scene;                     ///< for Read again, where there is no file
   std::vector<OpenedDevice> devices;              ///< that hold the first fingers instead of the mouse
   std::filesystem::path recording_folder = {};    ///< for the viewer's state that is recorded by itself; empty: none is
   std::vector<std::unique_ptr<Mode>> modes = {};  ///< that the window has beside feeling the body; the first goes first
@@ -82,6 +84,8 @@ class Viewer {
   void beginScene();
   void followServo(double elapsed_s);
   void show(std::span<const trace::Sample> contacts);
+  void drawGuiPasses(std::span<const window::InputEvent> events, double points, double elapsed_s);
+  void drawGuiPass(std::span<const window::InputEvent> events, double points, double elapsed_s);
   void takeSamples();
   void handle(std::span<const window::InputEvent> events);
   void handle(const window::Command& command);
@@ -114,6 +118,7 @@ class Viewer {
   Intro intro_;
   Eyesight eyesight_;
   view::StereoSettings stereo_;  ///< of this frame
+  ExamplePictures example_pictures_;
   ShadingGuard shading_guard_;
   FramePainter painter_;
   window::Gui gui_;

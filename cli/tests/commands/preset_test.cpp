@@ -3,12 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/kit/presets.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/contact/finger.h"
 #include "palpate/device/finger_path.h"
 #include "palpate/engine/living_skin.h"
+#include "palpate/scene/presets.h"
 #include "palpate/scene/words.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/device_limits.h"
@@ -35,7 +35,7 @@ Ticks ticksOf(const scene::World& world) {
 }
 
 const scene::World& vhb() {
-  static const std::shared_ptr<const scene::World> world = scene::build(presetScene("vhb"));
+  static const std::shared_ptr<const scene::World> world = scene::build(scene::presetScene("vhb"));
   return *world;
 }
 
@@ -70,7 +70,7 @@ TEST(VirtualHapticBack, IsTheBackOfSection21OverItsSkeleton) {
 
 TEST(VirtualHapticBack, ComesInTheSizesOfTheText) {
   for (const std::size_t triangles : {20389, 41582}) {
-    scene::Scene scene = presetScene("vhb");
+    scene::Scene scene = scene::presetScene("vhb");
     scene.body.triangles = triangles;
     EXPECT_EQ(scene::build(scene)->body->skin.triangles.size(), triangles);
   }
@@ -163,7 +163,7 @@ TEST(VirtualHapticBack, TheSkinFollowsTwentyMillimetresAtTenMillimetresDepth) { 
 
 TEST(VirtualHapticBack, FeelsTheSameThroughTheDetectingBoxAsOnTheWholeSkin) {  // chapter 3
   ASSERT_EQ(vhb().scene.contact.source, scene::ContactSource::hdb);
-  scene::Scene scene = presetScene("vhb");
+  scene::Scene scene = scene::presetScene("vhb");
   scene.contact.source = scene::ContactSource::surface;
   const Ticks whole = ticksOf(*scene::rebuilt(vhb(), scene));
   ASSERT_EQ(whole.size(), vhbTicks().size());
@@ -181,7 +181,7 @@ TEST(VirtualHapticBack, IsFeltAtFullForceOnItsOwnDevice) {
 }
 
 TEST(VirtualHapticBack, AsPrintedHasEverySwitchOfFidelity) {
-  const scene::Scene scene = presetScene("vhb-literal");
+  const scene::Scene scene = scene::presetScene("vhb-literal");
   EXPECT_EQ(scene.fidelity, literalFidelity());
   EXPECT_EQ(scene::build(scene)->tissue.model, scene::TissueModel::literal);
 }
@@ -196,11 +196,14 @@ TEST(VirtualHapticBack, IsOneWordOfTheCommandAnywhere) {
   EXPECT_EQ(report["tissue"], "gaussian");
   EXPECT_EQ(report["law"], "linear");
   EXPECT_EQ(report["body"]["skin_triangles"], 2962);
-  EXPECT_EQ(support::runPalpate("simulate --preset vbh", folder.path()).err,
-            "palpate: --preset: 'vbh' is not one of vhb|vhb-literal; did you mean 'vhb'? (see --help)\n");
+  EXPECT_EQ(
+      support::runPalpate("simulate --preset vbh", folder.path()).err,
+      "palpate: --preset: 'vbh' is not one of vhb|trunk|dysfunctions|anatomy|thin|heavy|prone|sitting|two-fingers|"
+      "strain|oiled|relaxation|breathing|stereo|detecting-box|fine-mesh|vhb-literal; did you mean 'vhb'? (see "
+      "--help)\n");
   EXPECT_EQ(support::runPalpate("simulate a.toml --preset vhb", folder.path()).err,
             "palpate: a.toml and --preset vhb: one scene at a time\n");
-  EXPECT_NE(support::messageOf([] { presetScene("back"); }).find("unknown preset 'back'"), std::string::npos);
+  EXPECT_NE(support::messageOf([] { scene::presetScene("back"); }).find("unknown preset 'back'"), std::string::npos);
 }
 
 TEST(VirtualHapticBack, IsTheFirstOfTheExamples) {

@@ -215,7 +215,10 @@ TEST_F(Window, ClosedWhileRecordingItLeavesACompleteTable) {
 }
 
 TEST_F(Window, ItsButtonAsksWhileThereIsSomethingToSave) {
-  const auto program = play("0.1, key, W\n0.4, close\n1.2, key, Esc\n1.8, close\n2.6, key, Enter\n60, close\n");
+  // A look alone is worth no question, the slider of the skin's grip is.
+  const auto program = play(
+      "0.1, key, W\n0.1, move, 140, 334\n0.2, down, left\n0.3, up, left\n"
+      "0.6, close\n1.4, key, Esc\n2.0, close\n2.8, key, Enter\n60, close\n");
   const auto asks = [](const Values& v) { return v.at("question") == "1"; };
   const auto goes_on = [](const Values& v) { return v.at("question") == "0" && v.at("changed") == "1"; };
   EXPECT_TRUE(program->until(asks));

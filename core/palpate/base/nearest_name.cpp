@@ -76,7 +76,7 @@ std::vector<std::string> nearestNames(std::string_view written, const std::vecto
   const std::string wanted = inSmallLetters(written.substr(0, kLongestName));
   std::vector<Near> all;
   for (const std::string& name : names) all.push_back({editDistance(inSmallLetters(name), wanted), name});
-  std::ranges::stable_sort(all, {}, &Near::distance);
+  std::stable_sort(all.begin(), all.end(), [](const Near& a, const Near& b) { return a.distance < b.distance; });
   std::vector<std::string> nearest;
   for (std::size_t i = 0; i < std::min(most, all.size()); ++i) nearest.push_back(std::move(all[i].name));
   return nearest;

@@ -126,11 +126,11 @@ std::optional<NamedPlace> siteNamed(std::span<const SkinLandmark> landmarks, Wor
 
 /// "t6 rigth 30 mm" with the direction that was meant before the number; nothing where none is near.
 std::optional<Words> withDirections(Words words) {
-  static const std::vector<std::string> kDirections = {"right", "left", "up", "down", "cranial", "caudal"};
+  static const std::vector<std::string> directions = {"right", "left", "up", "down", "cranial", "caudal"};
   bool mended = false;
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     if (!distanceOf(words[i + 1]) || words[i].size() < 2) continue;
-    const std::string meant = nearestName(words[i], kDirections);
+    const std::string meant = nearestName(words[i], directions);
     if (meant.empty() || meant == words[i]) continue;
     words[i] = meant;
     mended = true;
@@ -162,6 +162,37 @@ std::string placeHint(std::span<const SkinLandmark> landmarks, const Moved& writ
 
 bool isSpinous(const SkinLandmark& landmark) {
   return landmark.name.starts_with("spinous_") || landmark.name.starts_with("sacrum_");
+}
+
+/// The landmark that an examiner would start from; null without any.
+const SkinLandmark* nearestTo(std::span<const SkinLandmark> landmarks, const Vec3& point) {
+  constexpr double kLevelsFirst = 0.5;  // a spinous process counts as half as far: examiners think in levels
+  const SkinLandmark* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SkinLandmark& landmark : landmarks) {
+    const double far = (landmark.position - point).norm() * (isSpinous(landmark) ? kLevelsFirst : 1.0);
+    if (far < least) {
+      least = far;
+      nearest = &landmark;
+    }
+  }
+  return nearest;
+}
+
+/// About where the back is: as high as the spinous process at this level, or the highest landmark.
+double backLevel(std::span<const SkinLandmark> landmarks, double y_mm) {
+  double z_mm = -std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
+  for (const SkinLandmark& landmark : landmarks) {
+    const double far = std::abs(landmark.position.y() - y_mm);
+    if (isSpinous(landmark) && far < least) {
+      least = far;
+      z_mm = landmark.position.z();
+    }
+  }
+  if (std::isfinite(z_mm)) return z_mm;
+  for (const SkinLandmark& landmark : landmarks) z_mm = std::max(z_mm, landmark.position.z());
+  return z_mm;
 }
 
 }  // namespace
@@ -215,17 +246,8 @@ std::vector<std::string> placeNames(std::span<const SkinLandmark> landmarks) {
 }
 
 std::string inWords(std::span<const SkinLandmark> landmarks, const Vec3& point) {
-  constexpr double kLevelsFirst = 0.5;  // a spinous process counts as half as far: examiners think in levels
-  constexpr double kAtMm = 4;           // nearer than a finger's pad is there
-  const SkinLandmark* nearest = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const SkinLandmark& landmark : landmarks) {
-    const double far = (landmark.position - point).norm() * (isSpinous(landmark) ? kLevelsFirst : 1.0);
-    if (far < least) {
-      least = far;
-      nearest = &landmark;
-    }
-  }
+  constexpr double kAtMm = 4;  // nearer than a finger's pad is there
+  const SkinLandmark* nearest = nearestTo(landmarks, point);
   if (nearest == nullptr) return {};
   std::string words = spokenName(nearest->name);
   const Vec3 off = point - nearest->position;
@@ -237,6 +259,19 @@ std::string inWords(std::span<const SkinLandmark> landmarks, const Vec3& point) 
   const std::string along = part(off.y(), "up", "down");
   if (!across.empty()) words += ", " + across;
   if (!along.empty()) words += (across.empty() ? ", " : " and ") + along;
+  return words;
+}
+
+std::string placeWords(std::span<const SkinLandmark> landmarks, const Vec2& place) {
+  if (landmarks.empty()) return {};
+  const SkinLandmark* nearest = nearestTo(landmarks, Vec3(place.x(), place.y(), backLevel(landmarks, place.y())));
+  std::string words = spokenName(nearest->name);
+  const auto part = [&](double along, const char* positive, const char* negative) {
+    const long whole = std::lround(std::abs(along));
+    if (whole > 0) words += " " + std::string(along > 0 ? positive : negative) + " " + std::to_string(whole) + " mm";
+  };
+  part(place.x() - nearest->position.x(), "right", "left");
+  part(place.y() - nearest->position.y(), "up", "down");
   return words;
 }
 

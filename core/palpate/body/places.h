@@ -42,4 +42,8 @@ std::vector<std::string> placeNames(std::span<const SkinLandmark> landmarks);
 /// Empty without landmarks.
 std::string inWords(std::span<const SkinLandmark> landmarks, const Vec3& point);
 
+/// "T9 right 32 mm", to the whole millimetre: a place of the map plane in words that placeNamed reads. On a closed body
+/// one that is seen from behind. Empty without landmarks.
+std::string placeWords(std::span<const SkinLandmark> landmarks, const Vec2& place);
+
 }  // namespace palpate::body

@@ -15,7 +15,7 @@
 namespace palpate::scene {
 
 /// `table`: from beside a lying body, on its left, its back up and its head to the left.
-enum class StandardView : std::uint8_t { back, left, right, above, front, table };
+enum class StandardView : std::uint8_t { back, left, right, above, front, table, below };
 
 enum class Shading : std::uint8_t {
   gouraud,  ///< light at the vertices, as in the dissertation
@@ -108,7 +108,8 @@ template <>
 struct WordsOf<scene::StandardView> {
   using V = scene::StandardView;
   static constexpr std::array kAll = {Word{"back", V::back},   Word{"left", V::left},   Word{"right", V::right},
-                                      Word{"above", V::above}, Word{"front", V::front}, Word{"table", V::table}};
+                                      Word{"above", V::above}, Word{"front", V::front}, Word{"table", V::table},
+                                      Word{"below", V::below}};
 };
 
 template <>

@@ -43,6 +43,16 @@ TEST(Places, AreMovedByDistances) {
   EXPECT_EQ(placeNamed(kLandmarks, "left PSIS left 10 caudal 5").point, Vec3(-58, -300, 100));
 }
 
+TEST(Places, OfAPointAreSaidInWordsThatAreReadBack) {
+  EXPECT_EQ(placeWords(kLandmarks, Vec2(2.2, 39.9)), "T6");
+  EXPECT_EQ(placeWords(kLandmarks, Vec2(-28.4, 47.6)), "T6 left 30 mm up 8 mm");
+  for (const Vec2& place : {Vec2(-28.4, 47.6), Vec2(70, 18), Vec2(-51, -290), Vec2(0, 195)}) {
+    const Vec3 read = placeNamed(kLandmarks, placeWords(kLandmarks, place)).point;
+    EXPECT_LT((read.head<2>() - place).cwiseAbs().maxCoeff(), 0.51) << placeWords(kLandmarks, place);
+  }
+  EXPECT_EQ(placeWords({}, Vec2(0, 0)), "");
+}
+
 TEST(Places, TwelveSitesLieBesideSixLevels) {
   EXPECT_EQ(placeNamed(kLandmarks, "left site 1").point, Vec3(-30, 100, 100)) << "beside T4";
   EXPECT_EQ(placeNamed(kLandmarks, "site 2 right").point, Vec3(32, 40, 100)) << "beside T6";

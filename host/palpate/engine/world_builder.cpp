@@ -21,7 +21,8 @@ constexpr int kPatience = 10;
 
 }  // namespace
 
-WorldBuilder::WorldBuilder(Check check) : check_(std::move(check)), thread_([this] { run(); }) {}
+WorldBuilder::WorldBuilder(Check check, bool patient)
+    : check_(std::move(check)), patient_(patient), thread_([this] { run(); }) {}
 
 WorldBuilder::~WorldBuilder() {
   {
@@ -62,7 +63,7 @@ std::optional<BuildProgress> WorldBuilder::progress() const {
 }
 
 void WorldBuilder::run() {
-  system::lowerPriority(kPatience);
+  if (patient_) system::lowerPriority(kPatience);
   std::unique_lock lock(mutex_);
   while (true) {
     wake_.wait(lock, [this] { return quit_ || next_; });

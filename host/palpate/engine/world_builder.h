@@ -49,7 +49,8 @@ class WorldBuilder {
   /// Looks at a finished world on the worker's thread and throws to refuse it. May be empty.
   using Check = std::function<void(const scene::World&)>;
 
-  explicit WorldBuilder(Check check = {});
+  /// `patient`: everything else that this computer does goes first, a hand that touches meanwhile above all.
+  explicit WorldBuilder(Check check = {}, bool patient = true);
   /// Gives up the work under way and joins.
   ~WorldBuilder();
   WorldBuilder(const WorldBuilder&) = delete;
@@ -71,6 +72,7 @@ class WorldBuilder {
   void note(std::uint64_t number, std::string_view stage, double done);
 
   Check check_;
+  bool patient_;
   mutable std::mutex mutex_;  // guards all but the atomic
   std::condition_variable wake_;
   std::optional<BuildRequest> next_;

@@ -42,6 +42,7 @@ Camera fitted(const Eigen::AlignedBox3d& box, double aspect, StandardView side) 
   if (side == StandardView::right) camera.yaw_rad = kQuarter;
   if (side == StandardView::front) camera.yaw_rad = 2.0 * kQuarter;
   if (side == StandardView::above) camera.pitch_rad = kAlmostAbove;
+  if (side == StandardView::below) camera.pitch_rad = -kAlmostAbove;
   if (side == StandardView::table) {
     camera.yaw_rad = -kTableYawRad;
     camera.roll_rad = -kQuarter;

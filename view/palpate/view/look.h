@@ -25,6 +25,12 @@ inline constexpr auto kColouringNames = allWords<Colouring>();
 inline constexpr auto kOverlayNames = allWords<Overlay>();
 inline constexpr auto kFingerShapeNames = allWords<FingerShape>();
 inline constexpr std::size_t kOverlays = kOverlayNames.size();
+/// In menus and panels: what a touch does, and how the engine finds it. Names stand with the colours.
+inline constexpr std::array kTouchOverlays = {Overlay::contact, Overlay::section, Overlay::arrows, Overlay::ellipses};
+inline constexpr std::array kEngineOverlays = {Overlay::wireframe,        Overlay::normals,    Overlay::rings,
+                                               Overlay::haptic_triangles, Overlay::leaf_boxes, Overlay::planes,
+                                               Overlay::detecting_box};
+static_assert(kTouchOverlays.size() + kEngineOverlays.size() + 1 == kOverlays);
 
 /// Each field has a colour map of its own, so that two pictures cannot be mistaken for each other. Strain: blue is
 /// compression, red tension.

@@ -158,16 +158,9 @@ void Gui::Impl::makeLetters(double pixels_per_point) {
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-/// This version of ImGui sees one state a frame: a button that went down and up between two frames still counts as
-/// down in this one.
 void Gui::Impl::feed(std::span<const InputEvent> events) {
-  ImGuiIO& io = ImGui::GetIO();
-  std::array<bool, kButtons> went_down{};
-  for (const InputEvent& event : events) {
-    feed(event);
-    if (event.kind == InputEvent::Kind::button && event.down) went_down[static_cast<std::size_t>(event.button)] = true;
-  }
-  for (std::size_t b = 0; b < kButtons; ++b) io.MouseDown[b] = down[b] || went_down[b];
+  for (const InputEvent& event : events) feed(event);
+  std::copy(down.begin(), down.end(), ImGui::GetIO().MouseDown);
 }
 
 void Gui::Impl::feed(const InputEvent& event) {

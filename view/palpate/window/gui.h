@@ -24,7 +24,8 @@ class Gui {
   Gui();
   ~Gui();
 
-  /// Letters are made again when the scale (pixels a point) changes.
+  /// Sees one state: hand in the events of one of guiPasses. Letters are made again when the scale (pixels a point)
+  /// changes.
   void begin(const Vec2& size_points, double scale, double elapsed_s, std::span<const InputEvent> events);
   void end();
   /// Says of each window of the frame, by its name, whether it is drawn.

@@ -75,6 +75,7 @@ enum class Action : std::uint8_t {
   view_right,
   view_above,
   measure,
+  find_place,
   show_wireframe,
   show_haptic_triangles,
   show_leaf_boxes,

@@ -23,6 +23,7 @@ TEST(Camera, AStandardViewLooksFromItsSide) {
   EXPECT_TRUE(from(StandardView::left).isApprox(-Vec3::UnitX()));
   EXPECT_TRUE(from(StandardView::right).isApprox(Vec3::UnitX()));
   EXPECT_TRUE(from(StandardView::front).isApprox(-Vec3::UnitZ()));
+  EXPECT_TRUE(from(StandardView::below).isApprox(-Vec3::UnitY(), 2e-3)) << "a hair beside it";
   EXPECT_TRUE(from(StandardView::above).isApprox(Vec3::UnitY(), 2e-3)) << "a hair beside it";
 }
 
@@ -38,7 +39,7 @@ TEST(Camera, FromBesideATableABodyLiesOnItsFrontWithItsHeadToTheLeft) {
 TEST(Camera, FitsABoxFromEverySide) {
   const Eigen::AlignedBox3d box(Vec3(-200, -300, -100), Vec3(200, 260, 130));
   for (const auto side : {StandardView::back, StandardView::left, StandardView::right, StandardView::above,
-                          StandardView::front, StandardView::table}) {
+                          StandardView::front, StandardView::table, StandardView::below}) {
     const Camera camera = fitted(box, kWideAspect, side);
     const Frustum frustum = frustumOf(screenOf(camera, kWideAspect), camera.eye(), 1.0, 5000.0);
     for (int corner = 0; corner < 8; ++corner) {

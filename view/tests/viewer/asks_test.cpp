@@ -55,7 +55,7 @@ TEST(Asks, OfTheModelPanelAreARequestAndADialog) {
   EXPECT_TRUE(asks.requests.empty());
   one.click("model/default", draw);
   ASSERT_EQ(asks.requests.size(), 1u);
-  EXPECT_TRUE(std::holds_alternative<OpenBuiltIn>(asks.requests.front()));
+  EXPECT_TRUE(std::holds_alternative<OpenPreset>(asks.requests.front()));
 }
 
 TEST(Asks, OfAChangedKeyTellWhatFollowsFromIt) {

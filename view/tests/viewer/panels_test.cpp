@@ -52,6 +52,7 @@ TEST(Panels, ACheckboxAndItsKeyAreTheSameSwitch) {
   Stage stage;
   stage.click("panel/Touch");
   stage.click("panel/Show");
+  stage.click("show/engine");
   stage.click("show/wireframe");
   EXPECT_TRUE(stage.state().state.look.shows(view::Overlay::wireframe));
   stage.key(window::key('W'));

@@ -23,7 +23,7 @@ TEST(SceneFromFile, PutsTheFingersOfTheSceneBeforeOnAMesh) {
   like.fingers.resize(1);
   like.fingers[0].radius_mm = 5.0;
   like.dysfunctions.push_back({});
-  const scene::Scene scene = sceneFromFile((folder / "ball.PLY").string(), like);
+  const scene::Scene scene = sceneFromFile((folder / "ball.PLY").string(), like).scene;
   EXPECT_EQ(scene.fingers[0].radius_mm, 5.0);
   EXPECT_TRUE(scene.dysfunctions.empty());
   EXPECT_EQ(scene::build(scene)->body->name, "ball.PLY");

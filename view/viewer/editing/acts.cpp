@@ -114,12 +114,10 @@ void changeTimeSpeed(ViewerState& viewer, int step) {
   viewer.report(Severity::info, fmt::format("What is played passes at {:g} of its time", viewer.time_speed));
 }
 
-/// Escape leaves the innermost thing: a dialog, a page, then the editor. It never quits.
+/// Escape leaves the innermost thing: a page, then the editor. It never quits. Dialogs hear it themselves.
 void cancel(ViewerState& viewer) {
   Shown& shown = viewer.state.shown;
-  if (shown.open_dialog || shown.save_dialog) {
-    shown.open_dialog = shown.save_dialog = false;
-  } else if (shown.help) {
+  if (shown.help) {
     shown.help = false;
   } else if (shown.messages) {
     shown.messages = false;
@@ -168,6 +166,9 @@ void perform(Action action, ViewerState& viewer) {
       return changeTimeSpeed(viewer, 1);
     case Action::open:
       viewer.state.shown.open_dialog = true;
+      return;
+    case Action::find_place:
+      viewer.place_search = {.open = true};
       return;
     case Action::save_as:
       viewer.state.shown.save_dialog = true;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "palpate/body/places.h"
+
 namespace palpate::viewer {
 
 namespace {
@@ -44,6 +46,7 @@ void moveTo(const DysfunctionEdit& edit, const Vec2& place) {
   if (item == nullptr) return;
   item->x_mm = place.x();
   item->y_mm = place.y();
+  item->at.clear();  // words would put it back
   edit.asks.changed |= kMapChange;
 }
 
@@ -90,6 +93,7 @@ bool applyEdit(const window::Command& command, const std::optional<Vec2>& place,
       if (place) moveTo(edit, *place);
       return true;
     case Kind::edit_drop:
+      if (maps::Dysfunction* item = selected(edit)) putIntoWords(*item, edit.landmarks);
       edit.editor.before.reset();
       edit.asks.step = "place " + nameOfSelected(edit);
       return true;
@@ -107,6 +111,14 @@ bool applyEdit(const window::Command& command, const std::optional<Vec2>& place,
     default:
       return false;
   }
+}
+
+void putIntoWords(maps::Dysfunction& item, std::span<const body::SkinLandmark> landmarks) {
+  item.at = body::placeWords(landmarks, Vec2(item.x_mm, item.y_mm));
+  if (item.at.empty()) return;
+  const Vec3 point = body::placeNamed(landmarks, item.at).point;
+  item.x_mm = point.x();
+  item.y_mm = point.y();
 }
 
 void deleteSelected(const DysfunctionEdit& edit) {

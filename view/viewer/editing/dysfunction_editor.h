@@ -19,6 +19,9 @@ void stopEditing(const DysfunctionEdit& edit);
 /// Editor commands of the input rules; `place` is the skin under the cursor, in the map plane. False for others.
 bool applyEdit(const window::Command& command, const std::optional<Vec2>& place, const DysfunctionEdit& edit);
 
+/// Its place is said in words where the body has names, and is there to the whole millimetre.
+void putIntoWords(maps::Dysfunction& item, std::span<const body::SkinLandmark> landmarks);
+
 void deleteSelected(const DysfunctionEdit& edit);
 
 /// The dysfunction at a place of the map plane: the one whose centre is nearest among those that reach it; -1 for none.

@@ -125,7 +125,7 @@ void RecordingKeeper::end(ViewerState& viewer, std::string_view ended_by) {
 void RecordingKeeper::advance(ViewerState& viewer) {
   if (const auto finished = tidying_.take(); finished && finished->value) {
     for (const fs::path& file : *finished->value) {
-      viewer.messages.note(fmt::format("A run that did not end in order is kept as {}: Open shows it", file.string()),
+      viewer.messages.note(fmt::format("An interrupted run was saved as {} (File > Open)", file.string()),
                            viewer.now_s);
     }
   }

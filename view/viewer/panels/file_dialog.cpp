@@ -3,6 +3,7 @@
 // Own, because no library of Debian 12 fits: GTK's and Qt's dialogs want their own event loop beside GLFW's,
 // libportal's wants a desktop portal on the recording bus, which bare X servers do not have, and Native File Dialog is
 // not packaged.
+#include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -82,13 +83,68 @@ std::string walk(Listing& listing) {
   return chosen;
 }
 
+/// A dialog that owns mouse and keyboard until it is closed. Call endDialog if it returns true.
 bool beginDialog(const char* title, bool& open) {
+  const bool shown = ImGui::IsPopupOpen(title);
+  if (!open && !shown) return false;
+  if (!shown) ImGui::OpenPopup(title);
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(560.0f, size.x - 40.0f), 0.0f});
   ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {size.x, size.y - 30.0f});
-  return ImGui::Begin(title, &open,
-                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings);
+  constexpr auto kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
+  return ImGui::BeginPopupModal(title, open ? &open : nullptr, kFlags);
+}
+
+void endDialog(bool& open) {
+  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) open = false;
+  if (!open) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+bool enterPressed() {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
+         ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
+}
+
+/// A focused line to type a name into, with the buttons behind it. True when what is typed is to be used.
+struct NameField {
+  const char* path;         ///< of the widgets: "photograph"
+  const char* button_path;  ///< "photograph/open"
+  const char* button;       ///< "Open"
+};
+bool nameField(const NameField& field, std::string& typed, bool& open) {
+  const float buttons = ImGui::CalcTextSize(field.button).x + ImGui::CalcTextSize("Cancel").x + 48.0f;
+  ImGui::SetNextItemWidth(-buttons);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::InputText(fmt::format("##{}", field.path).c_str(), &typed);
+  notePlace(fmt::format("{}/file", field.path));
+  ImGui::SameLine();
+  const bool pressed = buttonWidget(field.button_path, field.button, "Enter");
+  ImGui::SameLine();
+  if (buttonWidget(fmt::format("{}/cancel", field.path).c_str(), "Cancel", "Esc")) open = false;
+  return open && (pressed || enterPressed()) && !typed.empty();
+}
+
+/// A typed folder is gone into; a file that is not there is named. The file that is.
+std::string fileTyped(Listing& listing, std::string& typed, std::string& trouble) {
+  const fs::path file = listing.folder / pathOf(typed);  // a full path stays one
+  std::error_code error;
+  if (fs::is_directory(file, error)) {
+    listing = listingOf(file.lexically_normal(), listing.kinds);
+    typed.clear();
+    trouble.clear();
+    return {};
+  }
+  if (!fs::exists(file, error)) {
+    trouble = fmt::format("There is no file {}", file.lexically_normal().string());
+    return {};
+  }
+  return file.string();
+}
+
+void troubleLine(const std::string& trouble) {
+  if (!trouble.empty()) severeWords(Severity::warning, trouble);
 }
 
 }  // namespace
@@ -96,75 +152,69 @@ bool beginDialog(const char* title, bool& open) {
 void showFolder(const fs::path& folder) { shownListing() = listingOf(folder); }
 
 void openDialog(std::span<const std::string> recent, bool& open, Asks& asks) {
-  Listing& listing = shownListing();
   static std::string typed;
-  if (beginDialog("Open a scene or a mesh", open)) {
-    // Files may have come since it was last open.
-    if (ImGui::IsWindowAppearing()) listing = listingOf(listing.folder);
-    std::string chosen;
-    for (const std::string& file : recent) {
-      if (ImGui::Selectable(file.c_str())) chosen = file;
-    }
-    if (const std::string walked = walk(listing); !walked.empty()) chosen = walked;
-    ImGui::SetNextItemWidth(-80.0f);
-    const bool entered = ImGui::InputText("##file", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
-    notePlace("open/file");
-    ImGui::SameLine();
-    if ((buttonWidget("open/open", "Open") || entered) && !typed.empty()) chosen = typed;
-    remark(
-        "TOML scenes, OBJ, STL, PLY, OFF, glTF and GLB meshes, recordings, recorded forces (CSV); or drop a file on "
-        "the "
-        "window.");
-    if (!chosen.empty()) {
-      asks.request(OpenFile{chosen});
-      open = false;
-    }
+  static std::string trouble;
+  if (!beginDialog("Open a scene or a mesh", open)) return;
+  Listing& listing = shownListing();
+  if (ImGui::IsWindowAppearing()) {
+    listing = listingOf(listing.folder);  // files may have come since it was last open
+    typed.clear();
+    trouble.clear();
   }
-  ImGui::End();
+  std::string chosen;
+  for (const std::string& file : recent) {
+    if (ImGui::Selectable(file.c_str())) chosen = file;
+  }
+  if (const std::string walked = walk(listing); !walked.empty()) chosen = walked;
+  if (nameField({"open", "open/open", "Open"}, typed, open)) chosen = fileTyped(listing, typed, trouble);
+  troubleLine(trouble);
+  remark(
+      "Scenes (TOML), meshes (OBJ, STL, PLY, OFF, glTF, GLB), recordings, tables of forces (CSV). You can also drop a "
+      "file on the window.");
+  if (!chosen.empty()) {
+    asks.request(OpenFile{chosen});
+    open = false;
+  }
+  endDialog(open);
 }
 
 std::string photographDialog(const char* title, bool& open) {
-  Listing& listing = shownListing();
   static std::string typed;
-  std::string chosen;
-  if (beginDialog(title, open)) {
-    if (ImGui::IsWindowAppearing()) listing = listingOf(listing.folder, kPhotographKinds);
-    chosen = walk(listing);
-    ImGui::SetNextItemWidth(-80.0f);
-    const bool entered = ImGui::InputText("##photograph", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
-    notePlace("photograph/file");
-    ImGui::SameLine();
-    if ((buttonWidget("photograph/open", "Open") || entered) && !typed.empty()) chosen = typed;
-    remark("JPEG, PNG or TIFF; or drop the photograph on the window.");
+  static std::string trouble;
+  if (!beginDialog(title, open)) return {};
+  Listing& listing = shownListing();
+  if (ImGui::IsWindowAppearing()) {
+    listing = listingOf(listing.folder, kPhotographKinds);
+    typed.clear();
+    trouble.clear();
   }
-  ImGui::End();
+  std::string chosen = walk(listing);
+  if (nameField({"photograph", "photograph/open", "Open"}, typed, open)) chosen = fileTyped(listing, typed, trouble);
+  troubleLine(trouble);
+  remark("JPEG, PNG or TIFF. You can also drop the photograph on the window.");
+  if (!chosen.empty()) open = false;
+  endDialog(open);
   return chosen;
 }
 
 void saveDialog(const fs::path& now, const fs::path& folder, bool& open, Asks& asks) {
-  Listing& listing = shownListing();
   static std::string typed;
-  if (beginDialog("Save the scene as", open)) {
-    if (ImGui::IsWindowAppearing()) {
-      listing = listingOf(now.empty() ? folder : now.parent_path());
-      typed = now.empty() ? "scene.toml" : now.filename().string();
-    }
-    const fs::path walked = pathOf(walk(listing));
-    if (walked.extension() == ".toml") typed = walked.filename().string();
-    ImGui::SetNextItemWidth(-80.0f);
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    const bool entered = ImGui::InputText("##save_as", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
-    notePlace("save/file");
-    ImGui::SameLine();
-    if ((buttonWidget("save/save", "Save") || entered) && !typed.empty()) {
-      fs::path file = listing.folder / pathOf(typed);  // a full path stays one
-      if (file.extension() != ".toml") file += ".toml";
-      asks.request(SaveScene{file.string()});
-      open = false;
-    }
-    remark("A scene (TOML) with all that was changed, camera and look too. You are asked before a file is replaced.");
+  if (!beginDialog("Save the scene as", open)) return;
+  Listing& listing = shownListing();
+  if (ImGui::IsWindowAppearing()) {
+    listing = listingOf(now.empty() ? folder : now.parent_path());
+    typed = now.empty() ? "scene.toml" : now.filename().string();
   }
-  ImGui::End();
+  const fs::path walked = pathOf(walk(listing));
+  if (walked.extension() == ".toml") typed = walked.filename().string();
+  if (nameField({"save", "save/save", "Save"}, typed, open)) {
+    fs::path file = listing.folder / pathOf(typed);  // a full path stays one
+    if (file.extension() != ".toml") file += ".toml";
+    asks.request(SaveScene{file.string()});
+    open = false;
+  }
+  remark("A scene (TOML) with all changes, camera and look. You are asked before a file is replaced.");
+  endDialog(open);
 }
 
 }  // namespace palpate::viewer

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "view/viewer/editing/acts.h"
@@ -62,6 +63,7 @@ MenuBar menuOf(ViewerState& viewer, const Modes& modes) {
                .unread_messages = viewer.messages.unread(),
                .status = {},
                .recording = recordingWords(viewer.recording, viewer.now_s)};
+  if (!viewer.world.landmarks.empty()) menu.room_for_place = kPlaceFieldWidth;
   menu.offers_stop = viewer.devices.anyHeld() || viewer.devices.stopped;
   menu.stopped = viewer.devices.stopped;
   for (std::size_t i = 0; i < window::kActions; ++i) menu.on[i] = isOn(static_cast<window::Action>(i), viewer);
@@ -72,7 +74,7 @@ MenuBar menuOf(ViewerState& viewer, const Modes& modes) {
     menu.on[static_cast<std::size_t>(item->action)] = item->on;
   }
   menu.status.push_back(viewer.world.name + (viewer.history.changed() ? " *" : ""));
-  if (viewer.simple_shading) menu.status.emplace_back("drawn smooth: slow");
+  if (viewer.simple_shading) menu.status.emplace_back("smooth shading: slow");
   menu.status.push_back(viewer.held_by);
   menu.status.push_back(fmt::format("{:.0f} Hz", viewer.performance.servo.ticks_per_s));
   menu.status.push_back(fmt::format("{:.0f} fps", viewer.performance.frames_per_s));
@@ -124,6 +126,7 @@ void sidePanel(ViewerState& viewer, float width, const FreeArea& free) {
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
   viewer.vertex_panel_open = false;
   if (ImGui::Begin("panel", nullptr, kFixed)) {
+    viewRow(viewer.state.look, viewer.world, viewer.asks);
     for (const PanelEntry& panel : kPanels) {
       // F3 asks for this section from the keyboard.
       const bool asked = viewer.state.shown.performance && panel.name == kPerformance;
@@ -167,7 +170,23 @@ void drawModeWindow(Mode& mode, ViewerState& viewer, const FreeArea& free) {
 
 }  // namespace
 
-void drawGui(ViewerState& viewer, const Modes& modes) {
+namespace {
+
+/// A question comes first.
+void drawStartPage(ViewerState& viewer, const Modes& modes, ExamplePictures& pictures) {
+  if (viewer.question) return;
+  const auto has_item = [](const auto& mode) { return mode->menuItem().has_value(); };
+  startPage({.recent = viewer.state.recent,
+             .shown_at_start = viewer.state.start_page,
+             .pictures = pictures,
+             .offers_training = viewer.offers_training,
+             .offers_measuring = std::ranges::any_of(modes, has_item)},
+            viewer.state.shown.start, viewer.asks);
+}
+
+}  // namespace
+
+void drawGui(ViewerState& viewer, const Modes& modes, ExamplePictures& pictures) {
   widgetPlaces().clear();
   Shown& shown = viewer.state.shown;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -175,6 +194,7 @@ void drawGui(ViewerState& viewer, const Modes& modes) {
   if (Mode* mode = modes.claimant(&Claims::window)) return drawModeWindow(*mode, viewer, free);
   if (!shown.open_dialog) viewer.replay.chooses_beside = false;
   menuBar(menuOf(viewer, modes), viewer.asks);
+  placeField({viewer.place_search, viewer.world.landmarks, viewer.place_words}, viewer.asks);
   doActions(viewer, modes);
   if (Mode* mode = modes.claimant(&Claims::body)) {
     mode->draw({0.0f, kMenuBarHeight, size.x, size.y});
@@ -188,8 +208,9 @@ void drawGui(ViewerState& viewer, const Modes& modes) {
   toast(viewer.messages, viewer.now_s, free);
   if (shown.help) helpPage(shown.help);
   if (shown.messages) messageList(viewer.messages, shown.messages);
-  if (shown.open_dialog) openDialog(viewer.state.recent, shown.open_dialog, viewer.asks);
-  if (shown.save_dialog) saveDialog(viewer.document.file, viewer.output_folder, shown.save_dialog, viewer.asks);
+  openDialog(viewer.state.recent, shown.open_dialog, viewer.asks);
+  saveDialog(viewer.document.file, viewer.output_folder, shown.save_dialog, viewer.asks);
+  drawStartPage(viewer, modes, pictures);
   questionDialog(viewer.question, viewer.asks);
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/start_page.h"
 #include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
@@ -18,7 +19,7 @@ class Modes;
 /// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs; or what a mode has in place of
 /// them. Does the actions that were asked for and passes the words on; requests and notes of changes stay in
 /// viewer.asks.
-void drawGui(ViewerState& viewer, const Modes& modes);
+void drawGui(ViewerState& viewer, const Modes& modes, ExamplePictures& pictures);
 
 /// Whether a window of this name belongs to a saved picture: menu bar, side panel, plots and what a mode draws in place
 /// of the body ("mode...") do, all else lies over it for a moment.

@@ -11,6 +11,9 @@
 
 namespace palpate::viewer {
 
+/// In place of a number: none is shown in this run.
+inline constexpr int kNoHint = -1;
+
 /// The words of hint number `i`, from 0; empty after the last.
 std::string_view hintText(int i);
 

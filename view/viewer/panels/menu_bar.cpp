@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "palpate/scene/presets.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -36,9 +37,18 @@ void recentFiles(const Menus& menus) {
 }
 
 void fileMenu(const Menus& menus) {
+  if (ImGui::MenuItem("Start page ...")) menus.state.shown.start = true;
+  notePlace("menu/Start page");
   item(menus, Action::open);
   recentFiles(menus);
-  if (ImGui::MenuItem("Built-in torso")) menus.asks.request(OpenBuiltIn{});
+  if (ImGui::BeginMenu("Examples")) {
+    for (const scene::Preset& preset : scene::presets()) {
+      const bool chosen = ImGui::MenuItem(std::string(preset.title).c_str());
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(preset.what).c_str());
+      if (chosen) menus.asks.request(OpenPreset{std::string(preset.name)});
+    }
+    ImGui::EndMenu();
+  }
   for (const Action action : menus.bar.modes) item(menus, action);
   for (const Action action : {Action::reload, Action::save, Action::save_as}) item(menus, action);
   ImGui::Separator();
@@ -88,7 +98,7 @@ void mouseMenu(window::InputSettings& input) {
 
 void viewMenu(const Menus& menus) {
   for (const Action action : {Action::home, Action::full_screen, Action::panel, Action::plots, Action::numbers,
-                              Action::performance, Action::measure, Action::reach}) {
+                              Action::performance, Action::measure, Action::find_place, Action::reach}) {
     item(menus, action);
   }
   ImGui::Separator();
@@ -112,11 +122,16 @@ void viewMenu(const Menus& menus) {
 }
 
 void showMenu(const Menus& menus) {
-  for (std::size_t i = 0; i < view::kOverlays; ++i) item(menus, window::actionFor(static_cast<view::Overlay>(i)));
-  item(menus, Action::skin_opacity);
-  ImGui::Separator();
-  for (const Action action : {Action::colour_strain, Action::colour_stiffness, Action::colour_ellipses}) {
+  for (const Action action : {Action::show_names, Action::skin_opacity, Action::colour_strain, Action::colour_stiffness,
+                              Action::colour_ellipses}) {
     item(menus, action);
+  }
+  ImGui::Separator();
+  for (const view::Overlay overlay : view::kTouchOverlays) item(menus, window::actionFor(overlay));
+  ImGui::Separator();
+  if (ImGui::BeginMenu("Engine")) {
+    for (const view::Overlay overlay : view::kEngineOverlays) item(menus, window::actionFor(overlay));
+    ImGui::EndMenu();
   }
   ImGui::Separator();
   item(menus, Action::stereo_mode);
@@ -186,6 +201,7 @@ void menuBar(const MenuBar& bar, Asks& asks) {
   menu(menus, "View", viewMenu);
   menu(menus, "Show", showMenu);
   menu(menus, "Help", helpMenu);
+  if (bar.room_for_place > 0.0f) ImGui::Dummy({bar.room_for_place, 0.0f});
   stopSign(menus);
   recordingSign(bar.recording);
   statusLine(bar.status);

@@ -1,6 +1,7 @@
 // What the program says over the picture: hints, messages, progress, that one is editing.
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 
@@ -179,6 +180,8 @@ void rulerNotice(const Ruler& ruler, const FreeArea& free) {
   if (ImGui::Begin("ruler", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) ImGui::TextUnformatted(words.c_str());
   ImGui::End();
 }
+
+bool dialogShown() { return ImGui::GetTopMostPopupModal() != nullptr; }
 
 void questionDialog(const std::optional<Question>& question, Asks& asks) {
   constexpr const char* kName = "question";

@@ -1,7 +1,10 @@
 // Places that are stiffer or softer than they should be: the list, and the editor's switch.
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
+#include "palpate/base/error.h"
+#include "palpate/body/places.h"
 #include "view/viewer/editing/dysfunction_editor.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
@@ -16,11 +19,38 @@ void slider(const DysfunctionEdit& edit, double& value, const NumberWidget& widg
   edit.asks.step = words;
 }
 
+std::string placeOf(const maps::Dysfunction& item) {
+  return item.at.empty() ? fmt::format("({:.0f}, {:.0f}) mm", item.x_mm, item.y_mm) : item.at;
+}
+
+/// Typed in words; Enter puts it there.
+void placeField(const DysfunctionEdit& edit, maps::Dysfunction& item, const std::string& name) {
+  if (edit.landmarks.empty()) return;
+  static std::string typed;
+  static const maps::Dysfunction* of = nullptr;
+  if (of != &item || !ImGui::IsAnyItemActive()) typed = item.at;
+  of = &item;
+  const bool entered = ImGui::InputText("place", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  notePlace("dysfunctions/place");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("In words: T9 left 51 mm, left PSIS, right site 4. Enter moves it.");
+  if (!entered) return;
+  try {
+    const body::NamedPlace place = body::placeNamed(edit.landmarks, typed);
+    item.at = place.name;
+    item.x_mm = place.point.x();
+    item.y_mm = place.point.y();
+    edit.asks.changed |= kMapChange;
+    edit.asks.step = "move " + name;
+  } catch (const Error& error) {
+    edit.asks.tell(Severity::warning, error.what());
+  }
+}
+
 void listOf(const DysfunctionEdit& edit) {
   const auto& items = edit.items;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    const std::string line = fmt::format("{}   {:+.0f} % at ({:.0f}, {:.0f}) mm##{}", i + 1, items[i].change_percent,
-                                         items[i].x_mm, items[i].y_mm, i);
+    const std::string line =
+        fmt::format("{}   {:+.0f} % at {}##{}", i + 1, items[i].change_percent, placeOf(items[i]), i);
     const bool chosen = edit.editor.selected == static_cast<int>(i);
     if (ImGui::Selectable(line.c_str(), chosen)) edit.editor.selected = static_cast<int>(i);
     notePlace(fmt::format("dysfunctions/{}", i + 1));
@@ -32,17 +62,20 @@ void fieldsOf(const DysfunctionEdit& edit, maps::Dysfunction& item, const std::s
   slider(edit, item.change_percent,
          {"dysfunctions/change", "change", "%+.0f %%", -100.0, 300.0, 50.0, "Of the stiffness at the centre."},
          "change " + name);
+  placeField(edit, item, name);
   slider(edit, item.radius_mm,
          {"dysfunctions/radius", "radius", "%.1f mm", 2.0, 100.0, 15.0, "Outside nothing changes."}, "resize " + name);
   slider(edit, item.edge_softness,
          {"dysfunctions/edge", "soft edge", "%.2f", 0.0, 1.0, 0.5,
           "Share of the radius over which the change fades out; 0 is a hard edge."},
          "soften " + name);
+  const Vec2 before(item.x_mm, item.y_mm);
   slider(edit, item.x_mm,
          {"dysfunctions/x", "x", "%.1f mm", -400.0, 400.0, 0.0, "Of the centre; to the patient's right."},
          "move " + name);
   slider(edit, item.y_mm, {"dysfunctions/y", "y", "%.1f mm", -400.0, 400.0, 0.0, "Of the centre; towards the head."},
          "move " + name);
+  if (before != Vec2(item.x_mm, item.y_mm)) item.at.clear();  // words would put it back
 }
 
 void historyButtons(const DysfunctionPanel& panel) {

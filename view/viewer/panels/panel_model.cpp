@@ -31,7 +31,7 @@ void breathingWidgets(const SceneKeys& keys) {
   keyWidget(keys, {"breathing", "on", "breathes"});
   if (!keys.scene.breathing.on) return;
   keyWidget(keys, {"breathing", "depth_mm", "breath", 0.0, 5.0, "%.1f mm"});
-  keyWidget(keys, {"breathing", "per_minute", "breaths a minute", 4.0, 30.0, "%.0f"});
+  keyWidget(keys, {"breathing", "per_minute", "breaths per minute", 4.0, 30.0, "%.0f"});
 }
 
 void bodyWidgets(const SceneKeys& keys) {
@@ -57,7 +57,7 @@ void bodyWidgets(const SceneKeys& keys) {
 void partitionWidgets(const SceneKeys& keys) {
   keyWidget(keys, {"partition", "tree", "tree"});
   keyWidget(keys, {"partition", "assign", "cut triangles"});
-  keyWidget(keys, {"partition", "threshold", "triangles a leaf"});
+  keyWidget(keys, {"partition", "threshold", "triangles per leaf"});
   keyWidget(keys, {"partition", "hdb_fraction", "detecting box", 0.01, 1.0});
   keyWidget(keys, {"partition", "hdb_edge_mm", "its edge", 0.0, 400.0, "%.0f mm"});
   keyWidget(keys, {"partition", "query", "asks for"});
@@ -73,7 +73,7 @@ void modelPanel(const ModelPanel& panel, Asks& asks) {
     panel.open_dialog = true;
   }
   ImGui::SameLine();
-  if (buttonWidget("model/default", "Built-in body")) asks.request(OpenBuiltIn{});
+  if (buttonWidget("model/default", "Built-in body")) asks.request(OpenPreset{"trunk"});
   ImGui::Separator();
   bodyWidgets(keys);
   ImGui::Separator();

@@ -104,7 +104,56 @@ void overlayWidget(view::Look& look, view::Overlay overlay) {
   }
 }
 
+void viewButtons(Asks& asks) {
+  constexpr std::array<view::StandardView, 7> kOrder = {
+      view::StandardView::back,  view::StandardView::front, view::StandardView::left, view::StandardView::right,
+      view::StandardView::above, view::StandardView::below, view::StandardView::table};
+  for (const view::StandardView side : kOrder) {
+    const std::string name(wordFor(side));
+    const float width = ImGui::CalcTextSize(name.c_str()).x + 8.0f;
+    const float left = ImGui::GetItemRectMax().x + 3.0f;
+    const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (side != kOrder.front() && left + width <= end) ImGui::SameLine(0.0f, 3.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0f, 2.0f});
+    if (buttonWidget(fmt::format("view/{}", name).c_str(), name.c_str(), "See the whole body from this side.")) {
+      asks.request(SetView{side});
+    }
+    ImGui::PopStyleVar();
+  }
+}
+
+void colouringFlag(view::Look& look, view::Colouring colouring, const char* path, const char* label,
+                   const char* meaning) {
+  bool on = look.colouring == colouring;
+  if (flagWidget(path, label, on, meaning)) look.colouring = on ? colouring : view::Colouring::plain;
+}
+
 }  // namespace
+
+void viewRow(view::Look& look, const WorldFacts& world, Asks& asks) {
+  constexpr double kSeeThrough = 0.4;  // bones are seen, and the skin still is
+  viewButtons(asks);
+  bool bones = look.skin_opacity < 1.0;
+  if (world.has_bones) {
+    if (flagWidget("quick/bones", "bones", bones, "Through half-transparent skin (key O has more steps).")) {
+      look.skin_opacity = bones ? kSeeThrough : 1.0;
+    }
+    ImGui::SameLine();
+  }
+  bool names = look.shows(view::Overlay::names);
+  if (!world.landmarks.empty()) {
+    if (flagWidget("quick/names", "names", names, "What the places of the body are called (key I).")) {
+      look.show(view::Overlay::names, names);
+    }
+  }
+  colouringFlag(look, view::Colouring::strain, "quick/strain", "strain", "Where the skin is stretched (key S).");
+  ImGui::SameLine();
+  colouringFlag(look, view::Colouring::stiffness, "quick/stiffness", "stiffness",
+                "How hard each place pushes back, N/mm (key M).");
+  ImGui::SameLine();
+  flagWidget("quick/lens", "lens", look.lens, "The pressing finger from the side, close, in a corner of the picture.");
+  ImGui::Separator();
+}
 
 void showPanel(const ShowPanel& panel) {
   lookWidgets(panel);
@@ -115,8 +164,14 @@ void showPanel(const ShowPanel& panel) {
   }
   rangeWidgets(panel.look, panel.world);
   ImGui::Separator();
-  for (std::size_t i = 0; i < view::kOverlays; ++i) overlayWidget(panel.look, static_cast<view::Overlay>(i));
-  if (panel.look.shows(view::Overlay::names) && !panel.world.has_names) remark("This body has no named places.");
+  overlayWidget(panel.look, view::Overlay::names);
+  for (const view::Overlay overlay : view::kTouchOverlays) overlayWidget(panel.look, overlay);
+  if (ImGui::TreeNode("Engine")) {
+    for (const view::Overlay overlay : view::kEngineOverlays) overlayWidget(panel.look, overlay);
+    ImGui::TreePop();
+  }
+  notePlace("show/engine");
+  if (panel.look.shows(view::Overlay::names) && panel.world.landmarks.empty()) remark("This body has no named places.");
 }
 
 }  // namespace palpate::viewer

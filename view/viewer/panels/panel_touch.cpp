@@ -32,7 +32,7 @@ void pressWidgets(TouchSettings& touch) {
                                  "pulls sideways. Wheel while pressing: 0.25 N a notch."});
   }
   flagWidget(
-      "touch/resisting", "resisting cursor", touch.resisting_cursor,
+      "touch/resisting", "resist while pressing", touch.resisting_cursor,
       "Pressing with both buttons moves slower the harder the skin pushes back: the eye reads it as resistance.");
 }
 

@@ -78,6 +78,8 @@ struct ShowPanel {
   const WorldFacts& world;
 };
 void showPanel(const ShowPanel& panel);
+/// Above all sections: from where one looks, and what is shown most often.
+void viewRow(view::Look& look, const WorldFacts& world, Asks& asks);
 
 /// Which number of the body's file colours the skin, by which colours, and how its values are spread.
 void scalarWidgets(view::Look& look, const WorldFacts& world);
@@ -119,8 +121,21 @@ struct MenuBar {
   bool offers_stop = false;         ///< a device holds a finger
   bool stopped = false;
   std::vector<window::Action> modes = {};  ///< what else this window can be used for (mode.h)
+  float room_for_place = 0.0f;             ///< left free behind the menus (placeField), points
 };
 void menuBar(const MenuBar& menu, Asks& asks);
+
+/// Names of places that hold all words typed, those that begin with them first; a few.
+std::vector<std::string> placesLike(std::span<const body::SkinLandmark> landmarks, std::string_view typed);
+/// Behind the menus: the name of a place to go to, and `here`, where the active finger is. Nothing where the body has
+/// no names.
+struct PlaceField {
+  PlaceSearch& search;
+  std::span<const body::SkinLandmark> landmarks;
+  const std::string& here;
+};
+inline constexpr float kPlaceFieldWidth = 360.0f;
+void placeField(const PlaceField& field, Asks& asks);
 
 struct PlotStrips {
   Plots& plots;
@@ -141,6 +156,8 @@ std::string photographDialog(const char* title, bool& open);
 void saveDialog(const std::filesystem::path& now, const std::filesystem::path& folder, bool& open, Asks& asks);
 /// Where the dialogs look from now on; else where they looked last, in the beginning the working folder.
 void showFolder(const std::filesystem::path& folder);
+/// A dialog is open in the current gui: it owns mouse and keyboard.
+bool dialogShown();
 /// What is asked before something is lost; the answer is a request.
 void questionDialog(const std::optional<Question>& question, Asks& asks);
 /// In the colour of how much they matter.

@@ -98,10 +98,15 @@ struct CurvesLook {
   bool dotted = false;
 };
 
-void drawCurves(const PlotStrips& panel, const Curves& curves, const CurvesLook& look, const PlotArea& area,
-                double end) {
+/// A finger that is there, or was: another body lifts it, and what it felt before stays to be seen.
+bool isPlotted(const PlotStrips& panel, const Columns& columns, std::size_t finger) {
+  return panel.present[finger] || std::ranges::any_of(columns.marks[finger], &ColumnMarks::touching);
+}
+
+void drawCurves(const PlotStrips& panel, const Columns& columns, const Curves& curves, const CurvesLook& look,
+                const PlotArea& area, double end) {
   for (std::size_t f = 0; f < 2; ++f) {
-    if (panel.present[f]) drawExtents(curves[f], area, end, {fingerInk(f, look.opacity), look.dotted});
+    if (isPlotted(panel, columns, f)) drawExtents(curves[f], area, end, {fingerInk(f, look.opacity), look.dotted});
   }
 }
 
@@ -115,12 +120,12 @@ void drawStrip(const PlotStrips& panel, std::size_t index, const Columns& column
   for (const auto& marks : columns.marks) shadeTouching(marks, area);
   drawPlotAxes(area, end, columns.window_s);
   if (force) {
-    drawCurves(panel, curvesOf(panel, PlotValue::tangential_force, columns), {kPartOpacity, true}, area, end);
-    drawCurves(panel, curvesOf(panel, PlotValue::normal_force, columns), {kPartOpacity, false}, area, end);
+    drawCurves(panel, columns, curvesOf(panel, PlotValue::tangential_force, columns), {kPartOpacity, true}, area, end);
+    drawCurves(panel, columns, curvesOf(panel, PlotValue::normal_force, columns), {kPartOpacity, false}, area, end);
     drawPlotLimit(area, panel.device_limit_n, end);
     for (std::size_t f = 0; f < 2; ++f) drawEvents(columns.marks[f], area, f);
   }
-  drawCurves(panel, main, {}, area, end);
+  drawCurves(panel, columns, main, {}, area, end);
 }
 
 void pausePlots(Plots& plots, bool pause) {

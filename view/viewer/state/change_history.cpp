@@ -18,8 +18,8 @@ namespace palpate::viewer {
 namespace {
 
 /// What is kept from run to run and is no change: what is open, and where.
-constexpr std::array<std::string_view, 9> kNoHabits = {"version", "window_", "full_screen", "panel", "plots",
-                                                       "numbers", "reach",   "hints",       "recent"};
+constexpr std::array<std::string_view, 10> kNoHabits = {"version", "window_", "full_screen", "panel",      "plots",
+                                                        "numbers", "reach",   "hints",       "start_page", "recent"};
 
 bool isHabit(std::string_view line) {
   return std::none_of(kNoHabits.begin(), kNoHabits.end(),
@@ -39,6 +39,7 @@ std::string habitsOf(const ViewState& state, const std::vector<tissue::ProfileKn
 SessionSnapshot snapshotOf(const ViewerState& viewer) {
   SessionSnapshot snapshot{
       .scene = viewer.scene, .state = viewer.state, .drawn = viewer.profile.drawn, .document = sceneAsChanged(viewer)};
+  snapshot.scene_text = scene::sceneAsToml(snapshot.scene);
   snapshot.document_text = scene::sceneAsToml(snapshot.document);
   snapshot.habits = habitsOf(snapshot.state, snapshot.drawn);
   return snapshot;
@@ -53,7 +54,7 @@ bool areSame(const std::vector<tissue::ProfileKnot>& a, const std::vector<tissue
 
 std::string shortened(const std::string& value) {
   constexpr std::size_t kMax = 24;
-  if (value.empty()) return "none";
+  if (value.empty()) return "the default";
   return value.size() <= kMax && value.find('\n') == std::string::npos ? value : "...";
 }
 
@@ -76,7 +77,7 @@ std::string wordsFor(const SessionSnapshot& was, const SessionSnapshot& is) {
   const scene::Difference& first = differences.front();
   const std::string name =
       fmt::format("{}{}{}", first.table, first.table.empty() || first.key.empty() ? "" : " ", first.key);
-  return fmt::format("{} {} -> {}", name, shortened(first.was), shortened(first.is));
+  return fmt::format("{} from {} to {}", name, shortened(first.was), shortened(first.is));
 }
 
 }  // namespace
@@ -144,6 +145,7 @@ void ChangeHistory::restore(SessionSnapshot to, ViewerState& viewer) {
   ViewState& state = viewer.state;
   to.state.shown = state.shown;
   to.state.hints = state.hints;
+  to.state.start_page = state.start_page;
   to.state.recent = std::move(state.recent);
   to.state.stereo.monitor_row = state.stereo.monitor_row;
   state = std::move(to.state);

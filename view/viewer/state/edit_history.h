@@ -70,7 +70,8 @@ struct SessionSnapshot {
   ViewState state = {};
   std::vector<tissue::ProfileKnot> drawn = {};  ///< the user's own profile
   scene::Scene document = {};                   ///< the scene with its look: sceneAsChanged
-  // What is compared: the document, and what it does not say.
+  // What is compared: what would be lost with the scene, the document, and what it does not say.
+  std::string scene_text = {};
   std::string document_text = {};
   std::string habits = {};
 };
@@ -97,6 +98,8 @@ class ChangeHistory {
   void reset(ViewerState& viewer);
 
   bool changed() const { return now_.document_text != saved_.document_text; }
+  /// Of the body, its tissue and fingers. A look alone is saved with them, but is not worth a question on leaving.
+  bool sceneChanged() const { return now_.scene_text != saved_.scene_text; }
   const EditHistory<SessionSnapshot>& steps() const { return steps_; }
 
  private:

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "palpate/body/torso.h"
 #include "palpate/maps/stiffness_map.h"
 #include "view/viewer/state/requests.h"
 
@@ -21,6 +23,7 @@ struct DysfunctionEdit {
   std::vector<maps::Dysfunction>& items;
   Editor& editor;
   Asks& asks;
+  std::span<const body::SkinLandmark> landmarks = {};  ///< of the body: places get words
 };
 
 }  // namespace palpate::viewer

@@ -63,10 +63,18 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kCameraKeys = {"side", "yaw_deg",    "pitch_deg",
                                                          "zoom", "look_at_mm", "distance_mm"};
-constexpr std::array<std::string_view, 11> kLookKeys = {
-    "shading",          "colours", "show",       "opacity",      "finger",
-    "white_background", "scalar",  "scalar_map", "scalar_range", "stiffness_range_n_per_mm",
-    "ellipse_range_mm"};
+constexpr std::array<std::string_view, 12> kLookKeys = {"lens",
+                                                        "shading",
+                                                        "colours",
+                                                        "show",
+                                                        "opacity",
+                                                        "finger",
+                                                        "white_background",
+                                                        "scalar",
+                                                        "scalar_map",
+                                                        "scalar_range",
+                                                        "stiffness_range_n_per_mm",
+                                                        "ellipse_range_mm"};
 constexpr std::array<std::string_view, 4> kStereoKeys = {"stereo", "eye_distance_mm", "convergence_mm", "swap_eyes"};
 
 /// Some key has another value than it would have if it were left out.

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "palpate/view/camera.h"
 #include "palpate/window/keys.h"
 #include "view/viewer/state/messages.h"
 
@@ -38,7 +39,9 @@ struct OpenFile {
 struct OpenBeside {
   std::string file = {};
 };
-struct OpenBuiltIn {
+/// A scene of scene/presets.h.
+struct OpenPreset {
+  std::string name = {};
   bool sure = false;
 };
 /// What was opened, once more.
@@ -81,6 +84,13 @@ struct SetMark {
   std::string words = {};
 };
 struct GoHome {};
+/// To a named place, close by; the finger hovers over it.
+struct GoToPlace {
+  std::string words = {};
+};
+struct SetView {
+  view::StandardView side = view::StandardView::back;
+};
 struct ToggleFullScreen {};
 struct CopyView {};
 struct PasteView {};
@@ -99,12 +109,16 @@ struct ReleaseStop {};
 struct Quit {
   bool sure = false;
 };
+/// The window closes and that of the training opens.
+struct StartTraining {
+  bool sure = false;
+};
 
 using Request =
-    std::variant<OpenFile, OpenBeside, OpenBuiltIn, Reload, CancelBuild, SaveScene, CopyScene, ResetScene, Undo, Redo,
+    std::variant<OpenFile, OpenBeside, OpenPreset, Reload, CancelBuild, SaveScene, CopyScene, ResetScene, Undo, Redo,
                  UseProfile, AnswerQuestion, TakeScreenshot, TakeClearScreenshot, ToggleSequence, PlayScript, SavePlots,
-                 ToggleForces, KeepRecording, SetMark, GoHome, ToggleFullScreen, CopyView, PasteView, OpenDevice,
-                 CloseDevice, FindDevices, StopDevices, ReleaseStop, Quit>;
+                 ToggleForces, KeepRecording, SetMark, GoHome, GoToPlace, SetView, ToggleFullScreen, CopyView,
+                 PasteView, OpenDevice, CloseDevice, FindDevices, StopDevices, ReleaseStop, Quit, StartTraining>;
 
 /// The same once the user has been asked.
 inline Request madeSure(Request request) {

@@ -43,11 +43,13 @@ void forEachValue(Remembered& r, const Visitor& visit) {
   visit("text_size", s.text_size);
   visit("reduced_motion", s.reduced_motion);
   visit("hints", s.hints);
+  visit("start_page", s.start_page);
   visit("keeps_last_hour", s.keeps_last_hour);
   visit("shading", s.look.shading);
   visit("simpler_when_slow", s.simpler_when_slow);
   visit("drawn_finger", s.look.finger);  // finger_shape counted other forms
   visit("white_background", s.look.white_background);
+  visit("lens", s.look.lens);
   visit("press_by", s.touch.by);
   visit("depth_mm", s.touch.depth_mm);
   visit("force_n", s.touch.force_n);

@@ -48,6 +48,7 @@ struct Shown {
   bool messages = false;
   bool open_dialog = false;
   bool save_dialog = false;
+  bool start = false;  ///< the start page
 };
 
 /// A head before a real screen of known size (view::TrackedHead).
@@ -74,6 +75,7 @@ struct ViewState {
   bool reduced_motion = false;
   bool keeps_last_hour = true;  ///< records the last hour without being asked
   bool hints = true;
+  bool start_page = true;           ///< when the window opens on no scene of the user's
   std::vector<std::string> recent;  ///< files, newest first
 };
 

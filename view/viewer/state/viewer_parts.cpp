@@ -24,7 +24,7 @@ WorldFacts factsOf(const scene::World& world) {
           .has_picture = world.body->texture != nullptr,
           .channels = world.body->channels,
           .tissue = scene::inWords(world.tissue),
-          .has_names = !world.body->anatomy.landmarks.empty()};
+          .landmarks = world.body->anatomy.landmarks};
 }
 
 }  // namespace palpate::viewer

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "palpate/base/vec.h"
+#include "palpate/body/torso.h"
 #include "palpate/scene/skin_channels.h"
 #include "palpate/servo/loop.h"
 #include "palpate/tissue/profile_settings.h"
@@ -61,9 +62,17 @@ struct WorldFacts {
   bool has_picture = false;
   std::shared_ptr<const scene::SkinChannels> channels = nullptr;  ///< numbers and colours of its file, or null
   std::string tissue = {};                                        ///< and its force law, in words
-  bool has_names = true;                                          ///< places that the overlay of names can show
+  std::vector<body::SkinLandmark> landmarks = {};                 ///< its named places
 };
 WorldFacts factsOf(const scene::World& world);
+
+/// The field that names a place to go to.
+struct PlaceSearch {
+  bool open = false;       ///< it owns the keyboard
+  bool focused = false;    ///< and has been given it
+  bool over_list = false;  ///< the cursor is over the suggestions
+  std::string typed = {};
+};
 
 /// The tracked head in this frame.
 struct SeenHead {

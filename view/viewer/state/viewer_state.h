@@ -42,6 +42,7 @@ struct ViewerState {
   Plots plots;
   Replay replay;
   Ruler ruler;
+  PlaceSearch place_search;
   int hint = 0;                      ///< how many hints have been followed
   SceneDocument document;            ///< where save goes; without a file: to a fresh name (files/outputs.h)
   OpenedLook opened;                 ///< what is no change of the look
@@ -66,10 +67,12 @@ struct ViewerState {
   double device_limit_n = 3.3;
   Vec2 size_points = Vec2(1280, 800);   ///< of the window
   std::filesystem::path output_folder;  ///< absolute: for what has no place yet
+  std::string place_words = {};         ///< where the active finger is: "T6, 12 mm right"
   SeenHead head;
   Recording recording;
   Performance performance;
   bool simple_shading = false;       ///< drawn smooth for now, whatever state.look says
+  bool offers_training = false;      ///< it is installed
   bool quad_buffer_offered = false;  ///< the window has a picture for each eye
   Messages messages;
 
@@ -77,7 +80,7 @@ struct ViewerState {
   void ask(Question asked) { question = std::move(asked); }
   void report(Severity severity, std::string text) { messages.add(severity, std::move(text), now_s); }
   void plot(const trace::Sample& sample) { plots.fingers[sample.finger].add(sample, device_limit_n); }
-  DysfunctionEdit dysfunctions() { return {scene.dysfunctions, editor, asks}; }
+  DysfunctionEdit dysfunctions() { return {scene.dysfunctions, editor, asks, world.landmarks}; }
 };
 
 }  // namespace palpate::viewer

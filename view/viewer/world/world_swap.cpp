@@ -57,11 +57,15 @@ void tellLimits(const engine::ServoPlan& plan, ViewerState& viewer) {
 
 }  // namespace
 
-scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like) {
+OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like) {
   const std::filesystem::path path(pathOf(file));
   std::string kind = path.extension().string();
   std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (kind == ".toml") return scene::load(path);
+  if (kind == ".toml") {
+    // Before it is read: who writes it in between is asked about, not written over.
+    SceneDocument document = documentOf(path);
+    return {scene::load(path), std::move(document)};
+  }
   scene::Scene scene = like;
   scene.title = path.filename().string();
   scene.file.clear();
@@ -75,7 +79,7 @@ scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like) {
   scene.body.kind = scene::BodyKind::mesh;
   scene.body.file = path;
   scene.safety.unsafe_stiffness = false;  // it was given for another body
-  return scene;
+  return {std::move(scene), {}};
 }
 
 WorldSwap::WorldSwap(std::shared_ptr<const scene::World> world) : builder_(decodePicture), shown_(std::move(world)) {}
@@ -85,8 +89,13 @@ void WorldSwap::open(const std::string& file, ViewerState& viewer) {
   viewer.opening = true;
   wanted_ = 0;
   body_requested_ = true;
-  builder_.request(
-      {.scene = {}, .body = nullptr, .read = [file, like = viewer.scene] { return sceneFromFile(file, like); }});
+  opening_document_ = std::make_shared<SceneDocument>();
+  const auto read = [file, like = viewer.scene, document = opening_document_] {
+    OpenedScene opened = sceneFromFile(file, like);
+    *document = std::move(opened.document);
+    return std::move(opened.scene);
+  };
+  builder_.request({.scene = {}, .body = nullptr, .read = read});
 }
 
 void WorldSwap::open(const scene::Scene& scene, ViewerState& viewer) {
@@ -154,7 +163,7 @@ void WorldSwap::takeResult(ViewerState& viewer, engine::ServoThread& servo) {
     viewer.messages.clearErrors(kCannotOpen);
     remember(viewer.state.recent, opened);
     viewer.scene = result->world->scene;
-    viewer.document = documentOf(viewer.scene.file);
+    viewer.document = *opening_document_;
     viewer.editor = {};
     tellRate(viewer);
   }

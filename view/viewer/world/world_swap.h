@@ -18,7 +18,11 @@ inline constexpr double kQuietS = 0.25;
 
 /// The scene of a scene file, or one around a mesh file with the touch and tissue of `like`; its fingers stay out of
 /// it: their paths belong to the body they were made for. Throws Error.
-scene::Scene sceneFromFile(const std::string& file, const scene::Scene& like);
+struct OpenedScene {
+  scene::Scene scene;
+  SceneDocument document;  ///< of a scene file
+};
+OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like);
 
 class WorldSwap {
  public:
@@ -53,6 +57,7 @@ class WorldSwap {
   void changeFingers(ViewerState& viewer, engine::ServoThread& servo) const;
 
   engine::WorldBuilder builder_;
+  std::shared_ptr<SceneDocument> opening_document_;  ///< written by the builder until its result is taken
   std::shared_ptr<const scene::World> shown_;
   std::shared_ptr<const scene::World> coming_;  ///< given to the servo, not taken yet
   std::uint32_t wanted_ = 0;                    ///< kMapChange, kBodyChange

@@ -26,7 +26,7 @@ struct FaceScalar {
 struct VertexChannels {
   std::vector<VertexScalar> scalars;
   std::vector<std::array<std::uint8_t, 3>> colours;  ///< red, green, blue per vertex (sRGB); empty = none
-  std::vector<FaceScalar> of_faces;                  ///< told, and not used
+  std::vector<FaceScalar> of_faces = {};             ///< told, and not used
 
   bool empty() const { return scalars.empty() && colours.empty(); }
 };

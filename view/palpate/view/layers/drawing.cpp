@@ -8,31 +8,9 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
+#include "palpate/view/layers/embedded_file.h"
 
-// The assembler copies the file into the read-only data; PALPATE_FONT_FILE is found by CMake.
-#if defined(_WIN32)
-#define PALPATE_READ_ONLY ".section .rdata,\"dr\"\n"
-#define PALPATE_SYMBOL ""
-#elif defined(__APPLE__)
-#define PALPATE_READ_ONLY ".const_data\n"
-#define PALPATE_SYMBOL "_"
-#else
-#define PALPATE_READ_ONLY ".section .rodata\n"
-#define PALPATE_SYMBOL ""
-#endif
-// clang-format off
-asm(PALPATE_READ_ONLY
-    ".balign 16\n"
-    PALPATE_SYMBOL "palpate_font_begin:\n"
-    ".incbin \"" PALPATE_FONT_FILE "\"\n"
-    PALPATE_SYMBOL "palpate_font_end:\n"
-    ".byte 0\n"
-    ".text\n");
-// clang-format on
-extern "C" {  // NOLINTBEGIN(readability-identifier-naming): the assembler's, above
-extern const unsigned char palpate_font_begin[];
-extern const unsigned char palpate_font_end[];
-}  // NOLINTEND(readability-identifier-naming)
+PALPATE_EMBED(palpate_font, PALPATE_FONT_FILE);  // NOLINT(readability-identifier-naming); CMake finds the file
 
 namespace palpate::view {
 

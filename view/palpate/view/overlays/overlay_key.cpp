@@ -39,7 +39,7 @@ constexpr KeyRow kOverlayKeyRows[] = {
     {Overlay::contact, Sign::cross, kTipPaint, "tip of the finger"},
     {Overlay::contact, Sign::cross, kProxyPaint, "proxy, on the skin"},
     {Overlay::contact, Sign::cross, kAnchorPaint, "anchor of friction"},
-    {Overlay::contact, Sign::arrow, kForcePaint, "force, 10 mm a newton"},
+    {Overlay::contact, Sign::arrow, kForcePaint, "force, 10 mm/N"},
     {Overlay::normals, Sign::line, kNormalPaint, "normal of the skin"},
     {Overlay::section, Sign::line, kDeformedSectionPaint, "section, deformed"},
     {Overlay::section, Sign::line, kRestSectionPaint, "section, at rest"},

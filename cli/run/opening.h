@@ -1,0 +1,26 @@
+// `palpate run` before its body is built: the start page, or how far the body is.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "palpate/engine/world_builder.h"
+#include "palpate/window/window.h"
+#include "view/viewer/opening_view.h"
+
+namespace palpate::app {
+
+/// What the window was asked for while its body was being built.
+struct Opening {
+  std::shared_ptr<const scene::World> world;  ///< null: it was closed
+  bool page = false;                          ///< the start page is still open
+  std::vector<viewer::Request> requests = {};
+  std::vector<window::Action> actions = {};
+};
+
+/// Until the body is built or the window is left. Throws Error if it cannot be built.
+Opening showOpening(window::Window& window, engine::WorldBuilder& building, viewer::ViewState& state,
+                    const viewer::OpeningView::Offers& offers, const std::function<void()>& first_frame);
+
+}  // namespace palpate::app

@@ -1,0 +1,66 @@
+#include "palpate/scene/presets.h"
+
+#include <algorithm>
+#include <array>
+
+#include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/scene/scene_file.h"
+
+namespace palpate::scene {
+
+namespace {
+
+constexpr std::array<Preset, 17> kPresets{{
+    {"vhb", "Virtual Haptic Back", "The dissertation's model of 2008: 2,962 triangles over its bones.",
+     "virtual_haptic_back"},
+    {"trunk", "Built-in body", "A trunk in layers of skin, fat and muscle, with a stiff place to find.", "default"},
+    {"dysfunctions", "Hidden dysfunctions", "Find two stiff places and a soft one; key M shows them.", "dysfunctions"},
+    {"anatomy", "Bones and names", "What lies under the skin, and what it is called.", "anatomy"},
+    {"thin", "Thin person", "Ribs and spine are felt close under the skin.", "thin"},
+    {"heavy", "Heavy person", "Fat gives way softly and far; bones are deep.", "heavy"},
+    {"prone", "Prone on a table", "As an examiner stands beside the patient.", "prone"},
+    {"sitting", "Sitting", "A rounded back.", "sitting"},
+    {"two-fingers", "Two fingers", "Both sides of the spine at once; F7 plays them.", "two_fingers"},
+    {"strain", "Strain colours", "Where the skin is stretched and where it is pushed together.", "strain_colours"},
+    {"oiled", "Oiled skin", "The finger slips where it would stick.", "oiled_skin"},
+    {"relaxation", "Relaxation", "Hold a press: the force falls with time.", "relaxation"},
+    {"breathing", "Breathing", "The back moves under the finger.", "breathing"},
+    {"stereo", "Stereo", "For red and cyan glasses.", "stereo"},
+    {"detecting-box", "Detecting box", "The dissertation's search: octree and haptic detecting box.",
+     "dissertation_contact"},
+    {"fine-mesh", "Fine mesh", "600,000 triangles at the same pace.", "fine_mesh"},
+    {"vhb-literal", "Virtual Haptic Back, literal", "The formulae as printed, with their errors.",
+     "virtual_haptic_back", true},
+}};
+
+Scene sceneOf(std::string_view file) {
+  Scene scene = parse(presetText(file), std::string(file) + ".toml");
+  scene.file.clear();
+  return scene;
+}
+
+}  // namespace
+
+std::span<const Preset> presets() { return kPresets; }
+
+std::vector<std::string> presetNames() {
+  std::vector<std::string> names;
+  for (const Preset& preset : kPresets) names.emplace_back(preset.name);
+  return names;
+}
+
+Scene presetScene(std::string_view name) {
+  const auto preset = std::ranges::find(kPresets, name, &Preset::name);
+  if (preset == kPresets.end()) throw Error(unknownName("preset", std::string(name), "--preset", presetNames()));
+  Scene scene = sceneOf(preset->file);
+  if (preset->as_printed) {
+    scene.fidelity.setAll(true);
+    scene.title += ", as printed";
+  }
+  return scene;
+}
+
+Scene standardScene() { return sceneOf("default"); }
+
+}  // namespace palpate::scene

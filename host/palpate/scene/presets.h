@@ -1,0 +1,35 @@
+// Scenes that are compiled in and known by a word: the standard one, those of `--preset`, and the examples of the
+// window's start page. Each is a file of scenes/.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "palpate/scene/scene.h"
+
+namespace palpate::scene {
+
+struct Preset {
+  std::string_view name;    ///< "heavy"
+  std::string_view title;   ///< "A heavy person"
+  std::string_view what;    ///< a sentence: what is to be felt or seen
+  std::string_view file;    ///< of scenes/, without .toml
+  bool as_printed = false;  ///< with the dissertation's formulae as printed
+};
+
+/// In the order in which a newcomer may want them.
+std::span<const Preset> presets();
+std::vector<std::string> presetNames();
+
+/// Of no file: there is none that it could be saved to. Throws Error for another name.
+Scene presetScene(std::string_view name);
+
+/// Of scenes/<file>.toml, compiled in (host/CMakeLists.txt); empty if there is none.
+std::string_view presetText(std::string_view file);
+
+/// scenes/default.toml: ten seconds of two fingers on the built-in trunk, where no scene is named. Of no file.
+Scene standardScene();
+
+}  // namespace palpate::scene

@@ -1,0 +1,208 @@
+// Dialogs own mouse and keyboard while they are open, however few frames come; and the start page.
+#include "stage.h"
+
+#include "palpate/base/text.h"
+#include "palpate/scene/presets.h"
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/start_page.h"
+
+namespace palpate::viewer {
+namespace {
+
+using window::InputEvent;
+using EventList = std::vector<InputEvent>;
+
+constexpr window::Modifiers kWithCtrl{true, false};
+
+InputEvent keyChange(window::Key key, bool down, window::Modifiers modifiers = {}) {
+  InputEvent event;
+  event.kind = InputEvent::Kind::key;
+  event.key = key;
+  event.down = down;
+  event.modifiers = modifiers;
+  return event;
+}
+
+void addTap(EventList& events, window::Key key, window::Modifiers modifiers = {}) {
+  events.push_back(keyChange(key, true, modifiers));
+  events.push_back(keyChange(key, false, modifiers));
+}
+
+/// As a keyboard sends it: keys by their place, and the letters that they write.
+void addTyped(EventList& events, std::string_view text) {
+  for (const char letter : text) {
+    const auto upper = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+    const bool has_key = std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    if (has_key) events.push_back(keyChange(window::key(upper), true));
+    InputEvent typed;
+    typed.kind = InputEvent::Kind::text;
+    typed.text = std::string(1, letter);
+    events.push_back(typed);
+    if (has_key) events.push_back(keyChange(window::key(upper), false));
+  }
+}
+
+TEST(OpenDialog, HearsEveryLetterAndTheBodyNone) {
+  Stage stage;
+  const auto overlays = stage.state().state.look.overlays;
+  stage.move(stage.middle());
+  stage.key(window::key('O'), kWithCtrl);
+  for (const char letter : std::string("results/scene.toml")) {
+    EventList events;
+    addTyped(events, std::string_view(&letter, 1));
+    stage.frame(events);
+  }
+  stage.key(window::Key::enter);
+  EXPECT_EQ(stage.state().state.look.overlays, overlays);
+  EXPECT_EQ(stage.state().state.look.colouring, view::Colouring::plain);
+  EXPECT_FALSE(stage.state().recording.forces);
+  EXPECT_FALSE(stage.viewer->pointer().pressed(0));
+  EXPECT_TRUE(stage.state().state.shown.open_dialog) << "there is no such file";
+  stage.key(window::Key::escape);
+  EXPECT_FALSE(stage.state().state.shown.open_dialog);
+  stage.key(window::key('W'));
+  EXPECT_TRUE(stage.state().state.look.shows(view::Overlay::wireframe)) << "keys are heard again";
+}
+
+TEST(OpenDialog, LosesNoTapInOneSlowFrame) {
+  Stage stage;
+  mesh::save(stage.folder / "ball.ply", zoo::sphere(60.0, 3));
+  EventList events;
+  addTap(events, window::key('O'), kWithCtrl);
+  addTyped(events, (stage.folder / "ball.plx").string());
+  addTap(events, window::Key::backspace);
+  addTyped(events, "y");
+  addTap(events, window::Key::enter);
+  stage.frame(events);
+  EXPECT_FALSE(stage.state().state.shown.open_dialog);
+  EXPECT_TRUE(stage.until([&] { return stage.state().world.name == "ball.ply"; })) << stage.lastMessage();
+}
+
+TEST(OpenDialog, IsCancelledByItsButtonAndByEscapeInOneFrame) {
+  Stage stage;
+  stage.key(window::key('O'), kWithCtrl);
+  stage.frame();
+  stage.click("open/cancel");
+  EXPECT_FALSE(stage.state().state.shown.open_dialog);
+  EventList events;
+  addTap(events, window::key('O'), kWithCtrl);
+  addTap(events, window::Key::escape);
+  addTap(events, window::key('W'));
+  stage.frame(events);
+  EXPECT_FALSE(stage.state().state.shown.open_dialog);
+  EXPECT_TRUE(stage.state().state.look.shows(view::Overlay::wireframe)) << "what comes after it is for the body";
+}
+
+TEST(OpenDialog, AClickBesideItTouchesNothing) {
+  Stage stage;
+  stage.key(window::key('O'), kWithCtrl);
+  stage.frame();
+  stage.move(Vec2(320, 60));
+  const double yaw = stage.state().camera.yaw_rad;
+  stage.button(true);
+  stage.move(Vec2(420, 60));
+  stage.button(false);
+  EXPECT_EQ(stage.state().camera.yaw_rad, yaw);
+}
+
+TEST(StartPage, TouchClosesIt) {
+  Stage stage;
+  stage.state().state.shown.start = true;
+  stage.frame();
+  stage.key(window::key('W'));
+  EXPECT_FALSE(stage.state().state.look.shows(view::Overlay::wireframe)) << "the page owns the keyboard";
+  stage.click("start/touch");
+  EXPECT_FALSE(stage.state().state.shown.start);
+}
+
+TEST(StartPage, LeadsToTheOpenDialogAndToRecentFiles) {
+  Stage stage;
+  mesh::save(stage.folder / "ball.ply", zoo::sphere(60.0, 3));
+  stage.state().state.shown.start = true;
+  stage.frame();
+  stage.click("start/open");
+  stage.frame();
+  EXPECT_TRUE(stage.state().state.shown.open_dialog);
+  stage.key(window::Key::escape);
+  stage.state().state.recent = {(stage.folder / "ball.ply").string()};
+  stage.state().state.shown.start = true;
+  stage.frame();
+  stage.click("start/recent/0");
+  EXPECT_TRUE(stage.until([&] { return stage.state().world.name == "ball.ply"; })) << stage.lastMessage();
+}
+
+TEST(StartPage, AsksBeforeAnExampleTakesThePlaceOfChanges) {
+  Stage stage;
+  stage.state().scene.contact.finger.mu_static = 0.9;
+  stage.key(window::Key::end);
+  ASSERT_TRUE(stage.state().history.changed());
+  stage.state().state.shown.start = true;
+  stage.frame();
+  stage.click("start/vhb");
+  stage.frame();
+  ASSERT_TRUE(stage.state().question);
+  stage.key(window::Key::escape);
+  EXPECT_FALSE(stage.state().question);
+  EXPECT_EQ(stage.state().scene.contact.finger.mu_static, 0.9);
+}
+
+TEST(StartPage, StartsTheTrainingWhereItIsInstalled) {
+  bool started = false;
+  ViewerHost host;
+  host.start_training = [&started] { started = true; };
+  Stage stage(Stage::quiet(), std::move(host));
+  stage.state().state.shown.start = true;
+  stage.frame();
+  stage.click("start/train");
+  stage.frame();
+  EXPECT_TRUE(started);
+  EXPECT_TRUE(stage.viewer->wantsToQuit());
+}
+
+TEST(StartPage, HasAPictureOfEveryExample) {
+  for (const scene::Preset& preset : scene::presets()) {
+    EXPECT_FALSE(pictureBytes(preset.name).empty()) << preset.name;
+    EXPECT_NO_THROW(scene::presetScene(preset.name)) << preset.name;
+  }
+}
+
+TEST(PlaceField, OffersNamesThatHoldWhatWasTyped) {
+  const std::vector<body::SkinLandmark> landmarks = {{"spinous_T6", "", {0, 40, 0}, Vec3::UnitZ(), {}},
+                                                     {"spinous_T12", "", {0, -90, 0}, Vec3::UnitZ(), {}},
+                                                     {"psis_left", "", {-48, -295, 0}, Vec3::UnitZ(), {}}};
+  EXPECT_EQ(placesLike(landmarks, "psis"), std::vector<std::string>{"left PSIS"});
+  EXPECT_EQ(placesLike(landmarks, "PSIS left"), std::vector<std::string>{"left PSIS"});
+  EXPECT_EQ(placesLike(landmarks, "t").front(), "T6");
+  EXPECT_TRUE(placesLike(landmarks, " ").empty());
+  EXPECT_TRUE(placesLike(landmarks, "knee").empty());
+}
+
+TEST(PlaceField, FliesToTheFirstNameThatFits) {
+  const support::TemporaryFolder folder;
+  const view::OffscreenContext context;
+  ViewerSettings settings;
+  settings.intro = false;
+  settings.output_folder = folder.path();
+  settings.default_scene = sheetScene(folder);
+  Viewer viewer(scene::build(scene::presetScene("vhb")), Stage::quiet(), std::move(settings));
+  double now_s = 0.0;
+  const auto frame = [&](const EventList& events) {
+    viewer.frame(kStageWidth, kStageHeight, 1.0, now_s += 0.1, events);
+  };
+  frame({});
+  const double far = viewer.state().camera.distance_mm;
+  EventList events;
+  addTap(events, window::key('F'), kWithCtrl);
+  frame(events);
+  frame({});
+  events.clear();
+  addTyped(events, "T9");
+  addTap(events, window::Key::enter);
+  frame(events);
+  for (int i = 0; i < 10; ++i) frame({});
+  EXPECT_LT(viewer.state().camera.distance_mm, 0.6 * far);
+  EXPECT_EQ(viewer.state().place_words, "T9");
+}
+
+}  // namespace
+}  // namespace palpate::viewer

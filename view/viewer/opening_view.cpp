@@ -1,0 +1,44 @@
+#include "view/viewer/opening_view.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "palpate/window/gui_passes.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+void progress(const std::optional<engine::BuildProgress>& building) {
+  const ImVec2 room = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  if (ImGui::Begin("opening", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
+    ImGui::TextUnformatted(building ? building->stage.c_str() : "opening");
+    ImGui::ProgressBar(building ? static_cast<float>(building->done) : 0.0f, {320.0f, 0.0f});
+  }
+  ImGui::End();
+}
+
+}  // namespace
+
+void OpeningView::frame(const Frame& frame, std::span<const window::InputEvent> events,
+                        const std::optional<engine::BuildProgress>& building) {
+  if (!target_ || target_->width() != frame.width || target_->height() != frame.height) {
+    target_ = std::make_unique<view::Target>(std::max(1, frame.width), std::max(1, frame.height));
+  }
+  const double points = frame.scale * state_.text_size;
+  gui_.setTheme(state_.theme);
+  for (const auto pass : window::guiPasses(events)) {
+    gui_.begin(Vec2(frame.width, frame.height) / points, points, frame.elapsed_s, pass);
+    if (!page_) progress(building);
+    startPage({state_.recent, state_.start_page, pictures_, offers_.training, offers_.measuring, building}, page_,
+              asks_);
+    gui_.end();
+  }
+  target_->clear();
+  target_->bind();
+  gui_.present(frame.width, frame.height);
+}
+
+}  // namespace palpate::viewer

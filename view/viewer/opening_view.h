@@ -1,0 +1,51 @@
+// The window's first second: the start page, or what is being built, before there is a body that the viewer can show.
+//
+//   run ─► OpeningView::frame, until the body is built ─► its asks, `page` ─► Viewer
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "palpate/view/offscreen.h"
+#include "palpate/window/gui.h"
+#include "view/viewer/panels/start_page.h"
+#include "view/viewer/state/view_state.h"
+
+namespace palpate::viewer {
+
+/// Needs a current GL context; belongs to its thread.
+class OpeningView {
+ public:
+  struct Offers {
+    bool page = true;  ///< the start page; else the progress alone
+    bool training = false;
+    bool measuring = false;
+  };
+  /// `state` must outlive it.
+  OpeningView(ViewState& state, const Offers& offers) : state_(state), offers_(offers), page_(offers.page) {}
+
+  struct Frame {
+    int width;
+    int height;
+    double scale;      ///< pixels per point of the screen
+    double elapsed_s;  ///< since the frame before
+  };
+  void frame(const Frame& frame, std::span<const window::InputEvent> events,
+             const std::optional<engine::BuildProgress>& building);
+  const view::Target& target() const { return *target_; }
+  /// The page is still open.
+  bool page() const { return page_; }
+  Asks& asks() { return asks_; }
+
+ private:
+  ViewState& state_;
+  Offers offers_;
+  bool page_;
+  Asks asks_;
+  window::Gui gui_;
+  ExamplePictures pictures_;
+  std::unique_ptr<view::Target> target_;
+};
+
+}  // namespace palpate::viewer

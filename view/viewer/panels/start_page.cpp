@@ -1,0 +1,197 @@
+#include "view/viewer/panels/start_page.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "palpate/base/path_text.h"
+#include "palpate/scene/presets.h"
+#include "palpate/view/image.h"
+#include "view/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+// Points.
+constexpr float kMaxWidth = 1100.0f;
+constexpr float kMaxHeight = 700.0f;
+constexpr float kMargin = 24.0f;
+constexpr float kChoices = 270.0f;  ///< width of the column of choices
+constexpr float kMinForTwo = 700.0f;
+constexpr float kChoiceHeight = 46.0f;
+const ImVec2 kPicture(168.0f, 105.0f);  ///< as tools/start-pictures makes them, at half size
+constexpr std::size_t kRecentShown = 5;
+
+ImDrawList& pageList() { return *ImGui::GetWindowDrawList(); }
+
+float smaller() { return 0.87f * ImGui::GetFontSize(); }
+
+/// Words over what was drawn before, cut at the width.
+void wordsAt(const ImVec2& at, float size, ImGuiCol colour, std::string_view words, float width) {
+  pageList().AddText(ImGui::GetFont(), size, at, ImGui::GetColorU32(colour), words.data(), words.data() + words.size(),
+                     width);
+}
+
+struct Choice {
+  const char* path;
+  const char* title;
+  const char* what;
+  bool offered = true;
+};
+
+/// Two lines on one button. True when it was pressed.
+bool choiceButton(const Choice& choice) {
+  constexpr float kInset = 10.0f;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  ImGui::BeginDisabled(!choice.offered);
+  const bool pressed = ImGui::Button(fmt::format("##{}", choice.path).c_str(), {width, kChoiceHeight});
+  ImGui::EndDisabled();
+  notePlace(choice.path);
+  const ImGuiCol ink = choice.offered ? ImGuiCol_Text : ImGuiCol_TextDisabled;
+  wordsAt({at.x + kInset, at.y + 5.0f}, ImGui::GetFontSize(), ink, choice.title, 0.0f);
+  wordsAt({at.x + kInset, at.y + 25.0f}, smaller(), ImGuiCol_TextDisabled, choice.what, 0.0f);
+  return pressed;
+}
+
+void choices(const StartPage& page, bool& open, Asks& asks) {
+  if (choiceButton({"start/touch", "Touch", "Press the built-in back with the mouse"})) open = false;
+  if (choiceButton({"start/train", "Train",
+                    page.offers_training ? "Find what is stiffer, and be measured" : "Not installed: palpate-teach",
+                    page.offers_training})) {
+    asks.request(StartTraining{});
+    open = false;
+  }
+  if (choiceButton({"start/open", "Open my mesh ...", "A scan, a scene or a recording"})) {
+    asks.act(window::Action::open);
+    open = false;
+  }
+  if (choiceButton(
+          {"start/measure", "Measure a person ...",
+           page.offers_measuring ? "How far skin follows, from two photographs" : "Not installed: palpate-measure",
+           page.offers_measuring})) {
+    asks.act(window::Action::measure_person);
+    open = false;
+  }
+  const bool asked = choiceButton({"start/class", "Teach a class", "Several trainees over the network"});
+  if (asked) ImGui::OpenPopup("class");
+  if (!ImGui::BeginPopup("class")) return;
+  ImGui::TextUnformatted("On the instructor's computer:");
+  ImGui::TextUnformatted("    palpate class init      makes the class, its keys and access lists");
+  ImGui::TextUnformatted("    palpate class serve     collects what the trainees do");
+  ImGui::TextUnformatted("    palpate class watch     shows them, live");
+  ImGui::TextUnformatted("The manual has it step by step: docs/tutorials.");
+  ImGui::EndPopup();
+}
+
+void recentFiles(const StartPage& page, bool& open, Asks& asks) {
+  if (page.recent.empty()) return;
+  ImGui::Spacing();
+  ImGui::TextDisabled("Recent");
+  for (std::size_t i = 0; i < std::min(page.recent.size(), kRecentShown); ++i) {
+    const std::string& file = page.recent[i];
+    const std::string name = fmt::format("{}##recent{}", pathOf(file).filename().string(), i);
+    const bool chosen = ImGui::Selectable(name.c_str());
+    notePlace(fmt::format("start/recent/{}", i));
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", file.c_str());
+    if (!chosen) continue;
+    asks.request(OpenFile{file});
+    open = false;
+  }
+}
+
+/// The picture with its words below. True when it was pressed.
+bool exampleTile(const StartPage& page, const scene::Preset& preset) {
+  const float line = ImGui::GetFontSize();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size(kPicture.x, kPicture.y + line + 6.0f);
+  const bool pressed = ImGui::InvisibleButton(std::string(preset.name).c_str(), size);
+  notePlace(fmt::format("start/{}", preset.name));
+  const bool hovered = ImGui::IsItemHovered();
+  const ImVec2 high(at.x + kPicture.x, at.y + kPicture.y);
+  if (const view::GlId picture = page.pictures.of(preset.name); picture != 0) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui's own way
+    pageList().AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture)), at, high);
+  } else {
+    pageList().AddRectFilled(at, high, ImGui::GetColorU32(ImGuiCol_FrameBg));
+  }
+  pageList().AddRect(at, high, ImGui::GetColorU32(hovered ? ImGuiCol_CheckMark : ImGuiCol_Border), 2.0f, 0,
+                     hovered ? 2.0f : 1.0f);
+  wordsAt({at.x, high.y + 2.0f}, smaller(), ImGuiCol_Text, preset.title, 0.0f);
+  if (hovered) ImGui::SetTooltip("%s", std::string(preset.what).c_str());
+  return pressed;
+}
+
+void examples(const StartPage& page, bool& open, Asks& asks) {
+  ImGui::TextDisabled("Examples");
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + gap) / (kPicture.x + gap)));
+  int column = 0;
+  for (const scene::Preset& preset : scene::presets()) {
+    if (column++ % columns != 0) ImGui::SameLine();
+    if (!exampleTile(page, preset)) continue;
+    asks.request(OpenPreset{std::string(preset.name)});
+    open = false;
+  }
+}
+
+void heading() {
+  ImGui::SetWindowFontScale(1.6f);
+  ImGui::TextUnformatted("Palpate");
+  ImGui::SetWindowFontScale(1.0f);
+  ImGui::TextWrapped("Feel, see and measure touch on a soft human body.");
+  ImGui::Spacing();
+}
+
+void footer(const StartPage& page, bool& open) {
+  ImGui::Spacing();
+  flagWidget("start/again", "show this page at start", page.shown_at_start, "File > Start page shows it at any time.");
+  if (page.building) {
+    ImGui::ProgressBar(static_cast<float>(page.building->done), {-1.0f, 0.0f}, page.building->stage.c_str());
+  } else if (buttonWidget("start/close", "Close", "Esc")) {
+    open = false;
+  }
+}
+
+}  // namespace
+
+view::GlId ExamplePictures::of(std::string_view preset) {
+  auto shown = shown_.find(preset);
+  if (shown == shown_.end()) {
+    const std::span<const unsigned char> bytes = pictureBytes(preset);
+    if (bytes.empty()) return 0;
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    shown = shown_.try_emplace(preset, view::decodeImage(text)).first;
+  }
+  return shown->second.texture();
+}
+
+void startPage(const StartPage& page, bool& open, Asks& asks) {
+  constexpr const char* kName = "start";
+  const bool shown = ImGui::IsPopupOpen(kName);
+  if (!open && !shown) return;
+  if (!shown) ImGui::OpenPopup(kName);
+  const ImVec2 room = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(kMaxWidth, room.x - kMargin), std::min(kMaxHeight, room.y - kMargin)});
+  if (!ImGui::BeginPopupModal(kName, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) return;
+  const bool two = ImGui::GetWindowWidth() >= kMinForTwo;
+  if (ImGui::BeginChild("choices", {two ? kChoices : 0.0f, two ? 0.0f : 0.55f * ImGui::GetWindowHeight()})) {
+    heading();
+    choices(page, open, asks);
+    recentFiles(page, open, asks);
+    footer(page, open);
+  }
+  ImGui::EndChild();
+  if (two) ImGui::SameLine(0.0f, kMargin);
+  if (ImGui::BeginChild("examples")) examples(page, open, asks);
+  ImGui::EndChild();
+  if (!page.building && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) open = false;
+  if (!open) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,42 @@
+// What the window offers first: touch, train, open, measure, and ready examples with pictures. A dialog over the body,
+// or alone while the body is still being built.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "palpate/engine/world_builder.h"
+#include "palpate/view/offscreen.h"
+#include "view/viewer/state/requests.h"
+
+namespace palpate::viewer {
+
+/// A small picture of the preset as a JPEG file that is part of the program; empty if there is none.
+std::span<const unsigned char> pictureBytes(std::string_view preset);
+
+/// On the graphics card, from the first call on. Belongs to the thread of its context.
+class ExamplePictures {
+ public:
+  /// 0: there is none.
+  view::GlId of(std::string_view preset);
+
+ private:
+  std::map<std::string_view, view::FlatPicture> shown_;
+};
+
+struct StartPage {
+  std::span<const std::string> recent;  ///< files, newest first
+  bool& shown_at_start;
+  ExamplePictures& pictures;
+  bool offers_training = false;
+  bool offers_measuring = false;
+  std::optional<engine::BuildProgress> building = {};  ///< of the body behind it
+};
+
+/// `open` becomes false when something was chosen.
+void startPage(const StartPage& page, bool& open, Asks& asks);
+
+}  // namespace palpate::viewer

@@ -1,0 +1,107 @@
+// What the viewer hears: the events of a frame, pass by pass, become commands, and commands what they mean.
+#include "palpate/body/places.h"
+#include "palpate/window/gui_passes.h"
+#include "view/viewer/editing/acts.h"
+#include "view/viewer/editing/dysfunction_editor.h"
+#include "view/viewer/panels/gui_layout.h"
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/viewer.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+using Kind = window::Command::Kind;
+
+/// What is typed is for a dialog or the search, not for the body.
+bool ownsKeyboard(const ViewerState& viewer) { return dialogShown() || viewer.place_search.open; }
+
+}  // namespace
+
+/// What opens to be typed into gets the keyboard before the next event.
+void Viewer::drawGuiPasses(std::span<const window::InputEvent> events, double points, double elapsed_s) {
+  constexpr double kInstantS = 1e-4;
+  for (const std::span<const window::InputEvent> pass : window::guiPasses(events)) {
+    const bool owned = ownsKeyboard(viewer_);
+    drawGuiPass(pass, points, std::exchange(elapsed_s, kInstantS));
+    // Its window appears, its field is focused, the field takes what is typed; and once it is closed, no longer.
+    const bool changed = owned != ownsKeyboard(viewer_);
+    for (int i = 0; changed && i < 3; ++i) drawGuiPass({}, points, kInstantS);
+  }
+}
+
+void Viewer::drawGuiPass(std::span<const window::InputEvent> events, double points, double elapsed_s) {
+  gui_.begin(viewer_.size_points, points, elapsed_s, events);
+  showCursor();
+  lookAround();
+  handle(events);
+  intro_.advance(pointer_, *world_, viewer_.now_s);
+  pointer_.advance(viewer_);
+  placeRulerLabel();
+  const auto& place = pointer_.placeOf(viewer_.active_finger);
+  viewer_.place_words = place ? body::inWords(viewer_.world.landmarks, place->point) : std::string();
+  drawGui(viewer_, modes_, example_pictures_);
+  gui_.end();
+}
+
+void Viewer::handle(std::span<const window::InputEvent> events) {
+  input_.settings = viewer_.state.input;
+  input_.useFinger(viewer_.active_finger);
+  std::vector<window::Command> commands;
+  for (const window::InputEvent& event : events) {
+    using EventKind = window::InputEvent::Kind;
+    const bool typing = gui_.wantsText() || ownsKeyboard(viewer_);
+    if (devices_.handle(event, typing, viewer_)) continue;
+    if (event.kind == EventKind::drop && !modes_.claims().window) viewer_.request(OpenFile{event.text});
+    if (event.kind == EventKind::move || event.kind == EventKind::button) intro_.end(pointer_);
+    if (viewer_.question && event.kind == EventKind::key) {
+      const std::string_view chosen = event.down ? answerOf(event.key, viewer_) : std::string_view();
+      if (!chosen.empty()) viewer_.request(AnswerQuestion{std::string(chosen)});
+      continue;
+    }
+    if (modes_.handle(event, viewer_, typing)) continue;
+    window::Situation situation;
+    situation.over_gui = gui_.wantsMouse() || viewer_.question || dialogShown() || modes_.claims().touch;
+    situation.gui_wants_text = typing;
+    situation.editing = viewer_.editor.active || viewer_.ruler.active;
+    situation.on_skin = event.kind == EventKind::button && pointer_.skinAt(event.at).has_value();
+    commands.clear();
+    input_.handle(event, situation, commands);
+    for (const window::Command& command : commands) handle(command);
+  }
+}
+
+void Viewer::handle(const window::Command& command) {
+  if (modes_.handle(command, viewer_)) return;
+  countHint(command, viewer_.hint, viewer_.state.hints);
+  if (command.kind == Kind::act) return actOn(command);
+  // With nothing selected the wheel has nothing to size, so it zooms.
+  if (command.kind == Kind::edit_size && (viewer_.ruler.active || viewer_.editor.selected < 0)) {
+    window::Command zoom = command;
+    zoom.kind = Kind::zoom;
+    pointer_.apply(zoom, viewer_);
+    return;
+  }
+  if (command.kind == Kind::press) {
+    if (const auto place = pointer_.skinAt(command.at)) viewer_.reading = readVertex(*world_, place->point);
+  }
+  if (pointer_.apply(command, viewer_)) return;
+  if (viewer_.ruler.active) return measure(command);
+  const auto place = pointer_.skinAt(command.at);
+  std::optional<Vec2> on_map;
+  if (place) on_map = Vec2(place->point.x(), place->point.y());
+  applyEdit(command, on_map, viewer_.dysfunctions());
+}
+
+void Viewer::actOn(const window::Command& command) {
+  if (replayKey(command.action, command.fine, viewer_.replay)) return;
+  if (pointer_.step(command.action, command.fine, viewer_)) return;
+  if (!camera_.act(command.action)) perform(command.action, viewer_);
+}
+
+void Viewer::measure(const window::Command& command) {
+  if (command.kind != Kind::edit_grab) return;
+  if (const auto place = pointer_.skinAt(command.at)) measureAt(*place, world_->surface, viewer_.ruler);
+}
+
+}  // namespace palpate::viewer
