@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/kit/cli11.h"
+#include "palpate/base/language.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/words.h"
 
@@ -89,6 +90,13 @@ CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& valu
 template <class Value>
 CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& value, const std::string& help) {
   return addChoice(command, option, value, choicesOf<Value>(), help);
+}
+
+/// For a command whose pages or windows are translated: it calls useLanguage(code). `code` must outlive the command.
+inline void addLanguage(CLI::App& command, std::string& code) {
+  std::vector<std::string> codes;
+  for (const Language& language : languages()) codes.emplace_back(language.code);
+  takesOneOf(codes, command.add_option("--language", code, "Language of what people read (default: the system's)"));
 }
 
 }  // namespace palpate::app

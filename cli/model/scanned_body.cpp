@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "cli/kit/number_option.h"
@@ -49,9 +48,7 @@ void guessUnit(ScannedBody& scan) {
 }
 
 bool isInMetres(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = inSmallLetters(file.extension().string());
   return extension == ".gltf" || extension == ".glb";
 }
 

@@ -38,13 +38,6 @@ bool isTokenLetter(char c) {
   throw Error::inFile(file.string(), std::generic_category().message(reason));
 }
 
-std::string lowered(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return lower;
-}
-
 bool isHostLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == ':' || c == '[' || c == ']';
 }
@@ -143,7 +136,7 @@ bool isLoopback(std::string_view address) {
 }
 
 std::string originOf(std::string_view url) {
-  const std::string lower = lowered(url);
+  const std::string lower = inSmallLetters(url);
   const std::size_t scheme = lower.find("://");
   if (scheme == std::string::npos) return {};
   const std::string name = lower.substr(0, scheme);

@@ -3,9 +3,9 @@
 #include "measure/window/measuring_view.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
+#include "palpate/base/text.h"
 #include "palpate/measure/key_row.h"
 
 namespace palpate::viewer {
@@ -115,8 +115,7 @@ Photo freePlace(const MeasuringView& view) {
 
 bool isPhotograph(std::string_view file) {
   static constexpr std::string_view kKinds[] = {".jpg", ".jpeg", ".png", ".tif", ".tiff"};
-  std::string kind(file.substr(std::min(file.size(), file.rfind('.'))));
-  std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string kind = inSmallLetters(file.substr(std::min(file.size(), file.rfind('.'))));
   return std::find(std::begin(kKinds), std::end(kKinds), kind) != std::end(kKinds);
 }
 

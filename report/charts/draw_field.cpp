@@ -1,5 +1,6 @@
 // A field as an image of colours, bilinear between its values or in boxes, with its contour lines and their numbers
 // over it.
+#include "palpate/base/language.h"
 #include "report/charts/drawing.h"
 
 #include <fmt/format.h>
@@ -113,7 +114,8 @@ void drawContours(Canvas& canvas, const Field& field, const PlotLayout& layout) 
       canvas.path(line, false, Pen{withAlpha(kInk, 0.75), 0.9});
       if (lengthOf(line) > lengthOf(longest)) longest = std::move(line);
     }
-    if (lengthOf(longest) > kWorthALabel) labelContour(canvas, longest, fmt::format("{:.6g}", level), layout.frame);
+    if (lengthOf(longest) > kWorthALabel)
+      labelContour(canvas, longest, fmt::format("{:.6g}", WrittenNumber{level}), layout.frame);
   }
 }
 

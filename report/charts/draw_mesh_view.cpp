@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/base/language.h"
 #include "report/charts/drawing.h"
 #include "report/charts/legend.h"
 #include "report/charts/lettering.h"
@@ -189,7 +190,7 @@ void drawScaleBar(Canvas& canvas, const Rect& room, double pixels_per_mm) {
   const Vec2 from(room.left, room.bottom - 0.5 * kLineHeight);
   const Vec2 to(room.left + length * pixels_per_mm, from.y());
   canvas.line(from, to, {kInk, 2.5});
-  canvas.text({to.x() + kGap, to.y()}, fmt::format("{:g} mm", length), {});
+  canvas.text({to.x() + kGap, to.y()}, fmt::format("{:g} mm", WrittenNumber{length}), {});
 }
 
 void drawColourKey(Canvas& canvas, const ColourKey& key, const Rect& bar) {

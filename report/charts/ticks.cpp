@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include "palpate/base/language.h"
+
 namespace palpate::figures {
 
 namespace {
@@ -91,9 +93,9 @@ std::vector<Tick> niceTicks(const Range& range, Scale scale, int most) {
 std::string tickText(double value, double step) {
   if (value == 0.0 || std::abs(value) < kSlack * step) return "0";
   const bool long_digits = std::abs(value) >= 1e7 || step < 1e-4;
-  if (long_digits) return fmt::format("{:g}", value);
+  if (long_digits) return fmt::format("{:g}", WrittenNumber{value});
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + kSlack)));
-  return fmt::format("{:.{}f}", value, decimals);
+  return fmt::format("{:.{}f}", WrittenNumber{value}, decimals);
 }
 
 }  // namespace palpate::figures

@@ -10,6 +10,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
+#include "palpate/base/language.h"
 #include "palpate/base/text.h"
 #include "report/page/plot_parts.h"
 
@@ -136,18 +137,19 @@ std::string counted(double number) {
   const std::string digits = fmt::format("{:.0f}", std::abs(number));
   std::string text = number < 0.0 && digits != "0" ? "-" : "";
   for (std::size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += language().thousands_sign;
     text += digits[i];
   }
   return text;
 }
 
 std::string rounded(double number, int digits) {
-  if (number == 0.0 || !std::isfinite(number)) return fmt::format("{:g}", number);
+  if (number == 0.0 || !std::isfinite(number)) return fmt::format("{:g}", WrittenNumber{number});
   const int leading = static_cast<int>(std::floor(std::log10(std::abs(number)) + 1e-9));
   const int decimals = digits - 1 - leading;
   const double unit = std::pow(10.0, -decimals);
-  return decimals > 0 ? fmt::format("{:.{}f}", number, decimals) : counted(unit * std::round(number / unit));
+  return decimals > 0 ? fmt::format("{:.{}f}", WrittenNumber{number}, decimals)
+                      : counted(unit * std::round(number / unit));
 }
 
 std::string percent(double share) { return rounded(100.0 * share) + " %"; }

@@ -80,7 +80,7 @@ std::uint64_t emergencyStops(const RecordingReport& report);
 std::string durationWords(double seconds);
 /// With so many digits behind the point; what is very large or no number as it can be said shortly.
 std::string fixedWords(double value, int decimals);
-/// "search"
+/// "search", in the language of the page.
 std::string_view phaseWord(trace::Phase phase);
 
 }  // namespace palpate::app

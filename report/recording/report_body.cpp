@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/base/language.h"
 #include "report/page/study_page.h"
 #include "report/recording/report_figures.h"
 
@@ -26,7 +27,7 @@ constexpr double kLargeShare = 0.6;
 struct ReportSight {
   Vec3 towards_viewer = Vec3::UnitZ();
   Vec3 up = Vec3::UnitY();
-  std::string_view words = "from behind";
+  const char* words = toTranslate("from behind");
 };
 
 Vec3 normal2Of(const mesh::TriangleMesh& mesh, std::size_t t) {
@@ -37,12 +38,12 @@ Vec3 normal2Of(const mesh::TriangleMesh& mesh, std::size_t t) {
 ReportSight sightOf(const trace::TouchedSurface& surface) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t t = 0; t < surface.ticks.size(); ++t) sum += surface.ticks[t] * normal2Of(surface.mesh, t);
-  const std::array<ReportSight, 6> sights = {{{Vec3::UnitZ(), Vec3::UnitY(), "from behind"},
-                                              {-Vec3::UnitZ(), Vec3::UnitY(), "from the front"},
-                                              {Vec3::UnitX(), Vec3::UnitY(), "from the right"},
-                                              {-Vec3::UnitX(), Vec3::UnitY(), "from the left"},
-                                              {Vec3::UnitY(), Vec3::UnitZ(), "from above the head"},
-                                              {-Vec3::UnitY(), Vec3::UnitZ(), "from the feet"}}};
+  const std::array<ReportSight, 6> sights = {{{Vec3::UnitZ(), Vec3::UnitY(), toTranslate("from behind")},
+                                              {-Vec3::UnitZ(), Vec3::UnitY(), toTranslate("from the front")},
+                                              {Vec3::UnitX(), Vec3::UnitY(), toTranslate("from the right")},
+                                              {-Vec3::UnitX(), Vec3::UnitY(), toTranslate("from the left")},
+                                              {Vec3::UnitY(), Vec3::UnitZ(), toTranslate("from above the head")},
+                                              {-Vec3::UnitY(), Vec3::UnitZ(), toTranslate("from the feet")}}};
   return *std::max_element(sights.begin(), sights.end(), [&](const ReportSight& a, const ReportSight& b) {
     return a.towards_viewer.dot(sum) < b.towards_viewer.dot(sum);
   });
@@ -86,9 +87,9 @@ double nearlyGreatest(const trace::TouchedSurface& surface, const std::vector<do
 }
 
 std::array<HeatValues, 2> heatsOf(const RecordingReport& report, const trace::TouchedSurface& surface) {
-  HeatValues time{{}, 1.0, "Time in contact", "time", "s"};
+  HeatValues time{{}, 1.0, tr("Time in contact"), tr("time"), "s"};
   for (const double ticks : surface.ticks) time.values.push_back(ticks / report.statistics.ticks_per_s);
-  HeatValues force{surface.peak_force_n, 1.0, "Peak force", "force", "N"};
+  HeatValues force{surface.peak_force_n, 1.0, tr("Peak force"), tr("force"), "N"};
   time.most = nearlyGreatest(surface, time.values);
   force.most = nearlyGreatest(surface, force.values);
   return {time, force};
@@ -144,7 +145,7 @@ figures::MeshView heatView(const trace::TouchedSurface& surface, const HeatValue
       view.colours.push_back(colour);
     }
   }
-  view.legend = {{"not touched", figures::kSkin}};
+  view.legend = {{tr("not touched"), figures::kSkin}};
   view.colour_key = {.label = heat.label, .unit = heat.unit, .from = 0.0, .to = heat.most};
   return view;
 }
@@ -184,15 +185,15 @@ std::vector<ReportPicture> surfacePictures(const RecordingReport& report, const 
   const bool head_up = sight.up.y() > 0.5;
   std::vector<ReportPicture> pictures;
   pictures.push_back(
-      {"body", "On the body",
-       fmt::format("How long and how hard the skin was touched, {}, seen {}{}. A place counts as touched where the "
-                   "finger's radius reaches it; times of several fingers are added. The last colour of each map also "
-                   "stands for all that is more.",
-                   report.body.name, sight.words, head_up ? ", the head upwards" : ""),
+      {"body", tr("On the body"),
+       trf("How long and how hard the skin was touched, {}, seen {}{}. A place counts as touched where the "
+           "finger's radius reaches it; times of several fingers are added. The last colour of each map also "
+           "stands for all that is more.",
+           report.body.name, tr(sight.words), head_up ? tr(", the head upwards") : ""),
        heatFigure(heats, surface, sight, all)});
   const Vec2 body = seenBoxOf(surface, all, false).sizes();
   if ((near.box.sizes().array() < kLargeShare * body.array()).all()) {
-    pictures.push_back({"body_near", "", "The same from nearby.", heatFigure(heats, surface, sight, near)});
+    pictures.push_back({"body_near", "", tr("The same from nearby."), heatFigure(heats, surface, sight, near)});
   }
   return pictures;
 }
@@ -227,9 +228,9 @@ PlanGrid emptyPlan(const RecordingReport& report) {
                       std::numeric_limits<double>::quiet_NaN());
   field.from = 0.0;
   plan.force = field;
-  field.label = "time";
+  field.label = tr("time");
   field.unit = "s";
-  plan.force.label = "force";
+  plan.force.label = tr("force");
   plan.force.unit = "N";
   return plan;
 }
@@ -262,19 +263,20 @@ ReportPicture planPicture(const RecordingReport& report) {
   figure.columns = 2;
   figure.panel_width_px = 470.0;
   figure.panel_height_px = 430.0;
-  const std::array panels = {std::pair{"Time in contact", &plan.time}, std::pair{"Peak force", &plan.force}};
+  const std::array panels = {std::pair{tr("Time in contact"), &plan.time}, std::pair{tr("Peak force"), &plan.force}};
   for (const auto& [title, values] : panels) {
     figures::Plot plot{.title = title};
-    plot.x = {.label = "x, to the right", .unit = "mm"};
-    plot.y = {.label = "y, to the head", .unit = "mm"};
+    plot.x = {.label = tr("x, to the right"), .unit = "mm"};
+    plot.y = {.label = tr("y, to the head"), .unit = "mm"};
     plot.equal_aspect = true;
     plot.field = *values;
     figure.panels.emplace_back(std::move(plot));
   }
-  return {"plan", "On the body",
-          "Where the fingers touched, seen from behind, without the body: what their radii reached, how long and how "
-          "hard.",
-          std::move(figure)};
+  return {
+      "plan", tr("On the body"),
+      tr("Where the fingers touched, seen from behind, without the body: what their radii reached, how long and how "
+         "hard."),
+      std::move(figure)};
 }
 
 }  // namespace

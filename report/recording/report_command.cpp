@@ -4,12 +4,14 @@
 
 #include <memory>
 
+#include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "report/recording/recording_report.h"
 #include "report/recording/report_delivery.h"
 
@@ -20,6 +22,7 @@ namespace {
 struct ReportArguments {
   ReportRequest request;
   std::filesystem::path folder;
+  std::string language;
   TimeSpan span;
 };
 
@@ -34,6 +37,7 @@ trace::TickSpan reportSpan(const ReportArguments& arguments, const trace::Record
 }
 
 void runReport(const ReportArguments& arguments) {
+  useLanguage(arguments.language);
   const ReportRequest& request = arguments.request;
   if (request.file.extension() == ".results") {
     throw Error::inFile(request.file.string(), "is a record of training: palpate train results report");
@@ -68,6 +72,7 @@ void addReportCommand(CLI::App& recording) {
                      "Where the files that the scene names lie now (default: in the recording, else where they lay)");
   command.add_flag("--json", a.request.json,
                    "Print all numbers as one JSON object; a page is written then only with --out");
+  addLanguage(command, a.language);
   command.callback([=] { runReport(*arguments); });
 }
 

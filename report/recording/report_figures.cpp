@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "cli/kit/readable_text.h"
+#include "palpate/base/language.h"
 
 namespace palpate::app {
 
@@ -25,12 +26,12 @@ constexpr std::size_t kMaxMarkLines = 40;
 
 struct MeasuredPanel {
   Measured measured;
-  std::string_view label;
+  const char* label;
   std::string_view unit;
 };
-constexpr std::array kPanels = {MeasuredPanel{Measured::force, "force", "N"},
-                                MeasuredPanel{Measured::depth, "depth", "mm"},
-                                MeasuredPanel{Measured::proxy_speed, "speed", "mm/s"}};
+constexpr std::array kPanels = {MeasuredPanel{Measured::force, toTranslate("force"), "N"},
+                                MeasuredPanel{Measured::depth, toTranslate("depth"), "mm"},
+                                MeasuredPanel{Measured::proxy_speed, toTranslate("speed"), "mm/s"}};
 
 struct ShownTime {
   double from_s = 0.0;
@@ -91,7 +92,7 @@ void addCourse(const RecordingReport& report, const trace::TickSeries& series, c
 
 Plot coursePlot(const RecordingReport& report, const MeasuredPanel& panel, bool named) {
   Plot plot;
-  plot.y = {.label = std::string(panel.label), .unit = std::string(panel.unit), .from = 0.0};
+  plot.y = {.label = tr(panel.label), .unit = std::string(panel.unit), .from = 0.0};
   for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
     addCourse(report, report.statistics.fingers[f].series, panel, figures::seriesColour(f),
               named ? readableText(report.facts.fingers[f].name) : std::string(), plot);
@@ -146,7 +147,7 @@ void addMarks(const RecordingReport& report, std::vector<Plot>& panels) {
         for (const Vec2& point : path) top = std::max(top, point.y());
       }
     }
-    Shape lines{.name = phases ? "mark" : "", .closed = false, .stroke = figures::Stroke::dashed};
+    Shape lines{.name = phases ? tr("mark") : "", .closed = false, .stroke = figures::Stroke::dashed};
     lines.colour = figures::kPurple;
     for (const double time : times) lines.paths.push_back({{time, phases ? *panel.y.from : 0.0}, {time, top}});
     panel.shapes.push_back(std::move(lines));
@@ -177,7 +178,7 @@ ReportPicture coursePicture(const RecordingReport& report) {
     panel.x.to = time.to_s;
     panel.least_left_px = roomForNames(report);
   }
-  panels.back().x.label = "time";
+  panels.back().x.label = tr("time");
   panels.back().x.unit = "s";
   figure.panels.assign(panels.begin(), panels.end());
   std::uint64_t ticks = 1;
@@ -185,14 +186,14 @@ ReportPicture coursePicture(const RecordingReport& report) {
     ticks = std::max(ticks, finger.series.ticksABucket());
   }
   std::string caption =
-      "Force of the contact, depth of the tip under the skin and speed of the finger over time; below, what each "
-      "finger did.";
+      tr("Force of the contact, depth of the tip under the skin and speed of the finger over time; below, what each "
+         "finger did.");
   if (ticks > 1) {
     caption +=
-        fmt::format(" Lines are means over {:.3g} s, the pale bands reach from the least to the greatest tick in them.",
-                    report.statistics.seconds(ticks));
+        " " + trf("Lines are means over {:.3g} s, the pale bands reach from the least to the greatest tick in them.",
+                  report.statistics.seconds(ticks));
   }
-  return {"course", "Over time", caption, std::move(figure)};
+  return {"course", tr("Over time"), caption, std::move(figure)};
 }
 
 // ---- distributions
@@ -232,8 +233,8 @@ figures::Series outlineOf(const trace::FixedHistogram& histogram, std::size_t bi
 
 Plot distributionPlot(const RecordingReport& report, const MeasuredPanel& panel) {
   Plot plot;
-  plot.x = {.label = std::string(panel.label), .unit = std::string(panel.unit), .from = 0.0};
-  plot.y = {.label = "share of the time in contact", .unit = "%", .from = 0.0};
+  plot.x = {.label = tr(panel.label), .unit = std::string(panel.unit), .from = 0.0};
+  plot.y = {.label = tr("share of the time in contact"), .unit = "%", .from = 0.0};
   const double bin_width = report.statistics.fingers.front().of(panel.measured).binWidth();
   const double bar_width = shownMost(report, panel.measured) / static_cast<double>(kBars);
   const auto bins_a_bar = static_cast<std::size_t>(std::max(1.0, std::ceil(bar_width / bin_width)));
@@ -255,12 +256,11 @@ ReportPicture distributionPicture(const RecordingReport& report) {
   figure.panel_width_px = 320.0;
   figure.panel_height_px = 260.0;
   for (const MeasuredPanel& panel : kPanels) figure.panels.emplace_back(distributionPlot(report, panel));
-  return {
-      "distributions", "How often",
-      fmt::format("How often force, depth and speed were how large while a finger was in contact, in {} steps each. "
-                  "The largest values, up to one in 200, lie to the right of the pictures.",
-                  kBars),
-      std::move(figure)};
+  return {"distributions", tr("How often"),
+          trf("How often force, depth and speed were how large while a finger was in contact, in {} steps each. "
+              "The largest values, up to one in 200, lie to the right of the pictures.",
+              kBars),
+          std::move(figure)};
 }
 
 }  // namespace

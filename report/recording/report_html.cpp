@@ -7,6 +7,7 @@
 
 #include "cli/kit/readable_text.h"
 #include "palpate/base/base64.h"
+#include "palpate/base/language.h"
 #include "report/page/report_html.h"
 
 namespace palpate::app {
@@ -116,10 +117,10 @@ std::string figureHtml(std::string_view id, const figures::Figure& figure, std::
 
 std::string pageBegin(std::string_view name) {
   return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n{}\n"
+      "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\" />\n{}\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n{}\n<style>{}</style>\n</head>\n"
       "<body>\n<main>\n{}\n",
-      kReportMark, elementOf("title", name), kPageStyle, elementOf("h1", name));
+      language().code, kReportMark, elementOf("title", name), kPageStyle, elementOf("h1", name));
 }
 
 std::string summaryOf(const std::vector<std::string>& sentences) {

@@ -1,3 +1,4 @@
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "cli/kit/json.h"
@@ -8,6 +9,12 @@
 namespace palpate::app {
 
 namespace {
+
+/// For machines, in every language.
+const char* phaseKey(trace::Phase phase) {
+  constexpr std::array<const char*, trace::kPhases> kKeys = {"away", "search", "palpation"};
+  return kKeys[static_cast<std::size_t>(phase)];
+}
 
 using Json = nlohmann::ordered_json;
 using trace::Measured;
@@ -114,7 +121,7 @@ Json phasesJson(const RecordingReport& report) {
   Json json = Json::array();
   for (const trace::PhaseSpan& span : report.statistics.phases) {
     json.push_back({{"finger", span.finger},
-                    {"phase", span.phase == trace::Phase::away ? "away" : phaseWord(span.phase)},
+                    {"phase", phaseKey(span.phase)},
                     {"begin_s", report.secondsAt(span.first_tick)},
                     {"seconds", report.statistics.seconds(span.ticks())}});
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "report/page/study_page.h"
 #include "report/recording/report_figures.h"
 #include "report/recording/report_html.h"
@@ -28,10 +29,10 @@ std::string lengthWords(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
   std::string text = durationWords(report.facts.seconds());
   if (!report.whole && ticks.recorded > 0) {
-    text += fmt::format("; this report is of {:.2f} s to {:.2f} s", report.secondsAt(ticks.first),
-                        report.secondsAt(ticks.last + 1));
+    text += trf("; this report is of {:.2f} s to {:.2f} s", report.secondsAt(ticks.first),
+                report.secondsAt(ticks.last + 1));
   }
-  return text + fmt::format("; {} ticks a second", rounded(report.statistics.ticks_per_s, 4));
+  return text + trf("; {} ticks a second", rounded(report.statistics.ticks_per_s, 4));
 }
 
 std::string bodyWords(const RecordingReport& report) {
@@ -42,7 +43,10 @@ std::string bodyWords(const RecordingReport& report) {
   std::string words;
   for (const std::string& name : names) words += (words.empty() ? "" : ", ") + name;
   if (report.statistics.world_changes > 0) {
-    words += fmt::format("; changed {} times (body, stiffness or settings)", report.statistics.world_changes);
+    words += fmt::format(
+        fmt::runtime(trn("; changed {} time (body, stiffness or settings)",
+                         "; changed {} times (body, stiffness or settings)", report.statistics.world_changes)),
+        report.statistics.world_changes);
   }
   return words;
 }
@@ -50,21 +54,22 @@ std::string bodyWords(const RecordingReport& report) {
 std::string factsTable(const RecordingReport& report) {
   const trace::RecordingFacts& facts = report.facts;
   std::string html = "<div class=\"wide\"><table class=\"facts\"><tbody>\n";
-  html += factRow("Begun", momentWords(facts.header.started_utc));
-  html += factRow("Ended", facts.ended_by.empty() ? "no end: it is being written, or its program was killed"
-                                                  : momentWords(facts.ended_utc) + ", by: " + facts.ended_by);
-  html += factRow("Length", lengthWords(report));
+  html += factRow(tr("Begun"), momentWords(facts.header.started_utc));
+  html +=
+      factRow(tr("Ended"), facts.ended_by.empty() ? tr("no end: it is being written, or its program was killed")
+                                                  : trf("{}, by: {}", momentWords(facts.ended_utc), facts.ended_by));
+  html += factRow(tr("Length"), lengthWords(report));
   for (const trace::RecordingFinger& finger : facts.fingers) {
     const bool scripted = finger.device == finger.name;  // a script is named like its finger
-    html += factRow("Finger", scripted ? finger.name : finger.name + ", held by " + finger.device);
+    html += factRow(tr("Finger"), scripted ? finger.name : trf("{}, held by {}", finger.name, finger.device));
   }
-  html += factRow("Body", bodyWords(report));
-  html += factRow("Tissue", report.body.tissue);
-  for (const std::string& unsafe : report.unsafe) html += factRow("Safety", unsafe);
-  html += factRow("Notes", facts.header.notes);
-  html += factRow("Tags", facts.header.tags);
-  html += factRow("Recorded by", facts.header.software + " on " + facts.header.machine);
-  html += factRow("File", report.file.string());
+  html += factRow(tr("Body"), bodyWords(report));
+  html += factRow(tr("Tissue"), report.body.tissue);
+  for (const std::string& unsafe : report.unsafe) html += factRow(tr("Safety"), unsafe);
+  html += factRow(tr("Notes"), facts.header.notes);
+  html += factRow(tr("Tags"), facts.header.tags);
+  html += factRow(tr("Recorded by"), trf("{} on {}", facts.header.software, facts.header.machine));
+  html += factRow(tr("File"), report.file.string());
   return html + "</tbody></table></div>\n";
 }
 
@@ -85,9 +90,9 @@ std::string picturesHtml(const std::vector<ReportPicture>& pictures, const Progr
 std::string bodySection(const RecordingReport& report, const Progress& progress) {
   std::string html = picturesHtml(bodyPictures(report), progress);
   if (!report.body.why_not.empty()) {
-    html += elementOf("p", report.body.why_not +
-                               " So the map above is one of places only; --folder says where the "
-                               "files of the body lie now.") +
+    html += elementOf("p", report.body.why_not + " " +
+                               tr("So the map above is one of places only; --folder says where the files of the body "
+                                  "lie now.")) +
             "\n";
   }
   for (const std::string& note : report.body.notes) html += elementOf("p", note) + "\n";
@@ -95,15 +100,16 @@ std::string bodySection(const RecordingReport& report, const Progress& progress)
   const trace::TouchedSurface& surface = *report.body.surface;
   const double share = surface.dorsal_mm2 > 0.0 ? surface.touched_dorsal_mm2 / surface.dorsal_mm2 : 0.0;
   html += tableOf("numbers", {},
-                  {{"touched skin (mm²)", counted(surface.touched_mm2)},
-                   {"the back (mm²)", counted(surface.dorsal_mm2)},
-                   {"touched of the back (mm²)", counted(surface.touched_dorsal_mm2)},
-                   {"share of the back that was touched", percent(share)}});
+                  {{tr("touched skin (mm²)"), counted(surface.touched_mm2)},
+                   {tr("the back (mm²)"), counted(surface.dorsal_mm2)},
+                   {tr("touched of the back (mm²)"), counted(surface.touched_dorsal_mm2)},
+                   {tr("share of the back that was touched"), percent(share)}});
   if (surface.astray_ticks > 0 || report.statistics.places_left_out > 0) {
-    html += elementOf("p", fmt::format("{} s of touch lie on no place of this skin and are left out.",
-                                       rounded(report.statistics.seconds(surface.astray_ticks +
-                                                                         report.statistics.places_left_out)))) +
-            "\n";
+    html +=
+        elementOf("p",
+                  trf("{} s of touch lie on no place of this skin and are left out.",
+                      rounded(report.statistics.seconds(surface.astray_ticks + report.statistics.places_left_out)))) +
+        "\n";
   }
   return html;
 }
@@ -116,47 +122,42 @@ std::string definitionsSection(const RecordingReport& report) {
     reach += fmt::format("{}{} {} mm", reach.empty() ? "" : ", ", report.facts.fingers[f].name,
                          rounded(report.body.reach_mm[f]));
   }
-  if (!reach.empty()) reach = " Here: " + reach + ".";
+  if (!reach.empty()) reach = " " + trf("Here: {}.", reach);
   const std::vector<std::pair<std::string, std::string>> definitions = {
-      {"Force, depth",
-       "The size of the force that the contact computed for the finger (the device may have been sent less: see "
-       "Safety), "
-       "and how deep the tip was under the skin at rest."},
-      {"Speed",
-       fmt::format(
-           "The way of the last {} ms over that time: of the finger's place on the skin, and of the tip that the "
+      {tr("Force, depth"),
+       tr("The size of the force that the contact computed for the finger (the device may have been sent less: see "
+          "Safety), and how deep the tip was under the skin at rest.")},
+      {tr("Speed"),
+       trf("The way of the last {} ms over that time: of the finger's place on the skin, and of the tip that the "
            "device held.",
            1000.0 * trace::kSpeedWindowS)},
-      {"Contact",
-       fmt::format(
-           "A stretch of time in which the finger touches the skin; breaks up to {} ms do not end it. Means are "
+      {tr("Contact"),
+       trf("A stretch of time in which the finger touches the skin; breaks up to {} ms do not end it. Means are "
            "over the ticks that touch. Its path is measured in steps of {} mm, so that trembling goes nowhere.",
            1000.0 * trace::kJoinedGapS, trace::kPathStepMm)},
-      {"Search and palpation",
-       fmt::format(
-           "On the skin, a finger that presses with {} N or more and moves at {} mm/s or less palpates; one that "
+      {tr("Search and palpation"),
+       trf("On the skin, a finger that presses with {} N or more and moves at {} mm/s or less palpates; one that "
            "is lighter or faster searches. A phase begins where this has held for {} s. These limits are this "
            "program's own; no norm has any.",
            trace::kLightForceN, trace::kDwellSpeedMmPerS, trace::kMinPhaseS)},
-      {"Touched skin",
-       fmt::format(
-           "All skin within the radius of the finger around the places where it was (at least {} mm), facing the "
+      {tr("Touched skin"),
+       trf("All skin within the radius of the finger around the places where it was (at least {} mm), facing the "
            "same way. The back is the skin that leans less than 60 degrees from straight backwards.",
            trace::kMinReachMm) +
            reach},
-      {"Places",
-       "Millimetres in the body's frame: x to the patient's right seen from behind, y to the head, z out of the back."},
-      {"Limits",
-       "All of it is what the program computed and what the device reported. It measures no skill and diagnoses "
-       "nothing; "
-       "Palpate is not a medical device."}};
-  std::string html = "<h2>What the words mean</h2>\n<dl>\n";
+      {tr("Places"),
+       tr("Millimetres in the body's frame: x to the patient's right seen from behind, y to the head, z out of the "
+          "back.")},
+      {tr("Limits"),
+       tr("All of it is what the program computed and what the device reported. It measures no skill and diagnoses "
+          "nothing; Palpate is not a medical device.")}};
+  std::string html = elementOf("h2", tr("What the words mean")) + "\n<dl>\n";
   for (const auto& [word, meaning] : definitions) html += elementOf("dt", word) + elementOf("dd", meaning) + "\n";
   return html + "</dl>\n";
 }
 
 std::string pageHead(const RecordingReport& report) {
-  const std::string name = "Recording " + report.file.filename().string();
+  const std::string name = trf("Recording {}", report.file.filename().string());
   return pageBegin(name) + summaryOf(reportSentences(report));
 }
 

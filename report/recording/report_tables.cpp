@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "palpate/base/language.h"
 #include "palpate/body/places.h"
 #include "report/page/study_page.h"
 #include "report/recording/report_html.h"
@@ -21,12 +22,16 @@ constexpr std::size_t kMaxRows = 60;
 
 std::string fingerName(const RecordingReport& report, std::size_t finger) { return report.facts.fingers[finger].name; }
 
-std::string moreLine(std::uint64_t all, std::size_t shown, std::string_view things) {
+std::string quietLine(const std::string& words) { return fmt::format("<p class=\"quiet\">{}</p>\n", words); }
+
+std::string moreContacts(std::uint64_t all, std::size_t shown) {
   if (all <= shown) return {};
-  return fmt::format(
-      "<p class=\"quiet\">{} more {} are not shown here; --from and --to choose a part, --json lists {}.</p>\n",
-      counted(static_cast<double>(all - shown)), things,
-      all <= trace::kMaxListed ? "all" : fmt::format("the first {}", counted(trace::kMaxListed)));
+  const std::string more = counted(static_cast<double>(all - shown));
+  return quietLine(
+      all <= trace::kMaxListed
+          ? trf("{} more contacts are not shown here; --from and --to choose a part, --json lists all.", more)
+          : trf("{} more contacts are not shown here; --from and --to choose a part, --json lists the first {}.", more,
+                counted(trace::kMaxListed)));
 }
 
 std::string phaseTimes(const RecordingReport& report) {
@@ -40,11 +45,11 @@ std::string phaseTimes(const RecordingReport& report) {
       const auto i = static_cast<std::size_t>(phase);
       rows.push_back({fmt::format("{}: {}", fingerName(report, f), phaseWord(phase)),
                       counted(static_cast<double>(finger.phases[i])),
-                      fmt::format("{:.2f}", report.statistics.seconds(finger.phase_ticks[i])),
+                      fixedWords(report.statistics.seconds(finger.phase_ticks[i]), 2),
                       percent(static_cast<double>(finger.phase_ticks[i]) / static_cast<double>(all))});
     }
   }
-  return rows.empty() ? "" : tableOf("numbers", {"", "times", "in all (s)", "share of its time"}, rows);
+  return rows.empty() ? "" : tableOf("numbers", {"", tr("times"), tr("in all (s)"), tr("share of its time")}, rows);
 }
 
 /// The longest ones, in the order of time.
@@ -60,14 +65,14 @@ std::string longestPhases(const RecordingReport& report) {
   std::vector<Cells> rows;
   for (const trace::PhaseSpan& span : spans) {
     rows.push_back({fingerName(report, span.finger), std::string(phaseWord(span.phase)),
-                    fmt::format("{:.2f}", report.secondsAt(span.first_tick)),
-                    fmt::format("{:.2f}", report.statistics.seconds(span.ticks()))});
+                    fixedWords(report.secondsAt(span.first_tick), 2),
+                    fixedWords(report.statistics.seconds(span.ticks()), 2)});
   }
   if (rows.empty()) return {};
-  return elementOf("p", all > kMaxPhases ? fmt::format("The {} longest phases on the skin of {}:", kMaxPhases,
-                                                       counted(static_cast<double>(all)))
-                                         : std::string("All phases on the skin:")) +
-         "\n" + tableOf("numbers", {"finger", "phase", "begin (s)", "length (s)"}, rows);
+  return elementOf("p", all > kMaxPhases ? trf("The {} longest phases on the skin of {}:", kMaxPhases,
+                                               counted(static_cast<double>(all)))
+                                         : std::string(tr("All phases on the skin:"))) +
+         "\n" + tableOf("numbers", {tr("finger"), tr("phase"), tr("begin (s)"), tr("length (s)")}, rows);
 }
 
 std::string bitsTable(const RecordingReport& report, const std::vector<StatusLine>& lines) {
@@ -75,10 +80,11 @@ std::string bitsTable(const RecordingReport& report, const std::vector<StatusLin
   for (const StatusLine& line : lines) {
     rows.push_back({fingerName(report, line.finger), line.name, std::string(line.meaning),
                     counted(static_cast<double>(line.tally.times)),
-                    fmt::format("{:.3f}", report.statistics.seconds(line.tally.ticks)),
-                    fmt::format("{:.3f}", report.secondsAt(line.tally.first_tick))});
+                    fixedWords(report.statistics.seconds(line.tally.ticks), 3),
+                    fixedWords(report.secondsAt(line.tally.first_tick), 3)});
   }
-  return tableOf("words", {"finger", "what", "which means", "times", "in all (s)", "first at (s)"}, rows);
+  return tableOf(
+      "words", {tr("finger"), tr("what"), tr("which means"), tr("times"), tr("in all (s)"), tr("first at (s)")}, rows);
 }
 
 }  // namespace
@@ -86,35 +92,36 @@ std::string bitsTable(const RecordingReport& report, const std::vector<StatusLin
 std::string sizesTable(const RecordingReport& report) {
   struct Quantity {
     Measured measured;
-    std::string_view name;
+    const char* name;
     int decimals;
   };
-  constexpr std::array kQuantities = {Quantity{Measured::force, "force (N)", 2},
-                                      Quantity{Measured::depth, "depth (mm)", 2},
-                                      Quantity{Measured::proxy_speed, "speed over the skin (mm/s)", 1},
-                                      Quantity{Measured::tip_speed, "speed of the tip (mm/s)", 1}};
+  constexpr std::array kQuantities = {Quantity{Measured::force, toTranslate("force (N)"), 2},
+                                      Quantity{Measured::depth, toTranslate("depth (mm)"), 2},
+                                      Quantity{Measured::proxy_speed, toTranslate("speed over the skin (mm/s)"), 1},
+                                      Quantity{Measured::tip_speed, toTranslate("speed of the tip (mm/s)"), 1}};
   std::vector<Cells> rows;
   for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
     for (const auto& [measured, name, decimals] : kQuantities) {
       const trace::FixedHistogram& histogram = report.statistics.fingers[f].of(measured);
       if (histogram.count() == 0) continue;
-      rows.push_back({fmt::format("{}: {}", fingerName(report, f), name), fixedWords(histogram.mean(), decimals),
+      rows.push_back({fmt::format("{}: {}", fingerName(report, f), tr(name)), fixedWords(histogram.mean(), decimals),
                       fixedWords(histogram.quantile(0.5), decimals), fixedWords(histogram.quantile(0.95), decimals),
                       fixedWords(histogram.greatest(), decimals)});
     }
   }
   if (rows.empty()) return {};
-  return "<p>While in contact:</p>\n" + tableOf("numbers", {"", "mean", "median", "95 % are below", "largest"}, rows);
+  return elementOf("p", tr("While in contact:")) + "\n" +
+         tableOf("numbers", {"", tr("mean"), tr("median"), tr("95 % are below"), tr("largest")}, rows);
 }
 
 std::string phasesSection(const RecordingReport& report) {
   const std::string times = phaseTimes(report);
-  return times.empty() ? times : "<h2>Search and palpation</h2>\n" + times + longestPhases(report);
+  return times.empty() ? times : elementOf("h2", tr("Search and palpation")) + "\n" + times + longestPhases(report);
 }
 
 std::string contactsSection(const RecordingReport& report) {
-  std::string html = "<h2>Contacts</h2>\n";
-  if (report.statistics.contact_count == 0) return html + "<p>No finger touched the skin.</p>\n";
+  std::string html = elementOf("h2", tr("Contacts")) + "\n";
+  if (report.statistics.contact_count == 0) return html + elementOf("p", tr("No finger touched the skin.")) + "\n";
   std::vector<trace::Contact> contacts = report.statistics.contacts;
   std::stable_sort(contacts.begin(), contacts.end(),
                    [](const auto& a, const auto& b) { return a.first_tick < b.first_tick; });
@@ -124,59 +131,58 @@ std::string contactsSection(const RecordingReport& report) {
   for (const trace::Contact& contact : contacts) {
     const Vec3& place = contact.peak_place;
     rows.push_back(
-        {fingerName(report, contact.finger), fmt::format("{:.3f}", report.secondsAt(contact.first_tick)),
-         fmt::format("{:.3f}", report.statistics.seconds(contact.ticks())), fixedWords(contact.peak_force_n, 2),
+        {fingerName(report, contact.finger), fixedWords(report.secondsAt(contact.first_tick), 3),
+         fixedWords(report.statistics.seconds(contact.ticks()), 3), fixedWords(contact.peak_force_n, 2),
          fixedWords(contact.mean_force_n, 2), fixedWords(contact.peak_depth_mm, 2), fixedWords(contact.path_mm, 1),
          fmt::format("{}, {}, {}", fixedWords(place.x(), 1), fixedWords(place.y(), 1), fixedWords(place.z(), 1))});
     if (has_names) rows.back().push_back(body::inWords(report.body.landmarks, place));
   }
-  Cells head = {"finger",
-                "begin (s)",
-                "length (s)",
-                "peak force (N)",
-                "mean force (N)",
-                "peak depth (mm)",
-                "path on the skin (mm)",
-                "place of the peak force: x, y, z (mm)"};
-  if (has_names) head.emplace_back("which is");
+  Cells head = {tr("finger"),
+                tr("begin (s)"),
+                tr("length (s)"),
+                tr("peak force (N)"),
+                tr("mean force (N)"),
+                tr("peak depth (mm)"),
+                tr("path on the skin (mm)"),
+                tr("place of the peak force: x, y, z (mm)")};
+  if (has_names) head.emplace_back(tr("which is"));
   html += tableOf("numbers", head, rows);
-  return html + moreLine(report.statistics.contact_count, rows.size(), "contacts");
+  return html + moreContacts(report.statistics.contact_count, rows.size());
 }
 
 std::string safetySection(const RecordingReport& report) {
-  std::string html = "<h2>Safety</h2>\n";
-  html += elementOf("p", fmt::format("Emergency stops: {}.", emergencyStops(report))) + "\n";
+  std::string html = elementOf("h2", tr("Safety")) + "\n";
+  html += elementOf("p", trf("Emergency stops: {}.", emergencyStops(report))) + "\n";
   const std::vector<StatusLine> safety = safetyLines(report);
-  html += safety.empty() ? "<p>The safety limits never had to act.</p>\n"
-                         : "<p>What the safety limits did:</p>\n" + bitsTable(report, safety);
+  html += safety.empty() ? elementOf("p", tr("The safety limits never had to act.")) + "\n"
+                         : elementOf("p", tr("What the safety limits did:")) + "\n" + bitsTable(report, safety);
   const std::vector<StatusLine> contact = contactLines(report);
-  if (!contact.empty()) html += "<p>What the contact told of itself:</p>\n" + bitsTable(report, contact);
+  if (!contact.empty())
+    html += elementOf("p", tr("What the contact told of itself:")) + "\n" + bitsTable(report, contact);
   return html;
 }
 
 std::string servoSection(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
   if (ticks.recorded == 0) return {};
-  std::vector<Cells> rows = {
-      {"ticks expected, first to last", counted(static_cast<double>(ticks.expected()))},
-      {"recorded", counted(static_cast<double>(ticks.recorded))},
-      {"missing", fmt::format("{} ({})", counted(static_cast<double>(ticks.missing())),
-                              percent(static_cast<double>(ticks.missing()) / static_cast<double>(ticks.expected())))},
-      {"gaps", counted(static_cast<double>(ticks.gaps))}};
+  std::vector<Cells> rows = {{tr("ticks expected, first to last"), counted(static_cast<double>(ticks.expected()))},
+                             {tr("recorded"), counted(static_cast<double>(ticks.recorded))},
+                             {tr("missing"), fmt::format("{} ({})", counted(static_cast<double>(ticks.missing())),
+                                                         percent(static_cast<double>(ticks.missing()) /
+                                                                 static_cast<double>(ticks.expected())))},
+                             {tr("gaps"), counted(static_cast<double>(ticks.gaps))}};
   if (ticks.gaps > 0) {
-    rows.push_back(
-        {"longest gap",
-         fmt::format("{} ms, at {:.3f} s", rounded(1000.0 * report.statistics.seconds(ticks.longest_gap.missing), 3),
-                     report.secondsAt(ticks.longest_gap.after_tick))});
+    rows.push_back({tr("longest gap"),
+                    trf("{} ms, at {:.3f} s", rounded(1000.0 * report.statistics.seconds(ticks.longest_gap.missing), 3),
+                        report.secondsAt(ticks.longest_gap.after_tick))});
   }
-  rows.push_back({"samples that found no room on their way to the file, in the whole recording",
+  rows.push_back({tr("samples that found no room on their way to the file, in the whole recording"),
                   counted(static_cast<double>(report.facts.dropped))});
   if (ticks.out_of_order > 0) {
-    rows.push_back({"ticks out of order, left out here", counted(static_cast<double>(ticks.out_of_order))});
+    rows.push_back({tr("ticks out of order, left out here"), counted(static_cast<double>(ticks.out_of_order))});
   }
-  return "<h2>The loop and its record</h2>\n" + tableOf("numbers", {}, rows) +
-         "<p class=\"quiet\">A missing tick is one that the loop did not reach in time, or whose sample was "
-         "dropped.</p>\n";
+  return elementOf("h2", tr("The loop and its record")) + "\n" + tableOf("numbers", {}, rows) +
+         quietLine(tr("A missing tick is one that the loop did not reach in time, or whose sample was dropped."));
 }
 
 std::string eventsSection(const RecordingReport& report) {
@@ -185,13 +191,14 @@ std::string eventsSection(const RecordingReport& report) {
   for (const trace::RecordingEvent& event : report.events) {
     if (rows.size() == kMaxRows) break;
     const bool known = event.finger && *event.finger < report.facts.fingers.size();
-    rows.push_back({fmt::format("{:.3f}", report.secondsAt(event.tick)), known ? fingerName(report, *event.finger) : "",
+    rows.push_back({fixedWords(report.secondsAt(event.tick), 3), known ? fingerName(report, *event.finger) : "",
                     event.kind, event.text});
   }
-  std::string html = "<h2>Events and marks</h2>\n" + tableOf("words", {"at (s)", "finger", "kind", "text"}, rows);
+  std::string html = elementOf("h2", tr("Events and marks")) + "\n" +
+                     tableOf("words", {tr("at (s)"), tr("finger"), tr("kind"), tr("text")}, rows);
   if (report.events.size() > rows.size()) {
-    html += fmt::format("<p class=\"quiet\">{} more are not shown here; --json lists all.</p>\n",
-                        counted(static_cast<double>(report.events.size() - rows.size())));
+    html += quietLine(trf("{} more are not shown here; --json lists all.",
+                          counted(static_cast<double>(report.events.size() - rows.size()))));
   }
   return html;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "palpate/base/language.h"
 #include "palpate/servo/limiter.h"
 #include "report/page/study_page.h"
 #include "report/plot/forces_plot.h"
@@ -21,42 +22,38 @@ using study::rounded;
 using trace::Measured;
 
 /// By the place of the bit.
-constexpr std::array<std::string_view, servo::kSafetyBits> kSafetyMeanings = {
-    "the device gave no number: no force",
-    "the tip moved farther than a hand can: no force",
-    "the computed force was no number: no force",
-    "a force that grows slowly after a start inside",
-    "the passivity controller took force away",
-    "shortened to the largest force",
-    "the force would have grown too fast: no force",
-    "the loop had stopped for too long: no force",
-    "the device's last place was too old: no force",
-    "no force until the tip has been outside once",
-    "the soft first moment of a fast touch",
-    "pressed: no force until it is released",
-    "a warning: the controller takes much of the force away",
-    "the device is moved apart from its finger: no force"};
+constexpr std::array<const char*, servo::kSafetyBits> kSafetyMeanings = {
+    toTranslate("the device gave no number: no force"),
+    toTranslate("the tip moved farther than a hand can: no force"),
+    toTranslate("the computed force was no number: no force"),
+    toTranslate("a force that grows slowly after a start inside"),
+    toTranslate("the passivity controller took force away"),
+    toTranslate("shortened to the largest force"),
+    toTranslate("the force would have grown too fast: no force"),
+    toTranslate("the loop had stopped for too long: no force"),
+    toTranslate("the device's last place was too old: no force"),
+    toTranslate("no force until the tip has been outside once"),
+    toTranslate("the soft first moment of a fast touch"),
+    toTranslate("pressed: no force until it is released"),
+    toTranslate("a warning: the controller takes much of the force away"),
+    toTranslate("the device is moved apart from its finger: no force")};
 
-constexpr std::array<std::string_view, 8> kContactMeanings = {
-    "the tip was no place: no force",
-    "the skin's side of the finger was on its way, or the force grew as fast as it may",
-    "deeper than is felt: the force no longer grew",
-    "what was felt had lost its reason and faded",
-    "the force faded because the sheet ends",
-    "a finger that began inside was pushed out",
-    "the finger's place on the skin took more than a tick",
-    "smoothing of facets fell back to the facets"};
+constexpr std::array<const char*, 8> kContactMeanings = {
+    toTranslate("the tip was no place: no force"),
+    toTranslate("the skin's side of the finger was on its way, or the force grew as fast as it may"),
+    toTranslate("deeper than is felt: the force no longer grew"),
+    toTranslate("what was felt had lost its reason and faded"),
+    toTranslate("the force faded because the sheet ends"),
+    toTranslate("a finger that began inside was pushed out"),
+    toTranslate("the finger's place on the skin took more than a tick"),
+    toTranslate("smoothing of facets fell back to the facets")};
 
 double shareOf(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::string plural(std::uint64_t count, std::string_view thing) {
-  return fmt::format("{} {}{}", counted(static_cast<double>(count)), thing, count == 1 ? "" : "s");
-}
-
 std::vector<StatusLine> linesOf(const RecordingReport& report, std::span<const StatusName> names,
-                                std::span<const std::string_view> meanings,
+                                std::span<const char* const> meanings,
                                 trace::BitTallies trace::FingerStatistics::*tallies) {
   std::vector<StatusLine> lines;
   for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
@@ -64,8 +61,8 @@ std::vector<StatusLine> linesOf(const RecordingReport& report, std::span<const S
       const trace::BitTally& tally = (report.statistics.fingers[f].*tallies)[bit];
       if (tally.ticks == 0) continue;
       const bool known = bit < names.size();
-      lines.push_back({f, known ? std::string(names[bit].name) : fmt::format("bit {}", bit),
-                       known && bit < meanings.size() ? meanings[bit] : std::string_view("not known to this version"),
+      lines.push_back({f, known ? std::string(names[bit].name) : trf("bit {}", bit),
+                       tr(known && bit < meanings.size() ? meanings[bit] : toTranslate("not known to this version")),
                        tally});
     }
   }
@@ -76,10 +73,12 @@ std::vector<StatusLine> linesOf(const RecordingReport& report, std::span<const S
 
 std::string lengthSentence(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
-  if (ticks.recorded == 0) return "Nothing was recorded: there is not a single tick.";
-  const std::string what = report.whole ? "The recording" : "This part of the recording";
-  return fmt::format("{} lasts {} and has {}.", what, durationWords(report.statistics.seconds(ticks.expected())),
-                     plural(report.statistics.fingers.size(), "finger"));
+  if (ticks.recorded == 0) return tr("Nothing was recorded: there is not a single tick.");
+  const std::string length = durationWords(report.statistics.seconds(ticks.expected()));
+  const std::string fingers =
+      trnf("{} finger", "{} fingers", report.statistics.fingers.size(), report.statistics.fingers.size());
+  return report.whole ? trf("The recording lasts {} and has {}.", length, fingers)
+                      : trf("This part of the recording lasts {} and has {}.", length, fingers);
 }
 
 const trace::Contact* strongestContact(const RecordingReport& report, std::size_t finger) {
@@ -94,19 +93,20 @@ const trace::Contact* strongestContact(const RecordingReport& report, std::size_
 std::string touchSentence(const RecordingReport& report, std::size_t f) {
   const trace::FingerStatistics& finger = report.statistics.fingers[f];
   const std::string& name = report.facts.fingers[f].name;
-  if (finger.ticks == 0) return fmt::format("Nothing was recorded of {}.", name);
-  if (finger.contacts == 0) return fmt::format("{} touched nothing.", name);
+  if (finger.ticks == 0) return trf("Nothing was recorded of {}.", name);
+  if (finger.contacts == 0) return trf("{} touched nothing.", name);
   const trace::FixedHistogram& force = finger.of(Measured::force);
   const trace::FixedHistogram& depth = finger.of(Measured::depth);
-  std::string text = fmt::format(
-      "{} touched the skin in {}, {} in all ({} of its time).", name, plural(finger.contacts, "contact"),
-      durationWords(report.statistics.seconds(finger.touching)), percent(shareOf(finger.touching, finger.ticks)));
-  text += fmt::format(" It pressed with {} N on average and {} N at most, {} mm deep on average and {} mm at most.",
-                      fixedWords(force.mean(), 2), fixedWords(force.greatest(), 2), fixedWords(depth.mean(), 1),
-                      fixedWords(depth.greatest(), 1));
+  std::string text =
+      trf("{} touched the skin in {}, {} in all ({} of its time).", name,
+          trnf("{} contact", "{} contacts", finger.contacts, counted(static_cast<double>(finger.contacts))),
+          durationWords(report.statistics.seconds(finger.touching)), percent(shareOf(finger.touching, finger.ticks)));
+  text += " " + trf("It pressed with {} N on average and {} N at most, {} mm deep on average and {} mm at most.",
+                    fixedWords(force.mean(), 2), fixedWords(force.greatest(), 2), fixedWords(depth.mean(), 1),
+                    fixedWords(depth.greatest(), 1));
   const trace::Contact* strongest = strongestContact(report, f);
   if (strongest != nullptr && finger.contacts > 1 && report.statistics.contact_count <= trace::kMaxListed) {
-    text += fmt::format(" The hardest contact began at {:.2f} s.", report.secondsAt(strongest->first_tick));
+    text += " " + trf("The hardest contact began at {:.2f} s.", report.secondsAt(strongest->first_tick));
   }
   return text;
 }
@@ -118,33 +118,31 @@ std::string phaseSentence(const RecordingReport& report, std::size_t f) {
   const auto share = [&](trace::Phase phase) {
     return percent(shareOf(finger.phase_ticks[static_cast<std::size_t>(phase)], all));
   };
-  return fmt::format(
-      "{} spent {} of its time in search, {} in palpation and {} off the skin; it went {} mm over the skin.",
-      report.facts.fingers[f].name, share(trace::Phase::search), share(trace::Phase::palpation),
-      share(trace::Phase::away), fixedWords(finger.path_mm, 0));
+  return trf("{} spent {} of its time in search, {} in palpation and {} off the skin; it went {} mm over the skin.",
+             report.facts.fingers[f].name, share(trace::Phase::search), share(trace::Phase::palpation),
+             share(trace::Phase::away), fixedWords(finger.path_mm, 0));
 }
 
 std::string coverageSentence(const RecordingReport& report) {
   if (!report.body.surface) return report.body.why_not;
   const trace::TouchedSurface& surface = *report.body.surface;
   if (surface.touched_dorsal_mm2 == 0.0) {
-    return fmt::format("The fingers reached {} mm² of the skin, none of it on the back.",
-                       rounded(surface.touched_mm2, 3));
+    return trf("The fingers reached {} mm² of the skin, none of it on the back.", rounded(surface.touched_mm2, 3));
   }
-  return fmt::format("The fingers reached {} mm² of the back, {} of its {} mm².",
-                     rounded(surface.touched_dorsal_mm2, 3), percent(surface.touched_dorsal_mm2 / surface.dorsal_mm2),
-                     rounded(surface.dorsal_mm2, 3));
+  return trf("The fingers reached {} mm² of the back, {} of its {} mm².", rounded(surface.touched_dorsal_mm2, 3),
+             percent(surface.touched_dorsal_mm2 / surface.dorsal_mm2), rounded(surface.dorsal_mm2, 3));
 }
 
 /// Empty for a recording within the safe limits.
 std::string unsafeSentence(const RecordingReport& report) {
-  return report.unsafe.empty() ? ""
-                               : fmt::format("Recorded with --unsafe-stiffness ({}). ", fmt::join(report.unsafe, "; "));
+  return report.unsafe.empty()
+             ? ""
+             : trf("Recorded with --unsafe-stiffness ({}).", fmt::format("{}", fmt::join(report.unsafe, "; "))) + " ";
 }
 
 std::string safetySentence(const RecordingReport& report) {
   const std::uint64_t stops = emergencyStops(report);
-  if (safetyLines(report).empty()) return unsafeSentence(report) + "The safety limits never had to act.";
+  if (safetyLines(report).empty()) return unsafeSentence(report) + tr("The safety limits never had to act.");
   std::string words;
   for (std::size_t bit = 0; bit < servo::kSafetyBits; ++bit) {
     std::uint64_t ticks = 0;
@@ -153,24 +151,28 @@ std::string safetySentence(const RecordingReport& report) {
     words += fmt::format("{}{} ({} s)", words.empty() ? "" : ", ", servo::safetyNames()[bit],
                          rounded(report.statistics.seconds(ticks)));
   }
-  return fmt::format("{}The safety limits acted: {}. {}", unsafeSentence(report), words,
-                     stops == 0 ? "The emergency stop was not pressed."
-                                : fmt::format("The emergency stop was pressed {}.", plural(stops, "time")));
+  const std::string stopped = stops == 0 ? std::string(tr("The emergency stop was not pressed."))
+                                         : trnf("The emergency stop was pressed {} time.",
+                                                "The emergency stop was pressed {} times.", stops, stops);
+  return unsafeSentence(report) + trf("The safety limits acted: {}.", words) + " " + stopped;
 }
 
 std::string servoSentence(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
   const std::string expected = counted(static_cast<double>(ticks.expected()));
-  std::string text = fmt::format("All {} ticks were recorded.", expected);
+  std::string text = trf("All {} ticks were recorded.", expected);
   if (ticks.missing() > 0) {
-    text = fmt::format("{} of {} ticks are missing ({}), in {}; the longest gap is {} ms, at {:.2f} s.",
-                       counted(static_cast<double>(ticks.missing())), expected,
-                       percent(shareOf(ticks.missing(), ticks.expected())), plural(ticks.gaps, "gap"),
-                       rounded(1000.0 * report.statistics.seconds(ticks.longest_gap.missing), 3),
-                       report.secondsAt(ticks.longest_gap.after_tick));
+    text = trf("{} of {} ticks are missing ({}), in {}; the longest gap is {} ms, at {:.2f} s.",
+               counted(static_cast<double>(ticks.missing())), expected,
+               percent(shareOf(ticks.missing(), ticks.expected())),
+               trnf("{} gap", "{} gaps", ticks.gaps, counted(static_cast<double>(ticks.gaps))),
+               rounded(1000.0 * report.statistics.seconds(ticks.longest_gap.missing), 3),
+               report.secondsAt(ticks.longest_gap.after_tick));
   }
   if (report.facts.dropped > 0) {
-    text += fmt::format(" {} found no room on their way to the file.", plural(report.facts.dropped, "sample"));
+    text += " " + trnf("{} sample found no room on its way to the file.",
+                       "{} samples found no room on their way to the file.", report.facts.dropped,
+                       counted(static_cast<double>(report.facts.dropped)));
   }
   return text;
 }
@@ -212,21 +214,21 @@ std::string durationWords(double seconds) {
   if (!(seconds < 120.0)) {
     const auto whole = static_cast<std::uint64_t>(std::min(std::round(seconds), 1e15));
     const std::uint64_t hours = whole / 3600;
-    const std::string below = fmt::format("{:02} s", whole % 60);
-    return hours == 0 ? fmt::format("{} min {}", whole / 60, below)
-                      : fmt::format("{} h {:02} min {}", hours, whole / 60 % 60, below);
+    const std::string below = trf("{:02} s", whole % 60);
+    return hours == 0 ? trf("{} min {}", whole / 60, below) : trf("{} h {:02} min {}", hours, whole / 60 % 60, below);
   }
-  return fmt::format("{:.{}f} s", seconds, seconds < 1.0 ? 3 : 1);
+  return trf("{:.{}f} s", seconds, seconds < 1.0 ? 3 : 1);
 }
 
 std::string fixedWords(double value, int decimals) {
   constexpr double kLong = 1e7;
-  return std::abs(value) < kLong ? fmt::format("{:.{}f}", value, decimals) : fmt::format("{:.3g}", value);
+  return std::abs(value) < kLong ? fmt::format("{:.{}f}", WrittenNumber{value}, decimals)
+                                 : fmt::format("{:.3g}", WrittenNumber{value});
 }
 
 std::string_view phaseWord(trace::Phase phase) {
-  constexpr std::array<std::string_view, trace::kPhases> kWords = {"off the skin", "search", "palpation"};
-  return kWords[static_cast<std::size_t>(phase)];
+  constexpr std::array kWords = {toTranslate("off the skin"), toTranslate("search"), toTranslate("palpation")};
+  return tr(kWords[static_cast<std::size_t>(phase)]);
 }
 
 }  // namespace palpate::app

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "palpate/base/text.h"
+
 namespace palpate {
 
 namespace {
@@ -31,14 +33,6 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 /// The first word of a name: "radius" of "radius_mm" and of "radius-mm".
 std::string_view stem(std::string_view name) { return name.substr(0, name.find_first_of("_-")); }
-
-std::string inSmallLetters(std::string_view text) {
-  std::string small(text);
-  for (char& c : small) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return small;
-}
 
 bool isControlByte(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 

@@ -27,6 +27,9 @@ bool readNumber(std::string_view text, double& value) noexcept;
 /// The text without blanks, tabs and line ends at both ends.
 std::string_view trimmed(std::string_view text);
 
+/// With A to Z as a to z; other bytes, letters of UTF-8 among them, stay. Never reads the locale.
+std::string inSmallLetters(std::string_view text);
+
 /// The fields between separators, each trimmed; "a,,b" has three fields, "" has one.
 std::vector<std::string_view> split(std::string_view text, char separator);
 

@@ -266,9 +266,7 @@ constexpr std::array kModuli = {Unit{"kpa", 1.0}, Unit{"mpa", 1000.0}};
 
 /// A number with one of these units or none; nothing when it is neither.
 std::optional<double> quantityFrom(std::string_view text, std::span<const Unit> units) {
-  std::string lower(trimmed(text));
-  std::ranges::transform(lower, lower.begin(),
-                         [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  std::string lower = inSmallLetters(trimmed(text));
   double factor = 1.0;
   for (const Unit& unit : units) {
     if (!lower.ends_with(unit.word)) continue;

@@ -49,6 +49,11 @@ TEST(WellFormed, KeepsLettersAndMarksBytesThatAreOfNone) {
   EXPECT_EQ(wellFormed(""), "");
 }
 
+TEST(InSmallLetters, ChangesAToZAlone) {
+  EXPECT_EQ(inSmallLetters("T6 Left.STL"), "t6 left.stl");
+  EXPECT_EQ(inSmallLetters("\xc3\x89"), "\xc3\x89") << "a letter beyond ASCII is of no file's ending";
+}
+
 TEST(LetterBytes, CountsTheLetterThatATextBeginsWith) {
   EXPECT_EQ(letterBytes("a"), 1u);
   EXPECT_EQ(letterBytes("\xc3\xa9!"), 2u);

@@ -158,6 +158,25 @@ void expectSizes(const json& sizes, const std::vector<double>& sorted) {
   EXPECT_NEAR(sizes["p95"].get<double>(), sorted[count * 95 / 100], 0.02);
 }
 
+TEST_F(ReportCommand, SpeaksTheLanguageThatIsAskedFor) {
+  record();
+  const std::string german = report("run.session --language de");
+  for (const char* wanted : {"Aufzeichnung run.session", "Kontakte", "Suchen und Palpieren", "Not-Halte: 0."}) {
+    EXPECT_TRUE(has(german, wanted)) << wanted;
+  }
+  EXPECT_TRUE(has(contentOf(folder_ / "page.html"), "<html lang=\"de\">"));
+  EXPECT_TRUE(has(german, "dauert 2,2 s")) << "a decimal comma";
+  EXPECT_TRUE(has(report("run.session --language es"), "Paradas de emergencia: 0."));
+  json spoken = numbers("run.session --language de");
+  json english = numbers();
+  EXPECT_NE(spoken["sentences"], english["sentences"]);
+  for (json* object : {&spoken, &english}) object->erase("sentences");
+  EXPECT_TRUE(spoken == english) << "what machines read has no language";
+  const CommandResult wrong = palpate("recording report run.session --language fr");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_TRUE(has(wrong.err, "en|de|es")) << wrong.err;
+}
+
 TEST_F(ReportCommand, ItsNumbersAreThoseOfTheExportedTable) {
   record();
   ASSERT_EQ(palpate("recording export run.session --csv all.csv").exit_code, 0);

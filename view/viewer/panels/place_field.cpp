@@ -3,7 +3,6 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
@@ -17,12 +16,6 @@ namespace {
 
 constexpr std::size_t kMaxSuggestions = 6;
 
-std::string lowered(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  return lower;
-}
-
 bool isPlace(std::span<const body::SkinLandmark> landmarks, const std::string& typed) {
   try {
     body::placeNamed(landmarks, typed);
@@ -35,17 +28,17 @@ bool isPlace(std::span<const body::SkinLandmark> landmarks, const std::string& t
 }  // namespace
 
 std::vector<std::string> placesLike(std::span<const body::SkinLandmark> landmarks, std::string_view typed) {
-  const std::string wanted = lowered(trimmed(typed));
+  const std::string wanted = inSmallLetters(trimmed(typed));
   std::vector<std::string> like;
   if (wanted.empty()) return like;
   const auto words = split(wanted, ' ');
   for (std::string& name : body::placeNames(landmarks)) {
-    const std::string lower = lowered(name);
+    const std::string lower = inSmallLetters(name);
     const auto has = [&](std::string_view word) { return lower.find(word) != std::string::npos; };
     if (std::ranges::all_of(words, has)) like.push_back(std::move(name));
   }
   std::stable_partition(like.begin(), like.end(),
-                        [&](const std::string& name) { return lowered(name).starts_with(wanted); });
+                        [&](const std::string& name) { return inSmallLetters(name).starts_with(wanted); });
   if (like.size() > kMaxSuggestions) like.resize(kMaxSuggestions);
   return like;
 }

@@ -39,7 +39,6 @@ std::string habitsOf(const ViewState& state, const std::vector<tissue::ProfileKn
 SessionSnapshot snapshotOf(const ViewerState& viewer) {
   SessionSnapshot snapshot{
       .scene = viewer.scene, .state = viewer.state, .drawn = viewer.profile.drawn, .document = sceneAsChanged(viewer)};
-  snapshot.scene_text = scene::sceneAsToml(snapshot.scene);
   snapshot.document_text = scene::sceneAsToml(snapshot.document);
   snapshot.habits = habitsOf(snapshot.state, snapshot.drawn);
   return snapshot;
@@ -112,6 +111,8 @@ void ChangeHistory::saved(const ViewerState& viewer) {
   now_ = snapshotOf(viewer);
   saved_ = now_;
 }
+
+bool ChangeHistory::sceneChanged() const { return scene::sceneAsToml(now_.scene) != scene::sceneAsToml(saved_.scene); }
 
 void ChangeHistory::undo(ViewerState& viewer) {
   settle(viewer);

@@ -70,8 +70,7 @@ struct SessionSnapshot {
   ViewState state = {};
   std::vector<tissue::ProfileKnot> drawn = {};  ///< the user's own profile
   scene::Scene document = {};                   ///< the scene with its look: sceneAsChanged
-  // What is compared: what would be lost with the scene, the document, and what it does not say.
-  std::string scene_text = {};
+  // What is compared in each quiet frame: the document, and what it does not say.
   std::string document_text = {};
   std::string habits = {};
 };
@@ -99,7 +98,7 @@ class ChangeHistory {
 
   bool changed() const { return now_.document_text != saved_.document_text; }
   /// Of the body, its tissue and fingers. A look alone is saved with them, but is not worth a question on leaving.
-  bool sceneChanged() const { return now_.scene_text != saved_.scene_text; }
+  bool sceneChanged() const;
   const EditHistory<SessionSnapshot>& steps() const { return steps_; }
 
  private:

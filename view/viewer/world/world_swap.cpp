@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/base/path_text.h"
+#include "palpate/base/text.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/servo/device_limits.h"
@@ -59,8 +59,7 @@ void tellLimits(const engine::ServoPlan& plan, ViewerState& viewer) {
 
 OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like) {
   const std::filesystem::path path(pathOf(file));
-  std::string kind = path.extension().string();
-  std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string kind = inSmallLetters(path.extension().string());
   if (kind == ".toml") {
     // Before it is read: who writes it in between is asked about, not written over.
     SceneDocument document = documentOf(path);

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <limits>
 
 #include "palpate/base/error.h"
@@ -20,15 +18,9 @@ namespace {
 
 constexpr double kMillimetresPerMetre = 1000.0;
 
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 /// With its dot, in lower case; "." when there is none.
 std::string extensionOf(const std::filesystem::path& file) {
-  const std::string ending = lowerCase(file.extension().string());
+  const std::string ending = inSmallLetters(file.extension().string());
   return ending.empty() ? "." : ending;
 }
 

@@ -11,7 +11,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <clocale>
 #include <cstdlib>
+#ifdef __GLIBC__
+#include <libintl.h>
+extern "C" int _nl_msg_cat_cntr;  // libintl's own: from its next value on a changed LANGUAGE counts
+#endif
 #ifdef __APPLE__
 #include <crt_externs.h>
 #include <mach-o/dyld.h>
@@ -95,6 +100,39 @@ std::filesystem::path ownProgram() {
 }
 
 bool readRawClock(RawClock& clock) noexcept { return ::clock_gettime(CLOCK_MONOTONIC, &clock) == 0; }
+
+#ifdef __GLIBC__
+
+namespace {
+constexpr const char* kTextDomain = "palpate";
+}
+
+void useCatalogue(const std::filesystem::path& folder, const std::string& code) {
+  // In the locale "C" libintl translates nothing; C.UTF-8 is on every system and changes no number.
+  ::setlocale(LC_MESSAGES, "C.UTF-8");
+  ::setenv("LANGUAGE", code.c_str(), 1);
+  ++_nl_msg_cat_cntr;
+  ::bindtextdomain(kTextDomain, folder.c_str());
+  ::bind_textdomain_codeset(kTextDomain, "UTF-8");
+}
+
+const char* translationOf(const char* text) noexcept { return ::dgettext(kTextDomain, text); }
+
+const char* translationOf(const char* one, const char* many, std::size_t count) noexcept {
+  return ::dngettext(kTextDomain, one, many, count);
+}
+
+#else
+
+void useCatalogue(const std::filesystem::path&, const std::string&) {}
+
+const char* translationOf(const char* text) noexcept { return text; }
+
+const char* translationOf(const char* one, const char* many, std::size_t count) noexcept {
+  return count == 1 ? one : many;
+}
+
+#endif
 
 bool messagesGoToATerminal() { return ::isatty(STDERR_FILENO) != 0; }
 

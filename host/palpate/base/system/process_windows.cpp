@@ -104,6 +104,16 @@ bool readRawClock(RawClock& clock) noexcept {
   return ::QueryPerformanceCounter(reinterpret_cast<LARGE_INTEGER*>(&clock)) != 0;
 }
 
+// The C library has no libintl, and Debian's compiler for Windows brings none.
+
+void useCatalogue(const std::filesystem::path&, const std::string&) {}
+
+const char* translationOf(const char* text) noexcept { return text; }
+
+const char* translationOf(const char* one, const char* many, std::size_t count) noexcept {
+  return count == 1 ? one : many;
+}
+
 bool messagesGoToATerminal() { return ::_isatty(::_fileno(stderr)) != 0; }
 
 std::optional<char> typedLetter(bool& open) {

@@ -16,6 +16,7 @@
 
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/base/text.h"
 
 namespace palpate::device::openhaptics {
 
@@ -85,8 +86,7 @@ constexpr std::array kModelNames = {
 }  // namespace
 
 scene::DeviceModel kindOf(std::string_view model) {
-  std::string lower(model);
-  std::ranges::transform(lower, lower.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  const std::string lower = inSmallLetters(model);
   for (const ModelName& name : kModelNames) {
     if (lower.find(name.part) != std::string::npos && lower.find(name.other_part) != std::string::npos) {
       return name.kind;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "palpate/base/error.h"
@@ -27,12 +26,6 @@ std::string attributeOf(const fs::path& device, const char* name) {
   } catch (const Error&) {
     return {};  // not every device has every attribute
   }
-}
-
-std::string inSmallLetters(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 bool bears(const UsbDevice& device, const UsbMarks& marks) {

@@ -6,7 +6,6 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 
 #include "palpate/base/error.h"
@@ -24,15 +23,10 @@ constexpr std::size_t kMaxMeasuredBytes = std::size_t{16} << 20;
 constexpr std::uint64_t kMaxPictureBytes = std::uint64_t{256} << 20;
 constexpr std::array<std::string_view, 5> kPictureExtensions = {".jpg", ".jpeg", ".png", ".tif", ".tiff"};
 
-std::string lowered(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 // --- pictures
 
 bool isPicture(const fs::path& file) {
-  return std::ranges::find(kPictureExtensions, lowered(file.extension().string())) != kPictureExtensions.end();
+  return std::ranges::find(kPictureExtensions, inSmallLetters(file.extension().string())) != kPictureExtensions.end();
 }
 
 /// Pictures by the name "press_part" in lower case: of the folder by their stem, but for our own overlays, and of a
@@ -42,13 +36,13 @@ std::map<std::string, fs::path> picturesIn(const fs::path& folder) {
   std::map<std::string, fs::path> found;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string stem = lowered(entry.path().stem().string());
+    const std::string stem = inSmallLetters(entry.path().stem().string());
     if (isPicture(entry.path()) && !stem.ends_with("_overlay")) found.emplace(stem, entry.path());
     if (!entry.is_directory(error)) continue;
     for (const fs::directory_entry& inner : fs::directory_iterator(entry.path(), error)) {
-      const std::string part = lowered(inner.path().stem().string());
+      const std::string part = inSmallLetters(inner.path().stem().string());
       if (!isPicture(inner.path()) || std::ranges::find(kParts, part) == kParts.end()) continue;
-      found.emplace(lowered(entry.path().filename().string()) + "_" + part, inner.path());
+      found.emplace(inSmallLetters(entry.path().filename().string()) + "_" + part, inner.path());
     }
   }
   if (error) throw Error::inFile(folder.string(), error.message());
@@ -66,7 +60,7 @@ PressPictures picturesOf(const fs::path& folder, const Protocol& protocol, const
       std::erase_if(found, [&](const auto& entry) { return entry.second == file; });
       return fs::exists(file) ? file : fs::path();
     }
-    const auto by_pattern = found.extract(lowered(fmt::format("{}_{}", press, part)));
+    const auto by_pattern = found.extract(inSmallLetters(fmt::format("{}_{}", press, part)));
     return by_pattern.empty() ? fs::path() : by_pattern.mapped();
   };
   const ListedPictures none;
