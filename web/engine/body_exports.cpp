@@ -16,11 +16,12 @@
 
 #include "engine/exports.h"
 #include "engine/live_body.h"
+#include "engine/ready_body.h"
 #include "palpate/base/colour_map.h"
 #include "palpate/base/error.h"
 #include "palpate/body/places.h"
-#include "palpate/body/torso.h"
-#include "palpate/mesh/reorder.h"
+#include "palpate/mesh/files/load.h"
+#include "palpate/mesh/triangle_mesh.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/world.h"
 
@@ -28,12 +29,11 @@ namespace palpate::web {
 
 namespace {
 
-// Bodies for the page: the built-in torso, or from the bytes of somebody's mesh file. Settings are the scene file's
-// defaults; its reader and writer stay out of the page, of which they would be a third.
+// Bodies for the page: the trunk that was made ahead (ready_body.h), or from the bytes of somebody's mesh file. Settings
+// are the scene file's defaults; its reader and writer stay out of the page, of which they would be a third.
 //
-// The torso is made as scene::build makes it, without the bodies that the page has no use for. A stranger's file goes
-// through the reader for bytes in memory and through mending, as any scene's does; how long and how large it may be is
-// bounded here, because a page cannot be asked to wait.
+// A stranger's file goes through the reader for bytes in memory and through mending, as any scene's does; how long and
+// how large it may be is bounded here, because a page cannot be asked to wait.
 
 /// More triangles than a page can hold with its maps and trees in 2 GB.
 constexpr std::size_t kMaxTriangles = 2'000'000;
@@ -54,13 +54,6 @@ mesh::Format formatOf(std::string_view name) {
   throw Error::inFile(name, "is not a mesh that this page reads: STL, OBJ, PLY, OFF, glTF or GLB");
 }
 
-template <class T>
-std::vector<T> inOrder(const std::vector<T>& values, const std::vector<Index>& source) {
-  std::vector<T> ordered(source.size());
-  for (std::size_t i = 0; i < source.size(); ++i) ordered[i] = values[source[i]];
-  return ordered;
-}
-
 /// A TOML string of one line. What a name may not hold there is left out.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
@@ -71,24 +64,12 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-/// The built-in torso of so many triangles, skin and bones together. Throws Error for a number that it cannot have.
-std::shared_ptr<const scene::World> openTorso(std::size_t triangles) {
-  body::TorsoSettings settings;
-  settings.triangles = triangles;
-  body::Torso torso = body::makeTorso(settings);
-  scene::BodyParts parts;
-  parts.name = fmt::format("built-in torso, {} triangles with bones", triangles);
-  parts.skin = std::move(torso.skin.mesh);
-  const std::vector<Index> order = mesh::reorderSpatially(parts.skin).source_vertex;
-  parts.anatomy = {.bones = std::move(torso.bones),
-                   .depth_mm = inOrder(torso.depth_mm, order),
-                   .nearest_bone = inOrder(torso.nearest_bone, order),
-                   .landmarks = std::move(torso.landmarks),
-                   .support = {}};
+/// The trunk that was made ahead.
+std::shared_ptr<const scene::World> openReady(ReadyBody ready) {
   scene::Scene scene;
-  scene.body.kind = scene::BodyKind::torso;
-  scene.body.triangles = triangles;
-  return scene::buildOn(scene, std::move(parts));
+  scene.body.kind = scene::BodyKind::trunk;
+  scene.body.triangles = ready.triangles;
+  return scene::buildOn(scene, std::move(ready.parts));
 }
 
 /// A mesh of the format that the name's extension says (stl, obj, ply, off, gltf, glb). `unit_mm`: millimetres of its
@@ -119,8 +100,8 @@ std::shared_ptr<const scene::World> openMesh(std::string_view bytes, std::string
 std::string sceneText(const scene::Scene& scene) {
   const scene::BodySettings& body = scene.body;
   std::string text = "title = \"felt in a browser\"\n\n[body]\n";
-  if (body.kind == scene::BodyKind::torso) {
-    text += fmt::format("kind = \"torso\"\ntriangles = {}\n", body.triangles);
+  if (body.kind == scene::BodyKind::trunk) {
+    text += fmt::format("kind = \"trunk\"\ntriangles = {}\n", body.triangles);
   } else {
     text += fmt::format("kind = \"mesh\"\nfile = {}\n", quoted(body.file.string()));
     // A file's own unit is what the command takes too; any other is a scale of millimetres.
@@ -173,6 +154,8 @@ std::string bodyInWords(const scene::World& world) {
 }
 
 std::unique_ptr<LiveBody> body;
+ReadyBody ready;  // read, not yet opened
+std::vector<float> ready_rest;
 FramePacker frame;
 std::vector<float> bone_positions;
 std::vector<std::uint32_t> bone_triangles;
@@ -190,6 +173,19 @@ void gatherBones(const std::vector<body::Bone>& bones) {
       for (const Index corner : t) bone_triangles.push_back(first + corner);
     }
   }
+}
+
+/// As a frame has it (frame_packer.h), so that it can be looked at while it is built.
+std::vector<float> restOf(const mesh::TriangleMesh& skin) {
+  std::vector<float> rest;
+  rest.reserve(kFloatsOfVertex * skin.positions.size());
+  const std::vector<Vec3> normals = mesh::vertexNormals(skin);
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    for (const double axis : skin.positions[v]) rest.push_back(static_cast<float>(axis));
+    for (const double axis : normals[v]) rest.push_back(static_cast<float>(axis));
+    rest.push_back(0.0f);
+  }
+  return rest;
 }
 
 void take(std::shared_ptr<const scene::World> world) {
@@ -211,8 +207,22 @@ const char* keptText(std::string text) {
 PALPATE_EXPORT void* palpate_take(std::size_t bytes) { return std::malloc(bytes); }
 PALPATE_EXPORT void palpate_give(void* memory) { std::free(memory); }
 
-PALPATE_EXPORT const char* palpate_open_torso(std::size_t triangles) {
-  return errorOf([&] { take(openTorso(triangles)); });
+/// Reads the trunk's file; palpate_open_ready makes it the body. Between them it can be looked at.
+PALPATE_EXPORT const char* palpate_read_ready(const char* bytes, std::size_t length) {
+  return errorOf([&] {
+    ready = decodeBody({bytes, length});
+    ready_rest = restOf(ready.parts.skin);
+  });
+}
+PALPATE_EXPORT std::size_t palpate_ready_vertices() { return ready.parts.skin.positions.size(); }
+PALPATE_EXPORT const float* palpate_ready_rest() { return ready_rest.data(); }
+PALPATE_EXPORT std::size_t palpate_ready_triangles() { return ready.parts.skin.triangles.size(); }
+PALPATE_EXPORT const Index* palpate_ready_corners() { return ready.parts.skin.triangles.data()->data(); }
+PALPATE_EXPORT const char* palpate_open_ready() {
+  return errorOf([] {
+    ready_rest = {};
+    take(openReady(std::exchange(ready, {})));
+  });
 }
 
 PALPATE_EXPORT const char* palpate_open_mesh(const char* bytes, std::size_t length, const char* name,

@@ -25,6 +25,9 @@ export class Engine {
     const heap = this.module.HEAPU8;
     return decoder.decode(heap.slice(pointer, heap.indexOf(0, pointer)));
   }
+  bytes(pointer, count) {
+    return this.module.HEAPU8.slice(pointer, pointer + count);
+  }
   floats(pointer, count) {
     return this.module.HEAPF32.slice(pointer >> 2, (pointer >> 2) + count);
   }
@@ -62,8 +65,17 @@ export class Engine {
 
   // ---- bodies
 
-  openTorso(triangles) {
-    this.check(this.module._palpate_open_torso(triangles));
+  /// The bytes of a trunk that was made ahead: {rest, corners} of its skin, to be looked at. openReady makes it the body.
+  readReady(bytes) {
+    const m = this.module;
+    this.withBytes(m._palpate_read_ready, [bytes]);
+    return {
+      rest: this.floats(m._palpate_ready_rest(), FLOATS_OF_VERTEX * m._palpate_ready_vertices()),
+      corners: this.whole(m._palpate_ready_corners(), 3 * m._palpate_ready_triangles()),
+    };
+  }
+  openReady() {
+    this.check(this.module._palpate_open_ready());
   }
   openMesh(bytes, name, unit_mm) {
     this.withBytes(this.module._palpate_open_mesh, [bytes, name], unit_mm);
@@ -79,7 +91,7 @@ export class Engine {
   body() {
     const m = this.module;
     const bone_vertices = m._palpate_bone_vertices();
-    const colours = (map) => this.module.HEAPU8.slice(m._palpate_colours(map), m._palpate_colours(map) + 1024);
+    const colours = (map) => this.bytes(m._palpate_colours(map), 1024);
     return {
       ...JSON.parse(this.text(m._palpate_about())),
       rest: this.frame(true).values,
@@ -113,17 +125,6 @@ export class Engine {
     return {
       ranges: this.whole(m._palpate_frame_ranges(), 2 * ranges),
       values: this.floats(m._palpate_frame_values(), m._palpate_frame_floats()),
-    };
-  }
-
-  /// The hand that is drawn: {positions, corners, held: pad, direction of its joint and of the forearm}.
-  hand() {
-    const m = this.module;
-    this.check(m._palpate_make_hand());
-    return {
-      positions: this.floats(m._palpate_hand_positions(), 3 * m._palpate_hand_vertices()),
-      corners: this.whole(m._palpate_hand_triangles(), m._palpate_hand_corners()),
-      held: this.doubles(m._palpate_hand_held(), 9),
     };
   }
 

@@ -1,8 +1,8 @@
 // The source of a page that stands by itself: the engine in a worker (worker.js). See source.js for the interface.
 import { AIM_BYTES, AimWriter } from './aims.js';
-import { FIRST_TRIANGLES, fetchFirstBody } from './first_body.js';
+import { bodyToSee } from './first_body.js';
 
-const FIRST_BODY = { task: 'openTorso', triangles: FIRST_TRIANGLES };
+const FIRST_BODY = { task: 'openFirst' };
 const FRAMES_AHEAD = 2;
 
 class LocalSource {
@@ -22,11 +22,11 @@ class LocalSource {
   }
   onBody() {} // nobody but this page changes its body
 
-  preview() {
-    return fetchFirstBody();
+  async preview() {
+    return bodyToSee(await this.launch('loadFirst'));
   }
   async start() {
-    await this.launch();
+    if (!this.worker) await this.launch('load');
     const body = await this.ask(this.opening);
     this.worker.postMessage({ ready: FRAMES_AHEAD });
     return body;
@@ -71,7 +71,8 @@ class LocalSource {
 
   // ---- the worker
 
-  async launch() {
+  /// `task`: load, or loadFirst, and what that gives.
+  launch(task) {
     this.asked = new Map();
     this.next_id = 1;
     this.owed = 0; // frames that it sent and nobody drew yet
@@ -83,7 +84,7 @@ class LocalSource {
       this.fail(error);
       this.trouble(error.message);
     };
-    await this.ask({ task: 'load', shared: this.shared });
+    return this.ask({ task, shared: this.shared });
   }
   fail(error) {
     this.worker?.terminate();

@@ -113,9 +113,9 @@ class Page {
 
   async start() {
     this.wait('Building the body …');
+    const preview = await this.source.preview?.();
     const starting = this.source.start();
     starting.catch(() => {}); // awaited below
-    const preview = await this.source.preview?.();
     if (preview) this.lookAt(preview);
     this.setBody(await starting);
     this.wait(null);

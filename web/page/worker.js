@@ -6,6 +6,7 @@
 // millisecond; elsewhere it is woken by timers, four ticks at a time, which a mouse cannot tell.
 import { Engine } from './engine.js';
 import { AimReader } from './aims.js';
+import { fetchFirstBody } from './first_body.js';
 import { PaceMeter } from './pace.js';
 
 const MOST_TICKS = 50; // a wake: late ticks are caught up with, but never so many that the next wake is late too
@@ -21,6 +22,7 @@ let sleep_on = null; // shared, or null
 let due_ms = 0; // when the next tick is due
 let last_frame_ms = 0;
 let ticks = 0;
+let first_read = false; // the trunk, but not opened
 const pace = new PaceMeter();
 const yielding = new MessageChannel();
 let turn_comes = false;
@@ -86,8 +88,16 @@ const tasks = {
     aims = new AimReader(shared);
     engine = await Engine.load();
   },
-  openTorso({ triangles }) {
-    engine.openTorso(triangles);
+  /// Loads the engine and the trunk side by side: the trunk, to be looked at while openFirst prepares it.
+  async loadFirst({ shared }) {
+    const [bytes] = await Promise.all([fetchFirstBody(), tasks.load({ shared })]);
+    first_read = true;
+    return engine.readReady(bytes);
+  },
+  async openFirst() {
+    if (!first_read) engine.readReady(await fetchFirstBody());
+    first_read = false;
+    engine.openReady();
     return engine.body();
   },
   openMesh({ bytes, name, unit_mm }) {
@@ -117,6 +127,6 @@ onmessage = async ({ data }) => {
     postMessage({ id: data.id, error: fatal ? `the engine stopped: ${error.message}` : error.message, fatal });
     if (fatal) return close();
   }
-  if (engine && data.task !== 'load') begin();
+  if (engine && !data.task.startsWith('load')) begin();
   return undefined;
 };

@@ -3,7 +3,10 @@
 //
 //   node web/tests/hostile.mjs SITE
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import test from 'node:test';
+import { gunzipSync } from 'node:zlib';
 import { engineOf } from './engine_in_node.mjs';
 import { plate, stlOf as stl } from './meshes.mjs';
 
@@ -61,8 +64,33 @@ for (const [what, [name, bytes]] of Object.entries(refused)) {
   });
 }
 
-test('a torso of no triangles, or of too many for its bones, is refused', () => {
-  assert.throws(() => engine.openTorso(10), /triangles/);
+const trunk = gunzipSync(readFileSync(join(site, 'trunk.bin')));
+
+test('a trunk that is cut, of another version, or damaged is refused in words', () => {
+  const refuses = (bytes, words) => assert.throws(() => engine.readReady(bytes), (error) => {
+    assert.equal(error.constructor, Error, `a trap: ${error}`);
+    assert.match(error.message, words);
+    return true;
+  });
+  refuses(new Uint8Array(0), /^trunk: byte 0: ends too early/);
+  refuses(text('palpate trunk 0'), /another version/);
+  for (const length of [20, 100, 1000, trunk.length >> 1, trunk.length - 1]) refuses(trunk.subarray(0, length), /ends too early/);
+  refuses(Buffer.concat([trunk, Buffer.from([0])]), /goes on after its end/);
+  const damaged = Buffer.from(trunk);
+  damaged.fill(255, 200, 300000);
+  refuses(damaged, /^trunk: byte \d+: /);
+});
+
+test('the trunk is felt', () => {
+  engine.readReady(trunk);
+  engine.openReady();
+  const { landmarks, bones, rest, corners } = engine.body();
+  assert.ok(bones.corners.length > 1000 && rest.length / 7 > corners.length / 6);
+  const { at, normal } = landmarks.find(({ name }) => name === 'T6');
+  engine.aim(0, { place: [at[0] + 30, at[1], at[2]], normal, depth: 5, pressed: true });
+  engine.run(600);
+  assert.ok(Math.hypot(...engine.felt(0).force) > 0.5);
+  engine.aim(0, null);
 });
 
 test('random damage to a file is answered or mended', () => {

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/files/save.h"
+#include "palpate/scene/world.h"
+#include "web/engine/frame_packer.h"
+#include "web/engine/live_body.h"
 #include "web/engine/tick_blocks.h"
 
 namespace {
@@ -38,15 +42,71 @@ void run(const std::filesystem::path& folder) {
   fmt::print("[{},{}]\n", figuresOf(world, 0.0), figuresOf(world, 8.0));
 }
 
+// ---- the trunk
+
+constexpr std::size_t kAims = 60;  // of each finger
+constexpr std::size_t kTicksOfAim = 40;
+
+/// A number that is read back to the last bit.
+void put(std::ostream& out, double value, char after) { out << fmt::format("{}", value) << after; }
+
+palpate::device::FingerTarget aimBeside(const palpate::body::SkinLandmark& landmark, std::size_t i, double aside_mm) {
+  palpate::device::FingerTarget target;
+  target.present = true;
+  target.pressed = i % 10 != 9;
+  target.place = landmark.position + palpate::Vec3(aside_mm, -1.5 * static_cast<double>(i), 0.0);
+  target.normal = landmark.normal;
+  target.depth_mm = 2.0 + 0.2 * static_cast<double>(i % 30);
+  return target;
+}
+
+void writeFelt(std::ostream& out, const palpate::contact::FingerOutput& felt) {
+  for (const palpate::Vec3* v : {&felt.tip, &felt.proxy, &felt.normal, &felt.force}) {
+    for (const double axis : *v) put(out, axis, ',');
+  }
+  put(out, felt.depth_mm, ',');
+  out << static_cast<int>(felt.touch) << ',' << felt.status << '\n';
+}
+
+void runOnTrunk(const std::filesystem::path& folder, std::size_t triangles) {
+  palpate::scene::Scene scene;
+  scene.body.kind = palpate::scene::BodyKind::trunk;
+  scene.body.triangles = triangles;
+  palpate::web::LiveBody body(palpate::scene::build(scene));
+  const auto& landmarks = body.world().body->anatomy.landmarks;
+  std::ofstream aims(folder / "aims.csv");
+  std::ofstream felt(folder / "felt.csv");
+  for (std::size_t i = 0; i < kAims; ++i) {
+    for (std::size_t finger = 0; finger < palpate::web::kFingers; ++finger) {
+      const auto target = aimBeside(landmarks[7 * finger], i, finger == 0 ? -25.0 : 35.0);
+      body.aim(finger, target);
+      aims << finger << ',' << (target.pressed ? 1 : 0) << ',';
+      for (const double axis : target.place) put(aims, axis, ',');
+      for (const double axis : target.normal) put(aims, axis, ',');
+      put(aims, target.depth_mm, '\n');
+    }
+    for (std::size_t tick = 0; tick < kTicksOfAim; ++tick) {
+      body.run(1);
+      for (std::size_t finger = 0; finger < palpate::web::kFingers; ++finger) writeFelt(felt, body.felt(finger));
+    }
+  }
+  palpate::web::FramePacker frame;
+  body.packFrame(frame, true);
+  std::ofstream skin(folder / "skin.f32", std::ios::binary);
+  const std::vector<float>& values = frame.values();
+  skin.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(float)));
+  fmt::print("{{\"ticks_of_aim\":{},\"triangles\":{}}}\n", kTicksOfAim, body.world().body->skin.triangles.size());
+}
+
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 2) {
-    std::fputs("usage: web_reference FOLDER\n", stderr);
+  if (count != 2 && count != 3) {
+    std::fputs("usage: web_reference FOLDER [TRIANGLES]\n", stderr);
     return 2;
   }
   try {
-    run(words[1]);
+    count == 2 ? run(words[1]) : runOnTrunk(words[1], std::stoul(words[2]));
   } catch (const palpate::Error& error) {
     fmt::print(stderr, "web_reference: {}\n", error.what());
     return 1;

@@ -1,0 +1,29 @@
+// The trunk that the page begins with, as the bytes that its engine reads (ready_body.h).
+#include <cstddef>
+#include <string>
+
+#include "engine/exports.h"
+#include "engine/ready_body.h"
+#include "palpate/scene/body_parts.h"
+
+namespace palpate::web {
+
+namespace {
+
+std::string trunk;
+
+}  // namespace
+
+/// `triangles`: of skin and bones, 0 for as many as the trunk has by itself.
+PALPATE_EXPORT const char* palpate_make_trunk(std::size_t triangles) {
+  return errorOf([&] {
+    scene::BodySettings settings;
+    settings.kind = scene::BodyKind::trunk;
+    settings.triangles = triangles;
+    trunk = encodedBody({triangles, scene::makeBody(settings, {})});
+  });
+}
+PALPATE_EXPORT std::size_t palpate_trunk_length() { return trunk.size(); }
+PALPATE_EXPORT const char* palpate_trunk_bytes() { return trunk.data(); }
+
+}  // namespace palpate::web

@@ -1,0 +1,193 @@
+// One walk over the parts writes and reads them: see palpate/engine/byte_wire.h.
+#include "engine/ready_body.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "palpate/base/error.h"
+#include "palpate/engine/byte_wire.h"
+
+namespace palpate::web {
+
+namespace {
+
+using engine::WireReader;
+using engine::WireWriter;
+
+constexpr std::string_view kKind = "palpate trunk 1";
+constexpr std::uint32_t kMaxBodyVertices = 1'000'000;
+constexpr std::uint32_t kMaxParts = 1000;  // bones or landmarks
+constexpr std::uint32_t kMaxName = 200;    // letters
+
+/// So that small differences of either sign have zeros for high bytes.
+template <class Whole>
+Whole folded(Whole step) {
+  constexpr int kTop = 8 * sizeof(Whole) - 1;
+  return (step << 1) ^ (static_cast<Whole>(0) - (step >> kTop));
+}
+template <class Whole>
+Whole unfolded(Whole code) {
+  return (code >> 1) ^ (static_cast<Whole>(0) - (code & 1));
+}
+
+template <class Whole>
+void planes(WireWriter& wire, const std::vector<Whole>& values) {
+  std::vector<Whole> codes;
+  Whole before = 0;
+  for (const Whole value : values) {
+    codes.push_back(folded(static_cast<Whole>(value - before)));
+    before = value;
+  }
+  for (std::size_t byte = 0; byte < sizeof(Whole); ++byte) {
+    for (const Whole code : codes) wire.whole(static_cast<std::uint8_t>(code >> (8 * byte)));
+  }
+}
+
+template <class Whole>
+void planes(WireReader& wire, std::vector<Whole>& values) {
+  if (!wire.has(values.size() * sizeof(Whole))) return;
+  for (std::size_t byte = 0; byte < sizeof(Whole); ++byte) {
+    for (Whole& value : values) value |= static_cast<Whole>(wire.template whole<std::uint8_t>()) << (8 * byte);
+  }
+  Whole before = 0;
+  for (Whole& value : values) before = value = before + unfolded(value);
+}
+
+// Each of these is called with a writer and the values, or with a reader and values to fill in, of which only the
+// number is right.
+
+template <class Wire, class Reals>
+void realPlanes(Wire& wire, Reals& values) {
+  std::vector<std::uint64_t> bits(values.size());
+  if constexpr (!Wire::kReads) {
+    for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = engine::wire::bitsOf(values[i]);
+  }
+  planes(wire, bits);
+  if constexpr (Wire::kReads) {
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+      values[i] = engine::wire::realOf<double>(bits[i]);
+      if (!(std::abs(values[i]) <= engine::kMaxWire)) wire.fail("a number that is not finite, or too large");
+    }
+  }
+}
+
+template <class Wire, class Places>
+void placePlanes(Wire& wire, Places& places) {
+  std::vector<double> along(places.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < along.size(); ++i) along[i] = places[i][axis];
+    realPlanes(wire, along);
+    if constexpr (Wire::kReads) {
+      for (std::size_t i = 0; i < along.size(); ++i) places[i][axis] = along[i];
+    }
+  }
+}
+
+template <class Wire, class Indices>
+void indexPlanes(Wire& wire, Indices& indices, std::size_t below) {
+  planes(wire, indices);
+  if constexpr (Wire::kReads) {
+    for (const Index index : indices) {
+      if (index >= below) wire.fail("an index of nothing");
+    }
+  }
+}
+
+template <class Wire, class Mesh>
+void walkMesh(Wire& wire, Mesh& mesh) {
+  auto vertices = mesh.positions.size();
+  auto triangles = mesh.triangles.size();
+  wire.count(vertices, std::size_t{1}, std::size_t{kMaxBodyVertices});
+  wire.count(triangles, std::size_t{1}, std::size_t{2 * kMaxBodyVertices});
+  if constexpr (Wire::kReads) {
+    if (!wire.has(24 * vertices + 12 * triangles)) return;
+    mesh.positions.assign(vertices, Vec3::Zero());
+    mesh.triangles.assign(triangles, Triangle{});
+  }
+  placePlanes(wire, mesh.positions);
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    std::vector<Index> corners(triangles);
+    for (std::size_t t = 0; t < triangles; ++t) corners[t] = mesh.triangles[t][corner];
+    indexPlanes(wire, corners, vertices);
+    if constexpr (Wire::kReads) {
+      for (std::size_t t = 0; t < triangles; ++t) mesh.triangles[t][corner] = corners[t];
+    }
+  }
+}
+
+template <class Wire, class Text>
+void walkText(Wire& wire, Text& text) {
+  auto letters = text.size();
+  wire.count(letters, std::size_t{0}, std::size_t{kMaxName});
+  if constexpr (Wire::kReads) {
+    if (!wire.has(letters)) return;
+    text.resize(letters);
+    for (char& c : text) c = static_cast<char>(wire.template whole<std::uint8_t>());
+  } else {
+    wire.text(text);
+  }
+}
+
+template <class Wire, class Parts>
+void sizeParts(Wire& wire, Parts& parts) {
+  auto count = parts.size();
+  wire.count(count, std::size_t{0}, std::size_t{kMaxParts});
+  if constexpr (Wire::kReads) parts.resize(count);
+}
+
+template <class Wire, class Parts>
+void walkAnatomy(Wire& wire, Parts& anatomy, std::size_t vertices) {
+  sizeParts(wire, anatomy.bones);
+  for (auto& bone : anatomy.bones) {
+    walkText(wire, bone.name);
+    wire.word(bone.kind, body::BoneKind::humerus);
+    walkMesh(wire, bone.mesh);
+  }
+  if constexpr (Wire::kReads) {
+    if (!wire.has(12 * vertices)) return;
+    anatomy.depth_mm.assign(vertices, 0.0);
+    anatomy.nearest_bone.assign(vertices, 0);
+  }
+  realPlanes(wire, anatomy.depth_mm);
+  indexPlanes(wire, anatomy.nearest_bone, anatomy.bones.size());
+  sizeParts(wire, anatomy.landmarks);
+  for (auto& landmark : anatomy.landmarks) {
+    walkText(wire, landmark.name);
+    walkText(wire, landmark.bone);
+    for (auto* place : {&landmark.position, &landmark.normal, &landmark.bone_position}) wire.place(*place);
+  }
+}
+
+template <class Wire, class Body>
+void walkBody(Wire& wire, Body& body) {
+  wire.text(kKind);
+  wire.count(body.triangles, std::size_t{0}, std::size_t{2 * kMaxBodyVertices});
+  walkText(wire, body.parts.name);
+  wire.word(body.parts.closed, true);
+  walkMesh(wire, body.parts.skin);
+  walkAnatomy(wire, body.parts.anatomy, body.parts.skin.positions.size());
+}
+
+}  // namespace
+
+std::string encodedBody(const ReadyBody& body) {
+  std::string bytes;
+  WireWriter wire(bytes);
+  walkBody(wire, body);
+  return bytes;
+}
+
+ReadyBody decodeBody(std::string_view bytes) {
+  ReadyBody body;
+  WireReader wire(bytes);
+  walkBody(wire, body);
+  wire.end();
+  if (!wire.ok()) throw Error(fmt::format("trunk: byte {}: {}", wire.position(), wire.cause()));
+  return body;
+}
+
+}  // namespace palpate::web
