@@ -137,20 +137,24 @@ std::string jsonText(std::string_view text) {
 
 std::string numbers(const Vec3& v) { return fmt::format("[{},{},{}]", v.x(), v.y(), v.z()); }
 
-/// JSON: name, closed, bones (their number), notes, landmarks ({name, at: [x, y, z], normal: [x, y, z]}, as an examiner
-/// says them).
+/// JSON: [{name, at: [x, y, z], normal: [x, y, z]}], as an examiner says them.
+std::string inWords(const std::vector<body::SkinLandmark>& landmarks) {
+  std::string words;
+  for (const body::SkinLandmark& landmark : landmarks) {
+    words += fmt::format("{}{{\"name\":{},\"at\":{},\"normal\":{}}}", words.empty() ? "" : ",",
+                         jsonText(body::spokenName(landmark.name)), numbers(landmark.position),
+                         numbers(landmark.normal));
+  }
+  return '[' + words + ']';
+}
+
+/// JSON: name, closed, bones (their number), notes, landmarks.
 std::string bodyInWords(const scene::World& world) {
   std::string notes;
   for (const std::string& note : world.notes) notes += (notes.empty() ? "" : ",") + jsonText(note);
-  std::string landmarks;
-  for (const body::SkinLandmark& landmark : world.body->anatomy.landmarks) {
-    landmarks +=
-        fmt::format("{}{{\"name\":{},\"at\":{},\"normal\":{}}}", landmarks.empty() ? "" : ",",
-                    jsonText(body::spokenName(landmark.name)), numbers(landmark.position), numbers(landmark.normal));
-  }
-  return fmt::format(R"({{"name":{},"closed":{},"bones":{},"notes":[{}],"landmarks":[{}]}})",
-                     jsonText(world.body->name), world.body->closed, world.body->anatomy.bones.size(), notes,
-                     landmarks);
+  return fmt::format(R"({{"name":{},"closed":{},"bones":{},"notes":[{}],"landmarks":{}}})", jsonText(world.body->name),
+                     world.body->closed, world.body->anatomy.bones.size(), notes,
+                     inWords(world.body->anatomy.landmarks));
 }
 
 std::unique_ptr<LiveBody> body;
@@ -218,6 +222,7 @@ PALPATE_EXPORT std::size_t palpate_ready_vertices() { return ready.parts.skin.po
 PALPATE_EXPORT const float* palpate_ready_rest() { return ready_rest.data(); }
 PALPATE_EXPORT std::size_t palpate_ready_triangles() { return ready.parts.skin.triangles.size(); }
 PALPATE_EXPORT const Index* palpate_ready_corners() { return ready.parts.skin.triangles.data()->data(); }
+PALPATE_EXPORT const char* palpate_ready_landmarks() { return keptText(inWords(ready.parts.anatomy.landmarks)); }
 PALPATE_EXPORT const char* palpate_open_ready() {
   return errorOf([] {
     ready_rest = {};

@@ -17,14 +17,22 @@ export class OrbitCamera {
     this.home();
   }
 
-  /// Looks at a body of this middle and half size (mm).
-  frame(centre, half) {
+  /// Looks at a body of this middle and half size (mm); first at a part of it, where one is given: {centre, half}.
+  frame(centre, half, part = null) {
     this.middle = new THREE.Vector3(...centre);
     this.half = half;
     this.home();
+    this.part = part;
+    if (part) this.lookAtPart();
+  }
+  lookAtPart() {
+    this.target.set(...this.part.centre);
+    this.distance = this.fitting(this.part.half);
+    this.place();
   }
   home() {
     this.flight = null;
+    this.part = null;
     [this.yaw, this.pitch] = VIEWS[this.view];
     if (this.middle) this.target.copy(this.middle);
     this.distance = this.fitting();
@@ -34,17 +42,17 @@ export class OrbitCamera {
     this.view = (this.view + step + VIEWS.length) % VIEWS.length;
     this.home();
   }
-  /// How far away the whole body is seen in a picture of this shape.
-  fitting() {
-    if (!this.half) return 2000;
+  /// How far away the whole body, or so much of it, is seen in a picture of this shape.
+  fitting(half = this.half) {
+    if (!half) return 2000;
     const tangent = Math.tan((FIELD_DEG * Math.PI) / 360);
-    return Math.max(this.half[1] / tangent, Math.max(this.half[0], this.half[2]) / (tangent * this.camera.aspect)) * 1.06 + this.half[2];
+    return Math.max(half[1] / tangent, Math.max(half[0], half[2]) / (tangent * this.camera.aspect)) * 1.06 + half[2];
   }
   resize(width, height) {
-    const fits = Math.abs(this.distance - this.fitting()) < 1;
+    const seen = [this.part?.half, this.half].find((half) => half && Math.abs(this.distance - this.fitting(half)) < 1);
     this.camera.aspect = width / Math.max(1, height);
     this.camera.updateProjectionMatrix();
-    if (fits) this.distance = this.fitting();
+    if (seen) this.distance = this.fitting(seen);
     this.place();
   }
   place() {

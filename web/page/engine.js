@@ -65,13 +65,14 @@ export class Engine {
 
   // ---- bodies
 
-  /// The bytes of a trunk that was made ahead: {rest, corners} of its skin, to be looked at. openReady makes it the body.
+  /// The bytes of a trunk that was made ahead: {rest, corners, landmarks}, to be looked at. openReady makes it the body.
   readReady(bytes) {
     const m = this.module;
     this.withBytes(m._palpate_read_ready, [bytes]);
     return {
       rest: this.floats(m._palpate_ready_rest(), FLOATS_OF_VERTEX * m._palpate_ready_vertices()),
       corners: this.whole(m._palpate_ready_corners(), 3 * m._palpate_ready_triangles()),
+      landmarks: JSON.parse(this.text(m._palpate_ready_landmarks())),
     };
   }
   openReady() {

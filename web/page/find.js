@@ -1,7 +1,7 @@
-// The search for a place in words: flies there, or offers names that are near in spelling.
-import { namesNear, placeNamed } from './places.js';
+// The search for a place in words: completes what is typed, flies there, or offers names that are near in spelling.
+import { namesLike, namesNear, placeNamed } from './places.js';
 
-const EXAMPLES = ['T6', 'left PSIS', 'left rib 7 angle']; // not every body has all of them
+const EXAMPLES = ['T6', 'left PSIS', 'site 4', 'left rib 7 angle']; // not every body has all of them
 
 export class Find {
   /// `parts`: form, input, says, near. `hooks`: go({name, at, normal}).
@@ -11,18 +11,27 @@ export class Find {
       event.preventDefault();
       this.look(parts.input.value);
     });
-    parts.input.addEventListener('input', () => this.answer('', []));
+    parts.input.addEventListener('input', () => this.complete(parts.input.value));
   }
   setBody({ landmarks }) {
     this.landmarks = landmarks;
     for (const part of this.parts.form.elements) part.disabled = landmarks.length === 0;
-    this.examples = EXAMPLES.filter((words) => placeNamed(landmarks, words)).slice(0, 2);
+    this.examples = EXAMPLES.filter((words) => this.meant(words)).slice(0, 3);
     this.parts.input.placeholder = this.examples.join(', ');
     this.answer(landmarks.length === 0 ? 'This body has no named places.' : '', []);
   }
+  /// The place of these words, or the first whose name they are a part of.
+  meant(words) {
+    return placeNamed(this.landmarks, words) ?? placeNamed(this.landmarks, namesLike(this.landmarks, words)[0] ?? '');
+  }
+  complete(words) {
+    const like = namesLike(this.landmarks, words);
+    const complete = like.length === 1 && like[0].toLowerCase() === words.trim().toLowerCase();
+    this.answer('', complete ? [] : like);
+  }
   look(words) {
     if (words.trim() === '') return;
-    const place = placeNamed(this.landmarks, words);
+    const place = this.meant(words);
     if (place) {
       this.answer('', []);
       this.hooks.go(place);

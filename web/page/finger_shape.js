@@ -7,6 +7,7 @@ export const RADIUS_MM = 8; // of the ball that touches: web/engine/live_body.h
 export const SKIN_COLOUR = new THREE.Color().setHex(0xd9a283, THREE.LinearSRGBColorSpace); // as it is shown
 // Radius, mm, at so far from the middle of the tip: joints are a little thicker than what is between them.
 const PROFILE = [[4, 8], [12, 7.9], [20, 8.3], [25, 8.5], [31, 8], [40, 8.2], [48, 9.3], [54, 9.4], [60, 8.8], [68, 8.9]];
+const SLEEVE = [[56, 9.2], [56, 10.4], [57, 10.9], [60, 11], [68, 11.3], [75, 11.5], [77, 10.9], [78, 8], [78, 0.01]]; // height, radius
 const BENT_FROM_MM = 16;
 const BENT_RAD = 0.5;
 const BENT_OVER_MM = 14;
@@ -34,16 +35,16 @@ function bend(geometry) {
   geometry.computeVertexNormals();
 }
 
-/// `colour`: of the nail, and of the ring by which left and right are told from each other.
+/// `colour`: of nail and sleeve, by which left and right are told from each other.
 export function makeFinger(colour) {
   const skin = new THREE.MeshLambertMaterial({ color: SKIN_COLOUR });
   const own = new THREE.MeshLambertMaterial({ color: colour });
   const body = new THREE.LatheGeometry(profile(), 32);
   bend(body);
-  const band = new THREE.CylinderGeometry(9.7, 9.7, 9, 32, 4).translate(0, 66, 0);
-  bend(band);
+  const sleeve = new THREE.LatheGeometry(SLEEVE.map(([y, r]) => new THREE.Vector2(r, y)), 32);
+  bend(sleeve);
   const nail = new THREE.SphereGeometry(1, 24, 16).scale(5.2, 6.8, 2).translate(0, 0.5, 6.9);
   const group = new THREE.Group();
-  group.add(new THREE.Mesh(body, skin), new THREE.Mesh(band, own), new THREE.Mesh(nail, own));
+  group.add(new THREE.Mesh(body, skin), new THREE.Mesh(sleeve, own), new THREE.Mesh(nail, own));
   return group;
 }

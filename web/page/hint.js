@@ -1,8 +1,8 @@
 // The first sentence of the page: what to do, for the hand that is there.
 
 const WORDS = {
-  touch: 'Press and hold on the back to feel it. Slide to pull the skin.',
-  mouse: 'Press on the back with the left mouse button to feel it. Drag to pull the skin.',
+  touch: 'Press and hold on the back to feel it. Slide to pull the skin. The Turn button lets you turn the body.',
+  mouse: 'Press on the back with the left mouse button to feel it. Drag to pull the skin. The right button turns the body.',
   keys: 'Press Enter to put a finger on the back and again to lift it. Arrow keys move it; Page Down presses deeper.',
 };
 

@@ -1,4 +1,5 @@
-// What the places of the body are called, beside them: those that look at the viewer and do not cover each other.
+// What the places of the body are called, beside them: those that look at the viewer and do not cover each other. Names
+// of the left are set to the left of their place, so that both sides have room.
 import { dot, minus } from './picker.js';
 
 export class Names {
@@ -26,10 +27,11 @@ export class Names {
     this.boxes ??= [...this.layer.children].map((span) => [span.offsetWidth || 40, span.offsetHeight || 16]);
     const eye = camera.camera.position.toArray();
     const taken = [];
-    this.landmarks.forEach(({ at, normal }, i) => {
+    this.landmarks.forEach(({ name, at, normal }, i) => {
       const span = this.layer.children[i];
       const p = dot(minus(eye, at), normal) > 0 ? camera.project(at) : null;
-      const box = p && [((p[0] + 1) / 2) * width + 4, ((1 - p[1]) / 2) * height - this.boxes[i][1] / 2, ...this.boxes[i]];
+      const aside = name.startsWith('left ') ? -this.boxes[i][0] - 4 : 4;
+      const box = p && [((p[0] + 1) / 2) * width + aside, ((1 - p[1]) / 2) * height - this.boxes[i][1] / 2, ...this.boxes[i]];
       const free = box && !taken.some((b) => box[0] < b[0] + b[2] && b[0] < box[0] + box[2] && box[1] < b[1] + b[3] && b[1] < box[1] + box[3]);
       span.hidden = !free;
       if (!free) return;

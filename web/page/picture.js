@@ -11,7 +11,17 @@ import { SkinView } from './skin_view.js';
 import { drawsInSoftware } from './support.js';
 
 const SEE_THROUGH = 0.38;
+const WIDTH_OF_BACK = 0.72; // of that of the spine: to where the ribs turn to the side
+const BEYOND_LEVELS_MM = 30;
 const MOST_PIXELS = 1.7e6; // of a screen with very many, not all are drawn
+
+/// {centre, half}: what is palpated of a back, from C7 to S1; null for a body without these names.
+function backOf(landmarks) {
+  const [top, bottom] = ['C7', 'S1'].map((level) => landmarks.find(({ name }) => name === level)?.at);
+  if (!top || !bottom) return null;
+  const half = (top[1] - bottom[1]) / 2;
+  return { centre: [0, (top[1] + bottom[1]) / 2, (top[2] + bottom[2]) / 2], half: [half * WIDTH_OF_BACK, half + BEYOND_LEVELS_MM, 0] };
+}
 
 export class Picture {
   constructor(canvas) {
@@ -25,7 +35,7 @@ export class Picture {
     this.orbit = new OrbitCamera();
     const sun = new THREE.DirectionalLight(0xffffff, 2.2);
     sun.position.set(-0.45, 0.62, 0.64);
-    this.orbit.camera.add(sun, new THREE.AmbientLight(0xffffff, 0.9));
+    this.orbit.camera.add(sun, sun.target, new THREE.AmbientLight(0xffffff, 0.9)); // its target too: it comes with the camera
     this.scene.add(this.orbit.camera);
     this.fingers = new FingersView((place) => this.picker?.normalAround(place, [0, 0, 0]));
     this.world.add(this.fingers.group);
@@ -60,6 +70,7 @@ export class Picture {
       }
     }
     this.skin = new SkinView(body, this.in_software);
+    this.skin.setPictureHeight(this.canvas.clientHeight);
     this.bones = body.bones ? new BonesView(body.bones) : null;
     this.world.add(this.skin.mesh);
     if (this.bones) this.world.add(this.bones.mesh);
@@ -67,7 +78,7 @@ export class Picture {
     const { low, high } = this.picker.nodes[0];
     this.middle = low.map((l, axis) => (l + high[axis]) / 2);
     const half = low.map((l, axis) => (high[axis] - l) / 2);
-    if (String([this.middle, half]) !== this.shape) this.orbit.frame(this.middle, half); // another body
+    if (String([this.middle, half]) !== this.shape) this.orbit.frame(this.middle, half, backOf(body.landmarks)); // another body
     this.shape = String([this.middle, half]);
     this.stale = true;
   }
@@ -104,6 +115,7 @@ export class Picture {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, least) * this.quality.share());
     this.renderer.setSize(width, height, false);
     this.orbit.resize(width, height);
+    this.skin?.setPictureHeight(height);
     this.stale = true;
   }
   pixels() {

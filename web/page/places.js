@@ -1,4 +1,4 @@
-// Places in words, and words for places: "T6", "left PSIS", "T6 right 30 mm".
+// Places in words, and words for places: "T6", "left PSIS", "left site 4", "T6 right 30 mm".
 //
 // The names are those that a body brings (Body.landmarks); the rules are those of core/palpate/body/places.cpp, so that a
 // served body, of which the page has the landmarks only, is searched in the same way.
@@ -7,7 +7,10 @@ const DIRECTIONS = { right: [1, 0], left: [-1, 0], up: [0, 1], down: [0, -1], cr
 const SAY_NOTHING = ['spinous', 'process', 'the'];
 const LEVELS_FIRST = 0.5; // a spinous process counts as half as far: examiners think in levels
 const AT_MM = 4; // nearer than a finger's pad is there
-const SUGGESTIONS = 3;
+const SUGGESTIONS = 3; // for a misspelt name
+const COMPLETIONS = 4; // for one that is being typed
+const SITE_LEVELS = ['T4', 'T6', 'T8', 'T10', 'T12', 'L2']; // of the twelve training sites, on both sides
+const SITE_BESIDE_MM = 30;
 
 const wordsOf = (text) => text.toLowerCase().split(/[\s,_]+/).filter(Boolean);
 const inOrder = (words) => words.filter((word) => !SAY_NOTHING.includes(word)).sort().join(' ');
@@ -29,14 +32,35 @@ function withoutDistances(words) {
   return moved;
 }
 
+/// Sites 1 to 6 from the highest level down, left and right, where the body has the level.
+function sitesOf(landmarks) {
+  return SITE_LEVELS.flatMap((level, i) => {
+    const spine = landmarks.find(({ name }) => name === level);
+    if (!spine) return [];
+    const site = (side, aside) => ({ name: `${side} site ${i + 1}`, at: [spine.at[0] + aside, spine.at[1], spine.at[2]], normal: spine.normal });
+    return [site('left', -SITE_BESIDE_MM), site('right', SITE_BESIDE_MM)];
+  });
+}
+const allOf = (landmarks) => [...landmarks, ...sitesOf(landmarks)];
+
 /// {name, at, normal}, or null where nothing is called so. Moved places lie over or under the skin.
 export function placeNamed(landmarks, text) {
   const { name, by, as_written } = withoutDistances(wordsOf(text));
   const wanted = inOrder(name);
-  const found = landmarks.find((landmark) => inOrder(wordsOf(landmark.name)) === wanted);
+  const found = allOf(landmarks).find((place) => inOrder(wordsOf(place.name)) === wanted);
   if (!found) return null;
   const [x, y, z] = found.at;
   return { name: found.name + as_written, at: [x + by[0], y + by[1], z], normal: found.normal };
+}
+
+/// A few names that have every word that was typed, those that begin with it first: for "site 4" both of them.
+export function namesLike(landmarks, text) {
+  const typed = text.trim().toLowerCase();
+  const words = typed.split(/\s+/).filter(Boolean);
+  if (words.length === 0) return [];
+  const like = allOf(landmarks).map(({ name }) => name).filter((name) => words.every((word) => name.toLowerCase().includes(word)));
+  const begins = (name) => (name.toLowerCase().startsWith(typed) ? 0 : 1);
+  return like.sort((a, b) => begins(a) - begins(b)).slice(0, COMPLETIONS);
 }
 
 /// Letters to insert, remove or replace until one text is the other (Levenshtein 1966).
@@ -56,7 +80,7 @@ export function namesNear(landmarks, text) {
   const written = words.join(' ');
   if (written === '') return [];
   const most = Math.max(2, Math.ceil(written.length / 3));
-  return landmarks
+  return allOf(landmarks)
     .map(({ name }) => {
       const known = wordsOf(name);
       return { name, away: Math.min(editDistance(written, known.join(' ')), editDistance(inOrder(words), inOrder(known))) };

@@ -12,12 +12,12 @@ uniform sampler2D stiffness_map;
 uniform int colouring;
 uniform float opacity;
 uniform vec3 skin;
-vec4 lit_skin(vec3 n, vec3 v, float value) {
-  vec3 base = skin;
+vec4 lit_skin(vec3 n, vec3 v, float value, float light_left) {
+  vec3 base = skin * light_left;
   float gloss = 0.10;
   if (colouring != 0) {
     vec4 mapped = colouring == 1 ? texture(strain_map, vec2(value, 0.5)) : texture(stiffness_map, vec2(value, 0.5));
-    base = pow(mapped.rgb, vec3(2.2)) * 0.85;
+    base = pow(mapped.rgb, vec3(2.2)) * 0.85 * light_left;
     gloss = 0.03;
   }
   vec3 key = normalize(vec3(-0.45, 0.62, 0.64));
@@ -33,7 +33,19 @@ vec4 lit_skin(vec3 n, vec3 v, float value) {
   return vec4(pow(light, vec3(1.0 / 2.2)), seen);
 }`;
 
+// What the walls of a dent leave of the light; less where it is small in the picture, as in the viewer
+// (view/palpate/view/layers/skin_shader.h).
+const DENT = `
+in vec3 rest;
+uniform float picture_height;
+float light_left_by_dent(vec3 seen, vec3 n) {
+  float points_a_mm = projectionMatrix[1][1] * picture_height / (2.0 * max(1.0, -seen.z));
+  float contrast = 2.2 - 1.2 * smoothstep(1.25, 5.0, points_a_mm);
+  return 1.0 - min(0.9, 0.34 * contrast) * smoothstep(0.2, 9.0, dot(normalMatrix * (rest - position), n));
+}`;
+
 const VERTEX = `
+${DENT}
 in float strain;
 in float stiffness;
 uniform vec2 stiffness_range;
@@ -46,19 +58,22 @@ uniform int colouring;
 out vec3 at;
 out vec3 outward;
 out float value;
+out float light_left;
 #endif
 void main() {
   float shown = colouring == 1 ? 0.5 + 0.5 * strain / strain_range
                                : (stiffness - stiffness_range.x) / max(1e-6, stiffness_range.y - stiffness_range.x);
   vec4 seen = modelViewMatrix * vec4(position, 1.0);
-#ifdef BY_VERTEX
   vec3 n = normalize(normalMatrix * normal);
+  float left = light_left_by_dent(seen.xyz, n);
+#ifdef BY_VERTEX
   vec3 v = normalize(-seen.xyz);
-  lit = lit_skin(dot(n, v) < -0.2 ? -n : n, v, shown); // at the rim normals may look a little away
+  lit = lit_skin(dot(n, v) < -0.2 ? -n : n, v, shown, left); // at the rim normals may look a little away
 #else
   value = shown;
   at = seen.xyz;
-  outward = normalMatrix * normal;
+  outward = n;
+  light_left = left;
 #endif
   gl_Position = projectionMatrix * seen;
 }`;
@@ -75,9 +90,10 @@ ${LIGHT}
 in vec3 at;
 in vec3 outward;
 in float value;
+in float light_left;
 void main() {
   vec3 n = normalize(outward);
-  colour = lit_skin(gl_FrontFacing ? n : -n, normalize(-at), value);
+  colour = lit_skin(gl_FrontFacing ? n : -n, normalize(-at), value, light_left);
 }
 #endif`;
 
@@ -109,6 +125,7 @@ export class SkinView {
     geometry.setAttribute('normal', part(3, 3));
     geometry.setAttribute('strain', part(1, 6));
     geometry.setAttribute('stiffness', new THREE.BufferAttribute(body.stiffness ?? new Float32Array(vertices), 1));
+    geometry.setAttribute('rest', new THREE.InterleavedBufferAttribute(new THREE.InterleavedBuffer(body.rest, FLOATS_OF_VERTEX), 3, 0));
     geometry.setIndex(new THREE.BufferAttribute(body.corners, 1));
     geometry.computeBoundingSphere();
     this.material = new THREE.ShaderMaterial({
@@ -122,6 +139,7 @@ export class SkinView {
         stiffness_map: { value: mapOf(body.colours.stiffness) },
         colouring: { value: 0 },
         opacity: { value: 1 },
+        picture_height: { value: 600 }, // CSS pixels
         strain_range: { value: 0.2 },
         stiffness_range: { value: new THREE.Vector2(...rangeOf(body.stiffness)) },
         skin: { value: new THREE.Color(0.49, 0.272, 0.176) }, // the middle tone of the viewer (view/skin_tone.h), linear
@@ -153,6 +171,9 @@ export class SkinView {
   }
   setColouring(name) {
     this.material.uniforms.colouring.value = COLOURINGS.indexOf(name);
+  }
+  setPictureHeight(pixels) {
+    this.material.uniforms.picture_height.value = pixels;
   }
   setOpacity(opacity) {
     this.material.uniforms.opacity.value = opacity;

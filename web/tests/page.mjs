@@ -12,7 +12,7 @@ import test, { after, before } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { Browser, pause } from './browser.mjs';
 import { plate, stlOf } from './meshes.mjs';
-import { decode, difference } from './png.mjs';
+import { decode, difference, pixelsChanged } from './png.mjs';
 import { serve } from './server.mjs';
 
 const site = resolve(process.env.PALPATE_SITE ?? 'build/web/site');
@@ -60,8 +60,13 @@ async function looksAs(tab, name, box = STAGE) {
 }
 const quiet = (tab) => assert.deepEqual(tab.complaints, []);
 
-test('the page opens: a body, no complaint, nothing from elsewhere', async () => {
+test('the page opens on the back of a trunk, a little turned: no complaint, nothing from elsewhere', async () => {
   const tab = await opened();
+  assert.match(await tab.ask('palpate.body.name'), /^built-in trunk/);
+  assert.equal(await tab.ask('palpate.body.closed'), true);
+  assert.ok(Math.abs(await tab.ask('palpate.camera.yaw')) > 0.2, 'a dent shows its depth from the side');
+  const [c7, s1] = await tab.ask("['C7', 'S1'].map((level) => palpate.camera.project(palpate.body.landmarks.find(({ name }) => name === level).at)[1])");
+  assert.ok(c7 < 1 && s1 > -1 && c7 - s1 > 1.4, `the back fills the picture: ${c7}, ${s1}`);
   assert.equal(await tab.ask('crossOriginIsolated'), true);
   assert.equal(await tab.ask('document.getElementById("waiting").hidden'), true);
   await looksAs(tab, 'opened');
@@ -90,6 +95,20 @@ test('a press is felt and seen, deeper by the wheel, gone when it ends', async (
   await tab.release(...MIDDLE);
   await untilFree(tab);
   quiet(tab);
+});
+
+test('a press is seen without the finger, from where the page opens', async () => {
+  const tab = await opened();
+  await looksAs(tab, 'opened'); // all pixels from now on
+  await tab.ask('(palpate.picture.fingers.group.visible = false, palpate.fingers.deepens = false, palpate.fingers.depth = 6)');
+  const rest = decode(await tab.screenshot());
+  await tab.press(...MIDDLE);
+  await untilForce(tab);
+  await pause(600);
+  const pressed = decode(await tab.screenshot());
+  const changed = pixelsChanged(rest, pressed, STAGE, 3);
+  await tab.release(...MIDDLE);
+  assert.ok(changed > 400, `${changed} pixels`);
 });
 
 test('force does not step although the pointer does', async () => {
@@ -257,6 +276,10 @@ test('the game is played by the keys alone, and its clock runs', async () => {
   await tab.key('Enter');
   await untilForce(tab);
   await tab.until('palpate.game.started !== null', 5);
+  const place = await tab.ask('palpate.fingers.aims[0].place');
+  for (let i = 0; i < 5; ++i) await tab.key('ArrowLeft');
+  assert.ok((await tab.ask('palpate.fingers.aims[0].place'))[0] < place[0] - 6);
+  assert.ok((await force(tab)) > 0.5, 'the finger is dragged to the next place');
   await tab.key('x');
   assert.match(await tab.ask("document.getElementById('game-words').textContent"), /Marked at/);
   await tabTo(tab, 'game-answer');
@@ -291,7 +314,7 @@ test('everything the mouse does is done by the keys: press and let go, turn, shi
   await tab.key('f');
   await tab.until('palpate.camera.flight === null && palpate.camera.distance < 500', 10);
   await tab.key('Home');
-  assert.equal((await camera()).distance, start.distance);
+  assert.equal((await camera()).distance, await tab.ask('palpate.camera.fitting()'), 'the whole body');
   await tab.key('v');
   assert.notEqual((await camera()).yaw, start.yaw);
   const help = await tab.ask("document.getElementById('keys').textContent");
@@ -334,6 +357,36 @@ test('a place is found by its words: flown to, marked, and under the finger; mis
   quiet(tab);
 });
 
+test('a name that is typed is completed: both sites 4 are offered, Enter takes the first; the PSIS is found too', async () => {
+  const tab = await opened();
+  const offered = () => tab.ask("[...document.querySelectorAll('#find-near button')].map((b) => b.textContent)");
+  const said = (words) => tab.until(`document.getElementById('events').textContent === ${JSON.stringify(words)}`, 5);
+  await tab.ask('palpate.search()');
+  await tab.type('site 4');
+  assert.deepEqual(await offered(), ['left site 4', 'right site 4']);
+  await tab.key('Enter');
+  await said('At left site 4');
+  const { t10, aim } = await tab.ask("({ t10: palpate.body.landmarks.find(({ name }) => name === 'T10').at, aim: palpate.fingers.aims[0].place })");
+  assert.ok(Math.hypot(aim[0] - t10[0] + 30, aim[1] - t10[1]) < 8, `${aim}`);
+  await tab.ask('palpate.search()');
+  await tab.type('right site 4');
+  assert.deepEqual(await offered(), [], 'it is complete');
+  await tab.key('Enter');
+  await said('At right site 4');
+  await tab.ask('palpate.search()');
+  await tab.type('psis');
+  assert.deepEqual((await offered()).sort(), ['left PSIS', 'right PSIS']);
+  await tab.type(' left');
+  await tab.key('Enter');
+  await said('At left PSIS');
+  await tab.until('palpate.camera.flight === null', 10);
+  await tab.key('Enter');
+  await untilForce(tab);
+  await tab.until("document.getElementById('place').textContent === 'left PSIS'", 5);
+  await looksAs(tab, 'left_psis');
+  quiet(tab);
+});
+
 test('the first sentence says what to do: with a mouse, with the keys, by touch; and goes when it was done', async () => {
   const hint = (tab) => tab.ask("document.getElementById('hint').textContent");
   let tab = await opened();
@@ -359,6 +412,12 @@ test('on a phone every target is at least 44 pixels wide and high', async () => 
   assert.ok((await tab.ask("document.querySelectorAll('#find-near button').length")) > 0);
   await tab.ask("document.getElementById('message-away').click()");
   await looksAs(tab, 'phone', [0, 0, 390, 430]);
+  await tab.touch('touchStart', [[195, 200]]);
+  await tab.until("/right|left|T\\d+/.test(document.getElementById('place').textContent)", 10);
+  const beyond = await tab.ask(`['place', 'hint', 'force', 'depth', 'plot', 'find', 'status'].filter((id) => { const e = document.getElementById(id);
+    return e.getBoundingClientRect().right > innerWidth || e.scrollWidth > e.clientWidth + 1; })`);
+  assert.deepEqual(beyond, [], 'cut at the right');
+  await tab.touch('touchEnd', []);
   quiet(tab);
 });
 
@@ -390,7 +449,7 @@ test('a hand presses where pictures come quickly, a finger where they do not', a
   const tab = await opened();
   const shown = () => tab.ask("Object.entries(palpate.picture.fingers.fingers[0].shapes).filter(([, shape]) => shape?.visible).map(([name]) => name)");
   assert.deepEqual(await shown(), ['finger'], 'drawn by the processor');
-  await tab.ask('(palpate.fingers.deepens = false, palpate.picture.bringHand())');
+  await tab.ask('(palpate.picture.quality.change = () => {}, palpate.picture.quality.step = 0, palpate.fingers.deepens = false, palpate.picture.bringHand())');
   await tab.until('palpate.picture.fingers.fingers[0].shapes.hand !== null', 10);
   assert.deepEqual(await shown(), ['hand']);
   await tab.press(...MIDDLE);
@@ -412,7 +471,7 @@ test('the same seed hides the same place, another seed another one', async () =>
   assert.deepEqual(scores, [1000, 700, 350, 0]);
 });
 
-test('a mesh of one\'s own, dropped on the page, is felt; and the torso comes back', async () => {
+test('a mesh of one\'s own, dropped on the page, is felt; and the trunk comes back', async () => {
   const file = join(scratch, 'plate.stl');
   writeFileSync(file, stlOf(plate(24)));
   const tab = await opened();
@@ -493,7 +552,7 @@ test('what was felt is saved as files that palpate reads', async () => {
   const rows = readFileSync(join(scratch, 'forces.csv'), 'utf8').trim().split('\n');
   assert.match(rows[0], /^t_s,finger,tip_x_mm/);
   assert.ok(rows.some((row) => row.includes(',stick,')));
-  assert.match(readFileSync(join(scratch, 'scene.toml'), 'utf8'), /kind = "torso"/);
+  assert.match(readFileSync(join(scratch, 'scene.toml'), 'utf8'), /kind = "trunk"\ntriangles = 40000/);
   const command = process.env.PALPATE_COMMAND;
   if (!command) return;
   const info = spawnSync(command, ['recording', 'info', join(scratch, 'forces.csv')], { encoding: 'utf8' });

@@ -56,3 +56,15 @@ export function difference(one, other, [x0, y0, width, height]) {
   }
   return { mean: sum / (3 * width * height), share: far / (width * height) };
 }
+
+/// Within a box: how many pixels have a channel that differs by more than `least`.
+export function pixelsChanged(one, other, [x0, y0, width, height], least) {
+  let changed = 0;
+  for (let y = y0; y < y0 + height; ++y) {
+    for (let x = x0; x < x0 + width; ++x) {
+      const at = (y * one.width + x) * one.channels;
+      if ([0, 1, 2].some((c) => Math.abs(one.pixels[at + c] - other.pixels[at + c]) > least)) ++changed;
+    }
+  }
+  return changed;
+}
