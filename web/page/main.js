@@ -119,6 +119,7 @@ class Page {
     if (preview) this.lookAt(preview);
     this.setBody(await starting);
     this.wait(null);
+    this.picture.chooseHand();
     this.picture.renderer.setAnimationLoop((now) => this.pass(now));
   }
   /// A body that cannot be felt yet.

@@ -38,7 +38,8 @@ after(async () => {
 let open_tab = null; // one at a time: each of them ticks and draws
 async function opened(server = isolated, { path = '', ...options } = {}) {
   if (open_tab) await browser.send('Target.closeTarget', { targetId: open_tab.target });
-  const tab = await browser.open(server.url + path, options);
+  // A finger and no hand, however quickly this machine draws.
+  const tab = await browser.open(`${server.url}?finger=finger${path}`, options);
   open_tab = tab;
   await tab.until("document.body.dataset.state === 'ready'");
   return tab;
@@ -220,7 +221,7 @@ test('light surroundings are readable too', async () => {
 });
 
 test('the game is played to its answer', async () => {
-  const tab = await opened(isolated, { path: '?game=7' });
+  const tab = await opened(isolated, { path: '&game=7' });
   await tab.until("document.body.dataset.game === 'playing'", 20);
   assert.equal(await tab.ask("document.querySelector('#colouring option[value=stiffness]').disabled"), true);
   await tab.ask("palpate.toggleColour('stiffness')");
@@ -402,7 +403,7 @@ test('the first sentence says what to do: with a mouse, with the keys, by touch;
 });
 
 test('on a phone every target is at least 44 pixels wide and high', async () => {
-  const tab = await opened(isolated, { path: '?game=7', touch: true, width: 390, height: 780 });
+  const tab = await opened(isolated, { path: '&game=7', touch: true, width: 390, height: 780 });
   await tab.until("document.body.dataset.game === 'playing'", 20);
   await tab.ask("(palpate.fail('A message'), palpate.find.look('left rib 7 angel'))");
   const small = () => tab.ask(`[...document.querySelectorAll('button, select, input, summary')].filter((e) => e.checkVisibility())
@@ -448,7 +449,13 @@ test('a screen reader: everything has a name, numbers are read on demand, only e
 test('a hand presses where pictures come quickly, a finger where they do not', async () => {
   const tab = await opened();
   const shown = () => tab.ask("Object.entries(palpate.picture.fingers.fingers[0].shapes).filter(([, shape]) => shape?.visible).map(([name]) => name)");
-  assert.deepEqual(await shown(), ['finger'], 'drawn by the processor');
+  assert.deepEqual(await shown(), ['finger'], 'asked for');
+  const brought = await tab.ask(`(async () => { const p = palpate.picture; const was = [p.pictureMs, p.bringHand]; const brought = [];
+    p.bringHand = () => brought.push(p.pictureMs()); p.shown_as = null;
+    for (const ms of [5, 40]) { p.pictureMs = () => ms; await p.chooseHand(); }
+    [p.pictureMs, p.bringHand] = was; return brought; })()`);
+  assert.deepEqual(brought, [5], 'only where a picture takes little time');
+  assert.ok((await tab.ask('palpate.picture.pictureMs()')) > 0);
   await tab.ask('(palpate.picture.quality.change = () => {}, palpate.picture.quality.step = 0, palpate.fingers.deepens = false, palpate.picture.bringHand())');
   await tab.until('palpate.picture.fingers.fingers[0].shapes.hand !== null', 10);
   assert.deepEqual(await shown(), ['hand']);
