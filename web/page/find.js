@@ -4,13 +4,14 @@ import { namesLike, namesNear, placeNamed } from './places.js';
 const EXAMPLES = ['T6', 'left PSIS', 'site 4', 'left rib 7 angle']; // not every body has all of them
 
 export class Find {
-  /// `parts`: form, input, says, near. `hooks`: go({name, at, normal}).
+  /// `parts`: form, input, says, near. `hooks`: go({name, at, normal}), leave().
   constructor(parts, hooks) {
     Object.assign(this, { parts, hooks, landmarks: [] });
     parts.form.addEventListener('submit', (event) => {
       event.preventDefault();
       this.look(parts.input.value);
     });
+    parts.input.addEventListener('keydown', (event) => event.key === 'Escape' && hooks.leave());
     parts.input.addEventListener('input', () => this.complete(parts.input.value));
   }
   setBody({ landmarks }) {

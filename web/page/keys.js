@@ -41,7 +41,7 @@ export function keysOf(page) {
     [['o'], 'Show the bones through the skin', () => page.toggle('bones')],
     [['i'], 'Show the names of places', () => page.toggle('places')],
     [['x'], 'In the game: mark the place under the finger', () => page.markHere()],
-    [['Escape'], 'Close a message; stop marking', () => page.escape()],
+    [['Escape'], 'Close a message; leave the search; stop marking', () => page.escape()],
     [['Tab'], 'Go to the controls, one after the other', null],
   ];
 }

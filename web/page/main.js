@@ -43,7 +43,7 @@ class Page {
       lifted: (finger, most) => this.announcer.say(`${SIDES[finger]} finger lifted; largest force ${most.toFixed(1)} newtons`),
     });
     this.find = new Find({ form: element('find'), input: element('find-words'), says: element('find-says'), near: element('find-near') },
-                         { go: (place) => this.goTo(place) });
+                         { go: (place) => this.goTo(place), leave: () => element('picture').focus() });
     this.frames = [];
     const pick = (x, y) => this.picture.pick(x, y);
     this.gestures = new Gestures(element('picture'), this.camera, this.fingers, {
@@ -215,9 +215,10 @@ class Page {
   showPace(pace) {
     if (this.is_away) return;
     const [width, height] = this.picture.pixels();
-    const fps = this.picture.quality.fps;
+    const fps = this.picture.quality.fps; // 0: not measured yet
     const ticks = pace ? `${pace.ticks_per_s.toFixed(0)} ticks/s, late ${pace.late_ms.toFixed(1)} ms (p99)${pace.lost > 0 ? `, ${pace.lost} lost` : ''}` : '';
-    element('pace').textContent = `${ticks}${ticks && ' · '}${fps.toFixed(0)} pictures/s at ${width} x ${height} · ${this.body.corners.length / 3} triangles`;
+    const pictures = fps > 0 ? `${fps.toFixed(0)} pictures/s at ${width} x ${height}` : '';
+    element('pace').textContent = [ticks, pictures, `${this.body.corners.length / 3} triangles`].filter(Boolean).join(' · ');
   }
   /// Whoever feels the body is out of reach (words), or back (null): nothing old may look like news.
   away(words) {

@@ -365,6 +365,10 @@ test('a name that is typed is completed: both sites 4 are offered, Enter takes t
   await tab.ask('palpate.search()');
   await tab.type('site 4');
   assert.deepEqual(await offered(), ['left site 4', 'right site 4']);
+  await tab.key('Escape');
+  assert.equal(await tab.ask('document.activeElement.id'), 'picture');
+  await tab.key('/');
+  await tab.type('site 4');
   await tab.key('Enter');
   await said('At left site 4');
   const { t10, aim } = await tab.ask("({ t10: palpate.body.landmarks.find(({ name }) => name === 'T10').at, aim: palpate.fingers.aims[0].place })");
