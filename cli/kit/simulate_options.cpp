@@ -20,6 +20,8 @@ namespace palpate::app {
 
 namespace {
 
+constexpr const char* kAverageBuild = "average";
+
 /// A mesh where a scene may stand is palpated as it is, as the window does.
 SimulateOptions withMeshApart(SimulateOptions options) {
   if (options.scene.empty() || !mesh::isMeshFile(pathOf(options.scene))) return options;
@@ -53,6 +55,22 @@ void useMesh(const SimulateOptions& options, scene::Scene& scene) {
   scene.body.group = options.mesh_group;
   scene.body.fit.clear();  // of another mesh
   if (options.scene.empty() && options.preset.empty()) scene.title = scene.body.file.filename().string();
+}
+
+/// Average, or the shape of an example that is named so; the posture stays.
+void useBuild(const std::string& build, body::TrunkShape& shape) {
+  const body::Posture posture = shape.posture;
+  shape = build == kAverageBuild ? body::TrunkShape{} : scene::presetScene(build).body.shape;
+  shape.posture = posture;
+}
+
+void useShape(const SimulateOptions& options, scene::BodySettings& body) {
+  if (options.build.empty() && options.posture.empty()) return;
+  if (body.kind != scene::BodyKind::trunk) {
+    throw Error(fmt::format("--build and --posture need the trunk; this body is of kind {}", wordFor(body.kind)));
+  }
+  if (!options.build.empty()) useBuild(options.build, body.shape);
+  if (!options.posture.empty()) body.shape.posture = *valueNamed<body::Posture>(options.posture);
 }
 
 void useTrajectories(const SimulateOptions& options, scene::Scene& scene) {
@@ -92,6 +110,16 @@ void addInputOptions(CLI::App& command, SimulateOptions& options) {
             "Radius of every finger; 0 is a point, 8 a fingertip");
 }
 
+void addShapeOptions(CLI::App& command, SimulateOptions& options) {
+  takesOneOf({kAverageBuild, "thin", "heavy"},
+             command.add_option("--build", options.build,
+                                "Build of the trunk: as scenes/thin.toml and scenes/heavy.toml have it (default: as "
+                                "the scene says)"));
+  takesOneOf(wordList<body::Posture>(),
+             command.add_option("--posture", options.posture,
+                                "How the trunk stands, lies or sits (default: as the scene says)"));
+}
+
 void addSecondsOption(CLI::App& command, SimulateOptions& options) {
   addNumber(command, "--seconds", options.seconds, above(0.0, kLongestRunS, "s"),
             "How long to run (default: until the last finger has finished)");
@@ -101,6 +129,7 @@ scene::Scene sceneFor(const SimulateOptions& given) {
   const SimulateOptions options = withMeshApart(given);
   scene::Scene scene = startingScene(options);
   useMesh(options, scene);
+  useShape(options, scene.body);
   useTrajectories(options, scene);
   if (options.needs_fingers) useSomeFinger(scene);
   if (options.seconds > 0.0) scene.seconds = options.seconds;

@@ -17,6 +17,8 @@ struct SimulateOptions {
   double mesh_unit_mm = 0.0;  ///< 0: as the format says
   double mesh_scale = 1.0;
   std::string mesh_group;
+  std::string build;    ///< of the trunk, a word of addShapeOptions; empty: as the scene says
+  std::string posture;  ///< the same
   std::vector<std::string> trajectories;
   double radius_mm = 0.0;
   bool radius_given = false;
@@ -35,6 +37,9 @@ struct SimulateOptions {
 
 /// Adds SCENE and what replaces its parts: mesh, trajectories, radius.
 void addInputOptions(CLI::App& command, SimulateOptions& options);
+
+/// Adds --build and --posture, what the trunk is like instead of what the scene says.
+void addShapeOptions(CLI::App& command, SimulateOptions& options);
 
 /// Adds --seconds, how long the scene runs.
 void addSecondsOption(CLI::App& command, SimulateOptions& options);

@@ -12,11 +12,11 @@ namespace {
 void refuseOthers(const RenderOptions& options) {
   const SimulateOptions& scene = options.scene;
   const bool replaces = !scene.mesh.empty() || !scene.trajectories.empty() || scene.radius_given ||
-                        scene.seconds > 0.0 || !options.poses.empty();
+                        scene.seconds > 0.0 || !scene.build.empty() || !scene.posture.empty() || !options.poses.empty();
   if (!replaces) return;
   throw Error::inFile(scene.scene,
                       "is a recording: its body and its fingers are the recorded ones (no --mesh, "
-                      "--trajectory, --radius-mm, --seconds, --pose)");
+                      "--trajectory, --radius-mm, --seconds, --build, --posture, --pose)");
 }
 
 }  // namespace

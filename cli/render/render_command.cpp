@@ -395,6 +395,7 @@ void addRenderCommand(CLI::App& app) {
   command->group("Touch");
   const auto options = std::make_shared<RenderOptions>();
   addInputOptions(*command, options->scene);
+  addShapeOptions(*command, options->scene);
   addSecondsOption(*command, options->scene);
   addMomentOptions(*command, *options);
   addCameraOptions(*command, *options);

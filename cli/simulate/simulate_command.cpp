@@ -62,6 +62,7 @@ void addSimulateCommand(CLI::App& app) {
   const auto options = std::make_shared<SimulateOptions>();
   const auto keys = std::make_shared<bool>(false);
   addInputOptions(*command, *options);
+  addShapeOptions(*command, *options);
   addSecondsOption(*command, *options);
   addDeviceOption(*command, options->devices,
                   "Holds the first finger instead of its path, the second when given again; its origin lies where the "

@@ -61,6 +61,7 @@ def render(
     shading: str | None = None,
     skin_tone: float | None = None,
     dent_contrast: float | None = None,
+    lens: bool | None = None,
     stiffness_range: ArrayLike | None = None,
     scalar: str | None = None,
     stereo: str | None = None,
@@ -78,6 +79,7 @@ def render(
     named by `scalar`). show: overlays, any of wireframe, triangles, leaves, planes, box, ellipses, rings, arrows,
     contact, normals, section, names. opacity: of the skin, 0 to 1; bones=True is 0.35 where it is not given.
     finger: "finger" (what "auto" is here), "hand", "ball", "none". stereo: "mono", "anaglyph-dubois", "sbs-half" ... (docs/explanation/rendering.md).
+    lens: a close view from beside the finger in a corner.
     labels: legends, a scale, numbers beside the fingers; title: upper left.
 
     What is None is as the scene has it. What cannot be shown is a warning (UserWarning). Releases the GIL; the skin
@@ -99,6 +101,7 @@ def render(
         "shading": shading,
         "skin_tone": skin_tone,
         "dent_contrast": dent_contrast,
+        "lens": lens,
         "stiffness_range": stiffness_range,
         "scalar": scalar,
         "stereo": stereo,

@@ -73,6 +73,7 @@ def test_strain_bones_and_overlays_change_the_picture(torso, pressed):
         "bones": render(torso, skin, touch, camera=near, labels=False, size=(320, 240), bones=True),
         "names": render(torso, skin, touch, camera=near, labels=False, size=(320, 240), show=["names", "wireframe"]),
         "labels": render(torso, skin, touch, camera=near, size=(320, 240), title="T6"),
+        "lens": render(torso, skin, touch, camera=near, labels=False, size=(320, 240), lens=True),
     }
     for name, picture in seen.items():
         assert (np.abs(plain - picture).max(axis=2) > 16).mean() > 0.003, name

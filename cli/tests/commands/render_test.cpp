@@ -240,6 +240,31 @@ TEST_F(Render, SaysWhereABodyHasNoNames) {
   EXPECT_NE(render("--show names -o dome.png").out.find("note: this body has no named places"), std::string::npos);
 }
 
+TEST_F(Render, DrawsTheTrunkInTheBuildAndPostureAskedFor) {
+  const auto trunk = [&](const std::string& arguments, const std::string& file) {
+    const CommandResult result = support::runPalpate(
+        "render trunk.toml --no-labels --supersampling 1 --size 160x120 " + arguments + " -o " + file, folder_.path());
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return image(file).pixels;
+  };
+  const auto named = [&](const std::string& keys, const std::string& file) {
+    std::ofstream(folder_ / file) << "[body]\ntriangles = 8000\n" << keys;
+  };
+  named("", "trunk.toml");
+  const auto standing = trunk("", "standing.png");
+  EXPECT_NE(trunk("--view below", "below.png"), standing);
+  const auto thin_sitting = trunk("--build thin --posture sitting", "a.png");
+  EXPECT_NE(thin_sitting, standing);
+  named(
+      "body_mass_index = 18\nmuscle = 0.6\ngirth = 0.92\nspine_relief = 1.6\nrib_relief = 1.6\nposture = \"sitting\"\n",
+      "trunk.toml");
+  EXPECT_EQ(trunk("", "b.png"), thin_sitting) << "as scenes/thin.toml has it";
+  EXPECT_EQ(trunk("--build average --posture standing", "c.png"), standing);
+  EXPECT_EQ(errorOf("--build thin"), "palpate: --build and --posture need the trunk; this body is of kind mesh\n");
+  EXPECT_EQ(errorOf("--build thinn"),
+            "palpate: --build: 'thinn' is not one of average|thin|heavy; did you mean 'thin'? (see --help)\n");
+}
+
 TEST_F(Render, RefusesWithOneLine) {
   EXPECT_EQ(errorOf("-o picture.jpg"),
             "palpate: picture.jpg: must be named *.png: pictures are written as PNG, films as *.mp4 or *.webm\n");

@@ -102,6 +102,7 @@ constexpr std::array kOptions = {
     Option{"skin_tone", [](auto& o, const auto&, py::handle v, auto* key) { o.view.skin_tone = number(v, key, 1, 6); }},
     Option{"dent_contrast",
            [](auto& o, const auto&, py::handle v, auto* key) { o.view.dent_contrast = number(v, key, 0, 10); }},
+    Option{"lens", [](auto& o, const auto&, py::handle v, auto*) { o.view.lens = truth(v); }},
     Option{"finger",
            [](auto& o, const auto&, py::handle v, auto* key) { o.view.finger = word<scene::FingerShape>(v, key); }},
     Option{"stereo",
