@@ -11,6 +11,7 @@
 #include "palpate/body/places.h"
 #include "palpate/body/skin_outline.h"
 #include "palpate/body/trunk/trunk_field.h"
+#include "palpate/body/trunk/trunk_folds.h"
 #include "palpate/mesh/nearest.h"
 #include "palpate/mesh/validate.h"
 
@@ -122,6 +123,41 @@ TEST(Trunk, ItsBackIsTheBackThatWasFittedBefore) {
     }
   }
   EXPECT_LT(std::sqrt(squares / count), 0.6) << "two fits of one body, one by radius, one by distance";
+}
+
+TEST(TrunkFolds, MoveNothingOnTheBackFromTheNeckToTheSacrum) {
+  const TrunkField field;
+  const TrunkFolds folds(field, {});
+  int count = 0;
+  for (double y = -390; y <= 230; y += 5) {
+    for (double x = -135; x <= 135; x += 5) {
+      const SkinPoint place = field.project(Vec3(x, y, 105));
+      if (place.normal.z() < 0.3 || place.position.z() < 40) continue;
+      EXPECT_EQ(folds.at(place), Vec3::Zero()) << place.position.transpose();
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 4000);
+}
+
+TEST(TrunkFolds, MakeCreaseNavelAndCollarBonesOnBothSidesAlike) {
+  const TrunkField field;
+  const TrunkFolds folds(field, {});
+  const auto out = [&](const Vec3& near) {
+    const SkinPoint place = field.project(near);
+    const SkinPoint other = field.project(Vec3(-near.x(), near.y(), near.z()));
+    const Vec3 moved = folds.at(place);
+    EXPECT_LT((folds.at(other) - Vec3(-moved.x(), moved.y(), moved.z())).norm(), 1e-6);
+    return moved.dot(place.normal);
+  };
+  EXPECT_LT(out({60, -469, 92}), -4) << "gluteal crease";
+  EXPECT_LT(out({0, -220, -100}), -5) << "navel";
+  EXPECT_LT(out({178, 16, 8}), -4) << "armpit";
+  EXPECT_GT(out({90, 160, -8}), 2) << "collar bone";
+  EXPECT_GT(out({0, -280, -103}), 5) << "belly";
+  const TrunkFolds of_sitting(field, {.gluteal = 0, .belly = 0});
+  EXPECT_EQ(of_sitting.at(field.project({60, -469, 92})), Vec3::Zero());
+  EXPECT_EQ(of_sitting.at(field.project({0, -290, -103})), Vec3::Zero());
 }
 
 TEST(Trunk, MoreBodyMassMovesTheBellyMostAndTheBonesNotAtAll) {

@@ -18,6 +18,7 @@
 #include "palpate/body/trunk/above_bones.h"
 #include "palpate/body/trunk/even_mesh.h"
 #include "palpate/body/trunk/trunk_field.h"
+#include "palpate/body/trunk/trunk_folds.h"
 
 namespace palpate::body {
 
@@ -25,6 +26,7 @@ namespace {
 
 constexpr double kTrunkBoneShare = 0.3;
 constexpr std::size_t kMaxOfTrunkBones = 24000;  // more triangles do not make better bones
+constexpr double kGlutealOfSitting = 0.15;       // of the gluteal fold: bent hips stretch it
 constexpr double kRoughCellMm = 14;              // finer than armpits, folds and the cleft are wide
 
 std::size_t boneTriangles(const TrunkSettings& settings) {
@@ -53,11 +55,22 @@ mesh::TriangleMesh fittedSkin(const TrunkField& field, std::size_t triangles) {
       rough, [&](const Vec3& p) { return field.project(p); }, triangles);
 }
 
+FoldAmounts foldsOf(const TrunkShape& shape) {
+  constexpr double kBellyWithin = 4.5;  // kg/m^2 from the fitted body
+  const double away = std::abs(shape.body_mass_index - kFittedMassIndex);
+  return {.gluteal = shape.posture == Posture::sitting ? kGlutealOfSitting : 1.0,
+          .belly = std::max(0.0, 1.0 - away / kBellyWithin)};
+}
+
 /// Takes points of the fitted skin to where they are on this body.
 class Shaper {
  public:
   Shaper(const TrunkField& field, const TrunkShape& shape, std::span<const Bone> fitted_bones)
-      : field_(field), shape_(shape), warp_(shape), scale_(shape.stature_mm / kTableStatureMm) {
+      : field_(field),
+        folds_(field, foldsOf(shape)),
+        shape_(shape),
+        warp_(shape),
+        scale_(shape.stature_mm / kTableStatureMm) {
     if (shape.relief.any()) relief_ = skinDetail(fitted_bones, shape.relief, shape.asymmetry);
   }
 
@@ -66,7 +79,8 @@ class Shaper {
 
   Vec3 skin(const SkinPoint& fitted, double depth_mm) const {
     const double out = keptOffBone(softTissueGrowth(shape_, fitted.position), depth_mm);
-    return warp_(fitted.position + out * (out > 0 ? field_.outward(fitted) : fitted.normal) + relief(fitted));
+    return warp_(fitted.position + folds_.at(fitted) + out * (out > 0 ? field_.outward(fitted) : fitted.normal) +
+                 relief(fitted));
   }
   Vec3 bone(const Vec3& fitted) const { return warp_(fitted); }
   double scale() const { return scale_; }
@@ -93,6 +107,7 @@ class Shaper {
   }
 
   const TrunkField& field_;
+  TrunkFolds folds_;
   TrunkShape shape_;
   BodyWarp warp_;
   double scale_;

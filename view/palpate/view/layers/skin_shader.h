@@ -267,6 +267,11 @@ const float lines_per_mm = 1.45;
 const mat3 one_way = mat3(0.870, 0.260, 0.240, 1.160, -0.215, 0.0, 0.870, 0.260, -0.240);
 const mat3 other_way = mat3(-0.870, 0.260, 0.240, 1.160, 0.215, 0.0, -0.870, 0.260, -0.240);
 const float blotches_per_mm = 0.33;
+// Freckles, moles and the mouths of pores: balls in the cells of lattices that are turned, so that no grid lies along
+// the body's axes.
+const mat3 freckle_cells = 0.17 * mat3(0.80, 0.36, -0.48, -0.60, 0.48, -0.64, 0.0, 0.80, 0.60);
+const float pores_per_mm = 0.75;
+const mat3 pore_cells = pores_per_mm * mat3(0.60, -0.64, 0.48, 0.0, 0.60, 0.80, -0.80, -0.48, 0.36);
 
 // Value noise: gradient and value. The lattice is hashed by products and fractions of small whole numbers, all four
 // corners of a layer at once (after Sharpe, "A fast and simple 32bit floating point hash function", 2011); it repeats
@@ -292,6 +297,20 @@ vec4 noiseAt(vec3 p) {
   vec2 slope_y = at_x.yw - at_x.xz;
   return vec4(ds * vec3(mix(slope_x.x, slope_x.y, s.z), mix(slope_y.x, slope_y.y, s.z), at_y.y - at_y.x),
               mix(at_y.x, at_y.y, s.z));
+}
+
+// A ball in the cell of a lattice, with a radius between two shares of the cell, smaller ones far more often.
+// x: 1 in its middle, 0 outside; y: a random number of it.
+vec2 spotAt(vec3 p, float least, float most) {
+  const float period = 61.0;
+  vec3 base = floor(p);
+  vec3 cell = base - floor(base / period) * period;
+  float mixed = fract(dot(cell, vec3(0.7548777, 0.5698403, 0.3819660)));
+  vec3 random = fract(mixed * (mixed + 0.37) * vec3(613.0, 757.3, 977.1));
+  float size = fract(random.x * 37.7 + random.y * 11.3);
+  float radius = mix(least, most, size * size * size);
+  float away = distance(p - base, most + random * (1.0 - 2.0 * most));
+  return vec2(1.0 - smoothstep(0.5 * radius, radius, away), size);
 }
 
 // How much of a net is seen: its cells must be some pixels wide, else it shimmers or looks like the peel of an orange.
@@ -342,6 +361,12 @@ void main() {
     float blotch = noiseAt(blotches_per_mm * rest).w - 0.5;
     skin *= 1.0 - 0.06 * seen * max(one.w, other.w);
     skin *= vec3(1.0) + vec3(0.06, 0.13, 0.12) * (blotch * seenOf(mm_a_pixel, 2.0 * blotches_per_mm));
+    // Pigment in spots shows on light skin; in dark skin there is as much of it everywhere.
+    vec2 freckle = spotAt(freckle_cells * rest, 0.06, 0.24);
+    float pigment = freckle.x * (0.25 + 0.45 * freckle.y * freckle.y) * (0.3 + 0.7 * skin_scatter * skin_scatter);
+    skin *= 1.0 - vec3(0.45, 0.68, 0.85) * (pigment * seenOf(mm_a_pixel, 0.65));
+    float pore = spotAt(pore_cells * rest, 0.12, 0.26).x;
+    skin *= 1.0 - vec3(0.13, 0.19, 0.20) * (pore * seenOf(mm_a_pixel, pores_per_mm));
     narrow -= 0.06 * seen;
   }
 #endif

@@ -19,6 +19,8 @@ constexpr double kMottling = 0.08;
 constexpr double kThinSkinMm = 9.0;
 /// The share of all light that a place without any sky loses.
 constexpr double kShade = 0.85;
+/// And a crease.
+constexpr double kCreaseShade = 0.42;
 /// A sphere of this radius counts as fully curved: a fingertip.
 constexpr double kFullCurvatureMm = 8.0;
 
@@ -54,9 +56,37 @@ double curvatureAt(const deform::Skin& skin, Index vertex) {
   return std::min(1.0, largest * kFullCurvatureMm);
 }
 
+/// How hollow the skin is, 1/mm: half the mean bend towards the neighbours.
+double hollowAt(const deform::Skin& skin, Index vertex) {
+  double bend = 0.0;
+  int count = 0;
+  const Vec3f place = skin.restPosition(vertex);
+  const Vec3f normal = skin.restNormal(vertex);
+  for (const Index other : skin.neighbours[vertex]) {
+    const Vec3f way = skin.restPosition(other) - place;
+    if (!(way.squaredNorm() > 0.0f)) continue;
+    bend += normal.dot(way) / way.squaredNorm();
+    ++count;
+  }
+  return count > 0 ? bend / count : 0.0;
+}
+
+/// The share of light that is left in a crease, which is too narrow for the patches of skyLeft.
+double leftInCrease(double hollow) { return 1.0 - kCreaseShade * std::clamp((hollow - 0.010) / 0.05, 0.0, 1.0); }
+
+/// Pigment by sun, as it is at most on a back: neck and shoulders tanned, what clothes cover paler. `up`: 0 at
+/// L4, 1 at T1.
+double tanAt(double up) {
+  const auto rise = [](double low, double high, double x) {
+    const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+  };
+  return 0.17 * rise(0.35, 1.1, up) - 0.09 * (1.0 - rise(-0.32, 0.02, up));
+}
+
 std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)); }
 
-TintBytes tintAt(const scene::World& world, Index vertex, double open) {
+TintBytes tintAt(const scene::World& world, Index vertex, double open, double tan) {
   const Vec3& place = world.body->skin.positions[vertex];
   const BoneInfluence bone = boneInfluence(world.body->anatomy, vertex);
   // Blood varies more than pigment: the red channel least in value, so blotches read as warmer and cooler.
@@ -67,9 +97,28 @@ TintBytes tintAt(const scene::World& world, Index vertex, double open) {
   const double green = light * (1.0 - kMottling * blood + 0.03 * bone.thin);
   const double blue = light * (1.0 - 0.8 * kMottling * blood + 0.05 * bone.thin);
   // Light that is thrown to and fro in a fold has become redder.
-  const double shade = 1.0 - kShade * (1.0 - open);
-  return {byteOf(kTintUnit * red * std::pow(shade, 0.8)), byteOf(kTintUnit * green * std::pow(shade, 1.1)),
-          byteOf(kTintUnit * blue * std::pow(shade, 1.2)), byteOf(255.0 * curvatureAt(*world.deformable, vertex))};
+  const double shade = (1.0 - kShade * (1.0 - open)) * leftInCrease(hollowAt(*world.deformable, vertex));
+  return {byteOf(kTintUnit * red * std::pow(shade, 0.8) * std::exp(-0.60 * tan)),
+          byteOf(kTintUnit * green * std::pow(shade, 1.1) * std::exp(-0.95 * tan)),
+          byteOf(kTintUnit * blue * std::pow(shade, 1.2) * std::exp(-1.45 * tan)),
+          byteOf(255.0 * curvatureAt(*world.deformable, vertex))};
+}
+
+/// Heights of T1 and L4, between which the sun is worked out: of a body that has them and no picture with a sun of its
+/// own.
+struct TannedSpan {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+TannedSpan tannedSpan(const scene::World& world) {
+  TannedSpan span;
+  if (world.body->texture != nullptr) return span;
+  for (const body::SkinLandmark& landmark : world.body->anatomy.landmarks) {
+    if (landmark.name == "spinous_T1") span.high = landmark.position.y();
+    if (landmark.name == "spinous_L4") span.low = landmark.position.y();
+  }
+  return span;
 }
 
 }  // namespace
@@ -77,7 +126,12 @@ TintBytes tintAt(const scene::World& world, Index vertex, double open) {
 std::vector<TintBytes> skinTints(const scene::World& world) {
   std::vector<TintBytes> tints(world.deformable->vertices);
   const std::vector<float> open = skyLeft(*world.deformable);
-  for (Index v = 0; v < world.deformable->vertices; ++v) tints[v] = tintAt(world, v, open[v]);
+  const TannedSpan span = tannedSpan(world);
+  const bool tanned = span.low < span.high;
+  for (Index v = 0; v < world.deformable->vertices; ++v) {
+    const double up = (world.body->skin.positions[v].y() - span.low) / (span.high - span.low);
+    tints[v] = tintAt(world, v, open[v], tanned ? tanAt(up) : 0.0);
+  }
   return tints;
 }
 

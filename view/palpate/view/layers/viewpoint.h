@@ -82,8 +82,14 @@ vec3 matteLight(vec3 normal, float key_share) {
          ambientFrom(normal);
 }
 
-// Light that goes round the edge of shadow, a channel each: that which travels under the skin, and that of a wide lamp.
-vec3 wrapped(float cosine, vec3 wrap) { return saturate((cosine + wrap) / ((1.0 + wrap) * (1.0 + wrap))); }
+// Light that goes round the edge of shadow, a channel each: that which travels under the skin, and that of a wide lamp,
+// which sets over +-edge of the cosine. Where it sets at once, a ridge of the body throws a shadow with a hard edge.
+vec3 wrapped(float cosine, vec3 wrap) {
+  const float edge = 0.34;
+  vec3 light = (cosine + wrap) / ((1.0 + wrap) * (1.0 + wrap));
+  vec3 risen = clamp(light + edge, 0.0, 2.0 * edge);
+  return min(max(light - edge, 0.0) + risen * risen / (4.0 * edge), 1.0);
+}
 
 // How far, by the share of a fingertip's curvature and by how much the tone lets through.
 vec3 wrapOf(float curvature, float scatter) {
