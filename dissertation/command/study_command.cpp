@@ -94,8 +94,9 @@ void addPage(CLI::App& parent, const study::Study& study) {
   }
   if (!study.families.empty()) {
     command
-        .add_option("--family", arguments->family,
-                    fmt::format("Only cases of this family ({} unless --cases says otherwise): {}", study.family_cases,
+        .add_option(study.name == "training" ? "--observer" : "--family", arguments->family,
+                    fmt::format("Only cases of this {} ({} unless --cases says otherwise): {}",
+                                study.name == "training" ? "simulated observer" : "family", study.family_cases,
                                 fmt::join(study.families, ", ")))
         ->check(CLI::IsMember(study.families));
   }

@@ -64,11 +64,17 @@ std::string trialWords(const classroom::StationState& state) {
   }
 }
 
+bool isTelling(const classroom::StationState& state) {
+  return training::ThresholdSummary{.median = state.threshold, .low = state.low, .high = state.high}.telling();
+}
+
 std::string levelWords(const classroom::StationState& state) {
   std::string words = state.change > 0.0 ? fmt::format("level {:.0f} %", 100.0 * state.change) : std::string();
   if (state.threshold > 0.0) {
-    words += fmt::format("{}T {:.0f} % ({:.0f}-{:.0f})", words.empty() ? "" : ", ", 100.0 * state.threshold,
-                         100.0 * state.low, 100.0 * state.high);
+    words += (words.empty() ? "" : ", ") + (isTelling(state)
+                                                ? fmt::format("{:.0f} % ({:.0f} to {:.0f} %)", 100.0 * state.threshold,
+                                                              100.0 * state.low, 100.0 * state.high)
+                                                : std::string(training::kMoreTrialsNeeded));
   }
   return words;
 }
@@ -161,14 +167,18 @@ void forceTrace(const std::vector<classroom::ForcePoint>& forces) {
   labelAt({strip.high.x - 70.0f, strip.high.y - 18.0f}, "last 20 s");
 }
 
-/// T with its 95 % interval, on an axis of halves: 4 to 100 %.
+/// The smallest reliable change with its 95 % interval, on an axis of halves: 4 to 100 %.
 void thresholdBand(const classroom::StationState& state) {
   if (!(state.threshold > 0.0)) {
-    ImGui::TextDisabled("No threshold yet");
+    ImGui::TextDisabled("No result yet");
     return;
   }
-  ImGui::Text("T %.0f %%, 95 %% interval %.0f to %.0f %%", 100.0 * state.threshold, 100.0 * state.low,
-              100.0 * state.high);
+  if (!isTelling(state)) {
+    ImGui::TextDisabled("Smallest reliable change: more trials needed");
+    return;
+  }
+  ImGui::Text("Smallest reliable change %.0f %%, 95 %% interval %.0f to %.0f %%", 100.0 * state.threshold,
+              100.0 * state.low, 100.0 * state.high);
   const Strip strip = stripBegun(26.0f);
   const auto place = [](double change) { return std::clamp(std::log(change / 0.04) / std::log(1.0 / 0.04), 0.0, 1.0); };
   ImDrawList& draw = *ImGui::GetWindowDrawList();

@@ -130,6 +130,9 @@ std::string thresholdWords(const BlockRow& block) {
     return block.mastered_change ? fmt::format("level {} %", resultsPercent(*block.mastered_change)) : std::string();
   }
   if (block.threshold <= 0.0 || block.trials == 0) return {};
+  const training::ThresholdSummary shown{
+      .median = block.threshold, .low = block.threshold_low, .high = block.threshold_high};
+  if (!shown.telling()) return std::string(training::kMoreTrialsNeeded);
   return fmt::format("{} % ({} to {} %)", resultsPercent(block.threshold), resultsPercent(block.threshold_low),
                      resultsPercent(block.threshold_high));
 }

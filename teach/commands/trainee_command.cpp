@@ -283,8 +283,9 @@ class TraineeCommand {
       const double mean = std::accumulate(thresholds.begin(), thresholds.end(), 0.0) / n;
       double squares = 0.0;
       for (const double threshold : thresholds) squares += (threshold - mean) * (threshold - mean);
-      lines += fmt::format("{}: {} trainees, T {} % on average (SD {} %)\n", wordFor(kind), thresholds.size(),
-                           percentWords(mean), percentWords(std::sqrt(squares / std::max(1.0, n - 1.0))));
+      lines +=
+          fmt::format("{}: {} trainees, smallest reliable change {} % on average (SD {} %)\n", wordFor(kind),
+                      thresholds.size(), percentWords(mean), percentWords(std::sqrt(squares / std::max(1.0, n - 1.0))));
     }
     return lines;
   }

@@ -232,7 +232,7 @@ Plot fitPlot(const ThresholdPoint& point) {
   }
   plot.shapes.push_back(curveBand("95 % band", x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
   const double t = 100.0 * point.threshold->median;
-  plot.shapes.push_back({.name = "T",
+  plot.shapes.push_back({.name = "smallest reliable change",
                          .paths = {{{t, 0.0}, {t, 100.0}}},
                          .closed = false,
                          .stroke = Stroke::dashed,
@@ -478,6 +478,15 @@ TrainingPicture accuracyPicture(const TestsAndPracticeShown& shown) {
           alternative, panelFigure({std::move(raw), std::move(corrected)})};
 }
 
+namespace {
+
+/// Somebody who only lifts and presses never searches.
+std::string medianForce(const training::Spread& force) {
+  return force.count == 0 ? "not measured" : fmt::format("{:.2f} N", force.median);
+}
+
+}  // namespace
+
 TrainingPicture handlingPicture(const TestsAndPracticeShown& shown) {
   const std::vector<ShownTrials> all = shownTrials(shown);
   const double most_force = lastBox(all, {&TrialStatistics::search_force_bins, &TrialStatistics::palpate_force_bins});
@@ -490,9 +499,9 @@ TrainingPicture handlingPicture(const TestsAndPracticeShown& shown) {
         outlineSeries(each.trials->palpate_force_bins, "palpation", figures::kVermilion, Stroke::solid));
     plots.push_back(std::move(plot));
     alternative += fmt::format(
-        "In {} the median force was {:.2f} N while searching and {:.2f} N while palpating, the median speed {:.0f} "
-        "mm/s. ",
-        each.name, each.trials->search_force_n.median, each.trials->palpate_force_n.median,
+        "In {} the median force was {} while searching and {} while palpating, the median speed "
+        "{:.0f} mm/s. ",
+        each.name, medianForce(each.trials->search_force_n), medianForce(each.trials->palpate_force_n),
         each.trials->speed_mm_per_s.median);
   }
   Plot speed = sharePlot("speed", "mean speed of a trial", "mm/s", lastBox(all, {&TrialStatistics::speed_bins}));

@@ -90,6 +90,11 @@ std::string resultSentence(const TraineeStatistics& trainee) {
   const ThresholdPoint* latest = trainee.latest();
   if (latest == nullptr) return "No result yet: no block has enough answers for a threshold.";
   const auto& t = *latest->threshold;
+  if (!t.telling()) {
+    return fmt::format("Smallest reliable change: {} ({} {} so far, in the {} of {}).", training::kMoreTrialsNeeded,
+                       latest->trials.counted, latest->trials.counted == 1 ? "answer" : "answers",
+                       occasionWords(latest->kind, latest->nth), dayWords(latest->start_ms));
+  }
   return fmt::format("Smallest reliable change: about {} of {}, measured in the {} of {} with {} answers.",
                      thresholdWords(t.median, t.low, t.high), wordFor(latest->meaning),
                      occasionWords(latest->kind, latest->nth), dayWords(latest->start_ms), latest->trials.counted);
@@ -288,6 +293,9 @@ std::string changeWords(double change) {
 }
 
 std::string thresholdWords(double median, double low, double high) {
+  if (!training::ThresholdSummary{.median = median, .low = low, .high = high}.telling()) {
+    return std::string(training::kMoreTrialsNeeded);
+  }
   const std::string from = changeWords(low);
   return fmt::format("{} ({} to {})", changeWords(median), from.substr(0, from.find(kNoBreak)), changeWords(high));
 }

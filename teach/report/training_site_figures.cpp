@@ -123,8 +123,9 @@ TrainingPicture coveragePicture(const TrialStatistics& trials, const ReportBack&
   const auto least = std::ranges::min_element(trials.felt, {}, &SiteFelt::felt);
   std::string alternative = fmt::format("The back with its sites, {}.", what);
   if (least != trials.felt.end()) {
-    alternative +=
-        fmt::format(" Least often felt: site {}, in {} of {} trials.", least->site, least->felt, least->trials);
+    alternative += least->felt == least->trials ? " Every site was felt in every trial."
+                                                : fmt::format(" Least often felt: site {}, in {} of {} trials.",
+                                                              least->site, least->felt, least->trials);
   }
   return {"coverage",
           "How long and how hard each site was pressed in " + what +

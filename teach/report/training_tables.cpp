@@ -199,7 +199,9 @@ std::string fitsTable(const TraineeStatistics& trainee) {
                     fmt::format("{}", point.trials.counted)});
   }
   if (rows.empty()) return {};
-  return tableOf("numbers", {"block", "day", "T (95 %)", "slope", "lapse rate", "places asked about", "answers"}, rows);
+  return tableOf("numbers",
+                 {"block", "day", "smallest change (95 %)", "slope", "lapse rate", "places asked about", "answers"},
+                 rows);
 }
 
 std::string occasionsTable(const training::ClassStatistics& all) {
@@ -215,8 +217,8 @@ std::string occasionsTable(const training::ClassStatistics& all) {
   }
   if (rows.empty()) return {};
   return tableOf("numbers",
-                 {"occasion", "trainees", "mean T of the group (95 %)", "SD between trainees", "lower quartile",
-                  "median", "upper quartile", "verdicts"},
+                 {"occasion", "trainees", "mean smallest change of the group (95 %)", "SD between trainees",
+                  "lower quartile", "median", "upper quartile", "verdicts"},
                  rows);
 }
 
@@ -240,10 +242,10 @@ std::string traineesTable(const training::TrainingStatistics& statistics) {
                     fmt::format("{}", left_out),
                     fmt::format("{} of {}", trainee.tests.easy_wrong, trainee.tests.easy)});
   }
-  return tableOf(
-      "numbers",
-      {"trainee", "blocks", "trials", "latest", "T (95 %)", "since the first test", "left out", "easy ones wrong"},
-      rows);
+  return tableOf("numbers",
+                 {"trainee", "blocks", "trials", "latest", "smallest change (95 %)", "since the first test", "left out",
+                  "easy ones wrong"},
+                 rows);
 }
 
 std::string levelsTable(const TrialStatistics& trials, const std::string& what) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "report/page/plot_parts.h"
+#include "teach/study/eye_observer.h"
 #include "teach/study/training_measurement.h"
 #include "teach/study/training_numbers.h"
 
@@ -318,6 +319,7 @@ std::vector<StudyFigure> trainingFigures(const TrainingMeasurement& found) {
 }
 
 StudyPage studyTraining(const StudySettings& settings) {
+  if (settings.family == kEyeObserver) return studyEye(settings);
   TrainingPlan plan = trainingPlan(settings.quick, settings.cases);
   plan.seed = settings.seed.value_or(plan.seed);
   const TrainingMeasurement found = measureTraining(plan, settings.progress);
@@ -351,7 +353,9 @@ Study trainingStudy() {
   return {.name = "training",
           .what = "Thresholds of simulated trainees: bias, spread, coverage, examination, places left out, a course",
           .run = studyTraining,
-          .draws = true};
+          .draws = true,
+          .families = {std::string(kEyeObserver)},
+          .family_cases = kEyeTests};
 }
 
 }  // namespace palpate::study

@@ -87,10 +87,17 @@ class Tour {
     pressSite(4);
     key(Key::enter);
     settle();
+    pressSite(10, true);
     pressSite(4);
     take("familiarisation");
     key(kKeyT);
     key(Key::space);
+    settle();
+    pressSite(10, true);
+    pressSite(4);
+    take("which-is-stiffer");
+    key(Key::space);
+    answerFamiliar();
     take("instruction");
     key(Key::space);
     settle();
@@ -102,7 +109,9 @@ class Tour {
     settle();
     answer(truth() % 12 + 1);
     settle();
+    pressSite(truth());
     take("wrong");
+    key(kKeyT);
     key(Key::space);
     settle();
     key(window::key('P'));
@@ -215,6 +224,13 @@ class Tour {
     }
   }
 
+  void answerFamiliar() {
+    key(Key::backspace);
+    text(fmt::format("{}", truth()));
+    key(Key::enter);
+    settle();
+  }
+
   /// With the keyboard's finger, until the dot is filled or for a moment.
   void pressSite(int site, bool lifts = false) {
     const bool trial = training_->screen().picks_sites;
@@ -223,7 +239,7 @@ class Tour {
     key(trial ? Key::space : kKeyT);
     const auto end = now_s_ + 2.0;
     const auto pressed = [&] { return training_->session()->visited(site); };
-    while (now_s_ < end && !(trial && pressed())) {
+    while (now_s_ < end && !((trial || lifts) && pressed())) {
       frame();
       std::this_thread::sleep_for(std::chrono::milliseconds(16));
     }

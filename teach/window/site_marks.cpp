@@ -49,13 +49,15 @@ void words(ImDrawList& list, const ImVec2& middle, const char* text, ImU32 ink) 
   list.AddText({middle.x - 0.5f * size.x, middle.y - 0.5f * size.y}, ink, text);
 }
 
-/// From the outside towards the site, with its words at the far end.
-void arrowTo(ImDrawList& list, const ImVec2& at, bool from_left, const std::string& says) {
+/// From the outside towards the site, with its words at the far end: an arrow to a true one, else a plain line.
+void leadTo(ImDrawList& list, const ImVec2& at, bool from_left, bool arrow, const std::string& says) {
   const float away = from_left ? -1.0f : 1.0f;
   const ImVec2 tip(at.x + away * (kTagAway + kTagRadius + 4.0f), at.y);
-  const ImVec2 tail(tip.x + away * 44.0f, at.y);
-  rimmedLine(list, tail, tip, kOrangeInk, 4.0f);
-  for (const float side : {-8.0f, 8.0f}) rimmedLine(list, {tip.x + away * 11.0f, tip.y + side}, tip, kOrangeInk, 4.0f);
+  const ImVec2 tail(tip.x + away * (arrow ? 44.0f : 22.0f), at.y);
+  rimmedLine(list, tail, tip, arrow ? kOrangeInk : kLightInk, arrow ? 4.0f : 2.0f);
+  for (const float side : {-8.0f, 8.0f}) {
+    if (arrow) rimmedLine(list, {tip.x + away * 11.0f, tip.y + side}, tip, kOrangeInk, 4.0f);
+  }
   const ImVec2 size = ImGui::CalcTextSize(says.c_str());
   const float left = from_left ? tail.x - size.x - 18.0f : tail.x + 6.0f;
   const ImVec2 corner(left, at.y - 0.5f * size.y - 5.0f);
@@ -64,10 +66,13 @@ void arrowTo(ImDrawList& list, const ImVec2& at, bool from_left, const std::stri
   list.AddText({corner.x + 6.0f, corner.y + 5.0f}, kLightInk, says.c_str());
 }
 
-void paintSiteMark(ImDrawList& list, const ImVec2& at, float radius, const SiteMark& mark) {
-  rimmedCircle(list, at, radius, kLightInk, 2.0f);
-  if (mark.pressed) list.AddCircleFilled(at, radius - 3.0f, kLightInk, kRound);
-  if (mark.touched) rimmedCircle(list, at, radius + 5.0f, kBlueInk, 2.5f);
+/// `bare`: nothing over a place that is touched, so that the eye sees the skin give way.
+void paintSiteMark(ImDrawList& list, const ImVec2& at, float radius, const SiteMark& mark, bool bare) {
+  if (!bare || !mark.touched) {
+    rimmedCircle(list, at, radius, kLightInk, 2.0f);
+    if (mark.pressed) list.AddCircleFilled(at, radius - 3.0f, kLightInk, kRound);
+    if (mark.touched) rimmedCircle(list, at, radius + 5.0f, kBlueInk, 2.5f);
+  }
   if (mark.picked) brackets(list, at, radius + 8.0f);
 }
 
@@ -82,15 +87,16 @@ void paintSiteDot(ImDrawList& list, const ImVec2& at, float radius, bool pressed
 int paintSiteMarks(const TrainingScreen& screen, const std::vector<SeenSite>& sites) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   int clicked = 0;
-  for (std::size_t i = 0; i < std::min(sites.size(), screen.sites.size()); ++i) {
-    if (!sites[i].at) continue;
-    const SiteMark& mark = screen.sites[i];
-    const ImVec2 at(static_cast<float>(sites[i].at->x()), static_cast<float>(sites[i].at->y()));
-    paintSiteMark(list, at, kSiteRadius, mark);
-    const ImVec2 tag(at.x + (sites[i].tag_left ? -kTagAway : kTagAway), at.y);
+  for (const SiteMark& mark : screen.sites) {
+    const auto index = static_cast<std::size_t>(mark.number) - 1;
+    if (index >= sites.size() || !sites[index].at) continue;
+    const SeenSite& seen = sites[index];
+    const ImVec2 at(static_cast<float>(seen.at->x()), static_cast<float>(seen.at->y()));
+    paintSiteMark(list, at, kSiteRadius, mark, screen.shows_sink);
+    const ImVec2 tag(at.x + (seen.tag_left ? -kTagAway : kTagAway), at.y);
     list.AddCircleFilled(tag, kTagRadius, kDarkInk, kRound);
     words(list, tag, fmt::format("{}", mark.number).c_str(), kLightInk);
-    if (mark.is_true) arrowTo(list, at, sites[i].tag_left, screen.mark_word);
+    if (!mark.word.empty()) leadTo(list, at, seen.tag_left, mark.is_true, mark.word);
     if (!screen.picks_sites) continue;
     widgetPlaces()[fmt::format("training/tag/{}", mark.number)] = {tag.x - kTagRadius, tag.y - kTagRadius,
                                                                    tag.x + kTagRadius, tag.y + kTagRadius};

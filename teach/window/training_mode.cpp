@@ -9,6 +9,7 @@
 #include "palpate/base/error.h"
 #include "palpate/training/records/trainee_code.h"
 #include "palpate/training/session/trial_scene.h"
+#include "palpate/view/overlays/sink_rings.h"
 #include "teach/window/training_painting.h"
 
 namespace palpate::viewer {
@@ -25,6 +26,8 @@ constexpr double kAnswerSavedS = 3.0;
 constexpr std::int64_t kSameNumberMs = 1500;
 /// Around the sites as much of the body is seen as tells where on it they are, mm.
 constexpr double kRoomAsideMm = 110.0;
+/// Bodies of familiarisation have numbers below those of trials and below TrialWorld's "none".
+constexpr int kFamiliarBodies = -2;
 /// Farther from its site than this, what the eye meets first is another side of the body, mm.
 constexpr double kSameSideMm = 25.0;
 
@@ -100,6 +103,8 @@ TrialWorld::Body TrainingMode::wanted() const {
   const bool of_trial = session.screen() == Screen::trial || session.screen() == Screen::feedback;
   int trial = of_trial ? session.trialNumber() : 0;
   if (session.screen() == Screen::feedback) trial = static_cast<int>(session.trials().back().number);
+  // Each time that familiarisation asks is another body too; trials count from 1.
+  if (const auto pair = session.familiarPlaces()) trial = kFamiliarBodies - pair->round;
   return {session.hidden(), trial};
 }
 
@@ -138,7 +143,7 @@ void TrainingMode::takeButton(std::uint32_t buttons) {
   const bool pressed = down != 0 && buttons_ == 0;
   buttons_ = down;
   if (!pressed || !run_ || state_ != State::going_on || world_.waiting()) return;
-  if (run_->session().screen() != Screen::trial) return clicks_.push_back({TrainingAct::next, 0});
+  if (!run_->session().asks()) return clicks_.push_back({TrainingAct::next, 0});
   if (const int site = run_->session().touchedSite(); site != 0) {
     clicks_.push_back({TrainingAct::pick_site, site});
     clicks_.push_back({TrainingAct::answer, 0});
@@ -180,7 +185,13 @@ void TrainingMode::adjust(view::PictureSettings& picture) const {
   picture.look.colouring = view::Colouring::plain;
   picture.look.overlays.reset();
   picture.look.skin_opacity = 1.0;
+  picture.look.lens = screen_.shows_sink;
   picture.labels = view::LabelSettings::none();
+}
+
+std::vector<view::Lines> TrainingMode::marks(const scene::World& world, const ViewerState& viewer) const {
+  if (!screen_.shows_sink || world_.waiting()) return {};
+  return view::sinkRings(world, viewer.fingers[viewer.active_finger]);
 }
 
 TrainingOver TrainingMode::over() const {
@@ -294,14 +305,21 @@ void TrainingMode::typed(const std::string& letters) {
       std::from_chars(candidate.data(), candidate.data() + candidate.size(), number);
       if (sites_.numbered(number) == nullptr) continue;
       digits_ = candidate;
-      picked_ = number;
+      if (canPick(number)) picked_ = number;
       break;
     }
   }
 }
 
+/// Familiarisation knows two places alone.
+bool TrainingMode::canPick(int site) const {
+  const auto pair = run_ ? run_->session().familiarPlaces() : std::nullopt;
+  return pair ? site == pair->first || site == pair->second : sites_.numbered(site) != nullptr;
+}
+
 void TrainingMode::walk(const Vec2& by) {
-  picked_ = siteTowards(sites_, picked_, by);
+  const auto pair = run_ ? run_->session().familiarPlaces() : std::nullopt;
+  picked_ = !pair ? siteTowards(sites_, picked_, by) : picked_ == pair->first ? pair->second : pair->first;
   digits_.clear();
   keyboard_.press(false);
 }
@@ -358,7 +376,7 @@ void TrainingMode::actOnSession(TrainingAct act, int value) {
       picked_ = session.screen() == Screen::feedback ? picked_ : 0;
       break;
     case TrainingAct::pick_site:
-      picked_ = value;
+      if (canPick(value)) picked_ = value;
       digits_.clear();
       return;
     case TrainingAct::answer:

@@ -65,6 +65,8 @@ class TrainingMode : public Mode {
   bool wantsToQuit() const override { return quit_; }
   /// Skin as it is, and nothing that would give a place away.
   void adjust(view::PictureSettings& picture) const override;
+  /// How far the mouse's finger sinks, as rings: the eye stands in for the hand.
+  std::vector<view::Lines> marks(const scene::World& world, const ViewerState& viewer) const override;
   std::string finish(std::string_view ended_by) override;
 
   const TrainingScreen& screen() const { return screen_; }
@@ -104,6 +106,7 @@ class TrainingMode : public Mode {
   void actOnSession(TrainingAct act, int value);
   void typed(const std::string& letters);
   void walk(const Vec2& by);
+  bool canPick(int site) const;
   void takeButton(std::uint32_t buttons);
   void beginSession(ViewerState& viewer, LiveServo& servo);
   void endSession();

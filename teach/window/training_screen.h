@@ -45,7 +45,10 @@ struct SiteMark {
   bool pressed = false;  ///< enough: its dot is filled
   bool picked = false;   ///< would be answered: in brackets
   bool touched = false;  ///< a finger is on it: a second ring
-  bool is_true = false;  ///< feedback alone: an arrow and a word
+  bool is_true = false;  ///< when it is shown: an arrow to it
+  bool is_own = false;   ///< feedback alone: what was answered
+  /// Beside it, at the arrow's far end: "feel it here", "your answer"; empty: nothing.
+  std::string word = {};
 };
 
 enum class TrainingPlace : std::uint8_t {
@@ -67,7 +70,7 @@ struct TrainingScreen {
   std::size_t focus = 0;  ///< of the buttons: what Enter presses
   std::vector<SiteMark> sites = {};
   bool picks_sites = false;              ///< sites can be picked: the list of them stands beside the body
-  std::string mark_word = {};            ///< beside the true site
+  bool shows_sink = false;               ///< the eye stands in for the hand: rings and a close view from the side
   std::optional<double> time_left = {};  ///< share of the trial's time; nothing: no ring
   std::optional<double> done = {};       ///< share of the block, as a bar without a number
   std::string progress = {};             ///< practice alone: "Trial 3 of 20, two right"

@@ -119,20 +119,38 @@ TrainingScreen thimbleScreen(const TrainingView& view) {
 
 // --- a session
 
+/// What was answered, once it may be shown; 0: nothing.
+int ownAnswer(const training::Session& session) {
+  const bool shown = session.screen() == Screen::feedback && !session.trials().empty();
+  return shown ? session.trials().back().site_answer : 0;
+}
+
+std::string wordAt(const SiteMark& mark, const training::Session& session) {
+  if (session.screen() == Screen::familiarisation) {
+    if (!session.feelsTruth()) return {};
+    return mark.is_true ? "stiffer" : "normal";
+  }
+  if (mark.is_true) return mark.is_own ? "your answer: right" : "feel it here";
+  return mark.is_own ? "your answer" : "";
+}
+
 void addSites(const TrainingView& view, TrainingScreen& screen) {
   const training::Session& session = *view.session;
-  const bool asks = session.screen() == Screen::trial && !view.waiting;
+  const auto pair = session.familiarPlaces();
+  const bool asks = session.asks() && !view.waiting;
   const int truth = session.feelsTruth() && session.hidden() ? session.hidden()->site : 0;
   for (const training::Site& site : session.plan().sites.sites) {
+    if (pair && site.number != pair->first && site.number != pair->second) continue;
     SiteMark mark{.number = site.number};
-    mark.pressed = asks && session.visited(site.number);
+    mark.pressed = (asks || pair) && session.visited(site.number);
     mark.picked = view.picked == site.number && !view.waiting;
     mark.touched = session.touchedSite() == site.number && !view.waiting;
     mark.is_true = truth == site.number;
-    screen.sites.push_back(mark);
+    mark.is_own = ownAnswer(session) == site.number;
+    mark.word = wordAt(mark, session);
+    screen.sites.push_back(std::move(mark));
   }
   screen.picks_sites = asks;
-  if (truth != 0) screen.mark_word = "feel it here";
 }
 
 TrainingButton answerButton(const TrainingView& view) {
@@ -141,6 +159,13 @@ TrainingButton answerButton(const TrainingView& view) {
   if (site != nullptr) answer.label = fmt::format("Answer: {}", training::spoken(*site));
   answer.enabled = site != nullptr && !view.waiting;
   return answer;
+}
+
+void familiarButtons(const TrainingView& view, TrainingScreen& screen) {
+  screen.buttons = {answerButton(view), button(TrainingAct::leave, "Leave")};
+  screen.keys = view.by_mouse ? "Number and Enter answer. Arrows go to the other place, Space presses and lifts. "
+                                "Esc leaves."
+                              : "Number and Enter answer, or the device's button on the place. Esc leaves.";
 }
 
 void trialButtons(const TrainingView& view, TrainingScreen& screen) {
@@ -169,6 +194,14 @@ void addProgress(const training::Session& session, TrainingScreen& screen) {
 void nextButton(const char* label, TrainingScreen& screen) {
   screen.buttons = {button(TrainingAct::next, label), button(TrainingAct::leave, "Leave")};
   screen.keys = "Space or Enter goes on, Esc leaves.";
+}
+
+/// The mouse gives the hand nothing: the eye sees how far the finger sinks. The same words, rings and close view
+/// wherever it presses, so they tell no more than a hand would feel.
+void addSink(const TrainingView& view, TrainingScreen& screen) {
+  if (!view.by_mouse) return;
+  screen.shows_sink = true;
+  screen.lines.emplace_back("Watch how far it sinks: fewer rings, stiffer. Right-drag turns the body.");
 }
 
 /// Without a device the finger goes by keys, too.
@@ -222,7 +255,10 @@ TrainingScreen sessionScreen(const TrainingView& view) {
   switch (session.screen()) {
     case Screen::device_check:
       screen.sites.clear();
-      if (view.by_mouse) screen.lines = {"Press with the left mouse button on the back. The wheel presses deeper."};
+      if (view.by_mouse) {
+        screen.lines = {"Press with the left mouse button on the back. The wheel presses harder."};
+        screen.shows_sink = true;
+      }
       if (view.force_share < kWholeForce) {
         screen.lines.push_back(
             fmt::format("This device gives {:.0f} % of every force: all places feel softer to the same degree.",
@@ -236,24 +272,34 @@ TrainingScreen sessionScreen(const TrainingView& view) {
       addTouchKeys(view, screen);
       break;
     case Screen::familiarisation:
-      screen.lines = {"Compare it with the places around it."};
-      nextButton("Next", screen);
-      addTouchKeys(view, screen);
+      addSink(view, screen);
+      if (session.asks()) {
+        familiarButtons(view, screen);
+      } else {
+        screen.lines.insert(screen.lines.begin(), "Press one, then the other, until you feel the difference.");
+        nextButton("Next", screen);
+        addTouchKeys(view, screen);
+      }
       break;
     case Screen::trial:
+      addSink(view, screen);
       addProgress(session, screen);
       trialButtons(view, screen);
       break;
     case Screen::feedback:
       addProgress(session, screen);
       if (!session.trials().empty()) {
-        screen.outcome =
-            session.trials().back().correct ? TrainingScreen::Outcome::right : TrainingScreen::Outcome::wrong;
+        const training::TrialRow& trial = session.trials().back();
+        screen.outcome = trial.correct ? TrainingScreen::Outcome::right : TrainingScreen::Outcome::wrong;
+        const training::Site* own = session.plan().sites.numbered(trial.site_answer);
+        if (own != nullptr && !trial.correct) screen.lines.push_back(training::yourAnswerWas(*own));
       }
+      addSink(view, screen);
       nextButton("Next", screen);
       addTouchKeys(view, screen);
       break;
     case Screen::free_exploration:
+      addSink(view, screen);
       screen.buttons = {button(TrainingAct::next, "Finish")};
       screen.keys = "Enter finishes.";
       addTouchKeys(view, screen);

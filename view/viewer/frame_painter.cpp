@@ -65,6 +65,9 @@ std::vector<view::Lines> rings(const FrameParts& frame) {
     marks.push_back(vertexMark(*viewer.reading, frame.world, frame.model.surface()));
   }
   addReach(viewer, marks);
+  for (const auto& mode : frame.modes) {
+    for (view::Lines& lines : mode->marks(frame.world, viewer)) marks.push_back(std::move(lines));
+  }
   return marks;
 }
 

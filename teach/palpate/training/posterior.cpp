@@ -60,6 +60,11 @@ double quantileOf(const std::vector<double>& places, const std::vector<double>& 
 
 double ThresholdSummary::halfWidth() const { return 0.5 * std::log(high / low); }
 
+bool ThresholdSummary::telling() const {
+  const double widest = std::log(2.0);
+  return low > 0.0 && high > 0.0 && halfWidth() <= widest;
+}
+
 Posterior::Posterior(int choices, const Prior& prior)
     : choices_(choices), lapses_(kLapseValues.begin(), kLapseValues.end()) {
   const double ln_slope = std::log(prior.slope > 0.0 ? prior.slope : idealSlope(choices));

@@ -5,6 +5,7 @@
 // Based on: Kontsevich, Tyler, Vision Research 39:2729, 1999; Prins 2013 (marginal psi).
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 namespace palpate::training {
@@ -32,7 +33,13 @@ struct ThresholdSummary {
   double mean_ln = 0.0;
   double sd_ln = 0.0;
   double halfWidth() const;  ///< of ln T: half of ln(high / low)
+  /// Narrow enough to be shown to people: a factor of two either way at most. After one trial the interval runs from
+  /// 10 to 157 %, which nobody can use.
+  bool telling() const;
 };
+
+/// Shown in place of an interval that is not telling.
+inline constexpr std::string_view kMoreTrialsNeeded = "more trials needed";
 
 /// Deterministic: the same answers give the same bits on every compiler.
 class Posterior {

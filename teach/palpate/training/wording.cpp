@@ -26,13 +26,15 @@ int choicesOf(const Protocol& protocol) {
 std::string percent(double change) { return fmt::format("{:.0f}", 100.0 * change); }
 
 std::string thresholdWords(const ThresholdSummary& threshold) {
+  if (!threshold.telling()) return "More trials are needed to measure your smallest change.";
   return fmt::format("Your smallest reliable change: about {} % ({}–{} %).", percent(threshold.median),
                      percent(threshold.low), percent(threshold.high));
 }
 
 std::string comparison(const ThresholdSummary& now, const ShownThreshold& before) {
-  const std::string last = fmt::format(" Last time: {} %.", percent(before.median));
   const ThresholdSummary then{.median = before.median, .low = before.low, .high = before.high};
+  if (!now.telling() || !then.telling()) return {};
+  const std::string last = fmt::format(" Last time: {} %.", percent(before.median));
   return changeBetween(then, now).clear ? last : last + " Too early to call a change.";
 }
 
@@ -83,8 +85,20 @@ std::string instruction(const Protocol& protocol, SessionKind kind) {
   return fmt::format("One of the {} places is stiffer. Press each, then answer.", numberInWords(choicesOf(protocol)));
 }
 
-std::string familiarisation(const Site& site) {
-  return withCapital(fmt::format("{}, is much stiffer. Feel it now.", spoken(site)));
+std::string familiarisation(const Site& stiffer, const Site& normal) {
+  return fmt::format("{}, is much stiffer. {}, is normal.", withCapital(spoken(stiffer)), withCapital(spoken(normal)));
+}
+
+std::string feelBoth() { return "Press both places first, one after the other."; }
+
+std::string whichIsStiffer() { return "Which of the two is stiffer now? Press both, then answer."; }
+
+std::string familiarAgain(const Site& stiffer) {
+  return fmt::format("It was {}. Feel both again, then press Next.", spoken(stiffer));
+}
+
+std::string yourAnswerWas(const Site& site) {
+  return fmt::format("Your answer was {}. Feel both places.", spoken(site));
 }
 
 std::string rightAnswer(const Site& site) {

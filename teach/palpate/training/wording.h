@@ -16,10 +16,15 @@ struct ShownThreshold {
 
 std::string greeting(SessionKind kind);  ///< "Practice: you will hear whether you were right."
 std::string instruction(const Protocol& protocol,
-                        SessionKind kind);      ///< "One of the twelve places is stiffer. Press each, then answer."
-std::string familiarisation(const Site& site);  ///< "Site 4, left, is much stiffer. Feel it now."
-std::string rightAnswer(const Site& site);      ///< "Correct. Site 4, left."
-std::string wrongAnswer(const Site& site);      ///< "It was site 9, right. Feel it now; press Next when ready."
+                        SessionKind kind);  ///< "One of the twelve places is stiffer. Press each, then answer."
+std::string familiarisation(const Site& stiffer,
+                            const Site& normal);  ///< "Site 4, left, is much stiffer. Site 10, right, is normal."
+std::string feelBoth();                           ///< "Press both places first."
+std::string whichIsStiffer();
+std::string familiarAgain(const Site& stiffer);  ///< "It was site 4, left. Feel both again."
+std::string yourAnswerWas(const Site& site);     ///< "Your answer was site 4, left. Feel both places."
+std::string rightAnswer(const Site& site);       ///< "Correct. Site 4, left."
+std::string wrongAnswer(const Site& site);       ///< "It was site 9, right. Feel it now; press Next when ready."
 std::string timeIsUp(bool feedback, const Site& site);
 std::string deviceCheck(bool works);  ///< "Touch the back once, anywhere."
 std::string breakOffered();

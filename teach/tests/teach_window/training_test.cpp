@@ -57,7 +57,7 @@ class WordsOfSession {
     view.force_share = force_share;
     view.ratios_kept_to_n = ratios_kept_to_n;
     view.stage = TrainingStage::session;
-    view.by_mouse = true;
+    view.by_mouse = by_mouse;
     view.session = &session;
     view.picked = picked;
     view.now = {.s = s};
@@ -78,7 +78,13 @@ class WordsOfSession {
 
   training::Session session;
   double s = 0.0;
+  bool by_mouse = true;
 };
+
+bool saysSomewhere(const TrainingScreen& screen, const std::string& what) {
+  const std::vector<std::string> words = wordsOf(screen);
+  return std::ranges::any_of(words, [&](const std::string& w) { return w.find(what) != w.npos; });
+}
 
 bool hasDigit(const std::string& words) { return words.find_first_of("0123456789") != std::string::npos; }
 
@@ -88,6 +94,8 @@ void expectNoNumbers(const TrainingScreen& screen, int picked) {
   for (const SiteMark& mark : screen.sites) {
     std::erase(words, std::to_string(mark.number));
     EXPECT_FALSE(mark.is_true);
+    EXPECT_FALSE(mark.is_own);
+    EXPECT_TRUE(mark.word.empty()) << mark.word;
   }
   for (std::string part : words) {
     if (const auto at = part.find("site " + std::to_string(picked)); picked != 0 && at != std::string::npos) {
@@ -100,7 +108,6 @@ void expectNoNumbers(const TrainingScreen& screen, int picked) {
     }
   }
   EXPECT_TRUE(screen.progress.empty());
-  EXPECT_TRUE(screen.mark_word.empty());
   EXPECT_EQ(screen.outcome, TrainingScreen::Outcome::none);
 }
 
@@ -125,14 +132,10 @@ TEST(TrainingWords, ATestShowsNoNumberNoLevelAndNoPlaceOnAnyScreenUntilItIsOver)
 TEST(TrainingWords, ADeviceThatGivesLessThanTheForcesSaysSoBeforeTheFirstTrial) {
   const WordsOfSession somebody(SessionKind::practice, false);
   ASSERT_EQ(somebody.session.screen(), Screen::device_check);
-  const auto says = [](const TrainingScreen& screen, const std::string& what) {
-    const std::vector<std::string> words = wordsOf(screen);
-    return std::ranges::any_of(words, [&](const std::string& w) { return w.find(what) != w.npos; });
-  };
-  EXPECT_TRUE(says(somebody.screen(0, 0.52), "52 % of every force"));
-  EXPECT_FALSE(says(somebody.screen(0, 0.52), "Above"));
-  EXPECT_TRUE(says(somebody.screen(0, 0.52, 2.0), "Above 2 N"));
-  EXPECT_FALSE(says(somebody.screen(0, 1.0), "of every force"));
+  EXPECT_TRUE(saysSomewhere(somebody.screen(0, 0.52), "52 % of every force"));
+  EXPECT_FALSE(saysSomewhere(somebody.screen(0, 0.52), "Above"));
+  EXPECT_TRUE(saysSomewhere(somebody.screen(0, 0.52, 2.0), "Above 2 N"));
+  EXPECT_FALSE(saysSomewhere(somebody.screen(0, 1.0), "of every force"));
 }
 
 TEST(TrainingWords, TheScreenOfATestIsTheSameWhereverThePlaceIsHidden) {
@@ -162,12 +165,59 @@ TEST(TrainingWords, PracticeSaysWhatWasRightAndMarksThePlace) {
   const TrainingScreen right = somebody.screen();
   EXPECT_EQ(right.outcome, TrainingScreen::Outcome::right);
   EXPECT_TRUE(right.sites[static_cast<std::size_t>(truth) - 1].is_true);
-  EXPECT_FALSE(right.mark_word.empty());
+  EXPECT_EQ(right.sites[static_cast<std::size_t>(truth) - 1].word, "your answer: right");
   EXPECT_NE(right.progress.find("1 of 1 right"), std::string::npos) << right.progress;
   somebody.session.next({});
   somebody.pressAll();
   somebody.answer(false);
   EXPECT_EQ(somebody.screen().outcome, TrainingScreen::Outcome::wrong);
+}
+
+TEST(TrainingWords, AfterAWrongAnswerBothTheOwnAndTheTruePlaceAreMarked) {
+  WordsOfSession somebody(SessionKind::practice);
+  somebody.session.next({});
+  const int truth = somebody.session.hidden()->site;
+  somebody.pressAll();
+  somebody.answer(false);
+  const TrainingScreen screen = somebody.screen();
+  for (const SiteMark& mark : screen.sites) {
+    EXPECT_EQ(mark.is_true, mark.number == truth);
+    EXPECT_EQ(mark.is_own, mark.number == truth % 12 + 1);
+    EXPECT_EQ(mark.word, mark.is_true ? "feel it here" : mark.is_own ? "your answer" : "");
+  }
+  EXPECT_TRUE(somebody.session.hidden()) << "both can be felt";
+  EXPECT_TRUE(saysSomewhere(screen, "Your answer was site"));
+}
+
+TEST(TrainingWords, TheEyeIsToldWhatToWatchWhereTheMousePressesAndNobodyElse) {
+  for (const SessionKind kind : {SessionKind::practice, SessionKind::pre_test, SessionKind::free}) {
+    WordsOfSession somebody(kind);
+    if (kind != SessionKind::free) somebody.session.next({});
+    EXPECT_TRUE(somebody.screen().shows_sink);
+    EXPECT_TRUE(saysSomewhere(somebody.screen(), "Right-drag turns the body"));
+    somebody.by_mouse = false;
+    EXPECT_FALSE(somebody.screen().shows_sink) << "a hand that feels must not be helped by the eye";
+    EXPECT_FALSE(saysSomewhere(somebody.screen(), "Right-drag"));
+  }
+}
+
+TEST(TrainingWords, FamiliarisationShowsTwoPlacesAndThenAsks) {
+  WordsOfSession somebody(SessionKind::practice, false);
+  somebody.pressAll();
+  somebody.session.next({});
+  const TrainingScreen shown = somebody.screen();
+  ASSERT_EQ(shown.sites.size(), 2u);
+  EXPECT_EQ(shown.sites[0].word, "stiffer");
+  EXPECT_EQ(shown.sites[1].word, "normal");
+  somebody.pressAll();
+  somebody.session.next({});
+  const TrainingScreen asked = somebody.screen(10);
+  EXPECT_TRUE(asked.picks_sites);
+  EXPECT_EQ(asked.buttons.front().label, "Answer: site 10, right");
+  for (const SiteMark& mark : asked.sites) {
+    EXPECT_FALSE(mark.is_true);
+    EXPECT_TRUE(mark.word.empty());
+  }
 }
 
 TEST(TrainingWords, AFilledDotMeansThatAPlaceWasPressedEnough) {
@@ -542,18 +592,29 @@ class TrainingSeat {
   void comeIn() {
     for (int i = 0; i < 3; ++i) key(Key::enter);  // new here, agrees, left hand
   }
-  /// Past device check and familiarisation, into the first trial.
-  bool begin() {
+  /// Into familiarisation.
+  bool checkDevice() {
     if (!settled()) return false;
     pick(4);
     key(window::key('T'));
     if (!until([this] { return words().find("Your device works") != std::string::npos; })) return false;
     key(Key::space);
-    if (!settled()) return false;
-    key(Key::space);
-    if (!settled()) return false;
+    return settled() && session().screen() == Screen::familiarisation;
+  }
+  /// Past device check and familiarisation, into the first trial.
+  bool begin() {
+    if (!checkDevice() || !familiarise()) return false;
     key(Key::space);
     return settled() && session().screen() == Screen::trial;
+  }
+  /// Feels nothing and knows the answer: is told once to press, is asked, and names the place.
+  bool familiarise() {
+    key(Key::space);
+    key(Key::space);
+    if (!settled() || !session().asks()) return false;
+    pick(session().hidden()->site);
+    key(Key::enter);
+    return settled() && session().screen() == Screen::instruction;
   }
   void pick(int site) {
     key(Key::backspace);
@@ -775,6 +836,33 @@ TEST_F(TrainingWindow, NothingOfTheWindowCanBeReachedThatWouldTellMoreThanTheFin
   EXPECT_FALSE(viewer.opening);
   for (const auto& [path, place] : widgetPlaces()) EXPECT_TRUE(path.starts_with("training/")) << path;
   EXPECT_EQ(stage.session().screen(), Screen::trial);
+}
+
+TEST_F(TrainingWindow, InFamiliarisationTheTwoPlacesAreReachedByKeysAndTheEyeSeesTheSink) {
+  TrainingSeat stage(records, SessionKind::practice);
+  stage.comeIn();
+  ASSERT_TRUE(stage.checkDevice());
+  const auto picked = [&] {
+    for (const SiteMark& mark : stage.training->screen().sites) {
+      if (mark.picked) return mark.number;
+    }
+    return 0;
+  };
+  const auto shapes = [&] { return stage.training->marks(stage.viewer->world(), stage.viewer->state()).size(); };
+  stage.pick(10);
+  EXPECT_EQ(picked(), 10);
+  stage.key(Key::left);
+  EXPECT_EQ(picked(), 4) << "arrows go to the other of the two";
+  stage.pick(7);
+  EXPECT_EQ(picked(), 0) << "any other place is none of them";
+  EXPECT_EQ(shapes(), 0u);
+  stage.pick(10);
+  stage.key(window::key('T'));
+  ASSERT_TRUE(stage.until([&] { return stage.viewer->state().fingers[0].depth_mm > 3.0; }));
+  EXPECT_EQ(shapes(), 3u) << "rings";
+  view::PictureSettings picture;
+  stage.training->adjust(picture);
+  EXPECT_TRUE(picture.look.lens);
 }
 
 TEST_F(TrainingWindow, WhileItIsPausedThereIsNothingToBeFound) {

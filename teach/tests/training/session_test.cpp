@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "palpate/base/error.h"
 #include "teach/tests/training/twelve.h"
@@ -46,6 +47,11 @@ class Somebody {
     for (int site = 1; site <= 12; ++site) {
       if (site != but) press(site);
     }
+  }
+  /// The two of familiarisation.
+  void feelTwo() {
+    press(session_.familiarPlaces()->first);
+    press(session_.familiarPlaces()->second);
   }
   void next() {
     session_.next(moment());
@@ -95,8 +101,10 @@ TEST(Session, AFirstPracticeGoesFromTheDeviceToTheSummary) {
   trainee.next();
   EXPECT_EQ(trainee->screen(), Screen::familiarisation);
   EXPECT_EQ(trainee->hidden()->site, 4);
-  EXPECT_EQ(trainee->said().text, "Site 4, left, is much stiffer. Feel it now.");
+  EXPECT_EQ(trainee->said().text, "Site 4, left, is much stiffer. Site 10, right, is normal.");
+  trainee.feelTwo();
   trainee.next();
+  trainee.answer(trainee->hidden()->site);
   EXPECT_EQ(trainee->screen(), Screen::instruction);
   EXPECT_FALSE(trainee->hidden());
   trainee.next();
@@ -155,6 +163,50 @@ TEST(Session, PlacesNotPressedAreToldOnceAndThenFlagged) {
   EXPECT_TRUE(row.excluded.empty());
   EXPECT_EQ(row.visits.size(), 11U);
   EXPECT_EQ(trainee.rows<EventRow>().back().kind, "warning");
+}
+
+TEST(Session, FamiliarisationGoesOnUntilTheStifferOfTwoPlacesIsFound) {
+  Somebody trainee(SessionKind::pre_test, builtInProtocol(), {}, false);
+  trainee.press(5);
+  trainee.next();
+  ASSERT_EQ(trainee->screen(), Screen::familiarisation);
+  EXPECT_TRUE(trainee->feelsTruth());
+  EXPECT_FALSE(trainee.answer(4)) << "it is shown, not asked for";
+  trainee.next();
+  EXPECT_FALSE(trainee->asks());
+  EXPECT_EQ(trainee->said().text, "Press both places first, one after the other.");
+  trainee.feelTwo();
+  trainee.next();
+  for (int wrong = 0; wrong < 3; ++wrong) {
+    ASSERT_TRUE(trainee->asks());
+    EXPECT_FALSE(trainee->feelsTruth());
+    EXPECT_EQ(trainee->familiarPlaces()->stiffer, 0) << "while it is asked for";
+    EXPECT_FALSE(trainee.answer(5)) << "another place is no answer";
+    const int truth = trainee->hidden()->site;
+    EXPECT_TRUE(trainee.answer(truth == 4 ? 10 : 4));
+    ASSERT_EQ(trainee->screen(), Screen::familiarisation) << "and felt once more";
+    EXPECT_EQ(trainee->familiarPlaces()->stiffer, truth);
+    EXPECT_EQ(trainee->hidden()->site, truth);
+    trainee.feelTwo();
+    trainee.next();
+  }
+  EXPECT_TRUE(trainee.answer(trainee->hidden()->site));
+  EXPECT_EQ(trainee->screen(), Screen::instruction);
+  EXPECT_EQ(trainee.rows<EventRow>().back().text, "found at answer 4");
+  EXPECT_FALSE(trainee->familiarPlaces());
+}
+
+TEST(Session, FamiliarisationAsksForEitherPlace) {
+  std::set<int> stiffer;
+  for (std::uint64_t seed = 1; seed < 12; ++seed) {
+    Session session({.protocol = builtInProtocol(), .kind = SessionKind::pre_test, .sites = flatTwelve(), .seed = seed},
+                    {});
+    session.feel(pressAt(flatTwelve().numbered(5)->point_mm, 1.0), {});
+    for (int i = 0; i < 3; ++i) session.next({});  // felt both or not: said once
+    ASSERT_TRUE(session.asks());
+    stiffer.insert(session.hidden()->site);
+  }
+  EXPECT_EQ(stiffer, (std::set<int>{4, 10}));
 }
 
 TEST(Session, ATrialWhoseTargetWasNeverFeltDoesNotCount) {

@@ -29,7 +29,11 @@ TEST(Wording, NoSentenceIsLongerThanTwelveWords) {
                                   wrongAnswer(site(9)),
                                   notPressedYet(11),
                                   answerSaved(),
-                                  familiarisation(site(12)),
+                                  familiarisation(site(12), site(6)),
+                                  feelBoth(),
+                                  whichIsStiffer(),
+                                  familiarAgain(site(12)),
+                                  yourAnswerWas(site(12)),
                                   timeIsUp(true, site(12)),
                                   timeIsUp(false, site(12)),
                                   deviceCheck(true),
@@ -56,6 +60,30 @@ TEST(Wording, ATestEndsWithItsThresholdAndTheOneBefore) {
   EXPECT_EQ(blockSummary(result, SessionKind::post_test, {}), "Your smallest reliable change: about 18 % (13–25 %).");
   EXPECT_EQ(blockSummary(result, SessionKind::post_test, ShownThreshold{.median = 0.45, .low = 0.35, .high = 0.57}),
             "Your smallest reliable change: about 18 % (13–25 %). Last time: 45 %.");
+}
+
+TEST(Wording, AnIntervalThatSaysNothingIsNotShown) {
+  BlockResult result;
+  result.threshold = {.median = 0.49, .low = 0.102, .high = 1.57};
+  EXPECT_EQ(blockSummary(result, SessionKind::pre_test, ShownThreshold{.median = 0.45, .low = 0.35, .high = 0.57}),
+            "More trials are needed to measure your smallest change.");
+  result.threshold = {.median = 0.18, .low = 0.13, .high = 0.25};
+  EXPECT_EQ(blockSummary(result, SessionKind::post_test, ShownThreshold{.median = 0.22, .low = 0.05, .high = 1.04}),
+            "Your smallest reliable change: about 18 % (13–25 %).")
+      << "nothing of a test before that said nothing";
+}
+
+TEST(Wording, ATestOfTwentyAnswersSaysSomethingAndOneAnswerDoesNot) {
+  Posterior posterior;
+  posterior.add({.change = 0.5, .correct = true});
+  EXPECT_FALSE(posterior.summary().telling());
+  Block block({.stop = {.least = 20, .most = 20}}, 3);
+  while (!block.finished()) {
+    const double change = block.next().change;
+    block.answer({.answer = 1, .correct = change > 0.2});
+  }
+  EXPECT_TRUE(block.result().threshold.telling());
+  EXPECT_FALSE((ThresholdSummary{.median = 0.2, .low = 0.0, .high = 0.3}.telling())) << "none was measured";
 }
 
 TEST(Wording, ACloseCallIsNotCalled) {

@@ -86,6 +86,10 @@ class Mode {
   virtual void advance(const ModeWork& /*work*/) {}
   virtual bool wantsToQuit() const { return false; }
   virtual void adjust(view::PictureSettings& /*picture*/) const {}
+  /// Lines over the body, drawn with the rings of the fingers.
+  virtual std::vector<view::Lines> marks(const scene::World& /*world*/, const ViewerState& /*viewer*/) const {
+    return {};
+  }
   /// The run is over; the servo has stopped. What could not be kept, in words, or nothing.
   virtual std::string finish(std::string_view /*ended_by*/) { return {}; }
 };

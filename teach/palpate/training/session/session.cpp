@@ -17,8 +17,10 @@ namespace palpate::training {
 
 namespace {
 
-/// The place that familiarisation shows, where there are so many: in the middle of the left side.
+/// The place that familiarisation shows first, where there are so many: in the middle of the left side.
 constexpr int kFamiliarSite = 4;
+/// Draws of familiarisation are those of no block: blocks count from 1.
+constexpr int kFamiliarDraws = -1;
 constexpr double kSecondsAMinute = 60.0;
 
 std::uint64_t seedOf(const SessionPlan& plan) {
@@ -26,6 +28,15 @@ std::uint64_t seedOf(const SessionPlan& plan) {
   hash.add(plan.seed);
   for (const char letter : plan.row.id) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(letter)));
   return hash.value();
+}
+
+/// The place that a stiffer one is compared with: opposite it, or the next.
+int comparedWith(const SiteSet& sites, int number) {
+  const Site& stiff = *sites.numbered(number);
+  for (const Site& site : sites.sites) {
+    if (site.level == stiff.level && site.number != number) return site.number;
+  }
+  return number < sites.choices() ? number + 1 : number - 1;
 }
 
 /// Another block of the same session draws other sites.
@@ -66,6 +77,9 @@ struct Session::Impl {
   bool break_offered = false;
   std::optional<BlockResult> result;
   HiddenNow answered;  // what feedback lets feel
+  FamiliarPlaces familiar;
+  int familiar_stiffer = 0;  // in the body now, whether it is shown or asked for
+  Random familiar_draws;
 
   Impl(const SessionPlan& the_plan, const Moment& now)
       : plan(the_plan),
@@ -73,7 +87,8 @@ struct Session::Impl {
         ids(seedOf(plan)),
         exploration(plan.sites, plan.protocol.exploration, plan.tick_s),
         watch(plan.tick_s),
-        started(now) {}
+        started(now),
+        familiar_draws(blockSeed(plan, kFamiliarDraws)) {}
 
   void say(std::string text) {
     said.text = std::move(text);
@@ -137,12 +152,46 @@ struct Session::Impl {
     rows.emplace_back(block_row);
   }
 
+  // --- familiarisation: shown, asked for, shown again where the answer was wrong
+
+  const Site& site(int number) const { return *plan.sites.numbered(number); }
+  int familiarOther() const { return familiar.first + familiar.second - familiar_stiffer; }
+
   void familiarise() {
     screen = Screen::familiarisation;
-    exploration.restart();
-    say(familiarisation(*plan.sites.numbered(familiarSite())));
+    familiar.first = std::min(kFamiliarSite, plan.sites.choices());
+    familiar.second = comparedWith(plan.sites, familiar.first);
+    familiar_stiffer = familiar.first;
+    showFamiliar(familiarisation(site(familiar_stiffer), site(familiarOther())));
   }
-  int familiarSite() const { return std::min(kFamiliarSite, plan.sites.choices()); }
+
+  void showFamiliar(std::string words) {
+    familiar.stiffer = familiar_stiffer;
+    warned = false;
+    exploration.restart();
+    say(std::move(words));
+  }
+
+  void askFamiliar() {
+    const bool both = exploration.visited(familiar.first) && exploration.visited(familiar.second);
+    if (!both && !std::exchange(warned, true)) return say(feelBoth());
+    familiar.stiffer = 0;
+    ++familiar.round;
+    familiar_stiffer = familiar_draws.below(2) == 0 ? familiar.first : familiar.second;
+    exploration.restart();
+    say(whichIsStiffer());
+  }
+
+  bool answerFamiliar(int answer, const Moment& now) {
+    if (answer != familiar.first && answer != familiar.second) return false;
+    if (answer != familiar_stiffer) {
+      showFamiliar(familiarAgain(site(familiar_stiffer)));
+      return true;
+    }
+    keepEvent("familiarisation", fmt::format("found at answer {}", familiar.round), now);
+    introduce(now);
+    return true;
+  }
 
   void introduce(const Moment& now) {
     if (plan.kind == SessionKind::free) {
@@ -291,7 +340,7 @@ Said Session::said() const { return impl_->said; }
 std::optional<HiddenNow> Session::hidden() const {
   switch (impl_->screen) {
     case Screen::familiarisation:
-      return HiddenNow{.site = impl_->familiarSite(), .change = largestChange(impl_->settings.block)};
+      return HiddenNow{.site = impl_->familiar_stiffer, .change = largestChange(impl_->settings.block)};
     case Screen::trial:
       return HiddenNow{.site = impl_->block->next().site, .change = impl_->block->next().change};
     case Screen::feedback:
@@ -302,7 +351,18 @@ std::optional<HiddenNow> Session::hidden() const {
 }
 
 bool Session::feelsTruth() const {
-  return impl_->screen == Screen::feedback || impl_->screen == Screen::familiarisation;
+  const auto places = familiarPlaces();
+  return impl_->screen == Screen::feedback || (places && places->stiffer != 0);
+}
+
+std::optional<FamiliarPlaces> Session::familiarPlaces() const {
+  if (impl_->screen != Screen::familiarisation) return std::nullopt;
+  return impl_->familiar;
+}
+
+bool Session::asks() const {
+  const auto places = familiarPlaces();
+  return impl_->screen == Screen::trial || (places && places->stiffer == 0);
 }
 
 int Session::trialNumber() const { return impl_->block && !impl_->block->finished() ? impl_->block->next().number : 0; }
@@ -345,7 +405,7 @@ void Session::next(const Moment& now) {
       if (!impl_->device_works) return impl_->say(deviceCheck(false));
       return impl_->plan.kind == SessionKind::free ? impl_->introduce(now) : impl_->familiarise();
     case Screen::familiarisation:
-      return impl_->introduce(now);
+      return asks() ? impl_->say(whichIsStiffer()) : impl_->askFamiliar();
     case Screen::instruction:
       return impl_->beginTrial(now);
     case Screen::feedback:
@@ -361,7 +421,8 @@ void Session::next(const Moment& now) {
 }
 
 bool Session::answer(int site, const Moment& now) {
-  if (impl_->screen != Screen::trial || paused() || impl_->plan.sites.numbered(site) == nullptr) return false;
+  if (!asks() || paused() || impl_->plan.sites.numbered(site) == nullptr) return false;
+  if (impl_->screen == Screen::familiarisation) return impl_->answerFamiliar(site, now);
   const int missing = impl_->plan.sites.choices() - impl_->exploration.visitedSites();
   if (impl_->settings.all_sites && missing > 0 && !std::exchange(impl_->warned, true)) {
     impl_->say(notPressedYet(missing));

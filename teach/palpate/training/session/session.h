@@ -29,7 +29,7 @@ struct Moment {
 
 enum class Screen : std::uint8_t {
   device_check,     ///< touch the skin once: the device works
-  familiarisation,  ///< one obvious change, shown
+  familiarisation,  ///< one obvious change: shown beside a normal place, then asked for until it is found
   instruction,
   trial,
   feedback,  ///< practice: right or wrong; the true site can be felt
@@ -57,6 +57,14 @@ struct HiddenNow {
   friend bool operator==(const HiddenNow&, const HiddenNow&) = default;
 };
 
+/// Familiarisation: the two places that are felt in turn, by number.
+struct FamiliarPlaces {
+  int first = 0;
+  int second = 0;
+  int stiffer = 0;  ///< which of them, while it is shown; 0: it is asked for
+  int round = 0;    ///< how often it has been asked for: each time is another body
+};
+
 /// What the screen says, in words that are also spoken.
 struct Said {
   std::string text;
@@ -78,7 +86,9 @@ class Session {
   Said said() const;
   /// What the world must hold; nothing: no hidden place. Never to be shown by a test's screen.
   std::optional<HiddenNow> hidden() const;
-  bool feelsTruth() const;  ///< feedback: the true site is shown
+  bool feelsTruth() const;  ///< the true site is shown: feedback, and familiarisation that does not ask
+  std::optional<FamiliarPlaces> familiarPlaces() const;  ///< of familiarisation alone
+  bool asks() const;                                     ///< `answer` would be taken
 
   // Of a trial that is on the screen.
   int trialNumber() const;  ///< from 1
@@ -96,7 +106,7 @@ class Session {
   void feel(const trace::Sample& sample, const Moment& now);  ///< every sample of every finger
   void next(const Moment& now);                               ///< "Next", "Start", "Continue"
   /// A site's number. The first answer with places not yet pressed is answered by words only; the same answer again is
-  /// taken, flagged. True: it was taken.
+  /// taken, flagged. In familiarisation: which of the two is stiffer. True: it was taken.
   bool answer(int site, const Moment& now);
   void pause(const Moment& now);  ///< the clock of the trial stands still; nothing is felt
   void goOn(const Moment& now);

@@ -128,6 +128,7 @@ class TraineeRun {
  private:
   void walkScreen();
   void checkDevice();
+  void compareTwo();
   void tryTrial();
   void search(int trial);
   void answer(int site);

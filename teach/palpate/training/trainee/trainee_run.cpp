@@ -94,8 +94,7 @@ void TraineeRun::walkScreen() {
     case Screen::device_check:
       return checkDevice();
     case Screen::familiarisation:
-      pressSite(held_->site);
-      return session_.next(now());
+      return compareTwo();
     case Screen::instruction:
       touching_.rest(kThinkS, each_tick_);
       return session_.next(now());
@@ -126,6 +125,20 @@ void TraineeRun::checkDevice() {
     session_.next(now());
   }
   if (session_.screen() == Screen::device_check) throw Error("trainee: no press was felt by the device check");
+}
+
+/// Familiarisation: each of the two, then on, or the one that gave way less.
+void TraineeRun::compareTwo() {
+  const FamiliarPlaces pair = *session_.familiarPlaces();
+  felt_ = {};
+  for (const int number : {pair.first, pair.second}) pressSite(number);
+  if (!session_.asks()) {
+    session_.next(now());
+    if (session_.asks() || session_.screen() != Screen::familiarisation) return;
+    return session_.next(now());  // "Press both places first" to one who presses too lightly
+  }
+  const bool second = felt_.sites.size() == 2 && felt_.stiffness_n_per_mm[1] > felt_.stiffness_n_per_mm[0];
+  session_.answer(second ? pair.second : pair.first, now());
 }
 
 bool TraineeRun::pressSite(int number) {

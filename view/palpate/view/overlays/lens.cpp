@@ -22,8 +22,8 @@ constexpr double kLensEyeMm = 300.0;
 /// mm nearer than the finger.
 constexpr double kLensNearMm = 120.0;
 constexpr double kLensFarMm = 1500.0;
-/// The eye's height over the skin: enough to see into the dent.
-constexpr double kAboveRad = 0.38;
+/// The eye's height over the skin: enough to see into the dent, also beside a shoulder blade.
+constexpr double kAboveRad = 0.62;
 
 /// Along the skin, away from the side that the finger comes from.
 Vec3 acrossFrom(const FingerMark& finger, const Vec3& normal, const Camera& camera) {

@@ -1,0 +1,21 @@
+// How far a finger sinks, as rings on the skin that open round it: for who presses without a hand that feels. One thin
+// ring for each whole millimetre, and a bold one outside that opens as the finger goes down.
+//
+// They depend on the depth alone, wherever the finger presses: they say no more than the picture of a dent would.
+#pragma once
+
+#include <vector>
+
+#include "palpate/contact/finger_state.h"
+#include "palpate/scene/world.h"
+#include "palpate/view/lines.h"
+
+namespace palpate::view {
+
+/// Radius of the bold ring at this depth, mm.
+double sinkRadius(double depth_mm);
+
+/// Laid on the skin at rest; nothing for a finger that touches nothing.
+std::vector<Lines> sinkRings(const scene::World& world, const contact::FingerOutput& finger);
+
+}  // namespace palpate::view
