@@ -10,13 +10,6 @@ namespace palpate::view {
 
 namespace {
 
-/// The first ring opens at the rim of a fingertip, mm.
-constexpr double kRimMm = 10.0;
-/// Each millimetre of sink opens the ring by so much: wide enough apart to be counted where a pixel is half a
-/// millimetre.
-constexpr double kOpensMm = 4.0;
-/// Deeper than a press of training goes; more rings would cover the back.
-constexpr int kMaxSinkRings = 14;
 constexpr int kSinkRingPoints = 40;
 /// Above the skin, so that the lines do not sink in, mm.
 constexpr double kSinkLiftMm = 1.0;
@@ -43,7 +36,7 @@ std::vector<Vec3> circleOn(const scene::World& world, const contact::FingerOutpu
 
 }  // namespace
 
-double sinkRadius(double depth_mm) { return kRimMm + kOpensMm * std::min(depth_mm, 1.0 * kMaxSinkRings); }
+double sinkRadius(double depth_mm) { return kSinkRimMm + kSinkOpensMm * std::min(depth_mm, 1.0 * kMaxSinkRings); }
 
 std::vector<Lines> sinkRings(const scene::World& world, const contact::FingerOutput& finger) {
   if (finger.touch == contact::Touch::free || !(finger.depth_mm > 0.0)) return {};

@@ -12,6 +12,14 @@
 
 namespace palpate::view {
 
+/// The first ring opens at the rim of a fingertip, mm.
+inline constexpr double kSinkRimMm = 10.0;
+/// Each millimetre of sink opens the ring by so much: wide enough apart to be counted where a pixel is half a
+/// millimetre.
+inline constexpr double kSinkOpensMm = 4.0;
+/// Deeper than a press of training goes; more rings would cover the back.
+inline constexpr int kMaxSinkRings = 14;
+
 /// Radius of the bold ring at this depth, mm.
 double sinkRadius(double depth_mm);
 
