@@ -66,7 +66,7 @@ void settingRows(MeasuringView& view) {
     settings.head = static_cast<measure::HeadTowards>(head);
     changed = true;
   }
-  changed |= flagWidget("measuring/partial", "may leave the dots", settings.partial,
+  changed |= flagWidget("measuring/partial", kPartialBox, settings.partial,
                         "An ellipse that is larger than the dots is not refused for that.");
   if (changed) settingsChanged(view);
 }
@@ -77,7 +77,7 @@ void findingLines(const MeasuringView& view) {
   for (const measure::Finding& finding : view.measured->findings) {
     const bool refusal = finding.severity == measure::Severity::refusal;
     severeWords(refusal ? Severity::error : Severity::warning,
-                fmt::format("{}: {}", refusal ? "Refused" : "Warning", finding.text));
+                fmt::format("{}: {}", refusal ? "Refused" : "Warning", wordsHere(finding)));
   }
   ImGui::PopTextWrapPos();
 }
@@ -95,10 +95,17 @@ void textField(const char* path, const char* label, const char* hint, std::strin
   ImGui::PopID();
 }
 
+/// Two lines, whether there are words or not: what is below must not move while a place is typed.
+void placeRow(const std::string& words) {
+  ImGui::BeginChild("place words", {0.0f, 2.0f * ImGui::GetTextLineHeight()});
+  if (!words.empty()) remark(words);
+  ImGui::EndChild();
+}
+
 void acceptRows(MeasuringView& view, MeasuringRequests& requests) {
   AcceptForm& form = view.form;
   textField("measuring/place", "place", "T6 left 40 mm", form.place);
-  if (!form.place_words.empty()) remark(form.place_words);
+  placeRow(form.place_words);
   textField("measuring/name", "name", form.place_name.c_str(), form.name);
   textField("measuring/table", "table", "key_points.csv", form.table);
   flagWidget("measuring/use", "the skin here follows it", form.use_in_scene,
@@ -122,9 +129,9 @@ void measuringColumn(MeasuringView& view, MeasuringRequests& requests) {
   ImGui::Separator();
   settingRows(view);
   ImGui::Separator();
-  findingLines(view);
   acceptRows(view, requests);
   ImGui::Separator();
+  findingLines(view);  // below all that is clicked: they come and go
   numberLines(view);
 }
 

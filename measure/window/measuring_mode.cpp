@@ -57,7 +57,7 @@ std::string doubts(const measure::Measurement& measured, const KeyTableFile& tab
                    const std::string& name) {
   std::string words;
   for (const measure::Finding& finding : measured.findings) {
-    if (finding.severity == measure::Severity::refusal) words += fmt::format("Refused: {}\n", finding.text);
+    if (finding.severity == measure::Severity::refusal) words += fmt::format("Refused: {}\n", wordsHere(finding));
   }
   if (table.kind == KeyTableFile::Kind::other) {
     words += fmt::format("{} is not a table of key points and would be written over.\n", file.string());

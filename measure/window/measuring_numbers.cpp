@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace palpate::viewer {
 
 namespace {
@@ -19,6 +21,13 @@ std::string directionWords(const measure::Estimate& direction) {
 }
 
 }  // namespace
+
+std::string wordsHere(const measure::Finding& finding) {
+  constexpr std::string_view kOption = "--partial";
+  const std::size_t at = finding.text.find(kOption);
+  if (at == std::string::npos) return finding.text;
+  return std::string(finding.text).replace(at, kOption.size(), fmt::format("\"{}\"", kPartialBox));
+}
 
 std::string withSd(const measure::Estimate& estimate, int digits, const char* unit) {
   return fmt::format("{:.{}f} ± {:.{}f}{}", estimate.value, digits, estimate.sd, digits, unit);

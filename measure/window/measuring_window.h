@@ -15,6 +15,9 @@ void measuringWindow(MeasuringView& view, const FreeArea& free, MeasuringRequest
 
 // Everything of the measuring view but the photographs: which they are, tools, settings, what was found, accepting.
 
+/// Of MeasureSettings::partial.
+inline constexpr const char* kPartialBox = "may leave the dots";
+
 /// In the window that is being drawn.
 void measuringColumn(MeasuringView& view, MeasuringRequests& requests);
 
@@ -38,6 +41,9 @@ struct MeasuredNumber {
 };
 /// Empty without a fit.
 std::vector<MeasuredNumber> measuredNumbers(const measure::Measurement& measured);
+
+/// What was found, with the window's names for what can be done about it: a box in place of an option of the command.
+std::string wordsHere(const measure::Finding& finding);
 
 /// "71.3 ± 1.2 mm", with so many decimals.
 std::string withSd(const measure::Estimate& estimate, int digits, const char* unit);

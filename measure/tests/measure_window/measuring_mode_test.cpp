@@ -85,11 +85,13 @@ TEST(MeasuringMode, AsksBeforeItTakesWhatWasRefusedOrReplacesSomething) {
   MeasuringMode mode;
   fillIn(mode, viewer, folder.path());
   auto refused = madeUpMeasurement();
-  refused->findings = {{measure::Severity::refusal, "moved", "The body moved."}};
+  refused->findings = {{measure::Severity::refusal, "moved", "The body moved."},
+                       {measure::Severity::refusal, "leaves_dots", "Allow it with --partial."}};
   mode.view().measured = refused;
   ASSERT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::asked);
   ASSERT_TRUE(viewer.question);
   EXPECT_NE(viewer.question->words.find("The body moved."), std::string::npos);
+  EXPECT_NE(viewer.question->words.find("with \"may leave the dots\"."), std::string::npos) << "the window's name";
   EXPECT_FALSE(fs::exists(folder / "keys.csv"));
   ASSERT_EQ(viewer.question->answers, (std::vector<std::string>{"Accept", "Cancel"}));
   const Question question = *viewer.question;
@@ -231,6 +233,13 @@ TEST(MeasuringWindow, DroppedPhotographsAreMeasuredCorrectedAcceptedAndFelt) {
   ASSERT_TRUE(measuredIt(stage));
   EXPECT_EQ(view.measured->matched, matched);
 
+  const auto accept = widgetPlaces().at("measuring/accept");
+  view.form.place = "10, 20";
+  stage.frame();
+  EXPECT_EQ(widgetPlaces().at("measuring/accept"), accept) << "nothing moves while a place is typed";
+  view.form.place = "a place with so long a name that what is said of it takes several lines";
+  stage.frame();
+  EXPECT_EQ(widgetPlaces().at("measuring/accept"), accept);
   view.form.place = "10, 20";
   view.form.name = "here";
   stage.frame();
