@@ -17,7 +17,7 @@
 namespace palpate::view {
 namespace {
 
-constexpr PictureSize kSize{480, 360, 1};
+constexpr PictureSize kLookSize{480, 360, 1};
 constexpr double kLookAspect = 4.0 / 3.0;
 
 double luminance(const Pixel& p) { return (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]) / 255.0; }
@@ -48,7 +48,7 @@ class SkinLook : public testing::Test {
   }
 
   Image take(const PictureSettings& settings, std::span<const FingerMark> fingers = {}) {
-    return studio_.take(deformedBy(*world_, fingers), {.fingers = fingers, .time_s = 0.0}, settings, kSize).image;
+    return studio_.take(deformedBy(*world_, fingers), {.fingers = fingers, .time_s = 0.0}, settings, kLookSize).image;
   }
 
   std::vector<double> luminances(const Image& image) const {
@@ -222,7 +222,7 @@ Image bareSideOf(const std::shared_ptr<const scene::World>& world, double opacit
   PictureSettings settings = pictureSettings(*world, view, kLookAspect);
   settings.labels = LabelSettings::none();
   settings.look.plain_background = 0.0;
-  return picture(world, deformedBy(*world, {}), {}, settings, kSize);
+  return picture(world, deformedBy(*world, {}), {}, settings, kLookSize);
 }
 
 TEST(BoneLook, IsHiddenByClosedSkinFromOutsideAndSeenFromWithin) {
@@ -232,8 +232,8 @@ TEST(BoneLook, IsHiddenByClosedSkinFromOutsideAndSeenFromWithin) {
   auto boneless = std::make_shared<scene::World>(*world);
   support::changeBody(*boneless, [](scene::Body& body) { body.anatomy.bones.clear(); });
   const auto differ = [&](const PictureSettings& settings) {
-    const Image with_bones = picture(world, deformedBy(*world, {}), {}, settings, kSize);
-    return with_bones.pixels != picture(boneless, deformedBy(*world, {}), {}, settings, kSize).pixels;
+    const Image with_bones = picture(world, deformedBy(*world, {}), {}, settings, kLookSize);
+    return with_bones.pixels != picture(boneless, deformedBy(*world, {}), {}, settings, kLookSize).pixels;
   };
   scene::ViewSettings view;
   for (const StandardView side : {StandardView::back, StandardView::left, StandardView::front, StandardView::above}) {

@@ -25,6 +25,9 @@ struct HandPose {
   Vec3 origin = Vec3::Zero();
 };
 
+/// Along the skin, from the wrist to the tip.
+Vec3 headingOf(const Vec3& normal, bool left);
+
 /// The pad of the index finger lies where the finger's ball meets the skin; the hand is held as flat as its other parts
 /// allow without sinking into the skin at rest, and lifted where even that is not enough. `hand` must be the one of
 /// that side, `size` times as large.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/view/layers/finger_layer.h"
 #include "palpate/view/overlays/legend.h"
 #include "palpate/view/overlays/lens.h"
 #include "palpate/view/overlays/plates.h"
@@ -156,15 +157,46 @@ void drawNumbers(Drawing& page, const Vec2f& tip, const FingerMark& finger, cons
   }
 }
 
+/// What is drawn where a finger is, from its tip backwards: how long, how thick at both ends, mm; and how steep.
+struct DrawnFinger {
+  double length_mm = 0.0;
+  double tip_mm = body::kFingertipMm;  ///< half of the thickness
+  double end_mm = body::kFingertipMm;
+  double steep_rad = 0.9;
+};
+DrawnFinger drawnAs(FingerShape shape, double radius_mm) {
+  const double size = radius_mm / body::kFingertipMm;
+  if (shape == FingerShape::hand) return {190.0 * size, radius_mm, 48.0 * size, 0.75};
+  if (shape == FingerShape::finger || shape == FingerShape::automatic) return {44.0 * size, radius_mm, radius_mm};
+  return {0.0, radius_mm, radius_mm};
+}
+
+/// The boxes that it fills on the page, never smaller than what a plate's line ends at.
+void takeFinger(const Drawing& page, const LabelScene& scene, const FingerMark& finger, Taken& taken) {
+  constexpr int kSteps = 5;
+  constexpr float kLeast = 14.0f;
+  if (scene.look.finger == FingerShape::none) return;
+  const DrawnFinger drawn = drawnAs(scene.look.finger, finger.radius_mm);
+  const bool touches = finger.contact.touch != contact::Touch::free;
+  const Vec3 up = touches ? finger.contact.normal : scene.camera.backward();
+  const Vec3 backwards = std::sin(drawn.steep_rad) * up - std::cos(drawn.steep_rad) * headingOf(up, finger.left);
+  const double screen_mm = (scene.eyes.screen.upper_left - scene.eyes.screen.lower_left).norm();
+  const double points_per_mm = static_cast<double>(page.size().y()) / screen_mm;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double share = static_cast<double>(i) / kSteps;
+    const Vec2f at = placeOnPage(page, scene.eyes, finger.contact.proxy + share * drawn.length_mm * backwards);
+    const double half_mm = drawn.tip_mm + share * (drawn.end_mm - drawn.tip_mm);
+    const Vec2f half = Vec2f::Constant(std::max(kLeast, static_cast<float>(points_per_mm * half_mm)));
+    if (at.allFinite()) taken.push_back({at - half, at + half});
+  }
+}
+
 /// No plate lies on any finger, so all of them are noted first.
 void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& settings, Taken& taken) {
-  constexpr float kBall = 14.0f;
   std::vector<Vec2f> tips;
   for (const FingerMark& finger : scene.frame.fingers) {
     tips.push_back(placeOnPage(page, scene.eyes, finger.contact.proxy));
-    if (tips.back().allFinite()) {
-      taken.push_back({tips.back() - Vec2f::Constant(kBall), tips.back() + Vec2f::Constant(kBall)});
-    }
+    takeFinger(page, scene, finger, taken);
   }
   for (std::size_t i = 0; i < tips.size(); ++i) {
     const FingerMark& finger = scene.frame.fingers[i];
