@@ -1,7 +1,6 @@
 #include "cli/run/opening.h"
 
 #include <optional>
-#include <utility>
 #include <variant>
 
 #include "cli/kit/interruption.h"
@@ -11,12 +10,11 @@
 namespace palpate::app {
 
 Opening showOpening(window::Window& window, engine::WorldBuilder& building, viewer::ViewState& state,
-                    const viewer::OpeningView::Offers& offers, const std::function<void()>& first_frame) {
+                    const viewer::OpeningView::Offers& offers, const std::function<void()>& shown) {
   constexpr double kFrameS = 0.1;         // unless something happens: the time is the body's
   constexpr double kTimeForMoreS = 0.15;  // a body that is there sooner needs no word
   viewer::OpeningView view(state, offers);
   const auto started = Clock::now();
-  bool drawn = false;
   for (;;) {
     if (std::optional<engine::BuildResult> result = building.take()) {
       if (!result->world) throw Error(result->error);
@@ -29,7 +27,7 @@ Opening showOpening(window::Window& window, engine::WorldBuilder& building, view
     if (!offers.page && secondsSince(started) < kTimeForMoreS) continue;
     view.frame({window.width(), window.height(), window.contentScale(), kFrameS}, events, building.progress());
     window.present(view.target());
-    if (!std::exchange(drawn, true)) first_frame();
+    shown();
   }
 }
 

@@ -19,8 +19,9 @@ struct Opening {
   std::vector<window::Action> actions = {};
 };
 
-/// Until the body is built or the window is left. Throws Error if it cannot be built.
+/// Until the body is built or the window is left; `shown` is called after each picture. Throws Error if it cannot be
+/// built.
 Opening showOpening(window::Window& window, engine::WorldBuilder& building, viewer::ViewState& state,
-                    const viewer::OpeningView::Offers& offers, const std::function<void()>& first_frame);
+                    const viewer::OpeningView::Offers& offers, const std::function<void()>& shown);
 
 }  // namespace palpate::app

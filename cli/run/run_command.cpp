@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
+#include "cli/run/control_lines.h"
 #include "cli/run/opening.h"
 #include "cli/run/playback.h"
 #include "cli/run/run_modes.h"
@@ -221,7 +223,11 @@ bool wantsStartPage(const RunOptions& options, const viewer::ViewState& state) {
 }
 
 /// Becomes the window of the training, which is another program.
-void becomeTraining() { becomeFamily({.group = {}, .command = "train", .family = "teach", .what = {}}, {"train"}); }
+void becomeTraining(bool verbose) {
+  std::vector<std::string> words = {"train"};
+  if (verbose) words.emplace_back("--verbose");
+  becomeFamily({.group = {}, .command = "train", .family = "teach", .what = {}}, words);
+}
 
 void runWindow(const RunOptions& options) {
   const auto started = Clock::now();
@@ -253,11 +259,15 @@ void runWindow(const RunOptions& options) {
   const viewer::OpeningView::Offers offers{.page = wantsStartPage(options, view_state),
                                            .training = bool(host.start_training),
                                            .measuring = !settings.modes.empty()};
+  ControlLines controls;
+  bool page_told = false;
   const Opening opening = showOpening(window, building, view_state, offers, [&] {
-    if (options.verbose) tell(fmt::format("start page after {:.3f} s\n", secondsSince(started)));
+    if (!options.verbose) return;
+    if (!std::exchange(page_told, true)) tell(fmt::format("start page after {:.3f} s\n", secondsSince(started)));
+    controls.tell(window.contentScale() * view_state.text_size);
   });
   if (!opening.world) {
-    if (endAskedBy() == 0 && !opening.requests.empty()) becomeTraining();
+    if (endAskedBy() == 0 && !opening.requests.empty()) becomeTraining(options.verbose);
     return;
   }
   if (!options.devices.empty()) settings.devices = openedFor(*opening.world, options.devices);
@@ -275,11 +285,12 @@ void runWindow(const RunOptions& options) {
     if (!options.verbose) return;
     if (frame == 1) tell(fmt::format("first frame after {:.3f} s\n", secondsSince(started)));
     tellFrame(frame, now_s, viewer);
+    controls.tell(window.contentScale() * viewer.state().state.text_size);
   });
   keepChanges(viewer);
   keepState(options, viewer, window);
   finishViewer(options, viewer);
-  if (trains) becomeTraining();
+  if (trains) becomeTraining(options.verbose);
 }
 
 }  // namespace
@@ -334,7 +345,8 @@ void addRunCommand(CLI::App& app) {
   command->add_flag("--no-session", options->no_recording, "Do not record the last hour by itself");
   command->add_option("--sessions", options->recordings,
                       "Folder for recordings of the last hour (default: the user's own, or with --no-state none)");
-  command->add_flag("--verbose", options->verbose, "Print a line for every frame, and the servo's report at the end");
+  command->add_flag("--verbose", options->verbose,
+                    "Print a line for every frame, where the controls are, and the servo's report at the end");
   command->add_flag("--keys", options->keys, "Print the table of keys (Markdown) and stop");
   command->callback([=] {
     if (options->keys) {

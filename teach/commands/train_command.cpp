@@ -11,6 +11,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/progress_line.h"
+#include "cli/run/control_lines.h"
 #include "cli/run/playback.h"
 #include "palpate/base/error.h"
 #include "palpate/base/private_folder.h"
@@ -110,8 +111,11 @@ void trainInWindow(const TrainOptions& options) {
   const FinishesInOrder in_order;
   const StoppedBySignal stopped(viewer.emergencyStop());
   ScreenTeller teller;
+  ControlLines controls;
   showFrames(window, viewer, playback, options.frames, [&](std::uint64_t, double) {
-    if (options.verbose) teller.tell(training);
+    if (!options.verbose) return;
+    teller.tell(training);
+    controls.tell(window.contentScale() * viewer.state().state.text_size);
   });
   viewer::Messages& messages = viewer.state().messages;
   messages.markRead();

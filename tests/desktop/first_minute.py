@@ -1,0 +1,219 @@
+"""The eight tasks of a user's first minute, each in a real window from a fresh HOME. Where the window cannot do one yet,
+its row says why."""
+import dataclasses
+import math
+import struct
+import time
+
+from desktop import HEIGHT, WIDTH, Fresh, Gone, Window
+
+
+@dataclasses.dataclass
+class Task:
+    name: str
+    actions: int
+    seconds: float
+    done: bool
+    old_actions: int = 0  # of version 0.2.0, before there was a start page; see OLD
+    old_way: str = ""
+    reason: str = ""
+
+
+# What the same needed in version 0.2.0, whose window had no start page: counted by its documents, not measured. A
+# command line counts as one action, whatever its length.
+OLD = {
+    "touch T6": (3, "names (I), wheel until they can be told apart, press by eye"),
+    "open my STL": (2, "Ctrl+O, a click on the file"),
+    "dysfunction at T9 left, saved": (5, "names (I), editor (E), click by eye, wheel for its size, Ctrl+S; without words"),
+    "train one practice block": (1, "another command, `palpate train`; then as many as now"),
+    "measure a pair": (5, "Ctrl+M, twice a button and a file; not from a start page"),
+    "start a class and join it": (4, "four commands, `palpate class init`, `serve`, `watch`, `train --class`"),
+    "replay a recording": (2, "Ctrl+O, a click on the file"),
+    "make a film": (3, "pictures (Shift+F12), stop, ffmpeg"),
+}
+
+
+RUN = ("run", "--verbose", "--width", str(WIDTH), "--height", str(HEIGHT))
+
+
+class Run:
+    """The programs and the desktop of one task."""
+
+    def __init__(self, palpate, desktop, fresh):
+        self.palpate, self.desktop, self.fresh = palpate, desktop, fresh
+
+    def window(self, *arguments):
+        return Window(self.desktop, [self.palpate, *RUN, *arguments], self.fresh.home,
+                      self.fresh.folder)
+
+    def start(self):
+        window = self.window()
+        window.until(lambda: window.page_s is not None, "the start page")
+        while self.desktop.is_black() and time.monotonic() < window.started + 20.0:
+            time.sleep(0.005)
+        window.page_s = time.monotonic() - window.started
+        return window
+
+
+def write_stl(file, size_mm):
+    """A ball, binary."""
+    def at(i, j):
+        theta, phi = math.pi * i / 24, 2 * math.pi * j / 48
+        return tuple(size_mm / 2 * c for c in
+                     (math.sin(theta) * math.cos(phi), math.cos(theta), math.sin(theta) * math.sin(phi)))
+    triangles = []
+    for i in range(24):
+        for j in range(48):
+            a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
+            triangles += [(a, c, b)] * (i < 23) + [(a, d, c)] * (i > 0)
+    with open(file, "wb") as out:
+        out.write(b"ball".ljust(80) + struct.pack("<I", len(triangles)))
+        for triangle in triangles:
+            out.write(struct.pack("<12fH", 0, 0, 0, *[c for corner in triangle for c in corner], 0))
+    return len(triangles)
+
+
+def touch_t6(run, window):
+    window.click("start/touch")
+    window.until(lambda: "depth" in window.frame, "the first frame")
+    far = window.number("distance")
+    window.key("ctrl+f")
+    window.type("T6")
+    window.key("Return")
+    window.until(lambda: window.number("distance") < 0.7 * far and "At T6" in window.frame["message"], "the flight to T6")
+    window.key("Return")
+    window.until(lambda: window.number("depth") > 3.0, "a press")
+
+
+def open_stl(run, window):
+    triangles = write_stl(run.fresh.folder / "ball.stl", 300.0)
+    window.click("start/open")
+    window.click("open/files/ball.stl")
+    window.key("Return")
+    window.until(lambda: window.number("body") == triangles, "the body of my file")
+
+
+def make_dysfunction(run, window):
+    window.click("start/touch")
+    window.until(lambda: "depth" in window.frame, "the first frame")
+    window.click("panel/Dysfunctions", at_share=0.3)
+    window.click("dysfunctions/new")
+    window.type("T9 left 51")
+    window.key("Return")
+    window.until(lambda: window.has("dysfunctions/change"), "the dysfunction")
+    window.key("ctrl+s")
+    scene = run.fresh.folder / "scene.toml"
+    window.until(scene.exists, "the saved scene")
+    if "T9 left" not in scene.read_text(encoding="utf-8"):
+        raise Gone("the scene says no place in words")
+
+
+def practise(run, window):
+    """Answers by the keyboard, one place for all, until the block is over."""
+    window.click("start/train")
+    window.until(lambda: window.screen, "the training")
+    window.focused = False
+    end = time.monotonic() + 240.0
+    while time.monotonic() < end:
+        screen = window.screen
+        if "Another block" in screen:
+            return
+        if "Welcome" in screen:
+            window.click("training/button/1")
+        elif "What would you like to do" in screen:
+            window.click("training/button/1")
+        elif "Touch the back" in screen or "Press" in screen.split("|")[1]:
+            site = next((name for name in window.controls if name.startswith("training/site/")), None)
+            x, y = window.place_of(site) if site else (800, 500)
+            window.press_at(x, y)
+            window.pause(1.2)
+            window.lift()
+            window.key("space")
+        elif window.has("training/site/1") and "Answer" in screen:
+            window.type("1")
+            window.key("Return")
+        else:
+            window.key("space" if "Space" in screen else "Return")
+        seen = screen
+        try:
+            window.until(lambda: window.screen != seen, "the next screen", 3.0)
+        except Gone:
+            pass
+    raise Gone(f"the block did not end: {window.screen}")
+
+
+def measure_pair(run, window):
+    window.click("start/measure")
+    window.click("measuring/open_before")
+    window.click("photograph/files/before.jpg")
+    window.click("measuring/open_after")
+    window.click("photograph/files/after.jpg")
+    window.until(lambda: window.has("measuring/result"), "the result", 60.0)
+    window.click("measuring/place")
+    window.pause(0.3)
+    window.type("T6 left 40 mm")
+    window.pause(0.5)
+    window.click("measuring/accept")
+    table = run.fresh.folder / "key_points.csv"
+    window.until(table.exists, "the table")
+
+
+def replay(run, window):
+    window.click("start/open")
+    window.click("open/files/press.session")
+    window.key("Return")
+    window.until(lambda: window.has("replay/play"), "the bar of the replay", 60.0)
+
+
+TASKS = {
+    "touch T6": touch_t6,
+    "open my STL": open_stl,
+    "dysfunction at T9 left, saved": make_dysfunction,
+    "train one practice block": practise,
+    "measure a pair": measure_pair,
+    "start a class and join it": "a class is started by commands, not in the window",
+    "replay a recording": replay,
+    "make a film": "a film is made by a command, not in the window",
+}
+
+
+def prepared(run, name):
+    """Files that the user of a task brings."""
+    import subprocess
+    environment = run.desktop.environment(run.fresh.home)
+    if name == "measure a pair":
+        subprocess.run([run.palpate, "measure", "synthesize", "-o", "photos"], cwd=run.fresh.folder, env=environment,
+                       check=True, stdout=subprocess.DEVNULL)
+        for word in ("before", "after"):
+            file = next((run.fresh.folder / "photos").glob(f"*{word}*.*"))
+            file.rename(run.fresh.folder / f"{word}{file.suffix}")
+    if name == "replay a recording":
+        subprocess.run([run.palpate, "simulate", "--preset", "vhb", "--session", "-o", "results"], cwd=run.fresh.folder,
+                       env=environment, check=True, stdout=subprocess.DEVNULL)
+        (run.fresh.folder / "results" / "run.session").rename(run.fresh.folder / "press.session")
+
+
+def done(palpate, desktop, name, pictures=None):
+    """One task, from a fresh HOME; never throws for what the window did or did not. `pictures`: a folder for what was on
+    the screen at its end."""
+    way = TASKS[name]
+    old, old_way = OLD[name]
+    if isinstance(way, str):
+        return Task(name, 0, 0.0, False, old, old_way, way)
+    with Fresh() as fresh:
+        run = Run(palpate, desktop, fresh)
+        window = None
+        try:
+            prepared(run, name)
+            window = run.start()
+            way(run, window)
+            return Task(name, window.actions, time.monotonic() - window.started, True, old, old_way)
+        except Exception as trouble:  # noqa: BLE001: the row says it
+            actions = window.actions if window else 0
+            seconds = time.monotonic() - window.started if window else 0.0
+            return Task(name, actions, seconds, False, old, old_way, f"{type(trouble).__name__}: {trouble}")
+        finally:
+            if pictures:
+                desktop.save(pictures / f"{name.split(',')[0].replace(' ', '-')}.ppm")
+            if window:
+                window.end()
