@@ -44,8 +44,9 @@ view::FingerShape fingerShapeNow(FingerForm& form, const ViewerState& viewer, do
     return chosen;
   }
   const bool any = viewer.finger_present[0] || viewer.finger_present[1];
-  // Skin that is drawn simpler because pictures are slow leaves no time for hands.
-  const bool says = counts && any && !viewer.simple_shading && !viewer.building && !viewer.recording.sequence;
+  // Pictures that are drawn simpler or with fewer pixels because they are slow leave no time for hands.
+  const bool spared = viewer.simple_shading || (!form.hand() && viewer.performance.picture_share < 1.0);
+  const bool says = counts && any && !spared && !viewer.building && !viewer.recording.sequence;
   form.frame(elapsed_s, 1e-3 * viewer.performance.frame_ms, says);
   return form.hand() && !viewer.simple_shading ? view::FingerShape::hand : view::FingerShape::finger;
 }

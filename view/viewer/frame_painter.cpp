@@ -1,6 +1,7 @@
 #include "view/viewer/frame_painter.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "palpate/base/stopwatch.h"
 #include "view/viewer/editing/pointer.h"
@@ -17,6 +18,14 @@ constexpr double kOutline = 1.5;
 constexpr double kDrawnPointMm = 8.0;
 /// Of a picture without background: each pixel is the mean of this many squared.
 constexpr int kClearSupersampling = 2;
+
+/// A finger that moves less in a frame is at rest.
+constexpr double kSeenMm = 0.05;
+
+bool sameView(const view::Camera& a, const view::Camera& b) {
+  return a.centre == b.centre && a.yaw_rad == b.yaw_rad && a.pitch_rad == b.pitch_rad && a.roll_rad == b.roll_rad &&
+         a.distance_mm == b.distance_mm && a.height_rad == b.height_rad;
+}
 
 bool isAway(const contact::FingerOutput& finger) { return finger.tip.z() > 0.5 * device::kNowhere.z(); }
 
@@ -100,12 +109,32 @@ view::PictureSettings FramePainter::pictureSettings(const FrameParts& frame) con
   return picture;
 }
 
+/// A finger touches or moves, or the view turns.
+bool FramePainter::inMotion(const FrameParts& frame) {
+  const ViewerState& viewer = frame.viewer;
+  bool moves = !sameView(viewer.camera, std::exchange(seen_from_, viewer.camera));
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    const contact::FingerOutput& finger = viewer.fingers[i];
+    moves = moves || finger.touch != contact::Touch::free || frame.pointer.pressed(i);
+    moves = moves || (finger.tip - tips_[i]).norm() > kSeenMm;
+    tips_[i] = finger.tip;
+  }
+  return moves;
+}
+
 /// Once a frame. A recording next to another shows both alike.
-void FramePainter::chooseFingerShape(const FrameParts& frame) {
-  const double now_s = frame.viewer.now_s;
-  const double elapsed_s = now_s - painted_s_.value_or(now_s);
-  finger_shape_ = fingerShapeNow(finger_form_, frame.viewer, elapsed_s, elapsed_s > 0.0);
-  painted_s_ = now_s;
+void FramePainter::chooseEffort(const FrameParts& frame) {
+  ViewerState& viewer = frame.viewer;
+  const double elapsed_s = viewer.now_s - painted_s_.value_or(viewer.now_s);
+  painted_s_ = viewer.now_s;
+  const bool adapts = viewer.state.adapts_resolution && frame.stereo.mode == view::StereoMode::mono;
+  if (!adapts) scale_.reset();
+  const bool moves = inMotion(frame);
+  const bool counts = elapsed_s > 0.0 && !viewer.building && !frame.kept;
+  if (adapts && counts && moves && std::exchange(moved_, moves)) scale_.frame(elapsed_s);
+  moved_ = moves && !frame.kept;
+  viewer.performance.picture_share = adapts && moves && !frame.kept ? scale_.share() : 1.0;
+  finger_shape_ = fingerShapeNow(finger_form_, viewer, elapsed_s, elapsed_s > 0.0);
 }
 
 std::vector<view::FingerMark> FramePainter::fingerMarks(const FrameParts& frame) {
@@ -130,7 +159,7 @@ std::vector<view::FingerMark> FramePainter::fingerMarks(const FrameParts& frame)
 }
 
 void FramePainter::paint(const FrameParts& frame, window::Gui::Choice windows) {
-  chooseFingerShape(frame);
+  chooseEffort(frame);
   if (frame.modes.claims().body && frame.stereo.mode == view::StereoMode::mono) {
     frame.target.clear();
     frame.target.bind();
@@ -143,6 +172,7 @@ void FramePainter::paint(const FrameParts& frame, window::Gui::Choice windows) {
   view::Canvas canvas = canvasOn(frame.target, frame.pixels_per_point);
   if (itself) canvas.framebuffer = 0;
   canvas.quad_buffer = frame.quad_buffer;
+  canvas.body_share = viewer.performance.picture_share;
   const auto width = static_cast<float>(viewer.size_points.x());
   const auto height = static_cast<float>(viewer.size_points.y());
   const FreeArea free = freeArea(viewer.state.shown, width, height);

@@ -15,6 +15,7 @@
 #include "view/viewer/editing/pointer.h"
 #include "view/viewer/finger_form.h"
 #include "view/viewer/modes/mode.h"
+#include "view/viewer/picture_scale.h"
 #include "view/viewer/replay_player.h"
 #include "view/viewer/state/viewer_state.h"
 #include "view/viewer/world/live_model.h"
@@ -49,6 +50,7 @@ struct FrameParts {
   const view::StereoSettings& stereo;
   bool quad_buffer;  ///< framebuffer 0 has a picture for each eye
   double pixels_per_point;
+  bool kept = false;  ///< the picture is saved: with all its pixels
 };
 
 /// Needs a current GL context.
@@ -61,13 +63,18 @@ class FramePainter {
 
  private:
   view::PictureSettings pictureSettings(const FrameParts& frame) const;
-  void chooseFingerShape(const FrameParts& frame);
+  void chooseEffort(const FrameParts& frame);
+  bool inMotion(const FrameParts& frame);
   std::vector<view::FingerMark> fingerMarks(const FrameParts& frame);
   void paintBeside(const FrameParts& frame, window::Gui::Choice windows);
   void paintHalf(const FrameParts& frame, LiveModel& model, std::span<const view::FingerMark> fingers);
 
   std::array<PressPeak, kFingers> peaks_;
   FingerForm finger_form_;
+  PictureScale scale_;
+  bool moved_ = false;      ///< the frame before showed something in motion
+  view::Camera seen_from_;  ///< in the frame before
+  std::array<Vec3, kFingers> tips_ = {device::kNowhere, device::kNowhere};
   view::FingerShape finger_shape_ = view::FingerShape::finger;  ///< of this frame
   std::optional<double> painted_s_;                             ///< when the frame before was
   std::unique_ptr<view::Target> half_;                          ///< of a picture of two recordings

@@ -24,18 +24,22 @@ void progress(const std::optional<engine::BuildProgress>& building) {
 
 void OpeningView::frame(const Frame& frame, std::span<const window::InputEvent> events,
                         const std::optional<engine::BuildProgress>& building) {
-  if (!target_ || target_->width() != frame.width || target_->height() != frame.height) {
+  const bool first = !target_;
+  if (first || target_->width() != frame.width || target_->height() != frame.height) {
     target_ = std::make_unique<view::Target>(std::max(1, frame.width), std::max(1, frame.height));
   }
   const double points = frame.scale * state_.text_size;
   gui_.setTheme(state_.theme);
-  for (const auto pass : window::guiPasses(events)) {
+  const auto draw = [&](std::span<const window::InputEvent> pass) {
     gui_.begin(Vec2(frame.width, frame.height) / points, points, frame.elapsed_s, pass);
     if (!page_) progress(building);
     startPage({state_.recent, state_.start_page, pictures_, offers_.training, offers_.measuring, building}, page_,
               asks_);
     gui_.end();
-  }
+  };
+  // A dialog knows its size, and is seen, from its second pass on.
+  if (first) draw({});
+  for (const auto pass : window::guiPasses(events)) draw(pass);
   target_->clear();
   target_->bind();
   gui_.present(frame.width, frame.height);

@@ -19,8 +19,9 @@ constexpr const char* kStillReading = "Another table is still being read";
 
 void ReplayPlayer::load(const std::string& file, bool beside, const std::shared_ptr<const scene::World>& world,
                         ViewerState& viewer) {
-  const auto read = [world, scene = viewer.scene, file] {
-    return trace::isRecording(pathOf(file)) ? touchOfSession(pathOf(file)) : touchedAgain(world, scene, pathOf(file));
+  const auto read = [world, scene = viewer.scene, file](const Progress& progress) {
+    return trace::isRecording(pathOf(file)) ? touchOfSession(pathOf(file), progress)
+                                            : touchedAgain(world, scene, pathOf(file), progress);
   };
   if (!loader_.load(read)) return viewer.report(Severity::info, kStillReading);
   loads_beside_ = beside;
@@ -31,7 +32,8 @@ void ReplayPlayer::playScript(const std::shared_ptr<const scene::World>& world, 
   if (world->scene.fingers.empty()) {
     return viewer.report(Severity::info, "This scene has no fingers of its own: it says nothing under [[finger]]");
   }
-  if (!loader_.load([world] { return touchOfScript(world); })) viewer.report(Severity::info, kStillReading);
+  if (!loader_.load([world](const Progress& progress) { return touchOfScript(world, progress); }))
+    viewer.report(Severity::info, kStillReading);
 }
 
 void ReplayPlayer::take(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer) {
@@ -48,6 +50,11 @@ void ReplayPlayer::take(const std::shared_ptr<const scene::World>& world, LiveMo
   }
   if (recorded_) leave(world, model, viewer);
   show(std::move(*result->touch), model, viewer);
+}
+
+void ReplayPlayer::cancel(ViewerState& viewer) {
+  loader_.cancel();
+  viewer.report(Severity::info, "Cancelled: nothing is replayed");
 }
 
 void ReplayPlayer::show(RecordedTouch touch, LiveModel& model, ViewerState& viewer) {

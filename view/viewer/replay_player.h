@@ -26,6 +26,9 @@ class ReplayPlayer {
             ViewerState& viewer);
   /// The scene's own fingers, or an end of them.
   void playScript(const std::shared_ptr<const scene::World>& world, ViewerState& viewer);
+  /// Of the reading under way, if any; a recording's body may take long to build.
+  std::optional<engine::BuildProgress> progress() const { return loader_.progress(); }
+  void cancel(ViewerState& viewer);
   /// What has been read is shown, frozen at its beginning.
   void take(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "palpate/base/error.h"
 #include "palpate/base/path_text.h"
 #include "palpate/body/places.h"
@@ -22,8 +24,35 @@ void RequestHandler::handle(const Request& request) {
 void RequestHandler::fulfil(const OpenFile& request) {
   ViewerState& viewer = parts_.viewer;
   const bool recorded = trace::isForcesTable(pathOf(request.file)) || trace::isRecording(pathOf(request.file));
-  if (!recorded) return parts_.world_swap.open(request.file, viewer);
-  parts_.replay.load(request.file, viewer.replay.chooses_beside, parts_.world, viewer);
+  if (recorded) return parts_.replay.load(request.file, viewer.replay.chooses_beside, parts_.world, viewer);
+  if (request.unit || !hasNoUnit(pathOf(request.file))) {
+    return parts_.world_swap.open(request.file, viewer, request.unit.value_or(scene::Unit::from_file));
+  }
+  to_look_at_ = request;  // the newest one wins
+}
+
+/// How large it is, beside the display: a body of 1.8 mm is one of 1.8 m. What takes long or is broken is opened as it
+/// is, and says so itself.
+void RequestHandler::advance() {
+  static constexpr PreviewLimits kLook{
+      .max_bytes = std::uint64_t{256} << 20, .max_seconds = 3.0, .width = 1, .height = 1};
+  const auto seen = look_.take();
+  if (seen && !to_look_at_) askForUnit(looked_at_, seen->value ? seen->value->longest_units : std::nullopt);
+  if (!to_look_at_ || look_.busy()) return;
+  looked_at_ = *std::exchange(to_look_at_, std::nullopt);
+  look_.start([file = pathOf(looked_at_.file)] { return previewOf(file, kLook); });
+}
+
+/// Where millimetres are doubtful.
+void RequestHandler::askForUnit(OpenFile request, const std::optional<double>& longest_units) {
+  const std::optional<UnitGuess> guess = longest_units ? unitGuess(*longest_units) : std::nullopt;
+  request.sure = true;
+  request.unit = guess ? guess->unit : scene::Unit::from_file;
+  if (!guess) return handle(request);
+  parts_.viewer.ask({.kind = Question::Kind::unit,
+                     .words = guess->words,
+                     .answers = {guess->answer, "Millimetres", "Cancel"},
+                     .then = request});
 }
 
 void RequestHandler::fulfil(const OpenPreset& request) {
@@ -35,11 +64,14 @@ void RequestHandler::fulfil(const Reload& /*request*/) {
   ViewerState& viewer = parts_.viewer;
   const scene::BodySettings& body = viewer.scene.body;
   if (!viewer.document.file.empty()) return parts_.world_swap.open(viewer.document.file.string(), viewer);
-  if (body.kind == scene::BodyKind::mesh) return parts_.world_swap.open(body.file.string(), viewer);
+  if (body.kind == scene::BodyKind::mesh) return parts_.world_swap.open(body.file.string(), viewer, body.unit);
   parts_.world_swap.open(parts_.default_scene, viewer);
 }
 
-void RequestHandler::fulfil(const CancelBuild& /*request*/) { parts_.world_swap.cancel(parts_.viewer); }
+/// What is shown to be at work (Viewer::useChanges).
+void RequestHandler::fulfil(const CancelBuild& /*request*/) {
+  parts_.replay.progress() ? parts_.replay.cancel(parts_.viewer) : parts_.world_swap.cancel(parts_.viewer);
+}
 
 void RequestHandler::fulfil(const SaveScene& request) { saveThen(request, std::nullopt); }
 
@@ -70,6 +102,11 @@ void RequestHandler::fulfil(const AnswerQuestion& request) {
   const std::string& chosen = request.answer;
   if (question.kind == Question::Kind::of_mode) return parts_.modes.answer(question, chosen, viewer);
   if (chosen == question.answers.back()) return;
+  if (question.kind == Question::Kind::unit) {
+    OpenFile opened = std::get<OpenFile>(*question.then);
+    if (chosen != question.answers.front()) opened.unit = scene::Unit::millimetre;
+    return handle(opened);
+  }
   if (question.kind == Question::Kind::overwrite) return saveThen({question.file, true}, question.then);
   if (chosen == question.answers.front()) return saveThen({}, question.then);
   if (question.then) handle(madeSure(*question.then));

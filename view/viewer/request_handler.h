@@ -10,10 +10,12 @@
 
 #include "view/viewer/camera_control.h"
 #include "view/viewer/devices/device_control.h"
+#include "view/viewer/files/file_preview.h"
 #include "view/viewer/files/outputs.h"
 #include "view/viewer/files/recording_keeper.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/replay_player.h"
+#include "view/viewer/state/async_task.h"
 #include "view/viewer/state/viewer_state.h"
 #include "view/viewer/world/world_swap.h"
 
@@ -52,6 +54,8 @@ class RequestHandler {
  public:
   explicit RequestHandler(const RequestParts& parts) : parts_(parts) {}
   void handle(const Request& request);
+  /// Once a frame: what was found out about a file that is to be opened.
+  void advance();
   /// The window was asked to close, and nothing is in the way.
   bool quits() const { return quits_; }
 
@@ -92,8 +96,13 @@ class RequestHandler {
   void fulfil(const StartTraining& request);
   void saveThen(const SaveScene& request, const std::optional<Request>& then);
 
+  void askForUnit(OpenFile request, const std::optional<double>& longest_units);
+
   RequestParts parts_;
   bool quits_ = false;
+  std::optional<OpenFile> to_look_at_;  ///< a mesh whose unit is not known
+  OpenFile looked_at_;
+  AsyncTask<FilePreview> look_;
 };
 
 // What has to be asked before it is done, because something would be lost by it.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "view/viewer/picture_scale.h"
 #include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
@@ -13,6 +14,12 @@ namespace {
 /// A frame that was in time takes back as much of the suspicion as several slow ones of its length brought.
 constexpr double kForgiving = 2.0;
 constexpr double kMaxPatience = 64.0;
+
+/// The picture could be drawn with fewer pixels, or would be if something moved.
+bool hasPixelsLeft(const ViewerState& viewer) {
+  const bool adapts = viewer.state.adapts_resolution && viewer.state.stereo.mode == view::StereoMode::mono;
+  return adapts && viewer.performance.picture_share > kMinPictureShare;
+}
 
 }  // namespace
 
@@ -40,7 +47,7 @@ void guardShading(ShadingGuard& guard, ViewerState& viewer, double elapsed_s, bo
   if (!state.simpler_when_slow || state.look.shading == view::Shading::gouraud) {
     guard.reset();
   } else {
-    const bool gains = counts && !viewer.building && !viewer.recording.sequence;
+    const bool gains = counts && !viewer.building && !viewer.recording.sequence && !hasPixelsLeft(viewer);
     const auto change = guard.frame(elapsed_s, 1e-3 * viewer.performance.frame_ms, gains);
     if (change == ShadingGuard::Change::simpler) {
       // The menu bar says so as long as it lasts; a plate over the picture would hide what is slow already.

@@ -1,5 +1,5 @@
 // Draws the skin simpler while pictures come too slowly, and as it was requested again when there is time to spare.
-// Pure.
+// Pixels are given up before (picture_scale.h). Pure.
 //
 //   time between frames, time that a frame took ─► ShadingGuard ─► simple or as requested, and a word to the user
 //
@@ -12,7 +12,7 @@ namespace palpate::viewer {
 struct ViewerState;
 
 struct ShadingGuardSettings {
-  double slow_s = 1.0 / 30.0;  ///< between two pictures; beyond it a drag no longer looks like one motion
+  double slow_s = 1.0 / 20.0;  ///< between two pictures, as in PictureScaleSettings
   double slow_for_s = 1.5;     ///< so long before it acts: a hitch is no reason
   /// Simple pictures take about half the time of others: below this share of `slow_s` there is time enough.
   double spare_share = 0.35;

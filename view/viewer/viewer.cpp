@@ -223,6 +223,7 @@ void Viewer::tellTitle() {
 
 void Viewer::useChanges(double elapsed_s) {
   for (const Request& request : std::exchange(viewer_.asks.requests, {})) requests_.handle(request);
+  requests_.advance();
   devices_.advance(viewer_, *world_);
   keeper_.advance(viewer_);
   for (const auto& mode : modes_) {
@@ -231,6 +232,7 @@ void Viewer::useChanges(double elapsed_s) {
   }
   quit_ = quit_ || requests_.quits();
   world_swap_.advance(viewer_, servo_.thread());
+  if (const auto reading = replay_.progress()) viewer_.building = reading;
   viewer_.asks.changed = kNothing;
 }
 
@@ -242,6 +244,7 @@ void Viewer::pointServo() {
         recorded != nullptr ? i < recorded->radius_mm.size() : target.present || servo_.isHeld(i);
     servo_.point(i, target);
   }
+  pointer_.targetsSent();
 }
 
 /// In a picture of two parts the system's pointer would be in one of them: ours is drawn in both.
@@ -254,7 +257,7 @@ void Viewer::showCursor() {
 /// Pictures are kept without what lies over them for a moment, unless that was asked for too.
 void Viewer::paintAndKeep(double scale) {
   const FrameParts parts{viewer_, *model_,  *world_, pointer_,          replay_, modes_,
-                         gui_,    *target_, stereo_, host_.quad_buffer, scale};
+                         gui_,    *target_, stereo_, host_.quad_buffer, scale,   outputs_.wantsFrame(viewer_)};
   const bool twice = outputs_.wantsNoPopUps(viewer_) && gui_.leavesOut(staysInPictures);
   painter_.paint(parts, twice ? staysInPictures : nullptr);
   outputs_.frameDrawn(viewer_, [this] { return target_->read(); });

@@ -23,6 +23,7 @@
 #include "view/viewer/frame_painter.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/panels/hints.h"
+#include "view/viewer/panels/preview_pane.h"
 #include "view/viewer/panels/start_page.h"
 #include "view/viewer/replay_player.h"
 #include "view/viewer/request_handler.h"
@@ -119,6 +120,7 @@ class Viewer {
   Eyesight eyesight_;
   view::StereoSettings stereo_;  ///< of this frame
   ExamplePictures example_pictures_;
+  PreviewPane file_preview_;
   ShadingGuard shading_guard_;
   FramePainter painter_;
   window::Gui gui_;

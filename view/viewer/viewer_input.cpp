@@ -40,7 +40,7 @@ void Viewer::drawGuiPass(std::span<const window::InputEvent> events, double poin
   placeRulerLabel();
   const auto& place = pointer_.placeOf(viewer_.active_finger);
   viewer_.place_words = place ? body::inWords(viewer_.world.landmarks, place->point) : std::string();
-  drawGui(viewer_, modes_, example_pictures_);
+  drawGui(viewer_, modes_, {example_pictures_, file_preview_});
   gui_.end();
 }
 

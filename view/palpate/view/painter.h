@@ -34,6 +34,9 @@ struct Canvas {
   bool quad_buffer = false;       ///< the framebuffer has a left and a right one
   /// Points at the left, top, right and below that the host draws over: the labels stay out of them.
   std::array<float, 4> covered = {};
+  /// Pixels along each side that the body is drawn with, a share of the picture's: stretched where it is below 1, under
+  /// labels and panels that have all. By one eye only.
+  double body_share = 1.0;
 };
 
 /// What the user should know about the picture that was drawn.

@@ -15,6 +15,7 @@
 #include "pictures/image_compare.h"
 #include "view/viewer/panels/gui_layout.h"
 #include "view/viewer/panels/hints.h"
+#include "view/viewer/panels/preview_pane.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
@@ -259,14 +260,16 @@ TEST_F(PanelPictures, OfWhatIsShown) {
   view::Look look;
   look.colouring = view::Colouring::stiffness;
   look.show(view::Overlay::rings, true);
+  bool adapts = true;
   bool simpler = true;
-  expectPanel("show", 545, [&] { showPanel({look, simpler, false, world}); });
+  expectPanel("show", 545, [&] { showPanel({look, adapts, simpler, false, world}); });
 }
 
 TEST_F(PanelPictures, OfASkinThatIsDrawnSmoothForNow) {
   view::Look look;
+  bool adapts = true;
   bool simpler = true;
-  expectPanel("show_slow", 200, [&] { showPanel({look, simpler, true, world}); });
+  expectPanel("show_slow", 200, [&] { showPanel({look, adapts, simpler, true, world}); });
 }
 
 class StereoPanelPictures : public PanelPictures {
@@ -331,7 +334,8 @@ TEST_F(PanelPictures, OfTheOpenDialog) {
   const std::vector<std::string> recent = {"/home/somebody/back.toml", "/home/somebody/scans/torso.obj"};
   showFolder(folder);
   bool open = true;
-  expect("open", 600, 420, [&] { openDialog(recent, open, asks); });
+  PreviewPane preview;
+  expect("open", 600, 420, [&] { openDialog(recent, open, preview, asks); });
   std::filesystem::remove_all(folder);
 }
 

@@ -63,6 +63,18 @@ TEST_F(PointerOn, AFingerBesideTheBodyIsNowhereUntilItComesOverIt) {
   EXPECT_TRUE(pointer.target(0, viewer).present) << "it waits where it last was";
 }
 
+TEST_F(PointerOn, ATapWithinOneFrameIsFeltUntilTheNext) {
+  send(Kind::press, 0.5 * kSize);
+  send(Kind::lift, 0.5 * kSize);
+  EXPECT_TRUE(pointer.target(0, viewer).pressed);
+  pointer.targetsSent();
+  EXPECT_FALSE(pointer.target(0, viewer).pressed);
+  send(Kind::press, 0.5 * kSize);
+  pointer.targetsSent();
+  send(Kind::lift, 0.5 * kSize);
+  EXPECT_FALSE(pointer.target(0, viewer).pressed) << "it was felt in the frame before";
+}
+
 TEST_F(PointerOn, APressBesideTheBodyPressesNothing) {
   send(Kind::press, Vec2(5, 5));
   EXPECT_FALSE(pointer.pressed(0));

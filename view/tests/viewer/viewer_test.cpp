@@ -306,14 +306,51 @@ TEST(Viewer, FreezesThePictureButNotTheTouch) {
   EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
 }
 
-/// Frames that come twenty times a second.
-void slowFrames(Stage& stage, int count) {
-  for (int i = 0; i < count; ++i) stage.viewer->frame(320, 240, 1.0, stage.now_s += 0.05, {});
+/// Frames that come ten times a second.
+void slowFrames(Stage& stage, int count, int width = 320, int height = 240) {
+  for (int i = 0; i < count; ++i) stage.viewer->frame(width, height, 1.0, stage.now_s += 0.1, {});
+}
+
+TEST(Viewer, DrawsTheBodyWithFewerPixelsWhileAFingerTouchesAndPicturesAreSlow) {
+  Stage stage;
+  const double& share = stage.state().performance.picture_share;
+  slowFrames(stage, 20, kStageWidth, kStageHeight);
+  EXPECT_EQ(share, 1.0) << "at rest";
+  stage.move(stage.middle());
+  stage.button(true);
+  ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
+  EXPECT_EQ(share, 1.0) << "pictures are quick";
+  slowFrames(stage, 6, kStageWidth, kStageHeight);
+  EXPECT_EQ(share, kMinPictureShare);
+  const view::Image touched = stage.viewer->target().read();
+  stage.button(false);
+  ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm == 0.0; }));
+  EXPECT_TRUE(stage.until([&] { return share == 1.0; })) << "at rest again";
+  EXPECT_EQ(touched.width, kStageWidth) << "panels and labels have all pixels";
+}
+
+TEST(Viewer, SavesPicturesWithAllPixelsAndLeavesThemAllWhereTheUserWantsIt) {
+  Stage stage;
+  const double& share = stage.state().performance.picture_share;
+  stage.move(stage.middle());
+  stage.button(true);
+  ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));
+  slowFrames(stage, 6, kStageWidth, kStageHeight);
+  ASSERT_LT(share, 1.0);
+  stage.state().request(TakeScreenshot{.with_pop_ups = true});
+  slowFrames(stage, 1, kStageWidth, kStageHeight);
+  EXPECT_EQ(share, 1.0) << "of the frame that was saved";
+  slowFrames(stage, 1, kStageWidth, kStageHeight);
+  EXPECT_LT(share, 1.0);
+  stage.state().state.adapts_resolution = false;
+  slowFrames(stage, 10, kStageWidth, kStageHeight);
+  EXPECT_EQ(share, 1.0);
 }
 
 TEST(Viewer, DrawsTheSkinSmoothWhilePicturesAreSlowAndSaysSo) {
   ViewState state = Stage::quiet();
   state.look.shading = view::Shading::skin;
+  state.adapts_resolution = false;  // pixels are given up before
   Stage stage(state);
   slowFrames(stage, 60);
   EXPECT_TRUE(stage.state().simple_shading);

@@ -62,6 +62,17 @@ void changeSelected(const DysfunctionEdit& edit, const char* verb, const Change&
 
 }  // namespace
 
+void placeAt(const DysfunctionEdit& edit, const body::NamedPlace& place) {
+  maps::Dysfunction placed;
+  placed.at = place.name;
+  placed.x_mm = place.point.x();
+  placed.y_mm = place.point.y();
+  edit.items.push_back(placed);
+  edit.editor.selected = static_cast<int>(edit.items.size()) - 1;
+  edit.asks.changed |= kMapChange;
+  edit.asks.step = "place " + nameOfSelected(edit);
+}
+
 void stopEditing(const DysfunctionEdit& edit) {
   Editor& editor = edit.editor;
   editor.active = false;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "palpate/base/vec.h"
+#include "palpate/body/places.h"
 #include "palpate/window/input.h"
 #include "view/viewer/state/editor.h"
 
@@ -21,6 +22,9 @@ bool applyEdit(const window::Command& command, const std::optional<Vec2>& place,
 
 /// Its place is said in words where the body has names, and is there to the whole millimetre.
 void putIntoWords(maps::Dysfunction& item, std::span<const body::SkinLandmark> landmarks);
+
+/// A new one at a named place, selected.
+void placeAt(const DysfunctionEdit& edit, const body::NamedPlace& place);
 
 void deleteSelected(const DysfunctionEdit& edit);
 

@@ -74,13 +74,14 @@ bool Pointer::apply(const window::Command& command, ViewerState& viewer) {
       return true;
     case Kind::press:
       moveFinger(active, command.at);
-      fingers_[active].pressed = fingers_[active].place.has_value();
+      fingers_[active].pressed = fingers_[active].fresh = fingers_[active].place.has_value();
       return true;
     case Kind::slide:
       moveFinger(active, command.at);
       return true;
     case Kind::lift:
       fingers_[active].pressed = false;
+      fingers_[active].tapped = fingers_[active].fresh;
       return true;
     case Kind::lift_all:
       for (Finger& finger : fingers_) finger.pressed = false;
@@ -168,7 +169,7 @@ device::FingerTarget Pointer::target(std::size_t finger, const ViewerState& view
   const bool active = finger == viewer.active_finger;
   device::FingerTarget target;
   target.present = from.place.has_value();
-  target.pressed = from.pressed;
+  target.pressed = from.pressed || from.tapped;
   target.by = touch.by;
   target.depth_mm = active ? touch.depth_mm : from.depth_mm;
   target.force_n = active ? touch.force_n : from.force_n;
@@ -179,6 +180,10 @@ device::FingerTarget Pointer::target(std::size_t finger, const ViewerState& view
     target.normal = from.place->normal;
   }
   return target;
+}
+
+void Pointer::targetsSent() {
+  for (Finger& finger : fingers_) finger.fresh = finger.tapped = false;
 }
 
 void Pointer::fly(const view::Camera& to, const ViewerState& viewer, double seconds) {

@@ -45,6 +45,8 @@ class Pointer {
   device::FingerTarget target(std::size_t finger, const ViewerState& viewer) const;
   const std::optional<SkinPlace>& placeOf(std::size_t finger) const { return fingers_[finger].place; }
   bool pressed(std::size_t finger) const { return fingers_[finger].pressed; }
+  /// Once a frame, when all targets have been sent: a tap that began and ended within the frame has been felt.
+  void targetsSent();
   /// Sends the camera to another view; at once with reduced motion.
   void fly(const view::Camera& to, const ViewerState& viewer, double seconds);
   /// Once a frame: the camera's flight goes on.
@@ -54,6 +56,8 @@ class Pointer {
   struct Finger {
     std::optional<SkinPlace> place;
     bool pressed = false;
+    bool fresh = false;   ///< pressed in this frame: no target has said so yet
+    bool tapped = false;  ///< and lifted in it: pressed until the next frame
     double depth_mm = 6.0;
     double force_n = 3.0;
   };

@@ -32,10 +32,17 @@ std::uint32_t newestWorld(trace::RecordingReader& viewer) {
 
 /// Those after the last change of the body, and no more than can be held.
 void takeSamples(trace::RecordingReader& viewer, const trace::TickSpan& span, const trace::RecordingWorld& shown,
-                 RecordedTouch& recorded) {
+                 RecordedTouch& recorded, const Progress& progress) {
+  constexpr std::uint64_t kBetweenReports = 4096;  // ticks
+  const std::uint64_t first = std::max(span.from, viewer.facts().first_tick);
+  const double length = std::max(1.0, static_cast<double>(viewer.facts().last_tick - first));
+  std::uint64_t tick = 0;
   std::map<std::uint32_t, bool> same;
   bool other_before = false;
   viewer.forEachTick(span, [&](std::span<const trace::Sample> samples) {
+    if (tick++ % kBetweenReports == 0) {
+      report(progress, "reading the recording", static_cast<double>(tick) / length);
+    }
     for (const trace::Sample& sample : samples) {
       const auto known = same.find(sample.world);
       const bool is_same =
@@ -52,7 +59,7 @@ void takeSamples(trace::RecordingReader& viewer, const trace::TickSpan& span, co
 
 }  // namespace
 
-RecordedTouch touchOfSession(const std::filesystem::path& file) {
+RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& progress) {
   trace::RecordingReader viewer(file);
   const trace::RecordingFacts& facts = viewer.facts();
   if (facts.samples == 0) throw Error::inFile(file.string(), "holds no tick");
@@ -63,7 +70,8 @@ RecordedTouch touchOfSession(const std::filesystem::path& file) {
   recorded.history = TouchHistory(rate, std::min(facts.seconds(), kLongestReplayS));
   const trace::RecordingWorld shown = viewer.world(newestWorld(viewer));
   const engine::CarriedFiles carried(viewer);
-  recorded.world = engine::builtWorld(shown, carried.folder().empty() ? pathOf(shown.folder) : carried.folder());
+  recorded.world =
+      engine::builtWorld(shown, carried.folder().empty() ? pathOf(shown.folder) : carried.folder(), progress);
   if (engine::hashOf(*recorded.world) != shown.hash) {
     recorded.notes.emplace_back("The body or its stiffness is not the recorded one any more");
   }
@@ -75,7 +83,7 @@ RecordedTouch touchOfSession(const std::filesystem::path& file) {
         fmt::format("The last {:.0f} of {:.0f} s are shown; palpate recording trim cuts out others", kLongestReplayS,
                     facts.seconds()));
   }
-  takeSamples(viewer, span, shown, recorded);
+  takeSamples(viewer, span, shown, recorded, progress);
   for (std::size_t i = 0; i < std::min(kFingers, shown.fingers.size()); ++i) {
     recorded.radius_mm.push_back(engine::contactSettingsFrom(shown.fingers[i].contact).radius_mm);
   }

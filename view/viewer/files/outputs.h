@@ -103,6 +103,8 @@ class Outputs {
   bool wantsNoPopUps(const ViewerState& viewer) const {
     return screenshot_ ? !with_pop_ups_ : viewer.recording.sequence;
   }
+  /// The picture of this frame is kept.
+  bool wantsFrame(const ViewerState& viewer) const { return screenshot_ || viewer.recording.sequence; }
   /// The picture that was saved since the last call, or empty.
   std::filesystem::path takeSavedPicture() { return std::exchange(saved_picture_, {}); }
   void saveClearPicture(ViewerState& viewer, const view::CutOut& picture);
@@ -111,7 +113,7 @@ class Outputs {
   /// A frame has been drawn; `read` fetches it when somebody wants it.
   template <class Read>
   void frameDrawn(ViewerState& viewer, const Read& read) {
-    if (screenshot_ || viewer.recording.sequence) keepFrame(viewer, read());
+    if (wantsFrame(viewer)) keepFrame(viewer, read());
     tellErrors(viewer);
   }
 

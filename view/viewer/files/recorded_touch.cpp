@@ -79,12 +79,16 @@ bool jumps(const std::vector<Vec3>& tips, std::size_t row) {
   return row > 0 && (tips[row] - tips[row - 1]).norm() > kJumpMm;
 }
 
-void touch(engine::ServoPlan& plan, const RecordedTips& of, RecordedTouch& recorded) {
+void touch(engine::ServoPlan& plan, const RecordedTips& of, RecordedTouch& recorded, const Progress& progress) {
+  constexpr std::size_t kBetweenReports = 4096;  // ticks
   std::size_t row = 0;
   servo::Rig rig = rigFor(plan, of, recorded.ticks_per_s, row);
   std::vector<trace::Sample> samples(of.tips.size());
   const double begin_s = std::min(0.0, of.time_s.front());  // the table's own times, but none before the first tick
   for (; row < of.time_s.size(); ++row) {
+    if (row % kBetweenReports == 0) {
+      report(progress, "feeling it again", static_cast<double>(row) / static_cast<double>(of.time_s.size()));
+    }
     for (std::size_t f = 0; f < of.tips.size(); ++f) {
       if (jumps(of.tips[f], row)) engine::forgetTouch(rig.fingers[f]);
     }
@@ -100,7 +104,7 @@ void touch(engine::ServoPlan& plan, const RecordedTips& of, RecordedTouch& recor
 }  // namespace
 
 RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, const scene::Scene& scene,
-                           const std::filesystem::path& table) {
+                           const std::filesystem::path& table, const Progress& progress) {
   const RecordedTips tips = tipsOf(trace::readForcesTable(table));
   RecordedTouch recorded;
   recorded.file = table.string();
@@ -109,11 +113,11 @@ RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, con
   recorded.history = TouchHistory(recorded.ticks_per_s, std::min(seconds, kLongestReplayS));
   engine::ServoPlan plan = planFor(world, scene, true);
   for (std::size_t i = 0; i < tips.tips.size(); ++i) recorded.radius_mm.push_back(fingerRadius(scene, i));
-  touch(plan, tips, recorded);
+  touch(plan, tips, recorded, progress);
   return recorded;
 }
 
-RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world) {
+RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world, const Progress& progress) {
   const scene::Scene& scene = world->scene;
   const device::FingerPaths paths = device::pathsOf(*world);
   RecordedTouch recorded;
@@ -135,16 +139,27 @@ RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world) {
   }
   const double seconds = static_cast<double>(paths.ticks) / recorded.ticks_per_s;
   recorded.history = TouchHistory(recorded.ticks_per_s, std::min(seconds, kLongestReplayS));
-  touch(plan, tips, recorded);
+  touch(plan, tips, recorded, progress);
   return recorded;
 }
 
-bool ReplayLoader::load(std::function<RecordedTouch()> read) {
+namespace {
+
+/// Thrown by a sign of life of work that nobody waits for any more.
+struct GivenUp {};
+
+}  // namespace
+
+bool ReplayLoader::load(std::function<RecordedTouch(const Progress& progress)> read) {
   if (work_) return false;
   result_ = {};
+  cancelled_ = false;
+  began_ = Clock::now();
+  progress_ = {.stage = "reading the recording"};
   work_.emplace([this, read = std::move(read)] {
     try {
-      result_.touch = read();
+      result_.touch = read([this](std::string_view stage, double done) { note(stage, done); });
+    } catch (const GivenUp&) {
     } catch (const std::exception& error) {
       result_.error = error.what();
     }
@@ -152,10 +167,26 @@ bool ReplayLoader::load(std::function<RecordedTouch()> read) {
   return true;
 }
 
+void ReplayLoader::note(std::string_view stage, double done) {
+  if (cancelled_) throw GivenUp();
+  const std::lock_guard lock(mutex_);
+  progress_.stage = stage;
+  progress_.done = done;
+}
+
+std::optional<engine::BuildProgress> ReplayLoader::progress() const {
+  if (!work_ || cancelled_) return std::nullopt;
+  const std::lock_guard lock(mutex_);
+  engine::BuildProgress now = progress_;
+  now.since_s = secondsSince(began_);
+  return now;
+}
+
 std::optional<ReplayLoader::Result> ReplayLoader::take() {
   if (!work_ || !work_->done()) return std::nullopt;
   work_->join();
   work_.reset();
+  if (cancelled_) return std::nullopt;
   return std::move(result_);
 }
 

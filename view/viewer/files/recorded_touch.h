@@ -2,14 +2,20 @@
 // machine can. On the body and with the settings it was recorded with, every force comes out as it was.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "palpate/base/background.h"
+#include "palpate/base/progress.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/engine/world_builder.h"
 #include "palpate/scene/world.h"
 #include "view/viewer/state/replay.h"
 #include "view/viewer/state/touch_history.h"
@@ -32,20 +38,26 @@ struct RecordedTouch {
 
 /// The first two fingers of the table. Throws Error when it cannot be read.
 RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, const scene::Scene& scene,
-                           const std::filesystem::path& table);
+                           const std::filesystem::path& table, const Progress& progress = {});
 
 /// What the first two fingers of the scene do and feel by their scripts and trajectories, as `palpate simulate` feels
 /// it but for the device's limits. Throws Error where there is no path.
-RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world);
+RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world, const Progress& progress = {});
 
-/// Does it beside the display, one table at a time.
+/// Does it beside the display, one table at a time. Work is given up at its next sign of life.
 class ReplayLoader {
  public:
   ReplayLoader() = default;
+  /// Gives up the work under way and joins.
+  ~ReplayLoader() { cancel(); }
   ReplayLoader(const ReplayLoader&) = delete;  // the work writes into this one
   ReplayLoader& operator=(const ReplayLoader&) = delete;
   /// False, with nothing done, while another table is at work.
-  bool load(std::function<RecordedTouch()> read);
+  bool load(std::function<RecordedTouch(const Progress& progress)> read);
+  /// No result will come.
+  void cancel() { cancelled_ = true; }
+  /// Of the work under way, if any.
+  std::optional<engine::BuildProgress> progress() const;
   struct Result {
     std::optional<RecordedTouch> touch;
     std::string error;
@@ -54,6 +66,12 @@ class ReplayLoader {
   std::optional<Result> take();
 
  private:
+  void note(std::string_view stage, double done);
+
+  std::atomic<bool> cancelled_ = false;
+  mutable std::mutex mutex_;  // guards the progress
+  engine::BuildProgress progress_;
+  Clock::time_point began_;
   Result result_;                   // the work's, until it is done
   std::optional<Background> work_;  // last: it uses the result
 };
@@ -64,6 +82,6 @@ class ReplayLoader {
 
 /// The newest part of it that is no longer than kLongestReplayS and was felt on one body, as it was recorded: nothing
 /// is computed but the body. Throws Error when the file cannot be read or the body not be built.
-RecordedTouch touchOfSession(const std::filesystem::path& file);
+RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& progress = {});
 
 }  // namespace palpate::viewer

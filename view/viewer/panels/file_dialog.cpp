@@ -13,6 +13,7 @@
 
 #include "palpate/base/path_text.h"
 #include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/preview_pane.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
@@ -63,18 +64,29 @@ Listing& shownListing() {
   return listing;
 }
 
-/// The file that was clicked, or none. A listing is read when the folder changes, not in every frame.
-std::string walk(Listing& listing) {
-  std::string chosen;
+/// The file that was clicked, or none.
+struct Walked {
+  std::string file = {};
+  bool twice = false;  ///< clicked: open it
+};
+
+/// A listing is read when the folder changes, not in every frame. `path` is of the widgets; `selected` is drawn as
+/// chosen.
+Walked walk(Listing& listing, const char* path, const std::string& selected = {}, float width = 0.0f) {
+  Walked chosen;
   ImGui::TextDisabled("%s", listing.folder.string().c_str());
   fs::path next;
-  if (ImGui::BeginChild("files", {0.0f, std::min(240.0f, 0.4f * ImGui::GetIO().DisplaySize.y)}, true)) {
+  if (ImGui::BeginChild("files", {width, std::min(240.0f, 0.4f * ImGui::GetIO().DisplaySize.y)}, true)) {
     if (listing.folder.has_parent_path() && ImGui::Selectable("..")) next = listing.folder.parent_path();
     for (const fs::path& folder : listing.folders) {
       if (ImGui::Selectable((folder.filename().string() + "/").c_str())) next = folder;
     }
     for (const fs::path& file : listing.files) {
-      if (ImGui::Selectable(file.filename().string().c_str())) chosen = file.string();
+      const std::string name = file.filename().string();
+      const bool clicked = ImGui::Selectable(name.c_str(), name == selected, ImGuiSelectableFlags_AllowDoubleClick);
+      notePlace(fmt::format("{}/files/{}", path, name));
+      if (!clicked) continue;
+      chosen = {file.string(), ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)};
     }
     if (listing.folders.empty() && listing.files.empty()) remark("nothing of that kind here");
   }
@@ -151,7 +163,30 @@ void troubleLine(const std::string& trouble) {
 
 void showFolder(const fs::path& folder) { shownListing() = listingOf(folder); }
 
-void openDialog(std::span<const std::string> recent, bool& open, Asks& asks) {
+namespace {
+
+/// The files on the left, the chosen one on the right. A click chooses, a second one opens.
+std::string walkWithPreview(Listing& listing, std::string& typed, PreviewPane& preview) {
+  constexpr float kPaneWidth = 180.0f;
+  const Walked walked = walk(listing, "open", typed, ImGui::GetContentRegionAvail().x - kPaneWidth - 8.0f);
+  if (!walked.file.empty()) typed = pathOf(walked.file).filename().string();
+  const float height = ImGui::GetItemRectSize().y;
+  ImGui::SameLine();
+  if (ImGui::BeginChild("preview", {kPaneWidth, height})) preview.draw();
+  ImGui::EndChild();
+  return walked.twice ? walked.file : std::string();
+}
+
+/// What is typed may be a file.
+void choosePreview(const Listing& listing, const std::string& typed, PreviewPane& preview) {
+  const fs::path file = typed.empty() ? fs::path() : listing.folder / pathOf(typed);
+  std::error_code error;
+  preview.choose(isOneOf(kSceneKinds, file) && fs::is_regular_file(file, error) ? file : fs::path());
+}
+
+}  // namespace
+
+void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& preview, Asks& asks) {
   static std::string typed;
   static std::string trouble;
   if (!beginDialog("Open a scene or a mesh", open)) return;
@@ -162,15 +197,23 @@ void openDialog(std::span<const std::string> recent, bool& open, Asks& asks) {
     trouble.clear();
   }
   std::string chosen;
-  for (const std::string& file : recent) {
-    if (ImGui::Selectable(file.c_str())) chosen = file;
+  for (std::size_t i = 0; i < recent.size(); ++i) {
+    const std::string& file = recent[i];
+    constexpr auto kFlags = ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups;
+    const bool clicked = ImGui::Selectable(file.c_str(), file == typed, kFlags);
+    notePlace(fmt::format("open/recent/{}", i));
+    if (!clicked) continue;
+    typed = file;
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) chosen = file;
   }
-  if (const std::string walked = walk(listing); !walked.empty()) chosen = walked;
+  choosePreview(listing, typed, preview);
+  if (const std::string walked = walkWithPreview(listing, typed, preview); !walked.empty()) chosen = walked;
   if (nameField({"open", "open/open", "Open"}, typed, open)) chosen = fileTyped(listing, typed, trouble);
   troubleLine(trouble);
   remark(
-      "Scenes (TOML), meshes (OBJ, STL, PLY, OFF, glTF, GLB), recordings, tables of forces (CSV). You can also drop a "
-      "file on the window.");
+      "Scenes (TOML), meshes (OBJ, STL, PLY, OFF, glTF, GLB), recordings, tables of forces (CSV). A click shows a "
+      "file, "
+      "Enter or a double click opens it. You can also drop a file on the window.");
   if (!chosen.empty()) {
     asks.request(OpenFile{chosen});
     open = false;
@@ -188,7 +231,7 @@ std::string photographDialog(const char* title, bool& open) {
     typed.clear();
     trouble.clear();
   }
-  std::string chosen = walk(listing);
+  std::string chosen = walk(listing, "photograph").file;
   if (nameField({"photograph", "photograph/open", "Open"}, typed, open)) chosen = fileTyped(listing, typed, trouble);
   troubleLine(trouble);
   remark("JPEG, PNG or TIFF. You can also drop the photograph on the window.");
@@ -205,7 +248,7 @@ void saveDialog(const fs::path& now, const fs::path& folder, bool& open, Asks& a
     listing = listingOf(now.empty() ? folder : now.parent_path());
     typed = now.empty() ? "scene.toml" : now.filename().string();
   }
-  const fs::path walked = pathOf(walk(listing));
+  const fs::path walked = pathOf(walk(listing, "save").file);
   if (walked.extension() == ".toml") typed = walked.filename().string();
   if (nameField({"save", "save/save", "Save"}, typed, open)) {
     fs::path file = listing.folder / pathOf(typed);  // a full path stays one

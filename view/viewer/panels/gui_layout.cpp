@@ -42,7 +42,7 @@ constexpr PanelEntry kPanels[] = {
      }},
     {"Show",
      [](ViewerState& s) {
-       showPanel({s.state.look, s.state.simpler_when_slow, s.simple_shading, s.world});
+       showPanel({s.state.look, s.state.adapts_resolution, s.state.simpler_when_slow, s.simple_shading, s.world});
      }},
     {"Vertex",
      [](ViewerState& s) {
@@ -186,7 +186,7 @@ void drawStartPage(ViewerState& viewer, const Modes& modes, ExamplePictures& pic
 
 }  // namespace
 
-void drawGui(ViewerState& viewer, const Modes& modes, ExamplePictures& pictures) {
+void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& pictures) {
   widgetPlaces().clear();
   Shown& shown = viewer.state.shown;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -208,9 +208,9 @@ void drawGui(ViewerState& viewer, const Modes& modes, ExamplePictures& pictures)
   toast(viewer.messages, viewer.now_s, free);
   if (shown.help) helpPage(shown.help);
   if (shown.messages) messageList(viewer.messages, shown.messages);
-  openDialog(viewer.state.recent, shown.open_dialog, viewer.asks);
+  openDialog(viewer.state.recent, shown.open_dialog, pictures.preview, viewer.asks);
   saveDialog(viewer.document.file, viewer.output_folder, shown.save_dialog, viewer.asks);
-  drawStartPage(viewer, modes, pictures);
+  drawStartPage(viewer, modes, pictures.examples);
   questionDialog(viewer.question, viewer.asks);
 }
 

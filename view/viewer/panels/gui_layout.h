@@ -16,10 +16,16 @@ namespace palpate::viewer {
 
 class Modes;
 
+/// What the gui shows that is made beside it.
+struct GuiPictures {
+  ExamplePictures& examples;
+  PreviewPane& preview;
+};
+
 /// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs; or what a mode has in place of
 /// them. Does the actions that were asked for and passes the words on; requests and notes of changes stay in
 /// viewer.asks.
-void drawGui(ViewerState& viewer, const Modes& modes, ExamplePictures& pictures);
+void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& pictures);
 
 /// Whether a window of this name belongs to a saved picture: menu bar, side panel, plots and what a mode draws in place
 /// of the body ("mode...") do, all else lies over it for a moment.

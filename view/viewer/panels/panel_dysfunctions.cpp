@@ -58,6 +58,23 @@ void listOf(const DysfunctionEdit& edit) {
   if (items.empty()) remark("None: every place is as it should be.");
 }
 
+/// Typed in words, a new one is there: the short way to "T9 left".
+void newField(const DysfunctionEdit& edit) {
+  if (edit.landmarks.empty()) return;
+  static std::string typed;
+  const bool entered = ImGui::InputTextWithHint("new", "T9 left 51 mm", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  notePlace("dysfunctions/new");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("Where: T9 left 51 mm, left PSIS, right site 4. Enter places one, +50 %%.");
+  if (!entered || typed.empty()) return;
+  try {
+    placeAt(edit, body::placeNamed(edit.landmarks, typed));
+    typed.clear();
+  } catch (const Error& error) {
+    edit.asks.tell(Severity::warning, error.what());
+  }
+}
+
 void fieldsOf(const DysfunctionEdit& edit, maps::Dysfunction& item, const std::string& name) {
   slider(edit, item.change_percent,
          {"dysfunctions/change", "change", "%+.0f %%", -100.0, 300.0, 50.0, "Of the stiffness at the centre."},
@@ -104,6 +121,7 @@ void dysfunctionPanel(const DysfunctionPanel& panel) {
     }
   }
   listOf(edit);
+  newField(edit);
   const auto selected = static_cast<std::size_t>(editor.selected);
   if (editor.selected >= 0 && selected < edit.items.size()) {
     fieldsOf(edit, edit.items[selected], fmt::format("dysfunction {}", selected + 1));

@@ -25,6 +25,7 @@ void performancePanel(const Performance& p) {
   valueLine("upload", fmt::format("{:.2f} ms", p.upload_ms));
   valueLine("drawing", fmt::format("{:.2f} ms", p.draw_ms));
   valueLine("whole frame", fmt::format("{:.2f} ms", p.frame_ms));
+  valueLine("resolution", fmt::format("{:.0f} %", 100.0 * p.picture_share));
   remark(p.graphics);
 }
 

@@ -40,7 +40,7 @@ void lookWidgets(const ShowPanel& panel) {
     panel.simpler_when_slow = false;  // who chooses gets what he chose
   }
   flagWidget("show/simpler", "smooth while it is slow", panel.simpler_when_slow,
-             "Below 30 pictures a second the skin is drawn smooth, until there is time to spare.");
+             "Below 20 pictures a second the skin is drawn smooth, until there is time to spare.");
   if (panel.simple_now) {
     remark("Drawn smooth for now: pictures came too slowly.");
     if (buttonWidget("show/all_the_same", "Draw skin all the same")) panel.simpler_when_slow = false;
@@ -168,6 +168,9 @@ void showPanel(const ShowPanel& panel) {
   for (const view::Overlay overlay : view::kTouchOverlays) overlayWidget(panel.look, overlay);
   if (ImGui::TreeNode("Engine")) {
     for (const view::Overlay overlay : view::kEngineOverlays) overlayWidget(panel.look, overlay);
+    flagWidget("show/adapts", "adapt the picture's resolution", panel.adapts_resolution,
+               "While a finger touches or the view turns, the body is drawn with fewer pixels where 20 pictures a "
+               "second need it, 50 % along each side at least. At rest, and in saved pictures, it has all.");
     ImGui::TreePop();
   }
   notePlace("show/engine");

@@ -32,6 +32,8 @@
 
 namespace palpate::viewer {
 
+class PreviewPane;
+
 // ---- sections of the side panel
 
 struct TouchPanel {
@@ -73,6 +75,7 @@ void modelPanel(const ModelPanel& panel, Asks& asks);
 
 struct ShowPanel {
   view::Look& look;
+  bool& adapts_resolution;
   bool& simpler_when_slow;
   bool simple_now;  ///< it is drawn smooth because it was slow
   const WorldFacts& world;
@@ -148,8 +151,8 @@ void plotStrips(const PlotStrips& panel, const FreeArea& free, Asks& asks);
 
 void replayBar(Replay& replay, const FreeArea& free, Asks& asks);
 void helpPage(bool& open);
-/// Files opened before, a folder to walk through, a line to type into.
-void openDialog(std::span<const std::string> recent, bool& open, Asks& asks);
+/// Files opened before, a folder to walk through, a line to type into, a picture of what is chosen.
+void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& preview, Asks& asks);
 /// The same for a photograph: the file that was chosen, or nothing yet.
 std::string photographDialog(const char* title, bool& open);
 /// Where the scene is to be saved; begins beside `now`, or in `folder` when it has no file yet.

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "palpate/scene/scene.h"
 #include "palpate/view/camera.h"
 #include "palpate/window/keys.h"
 #include "view/viewer/state/messages.h"
@@ -34,6 +35,7 @@ std::uint32_t consequenceOf(std::string_view table);
 struct OpenFile {
   std::string file = {};
   bool sure = false;
+  std::optional<scene::Unit> unit = {};  ///< of a mesh file that says none; default: asked about where it is doubtful
 };
 /// A recording, beside the one that is shown.
 struct OpenBeside {
@@ -135,6 +137,7 @@ struct Question {
   enum class Kind : std::uint8_t {
     leave,      ///< changes would be thrown away
     overwrite,  ///< a file would be that is not known here
+    unit,       ///< of a mesh file, before it is opened: as guessed, millimetres, not at all
     of_mode,    ///< a mode asks, and gets the answer (mode.h)
   };
   Kind kind = Kind::leave;

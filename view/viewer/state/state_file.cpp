@@ -46,6 +46,7 @@ void forEachValue(Remembered& r, const Visitor& visit) {
   visit("start_page", s.start_page);
   visit("keeps_last_hour", s.keeps_last_hour);
   visit("shading", s.look.shading);
+  visit("adapts_resolution", s.adapts_resolution);
   visit("simpler_when_slow", s.simpler_when_slow);
   visit("drawn_finger", s.look.finger);  // finger_shape counted other forms
   visit("white_background", s.look.white_background);

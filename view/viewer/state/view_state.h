@@ -64,7 +64,8 @@ inline constexpr double kMaxScreenMm = 3000.0;
 
 struct ViewState {
   view::Look look;
-  bool simpler_when_slow = true;  ///< draw the skin smooth while pictures come too slowly (shading_guard.h)
+  bool adapts_resolution = true;  ///< fewer pixels while a finger touches and pictures are slow (picture_scale.h)
+  bool simpler_when_slow = true;  ///< then draw the skin smooth (shading_guard.h)
   view::StereoSettings stereo;    ///< without the head, which is below
   HeadSettings head;
   TouchSettings touch;

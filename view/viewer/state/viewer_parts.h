@@ -29,7 +29,8 @@ struct Performance {
   double draw_ms = 0.0;
   double frame_ms = 0.0;
   double frames_per_s = 0.0;
-  std::string graphics;  ///< name of the GL renderer
+  double picture_share = 1.0;  ///< pixels along each side that the body was drawn with (picture_scale.h)
+  std::string graphics;        ///< name of the GL renderer
 };
 
 struct Recording {

@@ -83,14 +83,15 @@ OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like) {
 
 WorldSwap::WorldSwap(std::shared_ptr<const scene::World> world) : builder_(decodePicture), shown_(std::move(world)) {}
 
-void WorldSwap::open(const std::string& file, ViewerState& viewer) {
+void WorldSwap::open(const std::string& file, ViewerState& viewer, scene::Unit unit) {
   opening_ = file;
   viewer.opening = true;
   wanted_ = 0;
   body_requested_ = true;
   opening_document_ = std::make_shared<SceneDocument>();
-  const auto read = [file, like = viewer.scene, document = opening_document_] {
+  const auto read = [file, unit, like = viewer.scene, document = opening_document_] {
     OpenedScene opened = sceneFromFile(file, like);
+    if (opened.document.file.empty()) opened.scene.body.unit = unit;
     *document = std::move(opened.document);
     return std::move(opened.scene);
   };

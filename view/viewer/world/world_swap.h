@@ -28,8 +28,8 @@ class WorldSwap {
  public:
   explicit WorldSwap(std::shared_ptr<const scene::World> world);
 
-  /// A scene or mesh file, or a whole scene, takes the place of what there is.
-  void open(const std::string& file, ViewerState& viewer);
+  /// A scene or mesh file, or a whole scene, takes the place of what there is. `unit`: of a mesh file.
+  void open(const std::string& file, ViewerState& viewer, scene::Unit unit = scene::Unit::from_file);
   void open(const scene::Scene& scene, ViewerState& viewer);
   void cancel(ViewerState& viewer);
   /// This scene on the body at hand, at once and without a step: what a trial hides. Why the newest one could not be

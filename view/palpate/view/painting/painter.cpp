@@ -3,6 +3,8 @@
 // with names, whose dots lie on the skin, is laid out for each.
 #include "palpate/view/painter.h"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 
@@ -67,6 +69,7 @@ struct Painter::Impl {
   Renderer renderer;
   StereoComposer composer;
   Drawing page;
+  std::optional<Target> smaller;  // where the body has fewer pixels than the picture
   std::optional<std::vector<BodyName>> names;
 
   explicit Impl(std::shared_ptr<const scene::World> shown) : world(std::move(shown)), renderer(world) { measure(); }
@@ -100,14 +103,14 @@ struct Painter::Impl {
   }
 
   /// In a part of the framebuffer, the same for both eyes.
-  void paintLens(const Job& job, const Frame& frame, const Frustum& whole) {
+  void paintLens(const Job& job, const EyePicture& picture, const Frame& frame, const Frustum& whole) {
     const Part page_part = labelledPart(job.picture, job.canvas);
     const auto place = lensPlace(job.settings.look, frame.fingers, page_part.size);
     if (!place) return;
-    const Vec2f pixels = Vec2f(job.picture.width, job.picture.height).cwiseQuotient(wholePage(job.picture, job.canvas));
+    const Vec2f pixels = Vec2f(picture.width, picture.height).cwiseQuotient(wholePage(job.picture, job.canvas));
     const Eigen::Vector2i corner = (page_part.corner + place->corner).cwiseProduct(pixels).cast<int>();
     const Eigen::Vector2i size = place->size.cwiseProduct(pixels).cast<int>();
-    const int below = job.picture.height - corner.y() - size.y();
+    const int below = picture.height - corner.y() - size.y();
     Look look = job.settings.look;
     look.overlays.reset();  // made for the whole picture, they would hide the dent
     glViewport(corner.x(), below, size.x(), size.y());
@@ -117,17 +120,41 @@ struct Painter::Impl {
     const Frustum beside = lensFrustum(frame.fingers, job.settings.camera, aspect);
     renderer.draw(frame, look, beside, size.x(), size.y(), &whole);
     glDisable(GL_SCISSOR_TEST);
-    glViewport(0, 0, job.picture.width, job.picture.height);
+    glViewport(0, 0, picture.width, picture.height);
   }
 
-  void paintEye(const Job& job, Eye eye) {
+  /// With the pixels of `picture`.
+  void paintBody(const Job& job, Eye eye, const EyePicture& picture) {
     const bool hands = job.settings.look.finger == FingerShape::hand && !job.frame.fingers.empty();
     const double room_mm = hands ? kRoomForHandsMm : kRoomMm;
     const Frustum frustum = frustumOf(job.eyes, eye, depthRangeOf(job.eyes, with_support, room_mm));
     Frame frame = job.frame;
-    frame.pixels_per_point = job.canvas.pixels_per_point;
-    renderer.draw(frame, job.settings.look, frustum, job.picture.width, job.picture.height);
-    paintLens(job, frame, frustum);
+    frame.pixels_per_point = job.canvas.pixels_per_point * picture.width / job.picture.width;
+    renderer.draw(frame, job.settings.look, frustum, picture.width, picture.height);
+    paintLens(job, picture, frame, frustum);
+  }
+
+  void paintSmallerBody(const Job& job) {
+    const Canvas& canvas = job.canvas;
+    const auto part = [&](int pixels) {
+      return std::max(1, static_cast<int>(std::lround(canvas.body_share * pixels)));
+    };
+    EyePicture picture = job.picture;
+    picture.width = part(picture.width);
+    picture.height = part(picture.height);
+    if (!smaller || smaller->width() != picture.width || smaller->height() != picture.height) {
+      smaller.emplace(picture.width, picture.height);
+    }
+    smaller->bind();
+    paintBody(job, Eye::left, picture);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, smaller->framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, canvas.framebuffer);
+    glBlitFramebuffer(0, 0, picture.width, picture.height, 0, 0, canvas.width, canvas.height, GL_COLOR_BUFFER_BIT,
+                      GL_LINEAR);
+  }
+
+  /// Labels and panels.
+  void paintPage(const Job& job) {
     page.present(job.picture.width, job.picture.height, labelledPart(job.picture, job.canvas).corner,
                  wholePage(job.picture, job.canvas));
     if (job.draw_over) job.draw_over(job.picture);
@@ -139,13 +166,17 @@ struct Painter::Impl {
       for (const Eye eye : {Eye::left, Eye::right}) {
         if (job.settings.look.shows(Overlay::names)) preparePage(job, job.eyes.of(eye));
         composer.eye(eye, job.picture).bind();
-        paintEye(job, eye);
+        paintBody(job, eye, job.picture);
+        paintPage(job);
       }
       composer.compose(job.stereo, canvas.framebuffer, canvas.width, canvas.height, canvas.supersampling);
     } else {
+      const bool smaller_body = canvas.body_share < 1.0;
+      if (smaller_body) paintSmallerBody(job);
       glBindFramebuffer(GL_FRAMEBUFFER, canvas.framebuffer);
       glViewport(0, 0, canvas.width, canvas.height);
-      paintEye(job, Eye::left);
+      if (!smaller_body) paintBody(job, Eye::left, job.picture);
+      paintPage(job);
     }
   }
 };

@@ -1,0 +1,115 @@
+// What is known of a file before it is opened, and what is asked about a mesh that says no unit.
+#include "stage.h"
+
+#include "palpate/base/text.h"
+#include "view/viewer/files/file_preview.h"
+
+namespace palpate::viewer {
+namespace {
+
+std::size_t drawnPixels(const view::Image& picture) {
+  const view::Pixel ground = picture.at(0, 0);
+  return static_cast<std::size_t>(
+      std::ranges::count_if(picture.pixels, [&](const view::Pixel& pixel) { return pixel != ground; }));
+}
+
+TEST(FilePreview, ShowsAMeshAndItsSize) {
+  const support::TemporaryFolder folder;
+  mesh::save(folder / "ball.stl", zoo::sphere(60.0, 3));
+  const FilePreview preview = previewOf(folder / "ball.stl");
+  EXPECT_NE(preview.words.find("triangles, 120 x 120 x 120"), std::string::npos) << preview.words;
+  ASSERT_TRUE(preview.picture);
+  EXPECT_GT(drawnPixels(*preview.picture), preview.picture->pixels.size() / 6);
+  EXPECT_NEAR(preview.longest_units.value_or(0.0), 120.0, 1.0);
+}
+
+TEST(FilePreview, ShowsTheMeshOfASceneAndNamesABuiltInBody) {
+  const support::TemporaryFolder folder;
+  mesh::save(folder / "ball.ply", zoo::sphere(0.6, 3));
+  writeFile(folder / "mesh.toml", "title = \"Lab\"\n[body]\nkind = \"mesh\"\nfile = \"ball.ply\"\nunit = \"m\"\n");
+  const FilePreview preview = previewOf(folder / "mesh.toml");
+  EXPECT_TRUE(preview.picture) << preview.words;
+  EXPECT_NE(preview.words.find("1200 x 1200 x 1200 mm"), std::string::npos) << preview.words;
+  EXPECT_FALSE(preview.longest_units) << "the scene says its unit";
+  writeFile(folder / "built_in.toml", "title = \"Lab\"\n");
+  EXPECT_EQ(previewOf(folder / "built_in.toml").words, "Lab, on a built-in body");
+}
+
+TEST(FilePreview, SaysWhatIsWrongWithAFileAndGoesOn) {
+  const support::TemporaryFolder folder;
+  writeFile(folder / "broken.stl", "solid nothing\nfacet");
+  EXPECT_FALSE(previewOf(folder / "broken.stl").words.empty());
+  EXPECT_FALSE(previewOf(folder / "broken.stl").picture);
+  EXPECT_FALSE(previewOf(folder / "missing.ply").words.empty());
+  writeFile(folder / "far.obj", "v 0 0 0\nv 1e300 0 0\nv 0 1e308 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n");
+  EXPECT_NO_THROW(previewOf(folder / "far.obj"));
+  mesh::save(folder / "ball.ply", zoo::sphere(60.0, 4));
+  const FilePreview large = previewOf(folder / "ball.ply", {.max_bytes = 1000});
+  EXPECT_NE(large.words.find("too large for a preview"), std::string::npos) << large.words;
+}
+
+TEST(FilePreview, StopsWhenItsTimeIsOver) {
+  // Each of them fills the picture.
+  mesh::TriangleMesh mesh;
+  mesh.positions = {Vec3(-1, -1, 0), Vec3(3, -1, 0), Vec3(-1, 3, 0)};
+  mesh.triangles.assign(4'000'000, {0, 1, 2});
+  const auto started = Clock::now();
+  smallPicture(mesh, {.max_seconds = 0.05});
+  EXPECT_LT(secondsSince(started), 2.0);
+}
+
+TEST(UnitGuess, AsksWhereMillimetresMakeNoBody) {
+  EXPECT_EQ(unitGuess(1.8)->unit, scene::Unit::metre);
+  EXPECT_EQ(unitGuess(1.8)->words, "This body is 1.8 across: metres? It would be 1.8 m long.");
+  EXPECT_EQ(unitGuess(0.19)->words, "This body is 0.19 across: metres? It would be 19 cm long.");
+  EXPECT_EQ(unitGuess(18.0)->unit, scene::Unit::centimetre);
+  for (const double plausible : {45.0, 180.0, 720.0, 1800.0, 2900.0}) EXPECT_FALSE(unitGuess(plausible)) << plausible;
+  for (const double hopeless : {0.0, -1.0, 1e-9, 1e7, std::nan("")}) EXPECT_FALSE(unitGuess(hopeless)) << hopeless;
+}
+
+TEST(UnitQuestion, ABodyInMetresIsAskedAboutBeforeItIsOpened) {
+  Stage stage;
+  mesh::save(stage.folder / "metres.stl", zoo::sphere(0.4, 4));
+  stage.drop(stage.folder / "metres.stl");
+  ASSERT_TRUE(stage.until([&] { return stage.state().question.has_value(); }));
+  EXPECT_EQ(stage.state().question->words, "This body is 0.8 across: metres? It would be 80 cm long.");
+  EXPECT_NE(stage.state().world.name, "metres.stl");
+  stage.frame();
+  stage.click("question/Metres");
+  ASSERT_TRUE(stage.until([&] { return stage.state().world.name == "metres.stl"; })) << stage.lastMessage();
+  EXPECT_NEAR(stage.state().world.width_mm, 800.0, 10.0);
+  EXPECT_EQ(stage.state().scene.body.unit, scene::Unit::metre) << "and so it is saved";
+}
+
+TEST(UnitQuestion, MillimetresAndNothingAreAnswersToo) {
+  Stage stage;
+  mesh::save(stage.folder / "small.stl", zoo::sphere(15.0, 4));
+  stage.drop(stage.folder / "small.stl");
+  ASSERT_TRUE(stage.until([&] { return stage.state().question.has_value(); }));
+  stage.key(window::Key::escape);
+  EXPECT_FALSE(stage.state().question);
+  stage.drop(stage.folder / "small.stl");
+  ASSERT_TRUE(stage.until([&] { return stage.state().question.has_value(); }));
+  stage.frame();
+  stage.click("question/Millimetres");
+  ASSERT_TRUE(stage.until([&] { return stage.state().world.name == "small.stl"; })) << stage.lastMessage();
+  EXPECT_NEAR(stage.state().world.width_mm, 30.0, 1.0);
+}
+
+TEST(OpenDialog, AClickShowsAFileAndASecondOneOpensIt) {
+  Stage stage;
+  mesh::save(stage.folder / "ball.ply", zoo::sphere(60.0, 3));
+  stage.state().state.recent = {(stage.folder / "ball.ply").string()};
+  stage.state().state.shown.open_dialog = true;
+  stage.frame();
+  stage.frame();
+  stage.click("open/recent/0");
+  EXPECT_TRUE(stage.until([] { return widgetPlaces().contains("open/picture"); }));
+  EXPECT_TRUE(stage.state().state.shown.open_dialog);
+  stage.click("open/open");
+  EXPECT_FALSE(stage.state().state.shown.open_dialog);
+  EXPECT_TRUE(stage.until([&] { return stage.state().world.name == "ball.ply"; })) << stage.lastMessage();
+}
+
+}  // namespace
+}  // namespace palpate::viewer
