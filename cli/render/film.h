@@ -1,36 +1,31 @@
-// Pictures one after the other -> a film (MP4, WebM), by the system's ffmpeg where it is installed. ffmpeg is a program
-// beside this one, never a part of it: it is given raw pictures through its input, and an argument list, never a shell.
+// Pictures one after the other -> a film. WebM and GIF are written by this program (palpate/film); MP4 by the system's
+// ffmpeg where it is installed. ffmpeg is a program beside this one, never a part of it: it is given raw pictures
+// through its input, and an argument list, never a shell.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "palpate/base/output_file.h"
 #include "palpate/base/system/fed_program.h"
+#include "palpate/film/film.h"
 #include "palpate/view/image.h"
 
 namespace palpate::app {
 
-/// By its extension: .mp4 or .webm.
+/// By its extension: .webm, .gif or .mp4.
 bool isFilm(const std::filesystem::path& file);
 
-/// The first ffmpeg on PATH; nothing when there is none.
-std::optional<std::filesystem::path> installedFfmpeg();
+/// Throws Error where such a film cannot be made: for .mp4 where there is no ffmpeg on PATH.
+void requireFilmWriter(const std::filesystem::path& file, const film::FilmFormat& format);
 
-struct FilmFormat {
-  view::ImageSize size;  ///< of every picture; odd sides get a black row or column
-  double frames_per_s = 25.0;
-};
-
-/// What one types to make the film of numbered pictures, FILM_0001.png and so on beside it.
-std::string commandToJoin(const std::filesystem::path& film, double frames_per_s);
-
-/// Without `finish` ffmpeg is ended and no film is left.
-class FilmWriter {
+/// Odd sides get a black row or column.
+class FfmpegFilm {
  public:
   /// Starts ffmpeg. Throws Error naming the film.
-  FilmWriter(const std::filesystem::path& ffmpeg, const std::filesystem::path& film, const FilmFormat& format);
+  FfmpegFilm(const std::filesystem::path& ffmpeg, const std::filesystem::path& film, const film::FilmFormat& format);
 
   /// Throws Error with ffmpeg's own last words when it has given up.
   void add(const view::Image& picture);
@@ -43,6 +38,21 @@ class FilmWriter {
   std::filesystem::path film_;
   OutputFile output_;
   system::FedProgram ffmpeg_;
+};
+
+/// Without `finish` no film is left.
+class FilmWriter {
+ public:
+  /// Throws Error like `requireFilmWriter`, and where the place cannot be written.
+  FilmWriter(const std::filesystem::path& file, const film::FilmFormat& format);
+
+  /// Shown from this moment, s. Throws Error.
+  void add(const view::Image& picture, double at_s);
+  void finish();
+
+ private:
+  std::unique_ptr<film::Film> own_;
+  std::optional<FfmpegFilm> ffmpeg_;  // in place of it
 };
 
 }  // namespace palpate::app

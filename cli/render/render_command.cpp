@@ -49,8 +49,7 @@ struct DrawnPicture {
 
 struct RenderReport {
   std::vector<DrawnPicture> pictures;
-  std::string film;          ///< the file that the pictures became; empty: they are files of their own
-  bool film_missed = false;  ///< a film was asked for, but there is no ffmpeg
+  std::string film;  ///< the file that the pictures became; empty: they are files of their own
   std::vector<std::string> notes;
   view::PictureSize size;
   double build_s = 0.0;
@@ -155,17 +154,6 @@ void noteTheOthers(const RenderOptions& options, RenderReport& result) {
   }
 }
 
-/// For a film; without ffmpeg its pictures are left, and a note says how they are joined.
-std::optional<std::filesystem::path> ffmpegFor(const RenderOptions& options, RenderReport& result) {
-  if (!isFilm(options.output)) return std::nullopt;
-  auto ffmpeg = installedFfmpeg();
-  if (ffmpeg) return ffmpeg;
-  result.film_missed = true;
-  result.notes.push_back(fmt::format("no {}: ffmpeg is not installed; where it is, join the pictures with: {}",
-                                     options.output.string(), commandToJoin(options.output, options.frames_per_s)));
-  return std::nullopt;
-}
-
 /// Who names one on the command line wants that one and no other.
 void requireScalar(const RenderOptions& options, const scene::World& world) {
   if (!options.scalar || scene::scalarNamed(world.body->channels.get(), *options.scalar) != nullptr) return;
@@ -192,9 +180,8 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   view::PictureSettings settings = settingsFor(options, *world, result.size);
   auto series = std::make_unique<PictureSeries>(world, result.size);
   std::optional<FilmWriter> film;
-  if (const auto ffmpeg = ffmpegFor(options, result)) {
-    const view::ImageSize size{result.size.width, result.size.height};
-    film.emplace(*ffmpeg, options.output, FilmFormat{size, options.frames_per_s});
+  if (isFilm(options.output)) {
+    film.emplace(options.output, filmFormat(options));
     result.film = options.output.string();
   }
   if (!in_order) in_order.emplace();
@@ -207,7 +194,7 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
       series = std::make_unique<PictureSeries>(world, result.size);
     }
     const view::TakenPicture taken = series->take(frame, input.times[i], settings);
-    film ? film->add(taken.image) : view::writePng(files[i], taken.image);
+    film ? film->add(taken.image, input.times[i]) : view::writePng(files[i], taken.image);
     result.pictures.push_back({film ? result.film : files[i].string(), input.times[i], frame});
     if (i == 0) result.notes.insert(result.notes.end(), taken.notes.begin(), taken.notes.end());
   }
@@ -368,10 +355,10 @@ void addSize(CLI::App& command, view::PictureSize& size) {
 }
 
 void addOutputOptions(CLI::App& command, RenderOptions& options) {
-  namesFileToWrite(command.add_option(
-                       "-o,--out", options.output,
-                       "PNG file; a sequence gets numbers before .png. With --frames also .mp4 or .webm, if ffmpeg is "
-                       "installed; otherwise numbered PNG files and exit code 1"))
+  namesFileToWrite(
+      command.add_option("-o,--out", options.output,
+                         "PNG file; a sequence gets numbers before .png. With --frames also a film: .webm or .gif, or "
+                         ".mp4 if ffmpeg is installed"))
       ->capture_default_str();
   addSize(command, options.size);
   addNumber(command, "--supersampling", options.size.supersampling, between(1, 4),
@@ -387,7 +374,6 @@ void drawAndTell(const RenderOptions& options, bool tells) {
   const RenderReport result = render(options, progress.display());
   progress.clear();
   if (tells) fmt::print("{}", options.json ? jsonDump(jsonOf(result), 2) + "\n" : summaryOf(result));
-  if (result.film_missed) throw CLI::RuntimeError(1);
 }
 
 void addRenderCommand(CLI::App& app) {

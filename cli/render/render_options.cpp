@@ -96,13 +96,18 @@ scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettin
   return settings;
 }
 
+film::FilmFormat filmFormat(const RenderOptions& options) {
+  return {{options.size.width, options.size.height}, options.frames_per_s};
+}
+
 std::vector<std::filesystem::path> filesOf(const RenderOptions& options) {
   const bool film = isFilm(options.output);
   if (!film && options.output.extension() != ".png") {
     throw Error::inFile(options.output.string(),
-                        "must be named *.png: pictures are written as PNG, films as *.mp4 or *.webm");
+                        "must be named *.png: pictures are written as PNG, films as *.webm, *.gif or *.mp4");
   }
   if (film && options.frames == 1) throw Error::inFile(options.output.string(), "a film needs --frames above 1");
+  if (film) requireFilmWriter(options.output, filmFormat(options));
   if (options.frames == 1) return {options.output};
   std::vector<std::filesystem::path> files;
   for (int i = 1; i <= options.frames; ++i) files.push_back(fileOfSeries(options, i));

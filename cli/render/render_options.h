@@ -8,6 +8,7 @@
 
 #include "cli/kit/body_place.h"
 #include "cli/kit/simulate_options.h"
+#include "palpate/film/film.h"
 #include "palpate/scene/view_settings.h"
 #include "palpate/view/picture.h"
 
@@ -43,15 +44,15 @@ struct RenderOptions {
 /// the words strain, stiffness, ellipse-map and plain for the colours of the skin.
 scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettings& of_scene);
 
-/// The files of the pictures in their order: FILE.png alone, else FILE_0001.png and so on; of a film those that it is
-/// joined from by hand. Throws Error for a name that ends in none of .png, .mp4 and .webm, and for a film of one
-/// picture.
+film::FilmFormat filmFormat(const RenderOptions& options);
+
+/// The files of the pictures in order: FILE.png alone, else FILE_0001.png and so on. Throws Error for a name that is
+/// neither a picture's nor a film's, for a film of one picture, and for a film that cannot be made here.
 std::vector<std::filesystem::path> filesOf(const RenderOptions& options);
 /// One of a series, counted from 1.
 std::filesystem::path fileOfSeries(const RenderOptions& options, int number);
 
-/// `palpate render`: draws, writes and, if it `tells`, prints what was drawn. Throws Error; CLI::RuntimeError(1) where
-/// the pictures could not be joined to a film.
+/// `palpate render`: draws, writes and, if it `tells`, prints what was drawn. Throws Error.
 void drawAndTell(const RenderOptions& options, bool tells = true);
 
 }  // namespace palpate::app

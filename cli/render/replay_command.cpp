@@ -145,7 +145,7 @@ void addReplayCommand(CLI::App& recording) {
   command.add_option("--folder", a.folder, "Where the files that the scene names lie now (default: where they lay)");
   command.add_option(
       "--render", a.film,
-      "Also draw it, 25 pictures a second: a film (FILE.mp4, FILE.webm) or numbered pictures (FILE.png); "
+      "Also draw it, 25 pictures a second: a film (FILE.webm, FILE.gif, FILE.mp4) or numbered pictures (FILE.png); "
       "palpate render has more to choose");
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([=] { runReplay(*arguments); });

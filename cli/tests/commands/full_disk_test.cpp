@@ -32,6 +32,8 @@ struct WritingCommand {
 const std::vector<WritingCommand> kCommands = {
     {"render --mesh dome.ply --size 320x240 --supersampling 1 -o disk/picture.png", "picture.png"},
     {"render --mesh dome.ply --size 320x240 --supersampling 1 --at 0 --frames 2 -o disk/film.png", "film_0001.png"},
+    {"render --mesh dome.ply --size 320x240 --supersampling 1 --at 0 --frames 2 -o disk/film.webm", "film.webm"},
+    {"render --mesh dome.ply --size 320x240 --supersampling 1 --at 0 --frames 2 -o disk/film.gif", "film.gif"},
     {"simulate --mesh dome.ply --trajectory path.csv --no-pictures --overwrite --out disk", "forces.csv"},
     {"simulate quiet.toml --overwrite --out disk", "surface_deepest.ply"},
     {"body map ellipses dome.ply -o disk/map.csv", "map.csv"},

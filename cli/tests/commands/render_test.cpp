@@ -137,36 +137,45 @@ TEST_F(RenderFilm, GivesFfmpegRawPicturesAndAnArgumentList) {
 }
 
 TEST_F(RenderFilm, SaysWhenFfmpegFailsAndKeepsTheFilmThatWasThere) {
-  std::ofstream(folder_ / "film.webm") << "before";
+  std::ofstream(folder_ / "film.mp4") << "before";
   installFfmpeg("echo 'Unknown encoder' >&2; exit 3");
   const std::size_t before = filesHere();
-  const CommandResult failed = film("--frames 3 -o film.webm");
+  const CommandResult failed = film("--frames 3 -o film.mp4");
   EXPECT_EQ(failed.exit_code, 2);
-  EXPECT_EQ(failed.err, "palpate: film.webm: ffmpeg made no film of it (exit code 3): Unknown encoder\n");
+  EXPECT_EQ(failed.err, "palpate: film.mp4: ffmpeg made no film of it (exit code 3): Unknown encoder\n");
   installFfmpeg("/bin/cat >\"$last\"; kill -9 $$");
-  const CommandResult killed = film("--frames 3 -o film.webm");
+  const CommandResult killed = film("--frames 3 -o film.mp4");
   EXPECT_EQ(killed.exit_code, 2);
-  EXPECT_EQ(killed.err, "palpate: film.webm: ffmpeg made no film of it (signal 9)\n");
+  EXPECT_EQ(killed.err, "palpate: film.mp4: ffmpeg made no film of it (signal 9)\n");
   // What ffmpeg 5.1 does where the last bytes find no room; seen on a disk of 4 kB.
   installFfmpeg("/bin/cat >\"$last\"; echo 'Error closing file x: No space left on device' >&2");
-  const CommandResult cut = film("--frames 3 -o film.webm");
+  const CommandResult cut = film("--frames 3 -o film.mp4");
   EXPECT_EQ(cut.exit_code, 2) << cut.out;
   EXPECT_EQ(cut.err,
-            "palpate: film.webm: ffmpeg made no film of it (exit code 0): Error closing file x: No space left on "
+            "palpate: film.mp4: ffmpeg made no film of it (exit code 0): Error closing file x: No space left on "
             "device\n");
-  EXPECT_EQ(support::contentOf(folder_ / "film.webm"), "before");
+  EXPECT_EQ(support::contentOf(folder_ / "film.mp4"), "before");
   EXPECT_EQ(filesHere(), before) << "nothing half done is left";
 }
 
-TEST_F(RenderFilm, LeavesPicturesAndTheCommandWhereThereIsNoFfmpeg) {
+TEST_F(RenderFilm, SaysBeforeTheWorkWhatNeedsFfmpegAndWhatDoesNot) {
+  const std::size_t before = filesHere();
   const CommandResult result = film("--frames 3 -o film.mp4");
-  EXPECT_EQ(result.exit_code, 1) << "no film is not what was asked for";
-  EXPECT_NE(result.out.find("no film.mp4: ffmpeg is not installed; where it is, join the pictures with: "
-                            "ffmpeg -framerate 10 -i film_%04d.png "),
-            std::string::npos)
-      << result.out;
-  EXPECT_NE(image("film_0001.png").pixels, image("film_0003.png").pixels);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "film.mp4"));
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err, "palpate: film.mp4: MP4 needs ffmpeg, which is not installed; film.webm and film.gif do not\n");
+  EXPECT_EQ(filesHere(), before);
+}
+
+TEST_F(RenderFilm, NeedsNothingElseForWebmAndGif) {
+  const auto beginning = [&](const char* name) { return support::contentOf(folder_ / name).substr(0, 6); };
+  const CommandResult result = film("--frames 3 -o film.webm --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(nlohmann::json::parse(result.out)["film"], "film.webm");
+  EXPECT_EQ(beginning("film.webm").substr(0, 4), "\x1A\x45\xDF\xA3");
+  ASSERT_EQ(film("--frames 3 -o film.gif").exit_code, 0);
+  EXPECT_EQ(beginning("film.gif"), "GIF89a");
+  EXPECT_EQ(errorOf("--frames 3 --fps 60 -o fast.gif"),
+            "palpate: fast.gif: a GIF shows at most 50 pictures a second; .webm shows more\n");
 }
 
 TEST_F(Render, IsTheSamePictureEveryTime) {
@@ -266,8 +275,9 @@ TEST_F(Render, DrawsTheTrunkInTheBuildAndPostureAskedFor) {
 }
 
 TEST_F(Render, RefusesWithOneLine) {
-  EXPECT_EQ(errorOf("-o picture.jpg"),
-            "palpate: picture.jpg: must be named *.png: pictures are written as PNG, films as *.mp4 or *.webm\n");
+  EXPECT_EQ(
+      errorOf("-o picture.jpg"),
+      "palpate: picture.jpg: must be named *.png: pictures are written as PNG, films as *.webm, *.gif or *.mp4\n");
   EXPECT_EQ(errorOf("-o film.mp4"), "palpate: film.mp4: a film needs --frames above 1\n");
   EXPECT_EQ(errorOf("--at 7"), "palpate: there is no moment 7 s: the run lasts from 0 to 1.000 s\n");
   EXPECT_EQ(errorOf("--pose 1,2"), "palpate: --pose: needs x,y,z, or several of them (see --help)\n");
