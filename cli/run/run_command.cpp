@@ -255,10 +255,12 @@ void runWindow(const RunOptions& options) {
   for (const ModeMaker& make : options.modes) settings.modes.push_back(make());
   bool trains = false;
   viewer::ViewerHost host = hostOf(window);
-  if (!familyProgram("teach").empty()) host.start_training = [&trains] { trains = true; };
+  host.teach_program = familyProgram("teach");
+  if (!host.teach_program.empty()) host.start_training = [&trains] { trains = true; };
   const viewer::OpeningView::Offers offers{.page = wantsStartPage(options, view_state),
                                            .training = bool(host.start_training),
-                                           .measuring = !settings.modes.empty()};
+                                           .measuring = !settings.modes.empty(),
+                                           .classes = !host.teach_program.empty()};
   ControlLines controls;
   bool page_told = false;
   const Opening opening = showOpening(window, building, view_state, offers, [&] {

@@ -32,6 +32,14 @@ std::string nameOf(const ViewerState& viewer) {
 }  // namespace
 
 bool mustAskFirst(const Request& request, ViewerState& viewer) {
+  const bool closes = std::holds_alternative<Quit>(request) || std::holds_alternative<StartTraining>(request);
+  if (closes && viewer.class_shown.anything()) {
+    viewer.ask({.kind = Question::Kind::end_class,
+                .words = "The class ends with this window. What was collected is kept.",
+                .answers = {"End the class", "Stay"},
+                .then = request});
+    return true;
+  }
   if (!std::visit(LeavesTheScene(), request) || !viewer.history.sceneChanged()) return false;
   viewer.ask({.kind = Question::Kind::leave,
               .words = fmt::format("{} was changed. Save it first?", nameOf(viewer)),

@@ -33,8 +33,9 @@ void OpeningView::frame(const Frame& frame, std::span<const window::InputEvent> 
   const auto draw = [&](std::span<const window::InputEvent> pass) {
     gui_.begin(Vec2(frame.width, frame.height) / points, points, frame.elapsed_s, pass);
     if (!page_) progress(building);
-    startPage({state_.recent, state_.start_page, pictures_, offers_.training, offers_.measuring, building}, page_,
-              asks_);
+    startPage(
+        {state_.recent, state_.start_page, pictures_, offers_.training, offers_.measuring, offers_.classes, building},
+        page_, asks_);
     gui_.end();
   };
   // A dialog knows its size, and is seen, from its second pass on.

@@ -21,6 +21,7 @@ class OpeningView {
     bool page = true;  ///< the start page; else the progress alone
     bool training = false;
     bool measuring = false;
+    bool classes = false;
   };
   /// `state` must outlive it.
   OpeningView(ViewState& state, const Offers& offers) : state_(state), offers_(offers), page_(offers.page) {}

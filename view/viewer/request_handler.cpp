@@ -107,6 +107,10 @@ void RequestHandler::fulfil(const AnswerQuestion& request) {
     if (chosen != question.answers.front()) opened.unit = scene::Unit::millimetre;
     return handle(opened);
   }
+  if (question.kind == Question::Kind::end_class) {
+    parts_.class_run.end(viewer.class_shown);
+    return handle(*question.then);
+  }
   if (question.kind == Question::Kind::overwrite) return saveThen({question.file, true}, question.then);
   if (chosen == question.answers.front()) return saveThen({}, question.then);
   if (question.then) handle(madeSure(*question.then));
@@ -114,9 +118,11 @@ void RequestHandler::fulfil(const AnswerQuestion& request) {
 
 // ---- pictures and recordings
 
-void RequestHandler::fulfil(const TakeScreenshot& request) { parts_.outputs.askForScreenshot(request.with_pop_ups); }
+void RequestHandler::fulfil(const TakeScreenshot& request) { parts_.outputs.askForScreenshot(request); }
 void RequestHandler::fulfil(const TakeClearScreenshot& /*request*/) { parts_.outputs.askForClearPicture(); }
 void RequestHandler::fulfil(const ToggleSequence& /*request*/) { parts_.outputs.toggleSequence(parts_.viewer); }
+void RequestHandler::fulfil(const StartFilm& request) { parts_.outputs.startFilm(parts_.viewer, request.file); }
+void RequestHandler::fulfil(const StopFilm& /*request*/) { parts_.outputs.stopFilm(parts_.viewer); }
 
 void RequestHandler::fulfil(const OpenBeside& request) {
   parts_.replay.load(request.file, true, parts_.world, parts_.viewer);
@@ -172,6 +178,18 @@ void RequestHandler::fulfil(const StartTraining& /*request*/) {
   parts_.host.start_training();
   quits_ = true;
 }
+
+// ---- a class
+
+void RequestHandler::fulfil(const ShowClass& /*request*/) { parts_.viewer.state.shown.class_dialog = true; }
+void RequestHandler::fulfil(const StartClass& request) { parts_.class_run.start(request, parts_.viewer.class_shown); }
+void RequestHandler::fulfil(const WatchClass& request) {
+  parts_.class_run.watch(request.folder, parts_.viewer.class_shown);
+}
+void RequestHandler::fulfil(const JoinClass& request) {
+  parts_.class_run.join(request.folder, parts_.viewer.class_shown);
+}
+void RequestHandler::fulfil(const EndClass& /*request*/) { parts_.class_run.end(parts_.viewer.class_shown); }
 
 // ---- devices
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "view/viewer/camera_control.h"
+#include "view/viewer/class_run.h"
 #include "view/viewer/devices/device_control.h"
 #include "view/viewer/files/file_preview.h"
 #include "view/viewer/files/outputs.h"
@@ -33,6 +34,8 @@ struct ViewerHost {
   bool quad_buffer = false;
   /// Lets the training open once this window is closed; empty: it is not installed.
   std::function<void()> start_training = {};
+  /// What runs classes; empty: it is not installed.
+  std::filesystem::path teach_program = {};
 };
 
 /// The parts of the viewer that requests are about; all must outlive the handler.
@@ -44,6 +47,7 @@ struct RequestParts {
   Outputs& outputs;
   ReplayPlayer& replay;
   CameraControl& camera;
+  ClassRun& class_run;
   const Modes& modes;
   const ViewerHost& host;
   const scene::Scene& default_scene;  ///< for Read again, where there is no file
@@ -94,6 +98,13 @@ class RequestHandler {
   void fulfil(const ReleaseStop& request);
   void fulfil(const Quit& request);
   void fulfil(const StartTraining& request);
+  void fulfil(const StartFilm& request);
+  void fulfil(const StopFilm& request);
+  void fulfil(const ShowClass& request);
+  void fulfil(const StartClass& request);
+  void fulfil(const WatchClass& request);
+  void fulfil(const JoinClass& request);
+  void fulfil(const EndClass& request);
   void saveThen(const SaveScene& request, const std::optional<Request>& then);
 
   void askForUnit(OpenFile request, const std::optional<double>& longest_units);

@@ -40,7 +40,8 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
       outputs_(settings_.output_folder),
       modes_(std::move(settings_.modes)),
       camera_(viewer_, pointer_, modes_, world_),
-      requests_({viewer_, world_swap_, devices_, keeper_, outputs_, replay_, camera_, modes_, host_,
+      class_run_(host_.teach_program),
+      requests_({viewer_, world_swap_, devices_, keeper_, outputs_, replay_, camera_, class_run_, modes_, host_,
                  settings_.default_scene, world_}),
       eyesight_(host_.quad_buffer) {
   viewer_.state = std::move(state);
@@ -51,6 +52,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
   viewer_.profile.knots = world->deformation.normal_profile.knots;
   viewer_.held = servo_.abilities();
   viewer_.offers_training = bool(host_.start_training);
+  viewer_.class_shown.offered = class_run_.offered();
   viewer_.ticks_per_s = servo_.thread().ticksPerS();
   world_swap_.planNow(viewer_);  // tells the viewer's state what the limits are
   for (SampleHistory& plot : viewer_.plots.fingers) plot = SampleHistory(viewer_.ticks_per_s);
@@ -226,6 +228,7 @@ void Viewer::useChanges(double elapsed_s) {
   requests_.advance();
   devices_.advance(viewer_, *world_);
   keeper_.advance(viewer_);
+  class_run_.advance(viewer_.now_s, viewer_.class_shown);
   for (const auto& mode : modes_) {
     mode->advance({viewer_, servo_, world_swap_, *world_, elapsed_s});
     quit_ = quit_ || mode->wantsToQuit();

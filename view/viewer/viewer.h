@@ -15,6 +15,7 @@
 #include "palpate/view/offscreen.h"
 #include "palpate/window/gui.h"
 #include "view/viewer/camera_control.h"
+#include "view/viewer/class_run.h"
 #include "view/viewer/devices/device_control.h"
 #include "view/viewer/editing/pointer.h"
 #include "view/viewer/eyesight.h"
@@ -115,6 +116,7 @@ class Viewer {
   Outputs outputs_;
   Modes modes_;  ///< after the servo: what they record ends before it
   CameraControl camera_;
+  ClassRun class_run_;
   RequestHandler requests_;
   Intro intro_;
   Eyesight eyesight_;

@@ -12,12 +12,18 @@
 #include "palpate/base/error.h"
 #include "palpate/view/layers/drawing.h"
 
+#include "palpate/view/layers/embedded_file.h"
+
+// DejaVu Sans Mono, beside the DejaVu Sans of drawing.h and under the same licence.
+PALPATE_EMBED(palpate_even_font, PALPATE_EVEN_FONT_FILE);  // NOLINT(readability-identifier-naming)
+
 namespace palpate::window {
 
 namespace {
 
 constexpr float kTextPoints = 15.0f;
 constexpr float kTitlePoints = 25.0f;
+constexpr float kEvenPoints = 13.0f;
 
 /// Neutral greys: a tinted frame would change how the colours of a map look.
 void useDark(ImGuiStyle& style) {
@@ -148,6 +154,12 @@ void Gui::Impl::makeLetters(double pixels_per_point) {
   const auto file = view::embeddedFont();
   io.Fonts->AddFontFromMemoryTTF(const_cast<unsigned char*>(file.data()), static_cast<int>(file.size()),
                                  kTextPoints * static_cast<float>(scale), &config, view::fontRanges());
+  // Latin 1, dashes, arrows, lines of boxes, and the triangles that end them.
+  static constexpr ImWchar kEvenRanges[] = {0x0020, 0x00FF, 0x2013, 0x2014, 0x2026, 0x2026, 0x2190, 0x2193, 0x2212,
+                                            0x2212, 0x2500, 0x257F, 0x25BA, 0x25BA, 0x25C4, 0x25C4, 0};
+  io.Fonts->AddFontFromMemoryTTF(const_cast<unsigned char*>(palpate_even_font_begin),
+                                 static_cast<int>(palpate_even_font_end - palpate_even_font_begin),
+                                 kEvenPoints * static_cast<float>(scale), &config, kEvenRanges);
   if (large_letters) {
     io.Fonts->AddFontFromMemoryTTF(const_cast<unsigned char*>(file.data()), static_cast<int>(file.size()),
                                    kTitlePoints * static_cast<float>(scale), &config, view::fontRanges());
@@ -234,6 +246,8 @@ void Gui::setTheme(Theme theme) {
   if (theme == Theme::light) useLight(style);
   if (theme == Theme::contrast) useContrast(style);
 }
+
+ImFont* evenFont() { return ImGui::GetIO().Fonts->Fonts[1]; }
 
 void Gui::useLargeLetters() {
   impl_->large_letters = true;

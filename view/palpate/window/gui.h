@@ -12,10 +12,15 @@
 
 #include "palpate/window/input.h"
 
+struct ImFont;
+
 namespace palpate::window {
 
 enum class Theme : std::uint8_t { dark, light, contrast };
 inline constexpr std::array<std::string_view, 3> kThemeNames = {"dark", "light", "high contrast"};
+
+/// Letters of equal width, for code; in the current context of ImGui.
+ImFont* evenFont();
 
 /// Belongs to the thread of the GL context that is current when it is made.
 class Gui {

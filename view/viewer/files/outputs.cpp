@@ -151,16 +151,18 @@ void Outputs::useProfile(ViewerState& viewer) {
 void Outputs::keepFrame(ViewerState& viewer, view::Image image) {
   Recording& recording = viewer.recording;
   if (screenshot_) {
-    screenshot_ = false;
-    const fs::path file = freshFile(folder_, "palpate", ".png");
+    const TakeScreenshot request = *std::exchange(screenshot_, std::nullopt);
+    const fs::path file = request.file.empty() ? freshFile(folder_, "palpate", ".png") : pathOf(request.file);
     pictures_.write(file, image);
     // The next fresh name must not be the same one.
     pictures_.finish();
+    tellErrors(viewer);
     if (fs::exists(file)) {
       viewer.report(Severity::info, fmt::format("The picture is saved as {}", file.string()));
       saved_picture_ = file;
     }
   }
+  if (film_.wants(viewer.now_s)) film_.add(image, viewer.now_s);
   if (!recording.sequence) return;
   const fs::path file =
       pathOf(recording.sequence_folder) / pathOf(fmt::format("frame_{:05d}.png", recording.pictures++));
@@ -171,6 +173,30 @@ void Outputs::saveClearPicture(ViewerState& viewer, const view::CutOut& picture)
   const fs::path file = freshFile(folder_, "palpate", ".png");
   if (!attempt(viewer, [&] { view::writePng(file, picture); })) return;
   viewer.report(Severity::info, fmt::format("The picture without background is saved as {}", file.string()));
+}
+
+void Outputs::startFilm(ViewerState& viewer, const std::string& file) {
+  stopFilm(viewer);
+  film_.start(pathOf(file));
+  viewer.recording.film = true;
+  viewer.recording.film_since_s = viewer.now_s;
+  viewer.report(Severity::info, fmt::format("Filming into {}; File > Stop the film ends it", file));
+}
+
+void Outputs::stopFilm(ViewerState& viewer) {
+  if (!viewer.recording.film) return;
+  viewer.recording.film = false;
+  film_.stop();
+}
+
+/// It is told when it is whole, which is some pictures after its end.
+void Outputs::followFilm(ViewerState& viewer) {
+  const std::optional<FilmRecorder::Ending> ending = film_.takeEnding();
+  if (!ending) return;
+  viewer.recording.film = false;
+  viewer.report(ending->trouble.empty() ? Severity::info : Severity::error,
+                ending->trouble.empty() ? fmt::format("The film is saved as {}", ending->file.string())
+                                        : fmt::format("The film ended: {}", ending->trouble));
 }
 
 void Outputs::tellErrors(ViewerState& viewer) {
@@ -194,6 +220,9 @@ void Outputs::finish(ViewerState& viewer) {
   if (viewer.recording.sequence) toggleSequence(viewer);
   pictures_.finish();
   tellErrors(viewer);
+  stopFilm(viewer);
+  film_.wait();
+  followFilm(viewer);
 }
 
 }  // namespace palpate::viewer

@@ -15,6 +15,7 @@
 
 #include "palpate/trace/forces_csv.h"
 #include "palpate/view/image.h"
+#include "view/viewer/files/film_recorder.h"
 #include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
@@ -91,20 +92,23 @@ class Outputs {
   Saving saveScene(ViewerState& viewer, const SaveScene& request);
   /// Writes the drawn displacement profile to a file and has the scene use it.
   void useProfile(ViewerState& viewer);
-  void askForScreenshot(bool with_pop_ups = false) {
-    screenshot_ = true;
-    with_pop_ups_ = with_pop_ups;
-  }
+  void askForScreenshot(TakeScreenshot request) { screenshot_ = std::move(request); }
+  /// Throws nothing: what goes wrong becomes a message. Does not wait for the disk.
+  void startFilm(ViewerState& viewer, const std::string& file);
+  void stopFilm(ViewerState& viewer);
   /// The body alone, without a background.
   void askForClearPicture() { clear_picture_ = true; }
   /// It was asked for in this frame; once.
   bool takeClearPicture() { return std::exchange(clear_picture_, false); }
   /// The picture of this frame is kept, and pop-ups are no part of it. Pictures of a sequence never have them.
   bool wantsNoPopUps(const ViewerState& viewer) const {
-    return screenshot_ ? !with_pop_ups_ : viewer.recording.sequence;
+    if (screenshot_) return !screenshot_->with_pop_ups;
+    return viewer.recording.sequence || film_.wants(viewer.now_s);
   }
   /// The picture of this frame is kept.
-  bool wantsFrame(const ViewerState& viewer) const { return screenshot_ || viewer.recording.sequence; }
+  bool wantsFrame(const ViewerState& viewer) const {
+    return screenshot_ || viewer.recording.sequence || film_.wants(viewer.now_s);
+  }
   /// The picture that was saved since the last call, or empty.
   std::filesystem::path takeSavedPicture() { return std::exchange(saved_picture_, {}); }
   void saveClearPicture(ViewerState& viewer, const view::CutOut& picture);
@@ -114,6 +118,7 @@ class Outputs {
   template <class Read>
   void frameDrawn(ViewerState& viewer, const Read& read) {
     if (wantsFrame(viewer)) keepFrame(viewer, read());
+    followFilm(viewer);
     tellErrors(viewer);
   }
 
@@ -128,13 +133,14 @@ class Outputs {
   void endBrokenForces(ViewerState& viewer, const std::string& why);
   void keepFrame(ViewerState& viewer, view::Image image);
   void tellErrors(ViewerState& viewer);
+  void followFilm(ViewerState& viewer);
 
   std::filesystem::path folder_;
   ForceRecorder forces_;
   PictureWriter pictures_;
   std::filesystem::path saved_picture_;
-  bool screenshot_ = false;
-  bool with_pop_ups_ = false;
+  FilmRecorder film_;
+  std::optional<TakeScreenshot> screenshot_;  // is taken of the next frame
   bool clear_picture_ = false;
 };
 

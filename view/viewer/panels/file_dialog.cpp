@@ -12,6 +12,8 @@
 #include <filesystem>
 
 #include "palpate/base/path_text.h"
+#include "view/viewer/files/outputs.h"
+#include "view/viewer/panels/dialog.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/preview_pane.h"
 #include "view/viewer/panels/widgets.h"
@@ -25,6 +27,8 @@ namespace fs = std::filesystem;
 using Kinds = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 9> kSceneKinds = {".toml", ".obj", ".stl", ".ply",    ".off",
                                                          ".gltf", ".glb", ".csv", ".session"};
+constexpr std::array<std::string_view, 1> kPictureKinds = {".png"};
+constexpr std::array<std::string_view, 2> kFilmKinds = {".webm", ".gif"};
 constexpr std::array<std::string_view, 5> kPhotographKinds = {".jpg", ".jpeg", ".png", ".tif", ".tiff"};
 
 struct Listing {
@@ -64,6 +68,12 @@ Listing& shownListing() {
   return listing;
 }
 
+bool listRow(const std::string& name) {
+  const bool clicked = ImGui::Selectable(name.c_str());
+  notePlace("files/" + name);
+  return clicked;
+}
+
 /// The file that was clicked, or none.
 struct Walked {
   std::string file = {};
@@ -77,9 +87,9 @@ Walked walk(Listing& listing, const char* path, const std::string& selected = {}
   ImGui::TextDisabled("%s", listing.folder.string().c_str());
   fs::path next;
   if (ImGui::BeginChild("files", {width, std::min(240.0f, 0.4f * ImGui::GetIO().DisplaySize.y)}, true)) {
-    if (listing.folder.has_parent_path() && ImGui::Selectable("..")) next = listing.folder.parent_path();
+    if (listing.folder.has_parent_path() && listRow("..")) next = listing.folder.parent_path();
     for (const fs::path& folder : listing.folders) {
-      if (ImGui::Selectable((folder.filename().string() + "/").c_str())) next = folder;
+      if (listRow(folder.filename().string() + "/")) next = folder;
     }
     for (const fs::path& file : listing.files) {
       const std::string name = file.filename().string();
@@ -93,30 +103,6 @@ Walked walk(Listing& listing, const char* path, const std::string& selected = {}
   ImGui::EndChild();
   if (!next.empty()) listing = listingOf(next, listing.kinds);
   return chosen;
-}
-
-/// A dialog that owns mouse and keyboard until it is closed. Call endDialog if it returns true.
-bool beginDialog(const char* title, bool& open) {
-  const bool shown = ImGui::IsPopupOpen(title);
-  if (!open && !shown) return false;
-  if (!shown) ImGui::OpenPopup(title);
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(560.0f, size.x - 40.0f), 0.0f});
-  ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {size.x, size.y - 30.0f});
-  constexpr auto kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;
-  return ImGui::BeginPopupModal(title, open ? &open : nullptr, kFlags);
-}
-
-void endDialog(bool& open) {
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) open = false;
-  if (!open) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
-}
-
-bool enterPressed() {
-  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
-         ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
 }
 
 /// A focused line to type a name into, with the buttons behind it. True when what is typed is to be used.
@@ -258,6 +244,98 @@ void saveDialog(const fs::path& now, const fs::path& folder, bool& open, Asks& a
   }
   remark("A scene (TOML) with all changes, camera and look. You are asked before a file is replaced.");
   endDialog(open);
+}
+
+namespace {
+
+struct SaveAs {
+  const char* title;
+  const char* path;         ///< of the widgets: "picture"
+  const char* button_path;  ///< "picture/save"
+  const char* button;
+  const char* stem;  ///< of the name that is proposed
+  Kinds kinds;       ///< the first one is the default
+  const char* words;
+};
+
+/// What is typed as a whole path, with an ending; empty, with the reason, where it cannot be used. A file that is there
+/// is replaced when its name is confirmed.
+fs::path fileToWrite(const SaveAs& as, Listing& listing, std::string& typed, std::string& confirmed,
+                     std::string& trouble) {
+  fs::path file = listing.folder / pathOf(typed);
+  std::error_code error;
+  if (fs::is_directory(file, error)) {
+    listing = listingOf(file.lexically_normal(), as.kinds);
+    typed.clear();
+    return {};
+  }
+  if (file.extension().empty()) file += as.kinds.front();
+  if (!isOneOf(as.kinds, file)) {
+    trouble = fmt::format("Expected a name that ends in {}", fmt::join(as.kinds, " or "));
+    return {};
+  }
+  if (!fs::is_directory(file.parent_path(), error)) {
+    trouble = fmt::format("There is no folder {}", file.parent_path().string());
+    return {};
+  }
+  if (fs::exists(file, error) && std::exchange(confirmed, file.string()) != file.string()) {
+    trouble = fmt::format("{} exists already. Press {} again to replace it.", file.filename().string(), as.button);
+    return {};
+  }
+  return file;
+}
+
+/// The file to be written, or nothing yet.
+std::string saveAsDialog(const SaveAs& as, const fs::path& folder, bool& open) {
+  static std::string typed;
+  static std::string trouble;
+  static std::string confirmed;
+  if (!beginDialog(as.title, open)) return {};
+  Listing& listing = shownListing();
+  if (ImGui::IsWindowAppearing()) {
+    listing = listingOf(folder, as.kinds);
+    typed = freshFile(folder, as.stem, std::string(as.kinds.front())).filename().string();
+    trouble.clear();
+    confirmed.clear();
+  }
+  if (const fs::path walked = pathOf(walk(listing)); !walked.empty()) typed = walked.filename().string();
+  std::string chosen;
+  if (nameField({as.path, as.button_path, as.button}, typed, open)) {
+    trouble.clear();
+    chosen = fileToWrite(as, listing, typed, confirmed, trouble).string();
+  }
+  troubleLine(trouble);
+  remark(as.words);
+  if (!chosen.empty()) open = false;
+  endDialog(open);
+  return chosen;
+}
+
+}  // namespace
+
+void pictureDialog(const fs::path& folder, bool& open, Asks& asks) {
+  constexpr SaveAs kPicture = {"Save the picture as",
+                               "picture",
+                               "picture/save",
+                               "Save",
+                               "palpate",
+                               kPictureKinds,
+                               "PNG, as the window shows it, without menus and messages."};
+  if (std::string file = saveAsDialog(kPicture, folder, open); !file.empty()) {
+    asks.request(TakeScreenshot{.file = std::move(file)});
+  }
+}
+
+void filmDialog(const fs::path& folder, bool& open, Asks& asks) {
+  constexpr SaveAs kFilm = {"Save a film as",
+                            "film",
+                            "film/save",
+                            "Film",
+                            "film",
+                            kFilmKinds,
+                            "WebM for browsers and players, or GIF for slides. It begins now and ends with "
+                            "File > Stop the film, at most 20 pictures a second."};
+  if (std::string file = saveAsDialog(kFilm, folder, open); !file.empty()) asks.request(StartFilm{std::move(file)});
 }
 
 }  // namespace palpate::viewer

@@ -63,6 +63,7 @@ MenuBar menuOf(ViewerState& viewer, const Modes& modes) {
                .unread_messages = viewer.messages.unread(),
                .status = {},
                .recording = recordingWords(viewer.recording, viewer.now_s)};
+  menu.filming = viewer.recording.film;
   if (!viewer.world.landmarks.empty()) menu.room_for_place = kPlaceFieldWidth;
   menu.offers_stop = viewer.devices.anyHeld() || viewer.devices.stopped;
   menu.stopped = viewer.devices.stopped;
@@ -180,7 +181,8 @@ void drawStartPage(ViewerState& viewer, const Modes& modes, ExamplePictures& pic
              .shown_at_start = viewer.state.start_page,
              .pictures = pictures,
              .offers_training = viewer.offers_training,
-             .offers_measuring = std::ranges::any_of(modes, has_item)},
+             .offers_measuring = std::ranges::any_of(modes, has_item),
+             .offers_class = viewer.class_shown.offered},
             viewer.state.shown.start, viewer.asks);
 }
 
@@ -210,6 +212,10 @@ void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& picture
   if (shown.messages) messageList(viewer.messages, shown.messages);
   openDialog(viewer.state.recent, shown.open_dialog, pictures.preview, viewer.asks);
   saveDialog(viewer.document.file, viewer.output_folder, shown.save_dialog, viewer.asks);
+  pictureDialog(viewer.output_folder, shown.picture_dialog, viewer.asks);
+  filmDialog(viewer.output_folder, shown.film_dialog, viewer.asks);
+  classDialog(viewer.class_shown, viewer.output_folder, shown.class_dialog, viewer.asks);
+  manualDialog(viewer.manual, shown.manual);
   drawStartPage(viewer, modes, pictures.examples);
   questionDialog(viewer.question, viewer.asks);
 }

@@ -25,71 +25,98 @@ void item(const Menus& menus, Action action) {
   const window::KeyBinding& binding = window::bindingOf(action);
   const bool on = menus.bar.on[static_cast<std::size_t>(action)];
   if (ImGui::MenuItem(std::string(binding.name).c_str(), window::keysOf(binding).c_str(), on)) menus.asks.act(action);
-  notePlace(fmt::format("menu/{}", binding.name));
+  notePlace(fmt::format("menu/{}", binding.name), binding.does);
+}
+
+bool plainItem(const char* path, const char* label, bool on = false) {
+  const bool chosen = ImGui::MenuItem(label, nullptr, on);
+  notePlace(path);
+  return chosen;
+}
+
+void switchItem(const char* path, const char* label, bool& on) {
+  if (plainItem(path, label, on)) on = !on;
+}
+
+/// Call ImGui::EndMenu if it returns true.
+bool beginMenu(const char* path, const char* label, bool offered = true) {
+  const bool open = ImGui::BeginMenu(label, offered);
+  open ? notePlaceOnly(path) : notePlace(path);  // the last item of an open one is not its name
+  return open;
 }
 
 void recentFiles(const Menus& menus) {
-  if (!ImGui::BeginMenu("Recent", !menus.state.recent.empty())) return;
+  if (!beginMenu("menu/Recent", "Recent", !menus.state.recent.empty())) return;
   for (const std::string& file : menus.state.recent) {
-    if (ImGui::MenuItem(file.c_str())) menus.asks.request(OpenFile{file});
+    if (plainItem("menu/recent file", file.c_str())) menus.asks.request(OpenFile{file});
   }
   ImGui::EndMenu();
 }
 
+void pictureItems(const Menus& menus) {
+  if (plainItem("menu/Save picture", "Save picture ...")) menus.state.shown.picture_dialog = true;
+  for (const Action action : {Action::screenshot, Action::screenshot_with_pop_ups, Action::clear_screenshot}) {
+    item(menus, action);
+  }
+  if (menus.bar.filming) {
+    if (plainItem("menu/Stop the film", "Stop the film")) menus.asks.request(StopFilm{});
+  } else if (plainItem("menu/Save film", "Save film ...")) {
+    menus.state.shown.film_dialog = true;
+  }
+}
+
 void fileMenu(const Menus& menus) {
-  if (ImGui::MenuItem("Start page ...")) menus.state.shown.start = true;
-  notePlace("menu/Start page");
+  if (plainItem("menu/Start page", "Start page ...")) menus.state.shown.start = true;
   item(menus, Action::open);
   recentFiles(menus);
-  if (ImGui::BeginMenu("Examples")) {
+  if (beginMenu("menu/Examples", "Examples")) {
     for (const scene::Preset& preset : scene::presets()) {
       const bool chosen = ImGui::MenuItem(std::string(preset.title).c_str());
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(preset.what).c_str());
+      notePlace(fmt::format("menu/{}", preset.name), preset.what);
       if (chosen) menus.asks.request(OpenPreset{std::string(preset.name)});
     }
     ImGui::EndMenu();
   }
   for (const Action action : menus.bar.modes) item(menus, action);
+  if (plainItem("menu/Class", "Class ...")) menus.state.shown.class_dialog = true;
   for (const Action action : {Action::reload, Action::save, Action::save_as}) item(menus, action);
   ImGui::Separator();
   for (const Action action : {Action::undo, Action::redo, Action::reset, Action::copy_scene}) item(menus, action);
   ImGui::Separator();
-  for (const Action action : {Action::screenshot, Action::screenshot_with_pop_ups, Action::clear_screenshot}) {
-    item(menus, action);
-  }
+  pictureItems(menus);
   item(menus, Action::record);
   ImGui::Separator();
   item(menus, Action::quit);
 }
 
 void themeMenu(window::Theme& theme) {
-  if (!ImGui::BeginMenu("Theme")) return;
+  if (!beginMenu("menu/Theme", "Theme")) return;
   for (std::size_t i = 0; i < window::kThemeNames.size(); ++i) {
     const auto offered = static_cast<window::Theme>(i);
-    if (ImGui::MenuItem(std::string(window::kThemeNames[i]).c_str(), nullptr, theme == offered)) theme = offered;
+    if (plainItem("menu/Theme", std::string(window::kThemeNames[i]).c_str(), theme == offered)) theme = offered;
   }
   ImGui::EndMenu();
 }
 
 void textSizeMenu(double& text_size) {
-  if (!ImGui::BeginMenu("Text size")) return;
+  if (!beginMenu("menu/Text size", "Text size")) return;
   for (const double size : {0.75, 1.0, 1.25, 1.5, 2.0, 2.5}) {
-    if (ImGui::MenuItem(fmt::format("{:.0f} %", 100.0 * size).c_str(), nullptr, text_size == size)) text_size = size;
+    if (plainItem("menu/Text size", fmt::format("{:.0f} %", 100.0 * size).c_str(), text_size == size)) text_size = size;
   }
   ImGui::EndMenu();
 }
 
 void mouseMenu(window::InputSettings& input) {
-  if (!ImGui::BeginMenu("Mouse")) return;
+  if (!beginMenu("menu/Mouse", "Mouse")) return;
   for (std::size_t i = 0; i < window::kMousePresetNames.size(); ++i) {
     const auto preset = static_cast<window::MousePreset>(i);
-    if (ImGui::MenuItem(std::string(window::kMousePresetNames[i]).c_str(), nullptr, input.preset == preset)) {
+    if (plainItem("menu/Mouse", std::string(window::kMousePresetNames[i]).c_str(), input.preset == preset)) {
       input.preset = preset;
     }
   }
   ImGui::Separator();
-  ImGui::MenuItem("Swap left and right", nullptr, &input.swap_left_and_right);
-  ImGui::MenuItem("Invert the wheel's zoom", nullptr, &input.invert_zoom);
+  switchItem("menu/Swap left and right", "Swap left and right", input.swap_left_and_right);
+  switchItem("menu/Invert the wheel", "Invert the wheel's zoom", input.invert_zoom);
   double& speed = input.speed;
   ImGui::SetNextItemWidth(110.0f);
   numberWidget(speed, {"mouse/speed", "speed of turning", "%.2f", 0.25, 4.0, 1.0, "Of the camera."});
@@ -106,16 +133,16 @@ void viewMenu(const Menus& menus) {
     item(menus, action);
   }
   ImGui::Separator();
-  ImGui::MenuItem("Panel on the right", nullptr, &menus.state.shown.panel_right);
+  switchItem("menu/Panel on the right", "Panel on the right", menus.state.shown.panel_right);
   ImGui::Separator();
-  if (ImGui::MenuItem("Copy the view")) menus.asks.request(CopyView{});
-  if (ImGui::MenuItem("Paste the view")) menus.asks.request(PasteView{});
+  if (plainItem("menu/Copy the view", "Copy the view")) menus.asks.request(CopyView{});
+  if (plainItem("menu/Paste the view", "Paste the view")) menus.asks.request(PasteView{});
   ImGui::Separator();
   themeMenu(menus.state.theme);
   textSizeMenu(menus.state.text_size);
   mouseMenu(menus.state.input);
-  ImGui::MenuItem("Reduced motion", nullptr, &menus.state.reduced_motion);
-  if (ImGui::MenuItem("Reset the layout")) {
+  switchItem("menu/Reduced motion", "Reduced motion", menus.state.reduced_motion);
+  if (plainItem("menu/Reset the layout", "Reset the layout")) {
     menus.state.shown = {};
     menus.state.text_size = 1.0;
   }
@@ -129,7 +156,7 @@ void showMenu(const Menus& menus) {
   ImGui::Separator();
   for (const view::Overlay overlay : view::kTouchOverlays) item(menus, window::actionFor(overlay));
   ImGui::Separator();
-  if (ImGui::BeginMenu("Engine")) {
+  if (beginMenu("menu/Engine", "Engine")) {
     for (const view::Overlay overlay : view::kEngineOverlays) item(menus, window::actionFor(overlay));
     ImGui::EndMenu();
   }
@@ -140,19 +167,19 @@ void showMenu(const Menus& menus) {
 
 void helpMenu(const Menus& menus) {
   item(menus, Action::help);
-  if (ImGui::MenuItem("Show the hints again")) {
+  if (plainItem("menu/Manual", "Manual ...")) menus.state.shown.manual = true;
+  if (plainItem("menu/Hints", "Show the hints again")) {
     menus.state.hints = true;
     menus.bar.hint = 0;
   }
   const std::size_t unread = menus.bar.unread_messages;
   const std::string messages = unread == 0 ? std::string("Messages") : fmt::format("Messages ({} new)", unread);
-  if (ImGui::MenuItem(messages.c_str())) menus.state.shown.messages = true;
+  if (plainItem("menu/Messages", messages.c_str())) menus.state.shown.messages = true;
 }
 
 template <class Draw>
 void menu(const Menus& menus, const char* name, const Draw& draw) {
-  const bool open = ImGui::BeginMenu(name);
-  notePlace(fmt::format("menu/{}", name));
+  const bool open = beginMenu(fmt::format("menu/{}", name).c_str(), name);
   if (!open) return;
   draw(menus);
   ImGui::EndMenu();

@@ -79,7 +79,7 @@ void openWidgets(const Part& part) {
   choiceWidget(part.path("back_end").c_str(), "device", held.back_end, names, "What is to hold this finger.");
   ImGui::SetNextItemWidth(0.56f * ImGui::GetContentRegionAvail().x);
   ImGui::InputText(part.path("which").insert(0, "which##").c_str(), &held.which);
-  notePlace(part.path("which"));
+  notePlace(part.path("which"), "Which of several: a number, an address or a name; empty for the first.");
   const std::string& name = back_ends[std::min(held.back_end, back_ends.size() - 1)].name;
   if (part.button("open", "Open", "It takes the finger from the mouse; forces begin once its tip has been outside.")) {
     part.asks.request(OpenDevice{part.finger, held.which.empty() ? name : name + ":" + held.which});
@@ -112,7 +112,9 @@ void liveWidgets(const Part& part) {
 
 void interventionWidgets(const Part& part) {
   const auto& counts = part.held().interventions.counts();
-  if (!ImGui::TreeNode(part.path("interventions").insert(0, "interventions##").c_str())) return;
+  const bool open = ImGui::TreeNode(part.path("interventions").insert(0, "interventions##").c_str());
+  notePlace(part.path("interventions"), "How often each safety rule changed the force, ticks.");
+  if (!open) return;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] > 0) valueLine(servo::safetyNames()[i], fmt::format("{} ticks", counts[i]));
   }
@@ -146,10 +148,9 @@ bool buttonChoice(const Part& part, const char* control, const char* label, std:
 }
 
 void workspaceWidgets(const Part& part) {
-  if (!ImGui::TreeNode(part.path("workspace").insert(0, "workspace##").c_str())) {
-    return notePlace(part.path("workspace"));
-  }
-  notePlace(part.path("workspace"));
+  const bool open = ImGui::TreeNode(part.path("workspace").insert(0, "workspace##").c_str());
+  notePlace(part.path("workspace"), "Where the device's space lies in the body, how it is turned and scaled.");
+  if (!open) return;
   scene::DeviceSettings now = settingsNow(part);
   bool changed = part.number(now.scale, "scale",
                              {"", "scale", "%.2f", 0.1, 5.0, 1.0,

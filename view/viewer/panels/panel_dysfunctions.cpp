@@ -32,7 +32,6 @@ void placeField(const DysfunctionEdit& edit, maps::Dysfunction& item, const std:
   of = &item;
   const bool entered = ImGui::InputText("place", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace("dysfunctions/place");
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("In words: T9 left 51 mm, left PSIS, right site 4. Enter moves it.");
   if (!entered) return;
   try {
     const body::NamedPlace place = body::placeNamed(edit.landmarks, typed);
@@ -53,7 +52,7 @@ void listOf(const DysfunctionEdit& edit) {
         fmt::format("{}   {:+.0f} % at {}##{}", i + 1, items[i].change_percent, placeOf(items[i]), i);
     const bool chosen = edit.editor.selected == static_cast<int>(i);
     if (ImGui::Selectable(line.c_str(), chosen)) edit.editor.selected = static_cast<int>(i);
-    notePlace(fmt::format("dysfunctions/{}", i + 1));
+    notePlace(fmt::format("dysfunctions/{}", i + 1), "Select this place: the wheel then sizes it, Delete removes it.");
   }
   if (items.empty()) remark("None: every place is as it should be.");
 }

@@ -15,6 +15,10 @@ std::string recordingWords(const Recording& recording, double now_s) {
   if (recording.sequence) {
     words += fmt::format("{}{} pictures", words.empty() ? "recording " : ", ", recording.pictures);
   }
+  if (recording.film) {
+    const int seconds = static_cast<int>(now_s - recording.film_since_s);
+    words += fmt::format("{}filming {}:{:02}", words.empty() ? "" : ", ", seconds / 60, seconds % 60);
+  }
   return words;
 }
 

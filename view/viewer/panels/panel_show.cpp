@@ -166,14 +166,15 @@ void showPanel(const ShowPanel& panel) {
   ImGui::Separator();
   overlayWidget(panel.look, view::Overlay::names);
   for (const view::Overlay overlay : view::kTouchOverlays) overlayWidget(panel.look, overlay);
-  if (ImGui::TreeNode("Engine")) {
+  const bool engine = ImGui::TreeNode("Engine");
+  notePlace("show/engine");
+  if (engine) {
     for (const view::Overlay overlay : view::kEngineOverlays) overlayWidget(panel.look, overlay);
     flagWidget("show/adapts", "adapt the picture's resolution", panel.adapts_resolution,
                "While a finger touches or the view turns, the body is drawn with fewer pixels where 20 pictures a "
                "second need it, 50 % along each side at least. At rest, and in saved pictures, it has all.");
     ImGui::TreePop();
   }
-  notePlace("show/engine");
   if (panel.look.shows(view::Overlay::names) && panel.world.landmarks.empty()) remark("This body has no named places.");
 }
 

@@ -121,7 +121,8 @@ struct MenuBar {
   std::size_t unread_messages;
   std::vector<std::string> status;  ///< at the right end; where room is short, without the first ones
   std::string recording;            ///< behind a red dot, while something is recorded
-  bool offers_stop = false;         ///< a device holds a finger
+  bool filming = false;
+  bool offers_stop = false;  ///< a device holds a finger
   bool stopped = false;
   std::vector<window::Action> modes = {};  ///< what else this window can be used for (mode.h)
   float room_for_place = 0.0f;             ///< left free behind the menus (placeField), points
@@ -157,6 +158,13 @@ void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& pr
 std::string photographDialog(const char* title, bool& open);
 /// Where the scene is to be saved; begins beside `now`, or in `folder` when it has no file yet.
 void saveDialog(const std::filesystem::path& now, const std::filesystem::path& folder, bool& open, Asks& asks);
+/// Where the picture of the window is to be saved, or its film from now on.
+void pictureDialog(const std::filesystem::path& folder, bool& open, Asks& asks);
+void filmDialog(const std::filesystem::path& folder, bool& open, Asks& asks);
+/// To run a class here, to watch one, or to take part in one.
+void classDialog(const ClassShown& shown, const std::filesystem::path& folder, bool& open, Asks& asks);
+/// The documents, with search.
+void manualDialog(ManualShown& manual, bool& open);
 /// Where the dialogs look from now on; else where they looked last, in the beginning the working folder.
 void showFolder(const std::filesystem::path& folder);
 /// A dialog is open in the current gui: it owns mouse and keyboard.

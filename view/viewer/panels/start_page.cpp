@@ -50,7 +50,7 @@ bool choiceButton(const Choice& choice) {
   ImGui::BeginDisabled(!choice.offered);
   const bool pressed = ImGui::Button(fmt::format("##{}", choice.path).c_str(), {width, kChoiceHeight});
   ImGui::EndDisabled();
-  notePlace(choice.path);
+  notePlace(choice.path, choice.what);
   const ImGuiCol ink = choice.offered ? ImGuiCol_Text : ImGuiCol_TextDisabled;
   wordsAt({at.x + kInset, at.y + 5.0f}, ImGui::GetFontSize(), ink, choice.title, 0.0f);
   wordsAt({at.x + kInset, at.y + 25.0f}, smaller(), ImGuiCol_TextDisabled, choice.what, 0.0f);
@@ -76,15 +76,12 @@ void choices(const StartPage& page, bool& open, Asks& asks) {
     asks.act(window::Action::measure_person);
     open = false;
   }
-  const bool asked = choiceButton({"start/class", "Teach a class", "Several trainees over the network"});
-  if (asked) ImGui::OpenPopup("class");
-  if (!ImGui::BeginPopup("class")) return;
-  ImGui::TextUnformatted("On the instructor's computer:");
-  ImGui::TextUnformatted("    palpate class init      makes the class, its keys and access lists");
-  ImGui::TextUnformatted("    palpate class serve     collects what the trainees do");
-  ImGui::TextUnformatted("    palpate class watch     shows them, live");
-  ImGui::TextUnformatted("The manual has it step by step: docs/tutorials.");
-  ImGui::EndPopup();
+  if (choiceButton({"start/class", "Class ...",
+                    page.offers_class ? "Teach several trainees, watch, or take part" : "Not installed: palpate-teach",
+                    page.offers_class})) {
+    asks.request(ShowClass{});
+    open = false;
+  }
 }
 
 void recentFiles(const StartPage& page, bool& open, Asks& asks) {
@@ -95,8 +92,7 @@ void recentFiles(const StartPage& page, bool& open, Asks& asks) {
     const std::string& file = page.recent[i];
     const std::string name = fmt::format("{}##recent{}", pathOf(file).filename().string(), i);
     const bool chosen = ImGui::Selectable(name.c_str());
-    notePlace(fmt::format("start/recent/{}", i));
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", file.c_str());
+    notePlace(fmt::format("start/recent/{}", i), file);
     if (!chosen) continue;
     asks.request(OpenFile{file});
     open = false;
@@ -109,7 +105,7 @@ bool exampleTile(const StartPage& page, const scene::Preset& preset) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size(kPicture.x, kPicture.y + line + 6.0f);
   const bool pressed = ImGui::InvisibleButton(std::string(preset.name).c_str(), size);
-  notePlace(fmt::format("start/{}", preset.name));
+  notePlace(fmt::format("start/{}", preset.name), preset.what);
   const bool hovered = ImGui::IsItemHovered();
   const ImVec2 high(at.x + kPicture.x, at.y + kPicture.y);
   if (const view::GlId picture = page.pictures.of(preset.name); picture != 0) {
@@ -121,7 +117,6 @@ bool exampleTile(const StartPage& page, const scene::Preset& preset) {
   pageList().AddRect(at, high, ImGui::GetColorU32(hovered ? ImGuiCol_CheckMark : ImGuiCol_Border), 2.0f, 0,
                      hovered ? 2.0f : 1.0f);
   wordsAt({at.x, high.y + 2.0f}, smaller(), ImGuiCol_Text, preset.title, 0.0f);
-  if (hovered) ImGui::SetTooltip("%s", std::string(preset.what).c_str());
   return pressed;
 }
 

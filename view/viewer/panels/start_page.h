@@ -33,6 +33,7 @@ struct StartPage {
   ExamplePictures& pictures;
   bool offers_training = false;
   bool offers_measuring = false;
+  bool offers_class = false;
   std::optional<engine::BuildProgress> building = {};  ///< of the body behind it
 };
 

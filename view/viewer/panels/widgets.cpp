@@ -12,6 +12,7 @@
 #include "palpate/base/text.h"
 #include "palpate/scene/detail/key_table.h"
 #include "palpate/scene/scene_edit.h"
+#include "view/viewer/panels/control_words.h"
 
 namespace palpate::viewer {
 
@@ -21,7 +22,8 @@ constexpr float kTooltipWidth = 320.0f;
 constexpr float kControlShare = 0.56f;  ///< of the panel's width; the rest is the label
 
 void tooltip(const std::string& text, bool label_hovered = false) {
-  if (text.empty() || (!label_hovered && !ImGui::IsItemHovered())) return;
+  constexpr auto kAlso = ImGuiHoveredFlags_AllowWhenDisabled;  // why it cannot be used is worth knowing
+  if (text.empty() || (!label_hovered && !ImGui::IsItemHovered(kAlso))) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(kTooltipWidth);
   ImGui::TextUnformatted(text.c_str());
@@ -184,7 +186,12 @@ WidgetPlaces& widgetPlaces() {
   return places;
 }
 
-void notePlace(const std::string& path) {
+void notePlace(const std::string& path, std::string_view words) {
+  notePlaceOnly(path);
+  tooltip(std::string(words.empty() ? controlWords(path) : words));
+}
+
+void notePlaceOnly(const std::string& path) {
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
   widgetPlaces()[path] = {low.x, low.y, high.x, high.y};
@@ -203,7 +210,7 @@ bool keyWidget(const SceneKeys& keys, const KeyWidget& widget) {
   beginControl();
   bool label_hovered = false;
   std::string value = edit(*row, widget, label_hovered);
-  notePlace(fmt::format("{}/{}", widget.table, widget.key));
+  notePlaceOnly(fmt::format("{}/{}", widget.table, widget.key));
   const std::string fallback = scene::defaultOf(widget.table, widget.key);
   if (!fallback.empty() && resetMenu(fallback)) value = fallback;
   tooltip(wordsOf(*row, widget), label_hovered);
@@ -219,7 +226,9 @@ void otherKeys(const SceneKeys& keys, const char* table) {
   }
   if (rest.empty()) return;
   ImGui::PushID(table);
-  if (ImGui::TreeNode("more", "more of [%s]", table)) {
+  const bool open = ImGui::TreeNode("more", "more of [%s]", table);
+  notePlace(fmt::format("{}/more", table), "Every other key of this table of the scene file.");
+  if (open) {
     for (const KeyRow& row : rest) keyWidget(keys, {table, row.key, row.key.c_str()});
     // They are to be found here again in the next frame.
     for (const KeyRow& row : rest) widgetPlaces().erase(fmt::format("{}/{}", table, row.key));
@@ -233,7 +242,7 @@ bool numberWidget(double& value, const NumberWidget& widget) {
   beginControl();
   const Slid slid = slider(value, {widget.label, widget.format, widget.low, widget.high});
   bool changed = slid.changed;
-  notePlace(widget.path);
+  notePlaceOnly(widget.path);
   if (resetMenu(fmt::format("{:g}", widget.fallback))) {
     value = widget.fallback;
     changed = true;
@@ -248,8 +257,7 @@ bool numberWidget(double& value, const NumberWidget& widget) {
 bool flagWidget(const char* path, const char* label, bool& value, const char* meaning) {
   ImGui::PushID(path);
   const bool changed = ImGui::Checkbox(label, &value);
-  notePlace(path);
-  tooltip(meaning);
+  notePlace(path, meaning);
   ImGui::PopID();
   return changed;
 }
@@ -260,13 +268,14 @@ bool choiceWidget(const char* path, const char* label, std::size_t& value, std::
   ImGui::PushID(path);
   beginControl();
   const bool open = ImGui::BeginCombo(label, std::string(names[std::min(value, names.size() - 1)]).c_str());
-  notePlace(path);
+  notePlaceOnly(path);
   if (open) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (ImGui::Selectable(std::string(names[i]).c_str(), i == value)) {
         changed = i != value;
         value = i;
       }
+      tooltip(meaning);
     }
     ImGui::EndCombo();
   }
@@ -278,8 +287,7 @@ bool choiceWidget(const char* path, const char* label, std::size_t& value, std::
 bool buttonWidget(const char* path, const char* label, const char* meaning) {
   ImGui::PushID(path);
   const bool clicked = ImGui::Button(label);
-  notePlace(path);
-  tooltip(meaning);
+  notePlace(path, meaning);
   ImGui::PopID();
   return clicked;
 }
@@ -293,8 +301,7 @@ bool stopButton(const char* path, const char* label, bool wide, const char* mean
   const bool clicked = ImGui::Button(label, wide ? ImVec2(-1.0f, 2.0f * ImGui::GetFrameHeight()) : ImVec2(0.0f, 0.0f));
   ImGui::PopID();
   ImGui::PopStyleColor(4);
-  notePlace(path);
-  tooltip(meaning);
+  notePlace(path, meaning);
   return clicked;
 }
 

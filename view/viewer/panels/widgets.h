@@ -18,8 +18,11 @@ namespace palpate::viewer {
 using WidgetPlaces = std::map<std::string, std::array<float, 4>>;
 WidgetPlaces& widgetPlaces();
 
-/// Notes the control that was drawn last.
-void notePlace(const std::string& path);
+/// Notes the control that was drawn last, which explains itself by these words or by its row of controlWords
+/// (control_words.h).
+void notePlace(const std::string& path, std::string_view words = {});
+/// Notes where it is alone.
+void notePlaceOnly(const std::string& path);
 /// Notes the window that is being drawn.
 void notePlaceOfWindow(const std::string& path);
 

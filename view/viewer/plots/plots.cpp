@@ -174,7 +174,9 @@ void drawCursor(const PlotStrips& panel, std::span<const PlotArea> areas, double
 void windowChoice(Plots& plots) {
   const std::string now = fmt::format("{:g} s", plots.window_s);
   ImGui::SetNextItemWidth(66.0f);
-  if (ImGui::BeginCombo("##window", now.c_str())) {
+  const bool open = ImGui::BeginCombo("##window", now.c_str());
+  open ? notePlaceOnly("plots/window") : notePlace("plots/window");
+  if (open) {
     for (const double seconds : kWindows) {
       if (ImGui::Selectable(fmt::format("{:g} s", seconds).c_str(), seconds == plots.window_s)) {
         plots.window_s = seconds;
@@ -182,7 +184,6 @@ void windowChoice(Plots& plots) {
     }
     ImGui::EndCombo();
   }
-  notePlace("plots/window");
 }
 
 void buttons(const PlotStrips& panel, Asks& asks) {

@@ -70,11 +70,17 @@ struct AnswerQuestion {
 };
 struct TakeScreenshot {
   bool with_pop_ups = false;  ///< with what lies over the picture for a moment
+  std::string file = {};      ///< empty: a fresh name
 };
 /// The body alone, the rest transparent.
 struct TakeClearScreenshot {};
 /// A series of PNG files: start or stop.
 struct ToggleSequence {};
+/// What the window shows, from now on, as a film; its ending says which kind.
+struct StartFilm {
+  std::string file = {};
+};
+struct StopFilm {};
 /// The scene's own fingers, or an end of them.
 struct PlayScript {};
 struct SavePlots {};
@@ -115,12 +121,32 @@ struct Quit {
 struct StartTraining {
   bool sure = false;
 };
+/// The dialog of a class.
+struct ShowClass {};
+/// Makes the folder where there is none, runs the class's broker and collector, and opens the teacher's view.
+struct StartClass {
+  std::string folder = {};
+  std::string name = {};
+  int stations = 1;
+  std::string computer = {};  ///< name or address of this computer, as stations reach it
+};
+/// The teacher's view of a class, as a window of its own.
+struct WatchClass {
+  std::string folder = {};
+};
+/// The training of a station of a class, as a window of its own.
+struct JoinClass {
+  std::string folder = {};
+};
+/// All of it ends in order.
+struct EndClass {};
 
 using Request =
     std::variant<OpenFile, OpenBeside, OpenPreset, Reload, CancelBuild, SaveScene, CopyScene, ResetScene, Undo, Redo,
                  UseProfile, AnswerQuestion, TakeScreenshot, TakeClearScreenshot, ToggleSequence, PlayScript, SavePlots,
                  ToggleForces, KeepRecording, SetMark, GoHome, GoToPlace, SetView, ToggleFullScreen, CopyView,
-                 PasteView, OpenDevice, CloseDevice, FindDevices, StopDevices, ReleaseStop, Quit, StartTraining>;
+                 PasteView, OpenDevice, CloseDevice, FindDevices, StopDevices, ReleaseStop, Quit, StartTraining,
+                 StartFilm, StopFilm, ShowClass, StartClass, WatchClass, JoinClass, EndClass>;
 
 /// The same once the user has been asked.
 inline Request madeSure(Request request) {
@@ -139,6 +165,7 @@ struct Question {
     overwrite,  ///< a file would be that is not known here
     unit,       ///< of a mesh file, before it is opened: as guessed, millimetres, not at all
     of_mode,    ///< a mode asks, and gets the answer (mode.h)
+    end_class,  ///< the class would end with the window
   };
   Kind kind = Kind::leave;
   std::string words = {};

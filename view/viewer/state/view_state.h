@@ -48,6 +48,10 @@ struct Shown {
   bool messages = false;
   bool open_dialog = false;
   bool save_dialog = false;
+  bool picture_dialog = false;
+  bool film_dialog = false;
+  bool class_dialog = false;
+  bool manual = false;
   bool start = false;  ///< the start page
 };
 

@@ -40,6 +40,8 @@ struct Recording {
   bool sequence = false;
   std::string sequence_folder;
   std::size_t pictures = 0;
+  bool film = false;
+  double film_since_s = 0.0;
 
   // The session that is recorded by itself.
   bool viewer = false;         ///< it is
@@ -73,6 +75,29 @@ struct PlaceSearch {
   bool focused = false;    ///< and has been given it
   bool over_list = false;  ///< the cursor is over the suggestions
   std::string typed = {};
+};
+
+/// What of the manual is open (panels/manual_dialog.cpp).
+struct ManualShown {
+  std::string page = "README.md";   ///< below docs/
+  std::string heading = {};         ///< to be scrolled to, once
+  std::vector<std::string> before;  ///< pages that a link or a result left
+  std::string searched = {};        ///< words; empty: a page is shown
+  std::string outside = {};         ///< the target of a link that leads out of the manual
+};
+
+/// A class that is run from this window.
+struct ClassShown {
+  bool offered = false;       ///< palpate-teach is installed
+  std::string folder = {};    ///< of the one that runs or is being started; empty: none
+  bool runs = false;          ///< broker and collector
+  bool watched = false;       ///< the teacher's view is open
+  bool opened_watch = false;  ///< it was, once, by the class's start
+  bool joined = false;        ///< the training of a station is open
+  std::string words = {};     ///< what the collector has so far
+  std::string trouble = {};   ///< why it does not run
+
+  bool anything() const { return runs || watched || joined; }
 };
 
 /// The tracked head in this frame.

@@ -43,6 +43,7 @@ struct ViewerState {
   Replay replay;
   Ruler ruler;
   PlaceSearch place_search;
+  ManualShown manual;
   int hint = 0;                      ///< how many hints have been followed
   SceneDocument document;            ///< where save goes; without a file: to a fresh name (files/outputs.h)
   OpenedLook opened;                 ///< what is no change of the look
@@ -70,6 +71,7 @@ struct ViewerState {
   std::string place_words = {};         ///< where the active finger is: "T6, 12 mm right"
   SeenHead head;
   Recording recording;
+  ClassShown class_shown;
   Performance performance;
   bool simple_shading = false;       ///< drawn smooth for now, whatever state.look says
   bool offers_training = false;      ///< it is installed

@@ -32,6 +32,12 @@ class FedProgram {
   /// Closes its input and waits for its end.
   Ending finish();
 
+  /// Whether it has ended already; does not wait.
+  bool hasEnded();
+  /// As Ctrl+C in its terminal would; on Windows, where no such thing can be sent to a program without a console, it is
+  /// ended at once. `finish` waits for it.
+  void askToEnd();
+
   /// Its words so far.
   std::string said();
 
@@ -42,6 +48,8 @@ class FedProgram {
   int reason_ = 0;
   std::intptr_t input_ = -1;
   std::intptr_t process_ = -1;
+  int status_ = 0;  // of one that has ended and was not finished yet
+  bool has_ended_ = false;
 };
 
 }  // namespace palpate::system

@@ -74,7 +74,7 @@ FedProgram::FedProgram(const std::filesystem::path& program, const std::vector<s
 
 FedProgram::~FedProgram() {
   closeInput();
-  if (process_ <= 0) return;
+  if (process_ <= 0 || has_ended_) return;
   ::kill(static_cast<pid_t>(process_), SIGKILL);
   ended(static_cast<pid_t>(process_));
 }
@@ -100,9 +100,20 @@ bool FedProgram::feed(std::string_view bytes) {
 
 FedProgram::Ending FedProgram::finish() {
   closeInput();
-  const int status = ended(static_cast<pid_t>(std::exchange(process_, -1)));
+  const pid_t process = static_cast<pid_t>(std::exchange(process_, -1));
+  const int status = has_ended_ ? status_ : ended(process);
   if (!WIFEXITED(status)) return {false, fmt::format("signal {}", WTERMSIG(status))};
   return {WEXITSTATUS(status) == 0, fmt::format("exit code {}", WEXITSTATUS(status))};
+}
+
+bool FedProgram::hasEnded() {
+  if (process_ <= 0 || has_ended_) return true;
+  has_ended_ = ::waitpid(static_cast<pid_t>(process_), &status_, WNOHANG) > 0;
+  return has_ended_;
+}
+
+void FedProgram::askToEnd() {
+  if (!hasEnded()) ::kill(static_cast<pid_t>(process_), SIGINT);
 }
 
 }  // namespace palpate::system

@@ -94,4 +94,10 @@ FedProgram::Ending FedProgram::finish() {
   return {answer == 0, fmt::format("exit code {}", answer)};
 }
 
+bool FedProgram::hasEnded() { return process_ == -1 || ::WaitForSingleObject(handleOf(process_), 0) == WAIT_OBJECT_0; }
+
+void FedProgram::askToEnd() {
+  if (!hasEnded()) ::TerminateProcess(handleOf(process_), 1);
+}
+
 }  // namespace palpate::system

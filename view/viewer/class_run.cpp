@@ -1,0 +1,131 @@
+#include "view/viewer/class_run.h"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+#include "palpate/base/path_text.h"
+#include "palpate/base/text.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLooksEveryS = 0.5;
+
+/// Whole, so that it means the same to the programs that are started.
+std::string wholePath(const std::string& folder) { return fs::absolute(pathOf(folder)).lexically_normal().string(); }
+
+bool has(const std::string& folder, const char* file) {
+  std::error_code ignored;
+  return fs::exists(pathOf(folder) / file, ignored);
+}
+
+/// The last line that is not empty, without the name of the program.
+std::string lastWordsOf(std::string_view words) {
+  constexpr std::string_view kProgram = "palpate: ";
+  std::string last;
+  for (const std::string_view line : split(words, '\n')) {
+    if (!trimmed(line).empty()) last = trimmed(line);
+  }
+  return last.starts_with(kProgram) ? last.substr(kProgram.size()) : last;
+}
+
+void endInOrder(std::unique_ptr<system::FedProgram>& program) {
+  if (!program) return;
+  program->askToEnd();
+  program->finish();
+  program.reset();
+}
+
+/// True once, when it has ended; `trouble` says why where it should not have.
+bool tookEnd(std::unique_ptr<system::FedProgram>& program, const char* what, std::string& trouble) {
+  if (!program || !program->hasEnded()) return false;
+  const std::string words = lastWordsOf(program->said());
+  const system::FedProgram::Ending ending = program->finish();
+  program.reset();
+  if (!ending.well) trouble = fmt::format("{} ended ({}){}{}", what, ending.how, words.empty() ? "" : ": ", words);
+  return true;
+}
+
+}  // namespace
+
+ClassRun::~ClassRun() {
+  for (Program* program : {&init_, &join_, &watch_, &serve_}) endInOrder(*program);
+}
+
+ClassRun::Program ClassRun::started(std::vector<std::string> words, ClassShown& shown) const {
+  words.insert(words.begin(), "palpate");
+  auto program = std::make_unique<system::FedProgram>(teach_, words);
+  if (program->reason() == 0) return program;
+  shown.trouble = fmt::format("{}: {}", teach_.string(), std::generic_category().message(program->reason()));
+  return nullptr;
+}
+
+void ClassRun::start(const StartClass& request, ClassShown& shown) {
+  if (init_ || serve_) return;
+  shown = {.offered = offered(), .folder = wholePath(request.folder), .watched = shown.watched, .joined = shown.joined};
+  if (has(shown.folder, "class.toml")) return serve(shown);
+  init_ = started({"class", "init", shown.folder, "--class", request.name, "--stations",
+                   std::to_string(request.stations), "--host", request.computer},
+                  shown);
+}
+
+void ClassRun::serve(ClassShown& shown) {
+  serve_ = started({"class", "serve", shown.folder, "--broker"}, shown);
+  shown.runs = bool(serve_);
+}
+
+void ClassRun::watch(const std::string& folder, ClassShown& shown) {
+  if (watch_) return;
+  const std::string whole = wholePath(folder);
+  shown.trouble.clear();
+  if (!has(whole, "class.toml") && !has(whole, "instructor.toml")) {
+    shown.trouble = fmt::format("{} holds no class.toml or instructor.toml", whole);
+    return;
+  }
+  watch_ = started({"class", "watch", whole}, shown);
+  shown.watched = bool(watch_);
+}
+
+void ClassRun::join(const std::string& folder, ClassShown& shown) {
+  if (join_) return;
+  const std::string whole = wholePath(folder);
+  shown.trouble.clear();
+  if (!has(whole, "station.toml")) {
+    shown.trouble = fmt::format("{} holds no station.toml: name a station's folder, such as stations/s01", whole);
+    return;
+  }
+  join_ = started({"train", "--class", whole}, shown);
+  shown.joined = bool(join_);
+}
+
+void ClassRun::end(ClassShown& shown) {
+  for (Program* program : {&init_, &join_, &watch_, &serve_}) endInOrder(*program);
+  shown = {.offered = offered()};
+}
+
+void ClassRun::advance(double now_s, ClassShown& shown) {
+  if (now_s - looked_s_ < kLooksEveryS) return;
+  looked_s_ = now_s;
+  if (init_ && tookEnd(init_, "Making the class", shown.trouble) && shown.trouble.empty()) serve(shown);
+  follow(shown);
+}
+
+void ClassRun::follow(ClassShown& shown) {
+  if (serve_ && !serve_->hasEnded()) {
+    shown.words = lastWordsOf(serve_->said());
+    // It says something when broker and collector are there.
+    if (!shown.words.empty() && !shown.opened_watch) {
+      shown.opened_watch = true;
+      watch(shown.folder, shown);
+    }
+  }
+  if (tookEnd(serve_, "The class", shown.trouble)) shown.runs = false;
+  if (tookEnd(watch_, "The teacher's window", shown.trouble)) shown.watched = false;
+  if (tookEnd(join_, "The training", shown.trouble)) shown.joined = false;
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,49 @@
+// A class that is run from the window: the commands of `palpate class` and `palpate train --class`, each as a program
+// of its own, started and ended in order.
+//
+//   StartClass ─► class init (where there is no class yet) ─► class serve --broker ─► class watch
+//   JoinClass ─► train --class;  WatchClass ─► class watch
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "palpate/base/system/fed_program.h"
+#include "view/viewer/state/requests.h"
+#include "view/viewer/state/viewer_parts.h"
+
+namespace palpate::viewer {
+
+class ClassRun {
+ public:
+  /// `teach`: palpate-teach; empty: it is not installed.
+  explicit ClassRun(std::filesystem::path teach) : teach_(std::move(teach)) {}
+  ClassRun(const ClassRun&) = delete;
+  ClassRun& operator=(const ClassRun&) = delete;
+  /// Ends what runs, in order.
+  ~ClassRun();
+
+  bool offered() const { return !teach_.empty(); }
+  /// None waits: `advance` says what came of it. What is wrong with the request is said at once.
+  void start(const StartClass& request, ClassShown& shown);
+  void watch(const std::string& folder, ClassShown& shown);
+  void join(const std::string& folder, ClassShown& shown);
+  /// Waits for the end of all, a second or two.
+  void end(ClassShown& shown);
+  /// Once a frame.
+  void advance(double now_s, ClassShown& shown);
+
+ private:
+  using Program = std::unique_ptr<system::FedProgram>;
+  Program started(std::vector<std::string> words, ClassShown& shown) const;
+  void serve(ClassShown& shown);
+  void follow(ClassShown& shown);
+
+  std::filesystem::path teach_;
+  Program init_, serve_, watch_, join_;
+  double looked_s_ = 0.0;
+};
+
+}  // namespace palpate::viewer

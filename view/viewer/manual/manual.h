@@ -1,0 +1,51 @@
+// The documents of docs/, which are part of the program: their pages, links between them, and search by words. Nothing
+// is read from the disk.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "view/viewer/manual/markdown.h"
+
+namespace palpate::viewer {
+
+/// As it was built in.
+struct ManualFile {
+  std::string_view file;  ///< below docs/: "howto/class.md"
+  std::string_view text;
+};
+std::span<const ManualFile> manualFiles();
+
+struct ManualPage {
+  std::string file;
+  std::string title;
+  std::vector<Block> blocks;
+};
+/// All of them; read when they are first asked for.
+std::span<const ManualPage> manualPages();
+/// Null for a name that is no page.
+const ManualPage* manualPage(std::string_view file);
+
+/// The page that lists the others.
+inline constexpr const char* kManualContents = "README.md";
+
+/// Where a link leads.
+struct ManualLink {
+  const ManualPage* page = nullptr;  ///< null: not into the manual
+  std::string anchor = {};           ///< of the heading; empty: the page's begin
+};
+ManualLink linkFrom(const ManualPage& page, std::string_view target);
+
+struct ManualResult {
+  const ManualPage* page;
+  std::string heading;  ///< of the part that fits best; empty: the page's begin
+  std::string excerpt;  ///< words around the first that was sought
+  double score;
+};
+/// Pages that hold all the words (also as beginnings of longer ones), the best first: words in a title count most, then
+/// in headings, then in the text.
+std::vector<ManualResult> searchManual(std::string_view words, std::size_t most = 30);
+
+}  // namespace palpate::viewer

@@ -1,0 +1,128 @@
+// A class from the window: run one on this computer, watch one, or take part in one. What is asked for here is done by
+// the commands of `palpate class` (class_run.h).
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "palpate/base/path_text.h"
+#include "palpate/base/system/process.h"
+#include "view/viewer/panels/dialog.h"
+#include "view/viewer/panels/panels.h"
+#include "view/viewer/panels/widgets.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr double kMaxStations = 30.0;  ///< more are made by `palpate class init`
+
+/// What was typed; stays while the window is open.
+struct ClassFields {
+  StartClass start;
+  double stations = 2.0;
+  std::string watched;
+  std::string station;
+};
+
+std::filesystem::path inFolder(const std::filesystem::path& folder, const std::string& typed) {
+  return typed.empty() ? std::filesystem::path() : folder / pathOf(typed);  // a full path stays one
+}
+
+bool textLine(const char* path, const char* label, std::string& text) {
+  ImGui::SetNextItemWidth(-150.0f);
+  const bool entered = ImGui::InputText(label, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  notePlace(path);
+  return entered;
+}
+
+/// Why the class cannot be started as it is typed; empty: it can.
+std::string faultOf(const ClassFields& fields, bool exists) {
+  if (fields.start.folder.empty()) return "Type a folder";
+  if (exists) return {};
+  if (fields.start.name.empty()) return "Type a name for the class";
+  if (fields.start.computer.empty()) return "Type this computer's name or address";
+  return {};
+}
+
+void runPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, Asks& asks) {
+  ImGui::TextDisabled("Teach on this computer");
+  if (shown.runs) {
+    ImGui::TextWrapped("%s runs. %s", shown.folder.c_str(), shown.words.c_str());
+    remark(fmt::format("Give each station its folder of {}/stations; there: start page > Class > Take part.",
+                       shown.folder));
+    if (buttonWidget("class/end", "End the class")) asks.request(EndClass{});
+    return;
+  }
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  bool starts = textLine("class/folder", "folder", fields.start.folder);
+  const std::filesystem::path whole = inFolder(folder, fields.start.folder);
+  std::error_code ignored;
+  const bool exists = !whole.empty() && std::filesystem::exists(whole / "class.toml", ignored);
+  ImGui::BeginDisabled(exists);
+  starts = textLine("class/name", "name of the class", fields.start.name) || starts;
+  starts = textLine("class/computer", "this computer", fields.start.computer) || starts;
+  numberWidget(fields.stations, {"class/stations", "stations", "%.0f", 1.0, kMaxStations, 2.0,
+                                 "How many trainees can take part at once; more can be added later."});
+  ImGui::EndDisabled();
+  const std::string fault = faultOf(fields, exists);
+  ImGui::BeginDisabled(!fault.empty());
+  starts = buttonWidget("class/start", exists ? "Start this class again" : "Make and start the class") || starts;
+  ImGui::EndDisabled();
+  if (!fault.empty()) remark(fault);
+  if (!starts || !fault.empty()) return;
+  StartClass request = fields.start;
+  request.folder = whole.string();
+  request.stations = static_cast<int>(fields.stations);
+  asks.request(request);
+}
+
+void watchPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, Asks& asks) {
+  ImGui::TextDisabled("Watch a class");
+  if (fields.watched.empty()) fields.watched = shown.folder;
+  const bool entered = textLine("class/watched", "class or instructor", fields.watched);
+  ImGui::BeginDisabled(shown.watched || fields.watched.empty());
+  const bool pressed = buttonWidget("class/watch", shown.watched ? "It is open" : "Open the teacher's window");
+  ImGui::EndDisabled();
+  if (entered || pressed) asks.request(WatchClass{inFolder(folder, fields.watched).string()});
+}
+
+void joinPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, Asks& asks) {
+  ImGui::TextDisabled("Take part at this computer");
+  const bool entered = textLine("class/station", "folder of the station", fields.station);
+  ImGui::BeginDisabled(shown.joined || fields.station.empty());
+  const bool pressed = buttonWidget("class/join", shown.joined ? "It is open" : "Open the training");
+  ImGui::EndDisabled();
+  if (entered || pressed) asks.request(JoinClass{inFolder(folder, fields.station).string()});
+}
+
+}  // namespace
+
+void classDialog(const ClassShown& shown, const std::filesystem::path& folder, bool& open, Asks& asks) {
+  static ClassFields fields{{"class", "class-1", 2, system::identity().computer}, 2.0, {}, {}};
+  if (!beginDialog("A class", open)) return;
+  if (shown.offered) {
+    runPart(shown, folder, fields, asks);
+    ImGui::Separator();
+    watchPart(shown, folder, fields, asks);
+    ImGui::Separator();
+    joinPart(shown, folder, fields, asks);
+    ImGui::Separator();
+  } else {
+    remark("Classes are not installed here: the program palpate-teach is missing.");
+  }
+  if (!shown.trouble.empty()) {
+    ImGui::PushTextWrapPos(0.0f);
+    severeWords(Severity::warning, shown.trouble);
+    ImGui::PopTextWrapPos();
+  }
+  if (!shown.folder.empty() && !shown.runs && shown.trouble.empty()) remark("Making the class ...");
+  if (buttonWidget("class/close", "Close", "Esc")) open = false;
+  ImGui::SameLine();
+  remark("The manual has it step by step: Run a class over the network.");
+  endDialog(open);
+}
+
+}  // namespace palpate::viewer
