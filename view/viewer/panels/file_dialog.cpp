@@ -298,7 +298,7 @@ std::string saveAsDialog(const SaveAs& as, const fs::path& folder, bool& open) {
     trouble.clear();
     confirmed.clear();
   }
-  if (const fs::path walked = pathOf(walk(listing)); !walked.empty()) typed = walked.filename().string();
+  if (const fs::path walked = pathOf(walk(listing, as.path).file); !walked.empty()) typed = walked.filename().string();
   std::string chosen;
   if (nameField({as.path, as.button_path, as.button}, typed, open)) {
     trouble.clear();
