@@ -9,7 +9,6 @@
 
 #include "palpate/base/path_text.h"
 #include "palpate/base/system/process.h"
-#include "view/viewer/panels/dialog.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 

@@ -1,7 +1,7 @@
-#include "view/viewer/panels/control_words.h"
-
 #include <algorithm>
 #include <iterator>
+
+#include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
 

@@ -1,8 +1,8 @@
-#include "view/viewer/panels/dialog.h"
-
 #include <imgui.h>
 
 #include <algorithm>
+
+#include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
 

@@ -13,7 +13,6 @@
 
 #include "palpate/base/path_text.h"
 #include "view/viewer/files/outputs.h"
-#include "view/viewer/panels/dialog.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/preview_pane.h"
 #include "view/viewer/panels/widgets.h"

@@ -7,7 +7,6 @@
 
 #include "view/viewer/manual/manual.h"
 #include "view/viewer/panels/panels.h"
-#include "view/viewer/panels/rich_text.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {

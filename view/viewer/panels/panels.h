@@ -18,6 +18,7 @@
 #include "palpate/engine/world_builder.h"
 #include "palpate/scene/scene.h"
 #include "palpate/view/camera.h"
+#include "view/viewer/manual/markdown.h"
 #include "view/viewer/state/devices_shown.h"
 #include "view/viewer/state/editor.h"
 #include "view/viewer/state/free_area.h"
@@ -165,6 +166,9 @@ void filmDialog(const std::filesystem::path& folder, bool& open, Asks& asks);
 void classDialog(const ClassShown& shown, const std::filesystem::path& folder, bool& open, Asks& asks);
 /// The documents, with search.
 void manualDialog(ManualShown& manual, bool& open);
+/// A page of it in the current window. The target of the link that was clicked, or empty. Scrolls to the heading of
+/// this anchor, if there is one.
+std::string drawBlocks(const std::vector<Block>& blocks, const std::string& to_anchor);
 /// Where the dialogs look from now on; else where they looked last, in the beginning the working folder.
 void showFolder(const std::filesystem::path& folder);
 /// A dialog is open in the current gui: it owns mouse and keyboard.

@@ -1,5 +1,3 @@
-#include "view/viewer/panels/rich_text.h"
-
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,6 +6,7 @@
 
 #include "palpate/base/text.h"
 #include "palpate/window/gui.h"
+#include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {

@@ -12,7 +12,6 @@
 #include "palpate/base/text.h"
 #include "palpate/scene/detail/key_table.h"
 #include "palpate/scene/scene_edit.h"
-#include "view/viewer/panels/control_words.h"
 
 namespace palpate::viewer {
 

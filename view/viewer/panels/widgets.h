@@ -19,10 +19,14 @@ using WidgetPlaces = std::map<std::string, std::array<float, 4>>;
 WidgetPlaces& widgetPlaces();
 
 /// Notes the control that was drawn last, which explains itself by these words or by its row of controlWords
-/// (control_words.h).
+/// (below).
 void notePlace(const std::string& path, std::string_view words = {});
 /// Notes where it is alone.
 void notePlaceOnly(const std::string& path);
+/// What a control says when it is pointed at, for those whose row has no words of its own: menus, buttons, fields. A
+/// number says its range itself, a key of the scene file what the file's reference says, an item of the table of keys
+/// its sentence. By the control's path; empty where there is no row (control_words.cpp).
+std::string_view controlWords(std::string_view path);
 /// Notes the window that is being drawn.
 void notePlaceOfWindow(const std::string& path);
 
@@ -67,6 +71,14 @@ bool buttonWidget(const char* path, const char* label, const char* meaning = "")
 
 /// A red one that is as wide as there is room, or as its words.
 bool stopButton(const char* path, const char* label, bool wide, const char* meaning);
+
+// A dialog in the middle of the window, which owns mouse and keyboard until it is closed: by its buttons, Enter or Esc.
+
+/// `open` is where its caller keeps whether it is wanted. Call endDialog if it returns true.
+bool beginDialog(const char* title, bool& open);
+void endDialog(bool& open);
+/// In this frame, also on the keypad.
+bool enterPressed();
 
 /// Whether the theme has dark letters on light windows.
 bool isLightTheme();
