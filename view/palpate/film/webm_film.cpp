@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <thread>
 #include <utility>
 
 #include "palpate/film/film.h"
@@ -21,7 +20,7 @@ constexpr int kQuality = 22;         ///< 0 (no loss) to 63: no loss that one se
 constexpr unsigned kKeyEvery = 100;  ///< pictures; how near one can jump to a moment
 constexpr int kCarefulSpeed = 4;     ///< of libvpx, 0 to 9
 constexpr int kLiveSpeed = 8;
-constexpr unsigned kMaxThreads = 4;
+constexpr unsigned kThreads = 2;  ///< of the encoder itself; the others belong to what draws
 
 struct Planes {
   vpx_image_t& image;
@@ -78,7 +77,7 @@ class WebmFilm final : public Film {
     settings.g_w = static_cast<unsigned>(format.size.width);
     settings.g_h = static_cast<unsigned>(format.size.height);
     settings.g_timebase = {1, 1000};
-    settings.g_threads = std::clamp(std::thread::hardware_concurrency(), 1u, kMaxThreads);
+    settings.g_threads = kThreads;
     settings.rc_end_usage = VPX_Q;
     settings.kf_max_dist = kKeyEvery;
     if (isLive()) settings.g_lag_in_frames = 0;
