@@ -54,6 +54,12 @@ class Desktop:
         subprocess.run(["xdotool", *map(str, words)], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                        env=os.environ | {"DISPLAY": self.display})
 
+    def windows(self):
+        """How many of this program are open."""
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Palpate"], env=self.environment("/nowhere"),
+                               capture_output=True, text=True, check=False)
+        return len(found.stdout.split())
+
     def picture(self):
         """What is on the screen: rows from top to bottom, four bytes a pixel, the fourth of no meaning."""
         data = (self.folder / "Xvfb_screen0").read_bytes()  # an XWD file, which the server writes into

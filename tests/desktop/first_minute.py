@@ -165,15 +165,44 @@ def replay(run, window):
     window.until(lambda: window.has("replay/play"), "the bar of the replay", 60.0)
 
 
+def make_film(run, window):
+    window.click("start/touch")
+    window.until(lambda: "depth" in window.frame, "the first frame")
+    window.click("menu/File")
+    window.click("menu/Save film")
+    window.until(lambda: window.has("film/file"), "the dialog")
+    window.key("Return")
+    window.until(lambda: not window.has("film/file"), "the film's beginning")
+    window.press_at(WIDTH // 2, HEIGHT // 2)
+    window.until(lambda: window.number("depth") > 3.0, "a press")
+    window.pause(1.0)
+    window.lift()
+    window.click("menu/File")
+    window.click("menu/Stop the film")
+    window.until(lambda: any(run.fresh.folder.rglob("*.webm")), "the film", 30.0)
+
+
+def join_class(run, window):
+    window.click("start/class")
+    window.until(lambda: window.has("class/folder"), "the dialog")
+    window.key("Return")
+    window.until(lambda: window.has("class/end"), "the class", 60.0)
+    window.click("class/station")
+    window.type("class/stations/s01")
+    before = run.desktop.windows()
+    window.key("Return")
+    window.until(lambda: run.desktop.windows() > before, "the training of the station", 60.0)
+
+
 TASKS = {
     "touch T6": touch_t6,
     "open my STL": open_stl,
     "dysfunction at T9 left, saved": make_dysfunction,
     "train one practice block": practise,
     "measure a pair": measure_pair,
-    "start a class and join it": "a class is started by commands, not in the window",
+    "start a class and join it": join_class,
     "replay a recording": replay,
-    "make a film": "a film is made by a command, not in the window",
+    "make a film": make_film,
 }
 
 
