@@ -92,3 +92,18 @@ function(palpate_add_commands target house)
   target_compile_options(${target} PRIVATE ${PALPATE_LIGHTLY_OPTIMISED})
   palpate_precompile(${target} palpate_kit)
 endfunction()
+
+# palpate_embed_findings(<target> <house>): the texts of a house's findings (report/page/findings_text.h) are compiled in: the
+# target includes <house>_findings_texts.h, where NAME_findings.txt is texts::NAME_findings.
+function(palpate_embed_findings target house)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/${house}/*_findings.txt)
+  set(PALPATE_FINDINGS_TEXTS)
+  foreach(file ${files})
+    file(READ ${PROJECT_SOURCE_DIR}/${file} text)
+    get_filename_component(name ${file} NAME_WE)
+    string(APPEND PALPATE_FINDINGS_TEXTS "inline constexpr FindingsFile ${name}{\"${file}\", R\"text(${text})text\"};\n")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${file})
+  endforeach()
+  configure_file(${PROJECT_SOURCE_DIR}/report/page/findings_texts.h.in texts/${house}_findings_texts.h @ONLY)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/texts)
+endfunction()

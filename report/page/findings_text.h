@@ -1,0 +1,70 @@
+// Findings as prose: a text file a study, NAME_findings.txt, filled from the values that the study computed.
+//
+// The file stands beside NAME_findings.cpp, which computes the values and decides the verdicts, and is compiled in
+// (palpate_embed_findings in cmake/PalpateRooms.cmake). Its grammar is all there is:
+//
+//   # comment                  before the first paragraph only
+//   [name]                     on a line of its own: the paragraph of one finding; a line break in it is a space
+//   {x}                        the value x: a text as it is, a number in full
+//   {x|counted}                41,582; so {x|rounded} or {x|rounded 3} (digits), {x|percent} of a share, {x|fixed} or
+//                              {x|fixed 2} (decimals), {x|short} or {x|short 1} (printf's %g)
+//   {x|percent " to "}         of a list: each value, and these words between two of them (without words: ", ")
+//   {x|as name}                the paragraph `name` filled with x, an object of values, or with each of a list of them
+//   {x ? "text" : "text"}      the first text when x is true, not 0, not an empty list, else the second; `: "text"`
+//                              may be left out, then there is none
+//   {x ? word "text" word "text"}   the text of the word that x is
+//
+// Texts of a choice are written by the same grammar; \" is a quotation mark in them.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/page/study_page.h"
+
+namespace palpate::study {
+
+using FindingValues = nlohmann::json;
+
+/// A list of two: {x|rounded " to "}.
+inline void to_json(FindingValues& json, const Extent& extent) { json = {extent.least, extent.most}; }
+
+/// A text as it is compiled in.
+struct FindingsFile {
+  std::string_view path;  ///< in the repository, for messages
+  std::string_view text;
+};
+
+/// The findings in the order of the file. `values` has a member for each paragraph: the object of its values, a list of
+/// such objects for several findings, null for none. Paragraphs without values, which are always said, and those that
+/// only `as` names have no member. Throws Error naming file and line for text that cannot be read, for names that are
+/// not those of the values, and for words that a choice does not have.
+std::vector<std::string> findingsOf(const FindingsFile& file, const FindingValues& values);
+
+// What a file consists of, for tests that go through all of it.
+
+struct FindingsPart {
+  std::size_t line = 0;  ///< counted from 1
+  std::string name{};    ///< of a value; empty: `text` as it is
+  std::string text{};
+  std::string format{};                            ///< rounded, counted and so on; empty: as it is
+  int digits = 0;                                  ///< of the format; 0: none were given
+  std::string paragraph{};                         ///< that `as` names
+  std::string between = ", ";                      ///< of a list
+  std::vector<std::string> words{};                ///< of a choice: yes and no, or its own
+  std::vector<std::vector<FindingsPart>> texts{};  ///< one per word
+};
+
+struct FindingsParagraph {
+  std::size_t line = 0;
+  std::string name;
+  std::vector<FindingsPart> parts{};
+};
+
+/// Throws Error naming file and line.
+std::vector<FindingsParagraph> readFindings(const FindingsFile& file);
+
+}  // namespace palpate::study
