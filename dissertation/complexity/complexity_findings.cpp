@@ -1,4 +1,4 @@
-// Each verdict is decided by the numbers that stand beside it; where they do not decide, none is given.
+// What the sentences of complexity_findings.txt say in numbers, and the verdicts that these decide.
 #include "dissertation/complexity/complexity_results.h"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "dissertation_findings_texts.h"
 #include "palpate/hdb/complexity.h"
 
 namespace palpate::study {
@@ -66,10 +67,8 @@ bool keepsToTheNodes(const ComplexityResults& results) {
                      [](const SearchCase& one) { return one.sweep.worst.tested <= one.sweep.nodes; });
 }
 
-std::string holdsFrom(const ComplexityResults& results, TreeKind tree) {
-  const double leaves = leavesFromWhichPrintedHolds(results, tree);
-  return leaves == 0.0 ? fmt::format("not even in the largest {}", titleOf(tree))
-                       : fmt::format("from {:.0f} leaves on in the {}", leaves, titleOf(tree));
+FindingValues holdsFrom(const ComplexityResults& results, TreeKind tree) {
+  return {{"leaves", leavesFromWhichPrintedHolds(results, tree)}, {"tree", titleOf(tree)}};
 }
 
 /// What of a search counts as its cost: nodes on the ways to the leaves, or boxes tested.
@@ -77,68 +76,53 @@ bool exceedsPrinted(const SearchSweep& sweep, TreeKind tree, double SearchCount:
   return sweep.worst.*cost > printedCost(tree) * sweep.leaves;
 }
 
-std::string costVerdict(bool bsp, bool octree) {
-  if (bsp && octree)
-    return "For the boxes that a search tests, 0.8 n and 0.4 n are no worst cases at the dissertation's own threshold";
-  if (bsp) return "For the boxes that a search tests, 0.8 n is no worst case, and 0.4 n was kept";
-  return octree ? "For the boxes that a search tests, 0.4 n is no worst case, and 0.8 n was kept"
-                : "The boxes that a search tests kept to 0.8 n and 0.4 n at the dissertation's own threshold";
-}
-
-std::string costFinding(const ComplexityResults& results) {
+FindingValues costOfSearches(const ComplexityResults& results) {
   const SearchSweep& bsp = printedCase(results, results.largest_model, TreeKind::Bsp).sweep;
   const SearchSweep& octree = printedCase(results, results.largest_model, TreeKind::Octree).sweep;
-  return fmt::format(
-      "{}. On the {} triangles (1024, box of 1/4) the nodes on the ways come to {:.2f} n at most in the BSP tree and "
-      "{:.2f} n in the octree. A program must also test the other children of every node that it enters: up to {:.2f} "
-      "n "
-      "and {:.2f} n boxes, {:.2f} n and {:.2f} n on average. The estimates hold for the boxes tested {}, and {}.",
-      costVerdict(exceedsPrinted(bsp, TreeKind::Bsp, &SearchCount::tested),
-                  exceedsPrinted(octree, TreeKind::Octree, &SearchCount::tested)),
-      results.largest_model, bsp.worst.on_paths / bsp.leaves, octree.worst.on_paths / octree.leaves,
-      bsp.worst.tested / bsp.leaves, octree.worst.tested / octree.leaves, bsp.mean.tested / bsp.leaves,
-      octree.mean.tested / octree.leaves, holdsFrom(results, TreeKind::Bsp), holdsFrom(results, TreeKind::Octree));
+  const bool bsp_fails = exceedsPrinted(bsp, TreeKind::Bsp, &SearchCount::tested);
+  const bool octree_fails = exceedsPrinted(octree, TreeKind::Octree, &SearchCount::tested);
+  return {{"estimates", bsp_fails && octree_fails ? "both_fail"
+                        : bsp_fails               ? "bsp_fails"
+                        : octree_fails            ? "octree_fails"
+                                                  : "hold"},
+          {"model", results.largest_model},
+          {"bsp_on_paths", bsp.worst.on_paths / bsp.leaves},
+          {"octree_on_paths", octree.worst.on_paths / octree.leaves},
+          {"worst_tested", {bsp.worst.tested / bsp.leaves, octree.worst.tested / octree.leaves}},
+          {"mean_tested", {bsp.mean.tested / bsp.leaves, octree.mean.tested / octree.leaves}},
+          {"hold_from", {holdsFrom(results, TreeKind::Bsp), holdsFrom(results, TreeKind::Octree)}}};
 }
 
-std::string shareFinding(const ComplexityResults& results) {
+FindingValues shareOfLeaves(const ComplexityResults& results) {
   const SearchSweep& large = printedCase(results, results.largest_model, TreeKind::Octree).sweep;
   const SearchSweep& small = printedCase(results, results.cases.front().model, TreeKind::Octree).sweep;
-  const double most = std::max(large.worst.leaves_found / large.leaves, small.worst.leaves_found / small.leaves);
-  return fmt::format(
-      "The estimates assume that at most a tenth of the leaves meet the detecting box; {}. With a box of 1/4 and "
-      "leaves of "
-      "1024 it is {:.2f} of them on average and {:.2f} at most in the octree of the {} triangles, {:.2f} and {:.2f} "
-      "for "
-      "the {}.",
-      most > kPrintedShare ? "here more do" : "so it is here", large.mean.leaves_found / large.leaves,
-      large.worst.leaves_found / large.leaves, results.largest_model, small.mean.leaves_found / small.leaves,
-      small.worst.leaves_found / small.leaves, results.cases.front().model);
+  const double large_worst = large.worst.leaves_found / large.leaves;
+  const double small_worst = small.worst.leaves_found / small.leaves;
+  return {{"more", std::max(large_worst, small_worst) > kPrintedShare},
+          {"large_mean", large.mean.leaves_found / large.leaves},
+          {"large_worst", large_worst},
+          {"large", results.largest_model},
+          {"small_mean", small.mean.leaves_found / small.leaves},
+          {"small_worst", small_worst},
+          {"small", results.cases.front().model}};
 }
 
-std::string linearFinding(const ComplexityResults& results) {
-  return fmt::format(
-      "\"Better than the n of linear searching\": on average until {} of the leaves are found in the BSP tree and {} "
-      "in the octree; beyond, a list of the leaves would test fewer boxes. {}",
-      percent(shareWhereListWins(results, TreeKind::Bsp)), percent(shareWhereListWins(results, TreeKind::Octree)),
-      keepsToTheNodes(results)
-          ? fmt::format(
-                "But no search tested more boxes than the tree has nodes (up to {:.2f} n and {:.2f} n here), and "
-                "none can, because none is tested twice: it stays O(n), and the worst case \"over O(n)\" of "
-                "which 3.4.2 warns cannot happen.",
-                mostNodesPerLeaf(results, TreeKind::Bsp), mostNodesPerLeaf(results, TreeKind::Octree))
-          : "Some search tested a box twice.");
+FindingValues againstLinear(const ComplexityResults& results) {
+  return {{"bsp", shareWhereListWins(results, TreeKind::Bsp)},
+          {"octree", shareWhereListWins(results, TreeKind::Octree)},
+          {"once", keepsToTheNodes(results)},
+          {"nodes_per_leaf", {mostNodesPerLeaf(results, TreeKind::Bsp), mostNodesPerLeaf(results, TreeKind::Octree)}}};
 }
 
-std::string treesFinding(const ComplexityResults& results) {
+FindingValues searchesOfTrees(const ComplexityResults& results) {
   const SearchSweep& bsp = printedCase(results, results.largest_model, TreeKind::Bsp).sweep;
   const SearchSweep& octree = printedCase(results, results.largest_model, TreeKind::Octree).sweep;
-  return fmt::format(
-      "\"0.4 n is better than 0.8 n\" compares different n: at the same threshold the octree of the {} triangles has "
-      "{:.0f} leaves and the BSP tree {:.0f}, and a search tests {:.0f} boxes in the one and {:.0f} in the other: the "
-      "{} "
-      "is better here.",
-      results.largest_model, octree.leaves, bsp.leaves, octree.mean.tested, bsp.mean.tested,
-      titleOf(octree.mean.tested < bsp.mean.tested ? TreeKind::Octree : TreeKind::Bsp));
+  return {{"model", results.largest_model},
+          {"octree_leaves", octree.leaves},
+          {"bsp_leaves", bsp.leaves},
+          {"octree_tested", octree.mean.tested},
+          {"bsp_tested", bsp.mean.tested},
+          {"better", titleOf(octree.mean.tested < bsp.mean.tested ? TreeKind::Octree : TreeKind::Bsp)}};
 }
 
 std::ptrdiff_t columnsWith(const ComplexityResults& results, Verdict verdict) {
@@ -146,42 +130,32 @@ std::ptrdiff_t columnsWith(const ComplexityResults& results, Verdict verdict) {
                        [&](const WorstColumn& column) { return verdictOf(column) == verdict; });
 }
 
-std::string columnsFinding(const ComplexityResults& results) {
+FindingValues printedColumns(const ComplexityResults& results) {
   const bool same = std::all_of(results.columns.begin(), results.columns.end(), [](const WorstColumn& column) {
     return std::abs(column.counted - column.closed) <= kSameW * column.closed;
   });
-  const auto misprints = columnsWith(results, Verdict::misprint);
-  const auto failed = columnsWith(results, Verdict::not_reproduced);
-  return fmt::format(
-      "Counted node by node on complete trees, w {} the closed form says. {} of the {} printed values come "
-      "out{}{}.",
-      same ? "is what" : "is NOT what", columnsWith(results, Verdict::from_engine), results.columns.size(),
-      misprints > 0 ? fmt::format(", {} are misprints in the last digit (E13)", misprints) : "",
-      failed > 0 ? fmt::format(", {} do NOT, and no erratum says why", failed) : "");
+  return {{"same", same},
+          {"reproduced", columnsWith(results, Verdict::from_engine)},
+          {"columns", results.columns.size()},
+          {"misprints", columnsWith(results, Verdict::misprint)},
+          {"failed", columnsWith(results, Verdict::not_reproduced)}};
 }
 
-std::string boundFinding(const ComplexityResults& results) {
+FindingValues boundOfSearches(const ComplexityResults& results) {
   const double nearest = worstBoundRatio(results);
-  return fmt::format(
-      "The estimate r w nodes multiplies the worst r with the worst w, which never meet: w is that of a single leaf. "
-      "So "
-      "it passes n by itself from height {} of the BSP tree and {} of the octree on. The true most, the nodes on the "
-      "ways "
-      "to m leaves, was {} every search counted ({:.2f} of it at most).",
-      heightAboveLinear(TreeKind::Bsp), heightAboveLinear(TreeKind::Octree), nearest <= 1.0 ? "kept by" : "NOT kept by",
-      nearest);
+  return {{"bsp_height", heightAboveLinear(TreeKind::Bsp)},
+          {"octree_height", heightAboveLinear(TreeKind::Octree)},
+          {"kept", nearest <= 1.0},
+          {"nearest", nearest}};
 }
 
-std::string growthFinding(const ComplexityResults& results) {
+FindingValues growthOfSearches(const ComplexityResults& results) {
   const std::array exponents{growthExponent(results, TreeKind::Bsp, 4), growthExponent(results, TreeKind::Octree, 4),
                              growthExponent(results, TreeKind::Bsp, 16), growthExponent(results, TreeKind::Octree, 16)};
-  const bool below = std::all_of(exponents.begin(), exponents.end(), [](double power) { return power < 1.0; });
-  return fmt::format(
-      "Over the thresholds the worst search grows with the leaves like n to the power {:.2f} (BSP) and {:.2f} (octree) "
-      "for "
-      "a box of 1/4, {:.2f} and {:.2f} for 1/16: {}.",
-      exponents[0], exponents[1], exponents[2], exponents[3],
-      below ? "more slowly than the tree" : "as fast as the tree, or faster");
+  return {{"bsp", exponents[0]},
+          {"octree", exponents[1]},
+          {"small_box", {exponents[2], exponents[3]}},
+          {"slowly", std::all_of(exponents.begin(), exponents.end(), [](double power) { return power < 1.0; })}};
 }
 
 }  // namespace
@@ -224,8 +198,13 @@ double worstBoundRatio(const ComplexityResults& results) {
 }
 
 std::vector<std::string> complexityFindings(const ComplexityResults& results) {
-  return {costFinding(results),    shareFinding(results), linearFinding(results), treesFinding(results),
-          columnsFinding(results), boundFinding(results), growthFinding(results)};
+  return findingsOf(texts::complexity_findings, {{"cost", costOfSearches(results)},
+                                                 {"share", shareOfLeaves(results)},
+                                                 {"linear", againstLinear(results)},
+                                                 {"trees", searchesOfTrees(results)},
+                                                 {"columns", printedColumns(results)},
+                                                 {"bound", boundOfSearches(results)},
+                                                 {"growth", growthOfSearches(results)}});
 }
 
 }  // namespace palpate::study

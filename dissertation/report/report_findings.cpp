@@ -1,22 +1,13 @@
-// Numbers, figures and errata in sentences: every verdict is decided by the numbers that stand beside it.
+// What the findings of numbers, figures and errata say in numbers, and the verdicts that these decide.
 #include "dissertation/report/report.h"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
-#include "report/page/study_page.h"
+#include "dissertation_findings_texts.h"
 
 namespace palpate::study {
 
 namespace {
-
-std::string differingNumber(const NumberRow& row) {
-  const std::string why =
-      row.erratum != Erratum::none ? fmt::format(" (E{})", numberOf(row.erratum)) : ", and no erratum says why";
-  return fmt::format("{}, {}: printed {}, ours {}{}.", row.where, row.what, row.printed, row.ours, why);
-}
 
 std::vector<std::string> numbersOf(const std::vector<DissertationFigure>& figures, FigureBasis basis) {
   std::vector<std::string> numbers;
@@ -34,114 +25,105 @@ const ErratumEffect* largest(const std::vector<ErratumEffect>& effects, double E
   return most;
 }
 
-std::string allTogether(const ErratumEffect& all, const ErratumEffect& corrected) {
-  const std::string verdict = all.look.touching_percent == 0.0 ? "nothing is felt at all"
-                              : all.force_n > 0.0 ? fmt::format("forces change by up to {:.2f} N", all.force_n)
-                                                  : "no force changes";
-  const std::string inert = all.inert.empty() ? "" : fmt::format(" Inert with these options: {}.", all.inert);
-  return fmt::format(
-      "All printed forms together with {}: {}. The fingers touch in {:.1f} % of the ticks (corrected: {:.1f} %) with "
-      "{:.2f} N at most ({:.2f} N), and the skin differs by up to {:.1f} mm.{}",
-      all.active, verdict, all.look.touching_percent, corrected.look.touching_percent, all.look.peak_force_n,
-      corrected.look.peak_force_n, all.skin_mm, inert);
+FindingValues allTogether(const ErratumEffect& all, const ErratumEffect& corrected) {
+  return {{"active", all.active},
+          {"felt", all.look.touching_percent == 0.0 ? "nothing"
+                   : all.force_n > 0.0              ? "changed"
+                                                    : "unchanged"},
+          {"force_n", all.force_n},
+          {"touching_percent", all.look.touching_percent},
+          {"corrected_touching_percent", corrected.look.touching_percent},
+          {"peak_n", all.look.peak_force_n},
+          {"corrected_peak_n", corrected.look.peak_force_n},
+          {"skin_mm", all.skin_mm},
+          {"has_inert", !all.inert.empty()},
+          {"inert", all.inert}};
 }
 
-std::string mostSeenAndFelt(const std::vector<ErratumEffect>& errata) {
-  const auto most = [&](double ErratumEffect::*value, const char* unit) {
-    const ErratumEffect* effect = largest(errata, value);
-    return effect == nullptr ? "none"
-                             : fmt::format("E{} ({:.1f} {})", numberOf(effect->text.erratum), effect->*value, unit);
-  };
-  return fmt::format("Taken singly, the reading that is seen most is that of {}; felt most is that of {}.",
-                     most(&ErratumEffect::skin_mm, "mm of skin"), most(&ErratumEffect::force_n, "N"));
+/// Of the erratum with the largest effect: its number and that effect; 0 and 0 where none has any.
+FindingValues mostOf(const std::vector<ErratumEffect>& errata, double ErratumEffect::*value) {
+  const ErratumEffect* most = largest(errata, value);
+  if (most == nullptr) return {{"erratum", 0}, {"most", 0.0}};
+  return {{"erratum", numberOf(most->text.erratum)}, {"most", most->*value}};
 }
 
-std::string mostMissed(const std::vector<ErratumEffect>& errata) {
+FindingValues mostMissed(const std::vector<ErratumEffect>& errata) {
   const ErratumEffect* most = largest(errata, &ErratumEffect::missed_percent);
-  if (most == nullptr) return "No reading misses a triangle in the detecting box.";
-  const std::string lost = most->lost_ticks > 0 ? fmt::format("the fingers lose contact for {} ticks",
-                                                              counted(static_cast<double>(most->lost_ticks)))
-                                                : "no finger loses contact by it";
-  return fmt::format("That of E{} misses most of the triangles in the detecting box, up to {:.0f} %: {}.",
-                     numberOf(most->text.erratum), most->missed_percent, lost);
+  FindingValues values = mostOf(errata, &ErratumEffect::missed_percent);
+  values["lost_ticks"] = most == nullptr ? 0 : most->lost_ticks;
+  return values;
 }
 
-std::string dragOfE2(const ErrataEffects& effects) {
+FindingValues dragOfE2(const ErrataEffects& effects) {
   const auto e2 = std::find_if(effects.errata.begin(), effects.errata.end(), [](const ErratumEffect& effect) {
     return effect.text.erratum == Erratum::E2_drag_spring;
   });
-  if (e2 == effects.errata.end() || effects.corrected.empty()) return "";
-  return fmt::format("The fingers pull the skin along by {:.1f} mm at most, and by {:.1f} mm with {} (E2).",
-                     effects.corrected.front().look.drag_mm, e2->look.drag_mm, e2->reading);
+  if (e2 == effects.errata.end() || effects.corrected.empty()) return {};
+  return {{"corrected_mm", effects.corrected.front().look.drag_mm}, {"mm", e2->look.drag_mm}, {"reading", e2->reading}};
 }
 
-std::string measuredAndInert(const std::vector<ErratumEffect>& errata) {
+FindingValues measuredAndInert(const std::vector<ErratumEffect>& errata) {
   std::vector<std::string> inert;
   std::ptrdiff_t measured = 0;
   for (const ErratumEffect& effect : errata) {
     measured += effect.isMeasured() ? 1 : 0;
     if (effect.isMeasured() && effect.changesNothing()) inert.push_back(scene::nameOf(effect.text.erratum));
   }
-  const std::string nothing = inert.empty() ? "each of them changed something on this scene"
-                                            : fmt::format("on this scene {} of them changed nothing at all ({})",
-                                                          inert.size(), fmt::join(inert, ", "));
-  return fmt::format("{} of {} errata have another reading that can be measured; {}.", measured, errata.size(),
-                     nothing);
+  return {{"measured", measured}, {"errata", errata.size()}, {"inert", inert}, {"count", inert.size()}};
+}
+
+/// Null without figures.
+FindingValues countedFigures(const std::vector<std::string>& figures) {
+  if (figures.empty()) return {};
+  return {{"count", figures.size()}, {"figures", figures}};
 }
 
 }  // namespace
 
 std::vector<std::string> numbersFindings(const std::vector<NumberRow>& rows) {
-  const int failed = countOf(rows, Verdict::not_reproduced);
-  std::vector<std::string> findings{fmt::format(
-      "{} numbers come out of our engine within their tolerance. {} more are arithmetic of other printed numbers and "
-      "show that the text agrees with itself. {} are misprints, where ours is the number that an erratum names. {}",
-      countOf(rows, Verdict::from_engine), countOf(rows, Verdict::arithmetic), countOf(rows, Verdict::misprint),
-      failed == 0 ? "None differs without an erratum." : fmt::format("{} differ WITHOUT an erratum.", failed))};
-  findings.push_back(
-      fmt::format("{} statements do not hold, and {} numbers need the author's computer, scan or subjects.",
-                  countOf(rows, Verdict::inconsistent), countOf(rows, Verdict::not_computable)));
+  FindingValues differing = FindingValues::array();
   for (const NumberRow& row : rows) {
-    if (row.verdict == Verdict::misprint || row.verdict == Verdict::not_reproduced) {
-      findings.push_back(differingNumber(row));
-    }
+    if (row.verdict != Verdict::misprint && row.verdict != Verdict::not_reproduced) continue;
+    differing.push_back({{"where", row.where},
+                         {"what", row.what},
+                         {"printed", row.printed},
+                         {"ours", row.ours},
+                         {"erratum", row.erratum == Erratum::none ? 0 : numberOf(row.erratum)}});
   }
-  return findings;
+  return findingsOf(texts::numbers_findings, {{"counts",
+                                               {{"from_engine", countOf(rows, Verdict::from_engine)},
+                                                {"arithmetic", countOf(rows, Verdict::arithmetic)},
+                                                {"misprints", countOf(rows, Verdict::misprint)},
+                                                {"failed", countOf(rows, Verdict::not_reproduced)}}},
+                                              {"statements",
+                                               {{"inconsistent", countOf(rows, Verdict::inconsistent)},
+                                                {"not_computable", countOf(rows, Verdict::not_computable)}}},
+                                              {"differing", differing}});
 }
 
 std::vector<std::string> figuresFindings(const std::vector<DissertationFigure>& figures) {
   const auto differing = std::count_if(figures.begin(), figures.end(),
                                        [](const DissertationFigure& figure) { return !figure.difference.empty(); });
-  const auto printed = numbersOf(figures, FigureBasis::printed);
-  const auto examples = numbersOf(figures, FigureBasis::own_example);
-  std::vector<std::string> findings{
-      fmt::format("{} figures are drawn: {} are computed by the engine from the text's formulae or on our models.",
-                  figures.size(), numbersOf(figures, FigureBasis::computed).size())};
-  if (!printed.empty()) {
-    findings.push_back(fmt::format("{} plot printed numbers again and compute nothing: {}.", printed.size(),
-                                   fmt::join(printed, ", ")));
-  }
-  if (!examples.empty()) {
-    findings.push_back(
-        fmt::format("{} are computed for an example of our own, with places, axes or drags that the text "
-                    "does not give: {}.",
-                    examples.size(), fmt::join(examples, ", ")));
-  }
-  findings.push_back(fmt::format("{} differ from the printed one in something that their caption names.", differing));
-  return findings;
+  const std::size_t computed = numbersOf(figures, FigureBasis::computed).size();
+  return findingsOf(texts::figures_findings,
+                    {{"drawn", {{"figures", figures.size()}, {"computed", computed}}},
+                     {"printed", countedFigures(numbersOf(figures, FigureBasis::printed))},
+                     {"examples", countedFigures(numbersOf(figures, FigureBasis::own_example))},
+                     {"differing", {{"count", differing}}}});
 }
 
 std::vector<std::string> errataFindings(const ErrataEffects& effects) {
-  std::vector<std::string> findings;
+  FindingValues all = FindingValues::array();
   for (std::size_t i = 0; i < effects.all_literal.size(); ++i) {
-    findings.push_back(allTogether(effects.all_literal[i], effects.corrected.at(i)));
+    all.push_back(allTogether(effects.all_literal[i], effects.corrected.at(i)));
   }
-  findings.push_back(mostSeenAndFelt(effects.errata));
-  findings.push_back(mostMissed(effects.errata));
-  findings.push_back(dragOfE2(effects));
-  findings.push_back(measuredAndInert(effects.errata));
-  std::erase(findings, "");
-  return findings;
+  return findingsOf(texts::errata_findings, {{"all", all},
+                                             {"most",
+                                              {{"seen", mostOf(effects.errata, &ErratumEffect::skin_mm)},
+                                               {"felt", mostOf(effects.errata, &ErratumEffect::force_n)}}},
+                                             {"missed", mostMissed(effects.errata)},
+                                             {"drag", dragOfE2(effects)},
+                                             {"measured", measuredAndInert(effects.errata)}});
 }
 
 }  // namespace palpate::study

@@ -1,11 +1,9 @@
-// Times over all models, what was found twice over, and what was found too much, put into words.
+// What the sentences of search_findings.txt say in numbers, and the verdicts that these decide.
 #include "dissertation/search/search_measurement.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
-#include "report/page/study_page.h"
+#include "dissertation_findings_texts.h"
 
 namespace palpate::study {
 
@@ -21,49 +19,34 @@ Extent extentAt(const SearchMeasurement& found, Index threshold, const Value& va
   return extent;
 }
 
-std::string times(const Extent& extent) { return fmt::format("{} to {}", rounded(extent.least), rounded(extent.most)); }
+using Duration = double SearchRow::*;
 
-/// Of one search: the times of three ways to do it, and what those beside the octree are called.
-struct ThreeWays {
-  double SearchRow::*all;
-  double SearchRow::*octree;
-  double SearchRow::*ours;
-  const char* all_name;
-  const char* ours_name;
-};
-
-std::string octreesBeside(const SearchMeasurement& found, const ThreeWays& way) {
-  std::string octrees;
+/// The octree's time of a search against testing everything and against our own way, for each threshold.
+FindingValues octreeAgainst(const SearchMeasurement& found, Duration all, Duration octree, Duration ours) {
+  FindingValues leaves = FindingValues::array();
   for (const Index threshold : found.plan.thresholds) {
-    const Extent gain =
-        extentAt(found, threshold, [&](const SearchRow& row) { return row.*way.all / row.*way.octree; });
-    const Extent behind =
-        extentAt(found, threshold, [&](const SearchRow& row) { return row.*way.octree / row.*way.ours; });
-    octrees +=
-        fmt::format("{}with leaves of {} it is {} times as fast as {} and takes {} times as long as {}",
-                    octrees.empty() ? "" : "; ", threshold, times(gain), way.all_name, times(behind), way.ours_name);
+    leaves.push_back(
+        {{"threshold", threshold},
+         {"gain", extentAt(found, threshold, [&](const SearchRow& row) { return row.*all / row.*octree; })},
+         {"behind", extentAt(found, threshold, [&](const SearchRow& row) { return row.*octree / row.*ours; })}});
   }
-  return octrees;
+  return leaves;
 }
 
-std::string touchFinding(const SearchMeasurement& found) {
+FindingValues touchPoints(const SearchMeasurement& found) {
   int wrong = 0;
   for (const SearchRow& row : found.rows) wrong += row.touch_wrong;
-  return fmt::format(
-      "The touch point by the octree: {}. It finds {}.",
-      octreesBeside(found, {&SearchRow::touch_all_us, &SearchRow::touch_octree_us, &SearchRow::touch_ours_us,
-                            "testing every triangle", "the engine's triangle tree"}),
-      wrong == 0 ? "the same point everywhere" : fmt::format("another point at {} places", wrong));
+  return {{"leaves",
+           octreeAgainst(found, &SearchRow::touch_all_us, &SearchRow::touch_octree_us, &SearchRow::touch_ours_us)},
+          {"wrong", wrong}};
 }
 
-std::string searchRegionFinding(const SearchMeasurement& found) {
-  return fmt::format(
-      "The vertices of an ellipse of 60 x 45 mm by the octree, for graphics: {}.",
-      octreesBeside(found, {&SearchRow::region_all_us, &SearchRow::region_octree_us, &SearchRow::region_rings_us,
-                            "asking every vertex", "our rings of neighbours"}));
+FindingValues regionsOfSkin(const SearchMeasurement& found) {
+  return {{"leaves",
+           octreeAgainst(found, &SearchRow::region_all_us, &SearchRow::region_octree_us, &SearchRow::region_rings_us)}};
 }
 
-std::string strayFinding(const SearchMeasurement& found) {
+FindingValues strayVertices(const SearchMeasurement& found) {
   double back = 0.0;
   double hand = 0.0;
   int missed = 0;
@@ -72,17 +55,14 @@ std::string strayFinding(const SearchMeasurement& found) {
     most = std::max(most, row.region_stray / std::max(1.0, row.region_vertices));
     missed += row.region_missed;
   }
-  const char* which = hand > 0.0 ? " (other fingers and the far side, which must not move: E23)" : "";
-  return fmt::format(
-      "The octree knows places, not neighbours. On the back it finds {} more vertices than hang together with the "
-      "contact and face it, on the hand {}{}. It misses {} of ours.",
-      percent(back), percent(hand), which, missed == 0 ? "none" : counted(missed));
+  return {{"back", back}, {"hand", hand}, {"missed", missed}};
 }
 
 }  // namespace
 
 std::vector<std::string> searchFindings(const SearchMeasurement& found) {
-  return {touchFinding(found), searchRegionFinding(found), strayFinding(found)};
+  return findingsOf(texts::search_findings,
+                    {{"touch", touchPoints(found)}, {"region", regionsOfSkin(found)}, {"stray", strayVertices(found)}});
 }
 
 }  // namespace palpate::study

@@ -1,13 +1,11 @@
+// What the sentences of stability_findings.txt say in numbers, and the verdicts that these decide.
 #include "dissertation/stability/stability_measurement.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "palpate/scene/words.h"
-#include "report/page/study_page.h"
+#include "dissertation_findings_texts.h"
 
 namespace palpate::study {
 
@@ -23,47 +21,38 @@ Extent onsetRange(const StabilityMeasurement& found, double delay, bool controll
   return range;
 }
 
-std::string theoryFinding(const StabilityMeasurement& found) {
+FindingValues theoryOfResting(const StabilityMeasurement& found) {
   const double error = numbersOf(found).theory_error_percent;
-  return fmt::format(
-      "An ideal device (no friction, no encoder) stops resting at b / (T/2 + t_d) {}: the worst of {} cases is off by "
-      "{} %.",
-      error <= 5.0 ? "as theory says" : "only roughly", found.theory.size(), rounded(error));
+  return {{"holds", error <= 5.0}, {"cases", found.theory.size()}, {"error_percent", error}};
 }
 
-std::string onsetFinding(const StabilityMeasurement& found) {
+FindingValues onsetOfOscillation(const StabilityMeasurement& found) {
   const double off = onsetRange(found, 1.0, false, &OnsetRow::dead_load).least;
   const double on = onsetRange(found, 1.0, true, &OnsetRow::dead_load).least;
   const double off_hand = onsetRange(found, 1.0, false, &OnsetRow::worst_hand).least;
   const double on_hand = onsetRange(found, 1.0, true, &OnsetRow::worst_hand).least;
-  return fmt::format(
-      "With one tick of delay the hardest device stops resting at {} N/mm under a dead load and {} N/mm in a hand "
-      "without the "
-      "controller, at {} and {} N/mm with it{}.",
-      rounded(off), rounded(off_hand), rounded(on), rounded(on_hand),
-      on > 2.0 * off && on_hand > 2.0 * off_hand ? ", more than twice as stiff" : "");
+  return {{"bare_load", off},
+          {"bare_hand", off_hand},
+          {"load", on},
+          {"hand", on_hand},
+          {"twice", on > 2.0 * off && on_hand > 2.0 * off_hand}};
 }
 
-std::string delayFinding(const StabilityMeasurement& found) {
+FindingValues costOfDelay(const StabilityMeasurement& found) {
   const double one = onsetRange(found, 1.0, true, &OnsetRow::worst_hand).least;
   const double two = onsetRange(found, 2.0, true, &OnsetRow::worst_hand).least;
-  return fmt::format("A second tick of delay lowers that to {} N/mm in a hand{}.", rounded(two),
-                     two < 0.7 * one ? ": delay costs more than anything else" : "");
+  return {{"hand", two}, {"costly", two < 0.7 * one}};
 }
 
-std::string randomFinding(const StabilityMeasurement& found) {
-  const double hand = oscillatingShare(found, {2.0, 1.0, false, Protection::assumed});
-  const double late = oscillatingShare(found, {1.0, 2.0, false, Protection::assumed});
-  const double dead = oscillatingShare(found, {1.5, 1.0, true, Protection::assumed});
-  const double bare = oscillatingShare(found, {2.0, 1.0, false, Protection::none});
-  return fmt::format(
-      "Of {} random devices and hands, of which the loop knows only the nominal device, {} oscillate at 2 N/mm and one "
-      "tick "
-      "({} without the controller), {} at 1 N/mm and two ticks, {} under a dead load at 1.5 N/mm.",
-      found.plan.systems, percent(hand), percent(bare), percent(late), percent(dead));
+FindingValues randomLoops(const StabilityMeasurement& found) {
+  return {{"systems", found.plan.systems},
+          {"hand", oscillatingShare(found, {2.0, 1.0, false, Protection::assumed})},
+          {"bare", oscillatingShare(found, {2.0, 1.0, false, Protection::none})},
+          {"late", oscillatingShare(found, {1.0, 2.0, false, Protection::assumed})},
+          {"load", oscillatingShare(found, {1.5, 1.0, true, Protection::assumed})}};
 }
 
-std::string touchFinding(const StabilityMeasurement& found) {
+FindingValues touchesAtSpeed(const StabilityMeasurement& found) {
   const StabilityNumbers numbers = numbersOf(found);
   double bare_force = 0.0;
   double bare_energy = 0.0;
@@ -72,24 +61,19 @@ std::string touchFinding(const StabilityMeasurement& found) {
     bare_force = std::max(bare_force, row.worst.first_force_n);
     bare_energy = std::max(bare_energy, row.worst.port_energy_mj);
   }
-  return fmt::format(
-      "A touch at 0.5 m/s on 1 to 3 N/mm: at most {} N in its first tick ({} N bare), and the device gives {} ({} mJ "
-      "bare).",
-      rounded(numbers.first_contact_force_n), rounded(bare_force),
-      numbers.port_energy_mj <= 0.01 ? "no energy" : fmt::format("{} mJ", rounded(numbers.port_energy_mj)),
-      rounded(bare_energy));
+  return {{"force_n", numbers.first_contact_force_n},
+          {"bare_force_n", bare_force},
+          {"gives", numbers.port_energy_mj > 0.01},
+          {"energy_mj", numbers.port_energy_mj},
+          {"bare_energy_mj", bare_energy}};
 }
 
-std::string feelFinding(const StabilityMeasurement& found) {
+FindingValues feelOfSkin(const StabilityMeasurement& found) {
   double noise = 0.0;
   for (const PressRow& row : found.presses) {
     if (row.stiffness_n_per_mm <= 1.0) noise = std::max(noise, row.noise_n);
   }
-  return fmt::format(
-      "What is felt is still the skin: up to 1 N/mm the slope of force over true depth is within {} %, with at most {} "
-      "N of noise above "
-      "20 Hz.",
-      rounded(numbersOf(found).stiffness_bias_percent), rounded(noise));
+  return {{"bias_percent", numbersOf(found).stiffness_bias_percent}, {"noise_n", noise}};
 }
 
 }  // namespace
@@ -123,8 +107,12 @@ double oscillatingShare(const StabilityMeasurement& found, const lab::RandomCell
 }
 
 std::vector<std::string> stabilityFindings(const StabilityMeasurement& found) {
-  return {onsetFinding(found), delayFinding(found), randomFinding(found),
-          touchFinding(found), feelFinding(found),  theoryFinding(found)};
+  return findingsOf(texts::stability_findings, {{"onset", onsetOfOscillation(found)},
+                                                {"delay", costOfDelay(found)},
+                                                {"random", randomLoops(found)},
+                                                {"touch", touchesAtSpeed(found)},
+                                                {"feel", feelOfSkin(found)},
+                                                {"theory", theoryOfResting(found)}});
 }
 
 std::vector<std::pair<std::string, double>> stabilityPairs(const StabilityMeasurement& found) {

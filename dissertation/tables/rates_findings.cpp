@@ -1,14 +1,12 @@
-// Each verdict is decided by the numbers that stand beside it; where they do not decide, none is given.
+// What the sentences of rates_findings.txt say in numbers, and the verdicts that these decide.
 #include "dissertation/tables/rendering_rates.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "dissertation/numbers/printed_numbers.h"
 #include "dissertation/tables/rate_curves.h"
-#include "report/page/study_page.h"
+#include "dissertation_findings_texts.h"
 
 namespace palpate::study {
 
@@ -43,14 +41,7 @@ ModelRate ratePrinted(std::size_t triangles) {
   return {static_cast<double>(nearest.triangles), nearest.haptic_fps};
 }
 
-std::string speedVerdict(double gain_small, double gain_large) {
-  const double least = std::min(gain_small, gain_large);
-  const double most = std::max(gain_small, gain_large);
-  if (least > 1.0) return fmt::format("{} to {} times as fast as in 2008", rounded(least), rounded(most));
-  return most < 1.0 ? "slower than in 2008" : "faster than in 2008 on one of them only";
-}
-
-std::string shapeFinding(const RatesMeasurement& found) {
+FindingValues shapeOfRates(const RatesMeasurement& found) {
   const WholeModelRow& first = found.whole.front();
   const WholeModelRow& last = found.whole.back();
   const ModelRate small = rateHere(first);
@@ -59,55 +50,51 @@ std::string shapeFinding(const RatesMeasurement& found) {
   const ModelRate printed_large = ratePrinted(last.triangles);
   const double here = exponent(small, large);
   const double then = exponent(printed_small, printed_large);
-  return fmt::format(
-      "Table 3.1 in the dissertation's way: the rate falls with the number of triangles to the power {} (printed {}), "
-      "from {} to {} frames a second between {} and {} triangles (printed {:g} to {:g}): {}, and {}. Our tick takes {} "
-      "us and {} us on the same two models.",
-      rounded(-here), rounded(-then), rounded(small.per_s), rounded(large.per_s), counted(small.triangles),
-      counted(large.triangles), printed_small.per_s, printed_large.per_s,
-      speedVerdict(small.per_s / printed_small.per_s, large.per_s / printed_large.per_s),
-      std::abs(here - then) <= kSameExponent ? "the law is the same" : "the law is another", rounded(first.tick_us),
-      rounded(last.tick_us));
+  const auto [slowest, fastest] = std::minmax({small.per_s / printed_small.per_s, large.per_s / printed_large.per_s});
+  return {{"power", -here},
+          {"printed_power", -then},
+          {"per_s", {small.per_s, large.per_s}},
+          {"triangles", {small.triangles, large.triangles}},
+          {"printed_per_s", {printed_small.per_s, printed_large.per_s}},
+          {"speed", slowest > 1.0   ? "faster"
+                    : fastest < 1.0 ? "slower"
+                                    : "mixed"},
+          {"gain", {slowest, fastest}},
+          {"same_law", std::abs(here - then) <= kSameExponent},
+          {"tick_us", {first.tick_us, last.tick_us}}};
 }
 
-std::string tickFinding(const RatesMeasurement& found) {
+FindingValues tickBesideFrames(const RatesMeasurement& found) {
   const FrameRow& smallest = found.bsp.touched.front();
   const FrameRow& largest = found.bsp.touched.back();
-  return fmt::format(
-      "Ours renders nothing for haptics: a tick walks from triangle to triangle and takes {} us, the mean over "
-      "strokes. "
-      "A touched frame in the dissertation's way with a BSP tree takes {} us with {} triangles and {} us with {}: {} "
-      "and "
-      "{} times as long.",
-      rounded(found.tick_us), rounded(smallest.touchedMicroseconds()), counted(smallest.triangles),
-      rounded(largest.touchedMicroseconds()), counted(largest.triangles),
-      rounded(smallest.touchedMicroseconds() / found.tick_us), rounded(largest.touchedMicroseconds() / found.tick_us));
+  const double small_us = smallest.touchedMicroseconds();
+  const double large_us = largest.touchedMicroseconds();
+  return {{"tick_us", found.tick_us},    {"small_us", small_us},
+          {"small", smallest.triangles}, {"large_us", large_us},
+          {"large", largest.triangles},  {"times", {small_us / found.tick_us, large_us / found.tick_us}}};
 }
 
-// " Drawing is ..." where it was measured.
-std::string drawingShare(const RatesMeasurement& found) {
-  if (found.renderer.empty()) return "";
+/// Of a touched frame; null where it was not measured.
+FindingValues shareOfDrawing(const RatesMeasurement& found) {
+  if (found.renderer.empty()) return {};
   const PrintedTimings printed = printedNumbers().table_3_2;
-  const double here =
-      costPerTriangle(measuredCurve(found.bsp, kDrawing)) / costPerTriangle(measuredCurve(found.bsp, kTouched));
-  const double then = costPerTriangle(printedCurve(printed.drawing)) / costPerTriangle(printedCurve(printed.touched));
-  return fmt::format(" Drawing is {} of a touched frame here; in 2008 it was {}.", percent(here), percent(then));
+  return {{"here",
+           costPerTriangle(measuredCurve(found.bsp, kDrawing)) / costPerTriangle(measuredCurve(found.bsp, kTouched))},
+          {"printed", costPerTriangle(printedCurve(printed.drawing)) / costPerTriangle(printedCurve(printed.touched))}};
 }
 
-std::string costFinding(const RatesMeasurement& found) {
+FindingValues costOfTriangles(const RatesMeasurement& found) {
   const PrintedNumbers printed = printedNumbers();
-  std::string costs;
+  FindingValues kinds = FindingValues::array();
   for (const FrameKind& kind : kFrameKinds) {
     const double here = costPerTriangle(measuredCurve(found.bsp, kind));
     if (here == 0.0) continue;
     const double then = costPerTriangle(printedCurve(printed.table_3_2.*kind.printed));
-    costs += fmt::format("{}{} {} ns (printed {} us, {} times as much)", costs.empty() ? "" : ", ", kind.name,
-                         rounded(1e3 * here), rounded(then), rounded(then / here));
+    kinds.push_back({{"name", kind.name}, {"here_ns", 1e3 * here}, {"printed_us", then}, {"times", then / here}});
   }
-  const double touched = costPerTriangle(measuredCurve(found.bsp, kTouched));
-  return fmt::format(
-      "Table 3.2: a triangle rendered costs {}.{} A haptic loop of 1 kHz would have time for {} triangles a frame.",
-      costs, drawingShare(found), rounded(1e3 / touched));
+  return {{"kinds", kinds},
+          {"drawing", shareOfDrawing(found)},
+          {"triangles", 1e3 / costPerTriangle(measuredCurve(found.bsp, kTouched))}};
 }
 
 double mostFindMicroseconds(const RatesMeasurement& found) {
@@ -118,56 +105,53 @@ double mostFindMicroseconds(const RatesMeasurement& found) {
   return most;
 }
 
-std::string treesVerdict(double bsp, double octree) {
-  if (std::abs(octree / bsp - 1.0) <= kSameCost) {
-    return fmt::format("the same within {}, so the printed gain is not seen here, and its cause is not known",
-                       percent(kSameCost));
-  }
-  return octree < bsp ? fmt::format("{} less, so a gain is seen here too", percent(1.0 - octree / bsp))
-                      : fmt::format("{} more, so the printed gain is not seen here", percent(octree / bsp - 1.0));
-}
-
-std::string treesFinding(const RatesMeasurement& found) {
+FindingValues ratesOfTrees(const RatesMeasurement& found) {
   const PrintedNumbers printed = printedNumbers();
   const Gain gain = rateGain(printed.appendix_b.touched, printed.table_3_2.touched);
   const double bsp = costPerTriangle(measuredCurve(found.bsp, kTouched));
   const double octree = costPerTriangle(measuredCurve(found.octree, kTouched));
-  return fmt::format(
-      "Figures 3.16 to 3.18: at equal numbers of triangles the octree is printed as {} to {} faster when touched. Here "
-      "a "
-      "triangle costs {} ns with the BSP tree and {} ns with the octree: {}. Finding the leaves takes {} us of a frame "
-      "at "
-      "most. How many triangles each tree renders for the same box is another question (`palpate study hdb`).",
-      percent(gain.least), percent(gain.most), rounded(1e3 * bsp), rounded(1e3 * octree), treesVerdict(bsp, octree),
-      rounded(mostFindMicroseconds(found)));
+  const bool same = std::abs(octree / bsp - 1.0) <= kSameCost;
+  return {{"printed_gain", {gain.least, gain.most}},
+          {"bsp_ns", 1e3 * bsp},
+          {"octree_ns", 1e3 * octree},
+          {"octree", same           ? "same"
+                     : octree < bsp ? "less"
+                                    : "more"},
+          {"same", kSameCost},
+          {"less", 1.0 - octree / bsp},
+          {"more", octree / bsp - 1.0},
+          {"find_us", mostFindMicroseconds(found)}};
 }
 
-std::string halfRateVerdict(const Extent& here, const Extent& printed) {
-  if (here.least >= printed.least && here.most <= printed.most) return "it holds here as well";
-  if (here.least > printed.most || here.most < printed.least) {
-    return "it does not hold here, so it is no property of the method alone";
-  }
-  return "it holds for some of the models here";
+const char* whereHalfRateHolds(const Extent& here, const Extent& printed) {
+  if (here.least >= printed.least && here.most <= printed.most) return "all";
+  return here.least > printed.most || here.most < printed.least ? "none" : "some";
 }
 
-std::string graphicFinding(const RatesMeasurement& found) {
-  if (found.renderer.empty()) return "Pictures could not be measured: " + found.no_renderer + ".";
+FindingValues graphicRates(const RatesMeasurement& found) {
+  if (found.renderer.empty()) return {};
   Extent here;
   for (const WholeModelRow& row : found.whole) here.add(*row.picture_us / row.touchedMicroseconds());
   Extent printed;
   for (const PrintedRate& rate : printedNumbers().table_3_1) printed.add(rate.haptic_fps / rate.graphic_fps);
-  return fmt::format(
-      "\"The haptic rendering rate is almost half of the graphic\" (Table 3.1: {} to {}): with {} as the renderer it "
-      "is "
-      "{} to {}; {}. Our own pictures are another matter: `palpate study bench frame`.",
-      rounded(printed.least), rounded(printed.most), found.renderer, rounded(here.least), rounded(here.most),
-      halfRateVerdict(here, printed));
+  return {
+      {"printed", printed}, {"renderer", found.renderer}, {"here", here}, {"holds", whereHalfRateHolds(here, printed)}};
+}
+
+FindingValues whyNoPictures(const RatesMeasurement& found) {
+  if (!found.renderer.empty()) return {};
+  return {{"why", found.no_renderer}};
 }
 
 }  // namespace
 
 std::vector<std::string> ratesFindings(const RatesMeasurement& found) {
-  return {shapeFinding(found), tickFinding(found), costFinding(found), treesFinding(found), graphicFinding(found)};
+  return findingsOf(texts::rates_findings, {{"shape", shapeOfRates(found)},
+                                            {"tick", tickBesideFrames(found)},
+                                            {"cost", costOfTriangles(found)},
+                                            {"trees", ratesOfTrees(found)},
+                                            {"graphic", graphicRates(found)},
+                                            {"no_pictures", whyNoPictures(found)}});
 }
 
 }  // namespace palpate::study

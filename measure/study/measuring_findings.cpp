@@ -1,12 +1,10 @@
+// What the sentences of measuring_findings.txt say in numbers, and the verdicts that these decide.
 #include "measure/study/measuring_measurement.h"
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "measure/study/measuring_numbers.h"
-#include "report/page/study_page.h"
+#include "measure_findings_texts.h"
 
 namespace palpate::study {
 
@@ -14,53 +12,48 @@ namespace {
 
 using measure::TailFamily;
 
-std::string barsFinding(const MeasuringMeasurement& found) {
+FindingValues metBars(const MeasuringMeasurement& found) {
   const std::vector<Bar> bars = barsOf(found);
-  std::vector<std::string> missed;
+  FindingValues missed = FindingValues::array();
   for (const Bar& bar : bars) {
-    if (!bar.met) missed.push_back(fmt::format("{} ({}, asked for {})", bar.what, bar.shown, bar.bar));
+    if (!bar.met) missed.push_back({{"what", bar.what}, {"shown", bar.shown}, {"bar", bar.bar}});
   }
-  if (missed.empty()) return fmt::format("All {} bars are met by {} drawn pairs.", bars.size(), found.good.size());
-  return fmt::format("{} of {} bars are met by {} drawn pairs; NOT: {}.", bars.size() - missed.size(), bars.size(),
-                     found.good.size(), fmt::join(missed, "; "));
+  return {
+      {"missed", missed}, {"met", bars.size() - missed.size()}, {"bars", bars.size()}, {"pairs", found.good.size()}};
 }
 
-std::string axisFinding(const MeasuringMeasurement& found) {
+FindingValues axesOfFamilies(const MeasuringMeasurement& found) {
   const SetNumbers compact = numbersOf(ofFamily(found.good, TailFamily::compact));
   const SetNumbers tail = numbersOf(ofFamily(found.good, TailFamily::long_tail));
   const double times = tail.axis2_percent.p95 / compact.axis2_percent.p95;
-  return fmt::format(
-      "Of accepted pairs the half axes of the 2 mm ellipse are off by {} % (median; 95 %: {} %) where the motion falls "
-      "off as a half Gaussian, and by {} % ({} %) where it has a long tail, {}; at 4 mm by {} % ({} %) and {} % ({} "
-      "%).",
-      rounded(compact.axis2_percent.median), rounded(compact.axis2_percent.p95), rounded(tail.axis2_percent.median),
-      rounded(tail.axis2_percent.p95),
-      times > 2.0 ? fmt::format("{} times as much: there a small motion of the body is a large part of the ellipse",
-                                rounded(times))
-                  : "about as much",
-      rounded(compact.axis4_percent.median), rounded(compact.axis4_percent.p95), rounded(tail.axis4_percent.median),
-      rounded(tail.axis4_percent.p95));
+  return {{"compact_2_median", compact.axis2_percent.median},
+          {"compact_2", compact.axis2_percent.p95},
+          {"tail_2_median", tail.axis2_percent.median},
+          {"tail_2", tail.axis2_percent.p95},
+          {"more", times > 2.0},
+          {"times", times},
+          {"compact_4_median", compact.axis4_percent.median},
+          {"compact_4", compact.axis4_percent.p95},
+          {"tail_4_median", tail.axis4_percent.median},
+          {"tail_4", tail.axis4_percent.p95}};
 }
 
-std::string otherFinding(const MeasuringMeasurement& found) {
-  const SetNumbers all = numbersOf(found.good);
-  return fmt::format(
-      "The ratio of the axes is off by {} (95 %), the direction of ellipses with a ratio from {} by {} degrees, the "
-      "contact by {} mm, the direction of the drag by {} degrees.",
-      rounded(all.ratio.p95), kDirectedRatio, rounded(all.direction_deg.p95), rounded(all.contact_mm.p95),
-      rounded(all.drag_deg.p95));
+FindingValues otherResults(const SetNumbers& all) {
+  return {{"ratio", all.ratio.p95},
+          {"directed_ratio", kDirectedRatio},
+          {"direction_deg", all.direction_deg.p95},
+          {"contact_mm", all.contact_mm.p95},
+          {"drag_deg", all.drag_deg.p95}};
 }
 
-std::string sdFinding(const MeasuringMeasurement& found) {
-  const SetNumbers all = numbersOf(found.good);
-  return fmt::format(
-      "The stated sd of half axes {}: {} of the accepted pairs are within twice of it, the worst is {} of it and {} % "
-      "off.",
-      all.within_2_sd >= 0.85 && all.worst_axis_sds <= 4.0 ? "is honest" : "is TOO SMALL", percent(all.within_2_sd),
-      rounded(all.worst_axis_sds), rounded(all.worst_axis_percent));
+FindingValues statedSd(const SetNumbers& all) {
+  return {{"honest", all.within_2_sd >= 0.85 && all.worst_axis_sds <= 4.0},
+          {"within_2_sd", all.within_2_sd},
+          {"worst_sds", all.worst_axis_sds},
+          {"worst_percent", all.worst_axis_percent}};
 }
 
-std::string corruptedFinding(const MeasuringMeasurement& found) {
+FindingValues corruptedPairs(const MeasuringMeasurement& found) {
   std::size_t bad = 0;
   std::size_t refused = 0;
   std::vector<std::string> through;
@@ -74,72 +67,63 @@ std::string corruptedFinding(const MeasuringMeasurement& found) {
       wrong.push_back(kind.kind.name);
     }
   }
-  std::string text = fmt::format("Of {} pairs that something is wrong with {} are refused{}.", bad, refused,
-                                 through.empty() ? "" : fmt::format("; LET THROUGH: {}", fmt::join(through, ", ")));
-  text += wrong.empty()
-              ? " Of pairs that are only hard none is accepted and wrong."
-              : fmt::format(" Of pairs that are only hard some are ACCEPTED AND WRONG: {}.", fmt::join(wrong, ", "));
-  return text;
+  return {{"bad", bad}, {"refused", refused}, {"through", through}, {"wrong", wrong}};
 }
 
-std::string driftFinding(const MeasuringMeasurement& found) {
+FindingValues movedBodies(const MeasuringMeasurement& found) {
   const double refused = refusedAsMoved(found.drifted.pairs);
   const SetNumbers told = numbersOf(found.breathing.pairs);
-  return fmt::format(
-      "A body that moves by 1.5 mm between the pictures is {} ({} refused as moved). Told so by --drift-mm 1.5, {} are "
-      "accepted, with half axes off by {} % (95 %).",
-      refused >= 0.9 ? "noticed" : "often NOT noticed", percent(refused), percent(told.share()),
-      rounded(told.axis2_percent.p95));
+  return {{"noticed", refused >= 0.9},
+          {"refused", refused},
+          {"accepted", told.share()},
+          {"axis_percent", told.axis2_percent.p95}};
 }
 
-std::string formFinding(const MeasuringMeasurement& found) {
+FindingValues otherForms(const MeasuringMeasurement& found) {
   const SetNumbers half_space = numbersOf(found.half_space.pairs);
   const SetNumbers windowed = numbersOf(found.windowed.pairs);
   const SetNumbers lopsided = numbersOf(ofFamily(found.lopsided.pairs, TailFamily::compact));
-  return fmt::format(
-      "Fields outside the fitted formula: of an elastic half space the half axes are off by {} % (95 %) and the "
-      "direction by {} degrees, of one that ends by {} % and {} degrees; where the skin moves 20 % more behind the "
-      "stick, the contact of compact fields is off by {} mm and the half axes by {} %.",
-      rounded(half_space.axis2_percent.p95), rounded(half_space.direction_deg.p95), rounded(windowed.axis2_percent.p95),
-      rounded(windowed.direction_deg.p95), rounded(lopsided.contact_mm.p95), rounded(lopsided.axis2_percent.p95));
+  return {{"half_space_percent", half_space.axis2_percent.p95},
+          {"half_space_deg", half_space.direction_deg.p95},
+          {"windowed_percent", windowed.axis2_percent.p95},
+          {"windowed_deg", windowed.direction_deg.p95},
+          {"lopsided_mm", lopsided.contact_mm.p95},
+          {"lopsided_percent", lopsided.axis2_percent.p95}};
 }
 
-std::string contourFinding(const MeasuringMeasurement& found) {
-  const SetNumbers all = numbersOf(found.good);
-  return fmt::format(
-      "Read as in the dissertation, by the longest chord of the interpolated 2 mm contour after the fitted drift is "
-      "taken off, the same pairs give half axes off by {} % (median; 95 %: {} %) and directions off by {} degrees "
-      "(95 %), against {} degrees of the fit: {}.",
-      rounded(all.chord_percent.median), rounded(all.chord_percent.p95), rounded(all.chord_direction_deg.p95),
-      rounded(all.direction_deg.p95),
-      all.chord_direction_deg.p95 > 2.0 * all.direction_deg.p95 ? "the fit is what to go by"
-                                                                : "there is little between them");
+FindingValues readOffContours(const SetNumbers& all) {
+  return {{"median", all.chord_percent.median},
+          {"percent", all.chord_percent.p95},
+          {"direction_deg", all.chord_direction_deg.p95},
+          {"fit_direction_deg", all.direction_deg.p95},
+          {"fit", all.chord_direction_deg.p95 > 2.0 * all.direction_deg.p95}};
 }
 
-std::string dotsFinding(const MeasuringMeasurement& found) {
+FindingValues foundDots(const MeasuringMeasurement& found) {
   const DotNumbers dots = dotNumbers(found.good);
-  return fmt::format(
-      "{:.1f} % of the dots are found (of the worst picture {:.1f} %), {:.1f} % are put in order, and {} of 1,000 "
-      "matches are wrong.",
-      100.0 * dots.found_mean, 100.0 * dots.found_least, 100.0 * dots.in_order_mean, rounded(dots.wrong_per_1000));
-}
-
-std::string timeFinding(const MeasuringMeasurement& found) {
-  return fmt::format("A pair of {} megapixels takes {} s on one core from its files to findings; a hundred fits {} s.",
-                     found.plan.timed_megapixels, rounded(found.large_s), rounded(found.hundred_fits_s));
-}
-
-std::string syntheticFinding() {
-  return "All of this is synthetic: no photograph of a living back was measured yet. The pictures are painted by the "
-         "same house that measures them; what real skin, ink, light and breathing do besides is not in them.";
+  return {{"found_percent", 100.0 * dots.found_mean},
+          {"least_percent", 100.0 * dots.found_least},
+          {"in_order_percent", 100.0 * dots.in_order_mean},
+          {"wrong", dots.wrong_per_1000}};
 }
 
 }  // namespace
 
 std::vector<std::string> measuringFindings(const MeasuringMeasurement& found) {
-  return {barsFinding(found),      axisFinding(found),  otherFinding(found), sdFinding(found),
-          corruptedFinding(found), driftFinding(found), formFinding(found),  contourFinding(found),
-          dotsFinding(found),      timeFinding(found),  syntheticFinding()};
+  const SetNumbers all = numbersOf(found.good);
+  return findingsOf(
+      texts::measuring_findings,
+      {{"bars", metBars(found)},
+       {"axes", axesOfFamilies(found)},
+       {"other", otherResults(all)},
+       {"sd", statedSd(all)},
+       {"corrupted", corruptedPairs(found)},
+       {"drift", movedBodies(found)},
+       {"form", otherForms(found)},
+       {"contour", readOffContours(all)},
+       {"dots", foundDots(found)},
+       {"time",
+        {{"megapixels", found.plan.timed_megapixels}, {"pair_s", found.large_s}, {"fits_s", found.hundred_fits_s}}}});
 }
 
 }  // namespace palpate::study
