@@ -38,10 +38,6 @@ FindingValues mirroredDirections(const DirectionResults& results) {
           {"tensor_deg", results.tensor_mirror_deg}};
 }
 
-FindingValues flippedAxis(const DirectionResults& results) {
-  return {{"printed_deg", results.flip[0]}, {"double_deg", results.flip[1]}, {"tensor_deg", results.flip[2]}};
-}
-
 FindingValues worstPoint(const DirectionResults& results) {
   const PointMeans& worst = worstOf(results.means);
   return {{"point", worst.point},       {"force", wordFor(worst.force)}, {"printed_deg", worst.deg[0]},
@@ -74,12 +70,14 @@ FindingValues noisyRadii(const DirectionResults& results) {
 double printedAgainstTensor(const PointMeans& means) { return axisDifferenceDeg(means.deg[0], means.deg[2]); }
 
 std::vector<std::string> directionFindings(const DirectionResults& results) {
-  return findingsOf(texts::direction_findings, {{"field", fieldOfDirections(results)},
-                                                {"mirror", mirroredDirections(results)},
-                                                {"flip", flippedAxis(results)},
-                                                {"point", worstPoint(results)},
-                                                {"known", knownAxes(results)},
-                                                {"noise", noisyRadii(results)}});
+  const auto& [printed, doubled, tensor] = results.flip;
+  return findingsOf(texts::direction_findings,
+                    {{"field", fieldOfDirections(results)},
+                     {"mirror", mirroredDirections(results)},
+                     {"flip", {{"printed_deg", printed}, {"double_deg", doubled}, {"tensor_deg", tensor}}},
+                     {"point", worstPoint(results)},
+                     {"known", knownAxes(results)},
+                     {"noise", noisyRadii(results)}});
 }
 
 }  // namespace palpate::study

@@ -20,12 +20,7 @@ constexpr double kTooSmall = 0.5;
 constexpr double kLargeEnough = 1.25;
 
 /// The printed times of a touched frame with a BSP tree, s.
-struct PrintedDelays {
-  double shortest = 0.0;
-  double longest = 0.0;
-};
-
-PrintedDelays printedDelays() {
+Extent printedDelays() {
   const auto rows = printedNumbers().table_3_2.touched;
   return {1e-3 * parsePrinted(rows.front().ms).value, 1e-3 * parsePrinted(rows.back().ms).value};
 }
@@ -73,18 +68,18 @@ FindingValues leadOfTheBox(const HdbMeasurement& found) {
 }
 
 FindingValues quarterOfTheModel(const HdbMeasurement& found) {
-  const PrintedDelays printed = printedDelays();
+  const Extent printed = printedDelays();
   const auto safe = [&](double share, double delay) {
     return safeSpeed(share * found.longest_edge, delay, found.depth_mm);
   };
   const auto metres = [&](double share) -> FindingValues {
-    return {metresPerSecond(safe(share, printed.shortest)), metresPerSecond(safe(share, printed.longest))};
+    return {metresPerSecond(safe(share, printed.least)), metresPerSecond(safe(share, printed.most))};
   };
-  const bool by_tenth = safe(kTenth, printed.longest) >= kUsualStroke;
-  const bool by_quarter = safe(kPrintedBoxShare, printed.longest) >= kUsualStroke;
+  const bool by_tenth = safe(kTenth, printed.most) >= kUsualStroke;
+  const bool by_quarter = safe(kPrintedBoxShare, printed.most) >= kUsualStroke;
   const double at_100_hz = safe(kPrintedBoxShare, 0.01);
   const double fastest = *std::max_element(found.plan.speeds_mm_s.begin(), found.plan.speeds_mm_s.end());
-  return {{"printed_ms", {1e3 * printed.shortest, 1e3 * printed.longest}},
+  return {{"printed_ms", {1e3 * printed.least, 1e3 * printed.most}},
           {"quarter_mm", kPrintedBoxShare * found.longest_edge},
           {"quarter", metres(kPrintedBoxShare)},
           {"tenth", metres(kTenth)},

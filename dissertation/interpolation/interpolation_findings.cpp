@@ -54,11 +54,6 @@ FindingValues accuracyOfInterpolation(const InterpolationResults& results) {
           {"thin_plate", results.range_mm[3]},     {"plane", results.range_mm[4]}};
 }
 
-FindingValues quadraticCases(const InterpolationResults& results) {
-  const LeftOutErrors& quadratic = results.subjects[5];
-  return {{"undetermined", quadratic.undetermined}, {"cases", quadratic.undetermined + quadratic.predicted}};
-}
-
 FindingValues effectOfWidth(const InterpolationResults& results) {
   Extent errors;
   for (std::size_t i = 0; i < results.radii.size(); ++i) {
@@ -91,12 +86,15 @@ double bestRadius(const InterpolationResults& results) {
 }
 
 std::vector<std::string> interpolationFindings(const InterpolationResults& results) {
-  return findingsOf(texts::interpolation_findings, {{"diameter", radiusOrDiameter(results)},
-                                                    {"predicted", predictedPlaces(results)},
-                                                    {"accuracy", accuracyOfInterpolation(results)},
-                                                    {"quadratic", quadraticCases(results)},
-                                                    {"width", effectOfWidth(results)},
-                                                    {"up_down", upAgainstDown(results)}});
+  const LeftOutErrors& quadratic = results.subjects[5];
+  const auto cases = quadratic.undetermined + quadratic.predicted;
+  return findingsOf(texts::interpolation_findings,
+                    {{"diameter", radiusOrDiameter(results)},
+                     {"predicted", predictedPlaces(results)},
+                     {"accuracy", accuracyOfInterpolation(results)},
+                     {"quadratic", {{"undetermined", quadratic.undetermined}, {"cases", cases}}},
+                     {"width", effectOfWidth(results)},
+                     {"up_down", upAgainstDown(results)}});
 }
 
 }  // namespace palpate::study

@@ -13,15 +13,11 @@ namespace {
 // An order of convergence as near as this to the theory's agrees with it.
 constexpr double kSameOrder = 0.1;
 
-// The smallest of the sizes whose turn stays invisible; 0 where none does.
-int smallestSmooth(const ArraySweep& all) {
+/// The smallest of the sizes whose turn stays invisible; 0 where none does.
+FindingValues smallestSize(const ArraySweep& all) {
   const auto found =
       std::find_if(all.begin(), all.end(), [](const ArrayQuality& one) { return one.turn_deg < kVisibleTurnDeg; });
-  return found == all.end() ? 0 : found->entries;
-}
-
-FindingValues smallestSize(const ArraySweep& all) {
-  return {{"entries", smallestSmooth(all)}, {"most", kArraySizes.back()}};
+  return {{"entries", found == all.end() ? 0 : found->entries}, {"most", kArraySizes.back()}};
 }
 
 /// What is right and what is not of "20 is significantly different, 130 not obviously, 700 slightly better".

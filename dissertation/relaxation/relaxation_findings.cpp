@@ -62,11 +62,6 @@ FindingValues frictionOverTime(const RelaxationMeasurement& found) {
   return {{"ratio", {low, high}}, {"one", high - low < 1e-6}};
 }
 
-FindingValues dentThatStays(const RelaxationMeasurement& found) {
-  const std::vector<double>& dent = found.skins.at(1).dent_mm;
-  return {{"dent_mm", dent.front()}, {"last_s", returnTimes().back()}, {"last_dent_mm", dent.back()}};
-}
-
 }  // namespace
 
 double lostAfter(const RelaxingSkin& skin, double seconds) {
@@ -77,11 +72,14 @@ double lostAfter(const RelaxingSkin& skin, double seconds) {
 }
 
 std::vector<std::string> relaxationFindings(const RelaxationMeasurement& found) {
-  return findingsOf(texts::relaxation_findings, {{"held", heldSkin(found)},
-                                                 {"cycle", pressedAndLetGo(found)},
-                                                 {"return", dentThatStays(found)},
-                                                 {"beef", againstBeef(found)},
-                                                 {"friction", frictionOverTime(found)}});
+  const std::vector<double>& dent = found.skins.at(1).dent_mm;
+  return findingsOf(
+      texts::relaxation_findings,
+      {{"held", heldSkin(found)},
+       {"cycle", pressedAndLetGo(found)},
+       {"return", {{"dent_mm", dent.front()}, {"last_s", returnTimes().back()}, {"last_dent_mm", dent.back()}}},
+       {"beef", againstBeef(found)},
+       {"friction", frictionOverTime(found)}});
 }
 
 }  // namespace palpate::study

@@ -41,11 +41,6 @@ FindingValues touchPoints(const SearchMeasurement& found) {
           {"wrong", wrong}};
 }
 
-FindingValues regionsOfSkin(const SearchMeasurement& found) {
-  return {{"leaves",
-           octreeAgainst(found, &SearchRow::region_all_us, &SearchRow::region_octree_us, &SearchRow::region_rings_us)}};
-}
-
 FindingValues strayVertices(const SearchMeasurement& found) {
   double back = 0.0;
   double hand = 0.0;
@@ -61,8 +56,11 @@ FindingValues strayVertices(const SearchMeasurement& found) {
 }  // namespace
 
 std::vector<std::string> searchFindings(const SearchMeasurement& found) {
-  return findingsOf(texts::search_findings,
-                    {{"touch", touchPoints(found)}, {"region", regionsOfSkin(found)}, {"stray", strayVertices(found)}});
+  const FindingValues regions =
+      octreeAgainst(found, &SearchRow::region_all_us, &SearchRow::region_octree_us, &SearchRow::region_rings_us);
+  return findingsOf(
+      texts::search_findings,
+      {{"touch", touchPoints(found)}, {"region", {{"leaves", regions}}}, {"stray", strayVertices(found)}});
 }
 
 }  // namespace palpate::study

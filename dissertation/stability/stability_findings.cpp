@@ -21,11 +21,6 @@ Extent onsetRange(const StabilityMeasurement& found, double delay, bool controll
   return range;
 }
 
-FindingValues theoryOfResting(const StabilityMeasurement& found) {
-  const double error = numbersOf(found).theory_error_percent;
-  return {{"holds", error <= 5.0}, {"cases", found.theory.size()}, {"error_percent", error}};
-}
-
 FindingValues onsetOfOscillation(const StabilityMeasurement& found) {
   const double off = onsetRange(found, 1.0, false, &OnsetRow::dead_load).least;
   const double on = onsetRange(found, 1.0, true, &OnsetRow::dead_load).least;
@@ -36,12 +31,6 @@ FindingValues onsetOfOscillation(const StabilityMeasurement& found) {
           {"load", on},
           {"hand", on_hand},
           {"twice", on > 2.0 * off && on_hand > 2.0 * off_hand}};
-}
-
-FindingValues costOfDelay(const StabilityMeasurement& found) {
-  const double one = onsetRange(found, 1.0, true, &OnsetRow::worst_hand).least;
-  const double two = onsetRange(found, 2.0, true, &OnsetRow::worst_hand).least;
-  return {{"hand", two}, {"costly", two < 0.7 * one}};
 }
 
 FindingValues randomLoops(const StabilityMeasurement& found) {
@@ -68,12 +57,12 @@ FindingValues touchesAtSpeed(const StabilityMeasurement& found) {
           {"bare_energy_mj", bare_energy}};
 }
 
-FindingValues feelOfSkin(const StabilityMeasurement& found) {
+double noiseOfSoftPresses(const StabilityMeasurement& found) {
   double noise = 0.0;
   for (const PressRow& row : found.presses) {
     if (row.stiffness_n_per_mm <= 1.0) noise = std::max(noise, row.noise_n);
   }
-  return {{"bias_percent", numbersOf(found).stiffness_bias_percent}, {"noise_n", noise}};
+  return noise;
 }
 
 }  // namespace
@@ -107,12 +96,18 @@ double oscillatingShare(const StabilityMeasurement& found, const lab::RandomCell
 }
 
 std::vector<std::string> stabilityFindings(const StabilityMeasurement& found) {
-  return findingsOf(texts::stability_findings, {{"onset", onsetOfOscillation(found)},
-                                                {"delay", costOfDelay(found)},
-                                                {"random", randomLoops(found)},
-                                                {"touch", touchesAtSpeed(found)},
-                                                {"feel", feelOfSkin(found)},
-                                                {"theory", theoryOfResting(found)}});
+  const StabilityNumbers numbers = numbersOf(found);
+  const double error = numbers.theory_error_percent;
+  const double one = onsetRange(found, 1.0, true, &OnsetRow::worst_hand).least;
+  const double two = onsetRange(found, 2.0, true, &OnsetRow::worst_hand).least;
+  return findingsOf(
+      texts::stability_findings,
+      {{"onset", onsetOfOscillation(found)},
+       {"delay", {{"hand", two}, {"costly", two < 0.7 * one}}},
+       {"random", randomLoops(found)},
+       {"touch", touchesAtSpeed(found)},
+       {"feel", {{"bias_percent", numbers.stiffness_bias_percent}, {"noise_n", noiseOfSoftPresses(found)}}},
+       {"theory", {{"holds", error <= 5.0}, {"cases", found.theory.size()}, {"error_percent", error}}}});
 }
 
 std::vector<std::pair<std::string, double>> stabilityPairs(const StabilityMeasurement& found) {

@@ -138,20 +138,17 @@ FindingValues graphicRates(const RatesMeasurement& found) {
       {"printed", printed}, {"renderer", found.renderer}, {"here", here}, {"holds", whereHalfRateHolds(here, printed)}};
 }
 
-FindingValues whyNoPictures(const RatesMeasurement& found) {
-  if (!found.renderer.empty()) return {};
-  return {{"why", found.no_renderer}};
-}
-
 }  // namespace
 
 std::vector<std::string> ratesFindings(const RatesMeasurement& found) {
+  FindingValues no_pictures;
+  if (found.renderer.empty()) no_pictures = {{"why", found.no_renderer}};
   return findingsOf(texts::rates_findings, {{"shape", shapeOfRates(found)},
                                             {"tick", tickBesideFrames(found)},
                                             {"cost", costOfTriangles(found)},
                                             {"trees", ratesOfTrees(found)},
                                             {"graphic", graphicRates(found)},
-                                            {"no_pictures", whyNoPictures(found)}});
+                                            {"no_pictures", no_pictures}});
 }
 
 }  // namespace palpate::study

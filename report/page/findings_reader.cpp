@@ -25,14 +25,14 @@ class FindingsReader {
 
   std::vector<FindingsParagraph> all() {
     std::vector<FindingsParagraph> paragraphs;
-    skipSpace();
-    while (takes("#")) skipLine();
+    while (!rest_.empty() && rest_.front() != '[') next();
     while (!rest_.empty()) {
       FindingsParagraph paragraph{.line = line_, .name = heading()};
+      const auto same = [&](const FindingsParagraph& other) { return other.name == paragraph.name; };
+      if (std::any_of(paragraphs.begin(), paragraphs.end(), same)) fail("a name that is there twice");
       paragraph.parts = text(false);
       paragraphs.push_back(std::move(paragraph));
     }
-    check(paragraphs);
     return paragraphs;
   }
 
@@ -54,11 +54,6 @@ class FindingsReader {
     const bool some = !rest_.empty() && isSpace(rest_.front());
     while (!rest_.empty() && isSpace(rest_.front())) next();
     return some;
-  }
-
-  void skipLine() {
-    while (!rest_.empty() && rest_.front() != '\n') next();
-    skipSpace();
   }
 
   bool takes(std::string_view token) {
@@ -164,16 +159,6 @@ class FindingsReader {
       part.texts.push_back(quotedText());
       skipSpace();
     } while (!rest_.starts_with('}'));
-  }
-
-  void check(const std::vector<FindingsParagraph>& paragraphs) {
-    for (const FindingsParagraph& paragraph : paragraphs) {
-      line_ = paragraph.line;
-      const auto same = [&](const FindingsParagraph& other) { return other.name == paragraph.name; };
-      if (std::count_if(paragraphs.begin(), paragraphs.end(), same) > 1) {
-        fail(fmt::format("[{}] is there twice", paragraph.name));
-      }
-    }
   }
 };
 

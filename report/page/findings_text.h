@@ -3,7 +3,7 @@
 // The file stands beside NAME_findings.cpp, which computes the values and decides the verdicts, and is compiled in
 // (palpate_embed_findings in cmake/PalpateRooms.cmake). Its grammar is all there is:
 //
-//   # comment                  before the first paragraph only
+//   words without [ in them    what the file is; before the first paragraph only
 //   [name]                     on a line of its own: the paragraph of one finding; a line break in it is a space
 //   {x}                        the value x: a text as it is, a number in full
 //   {x|counted}                41,582; so {x|rounded} or {x|rounded 3} (digits), {x|percent} of a share, {x|fixed} or

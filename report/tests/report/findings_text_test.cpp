@@ -80,7 +80,7 @@ TEST(FindingsText, RefusesNamesAndWordsThatDoNotFit) {
 
 TEST(FindingsText, RefusesWhatItCannotRead) {
   for (const auto& [text, message] :
-       {std::pair{"Words.", "1: expected `[`"},
+       {std::pair{"# Words.\n[one\nWords.", "2: expected `]`"},
         {"[one] Words } of.", "1: a `}` that closes nothing"},
         {"[one]\nA {x|rouned}.", "2: `rouned` must be one of counted, rounded, percent, fixed, short, as"},
         {"[one]\nA {x ? \"yes}.", "2: a `}` that closes nothing"},
@@ -88,7 +88,7 @@ TEST(FindingsText, RefusesWhatItCannotRead) {
         {"[one]\nA {x ?}.", "2: expected a name"},
         {"[one]\nA {x", "2: expected `}`"},
         {"[one]\nA {x \"{y}\"}.", "2: expected words between"},
-        {"[one]\nA.\n[one]\nB.", "1: [one] is there twice"},
+        {"[one]\nA.\n[one]\nB.", "4: a name that is there twice"},
         {"[one]\nA {x|rounded ? \"a\"}.", "2: expected `}`"}}) {
     const std::string refused = refusal(text, {});
     EXPECT_EQ(refused.find(std::string("some_findings.txt:") + message), 0u) << text << "\n" << refused;
