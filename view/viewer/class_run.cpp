@@ -4,6 +4,7 @@
 
 #include <system_error>
 
+#include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 
@@ -46,7 +47,7 @@ bool tookEnd(std::unique_ptr<system::FedProgram>& program, const char* what, std
   const std::string words = lastWordsOf(program->said());
   const system::FedProgram::Ending ending = program->finish();
   program.reset();
-  if (!ending.well) trouble = fmt::format("{} ended ({}){}{}", what, ending.how, words.empty() ? "" : ": ", words);
+  if (!ending.well) trouble = fmt::format("{}{}{}", trf("{} ended ({})", tr(what), ending.how), words.empty() ? "" : ": ", words);
   return true;
 }
 
@@ -83,7 +84,7 @@ void ClassRun::watch(const std::string& folder, ClassShown& shown) {
   const std::string whole = wholePath(folder);
   shown.trouble.clear();
   if (!has(whole, "class.toml") && !has(whole, "instructor.toml")) {
-    shown.trouble = fmt::format("{} holds no class.toml or instructor.toml", whole);
+    shown.trouble = trf("{} holds no class.toml or instructor.toml", whole);
     return;
   }
   watch_ = started({"class", "watch", whole}, shown);
@@ -95,7 +96,7 @@ void ClassRun::join(const std::string& folder, ClassShown& shown) {
   const std::string whole = wholePath(folder);
   shown.trouble.clear();
   if (!has(whole, "station.toml")) {
-    shown.trouble = fmt::format("{} holds no station.toml: name a station's folder, such as stations/s01", whole);
+    shown.trouble = trf("{} holds no station.toml: name a station's folder, such as stations/s01", whole);
     return;
   }
   join_ = started({"train", "--class", whole}, shown);
@@ -110,7 +111,7 @@ void ClassRun::end(ClassShown& shown) {
 void ClassRun::advance(double now_s, ClassShown& shown) {
   if (now_s - looked_s_ < kLooksEveryS) return;
   looked_s_ = now_s;
-  if (init_ && tookEnd(init_, "Making the class", shown.trouble) && shown.trouble.empty()) serve(shown);
+  if (init_ && tookEnd(init_, toTranslate("Making the class"), shown.trouble) && shown.trouble.empty()) serve(shown);
   follow(shown);
 }
 
@@ -123,9 +124,9 @@ void ClassRun::follow(ClassShown& shown) {
       watch(shown.folder, shown);
     }
   }
-  if (tookEnd(serve_, "The class", shown.trouble)) shown.runs = false;
-  if (tookEnd(watch_, "The teacher's window", shown.trouble)) shown.watched = false;
-  if (tookEnd(join_, "The training", shown.trouble)) shown.joined = false;
+  if (tookEnd(serve_, toTranslate("The class"), shown.trouble)) shown.runs = false;
+  if (tookEnd(watch_, toTranslate("The teacher's window"), shown.trouble)) shown.watched = false;
+  if (tookEnd(join_, toTranslate("The training"), shown.trouble)) shown.joined = false;
 }
 
 }  // namespace palpate::viewer

@@ -1,12 +1,14 @@
 #include "view/viewer/eyesight.h"
 
+#include "palpate/base/language.h"
+
 namespace palpate::viewer {
 
 void Eyesight::keepUsable(ViewerState& viewer) {
   view::StereoMode& mode = viewer.state.stereo.mode;
   const view::UsableMode usable = view::usableMode(mode, quad_buffer_offered_, last_usable_);
   if (usable.mode != mode) {
-    viewer.report(Severity::warning, usable.note + "; a screen for shutter glasses needs `--stereo quad-buffer`");
+    viewer.report(Severity::warning, trf("{}; a screen for shutter glasses needs `--stereo quad-buffer`", usable.note));
   }
   mode = last_usable_ = usable.mode;
 }

@@ -1,3 +1,4 @@
+#include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "view/viewer/request_handler.h"
 
@@ -35,14 +36,14 @@ bool mustAskFirst(const Request& request, ViewerState& viewer) {
   const bool closes = std::holds_alternative<Quit>(request) || std::holds_alternative<StartTraining>(request);
   if (closes && viewer.class_shown.anything()) {
     viewer.ask({.kind = Question::Kind::end_class,
-                .words = "The class ends with this window. What was collected is kept.",
-                .answers = {"End the class", "Stay"},
+                .words = toTranslate("The class ends with this window. What was collected is kept."),
+                .answers = {toTranslate("End the class"), toTranslate("Stay")},
                 .then = request});
     return true;
   }
   if (!std::visit(LeavesTheScene(), request) || !viewer.history.sceneChanged()) return false;
   viewer.ask({.kind = Question::Kind::leave,
-              .words = fmt::format("{} was changed. Save it first?", nameOf(viewer)),
+              .words = trf("{} was changed. Save it first?", nameOf(viewer)),
               .then = request});
   return true;
 }

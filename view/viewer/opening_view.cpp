@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
 #include "palpate/window/gui_passes.h"
 
 namespace palpate::viewer {
@@ -14,7 +15,7 @@ void progress(const std::optional<engine::BuildProgress>& building) {
   const ImVec2 room = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
   if (ImGui::Begin("opening", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
-    ImGui::TextUnformatted(building ? building->stage.c_str() : "opening");
+    ImGui::TextUnformatted(tr(building ? building->stage.c_str() : "opening"));
     ImGui::ProgressBar(building ? static_cast<float>(building->done) : 0.0f, {320.0f, 0.0f});
   }
   ImGui::End();

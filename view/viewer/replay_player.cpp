@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/recording_reader.h"
@@ -13,7 +14,7 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr const char* kStillReading = "Another table is still being read";
+constexpr const char* kStillReading = toTranslate("Another table is still being read");
 
 }  // namespace
 
@@ -39,8 +40,8 @@ void ReplayPlayer::playScript(const std::shared_ptr<const scene::World>& world, 
 void ReplayPlayer::take(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer) {
   auto result = loader_.take();
   if (!result) return;
-  if (!result->touch) return viewer.report(Severity::error, "cannot replay " + result->error);
-  viewer.messages.clearErrors("cannot replay ");
+  if (!result->touch) return viewer.report(Severity::error, trf("cannot replay {}", result->error));
+  viewer.messages.clearErrors(trf("cannot replay {}", ""));
   for (const std::string& note : result->touch->notes) viewer.report(Severity::warning, note);
   if (std::exchange(loads_beside_, false) && recorded_) {
     const auto world_beside = result->touch->world ? result->touch->world : world;
@@ -77,7 +78,7 @@ void ReplayPlayer::show(RecordedTouch touch, LiveModel& model, ViewerState& view
   }
   if (!trace::isRecording(pathOf(recorded_->file)) && trace::isUnfinished(pathOf(recorded_->file))) {
     viewer.report(Severity::warning,
-                  fmt::format("{} was not finished: its {:.1f} s are what was written before the end", recorded_->file,
+                  trf("{} was not finished: its {:.1f} s are what was written before the end", recorded_->file,
                               viewer.replay.to_s - viewer.replay.from_s));
   }
 }

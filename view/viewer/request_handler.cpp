@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "palpate/body/places.h"
 #include "palpate/scene/presets.h"
@@ -51,7 +52,7 @@ void RequestHandler::askForUnit(OpenFile request, const std::optional<double>& l
   if (!guess) return handle(request);
   parts_.viewer.ask({.kind = Question::Kind::unit,
                      .words = guess->words,
-                     .answers = {guess->answer, "Millimetres", "Cancel"},
+                     .answers = {guess->answer, toTranslate("Millimetres"), toTranslate("Cancel")},
                      .then = request});
 }
 
@@ -149,7 +150,7 @@ void RequestHandler::fulfil(const GoToPlace& request) {
   try {
     const body::NamedPlace place = body::placeNamed(viewer.world.landmarks, request.words);
     parts_.camera.flyToPlace(place.point);
-    viewer.report(Severity::info, fmt::format("At {}. Enter presses the finger there", place.name));
+    viewer.report(Severity::info, trf("At {}. Enter presses the finger there", place.name));
   } catch (const Error& error) {
     viewer.report(Severity::warning, error.what());
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
 #include "view/viewer/picture_scale.h"
 #include "view/viewer/state/viewer_state.h"
 
@@ -51,7 +52,7 @@ void guardShading(ShadingGuard& guard, ViewerState& viewer, double elapsed_s, bo
     const auto change = guard.frame(elapsed_s, 1e-3 * viewer.performance.frame_ms, gains);
     if (change == ShadingGuard::Change::simpler) {
       // The menu bar says so as long as it lasts; a plate over the picture would hide what is slow already.
-      viewer.messages.note(fmt::format("At {:.0f} fps the skin is drawn smooth for now; "
+      viewer.messages.note(trf("At {:.0f} fps the skin is drawn smooth for now; "
                                        "Show > shading decides for good",
                                        viewer.performance.frames_per_s),
                            viewer.now_s);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/scene/scene_file.h"
 
@@ -11,28 +12,27 @@ namespace palpate::scene {
 
 namespace {
 
+// clang-format off
 constexpr std::array<Preset, 17> kPresets{{
-    {"vhb", "Virtual Haptic Back", "The dissertation's model of 2008: 2,962 triangles over its bones.",
-     "virtual_haptic_back"},
-    {"trunk", "Built-in body", "A trunk in layers of skin, fat and muscle, with a stiff place to find.", "default"},
-    {"dysfunctions", "Hidden dysfunctions", "Find two stiff places and a soft one; key M shows them.", "dysfunctions"},
-    {"anatomy", "Bones and names", "What lies under the skin, and what it is called.", "anatomy"},
-    {"thin", "Thin person", "Ribs and spine are felt close under the skin.", "thin"},
-    {"heavy", "Heavy person", "Fat gives way softly and far; bones are deep.", "heavy"},
-    {"prone", "Prone on a table", "As an examiner stands beside the patient.", "prone"},
-    {"sitting", "Sitting", "A rounded back.", "sitting"},
-    {"two-fingers", "Two fingers", "Both sides of the spine at once; F7 plays them.", "two_fingers"},
-    {"strain", "Strain colours", "Where the skin is stretched and where it is pushed together.", "strain_colours"},
-    {"oiled", "Oiled skin", "The finger slips where it would stick.", "oiled_skin"},
-    {"relaxation", "Relaxation", "Hold a press: the force falls with time.", "relaxation"},
-    {"breathing", "Breathing", "The back moves under the finger.", "breathing"},
-    {"stereo", "Stereo", "For red and cyan glasses.", "stereo"},
-    {"detecting-box", "Detecting box", "The dissertation's search: octree and haptic detecting box.",
-     "dissertation_contact"},
-    {"fine-mesh", "Fine mesh", "600,000 triangles at the same pace.", "fine_mesh"},
-    {"vhb-literal", "Virtual Haptic Back, literal", "The formulae as printed, with their errors.",
-     "virtual_haptic_back", true},
+    {"vhb", toTranslate("Virtual Haptic Back"), toTranslate("The dissertation's model of 2008: 2,962 triangles over its bones."), "virtual_haptic_back"},
+    {"trunk", toTranslate("Built-in body"), toTranslate("A trunk in layers of skin, fat and muscle, with a stiff place to find."), "default"},
+    {"dysfunctions", toTranslate("Hidden dysfunctions"), toTranslate("Find two stiff places and a soft one; key M shows them."), "dysfunctions"},
+    {"anatomy", toTranslate("Bones and names"), toTranslate("What lies under the skin, and what it is called."), "anatomy"},
+    {"thin", toTranslate("Thin person"), toTranslate("Ribs and spine are felt close under the skin."), "thin"},
+    {"heavy", toTranslate("Heavy person"), toTranslate("Fat gives way softly and far; bones are deep."), "heavy"},
+    {"prone", toTranslate("Prone on a table"), toTranslate("As an examiner stands beside the patient."), "prone"},
+    {"sitting", toTranslate("Sitting"), toTranslate("A rounded back."), "sitting"},
+    {"two-fingers", toTranslate("Two fingers"), toTranslate("Both sides of the spine at once; F7 plays them."), "two_fingers"},
+    {"strain", toTranslate("Strain colours"), toTranslate("Where the skin is stretched and where it is pushed together."), "strain_colours"},
+    {"oiled", toTranslate("Oiled skin"), toTranslate("The finger slips where it would stick."), "oiled_skin"},
+    {"relaxation", toTranslate("Relaxation"), toTranslate("Hold a press: the force falls with time."), "relaxation"},
+    {"breathing", toTranslate("Breathing"), toTranslate("The back moves under the finger."), "breathing"},
+    {"stereo", toTranslate("Stereo"), toTranslate("For red and cyan glasses."), "stereo"},
+    {"detecting-box", toTranslate("Detecting box"), toTranslate("The dissertation's search: octree and haptic detecting box."), "dissertation_contact"},
+    {"fine-mesh", toTranslate("Fine mesh"), toTranslate("600,000 triangles at the same pace."), "fine_mesh"},
+    {"vhb-literal", toTranslate("Virtual Haptic Back, literal"), toTranslate("The formulae as printed, with their errors."), "virtual_haptic_back", true},
 }};
+// clang-format on
 
 Scene sceneOf(std::string_view file) {
   Scene scene = parse(presetText(file), std::string(file) + ".toml");

@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "palpate/base/language.h"
 #include "palpate/window/input.h"
 
 struct ImFont;
@@ -17,7 +18,8 @@ struct ImFont;
 namespace palpate::window {
 
 enum class Theme : std::uint8_t { dark, light, contrast };
-inline constexpr std::array<std::string_view, 3> kThemeNames = {"dark", "light", "high contrast"};
+inline constexpr std::array<std::string_view, 3> kThemeNames = {toTranslate("dark"), toTranslate("light"),
+                                                             toTranslate("high contrast")};
 
 /// Letters of equal width, for code; in the current context of ImGui.
 ImFont* evenFont();

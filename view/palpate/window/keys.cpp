@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
+
 namespace palpate::window {
 
 namespace {
@@ -26,101 +28,101 @@ using G = KeyGroup;
 
 // clang-format off
 constexpr KeyBinding kTable[] = {
-    {A::hold, G::touch, plain(Key::enter), plain(Key::pad_enter), false, "Hold", "Keep the finger pressed without the button; again: lift it."},
-    {A::deeper, G::touch, plain(Key::page_down), plain(Key::right_bracket), true, "Deeper", "Press 0.5 mm deeper, or with 0.25 N more."},
-    {A::lighter, G::touch, plain(Key::page_up), plain(Key::left_bracket), true, "Lighter", "Press 0.5 mm less deep, or with 0.25 N less."},
-    {A::ring_left, G::touch, plain(Key::left), kNone, true, "Finger left", "Move the finger 2 mm to the left; pressed, it drags the skin."},
-    {A::ring_right, G::touch, plain(Key::right), kNone, true, "Finger right", "Move the finger 2 mm to the right."},
-    {A::ring_up, G::touch, plain(Key::up), kNone, true, "Finger up", "Move the finger 2 mm up."},
-    {A::ring_down, G::touch, plain(Key::down), kNone, true, "Finger down", "Move the finger 2 mm down."},
-    {A::take_left_finger, G::touch, plain('1'), kNone, false, "Take the left finger", "Move the left (blue) finger; the other stays where it is."},
-    {A::take_right_finger, G::touch, plain('2'), kNone, false, "Take the right finger", "Move the right (red) finger; the other stays where it is."},
-    {A::lift_all, G::touch, plain(Key::backspace), kNone, false, "Lift all fingers", "Lift every finger."},
-    {A::clutch, G::touch, plain('U'), kNone, false, "Clutch", "While down, devices move and fingers stay."},
-    {A::emergency_stop, G::touch, plain(Key::pause), kNone, false, "Emergency stop", "No device gets a force until it is released."},
-    {A::home, G::view, plain(Key::home), kNone, false, "Whole body", "See the whole body again."},
-    {A::centre_on_finger, G::view, plain('F'), kNone, false, "Centre on the finger", "Turn about the place under the finger."},
-    {A::next_view, G::view, plain('V'), kNone, false, "Next standard view", "Go round the standard views."},
-    {A::previous_view, G::view, shift('V'), kNone, false, "Previous standard view", "Go round the standard views the other way."},
-    {A::view_back, G::view, plain(Key::pad_1), kNone, false, "From behind", "See the back."},
-    {A::view_right, G::view, plain(Key::pad_3), kNone, false, "From the right", "See the patient's right side."},
-    {A::view_above, G::view, plain(Key::pad_7), kNone, false, "From above", "Look down along the spine."},
-    {A::measure, G::view, plain('D'), kNone, false, "Measure a distance", "Measure a distance by two clicks on the skin; Esc ends it."},
-    {A::find_place, G::view, ctrl('F'), kNone, false, "Go to a place ...", "Fly to a place by its name, such as T6."},
-    {A::show_wireframe, G::overlays, plain('W'), kNone, false, "Wireframe", "Show the edges of the mesh."},
-    {A::show_haptic_triangles, G::overlays, plain('T'), kNone, false, "Haptic triangles", "Show the triangles that the finger looks at, in green."},
-    {A::show_leaf_boxes, G::overlays, plain('B'), kNone, false, "Leaf boxes", "Show the leaves of the partition, in blue."},
-    {A::show_planes, G::overlays, plain('P'), kNone, false, "Splitting planes", "Show the planes that split space: x green, y red, z yellow."},
-    {A::show_detecting_box, G::overlays, plain('H'), kNone, false, "Detecting box", "Show the haptic detecting box."},
-    {A::show_ellipses, G::overlays, plain('E'), kNone, false, "Ellipses", "Show how far the skin follows, here and at the key points."},
-    {A::show_rings, G::overlays, plain('G'), kNone, false, "Neighbour rings", "Show the rings of neighbours round the finger."},
-    {A::show_arrows, G::overlays, plain('A'), kNone, false, "Displacement", "Show how far the skin has moved, as arrows."},
-    {A::show_contact, G::overlays, plain('C'), kNone, false, "Contact", "Show friction anchor, proxy, tip and force."},
-    {A::show_normals, G::overlays, plain('N'), kNone, false, "Normals", "Show the directions out of the skin."},
-    {A::show_section, G::overlays, plain('X'), kNone, false, "Cross section", "Show a cut through the contact, in mm."},
-    {A::show_names, G::overlays, plain('I'), kNone, false, "Names", "Show what the places of the body are called."},
-    {A::skin_opacity, G::overlays, plain('O'), kNone, false, "Skin opacity", "Make the skin 100, 60, 30 and 0 % opaque in turn."},
-    {A::colour_strain, G::overlays, plain('S'), kNone, false, "Strain", "Colour the skin by strain; again: off."},
-    {A::colour_stiffness, G::overlays, plain('M'), kNone, false, "Stiffness", "Colour the skin by stiffness; again: off."},
-    {A::colour_ellipses, G::overlays, plain('L'), kNone, false, "Ellipse map", "Colour the skin by the size of its ellipse; again: off."},
-    {A::freeze, G::window, plain(Key::space), kNone, false, "Freeze", "Freeze picture and plots, for Left and Right to step; the touch goes on. While a device is held: Pause."},
-    {A::play_script, G::window, f(7), kNone, false, "Play the scene's fingers", "Play the scene's own fingers; again: the mouse."},
-    {A::slower, G::window, f(8), kNone, false, "Slower", "Let what is played pass more slowly, down to 0.1 of its time."},
-    {A::faster, G::window, f(9), kNone, false, "Faster", "Let it pass faster, up to 10 times."},
-    {A::help, G::window, f(1), kNone, false, "Keys", "Show this list."},
-    {A::numbers, G::window, f(2), kNone, false, "Numbers", "Show depth and force beside the finger."},
-    {A::performance, G::window, f(3), kNone, false, "Performance", "Show how fast and how punctual everything is."},
-    {A::plots, G::window, f(4), kNone, false, "Plots", "Show force, depth and speed over time."},
-    {A::full_screen, G::window, f(11), kNone, false, "Full screen", "Fill the screen, or go back to a window."},
-    {A::screenshot, G::window, f(12), kNone, false, "Save a picture", "Save a picture (PNG) without messages, menus, dialogs."},
-    {A::screenshot_with_pop_ups, G::window, {functionKey(12), kShift}, kNone, false, "Save a picture with pop-ups", "The same with messages, menus and dialogs."},
-    {A::clear_screenshot, G::window, {functionKey(12), kCtrl}, kNone, false, "Save a picture without background", "Save the body alone as a PNG file, the rest transparent."},
-    {A::panel, G::window, plain(Key::tab), kNone, false, "Side panel", "Show or hide the panel."},
-    {A::record, G::window, plain('R'), kNone, false, "Record", "Start or stop recording forces to a CSV file."},
-    {A::keep_recording, G::window, shift('R'), kNone, false, "Keep the recording", "Keep what was recorded by itself, the last hour, as a file."},
-    {A::mark, G::window, shift('M'), kNone, false, "Mark", "Set a mark in the recording, to be found again."},
-    {A::reach, G::window, plain('J'), kNone, false, "Reach", "Show the box that a device which holds a finger can reach."},
-    {A::stereo_mode, G::window, plain('K'), kNone, false, "Stereo mode", "Go through the stereo modes."},
-    {A::swap_eyes, G::window, shift('K'), kNone, false, "Swap the eyes", "Give each eye the other one's picture."},
-    {A::open, G::file, ctrl('O'), kNone, false, "Open ...", "Open a scene or a mesh."},
-    {A::measure_person, G::file, ctrl('M'), kNone, false, "Measure a person ...", "Measure a person from two photographs; again: back."},
-    {A::save, G::file, ctrl('S'), kNone, false, "Save scene", "Save the scene with all changes, look and camera."},
-    {A::save_as, G::file, ctrlShift('S'), kNone, false, "Save scene as ...", "Save it to another file."},
-    {A::reload, G::file, f(5), kNone, false, "Read again", "Read the scene or mesh file once more."},
-    {A::reset, G::file, f(6), kNone, false, "Reset", "Put everything back as it was opened or saved."},
-    {A::undo, G::file, ctrl('Z'), kNone, false, "Undo", "Take back the last change, of whatever control."},
-    {A::redo, G::file, ctrlShift('Z'), kNone, false, "Redo", "Do it again."},
-    {A::copy_scene, G::file, ctrl('C'), kNone, false, "Copy as a scene", "Copy what is seen and felt now as the text of a scene file."},
-    {A::delete_selected, G::file, plain(Key::delete_key), kNone, false, "Delete", "Delete the selected dysfunction."},
-    {A::cancel, G::file, plain(Key::escape), kNone, false, "Cancel", "Leave the drag, tool or dialog; never quits."},
-    {A::quit, G::file, ctrl('Q'), kNone, false, "Quit", "Close the window."},
+    {A::hold, G::touch, plain(Key::enter), plain(Key::pad_enter), false, toTranslate("Hold"), toTranslate("Keep the finger pressed without the button; again: lift it.")},
+    {A::deeper, G::touch, plain(Key::page_down), plain(Key::right_bracket), true, toTranslate("Deeper"), toTranslate("Press 0.5 mm deeper, or with 0.25 N more.")},
+    {A::lighter, G::touch, plain(Key::page_up), plain(Key::left_bracket), true, toTranslate("Lighter"), toTranslate("Press 0.5 mm less deep, or with 0.25 N less.")},
+    {A::ring_left, G::touch, plain(Key::left), kNone, true, toTranslate("Finger left"), toTranslate("Move the finger 2 mm to the left; pressed, it drags the skin.")},
+    {A::ring_right, G::touch, plain(Key::right), kNone, true, toTranslate("Finger right"), toTranslate("Move the finger 2 mm to the right.")},
+    {A::ring_up, G::touch, plain(Key::up), kNone, true, toTranslate("Finger up"), toTranslate("Move the finger 2 mm up.")},
+    {A::ring_down, G::touch, plain(Key::down), kNone, true, toTranslate("Finger down"), toTranslate("Move the finger 2 mm down.")},
+    {A::take_left_finger, G::touch, plain('1'), kNone, false, toTranslate("Take the left finger"), toTranslate("Move the left (blue) finger; the other stays where it is.")},
+    {A::take_right_finger, G::touch, plain('2'), kNone, false, toTranslate("Take the right finger"), toTranslate("Move the right (red) finger; the other stays where it is.")},
+    {A::lift_all, G::touch, plain(Key::backspace), kNone, false, toTranslate("Lift all fingers"), toTranslate("Lift every finger.")},
+    {A::clutch, G::touch, plain('U'), kNone, false, toTranslate("Clutch"), toTranslate("While down, devices move and fingers stay.")},
+    {A::emergency_stop, G::touch, plain(Key::pause), kNone, false, toTranslate("Emergency stop"), toTranslate("No device gets a force until it is released.")},
+    {A::home, G::view, plain(Key::home), kNone, false, toTranslate("Whole body"), toTranslate("See the whole body again.")},
+    {A::centre_on_finger, G::view, plain('F'), kNone, false, toTranslate("Centre on the finger"), toTranslate("Turn about the place under the finger.")},
+    {A::next_view, G::view, plain('V'), kNone, false, toTranslate("Next standard view"), toTranslate("Go round the standard views.")},
+    {A::previous_view, G::view, shift('V'), kNone, false, toTranslate("Previous standard view"), toTranslate("Go round the standard views the other way.")},
+    {A::view_back, G::view, plain(Key::pad_1), kNone, false, toTranslate("From behind"), toTranslate("See the back.")},
+    {A::view_right, G::view, plain(Key::pad_3), kNone, false, toTranslate("From the right"), toTranslate("See the patient's right side.")},
+    {A::view_above, G::view, plain(Key::pad_7), kNone, false, toTranslate("From above"), toTranslate("Look down along the spine.")},
+    {A::measure, G::view, plain('D'), kNone, false, toTranslate("Measure a distance"), toTranslate("Measure a distance by two clicks on the skin; Esc ends it.")},
+    {A::find_place, G::view, ctrl('F'), kNone, false, toTranslate("Go to a place ..."), toTranslate("Fly to a place by its name, such as T6.")},
+    {A::show_wireframe, G::overlays, plain('W'), kNone, false, toTranslate("Wireframe"), toTranslate("Show the edges of the mesh.")},
+    {A::show_haptic_triangles, G::overlays, plain('T'), kNone, false, toTranslate("Haptic triangles"), toTranslate("Show the triangles that the finger looks at, in green.")},
+    {A::show_leaf_boxes, G::overlays, plain('B'), kNone, false, toTranslate("Leaf boxes"), toTranslate("Show the leaves of the partition, in blue.")},
+    {A::show_planes, G::overlays, plain('P'), kNone, false, toTranslate("Splitting planes"), toTranslate("Show the planes that split space: x green, y red, z yellow.")},
+    {A::show_detecting_box, G::overlays, plain('H'), kNone, false, toTranslate("Detecting box"), toTranslate("Show the haptic detecting box.")},
+    {A::show_ellipses, G::overlays, plain('E'), kNone, false, toTranslate("Ellipses"), toTranslate("Show how far the skin follows, here and at the key points.")},
+    {A::show_rings, G::overlays, plain('G'), kNone, false, toTranslate("Neighbour rings"), toTranslate("Show the rings of neighbours round the finger.")},
+    {A::show_arrows, G::overlays, plain('A'), kNone, false, toTranslate("Displacement"), toTranslate("Show how far the skin has moved, as arrows.")},
+    {A::show_contact, G::overlays, plain('C'), kNone, false, toTranslate("Contact"), toTranslate("Show friction anchor, proxy, tip and force.")},
+    {A::show_normals, G::overlays, plain('N'), kNone, false, toTranslate("Normals"), toTranslate("Show the directions out of the skin.")},
+    {A::show_section, G::overlays, plain('X'), kNone, false, toTranslate("Cross section"), toTranslate("Show a cut through the contact, in mm.")},
+    {A::show_names, G::overlays, plain('I'), kNone, false, toTranslate("Names"), toTranslate("Show what the places of the body are called.")},
+    {A::skin_opacity, G::overlays, plain('O'), kNone, false, toTranslate("Skin opacity"), toTranslate("Make the skin 100, 60, 30 and 0 % opaque in turn.")},
+    {A::colour_strain, G::overlays, plain('S'), kNone, false, toTranslate("Strain"), toTranslate("Colour the skin by strain; again: off.")},
+    {A::colour_stiffness, G::overlays, plain('M'), kNone, false, toTranslate("Stiffness"), toTranslate("Colour the skin by stiffness; again: off.")},
+    {A::colour_ellipses, G::overlays, plain('L'), kNone, false, toTranslate("Ellipse map"), toTranslate("Colour the skin by the size of its ellipse; again: off.")},
+    {A::freeze, G::window, plain(Key::space), kNone, false, toTranslate("Freeze"), toTranslate("Freeze picture and plots, for Left and Right to step; the touch goes on. While a device is held: Pause.")},
+    {A::play_script, G::window, f(7), kNone, false, toTranslate("Play the scene's fingers"), toTranslate("Play the scene's own fingers; again: the mouse.")},
+    {A::slower, G::window, f(8), kNone, false, toTranslate("Slower"), toTranslate("Let what is played pass more slowly, down to 0.1 of its time.")},
+    {A::faster, G::window, f(9), kNone, false, toTranslate("Faster"), toTranslate("Let it pass faster, up to 10 times.")},
+    {A::help, G::window, f(1), kNone, false, toTranslate("Keys"), toTranslate("Show this list.")},
+    {A::numbers, G::window, f(2), kNone, false, toTranslate("Numbers"), toTranslate("Show depth and force beside the finger.")},
+    {A::performance, G::window, f(3), kNone, false, toTranslate("Performance"), toTranslate("Show how fast and how punctual everything is.")},
+    {A::plots, G::window, f(4), kNone, false, toTranslate("Plots"), toTranslate("Show force, depth and speed over time.")},
+    {A::full_screen, G::window, f(11), kNone, false, toTranslate("Full screen"), toTranslate("Fill the screen, or go back to a window.")},
+    {A::screenshot, G::window, f(12), kNone, false, toTranslate("Save a picture"), toTranslate("Save a picture (PNG) without messages, menus, dialogs.")},
+    {A::screenshot_with_pop_ups, G::window, {functionKey(12), kShift}, kNone, false, toTranslate("Save a picture with pop-ups"), toTranslate("The same with messages, menus and dialogs.")},
+    {A::clear_screenshot, G::window, {functionKey(12), kCtrl}, kNone, false, toTranslate("Save a picture without background"), toTranslate("Save the body alone as a PNG file, the rest transparent.")},
+    {A::panel, G::window, plain(Key::tab), kNone, false, toTranslate("Side panel"), toTranslate("Show or hide the panel.")},
+    {A::record, G::window, plain('R'), kNone, false, toTranslate("Record"), toTranslate("Start or stop recording forces to a CSV file.")},
+    {A::keep_recording, G::window, shift('R'), kNone, false, toTranslate("Keep the recording"), toTranslate("Keep what was recorded by itself, the last hour, as a file.")},
+    {A::mark, G::window, shift('M'), kNone, false, toTranslate("Mark"), toTranslate("Set a mark in the recording, to be found again.")},
+    {A::reach, G::window, plain('J'), kNone, false, toTranslate("Reach"), toTranslate("Show the box that a device which holds a finger can reach.")},
+    {A::stereo_mode, G::window, plain('K'), kNone, false, toTranslate("Stereo mode"), toTranslate("Go through the stereo modes.")},
+    {A::swap_eyes, G::window, shift('K'), kNone, false, toTranslate("Swap the eyes"), toTranslate("Give each eye the other one's picture.")},
+    {A::open, G::file, ctrl('O'), kNone, false, toTranslate("Open ..."), toTranslate("Open a scene or a mesh.")},
+    {A::measure_person, G::file, ctrl('M'), kNone, false, toTranslate("Measure a person ..."), toTranslate("Measure a person from two photographs; again: back.")},
+    {A::save, G::file, ctrl('S'), kNone, false, toTranslate("Save scene"), toTranslate("Save the scene with all changes, look and camera.")},
+    {A::save_as, G::file, ctrlShift('S'), kNone, false, toTranslate("Save scene as ..."), toTranslate("Save it to another file.")},
+    {A::reload, G::file, f(5), kNone, false, toTranslate("Read again"), toTranslate("Read the scene or mesh file once more.")},
+    {A::reset, G::file, f(6), kNone, false, toTranslate("Reset"), toTranslate("Put everything back as it was opened or saved.")},
+    {A::undo, G::file, ctrl('Z'), kNone, false, toTranslate("Undo"), toTranslate("Take back the last change, of whatever control.")},
+    {A::redo, G::file, ctrlShift('Z'), kNone, false, toTranslate("Redo"), toTranslate("Do it again.")},
+    {A::copy_scene, G::file, ctrl('C'), kNone, false, toTranslate("Copy as a scene"), toTranslate("Copy what is seen and felt now as the text of a scene file.")},
+    {A::delete_selected, G::file, plain(Key::delete_key), kNone, false, toTranslate("Delete"), toTranslate("Delete the selected dysfunction.")},
+    {A::cancel, G::file, plain(Key::escape), kNone, false, toTranslate("Cancel"), toTranslate("Leave the drag, tool or dialog; never quits.")},
+    {A::quit, G::file, ctrl('Q'), kNone, false, toTranslate("Quit"), toTranslate("Close the window.")},
 };
 // clang-format on
 static_assert(std::size(kTable) == kActions);
 
 std::string nameOf(Key k) {
   static constexpr std::pair<Key, std::string_view> kNames[] = {
-      {Key::space, "Space"},
-      {Key::escape, "Esc"},
-      {Key::enter, "Enter"},
-      {Key::tab, "Tab"},
-      {Key::backspace, "Backspace"},
-      {Key::delete_key, "Delete"},
-      {Key::right, "Right"},
-      {Key::left, "Left"},
-      {Key::down, "Down"},
-      {Key::up, "Up"},
-      {Key::page_up, "PgUp"},
-      {Key::page_down, "PgDn"},
-      {Key::home, "Home"},
-      {Key::end, "End"},
-      {Key::pause, "Pause"},
+      {Key::space, toTranslate("Space")},
+      {Key::escape, toTranslate("Esc")},
+      {Key::enter, toTranslate("Enter")},
+      {Key::tab, toTranslate("Tab")},
+      {Key::backspace, toTranslate("Backspace")},
+      {Key::delete_key, toTranslate("Delete")},
+      {Key::right, toTranslate("Right")},
+      {Key::left, toTranslate("Left")},
+      {Key::down, toTranslate("Down")},
+      {Key::up, toTranslate("Up")},
+      {Key::page_up, toTranslate("PgUp")},
+      {Key::page_down, toTranslate("PgDn")},
+      {Key::home, toTranslate("Home")},
+      {Key::end, toTranslate("End")},
+      {Key::pause, toTranslate("Pause")},
       {Key::left_bracket, "["},
       {Key::right_bracket, "]"},
-      {Key::pad_1, "Keypad 1"},
-      {Key::pad_3, "Keypad 3"},
-      {Key::pad_7, "Keypad 7"},
-      {Key::pad_enter, "Keypad Enter"},
+      {Key::pad_1, toTranslate("Keypad 1")},
+      {Key::pad_3, toTranslate("Keypad 3")},
+      {Key::pad_7, toTranslate("Keypad 7")},
+      {Key::pad_enter, toTranslate("Keypad Enter")},
   };
   for (const auto& [key, name] : kNames) {
     if (key == k) return std::string(name);
@@ -158,9 +160,18 @@ std::string nameOf(const Chord& chord) {
                      nameOf(chord.key));
 }
 
+std::string shownNameOf(const Chord& chord) {
+  if (chord.key == Key::none) return {};
+  std::string words;
+  if (chord.modifiers.ctrl) words += fmt::format("{}+", tr("Ctrl"));
+  if (chord.modifiers.shift) words += fmt::format("{}+", tr("Shift"));
+  return words + tr(nameOf(chord.key).c_str());
+}
+
 std::string keysOf(const KeyBinding& binding) {
-  const std::string second = nameOf(binding.also);
-  return nameOf(binding.chord) + (second.empty() ? "" : " or " + second);
+  const std::string second = shownNameOf(binding.also);
+  const std::string first = shownNameOf(binding.chord);
+  return second.empty() ? first : fmt::format("{} {} {}", first, tr("or"), second);
 }
 
 std::optional<view::Overlay> overlayOf(Action action) {

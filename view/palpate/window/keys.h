@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "palpate/base/language.h"
 #include "palpate/view/look.h"
 
 namespace palpate::window {
@@ -133,7 +134,9 @@ struct Chord {
 };
 
 enum class KeyGroup : std::uint8_t { touch, view, overlays, window, file };
-inline constexpr std::array<std::string_view, 5> kKeyGroupNames = {"Touch", "View", "Overlays", "Window", "File"};
+inline constexpr std::array<std::string_view, 5> kKeyGroupNames = {toTranslate("Touch"), toTranslate("View"),
+                                                                toTranslate("Overlays"), toTranslate("Window"),
+                                                                toTranslate("File")};
 
 struct KeyBinding {
   Action action;
@@ -155,8 +158,10 @@ struct PressedKey {
 };
 std::optional<PressedKey> actionOf(const Chord& chord);
 
-/// "Ctrl+S", "PgDn"; empty for no key.
+/// "Ctrl+S", "PgDn", as input scripts write it; empty for no key.
 std::string nameOf(const Chord& chord);
+/// The same in the language in use: "Strg+S".
+std::string shownNameOf(const Chord& chord);
 /// Both ways: "PgDn or ]".
 std::string keysOf(const KeyBinding& binding);
 

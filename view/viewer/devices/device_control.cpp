@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/servo/device_limits.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double kTendedEveryS = 1.0;
 /// For the list of messages: over the picture lies the banner.
-constexpr const char* kStopped = "Emergency stop: no device gets a force";
+constexpr const char* kStopped = toTranslate("Emergency stop: no device gets a force");
 
 BackEndFound found(const device::BackEnd& back_end) {
   const device::Probe probe = back_end.probe({});
@@ -91,7 +92,7 @@ void DeviceControl::stop(ViewerState& viewer) {
 
 void DeviceControl::open(std::size_t finger, const std::string& words, ViewerState& viewer) {
   FingerHeld& held = viewer.devices.fingers[finger];
-  if (opening_[finger].busy()) return viewer.report(Severity::info, held.opening + " is still being opened");
+  if (opening_[finger].busy()) return viewer.report(Severity::info, trf("{} is still being opened", held.opening));
   device::OpenOptions options;
   options.tick_s = 1.0 / viewer.ticks_per_s;
   options.give_up = &give_up_;
@@ -104,7 +105,7 @@ void DeviceControl::takeOpened(std::size_t finger, ViewerState& viewer, const sc
   const std::string words = std::exchange(viewer.devices.fingers[finger].opening, {});
   if (!opened->value)
     return viewer.report(Severity::error,
-                         fmt::format("The {} finger stays the mouse's: {}", kFingerNames[finger], opened->error));
+                         trf("The {} finger stays the mouse's: {}", tr(std::string(kFingerNames[finger]).c_str()), opened->error));
   const std::string about = device::describe(*opened->value);
   OpenedDevice held{words, std::move(*opened->value), workspaceNow(finger, words, viewer, world)};
   const auto before = std::exchange(viewer.held, servo_.abilitiesWith(finger, &held));
@@ -121,7 +122,7 @@ void DeviceControl::takeOpened(std::size_t finger, ViewerState& viewer, const sc
   viewer.devices.fingers[finger].known_s = -1.0;  // of the device before, if any
   tellWho(viewer);
   if (viewer.active_finger == finger && !servo_.isHeld(1 - finger)) viewer.active_finger = 1 - finger;
-  viewer.report(Severity::info, fmt::format("The {} finger is held by {}", kFingerNames[finger], about));
+  viewer.report(Severity::info, trf("The {} finger is held by {}", tr(std::string(kFingerNames[finger]).c_str()), about));
 }
 
 void DeviceControl::close(std::size_t finger, ViewerState& viewer) {
@@ -132,7 +133,7 @@ void DeviceControl::close(std::size_t finger, ViewerState& viewer) {
   viewer.devices.fingers[finger].trouble.clear();
   if (viewer.devices.calibration.finger == finger) viewer.devices.calibration = {};
   tellWho(viewer);
-  viewer.report(Severity::info, fmt::format("{} is let go; the mouse has the {} finger", name, kFingerNames[finger]));
+  viewer.report(Severity::info, trf("{} is let go; the mouse has the {} finger", name, tr(std::string(kFingerNames[finger]).c_str())));
 }
 
 /// Looking opens a driver for a moment, so one that is held here is left alone.
@@ -151,7 +152,7 @@ void DeviceControl::lookForBackEnds(ViewerState& viewer) {
         all.push_back({.name = std::string(back_end.name),
                        .about = std::string(back_end.about),
                        .available = true,
-                       .devices = {"at work here"}});
+                       .devices = {tr("at work here")}});
       } else {
         all.push_back(found(back_end));
       }
@@ -199,7 +200,7 @@ void DeviceControl::tellTrouble(std::size_t finger, std::string trouble, ViewerS
   if (!servo_.isHeld(finger)) return;
   const std::string was = std::exchange(viewer.devices.fingers[finger].trouble, std::move(trouble));
   const std::string& is = viewer.devices.fingers[finger].trouble;
-  if (is.empty() && !was.empty()) viewer.report(Severity::info, servo_.opened(finger).words + " is back");
+  if (is.empty() && !was.empty()) viewer.report(Severity::info, trf("{} is back", servo_.opened(finger).words));
   if (!is.empty() && was.empty()) viewer.report(Severity::warning, is);
 }
 

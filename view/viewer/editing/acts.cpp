@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "view/viewer/editing/dysfunction_editor.h"
 #include "view/viewer/state/replay.h"
 
@@ -92,7 +93,7 @@ void nextStereoMode(ViewerState& viewer) {
   const bool quad_buffer = static_cast<view::StereoMode>(next) == view::StereoMode::quad_buffer;
   if (quad_buffer && !viewer.quad_buffer_offered) next = 0;
   mode = static_cast<view::StereoMode>(next);
-  viewer.report(Severity::info, fmt::format("Stereo: {}", view::kStereoModeNames[next]));
+  viewer.report(Severity::info, trf("Stereo: {}", tr(std::string(view::kStereoModeNames[next]).c_str())));
 }
 
 /// Anew, or an end of it; the editor wants the same button.
@@ -111,7 +112,7 @@ void changeTimeSpeed(ViewerState& viewer, int step) {
   const auto now = static_cast<int>(at - kTimeSpeeds.begin());
   const int next = std::clamp(now + step, 0, static_cast<int>(kTimeSpeeds.size()) - 1);
   viewer.time_speed = kTimeSpeeds[static_cast<std::size_t>(next)];
-  viewer.report(Severity::info, fmt::format("What is played passes at {:g} of its time", viewer.time_speed));
+  viewer.report(Severity::info, trf("What is played passes at {:g} of its time", viewer.time_speed));
 }
 
 /// Escape leaves the innermost thing: a page, then the editor. It never quits. Dialogs hear it themselves.

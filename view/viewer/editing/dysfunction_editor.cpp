@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "palpate/body/places.h"
 
 namespace palpate::viewer {
@@ -26,7 +27,7 @@ maps::Dysfunction* selected(const DysfunctionEdit& edit) {
 }
 
 std::string nameOfSelected(const DysfunctionEdit& edit) {
-  return fmt::format("dysfunction {}", edit.editor.selected + 1);
+  return trf("dysfunction {}", edit.editor.selected + 1);
 }
 
 void grab(const DysfunctionEdit& edit, const Vec2& place) {
@@ -70,7 +71,7 @@ void placeAt(const DysfunctionEdit& edit, const body::NamedPlace& place) {
   edit.items.push_back(placed);
   edit.editor.selected = static_cast<int>(edit.items.size()) - 1;
   edit.asks.changed |= kMapChange;
-  edit.asks.step = "place " + nameOfSelected(edit);
+  edit.asks.step = trf("place {}", nameOfSelected(edit));
 }
 
 void stopEditing(const DysfunctionEdit& edit) {
@@ -106,7 +107,7 @@ bool applyEdit(const window::Command& command, const std::optional<Vec2>& place,
     case Kind::edit_drop:
       if (maps::Dysfunction* item = selected(edit)) putIntoWords(*item, edit.landmarks);
       edit.editor.before.reset();
-      edit.asks.step = "place " + nameOfSelected(edit);
+      edit.asks.step = trf("place {}", nameOfSelected(edit));
       return true;
     case Kind::edit_size:
       changeSelected(edit, "resize", [&](maps::Dysfunction& item) {
@@ -134,7 +135,7 @@ void putIntoWords(maps::Dysfunction& item, std::span<const body::SkinLandmark> l
 
 void deleteSelected(const DysfunctionEdit& edit) {
   if (selected(edit) == nullptr) return;
-  edit.asks.step = "delete " + nameOfSelected(edit);
+  edit.asks.step = trf("delete {}", nameOfSelected(edit));
   edit.items.erase(edit.items.begin() + edit.editor.selected);
   edit.editor.selected = -1;
   edit.asks.changed |= kMapChange;

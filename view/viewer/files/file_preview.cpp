@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/mesh/files/load.h"
@@ -107,7 +108,7 @@ FilePreview previewOfMesh(const fs::path& file, const mesh::LoadOptions& options
   const Vec3 size = finiteBox(mesh).isEmpty() ? Vec3::Zero() : Vec3(finiteBox(mesh).sizes());
   FilePreview preview;
   if (options.unit_mm == 0.0 && hasNoUnit(file)) preview.longest_units = size.maxCoeff();
-  preview.words = fmt::format("{} triangles, {:.4g} x {:.4g} x {:.4g}{}", mesh.triangles.size(), size.x(), size.y(),
+  preview.words = trf("{} triangles, {:.4g} x {:.4g} x {:.4g}{}", mesh.triangles.size(), size.x(), size.y(),
                               size.z(), preview.longest_units ? "" : " mm");
   preview.picture = smallPicture(mesh, limits);
   return preview;
@@ -115,8 +116,8 @@ FilePreview previewOfMesh(const fs::path& file, const mesh::LoadOptions& options
 
 FilePreview previewOfScene(const fs::path& file, const PreviewLimits& limits) {
   const scene::Scene scene = scene::load(file);
-  const std::string title = scene.title.empty() ? "Scene" : oneLine(scene.title);
-  if (scene.body.kind != scene::BodyKind::mesh) return {title + ", on a built-in body", {}, {}};
+  const std::string title = scene.title.empty() ? tr("Scene") : oneLine(scene.title);
+  if (scene.body.kind != scene::BodyKind::mesh) return {trf("{}, on a built-in body", title), {}, {}};
   FilePreview preview = previewOfMesh(
       scene.body.file, {.unit_mm = scene::millimetresOf(scene.body.unit), .max_bytes = limits.max_bytes}, limits);
   preview.words = fmt::format("{}: {}", title, preview.words);
@@ -161,7 +162,7 @@ FilePreview previewOf(const fs::path& file, const PreviewLimits& limits) {
   try {
     std::error_code error;
     if (fs::file_size(file, error) > limits.max_bytes && !error) {
-      return {fmt::format("{} MB: too large for a preview", fs::file_size(file, error) >> 20), {}, {}};
+      return {trf("{} MB: too large for a preview", fs::file_size(file, error) >> 20), {}, {}};
     }
     if (kindOf(file) == ".toml") return previewOfScene(file, limits);
     if (mesh::isMeshFile(file)) return previewOfMesh(file, {.max_bytes = limits.max_bytes}, limits);
@@ -177,9 +178,9 @@ std::optional<UnitGuess> unitGuess(double longest_units) {
     std::string_view name;
     std::string_view answer;
   };
-  constexpr std::array kCandidates = {Candidate{scene::Unit::metre, "metres", "Metres"},
-                                      Candidate{scene::Unit::centimetre, "centimetres", "Centimetres"},
-                                      Candidate{scene::Unit::decimetre, "decimetres", "Decimetres"}};
+  constexpr std::array kCandidates = {Candidate{scene::Unit::metre, toTranslate("metres"), toTranslate("Metres")},
+                                      Candidate{scene::Unit::centimetre, toTranslate("centimetres"), toTranslate("Centimetres")},
+                                      Candidate{scene::Unit::decimetre, toTranslate("decimetres"), toTranslate("Decimetres")}};
   // A hand to the tallest person.
   constexpr double kShortestMm = 120.0, kLongestMm = 2300.0;
   // Between these, in millimetres: a body or a part of one, and nothing has to be asked.
@@ -189,10 +190,11 @@ std::optional<UnitGuess> unitGuess(double longest_units) {
     const double length_mm = longest_units * scene::millimetresOf(candidate.unit);
     if (length_mm < kShortestMm || length_mm > kLongestMm) continue;
     const std::string length =
-        length_mm < 1000.0 ? fmt::format("{:.0f} cm", 0.1 * length_mm) : fmt::format("{:.2g} m", 1e-3 * length_mm);
+        length_mm < 1000.0 ? trf("{:.0f} cm", 0.1 * length_mm) : trf("{:.2g} m", 1e-3 * length_mm);
     return UnitGuess{
         candidate.unit,
-        fmt::format("This body is {:.2g} across: {}? It would be {} long.", longest_units, candidate.name, length),
+        trf("This body is {:.2g} across: {}? It would be {} long.", longest_units, tr(std::string(candidate.name).c_str()),
+            length),
         std::string(candidate.answer)};
   }
   return {};

@@ -1,3 +1,4 @@
+#include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "view/viewer/files/recorded_touch.h"
 
@@ -54,7 +55,7 @@ void takeSamples(trace::RecordingReader& viewer, const trace::TickSpan& span, co
     }
     return true;
   });
-  if (other_before) recorded.notes.emplace_back("What was felt on another body before is not shown");
+  if (other_before) recorded.notes.emplace_back(tr("What was felt on another body before is not shown"));
 }
 
 }  // namespace
@@ -73,14 +74,14 @@ RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& 
   recorded.world =
       engine::builtWorld(shown, carried.folder().empty() ? pathOf(shown.folder) : carried.folder(), progress);
   if (engine::hashOf(*recorded.world) != shown.hash) {
-    recorded.notes.emplace_back("The body or its stiffness is not the recorded one any more");
+    recorded.notes.emplace_back(tr("The body or its stiffness is not the recorded one any more"));
   }
   trace::TickSpan span;
   const auto longest = static_cast<std::uint64_t>(kLongestReplayS * rate);
   if (facts.last_tick - facts.first_tick > longest) {
     span.from = facts.last_tick - longest;
     recorded.notes.push_back(
-        fmt::format("The last {:.0f} of {:.0f} s are shown; palpate recording trim cuts out others", kLongestReplayS,
+        trf("The last {:.0f} of {:.0f} s are shown; palpate recording trim cuts out others", kLongestReplayS,
                     facts.seconds()));
   }
   takeSamples(viewer, span, shown, recorded, progress);
@@ -91,9 +92,9 @@ RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& 
     if (event.kind == "mark") recorded.marks.push_back({static_cast<double>(event.tick) / rate, event.text});
   }
   if (facts.ended_by.empty()) {
-    recorded.notes.emplace_back("It was not finished: what was written before its program ended is shown");
+    recorded.notes.emplace_back(tr("It was not finished: what was written before its program ended is shown"));
   }
-  if (facts.dropped > 0) recorded.notes.push_back(fmt::format("{} samples are missing in it", facts.dropped));
+  if (facts.dropped > 0) recorded.notes.push_back(trf("{} samples are missing in it", facts.dropped));
   return recorded;
 }
 

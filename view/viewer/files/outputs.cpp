@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
@@ -61,8 +62,8 @@ void Outputs::endBrokenForces(ViewerState& viewer, const std::string& why) {
   viewer.recording.forces = false;
   const std::string kept = forces_.abandon();
   const std::string rest =
-      kept.empty() ? std::string("nothing of it could be kept") : fmt::format("what was written is kept in {}", kept);
-  viewer.report(Severity::error, fmt::format("The recording ended: {}; {}", why, rest));
+      kept.empty() ? std::string(tr("nothing of it could be kept")) : trf("what was written is kept in {}", kept);
+  viewer.report(Severity::error, trf("The recording ended: {}; {}", why, rest));
 }
 
 void Outputs::toggleForces(ViewerState& viewer) {
@@ -71,7 +72,7 @@ void Outputs::toggleForces(ViewerState& viewer) {
     recording.forces = false;
     try {
       forces_.stop();
-      viewer.report(Severity::info, fmt::format("Forces are in {}", recording.forces_file));
+      viewer.report(Severity::info, trf("Forces are in {}", recording.forces_file));
     } catch (const std::exception& error) {
       endBrokenForces(viewer, error.what());
     }
@@ -82,14 +83,14 @@ void Outputs::toggleForces(ViewerState& viewer) {
   recording.forces = true;
   recording.forces_file = file.string();
   recording.since_s = viewer.now_s;
-  viewer.report(Severity::info, fmt::format("Recording forces into {}; R ends it", recording.forces_file));
+  viewer.report(Severity::info, trf("Recording forces into {}; R ends it", recording.forces_file));
 }
 
 void Outputs::toggleSequence(ViewerState& viewer) {
   Recording& recording = viewer.recording;
   if (recording.sequence) {
     recording.sequence = false;
-    viewer.report(Severity::info, fmt::format("{} pictures are in {}", recording.pictures, recording.sequence_folder));
+    viewer.report(Severity::info, trf("{} pictures are in {}", recording.pictures, recording.sequence_folder));
     return;
   }
   const fs::path folder = freshFile(folder_, "pictures", "");
@@ -97,14 +98,14 @@ void Outputs::toggleSequence(ViewerState& viewer) {
   recording.sequence = true;
   recording.sequence_folder = folder.string();
   recording.pictures = 0;
-  viewer.report(Severity::info, fmt::format("Recording pictures into {}", recording.sequence_folder));
+  viewer.report(Severity::info, trf("Recording pictures into {}", recording.sequence_folder));
 }
 
 void Outputs::savePlots(ViewerState& viewer) {
   const Plots& plots = viewer.plots;
   const fs::path file = freshFile(folder_, "plots", ".csv");
   const auto write = [&] { writeFile(file, historyAsCsv(plots.fingers, plots.shownEnd(), plots.window_s)); };
-  if (attempt(viewer, write)) viewer.report(Severity::info, fmt::format("The plots are in {}", file.string()));
+  if (attempt(viewer, write)) viewer.report(Severity::info, trf("The plots are in {}", file.string()));
 }
 
 Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request) {
@@ -113,7 +114,7 @@ Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request
   if (!request.sure && wouldOverwrite(viewer.document, target)) {
     const bool known = fs::absolute(target).lexically_normal() == viewer.document.file;
     viewer.ask({.kind = Question::Kind::overwrite,
-                .words = fmt::format("{} {}. Write over it?", target.string(),
+                .words = fmt::format("{} {}. {}", target.string(),
                                      known ? "was changed by somebody else since it was opened" : "exists already"),
                 .answers = {"Overwrite", "Cancel"},
                 .file = target.string()});
@@ -127,10 +128,10 @@ Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request
   viewer.scene.strain = scene.strain;
   viewer.opened = {.look = viewer.state.look, .stereo = viewer.state.stereo};
   viewer.history.saved(viewer);
-  std::string words = written.as_it_was ? fmt::format("Nothing to save: {} says it all", viewer.document.file.string())
-                                        : fmt::format("The scene is saved as {}", viewer.document.file.string());
+  std::string words = written.as_it_was ? trf("Nothing to save: {} says it all", viewer.document.file.string())
+                                        : trf("The scene is saved as {}", viewer.document.file.string());
   if (!written.kept.empty())
-    words += fmt::format("; its comments could not be kept and are in {}", written.kept.string());
+    words += trf("; its comments could not be kept and are in {}", written.kept.string());
   viewer.report(Severity::info, std::move(words));
   return Saving::done;
 }
@@ -158,7 +159,7 @@ void Outputs::keepFrame(ViewerState& viewer, view::Image image) {
     pictures_.finish();
     tellErrors(viewer);
     if (fs::exists(file)) {
-      viewer.report(Severity::info, fmt::format("The picture is saved as {}", file.string()));
+      viewer.report(Severity::info, trf("The picture is saved as {}", file.string()));
       saved_picture_ = file;
     }
   }
@@ -172,7 +173,7 @@ void Outputs::keepFrame(ViewerState& viewer, view::Image image) {
 void Outputs::saveClearPicture(ViewerState& viewer, const view::CutOut& picture) {
   const fs::path file = freshFile(folder_, "palpate", ".png");
   if (!attempt(viewer, [&] { view::writePng(file, picture); })) return;
-  viewer.report(Severity::info, fmt::format("The picture without background is saved as {}", file.string()));
+  viewer.report(Severity::info, trf("The picture without background is saved as {}", file.string()));
 }
 
 void Outputs::startFilm(ViewerState& viewer, const std::string& file) {
@@ -180,7 +181,7 @@ void Outputs::startFilm(ViewerState& viewer, const std::string& file) {
   film_.start(pathOf(file));
   viewer.recording.film = true;
   viewer.recording.film_since_s = viewer.now_s;
-  viewer.report(Severity::info, fmt::format("Filming into {}; File > Stop the film ends it", file));
+  viewer.report(Severity::info, trf("Filming into {}; File > Stop the film ends it", file));
 }
 
 void Outputs::stopFilm(ViewerState& viewer) {
@@ -195,8 +196,8 @@ void Outputs::followFilm(ViewerState& viewer) {
   if (!ending) return;
   viewer.recording.film = false;
   viewer.report(ending->trouble.empty() ? Severity::info : Severity::error,
-                ending->trouble.empty() ? fmt::format("The film is saved as {}", ending->file.string())
-                                        : fmt::format("The film ended: {}", ending->trouble));
+                ending->trouble.empty() ? trf("The film is saved as {}", ending->file.string())
+                                        : trf("The film ended: {}", ending->trouble));
 }
 
 void Outputs::tellErrors(ViewerState& viewer) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "palpate/device/finger_path.h"
 #include "palpate/servo/tick.h"
 #include "palpate/trace/forces_table.h"
@@ -121,7 +122,7 @@ RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world, co
   const scene::Scene& scene = world->scene;
   const device::FingerPaths paths = device::pathsOf(*world);
   RecordedTouch recorded;
-  recorded.file = "the scene's fingers";
+  recorded.file = tr("the scene's fingers");
   recorded.of_script = true;
   recorded.ticks_per_s = scene.ticks_per_s;
   RecordedTips tips;
@@ -155,7 +156,7 @@ bool ReplayLoader::load(std::function<RecordedTouch(const Progress& progress)> r
   result_ = {};
   cancelled_ = false;
   began_ = Clock::now();
-  progress_ = {.stage = "reading the recording"};
+  progress_ = {.stage = toTranslate("reading the recording")};
   work_.emplace([this, read = std::move(read)] {
     try {
       result_.touch = read([this](std::string_view stage, double done) { note(stage, done); });

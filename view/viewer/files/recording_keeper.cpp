@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/system/process.h"
@@ -106,7 +107,7 @@ void RecordingKeeper::begin(ViewerState& viewer) {
     recorder_ = std::make_unique<engine::Recorder>(servo_.thread(), std::move(settings));
   } catch (const std::exception& error) {
     failed_ = true;
-    viewer.report(Severity::warning, fmt::format("The last hour is not recorded: {}", error.what()));
+    viewer.report(Severity::warning, trf("The last hour is not recorded: {}", error.what()));
   }
 }
 
@@ -116,7 +117,7 @@ void RecordingKeeper::end(ViewerState& viewer, std::string_view ended_by) {
   try {
     recorder_->anyTouch() ? recorder_->finish(ended_by) : recorder_->discard();
   } catch (const std::exception& error) {
-    viewer.report(Severity::error, fmt::format("The recording ended: {}; what was written is kept in {}", error.what(),
+    viewer.report(Severity::error, trf("The recording ended: {}; what was written is kept in {}", error.what(),
                                                recorder_->partial().string()));
   }
   recorder_.reset();
@@ -125,7 +126,7 @@ void RecordingKeeper::end(ViewerState& viewer, std::string_view ended_by) {
 void RecordingKeeper::advance(ViewerState& viewer) {
   if (const auto finished = tidying_.take(); finished && finished->value) {
     for (const fs::path& file : *finished->value) {
-      viewer.messages.note(fmt::format("An interrupted run was saved as {} (File > Open)", file.string()),
+      viewer.messages.note(trf("An interrupted run was saved as {} (File > Open)", file.string()),
                            viewer.now_s);
     }
   }
@@ -143,16 +144,16 @@ void RecordingKeeper::advance(ViewerState& viewer) {
   recording.session_s = state.seconds;
   if (state.dropped > std::exchange(recording.dropped, state.dropped)) {
     viewer.report(Severity::warning,
-                  fmt::format("The disk is too slow: {} samples are missing in the recording", state.dropped));
+                  trf("The disk is too slow: {} samples are missing in the recording", state.dropped));
   }
   if (const auto kept = recorder_->takeKept()) {
     recording.keeping = false;
     if (kept->failure.empty()) {
       recording.kept_file = kept->file.string();
       viewer.report(Severity::info,
-                    fmt::format("The last {:.1f} s are kept as {}", kept->seconds, recording.kept_file));
+                    trf("The last {:.1f} s are kept as {}", kept->seconds, recording.kept_file));
     } else {
-      viewer.report(Severity::error, "The recording is not kept: " + kept->failure);
+      viewer.report(Severity::error, trf("The recording is not kept: {}", kept->failure));
     }
   }
   if (state.failure.empty()) return;
@@ -183,7 +184,7 @@ void RecordingKeeper::mark(ViewerState& viewer, std::string words) {
   }
   if (words.empty()) words = fmt::format("mark {}", viewer.recording.marks + 1);
   ++viewer.recording.marks;
-  viewer.report(Severity::info, fmt::format("Marked: {}", words));
+  viewer.report(Severity::info, trf("Marked: {}", words));
   recorder_->mark(std::move(words));
 }
 

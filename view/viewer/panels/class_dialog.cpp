@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/system/process.h"
 #include "view/viewer/panels/panels.h"
@@ -32,25 +33,25 @@ std::filesystem::path inFolder(const std::filesystem::path& folder, const std::s
 
 bool textLine(const char* path, const char* label, std::string& text) {
   ImGui::SetNextItemWidth(-150.0f);
-  const bool entered = ImGui::InputText(label, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputText(tr(label), &text, ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace(path);
   return entered;
 }
 
 /// Why the class cannot be started as it is typed; empty: it can.
 std::string faultOf(const ClassFields& fields, bool exists) {
-  if (fields.start.folder.empty()) return "Type a folder";
+  if (fields.start.folder.empty()) return tr("Type a folder");
   if (exists) return {};
-  if (fields.start.name.empty()) return "Type a name for the class";
-  if (fields.start.computer.empty()) return "Type this computer's name or address";
+  if (fields.start.name.empty()) return tr("Type a name for the class");
+  if (fields.start.computer.empty()) return tr("Type this computer's name or address");
   return {};
 }
 
 void runPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, Asks& asks) {
-  ImGui::TextDisabled("Teach on this computer");
+  ImGui::TextDisabled("%s", tr("Teach on this computer"));
   if (shown.runs) {
-    ImGui::TextWrapped("%s runs. %s", shown.folder.c_str(), shown.words.c_str());
-    remark(fmt::format("Give each station its folder of {}/stations; there: start page > Class > Take part.",
+    ImGui::TextWrapped("%s", trf("{} runs. {}", shown.folder, shown.words).c_str());
+    remark(trf("Give each station its folder of {}/stations; there: start page > Class > Take part.",
                        shown.folder));
     if (buttonWidget("class/end", "End the class")) asks.request(EndClass{});
     return;
@@ -79,7 +80,7 @@ void runPart(const ClassShown& shown, const std::filesystem::path& folder, Class
 }
 
 void watchPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, Asks& asks) {
-  ImGui::TextDisabled("Watch a class");
+  ImGui::TextDisabled("%s", tr("Watch a class"));
   if (fields.watched.empty()) fields.watched = shown.folder;
   const bool entered = textLine("class/watched", "class or instructor", fields.watched);
   ImGui::BeginDisabled(shown.watched || fields.watched.empty());
@@ -89,7 +90,7 @@ void watchPart(const ClassShown& shown, const std::filesystem::path& folder, Cla
 }
 
 void joinPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, Asks& asks) {
-  ImGui::TextDisabled("Take part at this computer");
+  ImGui::TextDisabled("%s", tr("Take part at this computer"));
   const bool entered = textLine("class/station", "folder of the station", fields.station);
   ImGui::BeginDisabled(shown.joined || fields.station.empty());
   const bool pressed = buttonWidget("class/join", shown.joined ? "It is open" : "Open the training");

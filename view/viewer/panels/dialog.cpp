@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
 
-bool beginDialog(const char* title, bool& open) {
+bool beginDialog(const char* english, bool& open) {
+  const char* title = tr(english);
   const bool shown = ImGui::IsPopupOpen(title);
   if (!open && !shown) return false;
   if (!shown) ImGui::OpenPopup(title);

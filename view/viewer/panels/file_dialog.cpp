@@ -11,6 +11,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "view/viewer/files/outputs.h"
 #include "view/viewer/panels/panels.h"
@@ -111,7 +112,7 @@ struct NameField {
   const char* button;       ///< "Open"
 };
 bool nameField(const NameField& field, std::string& typed, bool& open) {
-  const float buttons = ImGui::CalcTextSize(field.button).x + ImGui::CalcTextSize("Cancel").x + 48.0f;
+  const float buttons = ImGui::CalcTextSize(tr(field.button)).x + ImGui::CalcTextSize(tr("Cancel")).x + 48.0f;
   ImGui::SetNextItemWidth(-buttons);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::InputText(fmt::format("##{}", field.path).c_str(), &typed);
@@ -134,7 +135,7 @@ std::string fileTyped(Listing& listing, std::string& typed, std::string& trouble
     return {};
   }
   if (!fs::exists(file, error)) {
-    trouble = fmt::format("There is no file {}", file.lexically_normal().string());
+    trouble = trf("There is no file {}", file.lexically_normal().string());
     return {};
   }
   return file.string();
@@ -270,15 +271,15 @@ fs::path fileToWrite(const SaveAs& as, Listing& listing, std::string& typed, std
   }
   if (file.extension().empty()) file += as.kinds.front();
   if (!isOneOf(as.kinds, file)) {
-    trouble = fmt::format("Expected a name that ends in {}", fmt::join(as.kinds, " or "));
+    trouble = trf("Expected a name that ends in {}", fmt::format("{}", fmt::join(as.kinds, fmt::format(" {} ", tr("or")))));
     return {};
   }
   if (!fs::is_directory(file.parent_path(), error)) {
-    trouble = fmt::format("There is no folder {}", file.parent_path().string());
+    trouble = trf("There is no folder {}", file.parent_path().string());
     return {};
   }
   if (fs::exists(file, error) && std::exchange(confirmed, file.string()) != file.string()) {
-    trouble = fmt::format("{} exists already. Press {} again to replace it.", file.filename().string(), as.button);
+    trouble = trf("{} exists already. Press {} again to replace it.", file.filename().string(), tr(as.button));
     return {};
   }
   return file;
@@ -313,27 +314,27 @@ std::string saveAsDialog(const SaveAs& as, const fs::path& folder, bool& open) {
 }  // namespace
 
 void pictureDialog(const fs::path& folder, bool& open, Asks& asks) {
-  constexpr SaveAs kPicture = {"Save the picture as",
+  constexpr SaveAs kPicture = {toTranslate("Save the picture as"),
                                "picture",
                                "picture/save",
-                               "Save",
+                               toTranslate("Save"),
                                "palpate",
                                kPictureKinds,
-                               "PNG, as the window shows it, without menus and messages."};
+                               toTranslate("PNG, as the window shows it, without menus and messages.")};
   if (std::string file = saveAsDialog(kPicture, folder, open); !file.empty()) {
     asks.request(TakeScreenshot{.file = std::move(file)});
   }
 }
 
 void filmDialog(const fs::path& folder, bool& open, Asks& asks) {
-  constexpr SaveAs kFilm = {"Save a film as",
+  constexpr SaveAs kFilm = {toTranslate("Save a film as"),
                             "film",
                             "film/save",
-                            "Film",
+                            toTranslate("Film"),
                             "film",
                             kFilmKinds,
-                            "WebM for browsers and players, or GIF for slides. It begins now and ends with "
-                            "File > Stop the film, at most 20 pictures a second."};
+                            toTranslate("WebM for browsers and players, or GIF for slides. It begins now and ends with "
+                                        "File > Stop the film, at most 20 pictures a second.")};
   if (std::string file = saveAsDialog(kFilm, folder, open); !file.empty()) asks.request(StartFilm{std::move(file)});
 }
 

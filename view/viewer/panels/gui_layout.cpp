@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "view/viewer/editing/acts.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/panels/hints.h"
@@ -15,44 +16,44 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr const char* kPerformance = "Performance";
+constexpr const char* kPerformance = toTranslate("Performance");
 
 /// Each section with the parts of the viewer's state that it is about.
 constexpr PanelEntry kPanels[] = {
-    {"Touch",
+    {toTranslate("Touch"),
      [](ViewerState& s) {
        touchPanel({s.state.touch, s.active_finger, s.scene}, s.asks);
      },
      true},
-    {"Devices",
+    {toTranslate("Devices"),
      [](ViewerState& s) {
        devicePanel({s.devices, s.scene, s.reading, s.state.shown.reach, s.ticks_per_s}, s.asks);
      }},
-    {"Tissue",
+    {toTranslate("Tissue"),
      [](ViewerState& s) {
        tissuePanel({s.scene, s.profile, s.world.has_bones}, s.asks);
      }},
-    {"Dysfunctions",
+    {toTranslate("Dysfunctions"),
      [](ViewerState& s) {
        dysfunctionPanel({s.dysfunctions(), s.history.steps().undoWords(), s.history.steps().redoWords()});
      }},
-    {"Model",
+    {toTranslate("Model"),
      [](ViewerState& s) {
        modelPanel({s.scene, s.world, s.state.shown.open_dialog}, s.asks);
      }},
-    {"Show",
+    {toTranslate("Show"),
      [](ViewerState& s) {
        showPanel({s.state.look, s.state.adapts_resolution, s.state.simpler_when_slow, s.simple_shading, s.world});
      }},
-    {"Vertex",
+    {toTranslate("Vertex"),
      [](ViewerState& s) {
        vertexPanel({s.reading, s.mark_vertex, s.vertex_panel_open});
      }},
-    {"Stereo",
+    {toTranslate("Stereo"),
      [](ViewerState& s) {
        stereoPanel({s.state.stereo, s.state.head, s.head, s.camera, s.world});
      }},
-    {"Record", [](ViewerState& s) { recordPanel(s.recording, s.state.keeps_last_hour, s.now_s, s.asks); }},
+    {toTranslate("Record"), [](ViewerState& s) { recordPanel(s.recording, s.state.keeps_last_hour, s.now_s, s.asks); }},
     {kPerformance, [](ViewerState& s) { performancePanel(s.performance); }},
 };
 
@@ -75,7 +76,7 @@ MenuBar menuOf(ViewerState& viewer, const Modes& modes) {
     menu.on[static_cast<std::size_t>(item->action)] = item->on;
   }
   menu.status.push_back(viewer.world.name + (viewer.history.changed() ? " *" : ""));
-  if (viewer.simple_shading) menu.status.emplace_back("smooth shading: slow");
+  if (viewer.simple_shading) menu.status.emplace_back(tr("smooth shading: slow"));
   menu.status.push_back(viewer.held_by);
   menu.status.push_back(fmt::format("{:.0f} Hz", viewer.performance.servo.ticks_per_s));
   menu.status.push_back(fmt::format("{:.0f} fps", viewer.performance.frames_per_s));
@@ -94,7 +95,7 @@ std::vector<std::string> interventionLines(const ViewerState& viewer) {
     const FingerHeld& finger = viewer.devices.fingers[i];
     if (finger.words.empty()) continue;
     const std::string words = finger.interventions.recent(viewer.now_s);
-    if (!words.empty()) lines.push_back(fmt::format("{}: {}", i == 0 ? "left" : "right", words));
+    if (!words.empty()) lines.push_back(fmt::format("{}: {}", tr(i == 0 ? "left" : "right"), words));
   }
   return lines;
 }
@@ -133,7 +134,7 @@ void sidePanel(ViewerState& viewer, float width, const FreeArea& free) {
       const bool asked = viewer.state.shown.performance && panel.name == kPerformance;
       if (asked) ImGui::SetNextItemOpen(true);
       const auto flags = panel.open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
-      const bool open = ImGui::CollapsingHeader(panel.name, flags);
+      const bool open = ImGui::CollapsingHeader(tr(panel.name), flags);
       notePlace(std::string("panel/") + panel.name);
       if (!open) continue;
       ImGui::PushID(panel.name);

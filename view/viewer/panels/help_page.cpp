@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
 #include "palpate/window/keys.h"
 #include "view/viewer/panels/panels.h"
 
@@ -15,20 +16,20 @@ struct MouseRule {
   const char* does;
 };
 constexpr MouseRule kMouse[] = {
-    {"Left on the skin", "press; move to pull the skin, wheel for the depth (Shift: finer)"},
-    {"Left beside the body, right", "turn about the place under the cursor"},
-    {"Left and right together", "up and down changes the depth"},
-    {"Middle, or Shift and left", "shift the view"},
-    {"Wheel", "nearer and farther, about the cursor"},
-    {"Double click", "turn about that place from now on"},
+    {toTranslate("Left on the skin"), toTranslate("press; move to pull the skin, wheel for the depth (Shift: finer)")},
+    {toTranslate("Left beside the body, right"), toTranslate("turn about the place under the cursor")},
+    {toTranslate("Left and right together"), toTranslate("up and down changes the depth")},
+    {toTranslate("Middle, or Shift and left"), toTranslate("shift the view")},
+    {toTranslate("Wheel"), toTranslate("nearer and farther, about the cursor")},
+    {toTranslate("Double click"), toTranslate("turn about that place from now on")},
 };
 
 void row(const char* input, const char* does) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(input);
+  ImGui::TextUnformatted(tr(input));
   ImGui::TableNextColumn();
-  ImGui::TextWrapped("%s", does);
+  ImGui::TextWrapped("%s", tr(does));
 }
 
 /// Of the keys and buttons, points: those on the left of the page have long names.
@@ -44,7 +45,7 @@ bool beginRows(const char* name, float names) {
 
 void groupOf(window::KeyGroup group, float names) {
   const auto index = static_cast<std::size_t>(group);
-  ImGui::TextDisabled("%s", std::string(window::kKeyGroupNames[index]).c_str());
+  ImGui::TextDisabled("%s", tr(std::string(window::kKeyGroupNames[index]).c_str()));
   if (!beginRows(std::string(window::kKeyGroupNames[index]).c_str(), names)) return;
   for (const window::KeyBinding& binding : window::keyTable()) {
     if (binding.group == group) row(window::keysOf(binding).c_str(), std::string(binding.does).c_str());
@@ -53,7 +54,7 @@ void groupOf(window::KeyGroup group, float names) {
 }
 
 void mouseRules() {
-  ImGui::TextDisabled("Mouse");
+  ImGui::TextDisabled("%s", tr("Mouse"));
   if (!beginRows("mouse", kLeftNames)) return;
   for (const MouseRule& rule : kMouse) row(rule.input, rule.does);
   ImGui::EndTable();
@@ -66,7 +67,7 @@ void helpPage(bool& open) {
   ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowBgAlpha(1.0f);
   ImGui::SetNextWindowSize({std::min(1100.0f, size.x - 40.0f), std::min(760.0f, size.y - 40.0f)});
-  if (ImGui::Begin("Keys and mouse (F1 or Esc closes)", &open,
+  if (ImGui::Begin(tr("Keys and mouse (F1 or Esc closes)"), &open,
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                        ImGuiWindowFlags_NoSavedSettings)) {
     constexpr float kMinForTwo = 760.0f;                           // in a narrow window one column, to be scrolled

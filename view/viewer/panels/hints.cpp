@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "palpate/base/language.h"
+
 namespace palpate::viewer {
 
 namespace {
@@ -13,11 +15,11 @@ struct Hint {
   Kind asks_for;
 };
 constexpr Hint kHints[] = {
-    {"Hold the left button on the back to press it", Kind::press},
-    {"Scroll while holding: deeper or lighter", Kind::deepen},
-    {"Move while holding: pull the skin", Kind::slide},
-    {"Drag beside the body, or with the right button: turn", Kind::orbit},
-    {"F1: everything else", Kind::act},
+    {toTranslate("Hold the left button on the back to press it"), Kind::press},
+    {toTranslate("Scroll while holding: deeper or lighter"), Kind::deepen},
+    {toTranslate("Move while holding: pull the skin"), Kind::slide},
+    {toTranslate("Drag beside the body, or with the right button: turn"), Kind::orbit},
+    {toTranslate("F1: everything else"), Kind::act},
 };
 
 const Hint* hintNumber(int i) { return i >= 0 && i < static_cast<int>(std::size(kHints)) ? &kHints[i] : nullptr; }

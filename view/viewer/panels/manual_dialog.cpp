@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
 #include "view/viewer/manual/manual.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
@@ -39,7 +40,7 @@ bool searchBar(ManualShown& manual, bool& open) {
   ImGui::SetNextItemWidth(-70.0f);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const bool entered =
-      ImGui::InputTextWithHint("##search", "Search the manual", &manual.searched, ImGuiInputTextFlags_EnterReturnsTrue);
+      ImGui::InputTextWithHint("##search", tr("Search the manual"), &manual.searched, ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace("manual/search");
   ImGui::SameLine();
   if (buttonWidget("manual/close", "Close")) open = false;
@@ -84,7 +85,7 @@ void pageShown(ManualShown& manual) {
 }  // namespace
 
 void manualDialog(ManualShown& manual, bool& open) {
-  constexpr const char* kTitle = "Manual";
+  const char* const kTitle = tr("Manual");
   const bool shown = ImGui::IsPopupOpen(kTitle);
   if (!open && !shown) return;
   if (!shown) ImGui::OpenPopup(kTitle);
@@ -95,7 +96,7 @@ void manualDialog(ManualShown& manual, bool& open) {
                           ImGuiWindowFlags_NoSavedSettings;
   if (!ImGui::BeginPopupModal(kTitle, &open, kFlags)) return;
   const bool entered = searchBar(manual, open);
-  if (!manual.outside.empty()) remark(fmt::format("Not a page of the manual: {}", manual.outside));
+  if (!manual.outside.empty()) remark(trf("Not a page of the manual: {}", manual.outside));
   const bool searches = !manual.searched.empty();
   // A page keeps its own place when it is left and returned to.
   if (ImGui::BeginChild(searches ? "results" : manual.page.c_str())) {

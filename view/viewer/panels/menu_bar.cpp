@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "palpate/base/language.h"
 #include "palpate/scene/presets.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
@@ -24,12 +25,12 @@ struct Menus {
 void item(const Menus& menus, Action action) {
   const window::KeyBinding& binding = window::bindingOf(action);
   const bool on = menus.bar.on[static_cast<std::size_t>(action)];
-  if (ImGui::MenuItem(std::string(binding.name).c_str(), window::keysOf(binding).c_str(), on)) menus.asks.act(action);
+  if (ImGui::MenuItem(tr(std::string(binding.name).c_str()), window::keysOf(binding).c_str(), on)) menus.asks.act(action);
   notePlace(fmt::format("menu/{}", binding.name), binding.does);
 }
 
 bool plainItem(const char* path, const char* label, bool on = false) {
-  const bool chosen = ImGui::MenuItem(label, nullptr, on);
+  const bool chosen = ImGui::MenuItem(tr(label), nullptr, on);
   notePlace(path);
   return chosen;
 }
@@ -40,7 +41,7 @@ void switchItem(const char* path, const char* label, bool& on) {
 
 /// Call ImGui::EndMenu if it returns true.
 bool beginMenu(const char* path, const char* label, bool offered = true) {
-  const bool open = ImGui::BeginMenu(label, offered);
+  const bool open = ImGui::BeginMenu(tr(label), offered);
   open ? notePlaceOnly(path) : notePlace(path);  // the last item of an open one is not its name
   return open;
 }
@@ -71,7 +72,7 @@ void fileMenu(const Menus& menus) {
   recentFiles(menus);
   if (beginMenu("menu/Examples", "Examples")) {
     for (const scene::Preset& preset : scene::presets()) {
-      const bool chosen = ImGui::MenuItem(std::string(preset.title).c_str());
+      const bool chosen = ImGui::MenuItem(tr(std::string(preset.title).c_str()));
       notePlace(fmt::format("menu/{}", preset.name), preset.what);
       if (chosen) menus.asks.request(OpenPreset{std::string(preset.name)});
     }
@@ -173,7 +174,7 @@ void helpMenu(const Menus& menus) {
     menus.bar.hint = 0;
   }
   const std::size_t unread = menus.bar.unread_messages;
-  const std::string messages = unread == 0 ? std::string("Messages") : fmt::format("Messages ({} new)", unread);
+  const std::string messages = unread == 0 ? std::string(tr("Messages")) : trf("Messages ({} new)", unread);
   if (plainItem("menu/Messages", messages.c_str())) menus.state.shown.messages = true;
 }
 
@@ -199,7 +200,7 @@ void recordingSign(const std::string& words) {
 void stopSign(const Menus& menus) {
   if (!menus.bar.offers_stop) return;
   if (menus.bar.stopped) {
-    ImGui::TextColored({1.0f, 0.35f, 0.3f, 1.0f}, "STOPPED");
+    ImGui::TextColored({1.0f, 0.35f, 0.3f, 1.0f}, "%s", tr("STOPPED"));
     return notePlace("menu/stopped");
   }
   if (stopButton("menu/stop", "STOP", false, "Emergency stop: no device gets a force (Space or Pause).")) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
 #include "palpate/servo/device_limits.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
@@ -29,7 +30,7 @@ float wordsWidth(const FreeArea& free) {
 
 void wrappedWords(std::string_view words, const FreeArea& free) {
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wordsWidth(free));
-  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  ImGui::TextUnformatted(tr(std::string(words).c_str()));
   ImGui::PopTextWrapPos();
 }
 
@@ -43,9 +44,9 @@ ImVec4 colourOf(Severity severity) {
   return ImGui::GetStyleColorVec4(ImGuiCol_Text);
 }
 
-const char* prefixOf(Severity severity) {
-  if (severity == Severity::error) return "Error: ";
-  return severity == Severity::warning ? "Warning: " : "";
+std::string prefixOf(Severity severity) {
+  if (severity == Severity::error) return fmt::format("{}: ", tr("Error"));
+  return severity == Severity::warning ? fmt::format("{}: ", tr("Warning")) : "";
 }
 
 }  // namespace
@@ -70,7 +71,7 @@ void toast(Messages& messages, double now_s, const FreeArea& free) {
   ImGui::SetNextWindowBgAlpha(0.92f);
   if (ImGui::Begin("toast", nullptr, kNotice)) {
     ImGui::PushTextWrapPos(width - 20.0f);
-    ImGui::TextColored(colourOf(message->severity), "%s%s", prefixOf(message->severity), message->text.c_str());
+    ImGui::TextColored(colourOf(message->severity), "%s%s", prefixOf(message->severity).c_str(), message->text.c_str());
     ImGui::PopTextWrapPos();
     if (message->severity != Severity::info && buttonWidget("toast/dismiss", "Dismiss")) messages.dismiss();
   }
@@ -89,7 +90,7 @@ void buildProgress(const std::optional<engine::BuildProgress>& building, const F
   ImGui::SetNextWindowPos({middleOf(free), free.below - 64.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowBgAlpha(0.9f);
   if (ImGui::Begin("building", nullptr, kNotice)) {
-    ImGui::TextUnformatted(building->stage.c_str());
+    ImGui::TextUnformatted(tr(building->stage.c_str()));
     ImGui::ProgressBar(static_cast<float>(building->done), {260.0f, 0.0f});
     ImGui::SameLine();
     if (buttonWidget("building/cancel", "Cancel")) asks.request(CancelBuild{});
@@ -120,7 +121,7 @@ void stopBanner(const FreeArea& free, Asks& asks) {
   ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
   if (ImGui::Begin("stop", nullptr, kNotice)) {
     ImGui::SetWindowFontScale(1.5f);
-    ImGui::TextUnformatted("EMERGENCY STOP");
+    ImGui::TextUnformatted(tr("EMERGENCY STOP"));
     ImGui::SetWindowFontScale(1.0f);
     wrappedWords("No device gets a force. After the release a finger feels again once its tip has been outside.", free);
     ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(90, 6, 4, 255));
@@ -142,8 +143,8 @@ void unsafeBanner(std::span<const std::string> notes, const FreeArea& free) {
   ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
   if (ImGui::Begin("unsafe", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
     const bool lifts = !notes.empty() && notes.front().starts_with(servo::kUnsafeMark);
-    wrappedWords(lifts ? notes.front() + ". Pause stops all forces."
-                       : std::string("UNSAFE STIFFNESS allowed (--unsafe-stiffness). Pause stops all forces."),
+    wrappedWords(lifts ? trf("{}. Pause stops all forces.", notes.front())
+                       : std::string(tr("UNSAFE STIFFNESS allowed (--unsafe-stiffness). Pause stops all forces.")),
                  free);
   }
   notePlaceOfWindow("unsafe");
@@ -167,7 +168,7 @@ void rulerNotice(const Ruler& ruler, const FreeArea& free) {
   constexpr float kBesideEnd = 14.0f;
   std::string words = rulerWords(ruler);
   if (words.empty()) {
-    words = ruler.ends.empty() ? "Measuring: click a place on the skin" : "... and another; Esc ends it";
+    words = tr(ruler.ends.empty() ? "Measuring: click a place on the skin" : "... and another; Esc ends it");
     ImGui::SetNextWindowPos({middleOf(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   } else {
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
@@ -193,13 +194,13 @@ void questionDialog(const std::optional<Question>& question, Asks& asks) {
   if (!ImGui::BeginPopupModal(kName, nullptr, kNotice & ~ImGuiWindowFlags_AlwaysAutoResize)) return;
   if (question) {
     ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(question->words.c_str());
+    ImGui::TextUnformatted(tr(question->words.c_str()));
     ImGui::PopTextWrapPos();
     const std::vector<std::string>& answers = question->answers;
     for (const std::string& answer : answers) {
       if (answer != answers.front()) ImGui::SameLine();
       const std::string path = fmt::format("question/{}", answer);
-      const char* means = answer == answers.front() ? "Enter" : answer == answers.back() ? "Esc" : "";
+      const char* means = answer == answers.front() ? toTranslate("Enter") : answer == answers.back() ? toTranslate("Esc") : "";
       if (buttonWidget(path.c_str(), answer.c_str(), means)) {
         asks.request(AnswerQuestion{answer});
       }
@@ -216,7 +217,7 @@ void messageList(Messages& messages, bool& open) {
   ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_FirstUseEver, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(560.0f, size.x - 20.0f), std::min(320.0f, size.y - 60.0f)},
                            ImGuiCond_FirstUseEver);
-  if (ImGui::Begin("Messages", &open, ImGuiWindowFlags_NoSavedSettings)) {
+  if (ImGui::Begin(tr("Messages"), &open, ImGuiWindowFlags_NoSavedSettings)) {
     if (buttonWidget("messages/copy", "Copy all")) {
       std::string all;
       for (const Message& message : messages.all()) {
@@ -226,7 +227,8 @@ void messageList(Messages& messages, bool& open) {
     }
     if (messages.all().empty()) remark("Nothing has been said yet.");
     for (const Message& message : messages.all()) {
-      ImGui::TextColored(colourOf(message.severity), "%.1f s  %s", message.at_s, prefixOf(message.severity));
+      ImGui::TextColored(colourOf(message.severity), "%s  %s", trf("{:.1f} s", message.at_s).c_str(),
+                         prefixOf(message.severity).c_str());
       ImGui::SameLine(0.0f, 0.0f);
       ImGui::TextWrapped("%s", message.text.c_str());
     }

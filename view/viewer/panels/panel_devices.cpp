@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -36,11 +37,12 @@ struct Part {
 };
 
 std::string faultWords(std::uint32_t faults) {
-  static constexpr std::array<const char*, 5> kWords = {"no position", "position too old", "the driver is in trouble",
-                                                        "wants to be calibrated by hand", "closed"};
+  static constexpr std::array<const char*, 5> kWords = {toTranslate("no position"), toTranslate("position too old"),
+                                                        toTranslate("the driver is in trouble"),
+                                                        toTranslate("wants to be calibrated by hand"), toTranslate("closed")};
   std::string words;
   for (std::size_t i = 0; i < kWords.size(); ++i) {
-    if ((faults >> i & 1u) != 0) words += fmt::format("{}{}", words.empty() ? "" : ", ", kWords[i]);
+    if ((faults >> i & 1u) != 0) words += fmt::format("{}{}", words.empty() ? "" : ", ", tr(kWords[i]));
   }
   return words;
 }
@@ -50,7 +52,7 @@ std::string buttonWords(std::uint32_t buttons) {
   for (std::size_t i = 0; i < 32; ++i) {
     if ((buttons >> i & 1u) != 0) words += fmt::format("{}{}", words.empty() ? "" : " ", i + 1);
   }
-  return words.empty() ? "none" : words;
+  return words.empty() ? tr("none") : words;
 }
 
 void stopWidgets(const DevicesShown& devices, Asks& asks) {
@@ -72,13 +74,13 @@ void stopWidgets(const DevicesShown& devices, Asks& asks) {
 void openWidgets(const Part& part) {
   FingerHeld& held = part.held();
   const std::vector<BackEndFound>& back_ends = part.panel.devices.back_ends;
-  if (!held.opening.empty()) return remark(fmt::format("opening {} ...", held.opening));
+  if (!held.opening.empty()) return remark(trf("opening {} ...", held.opening));
   if (back_ends.empty()) return;
   std::vector<std::string_view> names;
   for (const BackEndFound& back_end : back_ends) names.push_back(back_end.name);
   choiceWidget(part.path("back_end").c_str(), "device", held.back_end, names, "What is to hold this finger.");
   ImGui::SetNextItemWidth(0.56f * ImGui::GetContentRegionAvail().x);
-  ImGui::InputText(part.path("which").insert(0, "which##").c_str(), &held.which);
+  ImGui::InputText(fmt::format("{}##{}", tr("which"), part.path("which")).c_str(), &held.which);
   notePlace(part.path("which"), "Which of several: a number, an address or a name; empty for the first.");
   const std::string& name = back_ends[std::min(held.back_end, back_ends.size() - 1)].name;
   if (part.button("open", "Open", "It takes the finger from the mouse; forces begin once its tip has been outside.")) {
@@ -93,30 +95,30 @@ void liveWidgets(const Part& part) {
   const device::DeviceState& state = held.reading.state;
   const double tick_ms = 1000.0 / part.panel.ticks_per_s;
   const Vec3& tip = held.reading.tip;
-  valueLine("tip", tip.allFinite() ? fmt::format("{:.0f}, {:.0f}, {:.0f} mm", tip.x(), tip.y(), tip.z()) : "none");
+  valueLine("tip", tip.allFinite() ? fmt::format("{:.0f}, {:.0f}, {:.0f} mm", tip.x(), tip.y(), tip.z()) : tr("none"));
   valueLine("force", fmt::format("{:.2f} N", held.reading.force.norm()));
   valueLine("positions", fmt::format("{:.0f} Hz", held.positions_per_s));
-  valueLine("delay", state.loop_ticks == 0 ? std::string("not seen")
+  valueLine("delay", state.loop_ticks == 0 ? std::string(tr("not seen"))
                                            : fmt::format("{:.1f} ms", static_cast<double>(state.loop_ticks) * tick_ms));
   valueLine("age", fmt::format("{:.1f} ms", static_cast<double>(state.age_ticks) * tick_ms));
   valueLine("buttons", buttonWords(state.buttons));
   valueLine("loss, last second", fmt::format("{:.3f} mJ", held.most_loss_n_mm));
   const DevicesShown& devices = part.panel.devices;
   const std::string up_to =
-      devices.ratios_kept_to_n > 0.0 ? fmt::format(" up to {:.2g} N", devices.ratios_kept_to_n) : "";
+      devices.ratios_kept_to_n > 0.0 ? fmt::format(" {}", trf("up to {:.2g} N", devices.ratios_kept_to_n)) : "";
   valueLine("stiffness of all", fmt::format("{:.0f} %{}", 100.0 * devices.stiffness_factor, up_to));
   // Always a line: what comes and goes must not move a control from under the mouse.
   const std::string faults = faultWords(state.faults);
-  valueLine("faults", faults.empty() ? "none" : faults);
+  valueLine("faults", faults.empty() ? tr("none") : faults);
 }
 
 void interventionWidgets(const Part& part) {
   const auto& counts = part.held().interventions.counts();
-  const bool open = ImGui::TreeNode(part.path("interventions").insert(0, "interventions##").c_str());
+  const bool open = ImGui::TreeNode(fmt::format("{}##{}", tr("interventions"), part.path("interventions")).c_str());
   notePlace(part.path("interventions"), "How often each safety rule changed the force, ticks.");
   if (!open) return;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] > 0) valueLine(servo::safetyNames()[i], fmt::format("{} ticks", counts[i]));
+    if (counts[i] > 0) valueLine(servo::safetyNames()[i], trnf("{} tick", "{} ticks", counts[i], counts[i]));
   }
   ImGui::TreePop();
 }
@@ -148,7 +150,7 @@ bool buttonChoice(const Part& part, const char* control, const char* label, std:
 }
 
 void workspaceWidgets(const Part& part) {
-  const bool open = ImGui::TreeNode(part.path("workspace").insert(0, "workspace##").c_str());
+  const bool open = ImGui::TreeNode(fmt::format("{}##{}", tr("workspace"), part.path("workspace")).c_str());
   notePlace(part.path("workspace"), "Where the device's space lies in the body, how it is turned and scaled.");
   if (!open) return;
   scene::DeviceSettings now = settingsNow(part);
@@ -157,9 +159,11 @@ void workspaceWidgets(const Part& part) {
                               "Millimetres of the body a millimetre of the device. More is stiffer "
                               "in the hand, so the limits are taken down with it."});
   static constexpr std::array<const char*, 3> kTurns = {"turn_x", "turn_y", "turn_z"};
-  static constexpr std::array<const char*, 3> kTurnLabels = {"turn x", "turn y", "turn z"};
+  static constexpr std::array<const char*, 3> kTurnLabels = {toTranslate("turn x"), toTranslate("turn y"),
+                                                             toTranslate("turn z")};
   static constexpr std::array<const char*, 3> kOrigins = {"origin_x", "origin_y", "origin_z"};
-  static constexpr std::array<const char*, 3> kOriginLabels = {"origin x", "origin y", "origin z"};
+  static constexpr std::array<const char*, 3> kOriginLabels = {toTranslate("origin x"), toTranslate("origin y"),
+                                                               toTranslate("origin z")};
   for (std::size_t i = 0; i < 3; ++i) {
     changed |= part.number(now.turn_deg[static_cast<int>(i)], kTurns[i],
                            {"", kTurnLabels[i], "%.0f deg", -180.0, 180.0, 0.0, "How the device stands to the body."});
@@ -172,7 +176,7 @@ void workspaceWidgets(const Part& part) {
   changed |= buttonChoice(part, "clutch_button", "clutch by", now.clutch_button);
   changed |= buttonChoice(part, "stop_button", "stop by", now.stop_button);
   if (part.held().reading.shift_mm.norm() > 0.5) {
-    remark(fmt::format("moved on by {:.0f} mm with the clutch", part.held().reading.shift_mm.norm()));
+    remark(trf("moved on by {:.0f} mm with the clutch", part.held().reading.shift_mm.norm()));
     if (part.button("keep_shift", "Keep it", "The origin becomes what the clutch has made of it.")) {
       *now.origin_mm += part.held().reading.shift_mm;
       changed = true;
@@ -196,7 +200,7 @@ void useCalibration(const Part& part, const device::Calibration& found) {
 void takeWidgets(const Part& part) {
   CalibrationSteps& steps = part.calibration();
   remark(
-      fmt::format("Place {} of {}: click it on the body, hold the tip there, take it. The finger stays where it is, "
+      trf("Place {} of {}: click it on the body, hold the tip there, take it. The finger stays where it is, "
                   "without force.",
                   steps.of_device.size() + 1, device::kCalibrationPlaces));
   const auto& clicked = part.panel.reading;
@@ -221,7 +225,7 @@ void calibrationWidgets(const Part& part) {
   }
   if (!steps.trouble.empty()) remark(steps.trouble);
   if (steps.found) {
-    remark(fmt::format("The places go together within {:.1f} mm; scale {:.2f}.", steps.found->residual_mm,
+    remark(trf("The places go together within {:.1f} mm; scale {:.2f}.", steps.found->residual_mm,
                        steps.found->frame.mm));
     if (part.button("use", "Use it")) return useCalibration(part, *steps.found);
     ImGui::SameLine();
@@ -249,10 +253,10 @@ void heldWidgets(const Part& part) {
 }
 
 void backEndWidgets(const BackEndFound& back_end) {
-  valueLine(back_end.name.c_str(), back_end.available ? "here" : "not here");
+  valueLine(back_end.name.c_str(), tr(back_end.available ? "here" : "not here"));
   if (!back_end.available) {
     remark(back_end.reason);
-    if (!back_end.remedy.empty()) remark("Remedy: " + back_end.remedy);
+    if (!back_end.remedy.empty()) remark(trf("Remedy: {}", back_end.remedy));
   } else if (!back_end.devices.empty()) {
     remark(fmt::format("{}", fmt::join(back_end.devices, ", ")));
   }
@@ -266,8 +270,8 @@ void devicePanel(const DevicePanel& panel, Asks& asks) {
   for (std::size_t i = 0; i < devices.fingers.size(); ++i) {
     const Part part{panel, asks, i};
     ImGui::Separator();
-    valueLine(fmt::format("{} finger", kSides[i]).c_str(),
-              devices.fingers[i].words.empty() ? "mouse" : devices.fingers[i].words);
+    valueLine(i == 0 ? "left finger" : "right finger",
+              devices.fingers[i].words.empty() ? tr("mouse") : devices.fingers[i].words);
     devices.fingers[i].words.empty() ? openWidgets(part) : heldWidgets(part);
   }
   ImGui::Separator();

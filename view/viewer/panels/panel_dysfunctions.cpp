@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/body/places.h"
 #include "view/viewer/editing/dysfunction_editor.h"
 #include "view/viewer/panels/panels.h"
@@ -30,7 +31,7 @@ void placeField(const DysfunctionEdit& edit, maps::Dysfunction& item, const std:
   static const maps::Dysfunction* of = nullptr;
   if (of != &item || !ImGui::IsAnyItemActive()) typed = item.at;
   of = &item;
-  const bool entered = ImGui::InputText("place", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputText(tr("place"), &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace("dysfunctions/place");
   if (!entered) return;
   try {
@@ -39,7 +40,7 @@ void placeField(const DysfunctionEdit& edit, maps::Dysfunction& item, const std:
     item.x_mm = place.point.x();
     item.y_mm = place.point.y();
     edit.asks.changed |= kMapChange;
-    edit.asks.step = "move " + name;
+    edit.asks.step = trf("move {}", name);
   } catch (const Error& error) {
     edit.asks.tell(Severity::warning, error.what());
   }
@@ -49,7 +50,7 @@ void listOf(const DysfunctionEdit& edit) {
   const auto& items = edit.items;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string line =
-        fmt::format("{}   {:+.0f} % at {}##{}", i + 1, items[i].change_percent, placeOf(items[i]), i);
+        fmt::format("{}   {}##{}", i + 1, trf("{:+.0f} % at {}", items[i].change_percent, placeOf(items[i])), i);
     const bool chosen = edit.editor.selected == static_cast<int>(i);
     if (ImGui::Selectable(line.c_str(), chosen)) edit.editor.selected = static_cast<int>(i);
     notePlace(fmt::format("dysfunctions/{}", i + 1), "Select this place: the wheel then sizes it, Delete removes it.");
@@ -61,10 +62,10 @@ void listOf(const DysfunctionEdit& edit) {
 void newField(const DysfunctionEdit& edit) {
   if (edit.landmarks.empty()) return;
   static std::string typed;
-  const bool entered = ImGui::InputTextWithHint("new", "T9 left 51 mm", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint(tr("new"), "T9 left 51 mm", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace("dysfunctions/new");
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("Where: T9 left 51 mm, left PSIS, right site 4. Enter places one, +50 %%.");
+    ImGui::SetTooltip("%s", tr("Where: T9 left 51 mm, left PSIS, right site 4. Enter places one, +50 %."));
   if (!entered || typed.empty()) return;
   try {
     placeAt(edit, body::placeNamed(edit.landmarks, typed));
@@ -77,20 +78,20 @@ void newField(const DysfunctionEdit& edit) {
 void fieldsOf(const DysfunctionEdit& edit, maps::Dysfunction& item, const std::string& name) {
   slider(edit, item.change_percent,
          {"dysfunctions/change", "change", "%+.0f %%", -100.0, 300.0, 50.0, "Of the stiffness at the centre."},
-         "change " + name);
+         trf("change {}", name));
   placeField(edit, item, name);
   slider(edit, item.radius_mm,
-         {"dysfunctions/radius", "radius", "%.1f mm", 2.0, 100.0, 15.0, "Outside nothing changes."}, "resize " + name);
+         {"dysfunctions/radius", "radius", "%.1f mm", 2.0, 100.0, 15.0, "Outside nothing changes."}, trf("resize {}", name));
   slider(edit, item.edge_softness,
          {"dysfunctions/edge", "soft edge", "%.2f", 0.0, 1.0, 0.5,
           "Share of the radius over which the change fades out; 0 is a hard edge."},
-         "soften " + name);
+         trf("soften {}", name));
   const Vec2 before(item.x_mm, item.y_mm);
   slider(edit, item.x_mm,
          {"dysfunctions/x", "x", "%.1f mm", -400.0, 400.0, 0.0, "Of the centre; to the patient's right."},
-         "move " + name);
+         trf("move {}", name));
   slider(edit, item.y_mm, {"dysfunctions/y", "y", "%.1f mm", -400.0, 400.0, 0.0, "Of the centre; towards the head."},
-         "move " + name);
+         trf("move {}", name));
   if (before != Vec2(item.x_mm, item.y_mm)) item.at.clear();  // words would put it back
 }
 
@@ -123,7 +124,7 @@ void dysfunctionPanel(const DysfunctionPanel& panel) {
   newField(edit);
   const auto selected = static_cast<std::size_t>(editor.selected);
   if (editor.selected >= 0 && selected < edit.items.size()) {
-    fieldsOf(edit, edit.items[selected], fmt::format("dysfunction {}", selected + 1));
+    fieldsOf(edit, edit.items[selected], trf("dysfunction {}", selected + 1));
     if (buttonWidget("dysfunctions/delete", "Delete")) deleteSelected(edit);
     ImGui::SameLine();
   }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "palpate/base/language.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -13,7 +14,7 @@ void factsOf(const WorldFacts& world) {
   ImGui::TextWrapped("%s", world.name.c_str());
   valueLine("triangles of the skin", fmt::format("{}", world.triangles));
   valueLine("size", fmt::format("{:.0f} x {:.0f} x {:.0f} mm", world.width_mm, world.height_mm, world.depth_mm));
-  valueLine("stiffness", fmt::format("{:.2f} to {:.2f} N/mm", world.softest_n_per_mm, world.stiffest_n_per_mm));
+  valueLine("stiffness", trf("{:.2f} to {:.2f} N/mm", world.softest_n_per_mm, world.stiffest_n_per_mm));
   if (!world.tissue.empty()) ImGui::TextWrapped("%s", world.tissue.c_str());
   for (const std::string& note : world.notes) remark(note);
 }

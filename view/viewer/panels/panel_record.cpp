@@ -1,6 +1,7 @@
 // What is written while one palpates: forces, pictures, the scene.
 #include <fmt/format.h>
 
+#include "palpate/base/language.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -10,14 +11,15 @@ std::string recordingWords(const Recording& recording, double now_s) {
   std::string words;
   if (recording.forces) {
     const int seconds = static_cast<int>(now_s - recording.since_s);
-    words = fmt::format("recording {}:{:02}", seconds / 60, seconds % 60);
+    words = trf("recording {}:{:02}", seconds / 60, seconds % 60);
   }
   if (recording.sequence) {
-    words += fmt::format("{}{} pictures", words.empty() ? "recording " : ", ", recording.pictures);
+    words = words.empty() ? trf("recording {} pictures", recording.pictures)
+                          : trf("{}, {} pictures", words, recording.pictures);
   }
   if (recording.film) {
     const int seconds = static_cast<int>(now_s - recording.film_since_s);
-    words += fmt::format("{}filming {}:{:02}", words.empty() ? "" : ", ", seconds / 60, seconds % 60);
+    words += fmt::format("{}{}", words.empty() ? "" : ", ", trf("filming {}:{:02}", seconds / 60, seconds % 60));
   }
   return words;
 }
@@ -30,8 +32,8 @@ void sessionPart(const Recording& recording, bool& keeps_last_hour, Asks& asks) 
              "Every tick of both fingers, in a recording file that a crash leaves readable.");
   if (!recording.viewer) return;
   const int seconds = static_cast<int>(recording.session_s);
-  remark(fmt::format("{}:{:02} recorded{}", seconds / 60, seconds % 60,
-                     recording.dropped == 0 ? "" : fmt::format(", {} samples missing", recording.dropped)));
+  const std::string recorded = trf("{}:{:02} recorded", seconds / 60, seconds % 60);
+  remark(recording.dropped == 0 ? recorded : trf("{}, {} samples missing", recorded, recording.dropped));
   if (buttonWidget("record/keep", recording.keeping ? "Keeping ..." : "Keep the recording (Shift+R)",
                    "Copies the last hour into a recording file: to be shown again, proven, sent with a bug report.")) {
     asks.request(KeepRecording{});
@@ -54,7 +56,7 @@ void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s
     asks.request(ToggleForces{});
   }
   if (recording.forces) {
-    remark(fmt::format("{:.1f} s into {}", now_s - recording.since_s, recording.forces_file));
+    remark(trf("{:.1f} s into {}", now_s - recording.since_s, recording.forces_file));
   }
   if (!recording.forces && !recording.forces_file.empty() &&
       buttonWidget(
@@ -66,7 +68,7 @@ void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s
                    "Every frame as a PNG file, in a folder of their own.")) {
     asks.request(ToggleSequence{});
   }
-  if (recording.sequence) remark(fmt::format("{} pictures in {}", recording.pictures, recording.sequence_folder));
+  if (recording.sequence) remark(trf("{} pictures in {}", recording.pictures, recording.sequence_folder));
   if (buttonWidget("record/picture", "Save a picture (F12)")) asks.request(TakeScreenshot{});
   if (buttonWidget("record/clear_picture", "... without background (Ctrl+F12)",
                    "The body alone; the rest of the PNG file is transparent.")) {

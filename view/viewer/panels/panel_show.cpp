@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "palpate/base/language.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -15,10 +16,10 @@ namespace {
 
 /// What is read here in place of the words of scene files.
 constexpr std::string_view titleOf(view::Shading shading) {
-  return shading == view::Shading::gouraud ? "smooth (Gouraud)" : wordFor(shading);
+  return shading == view::Shading::gouraud ? toTranslate("smooth (Gouraud)") : wordFor(shading);
 }
 constexpr std::string_view titleOf(view::FingerShape shape) {
-  return shape == view::FingerShape::automatic ? "hand where it is fast" : wordFor(shape);
+  return shape == view::FingerShape::automatic ? toTranslate("hand where it is fast") : wordFor(shape);
 }
 
 /// In the order of the words, which is that of the enumerators.
@@ -98,7 +99,7 @@ void overlayWidget(view::Look& look, view::Overlay overlay) {
   const window::KeyBinding& binding = window::bindingOf(window::actionFor(overlay));
   bool on = look.shows(overlay);
   const std::string path = fmt::format("show/{}", view::kOverlayNames[static_cast<std::size_t>(overlay)]);
-  const std::string label = fmt::format("{}  ({})", binding.name, window::nameOf(binding.chord));
+  const std::string label = fmt::format("{}  ({})", tr(std::string(binding.name).c_str()), window::shownNameOf(binding.chord));
   if (flagWidget(path.c_str(), label.c_str(), on, std::string(binding.does).c_str())) {
     look.show(overlay, on);
   }
@@ -110,7 +111,7 @@ void viewButtons(Asks& asks) {
       view::StandardView::above, view::StandardView::below, view::StandardView::table};
   for (const view::StandardView side : kOrder) {
     const std::string name(wordFor(side));
-    const float width = ImGui::CalcTextSize(name.c_str()).x + 8.0f;
+    const float width = ImGui::CalcTextSize(tr(name.c_str())).x + 8.0f;
     const float left = ImGui::GetItemRectMax().x + 3.0f;
     const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     if (side != kOrder.front() && left + width <= end) ImGui::SameLine(0.0f, 3.0f);
@@ -166,7 +167,7 @@ void showPanel(const ShowPanel& panel) {
   ImGui::Separator();
   overlayWidget(panel.look, view::Overlay::names);
   for (const view::Overlay overlay : view::kTouchOverlays) overlayWidget(panel.look, overlay);
-  const bool engine = ImGui::TreeNode("Engine");
+  const bool engine = ImGui::TreeNode(tr("Engine"));
   notePlace("show/engine");
   if (engine) {
     for (const view::Overlay overlay : view::kEngineOverlays) overlayWidget(panel.look, overlay);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "palpate/base/language.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -14,13 +15,14 @@ namespace {
 
 const char* wordsFor(window::HeadTracker::State state) {
   using State = window::HeadTracker::State;
-  if (state == State::tracking) return "seen";
-  if (state == State::standing_still) return "lost: the picture stands still";
-  return state == State::gliding ? "lost: back to the place below" : "none is measured: the place below";
+  if (state == State::tracking) return toTranslate("seen");
+  if (state == State::standing_still) return toTranslate("lost: the picture stands still");
+  return state == State::gliding ? toTranslate("lost: back to the place below")
+                                  : toTranslate("none is measured: the place below");
 }
 
 void placeWidgets(Vec3& place, const std::array<const char*, 3>& paths, const Vec3& fallback, const char* meaning) {
-  static constexpr std::array<const char*, 3> kAxes = {"right", "up", "towards you"};
+  static constexpr std::array<const char*, 3> kAxes = {toTranslate("right"), toTranslate("up"), toTranslate("towards you")};
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     numberWidget(place[axis], {paths[i], kAxes[i], "%.0f mm", -1500.0, 1500.0, fallback[axis], meaning});
@@ -37,11 +39,11 @@ void headWidgets(HeadSettings& head, const SeenHead& seen) {
                                        "Of the lit part of the screen."});
   valueLine("eyes", fmt::format("{:.0f}, {:.0f}, {:.0f} mm", seen.eyes_mm.x(), seen.eyes_mm.y(), seen.eyes_mm.z()));
   remark(wordsFor(seen.state));
-  ImGui::TextUnformatted("eyes while none are measured");
+  ImGui::TextUnformatted(tr("eyes while none are measured"));
   placeWidgets(head.expected_mm, {"stereo/head_x", "stereo/head_y", "stereo/head_z"}, {0.0, 0.0, 600.0},
                "Between the eyes, from the middle of the screen.");
   head.expected_mm.z() = std::max(head.expected_mm.z(), kNearestHeadMm);
-  ImGui::TextUnformatted("the tracker stands at");
+  ImGui::TextUnformatted(tr("the tracker stands at"));
   placeWidgets(head.offset_mm, {"stereo/offset_x", "stereo/offset_y", "stereo/offset_z"}, Vec3::Zero(),
                "Its origin, from the middle of the screen: added to all it measures.");
 }

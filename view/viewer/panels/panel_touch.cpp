@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
 #include "view/viewer/editing/pointer.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
@@ -13,7 +14,7 @@ namespace palpate::viewer {
 namespace {
 
 constexpr auto kPressBy = allWords<device::PressBy>();
-constexpr std::array<std::string_view, kFingers> kFingerChoices = {"left (blue)", "right (red)"};
+constexpr std::array<std::string_view, kFingers> kFingerChoices = {toTranslate("left (blue)"), toTranslate("right (red)")};
 
 void pressWidgets(TouchSettings& touch) {
   auto by = static_cast<std::size_t>(touch.by);

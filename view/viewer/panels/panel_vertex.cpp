@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "palpate/base/language.h"
 #include "palpate/body/places.h"
 #include "palpate/scene/skin_channels.h"
 #include "view/viewer/panels/panels.h"
@@ -44,7 +45,7 @@ void histogram(const view::Look& look, const scene::SkinScalar& scalar) {
   }
   ImGui::Dummy({width, kHeight});
   notePlace("show/histogram");
-  remark(fmt::format("vertices by value, {:.4g} to {:.4g}", scalar.least, scalar.greatest));
+  remark(trf("vertices by value, {:.4g} to {:.4g}", scalar.least, scalar.greatest));
 }
 
 void endWidgets(view::Look& look, const scene::SkinScalar& scalar) {
@@ -96,7 +97,7 @@ void vertexPanel(const VertexPanel& panel) {
     valueLine("skin to bone", fmt::format("{:.1f} mm{}", *reading.bone_depth_mm, bone));
   }
   for (const VertexReading::Scalar& scalar : reading.scalars) {
-    valueLine(scalar.name.c_str(), std::isfinite(scalar.value) ? fmt::format("{:.5g}", scalar.value) : "none");
+    valueLine(scalar.name.c_str(), std::isfinite(scalar.value) ? fmt::format("{:.5g}", scalar.value) : tr("none"));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/text.h"
 #include "palpate/body/places.h"
 #include "view/viewer/panels/panels.h"
@@ -54,7 +55,7 @@ bool searchLine(PlaceSearch& search, const std::string& here) {
   constexpr float kWidth = 180.0f;
   if (search.open && !search.focused) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(kWidth);
-  const bool entered = ImGui::InputTextWithHint("##place", "Go to: T6, left PSIS ...", &search.typed,
+  const bool entered = ImGui::InputTextWithHint("##place", tr("Go to: T6, left PSIS ..."), &search.typed,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace("menu/place");
   const bool active = ImGui::IsItemActive();

@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 
+#include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
@@ -19,8 +20,8 @@ constexpr float kWidth = 460.0f;
 constexpr float kButtonsWidth = 214.0f;
 
 std::string wordsFor(const Replay& replay) {
-  if (replay.table.empty()) return fmt::format("Frozen, {:.3f} s ago", replay.to_s - replay.at_s);
-  return fmt::format("{}: {:.3f} of {:.3f} s", pathOf(replay.table).filename().string(), replay.at_s - replay.from_s,
+  if (replay.table.empty()) return trf("Frozen, {:.3f} s ago", replay.to_s - replay.at_s);
+  return trf("{}: {:.3f} of {:.3f} s", pathOf(replay.table).filename().string(), replay.at_s - replay.from_s,
                      replay.to_s - replay.from_s);
 }
 

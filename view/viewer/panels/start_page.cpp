@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "palpate/scene/presets.h"
 #include "palpate/view/image.h"
@@ -52,8 +53,8 @@ bool choiceButton(const Choice& choice) {
   ImGui::EndDisabled();
   notePlace(choice.path, choice.what);
   const ImGuiCol ink = choice.offered ? ImGuiCol_Text : ImGuiCol_TextDisabled;
-  wordsAt({at.x + kInset, at.y + 5.0f}, ImGui::GetFontSize(), ink, choice.title, 0.0f);
-  wordsAt({at.x + kInset, at.y + 25.0f}, smaller(), ImGuiCol_TextDisabled, choice.what, 0.0f);
+  wordsAt({at.x + kInset, at.y + 5.0f}, ImGui::GetFontSize(), ink, tr(choice.title), 0.0f);
+  wordsAt({at.x + kInset, at.y + 25.0f}, smaller(), ImGuiCol_TextDisabled, tr(choice.what), 0.0f);
   return pressed;
 }
 
@@ -87,7 +88,7 @@ void choices(const StartPage& page, bool& open, Asks& asks) {
 void recentFiles(const StartPage& page, bool& open, Asks& asks) {
   if (page.recent.empty()) return;
   ImGui::Spacing();
-  ImGui::TextDisabled("Recent");
+  ImGui::TextDisabled("%s", tr("Recent"));
   for (std::size_t i = 0; i < std::min(page.recent.size(), kRecentShown); ++i) {
     const std::string& file = page.recent[i];
     const std::string name = fmt::format("{}##recent{}", pathOf(file).filename().string(), i);
@@ -116,12 +117,12 @@ bool exampleTile(const StartPage& page, const scene::Preset& preset) {
   }
   pageList().AddRect(at, high, ImGui::GetColorU32(hovered ? ImGuiCol_CheckMark : ImGuiCol_Border), 2.0f, 0,
                      hovered ? 2.0f : 1.0f);
-  wordsAt({at.x, high.y + 2.0f}, smaller(), ImGuiCol_Text, preset.title, 0.0f);
+  wordsAt({at.x, high.y + 2.0f}, smaller(), ImGuiCol_Text, tr(std::string(preset.title).c_str()), 0.0f);
   return pressed;
 }
 
 void examples(const StartPage& page, bool& open, Asks& asks) {
-  ImGui::TextDisabled("Examples");
+  ImGui::TextDisabled("%s", tr("Examples"));
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + gap) / (kPicture.x + gap)));
   int column = 0;
@@ -137,7 +138,7 @@ void heading() {
   ImGui::SetWindowFontScale(1.6f);
   ImGui::TextUnformatted("Palpate");
   ImGui::SetWindowFontScale(1.0f);
-  ImGui::TextWrapped("Feel, see and measure touch on a soft human body.");
+  ImGui::TextWrapped("%s", tr("Feel, see and measure touch on a soft human body."));
   ImGui::Spacing();
 }
 
@@ -145,7 +146,7 @@ void footer(const StartPage& page, bool& open) {
   ImGui::Spacing();
   flagWidget("start/again", "show this page at start", page.shown_at_start, "File > Start page shows it at any time.");
   if (page.building) {
-    ImGui::ProgressBar(static_cast<float>(page.building->done), {-1.0f, 0.0f}, page.building->stage.c_str());
+    ImGui::ProgressBar(static_cast<float>(page.building->done), {-1.0f, 0.0f}, tr(page.building->stage.c_str()));
   } else if (buttonWidget("start/close", "Close", "Esc")) {
     open = false;
   }

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/detail/key_table.h"
 #include "palpate/scene/scene_edit.h"
@@ -25,7 +26,7 @@ void tooltip(const std::string& text, bool label_hovered = false) {
   if (text.empty() || (!label_hovered && !ImGui::IsItemHovered(kAlso))) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(kTooltipWidth);
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(tr(text.c_str()));
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
@@ -36,7 +37,7 @@ void beginControl() { ImGui::SetNextItemWidth(kControlShare * ImGui::GetContentR
 bool resetMenu(const std::string& fallback) {
   bool reset = false;
   if (ImGui::BeginPopupContextItem(nullptr)) {
-    reset = ImGui::MenuItem(fmt::format("Back to {}", fallback).c_str());
+    reset = ImGui::MenuItem(trf("Back to {}", fallback).c_str());
     ImGui::EndPopup();
   }
   return reset;
@@ -63,10 +64,19 @@ bool drawLabel(const char* label) {
   return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, {low.x + size.x, low.y + size.y});
 }
 
+/// Numbers in ready words, "0.46 N", with the language's decimal sign.
+std::string withDecimalSign(std::string words) {
+  const auto digit = [&](std::size_t at) { return at < words.size() && words[at] >= '0' && words[at] <= '9'; };
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (words[i] == '.' && digit(i - 1) && digit(i + 1)) words[i] = language().decimal_sign;
+  }
+  return words;
+}
+
 std::string numberWords(double value, const char* format) {
   std::array<char, 64> text{};
   ImGui::DataTypeFormatString(text.data(), static_cast<int>(text.size()), ImGuiDataType_Double, &value, format);
-  return text.data();
+  return withDecimalSign(text.data());
 }
 
 /// The number stands before the track, where no grab can cover it. Ctrl and click types it, in place of the track.
@@ -100,8 +110,8 @@ using scene::KeyRow;
 /// Everything about a key, for the tooltip.
 std::string wordsOf(const KeyRow& row, const KeyWidget& widget) {
   const std::string fallback = scene::defaultOf(widget.table, widget.key);
-  return fmt::format("{}\n\n{}{}\n[{}] {}", row.meaning, row.takes, fallback.empty() ? "" : "; default " + fallback,
-                     widget.table, row.key);
+  const std::string otherwise = fallback.empty() ? std::string() : trf("; default {}", fallback);
+  return fmt::format("{}\n\n{}{}\n[{}] {}", tr(row.meaning.c_str()), row.takes, otherwise, widget.table, row.key);
 }
 
 /// Each draws one form and returns the new value as text, or nothing.
@@ -112,9 +122,9 @@ std::string editNumber(const KeyRow& row, const KeyWidget& widget, bool& label_h
   const double high = own ? row.form.high : widget.high;
   Slid slid;
   if (std::isfinite(low) && std::isfinite(high)) {
-    slid = slider(value, {widget.label, widget.format, low, high});
+    slid = slider(value, {tr(widget.label), widget.format, low, high});
   } else {
-    slid.changed = ImGui::InputDouble(widget.label, &value, 0.0, 0.0, widget.format);
+    slid.changed = ImGui::InputDouble(tr(widget.label), &value, 0.0, 0.0, widget.format);
   }
   label_hovered = slid.label_hovered;
   return slid.changed ? scene::showNumber(value) : std::string();
@@ -122,22 +132,22 @@ std::string editNumber(const KeyRow& row, const KeyWidget& widget, bool& label_h
 
 std::string editWhole(const KeyRow& row, const KeyWidget& widget) {
   int value = static_cast<int>(parseNumber(row.fallback).value_or(0.0));
-  if (!ImGui::InputInt(widget.label, &value, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue)) return {};
+  if (!ImGui::InputInt(tr(widget.label), &value, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue)) return {};
   return std::to_string(value);
 }
 
 std::string editFlag(const KeyRow& row, const KeyWidget& widget) {
   bool value = row.fallback == "true";
-  if (!ImGui::Checkbox(widget.label, &value)) return {};
+  if (!ImGui::Checkbox(tr(widget.label), &value)) return {};
   return value ? "true" : "false";
 }
 
 std::string editChoice(const KeyRow& row, const KeyWidget& widget) {
   std::string chosen;
   const std::string now = row.fallback.size() >= 2 ? row.fallback.substr(1, row.fallback.size() - 2) : std::string();
-  if (!ImGui::BeginCombo(widget.label, now.c_str())) return {};
+  if (!ImGui::BeginCombo(tr(widget.label), tr(now.c_str()))) return {};
   for (const std::string& choice : row.form.choices) {
-    if (ImGui::Selectable(choice.c_str(), choice == now)) chosen = scene::inQuotes(choice);
+    if (ImGui::Selectable(tr(choice.c_str()), choice == now)) chosen = scene::inQuotes(choice);
   }
   ImGui::EndCombo();
   return chosen;
@@ -145,7 +155,7 @@ std::string editChoice(const KeyRow& row, const KeyWidget& widget) {
 
 std::string editText(const KeyRow& row, const KeyWidget& widget) {
   std::string value = row.fallback.size() >= 2 ? row.fallback.substr(1, row.fallback.size() - 2) : std::string();
-  if (!ImGui::InputText(widget.label, &value, ImGuiInputTextFlags_EnterReturnsTrue)) return {};
+  if (!ImGui::InputText(tr(widget.label), &value, ImGuiInputTextFlags_EnterReturnsTrue)) return {};
   return scene::inQuotes(value);
 }
 
@@ -225,7 +235,7 @@ void otherKeys(const SceneKeys& keys, const char* table) {
   }
   if (rest.empty()) return;
   ImGui::PushID(table);
-  const bool open = ImGui::TreeNode("more", "more of [%s]", table);
+  const bool open = ImGui::TreeNode("more", "%s", trf("more of [{}]", table).c_str());
   notePlace(fmt::format("{}/more", table), "Every other key of this table of the scene file.");
   if (open) {
     for (const KeyRow& row : rest) keyWidget(keys, {table, row.key, row.key.c_str()});
@@ -239,14 +249,14 @@ void otherKeys(const SceneKeys& keys, const char* table) {
 bool numberWidget(double& value, const NumberWidget& widget) {
   ImGui::PushID(widget.path);
   beginControl();
-  const Slid slid = slider(value, {widget.label, widget.format, widget.low, widget.high});
+  const Slid slid = slider(value, {tr(widget.label), widget.format, widget.low, widget.high});
   bool changed = slid.changed;
   notePlaceOnly(widget.path);
   if (resetMenu(fmt::format("{:g}", widget.fallback))) {
     value = widget.fallback;
     changed = true;
   }
-  tooltip(fmt::format("{}\n\n{:g} to {:g}; default {:g}", widget.meaning, widget.low, widget.high, widget.fallback),
+  tooltip(trf("{}\n\n{:g} to {:g}; default {:g}", tr(widget.meaning), widget.low, widget.high, widget.fallback),
           slid.label_hovered);
   ImGui::PopID();
   if (changed) value = std::clamp(value, widget.low, widget.high);  // typed values are not held by the slider
@@ -255,7 +265,7 @@ bool numberWidget(double& value, const NumberWidget& widget) {
 
 bool flagWidget(const char* path, const char* label, bool& value, const char* meaning) {
   ImGui::PushID(path);
-  const bool changed = ImGui::Checkbox(label, &value);
+  const bool changed = ImGui::Checkbox(tr(label), &value);
   notePlace(path, meaning);
   ImGui::PopID();
   return changed;
@@ -266,11 +276,11 @@ bool choiceWidget(const char* path, const char* label, std::size_t& value, std::
   bool changed = false;
   ImGui::PushID(path);
   beginControl();
-  const bool open = ImGui::BeginCombo(label, std::string(names[std::min(value, names.size() - 1)]).c_str());
+  const bool open = ImGui::BeginCombo(tr(label), tr(std::string(names[std::min(value, names.size() - 1)]).c_str()));
   notePlaceOnly(path);
   if (open) {
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (ImGui::Selectable(std::string(names[i]).c_str(), i == value)) {
+      if (ImGui::Selectable(tr(std::string(names[i]).c_str()), i == value)) {
         changed = i != value;
         value = i;
       }
@@ -285,7 +295,7 @@ bool choiceWidget(const char* path, const char* label, std::size_t& value, std::
 
 bool buttonWidget(const char* path, const char* label, const char* meaning) {
   ImGui::PushID(path);
-  const bool clicked = ImGui::Button(label);
+  const bool clicked = ImGui::Button(tr(label));
   notePlace(path, meaning);
   ImGui::PopID();
   return clicked;
@@ -297,7 +307,7 @@ bool stopButton(const char* path, const char* label, bool wide, const char* mean
   ImGui::PushStyleColor(ImGuiCol_ButtonActive, IM_COL32(140, 12, 10, 255));
   ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
   ImGui::PushID(path);
-  const bool clicked = ImGui::Button(label, wide ? ImVec2(-1.0f, 2.0f * ImGui::GetFrameHeight()) : ImVec2(0.0f, 0.0f));
+  const bool clicked = ImGui::Button(tr(label), wide ? ImVec2(-1.0f, 2.0f * ImGui::GetFrameHeight()) : ImVec2(0.0f, 0.0f));
   ImGui::PopID();
   ImGui::PopStyleColor(4);
   notePlace(path, meaning);
@@ -307,15 +317,16 @@ bool stopButton(const char* path, const char* label, bool wide, const char* mean
 bool isLightTheme() { return ImGui::GetStyleColorVec4(ImGuiCol_Text).y < 0.5f; }
 
 void valueLine(const char* label, const std::string& value) {
-  ImGui::TextUnformatted(label);
-  const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x;
+  const std::string written = withDecimalSign(value);
+  ImGui::TextUnformatted(tr(label));
+  const float right = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(written.c_str()).x;
   ImGui::SameLine(std::max(0.0f, ImGui::GetCursorPosX() + right));
-  ImGui::TextUnformatted(value.c_str());
+  ImGui::TextUnformatted(written.c_str());
 }
 
 void remark(const std::string& words) {
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-  ImGui::TextWrapped("%s", words.c_str());
+  ImGui::TextWrapped("%s", tr(words.c_str()));
   ImGui::PopStyleColor();
 }
 

@@ -1,5 +1,8 @@
 // Controls of the panels: each says what it is in plain words, explains itself when pointed at (unit, range, default,
 // the scene file's name for it), goes back to its default by a right click, and is known to tests by a path.
+//
+// Labels, meanings and words are handed over in English and translated here; tools/check-translations knows which
+// arguments of which functions they are (WIDGETS).
 #pragma once
 
 #include <array>

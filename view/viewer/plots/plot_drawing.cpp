@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
@@ -57,18 +58,18 @@ void ticks(const ImVec2& from, const ImVec2& to, ImU32 ink) {
 }
 
 constexpr LegendEntry kLegendEntries[] = {
-    {"left finger", [](const ImVec2& a, const ImVec2& b) { stroke(a, b, fingerInk(0)); }},
-    {"right finger", [](const ImVec2& a, const ImVec2& b) { stroke(a, b, fingerInk(1)); }, true},
-    {"normal force", [](const ImVec2& a, const ImVec2& b) { stroke(a, b, fingerInk(0, kPartOpacity)); }},
-    {"sideways force", [](const ImVec2& a, const ImVec2& b) { dots(a, b, fingerInk(0, kPartOpacity)); }},
-    {"touching",
+    {toTranslate("left finger"), [](const ImVec2& a, const ImVec2& b) { stroke(a, b, fingerInk(0)); }},
+    {toTranslate("right finger"), [](const ImVec2& a, const ImVec2& b) { stroke(a, b, fingerInk(1)); }, true},
+    {toTranslate("normal force"), [](const ImVec2& a, const ImVec2& b) { stroke(a, b, fingerInk(0, kPartOpacity)); }},
+    {toTranslate("sideways force"), [](const ImVec2& a, const ImVec2& b) { dots(a, b, fingerInk(0, kPartOpacity)); }},
+    {toTranslate("touching"),
      [](const ImVec2& a, const ImVec2& b) {
        list().AddRectFilled({a.x, a.y - 5.0f}, {b.x, b.y + 5.0f}, plotInk(2.0f * kTouching));
      }},
-    {"slips", [](const ImVec2& a, const ImVec2& b) { ticks(a, b, fingerInk(0)); }},
-    {"limit of the device", [](const ImVec2& a, const ImVec2& b) { stroke(a, b, limitInk()); }},
-    {"beyond it", [](const ImVec2& a, const ImVec2& b) { ticks(a, b, limitInk()); }},
-    {"moment read",
+    {toTranslate("slips"), [](const ImVec2& a, const ImVec2& b) { ticks(a, b, fingerInk(0)); }},
+    {toTranslate("limit of the device"), [](const ImVec2& a, const ImVec2& b) { stroke(a, b, limitInk()); }},
+    {toTranslate("beyond it"), [](const ImVec2& a, const ImVec2& b) { ticks(a, b, limitInk()); }},
+    {toTranslate("moment read"),
      [](const ImVec2& a, const ImVec2& b) {
        const float x = 0.5f * (a.x + b.x);
        list().AddLine({x, a.y - kTick}, {x, b.y + kTick}, plotInk());
@@ -83,7 +84,7 @@ int layLegend(float width, bool both_fingers, const Draw& draw) {
   int line = 0;
   for (const LegendEntry& entry : kLegendEntries) {
     if (entry.second_finger && !both_fingers) continue;
-    const float needed = kSign + kSignGap + smallWidth(entry.words);
+    const float needed = kSign + kSignGap + smallWidth(tr(entry.words));
     if (x > 0.0f && x + needed > width) {
       x = 0.0f;
       ++line;
@@ -184,7 +185,7 @@ void drawPlotLegend(const ImVec2& corner, float width, bool both_fingers) {
     const float top = corner.y + static_cast<float>(line) * kPlotLegendLine;
     const float middle = top + 0.5f * smallSize();
     entry.sign({left, middle}, {left + kSign, middle});
-    smallText({left + kSign + kSignGap, top}, entry.words);
+    smallText({left + kSign + kSignGap, top}, tr(entry.words));
   });
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "palpate/base/language.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 #include "view/viewer/plots/plot_drawing.h"
@@ -25,9 +26,9 @@ struct Strip {
   PlotValue value;
   double least;  ///< the axis never ends below this
 };
-constexpr std::array<Strip, 3> kStrips = {{{"force", "N", PlotValue::force, 1.0},
-                                           {"depth", "mm", PlotValue::depth, 5.0},
-                                           {"speed", "mm/s", PlotValue::speed, 50.0}}};
+constexpr std::array<Strip, 3> kStrips = {{{toTranslate("force"), "N", PlotValue::force, 1.0},
+                                           {toTranslate("depth"), "mm", PlotValue::depth, 5.0},
+                                           {toTranslate("speed"), "mm/s", PlotValue::speed, 50.0}}};
 
 /// One look at both fingers: the columns of one frame, the same in every strip.
 struct Columns {
@@ -78,7 +79,7 @@ void drawReadouts(const PlotStrips& panel, const PlotArea& area, PlotValue value
 }
 
 void drawTitle(const PlotArea& area, const Strip& strip) {
-  const std::string title = fmt::format("{}, {}", strip.title, strip.unit);
+  const std::string title = fmt::format("{}, {}", tr(strip.title), strip.unit);
   ImGui::GetWindowDrawList()->AddText({area.low.x, area.low.y - kTitle}, plotInk(), title.c_str());
 }
 

@@ -1,3 +1,4 @@
+#include "palpate/base/language.h"
 #include "view/viewer/state/edit_history.h"
 
 #include <fmt/format.h>
@@ -53,7 +54,7 @@ bool areSame(const std::vector<tissue::ProfileKnot>& a, const std::vector<tissue
 
 std::string shortened(const std::string& value) {
   constexpr std::size_t kMax = 24;
-  if (value.empty()) return "the default";
+  if (value.empty()) return tr("the default");
   return value.size() <= kMax && value.find('\n') == std::string::npos ? value : "...";
 }
 
@@ -76,7 +77,7 @@ std::string wordsFor(const SessionSnapshot& was, const SessionSnapshot& is) {
   const scene::Difference& first = differences.front();
   const std::string name =
       fmt::format("{}{}{}", first.table, first.table.empty() || first.key.empty() ? "" : " ", first.key);
-  return fmt::format("{} from {} to {}", name, shortened(first.was), shortened(first.is));
+  return trf("{} from {} to {}", name, shortened(first.was), shortened(first.is));
 }
 
 }  // namespace
@@ -117,14 +118,14 @@ bool ChangeHistory::sceneChanged() const { return scene::sceneAsToml(now_.scene)
 void ChangeHistory::undo(ViewerState& viewer) {
   settle(viewer);
   if (!steps_.canUndo()) return viewer.report(Severity::info, "Nothing to undo");
-  viewer.report(Severity::info, "Undo: " + steps_.undoWords());
+  viewer.report(Severity::info, trf("Undo: {}", steps_.undoWords()));
   restore(steps_.undo(now_), viewer);
 }
 
 void ChangeHistory::redo(ViewerState& viewer) {
   settle(viewer);
   if (!steps_.canRedo()) return viewer.report(Severity::info, "Nothing to redo");
-  viewer.report(Severity::info, "Redo: " + steps_.redoWords());
+  viewer.report(Severity::info, trf("Redo: {}", steps_.redoWords()));
   restore(steps_.redo(now_), viewer);
 }
 
@@ -133,7 +134,7 @@ void ChangeHistory::reset(ViewerState& viewer) {
   if (now_.document_text == saved_.document_text && now_.habits == saved_.habits) {
     return viewer.report(Severity::info, "Nothing was changed");
   }
-  steps_.add(now_, "reset");
+  steps_.add(now_, tr("reset"));
   viewer.report(Severity::info, "Everything is as it was opened or saved");
   restore(saved_, viewer);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "view/viewer/state/devices_shown.h"
 
 namespace palpate::viewer {
@@ -25,7 +26,7 @@ std::string Interventions::recent(double now_s) const {
   std::stable_sort(seen.begin(), seen.end(), [&](std::size_t a, std::size_t b) { return last_s_[a] > last_s_[b]; });
   std::string words;
   for (const std::size_t i : seen) {
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", servo::safetyNames()[i], counts_[i]);
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", tr(servo::safetyNames()[i]), counts_[i]);
   }
   return words;
 }

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
+
 namespace palpate::viewer {
 
-void Messages::add(Severity severity, std::string text, double now_s) {
-  all_.push_back({severity, std::move(text), now_s});
+void Messages::add(Severity severity, const std::string& text, double now_s) {
+  all_.push_back({severity, tr(text.c_str()), now_s});
   if (all_.size() > kKeptMessages) all_.pop_front();
   if (severity != Severity::info) ++unread_;
   // A newer info or warning replaces an older one; errors queue up.
@@ -13,8 +15,8 @@ void Messages::add(Severity severity, std::string text, double now_s) {
   waiting_.push_back(all_.back());
 }
 
-void Messages::note(std::string text, double now_s) {
-  all_.push_back({Severity::info, std::move(text), now_s});
+void Messages::note(const std::string& text, double now_s) {
+  all_.push_back({Severity::info, tr(text.c_str()), now_s});
   if (all_.size() > kKeptMessages) all_.pop_front();
 }
 

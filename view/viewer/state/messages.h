@@ -22,9 +22,9 @@ inline constexpr std::size_t kKeptMessages = 200;
 /// Infos and warnings leave by themselves; an error stays until it is dismissed, and goes before the others.
 class Messages {
  public:
-  void add(Severity severity, std::string text, double now_s);
+  void add(Severity severity, const std::string& text, double now_s);
   /// Kept in the list alone: what the window shows in another way.
-  void note(std::string text, double now_s);
+  void note(const std::string& text, double now_s);
   /// What is to be shown now, or nothing.
   const Message* toast(double now_s) const;
   void dismiss();

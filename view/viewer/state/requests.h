@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "palpate/base/language.h"
 #include "palpate/scene/scene.h"
 #include "palpate/view/camera.h"
 #include "palpate/window/keys.h"
@@ -170,7 +171,7 @@ struct Question {
   Kind kind = Kind::leave;
   std::string words = {};
   /// As the buttons say them; the first is what Enter means, the last what Esc means.
-  std::vector<std::string> answers = {"Save", "Discard", "Stay"};
+  std::vector<std::string> answers = {toTranslate("Save"), toTranslate("Discard"), toTranslate("Stay")};
   std::string file = {};             ///< overwrite: which
   std::optional<Request> then = {};  ///< what is done after the answer
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "palpate/base/language.h"
 #include "palpate/view/orbit.h"
 
 namespace palpate::viewer {
@@ -53,7 +54,7 @@ double alongSkinMm(const Ruler& ruler) {
 std::string rulerWords(const Ruler& ruler) {
   if (ruler.ends.size() < 2) return {};
   const Vec3 by = ruler.ends[1].point - ruler.ends[0].point;
-  return fmt::format("{:.1f} mm straight, {:.1f} mm along the skin\nx {:+.1f}  y {:+.1f}  z {:+.1f} mm",
+  return trf("{:.1f} mm straight, {:.1f} mm along the skin\nx {:+.1f}  y {:+.1f}  z {:+.1f} mm",
                      straightMm(ruler), alongSkinMm(ruler), by.x(), by.y(), by.z());
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
 #include "palpate/body/places.h"
 #include "palpate/mesh/triangle_mesh.h"
 #include "palpate/scene/skin_channels.h"
@@ -57,9 +58,9 @@ std::string useChannelsOf(const scene::World& world, view::Look& look) {
   if (!keeps) view::showScalar(world, {}, look);
   std::string brings = channels->colours.empty() ? "" : "colours";
   if (!channels->scalars.empty()) {
-    brings += (brings.empty() ? "" : " and ") + fmt::format("numbers ({})", scene::scalarNames(channels));
+    brings += (brings.empty() ? "" : fmt::format(" {} ", tr("and"))) + trf("numbers ({})", scene::scalarNames(channels));
   }
-  return brings.empty() ? brings : fmt::format("The file brings {} for its vertices: see Show", brings);
+  return brings.empty() ? brings : trf("The file brings {} for its vertices: see Show", brings);
 }
 
 }  // namespace palpate::viewer

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 #include "palpate/device/device_profile.h"
@@ -20,7 +21,8 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr const char* kCannotOpen = "cannot open ";
+/// With nothing behind it the beginning of all such messages.
+std::string cannotOpen(const std::string& why = {}) { return trf("cannot open {}", why); }
 
 /// A broken picture must not reach the display.
 void decodePicture(const scene::World& world) {
@@ -30,7 +32,7 @@ void decodePicture(const scene::World& world) {
 void tellRate(ViewerState& viewer) {
   if (std::abs(viewer.scene.ticks_per_s - viewer.ticks_per_s) < 0.5) return;
   viewer.report(Severity::info,
-                fmt::format("Felt at {:.0f} ticks a second, as this window began; the scene says {:.0f}",
+                trf("Felt at {:.0f} ticks a second, as this window began; the scene says {:.0f}",
                             viewer.ticks_per_s, viewer.scene.ticks_per_s));
 }
 
@@ -156,11 +158,11 @@ void WorldSwap::takeResult(ViewerState& viewer, engine::ServoThread& servo) {
   if (!result->world) {
     viewer.opening = false;
     failure_ = result->error;
-    viewer.report(Severity::error, (opened.empty() ? "" : kCannotOpen) + result->error);
+    viewer.report(Severity::error, opened.empty() ? result->error : cannotOpen(result->error));
     return;
   }
   if (!opened.empty()) {
-    viewer.messages.clearErrors(kCannotOpen);
+    viewer.messages.clearErrors(cannotOpen());
     remember(viewer.state.recent, opened);
     viewer.scene = result->world->scene;
     viewer.document = *opening_document_;
