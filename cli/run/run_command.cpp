@@ -24,6 +24,7 @@
 #include "cli/run/playback.h"
 #include "cli/run/run_modes.h"
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
@@ -67,6 +68,7 @@ struct RunOptions {
   bool no_shortcuts = false;
   bool no_state = false;
   bool no_recording = false;
+  std::string language;    ///< a code; empty: the remembered one, else the system's
   std::string recordings;  ///< folder; empty: the user's own
   bool full_screen = false;
   bool verbose = false;
@@ -231,6 +233,9 @@ void becomeTraining(bool verbose) {
 
 void runWindow(const RunOptions& options) {
   const auto started = Clock::now();
+  const viewer::StateReading state = remembered(options);
+  const std::string remembered_language = state.remembered ? state.remembered->state.language : std::string();
+  useLanguage(options.language.empty() ? remembered_language : options.language);
   Playback playback(options.play);
   checkReplays(options);
   HeadSource heads;
@@ -239,7 +244,6 @@ void runWindow(const RunOptions& options) {
   // The body is built while the window opens; without a display there is nothing to build it for.
   engine::WorldBuilder building({}, false);  // nobody touches anything yet
   if (window::displayOffered()) building.request({.scene = opened.scene, .body = nullptr, .read = {}});
-  const viewer::StateReading state = remembered(options);
   window::Window window(windowFor(options, state));
   const FinishesInOrder in_order;
   viewer::ViewerSettings settings;
@@ -336,6 +340,7 @@ void addRunCommand(CLI::App& app) {
                   "Holds the left finger instead of the mouse, the right one when given again");
   addUnsafeStiffness(*command, options->unsafe_stiffness);
   addNumber(*command, "--frames", options->frames, between(1, 1e12), "Close after so many frames");
+  addLanguage(*command, options->language);
   command->add_option("-o,--out", options->out, "Folder for pictures and tables that are saved")->capture_default_str();
   addNumber(*command, "--width", options->width, between(320, 16384, "pixels"),
             "Of the window, instead of the remembered one");

@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 
+#include "palpate/base/language.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -14,7 +15,8 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kHeadNames = {"top", "left", "bottom", "right"};
+constexpr std::array<std::string_view, 4> kHeadNames = {toTranslate("top"), toTranslate("left"), toTranslate("bottom"),
+                                                           toTranslate("right")};
 
 void photoRow(MeasuringView& view, Photo which) {
   const bool before = which == Photo::before;
@@ -38,12 +40,13 @@ void photoRows(MeasuringView& view, MeasuringRequests& requests) {
 }
 
 const char* hintOf(const MeasuringView& view) {
-  if (view.tool == MeasuringTool::contact) return "Click where the stick touched the skin, in the photograph before.";
+  if (view.tool == MeasuringTool::contact) return toTranslate("Click where the stick touched the skin, in the photograph before.");
   if (view.tool == MeasuringTool::dots) {
-    return "Click bare skin to add a dot, a dot to remove it; drag moves it. With Shift a click only selects, arrows "
-           "nudge.";
+    return toTranslate(
+        "Click bare skin to add a dot, a dot to remove it; drag moves it. With Shift a click only selects, arrows "
+        "nudge.");
   }
-  return "Drag shifts, the wheel zooms.";
+  return toTranslate("Drag shifts, the wheel zooms.");
 }
 
 void hintRows(MeasuringView& view) {
@@ -77,7 +80,7 @@ void findingLines(const MeasuringView& view) {
   for (const measure::Finding& finding : view.measured->findings) {
     const bool refusal = finding.severity == measure::Severity::refusal;
     severeWords(refusal ? Severity::error : Severity::warning,
-                fmt::format("{}: {}", refusal ? "Refused" : "Warning", wordsHere(finding)));
+                fmt::format("{}: {}", tr(refusal ? "Refused" : "Warning"), wordsHere(finding)));
   }
   ImGui::PopTextWrapPos();
 }
@@ -90,7 +93,7 @@ void numberLines(const MeasuringView& view) {
 void textField(const char* path, const char* label, const char* hint, std::string& text) {
   ImGui::PushID(path);
   ImGui::SetNextItemWidth(0.68f * ImGui::GetContentRegionAvail().x);
-  ImGui::InputTextWithHint(label, hint, &text);
+  ImGui::InputTextWithHint(tr(label), hint, &text);
   notePlace(path);
   ImGui::PopID();
 }

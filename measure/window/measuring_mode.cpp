@@ -8,6 +8,7 @@
 #include "measure/window/key_table_file.h"
 #include "measure/window/measuring_window.h"
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 #include "palpate/body/places.h"
@@ -57,12 +58,12 @@ std::string doubts(const measure::Measurement& measured, const KeyTableFile& tab
                    const std::string& name) {
   std::string words;
   for (const measure::Finding& finding : measured.findings) {
-    if (finding.severity == measure::Severity::refusal) words += fmt::format("Refused: {}\n", wordsHere(finding));
+    if (finding.severity == measure::Severity::refusal) words += fmt::format("{}: {}\n", tr("Refused"), wordsHere(finding));
   }
   if (table.kind == KeyTableFile::Kind::other) {
-    words += fmt::format("{} is not a table of key points and would be written over.\n", file.string());
+    words += trf("{} is not a table of key points and would be written over.", file.string()) + "\n";
   } else if (table.has(name)) {
-    words += fmt::format("{} has a row \"{}\" already: it would be replaced.\n", file.string(), name);
+    words += trf("{} has a row \"{}\" already: it would be replaced.", file.string(), name) + "\n";
   }
   return words;
 }
@@ -76,7 +77,7 @@ KeyTableRow rowOf(const measure::Measurement& measured, const std::string& name,
 void useInScene(ViewerState& viewer, const fs::path& file) {
   viewer.scene.ellipses.key_points = file;
   viewer.asks.changed |= kMapChange;
-  viewer.asks.step = "measured key points";
+  viewer.asks.step = tr("measured key points");
 }
 
 }  // namespace
@@ -127,8 +128,8 @@ bool MeasuringMode::asksFirst(Waiting waiting, ViewerState& viewer) {
   if (!view_.unsaved) return false;
   waiting_ = std::move(waiting);
   viewer.ask({.kind = Question::Kind::of_mode,
-              .words = "The dots of the photographs were corrected. Accept the measurement first?",
-              .answers = {"Accept", "Discard", "Stay"}});
+              .words = toTranslate("The dots of the photographs were corrected. Accept the measurement first?"),
+              .answers = {toTranslate("Accept"), toTranslate("Discard"), toTranslate("Stay")}});
   return true;
 }
 
@@ -169,9 +170,9 @@ void MeasuringMode::handle(const MeasuringRequest& request, ViewerState& viewer)
 
 void MeasuringMode::takeBack(bool undoes, ViewerState& viewer) {
   const std::string words = undoes ? undoCorrection(view_) : redoCorrection(view_);
-  const char* what = undoes ? "Undo" : "Redo";
-  viewer.report(Severity::info, words.empty() ? fmt::format("Nothing to {}", undoes ? "undo" : "redo")
-                                              : fmt::format("{}: {}", what, words));
+  const std::string nothing = tr(undoes ? "Nothing to undo" : "Nothing to redo");
+  const std::string done = undoes ? trf("Undo: {}", words) : trf("Redo: {}", words);
+  viewer.report(Severity::info, words.empty() ? nothing : done);
 }
 
 void MeasuringMode::advance(ViewerState& viewer, std::span<const body::SkinLandmark> landmarks) {
@@ -237,7 +238,7 @@ MeasuringMode::Accepting MeasuringMode::accept(ViewerState& viewer, bool sure) {
   if (const std::string against = doubts(*view.measured, table, file, name); !sure && !against.empty()) {
     waiting_ = MeasuringRequest(AcceptMeasurement{.sure = true});
     viewer.ask(
-        {.kind = Question::Kind::of_mode, .words = against + "Accept all the same?", .answers = {"Accept", "Cancel"}});
+        {.kind = Question::Kind::of_mode, .words = against + tr("Accept all the same?"), .answers = {"Accept", "Cancel"}});
     return Accepting::asked;
   }
   try {
@@ -248,8 +249,8 @@ MeasuringMode::Accepting MeasuringMode::accept(ViewerState& viewer, bool sure) {
   }
   view.unsaved = false;
   if (view.form.use_in_scene) useInScene(viewer, file);
-  viewer.report(Severity::info, fmt::format("{} is in {}{}", name, file.string(),
-                                            view.form.use_in_scene ? "; the skin follows it" : ""));
+  viewer.report(Severity::info, view.form.use_in_scene ? trf("{} is in {}; the skin follows it", name, file.string())
+                                                       : trf("{} is in {}", name, file.string()));
   return Accepting::done;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/key_row.h"
 
@@ -191,12 +192,12 @@ void releasePhoto(MeasuringView& view) {
     if (drag.moved) return;  // a slip, not a click
     marks.push_back({drag.from_px, 0.0});
     view.selected = ChosenMark{drag.photo, marks.size() - 1};
-    return keepStep(view, std::move(drag.before), "add a dot");
+    return keepStep(view, std::move(drag.before), tr("add a dot"));
   }
-  if (drag.moved) return keepStep(view, std::move(drag.before), "move a dot");
+  if (drag.moved) return keepStep(view, std::move(drag.before), tr("move a dot"));
   marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(*drag.mark));
   view.selected.reset();
-  keepStep(view, std::move(drag.before), "remove a dot");
+  keepStep(view, std::move(drag.before), tr("remove a dot"));
 }
 
 void removeSelected(MeasuringView& view) {
@@ -205,7 +206,7 @@ void removeSelected(MeasuringView& view) {
   std::vector<measure::Dot>& marks = view.marksOf(view.selected->photo);
   marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(view.selected->index));
   view.selected.reset();
-  keepStep(view, std::move(before), "remove a dot");
+  keepStep(view, std::move(before), tr("remove a dot"));
 }
 
 void nudgeSelected(MeasuringView& view, const Vec2& by_px) {
@@ -213,13 +214,13 @@ void nudgeSelected(MeasuringView& view, const Vec2& by_px) {
   Corrections before = correctionsNow(view);
   view.marksOf(view.selected->photo)[view.selected->index].place_px += by_px;
   if (view.nudged == view.selected) return measureAgain(view);  // one step, however often the key was pressed
-  keepStep(view, std::move(before), "nudge a dot");
+  keepStep(view, std::move(before), tr("nudge a dot"));
   view.nudged = view.selected;
 }
 
 void setContact(MeasuringView& view, const std::optional<Vec2>& at_px) {
   if (view.settings.contact_px == at_px) return;
-  keepStep(view, correctionsNow(view), at_px ? "mark the contact" : "forget the contact");
+  keepStep(view, correctionsNow(view), at_px ? tr("mark the contact") : tr("forget the contact"));
   view.settings.contact_px = at_px;
 }
 
@@ -272,12 +273,12 @@ bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers&
 }
 
 std::string obstacleToAccept(const MeasuringView& view) {
-  if (!view.settled()) return "It is still being measured";
-  if (!view.measured || !view.measured->fit) return "There is no ellipse to accept";
-  if (!view.form.at_mm) return "Say first where on the body it is";
+  if (!view.settled()) return tr("It is still being measured");
+  if (!view.measured || !view.measured->fit) return tr("There is no ellipse to accept");
+  if (!view.form.at_mm) return tr("Say first where on the body it is");
   const std::string fault = measure::faultOfKeyName(acceptedName(view.form));
-  if (!fault.empty()) return "The name " + fault;
-  if (view.form.table.empty()) return "Name a table for it first";
+  if (!fault.empty()) return trf("The name {}", fault);
+  if (view.form.table.empty()) return tr("Name a table for it first");
   return {};
 }
 

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "palpate/base/language.h"
 #include "palpate/measure/measurement.h"
 #include "palpate/measure/overlay.h"
 #include "palpate/window/keys.h"
@@ -22,7 +23,7 @@
 namespace palpate::viewer {
 
 enum class Photo : std::uint8_t { before, after };
-inline constexpr std::array<std::string_view, 2> kPhotoNames = {"before", "after"};
+inline constexpr std::array<std::string_view, 2> kPhotoNames = {toTranslate("before"), toTranslate("after")};
 
 /// What the left button does on a photograph.
 enum class MeasuringTool : std::uint8_t { look, contact, dots };

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <string>
 
+#include "palpate/base/language.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
@@ -18,7 +19,8 @@ namespace {
 constexpr float kColumn = 292.0f;
 constexpr float kNarrow = 760.0f;
 
-constexpr std::array<const char*, 5> kTabNames = {"Before", "After", "Result", "All", "Numbers"};
+constexpr std::array<const char*, 5> kTabNames = {toTranslate("Before"), toTranslate("After"), toTranslate("Result"),
+                                                  toTranslate("All"), toTranslate("Numbers")};
 constexpr std::array<const char*, 5> kTabPaths = {"measuring/tab/before", "measuring/tab/after", "measuring/tab/result",
                                                   "measuring/tab/all", "measuring/tab/numbers"};
 
@@ -36,18 +38,18 @@ void tabs(MeasuringView& view, std::size_t count) {
 
 /// At the right end of the same row.
 void tools(MeasuringView& view) {
-  constexpr std::array<const char*, 3> kNames = {"Look", "Contact", "Dots"};
+  constexpr std::array<const char*, 3> kNames = {toTranslate("Look"), toTranslate("Contact"), toTranslate("Dots")};
   constexpr std::array<const char*, 3> kPaths = {"measuring/look", "measuring/contact", "measuring/dots"};
   const ImGuiStyle& style = ImGui::GetStyle();
   float width = 0.0f;
   for (const char* name : kNames) {
-    width += ImGui::CalcTextSize(name).x + ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + style.ItemSpacing.x;
+    width += ImGui::CalcTextSize(tr(name)).x + ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + style.ItemSpacing.x;
   }
   ImGui::SameLine(std::max(0.0f, ImGui::GetWindowContentRegionMax().x - width));
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     const auto tool = static_cast<MeasuringTool>(i);
-    if (ImGui::RadioButton(kNames[i], view.tool == tool)) useTool(view, tool);
+    if (ImGui::RadioButton(tr(kNames[i]), view.tool == tool)) useTool(view, tool);
     notePlace(kPaths[i]);
   }
 }
@@ -84,7 +86,7 @@ Status statusOf(const MeasuringView& view) {
   if (!view.failure.empty()) return {Severity::error, view.failure};
   if (view.measured) return {view.overlay.accepted ? Severity::info : Severity::error, view.overlay.verdict};
   return {Severity::info,
-          "Choose a photograph of the dots before the skin is dragged, and one after; or drop them on the window."};
+          tr("Choose a photograph of the dots before the skin is dragged, and one after; or drop them on the window.")};
 }
 
 /// With some room for more than one line, but never so much that little is left of the photographs.
@@ -96,7 +98,7 @@ float statusHeight(const Status& status, const ImVec2& room) {
 /// Below the photographs: the verdict, or how far the work is.
 void statusRow(const MeasuringView& view, const Status& status, MeasuringRequests& requests) {
   if (view.working) {
-    ImGui::ProgressBar(static_cast<float>(view.done), {-80.0f, 0.0f}, view.stage.c_str());
+    ImGui::ProgressBar(static_cast<float>(view.done), {-80.0f, 0.0f}, tr(view.stage.c_str()));
     ImGui::SameLine();
     if (buttonWidget("measuring/cancel", "Cancel")) requests.emplace_back(CancelMeasuring{});
     return;
@@ -145,7 +147,7 @@ void measuringWindow(MeasuringView& view, const FreeArea& free, MeasuringRequest
   if (!view.dialog) return;
   bool open = true;
   const bool before = *view.dialog == Photo::before;
-  std::string chosen = photographDialog(before ? "Open the photograph before" : "Open the photograph after", open);
+  std::string chosen = photographDialog(before ? toTranslate("Open the photograph before") : toTranslate("Open the photograph after"), open);
   if (!chosen.empty()) requests.emplace_back(ShowPhoto{*view.dialog, std::move(chosen)});
   if (!open || !chosen.empty()) view.dialog.reset();
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "measure/window/measuring_view.h"
+#include "palpate/base/language.h"
 #include "palpate/measure/measurement.h"
 #include "view/viewer/panels/panels.h"
 
@@ -16,7 +17,7 @@ void measuringWindow(MeasuringView& view, const FreeArea& free, MeasuringRequest
 // Everything of the measuring view but the photographs: which they are, tools, settings, what was found, accepting.
 
 /// Of MeasureSettings::partial.
-inline constexpr const char* kPartialBox = "may leave the dots";
+inline constexpr const char* kPartialBox = toTranslate("may leave the dots");
 
 /// In the window that is being drawn.
 void measuringColumn(MeasuringView& view, MeasuringRequests& requests);

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "measure/window/photo_frame.h"
+#include "palpate/base/language.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
@@ -87,9 +88,10 @@ void useMouse(MeasuringView& view, const PhotoPanel& panel, const PhotoFrame& fr
 }
 
 void sayWhatIsMissing(ImDrawList& list, const MeasuringView& view, Photo which, const Vec2& corner, const Vec2& size) {
-  const std::string name(kPhotoNames[static_cast<std::size_t>(which)]);
-  const char* what = view.photo(which).file.empty() ? "No photograph " : view.working ? "Reading " : "Not read: ";
-  const std::string words = what + name;
+  const std::string name = tr(std::string(kPhotoNames[static_cast<std::size_t>(which)]).c_str());
+  const std::string words = view.photo(which).file.empty() ? trf("No photograph {}", name)
+                            : view.working                 ? trf("Reading {}", name)
+                                                           : trf("Not read: {}", name);
   const ImVec2 room = ImGui::CalcTextSize(words.c_str());
   list.AddText(imVec(corner + 0.5 * (size - vec(room))), IM_COL32(220, 220, 220, 255), words.c_str());
 }

@@ -47,7 +47,9 @@ bool tookEnd(std::unique_ptr<system::FedProgram>& program, const char* what, std
   const std::string words = lastWordsOf(program->said());
   const system::FedProgram::Ending ending = program->finish();
   program.reset();
-  if (!ending.well) trouble = fmt::format("{}{}{}", trf("{} ended ({})", tr(what), ending.how), words.empty() ? "" : ": ", words);
+  if (!ending.well) {
+    trouble = fmt::format("{}{}{}", trf("{} ended ({})", tr(what), ending.how), words.empty() ? "" : ": ", words);
+  }
   return true;
 }
 

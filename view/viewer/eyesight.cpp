@@ -2,6 +2,7 @@
 
 #include "palpate/base/language.h"
 
+
 namespace palpate::viewer {
 
 void Eyesight::keepUsable(ViewerState& viewer) {

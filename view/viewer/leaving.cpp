@@ -1,5 +1,5 @@
-#include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
+#include "palpate/base/language.h"
 #include "view/viewer/request_handler.h"
 
 #include <fmt/format.h>

@@ -41,7 +41,7 @@ void ReplayPlayer::take(const std::shared_ptr<const scene::World>& world, LiveMo
   auto result = loader_.take();
   if (!result) return;
   if (!result->touch) return viewer.report(Severity::error, trf("cannot replay {}", result->error));
-  viewer.messages.clearErrors(trf("cannot replay {}", ""));
+  viewer.messages.clearErrors(trf("cannot replay {}", std::string()));
   for (const std::string& note : result->touch->notes) viewer.report(Severity::warning, note);
   if (std::exchange(loads_beside_, false) && recorded_) {
     const auto world_beside = result->touch->world ? result->touch->world : world;

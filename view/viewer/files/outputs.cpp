@@ -114,9 +114,9 @@ Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request
   if (!request.sure && wouldOverwrite(viewer.document, target)) {
     const bool known = fs::absolute(target).lexically_normal() == viewer.document.file;
     viewer.ask({.kind = Question::Kind::overwrite,
-                .words = fmt::format("{} {}. {}", target.string(),
-                                     known ? "was changed by somebody else since it was opened" : "exists already"),
-                .answers = {"Overwrite", "Cancel"},
+                .words = known ? trf("{} was changed by somebody else since it was opened. Write over it?", target.string())
+                               : trf("{} exists already. Write over it?", target.string()),
+                .answers = {toTranslate("Overwrite"), toTranslate("Cancel")},
                 .file = target.string()});
     return Saving::asked;
   }
@@ -130,9 +130,8 @@ Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request
   viewer.history.saved(viewer);
   std::string words = written.as_it_was ? trf("Nothing to save: {} says it all", viewer.document.file.string())
                                         : trf("The scene is saved as {}", viewer.document.file.string());
-  if (!written.kept.empty())
-    words += trf("; its comments could not be kept and are in {}", written.kept.string());
-  viewer.report(Severity::info, std::move(words));
+  if (!written.kept.empty()) words += trf("; its comments could not be kept and are in {}", written.kept.string());
+  viewer.report(Severity::info, words);
   return Saving::done;
 }
 

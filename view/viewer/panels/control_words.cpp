@@ -33,6 +33,7 @@ constexpr ControlRow kControlWords[] = {
     {"menu/Paste the view", toTranslate("Fly to the camera that was copied.")},
     {"menu/Theme", toTranslate("Colours of the window: dark, light or of high contrast.")},
     {"menu/Text size", toTranslate("Size of all letters and controls, 75 to 250 %.")},
+    {"menu/Language", toTranslate("Language of this window; it holds from the next start.")},
     {"menu/Mouse", toTranslate("What the buttons do, and how fast the camera turns.")},
     {"menu/Swap left and right", toTranslate("For the left hand.")},
     {"menu/Invert the wheel", toTranslate("The wheel zooms the other way.")},
@@ -98,6 +99,42 @@ constexpr ControlRow kControlWords[] = {
     {"class/join", toTranslate("The training of this station; its results go to the class.")},
 };
 // clang-format on
+
+/// Words of the engine that are shown as they are: what is being built, safety rules, choices of keys and enumerations.
+[[maybe_unused]] constexpr const char* kEngineWords[] = {
+    toTranslate("opening"), toTranslate("laying the texture"), toTranslate("looking for self-intersections"),
+    toTranslate("checking"), toTranslate("reading the texture coordinates"),
+    toTranslate("building the contact surface"), toTranslate("building the torso"),
+    toTranslate("building the back"), toTranslate("building the trunk"),
+    toTranslate("building the fitted bones"), toTranslate("ordering the triangles"),
+    toTranslate("mapping stiffness"), toTranslate("preparing the deformation"),
+    toTranslate("partitioning the skin"), toTranslate("fitting the build"),
+    toTranslate("trying all ways round"), toTranslate("measuring"), toTranslate("tip not finite"),
+    toTranslate("tip jumped"), toTranslate("force not finite"), toTranslate("force ramps up"),
+    toTranslate("damped"), toTranslate("force clamped"), toTranslate("force jumped"),
+    toTranslate("loop stalled"), toTranslate("tip stale"), toTranslate("held back"),
+    toTranslate("soft contact"), toTranslate("emergency stop"), toTranslate("too stiff"),
+    toTranslate("clutched"), toTranslate("corrected"), toTranslate("literal"), toTranslate("left"),
+    toTranslate("right"), toTranslate("trunk"), toTranslate("torso"), toTranslate("back"),
+    toTranslate("mesh"), toTranslate("standing"), toTranslate("prone"), toTranslate("sitting"),
+    toTranslate("auto"), toTranslate("depth"), toTranslate("points"), toTranslate("constant"),
+    toTranslate("surface"), toTranslate("linear"), toTranslate("power"), toTranslate("stiffening"),
+    toTranslate("table"), toTranslate("layered"), toTranslate("gaussian"), toTranslate("bsp"),
+    toTranslate("octree"), toTranslate("leaves"), toTranslate("triangles"), toTranslate("coherent"),
+    toTranslate("linked"), toTranslate("ellipse"), toTranslate("circle"), toTranslate("contour"),
+    toTranslate("half_gaussian"), toTranslate("sharp"), toTranslate("cosine"), toTranslate("logarithm"),
+    toTranslate("user"), toTranslate("above"), toTranslate("front"), toTranslate("below"),
+    toTranslate("gouraud"), toTranslate("skin"), toTranslate("plain"), toTranslate("strain"),
+    toTranslate("stiffness"), toTranslate("ellipses"), toTranslate("scalar"), toTranslate("finger"),
+    toTranslate("hand"), toTranslate("ball"), toTranslate("none"), toTranslate("mono"),
+    toTranslate("sbs-half"), toTranslate("sbs-full"), toTranslate("sbs-cross"), toTranslate("tab-half"),
+    toTranslate("tab-full"), toTranslate("anaglyph"), toTranslate("rows"), toTranslate("quad-buffer"),
+    toTranslate("force"), toTranslate("up"), toTranslate("down"), toTranslate("neighbours"),
+    toTranslate("cyclic"), toTranslate("zero"), toTranslate("smooth"), toTranslate("lowered"),
+    toTranslate("step"), toTranslate("nearest"), toTranslate("cubic"), toTranslate("solved"),
+    toTranslate("summed"), toTranslate("outside"), toTranslate("ramp"), toTranslate("shared"),
+    toTranslate("scaled"),
+};
 
 }  // namespace
 

@@ -107,6 +107,19 @@ void textSizeMenu(double& text_size) {
   ImGui::EndMenu();
 }
 
+/// Fonts and labels are made at the start.
+void languageMenu(const Menus& menus) {
+  if (!beginMenu("menu/Language", "Language")) return;
+  std::string& chosen = menus.state.language;
+  const std::string before = chosen;
+  if (plainItem("menu/Language", "as the system", chosen.empty())) chosen.clear();
+  for (const Language& offered : languages()) {
+    if (plainItem("menu/Language", std::string(offered.own_name).c_str(), chosen == offered.code)) chosen = offered.code;
+  }
+  if (chosen != before) menus.asks.tell(Severity::info, "The language holds from the next start");
+  ImGui::EndMenu();
+}
+
 void mouseMenu(window::InputSettings& input) {
   if (!beginMenu("menu/Mouse", "Mouse")) return;
   for (std::size_t i = 0; i < window::kMousePresetNames.size(); ++i) {
@@ -141,6 +154,7 @@ void viewMenu(const Menus& menus) {
   ImGui::Separator();
   themeMenu(menus.state.theme);
   textSizeMenu(menus.state.text_size);
+  languageMenu(menus);
   mouseMenu(menus.state.input);
   switchItem("menu/Reduced motion", "Reduced motion", menus.state.reduced_motion);
   if (plainItem("menu/Reset the layout", "Reset the layout")) {

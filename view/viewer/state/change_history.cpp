@@ -1,4 +1,3 @@
-#include "palpate/base/language.h"
 #include "view/viewer/state/edit_history.h"
 
 #include <fmt/format.h>
@@ -7,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_edit.h"
 #include "palpate/scene/scene_writer.h"
@@ -19,8 +19,9 @@ namespace palpate::viewer {
 namespace {
 
 /// What is kept from run to run and is no change: what is open, and where.
-constexpr std::array<std::string_view, 10> kNoHabits = {"version", "window_", "full_screen", "panel",      "plots",
-                                                        "numbers", "reach",   "hints",       "start_page", "recent"};
+constexpr std::array<std::string_view, 11> kNoHabits = {"version", "window_", "full_screen", "panel",      "plots",
+                                                        "numbers", "reach",   "hints",       "start_page", "recent",
+                                                        "language"};
 
 bool isHabit(std::string_view line) {
   return std::none_of(kNoHabits.begin(), kNoHabits.end(),

@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/system/process.h"
@@ -42,6 +43,7 @@ void forEachValue(Remembered& r, const Visitor& visit) {
   visit("theme", s.theme);
   visit("text_size", s.text_size);
   visit("reduced_motion", s.reduced_motion);
+  visit("language", s.language);
   visit("hints", s.hints);
   visit("start_page", s.start_page);
   visit("keeps_last_hour", s.keeps_last_hour);
@@ -96,6 +98,7 @@ struct StateReader {
     const auto read = table[name].value_or<std::int64_t>(value);
     if (std::abs(read) <= kMaxPixels) value = static_cast<int>(read);
   }
+  void operator()(const char* name, std::string& value) const { value = table[name].value_or(value); }
   template <class E>
   requires std::is_enum_v<E>
   void operator()(const char* name, E& value) const {
@@ -109,6 +112,9 @@ struct Writer {
   void operator()(const char* name, bool value) const { text += fmt::format("{} = {}\n", name, value); }
   void operator()(const char* name, int value) const { text += fmt::format("{} = {}\n", name, value); }
   void operator()(const char* name, double value) const { text += fmt::format("{} = {}\n", name, value); }
+  void operator()(const char* name, const std::string& value) const {
+    text += fmt::format("{} = {}\n", name, scene::inQuotes(value));
+  }
   template <class E>
   requires std::is_enum_v<E>
   void operator()(const char* name, E value) const { text += fmt::format("{} = {}\n", name, static_cast<int>(value)); }
@@ -118,6 +124,7 @@ struct Writer {
 void keepSensible(Remembered& r) {
   r.window.width = std::clamp(r.window.width, 320, 16384);
   r.window.height = std::clamp(r.window.height, 240, 16384);
+  if (std::ranges::find(languages(), r.state.language, &Language::code) == languages().end()) r.state.language.clear();
   r.state.text_size = std::clamp(r.state.text_size, 0.75, 2.5);
   r.state.touch.depth_mm = std::clamp(r.state.touch.depth_mm, 0.0, kMaxDepthMm);
   r.state.touch.force_n = std::clamp(r.state.touch.force_n, 0.0, kMaxForceN);

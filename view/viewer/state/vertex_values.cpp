@@ -56,9 +56,10 @@ std::string useChannelsOf(const scene::World& world, view::Look& look) {
   if (channels == nullptr) return {};
   const bool keeps = !look.scalar.empty() && scene::scalarNamed(channels, look.scalar) != nullptr;
   if (!keeps) view::showScalar(world, {}, look);
-  std::string brings = channels->colours.empty() ? "" : "colours";
+  std::string brings = channels->colours.empty() ? "" : tr("colours");
   if (!channels->scalars.empty()) {
-    brings += (brings.empty() ? "" : fmt::format(" {} ", tr("and"))) + trf("numbers ({})", scene::scalarNames(channels));
+    const std::string numbers = trf("numbers ({})", scene::scalarNames(channels));
+    brings = brings.empty() ? numbers : fmt::format("{} {} {}", brings, tr("and"), numbers);
   }
   return brings.empty() ? brings : trf("The file brings {} for its vertices: see Show", brings);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/language.h"
 #include "palpate/view/layers/finger_layer.h"
 #include "palpate/view/overlays/legend.h"
 #include "palpate/view/overlays/lens.h"
@@ -31,8 +32,8 @@ void drawTitle(Drawing& page, const std::string& title, const LabelInks& inks, T
 
 // ---- colours
 
-std::string lowWord(Colouring colouring) { return colouring == Colouring::strain ? "compression" : ""; }
-std::string highWord(Colouring colouring) { return colouring == Colouring::strain ? "tension" : ""; }
+std::string lowWord(Colouring colouring) { return colouring == Colouring::strain ? tr("compression") : ""; }
+std::string highWord(Colouring colouring) { return colouring == Colouring::strain ? tr("tension") : ""; }
 
 Legend legendOf(const LabelScene& scene, const ColourScale& scale) {
   const Look& look = scene.look;
@@ -106,7 +107,7 @@ void drawOrientation(Drawing& page, const Camera& camera, const LabelInks& inks,
   };
   drawAxis(page, middle, seen(Vec3::UnitX()), "R", inks);
   drawAxis(page, middle, seen(-Vec3::UnitX()), "L", inks);
-  drawAxis(page, middle, seen(Vec3::UnitY()), "cranial", inks);
+  drawAxis(page, middle, seen(Vec3::UnitY()), tr("cranial"), inks);
   constexpr float kWithLetters = kRadius + 18.0f;
   taken.push_back({middle - Vec2f::Constant(kWithLetters), page.size()});
 }
@@ -245,7 +246,7 @@ float drawLensFrame(Drawing& page, const LabelScene& scene, Taken& taken) {
   const Vec2f opposite = place->corner + place->size;
   const LabelInks& inks = inksFor(scene.look);
   page.frame(place->corner, opposite, inks.letter);
-  writeLabel(page, place->corner + Vec2f(8.0f, 5.0f), "from the side", inks, Align::left, TextSize::small);
+  writeLabel(page, place->corner + Vec2f(8.0f, 5.0f), tr("from the side"), inks, Align::left, TextSize::small);
   taken.push_back({place->corner, opposite});
   return opposite.x() + kMargin;
 }
@@ -287,10 +288,10 @@ std::vector<std::string> fingerWords(const scene::World& world, const FingerMark
   const contact::FingerOutput& contact = finger.contact;
   const Peak now{contact.depth_mm, contact.force.norm()};
   const Peak& said = finger.lifted ? *finger.lifted : now;
-  const std::string_view most = finger.lifted ? "most " : "";
-  lines.push_back(fmt::format("{}depth {:.1f} mm", most, said.depth_mm));
-  lines.push_back(fmt::format("{}force {:.2f} N", most, said.force_n));
-  if (now.depth_mm > capOf(world)) lines.push_back(fmt::format("skin drawn {:g} mm deep", capOf(world)));
+  const bool most = finger.lifted.has_value();
+  lines.push_back(most ? trf("most depth {:.1f} mm", said.depth_mm) : trf("depth {:.1f} mm", said.depth_mm));
+  lines.push_back(most ? trf("most force {:.2f} N", said.force_n) : trf("force {:.2f} N", said.force_n));
+  if (now.depth_mm > capOf(world)) lines.push_back(trf("skin drawn {:g} mm deep", capOf(world)));
   return lines;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/language.h"
 #include "palpate/scene/skin_channels.h"
 
 namespace palpate::view {
@@ -35,13 +36,13 @@ Vec3 cornerShares(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& place
 std::optional<ColourScale> scaleOf(Colouring colouring) {
   switch (colouring) {
     case Colouring::strain:
-      return ColourScale{colourMapOf(colouring), "strain", "%"};
+      return ColourScale{colourMapOf(colouring), tr("strain"), "%"};
     case Colouring::stiffness:
-      return ColourScale{colourMapOf(colouring), "stiffness", "N/mm"};
+      return ColourScale{colourMapOf(colouring), tr("stiffness"), "N/mm"};
     case Colouring::ellipses:
-      return ColourScale{colourMapOf(colouring), "half-major", "mm"};
+      return ColourScale{colourMapOf(colouring), tr("half-major"), "mm"};
     case Colouring::scalar:
-      return ColourScale{colourMapOf(colouring), "scalar", ""};
+      return ColourScale{colourMapOf(colouring), tr("scalar"), ""};
     case Colouring::plain:
       break;
   }

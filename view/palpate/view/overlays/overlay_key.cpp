@@ -1,5 +1,6 @@
 // The rows are a table by overlay; a sign lies on a chip of the colour of skin, so that white lines and yellow ones
 // are seen on a light plate too. Laid out again for each picture.
+#include "palpate/base/language.h"
 #include "palpate/view/overlays/legend.h"
 
 #include <fmt/format.h>
@@ -19,31 +20,31 @@ struct KeyRow {
   Overlay overlay;
   Sign sign;
   Paint paint;
-  std::string_view words;
+  const char* words;
 };
 // clang-format off
 constexpr KeyRow kOverlayKeyRows[] = {
-    {Overlay::wireframe, Sign::line, kWireframePaint, "edges of the mesh"},
-    {Overlay::haptic_triangles, Sign::patch, kHapticTrianglePaint, "triangles looked at"},
-    {Overlay::leaf_boxes, Sign::line, kLeafBoxPaint, "leaf of the partition"},
-    {Overlay::planes, Sign::line, kPlanePaints[0], "plane across x"},
-    {Overlay::planes, Sign::line, kPlanePaints[1], "plane across y"},
-    {Overlay::planes, Sign::line, kPlanePaints[2], "plane across z"},
-    {Overlay::detecting_box, Sign::line, kDetectingBoxPaint, "detecting box"},
-    {Overlay::ellipses, Sign::line, kNormalRegionPaint, "skin that a press moves"},
-    {Overlay::ellipses, Sign::line, kTangentialRegionPaint, "skin that a pull moves"},
-    {Overlay::ellipses, Sign::line, kKeyEllipsePaint, "ellipse of a key point"},
-    {Overlay::rings, Sign::line, kRingPaints[0], "neighbours, every second ring"},
-    {Overlay::rings, Sign::line, kRingPaints[1], "the rings between"},
-    {Overlay::arrows, Sign::arrow, kDisplacementPaint, "displacement"},
-    {Overlay::contact, Sign::cross, kTipPaint, "tip of the finger"},
-    {Overlay::contact, Sign::cross, kProxyPaint, "proxy, on the skin"},
-    {Overlay::contact, Sign::cross, kAnchorPaint, "anchor of friction"},
-    {Overlay::contact, Sign::arrow, kForcePaint, "force, 10 mm/N"},
-    {Overlay::normals, Sign::line, kNormalPaint, "normal of the skin"},
-    {Overlay::section, Sign::line, kDeformedSectionPaint, "section, deformed"},
-    {Overlay::section, Sign::line, kRestSectionPaint, "section, at rest"},
-    {Overlay::names, Sign::cross, kNamePaint, "place with a name"},
+    {Overlay::wireframe, Sign::line, kWireframePaint, toTranslate("edges of the mesh")},
+    {Overlay::haptic_triangles, Sign::patch, kHapticTrianglePaint, toTranslate("triangles looked at")},
+    {Overlay::leaf_boxes, Sign::line, kLeafBoxPaint, toTranslate("leaf of the partition")},
+    {Overlay::planes, Sign::line, kPlanePaints[0], toTranslate("plane across x")},
+    {Overlay::planes, Sign::line, kPlanePaints[1], toTranslate("plane across y")},
+    {Overlay::planes, Sign::line, kPlanePaints[2], toTranslate("plane across z")},
+    {Overlay::detecting_box, Sign::line, kDetectingBoxPaint, toTranslate("detecting box")},
+    {Overlay::ellipses, Sign::line, kNormalRegionPaint, toTranslate("skin that a press moves")},
+    {Overlay::ellipses, Sign::line, kTangentialRegionPaint, toTranslate("skin that a pull moves")},
+    {Overlay::ellipses, Sign::line, kKeyEllipsePaint, toTranslate("ellipse of a key point")},
+    {Overlay::rings, Sign::line, kRingPaints[0], toTranslate("neighbours, every second ring")},
+    {Overlay::rings, Sign::line, kRingPaints[1], toTranslate("the rings between")},
+    {Overlay::arrows, Sign::arrow, kDisplacementPaint, toTranslate("displacement")},
+    {Overlay::contact, Sign::cross, kTipPaint, toTranslate("tip of the finger")},
+    {Overlay::contact, Sign::cross, kProxyPaint, toTranslate("proxy, on the skin")},
+    {Overlay::contact, Sign::cross, kAnchorPaint, toTranslate("anchor of friction")},
+    {Overlay::contact, Sign::arrow, kForcePaint, toTranslate("force, 10 mm/N")},
+    {Overlay::normals, Sign::line, kNormalPaint, toTranslate("normal of the skin")},
+    {Overlay::section, Sign::line, kDeformedSectionPaint, toTranslate("section, deformed")},
+    {Overlay::section, Sign::line, kRestSectionPaint, toTranslate("section, at rest")},
+    {Overlay::names, Sign::cross, kNamePaint, toTranslate("place with a name")},
 };
 // clang-format on
 static_assert(kForceMmPerN == 10.0, "the words say so");
@@ -80,10 +81,10 @@ void drawSign(Drawing& page, const KeyEntry& entry, const Vec2f& corner, float h
 std::vector<KeyEntry> overlayKey(const Look& look) {
   std::vector<KeyEntry> entries;
   for (const KeyRow& row : kOverlayKeyRows) {
-    if (look.shows(row.overlay)) entries.push_back({row.sign, row.paint, std::string(row.words)});
+    if (look.shows(row.overlay)) entries.push_back({row.sign, row.paint, tr(row.words)});
   }
   if (look.colouring == Colouring::plain && look.dent_contrast > 1.0) {
-    entries.push_back({Sign::patch, kDentPaint, fmt::format("dent contrast x{:g}", look.dent_contrast)});
+    entries.push_back({Sign::patch, kDentPaint, trf("dent contrast x{:g}", look.dent_contrast)});
   }
   return entries;
 }

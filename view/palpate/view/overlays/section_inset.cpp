@@ -1,4 +1,5 @@
 // The curve of section.h as a chart: axes that fit it, a grid in round steps, rest, deformed. Each picture.
+#include "palpate/base/language.h"
 #include "palpate/view/overlays/section.h"
 
 #include <fmt/format.h>
@@ -81,7 +82,7 @@ void drawEnds(Drawing& page, const Axes& axes, const SectionEnds& ends, const La
 /// Why the dent is shallower than the finger is deep.
 void drawCap(Drawing& page, const Axes& axes, double cap_mm, const LabelInks& inks) {
   page.line(axes.at({axes.low.x(), -cap_mm}), axes.at({axes.high.x(), -cap_mm}), inks.deformed);
-  const std::string words = fmt::format("drawn {:g} mm deep at most", cap_mm);
+  const std::string words = trf("drawn {:g} mm deep at most", cap_mm);
   const Vec2f place = axes.at({axes.high.x(), -cap_mm}) - Vec2f(2.0f, -1.0f);
   page.text(place, words, inks.deformed, Align::right, TextSize::small);
 }
@@ -101,7 +102,7 @@ void drawWords(Drawing& page, const SectionChart& chart, const LabelInks& inks) 
   const float y = chart.corner.y() + 6.0f;
   float x = chart.corner.x() + 8.0f;
   for (const auto& [words, ink] :
-       {std::pair<std::string_view, Ink>{"section", inks.letter}, {"rest", inks.rest}, {"deformed", inks.deformed}}) {
+       {std::pair<std::string_view, Ink>{tr("section"), inks.letter}, {tr("rest"), inks.rest}, {tr("deformed"), inks.deformed}}) {
     page.text({x, y}, words, ink, Align::left, TextSize::small);
     x += page.measure(words, TextSize::small).x() + 12.0f;
   }
