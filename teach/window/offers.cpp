@@ -1,11 +1,10 @@
 #include "teach/window/training_words.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "palpate/base/language.h"
 #include "palpate/training/records/store.h"
 
 namespace palpate::viewer {
@@ -21,15 +20,15 @@ struct KindWords {
   const char* name;
   const char* line;
 };
-/// As they stand on the screen.
+/// As they stand on the screen, in English.
 constexpr std::array<KindWords, 7> kKindWords = {{
-    {SessionKind::pre_test, "Test before practice", "How small a change you can feel now, without feedback."},
-    {SessionKind::practice, "Practice", "After each answer you hear whether it was right."},
-    {SessionKind::mastery, "Mastery", "Step by step to smaller changes, three of four right."},
-    {SessionKind::post_test, "Test after practice", "The same test again, to see what has changed."},
-    {SessionKind::exam, "Examination", "Pass, not yet, or repeat, without feedback."},
-    {SessionKind::retention, "Retention test", "A week or more after the last test."},
-    {SessionKind::free, "Free exploration", "Feel whatever you like. Nothing is asked."},
+    {SessionKind::pre_test, toTranslate("Test before practice"), toTranslate("How small a change you can feel now, without feedback.")},
+    {SessionKind::practice, toTranslate("Practice"), toTranslate("After each answer you hear whether it was right.")},
+    {SessionKind::mastery, toTranslate("Mastery"), toTranslate("Step by step to smaller changes, three of four right.")},
+    {SessionKind::post_test, toTranslate("Test after practice"), toTranslate("The same test again, to see what has changed.")},
+    {SessionKind::exam, toTranslate("Examination"), toTranslate("Pass, not yet, or repeat, without feedback.")},
+    {SessionKind::retention, toTranslate("Retention test"), toTranslate("A week or more after the last test.")},
+    {SessionKind::free, toTranslate("Free exploration"), toTranslate("Feel whatever you like. Nothing is asked.")},
 }};
 
 /// When the newest test ended whose result could fade; 0: there is none.
@@ -57,9 +56,9 @@ SessionKind suggestion(const TrainingPast& past, bool retention_due) {
 }
 
 std::string waitingWords(const TrainingPast& past, int days) {
-  if (lastTestMs(past) == 0) return "After the test after practice, or an examination.";
-  return days == 1 ? "Tomorrow: a week after the last test."
-                   : fmt::format("In {} days: a week after the last test.", days);
+  if (lastTestMs(past) == 0) return tr("After the test after practice, or an examination.");
+  return trnf("Tomorrow: a week after the last test.", "In {} days: a week after the last test.",
+              static_cast<std::size_t>(days), days);
 }
 
 }  // namespace
@@ -71,7 +70,7 @@ TrainingPast::OfKind TrainingPast::of(SessionKind kind) const {
 
 std::string nameOfKind(SessionKind kind) {
   const auto found = std::ranges::find(kKindWords, kind, &KindWords::kind);
-  return found->name;
+  return tr(found->name);
 }
 
 TrainingPast trainingPastOf(training::Store& store, const std::string& trainee) {
@@ -94,14 +93,14 @@ std::vector<Offer> offersFor(const TrainingPast& past, const training::Protocol&
   const SessionKind suggested = suggestion(past, tested && days == 0);
   std::vector<Offer> offers;
   for (const KindWords& words : kKindWords) {
-    Offer offer{words.kind, words.name, words.line, true, words.kind == suggested};
+    Offer offer{words.kind, tr(words.name), tr(words.line), true, words.kind == suggested};
     if (words.kind == SessionKind::retention && (!tested || days > 0)) {
       offer.enabled = false;
       offer.line = waitingWords(past, days);
     }
     if (past.of(words.kind).interrupted && words.kind != SessionKind::free) {
       offer.enabled = true;
-      offer.line = "Goes on where it stopped.";
+      offer.line = tr("Goes on where it stopped.");
     }
     offers.push_back(std::move(offer));
   }

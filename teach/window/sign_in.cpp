@@ -5,6 +5,7 @@
 #include <cctype>
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "palpate/training/records/trainee_code.h"
 
 namespace palpate::viewer {
@@ -41,7 +42,7 @@ void SignIn::erase() {
 void SignIn::signIn() {
   const auto code = training::codeTyped(typed_);
   if (!code) {
-    notice_ = typed_.empty() ? "Type your code first." : "This is not a code. Check each letter, then try again.";
+    notice_ = typed_.empty() ? tr("Type your code first.") : tr("This is not a code. Check each letter, then try again.");
     return;
   }
   code_ = *code;
@@ -134,7 +135,7 @@ bool SignIn::act(TrainingAct act, int value) {
       if (act == TrainingAct::yes) return stage_ = TrainingStage::hand, true;
       if (act != TrainingAct::no) return false;
       signOut();
-      notice_ = "Nothing was kept.";
+      notice_ = tr("Nothing was kept.");
       return true;
     case TrainingStage::hand:
       if (act == TrainingAct::no) return stage_ = TrainingStage::consent, true;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/training/records/trainee_code.h"
 #include "palpate/training/session/trial_scene.h"
 #include "palpate/view/overlays/sink_rings.h"
@@ -148,7 +149,7 @@ void TrainingMode::takeButton(std::uint32_t buttons) {
     clicks_.push_back({TrainingAct::pick_site, site});
     clicks_.push_back({TrainingAct::answer, 0});
   } else {
-    sign_in_.tell("Touch the place that you mean, then press the button.");
+    sign_in_.tell(tr("Touch the place that you mean, then press the button."));
   }
 }
 
@@ -496,7 +497,7 @@ void TrainingMode::endSession() {
   run_.reset();
   world_.clear();
   state_ = State::going_on;
-  sign_in_.comeBack(words.empty() ? "Saved." : words);
+  sign_in_.comeBack(words.empty() ? tr("Saved.") : words);
 }
 
 void TrainingMode::keepRows() {

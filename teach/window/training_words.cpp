@@ -1,10 +1,9 @@
 #include "teach/window/training_words.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
+#include "palpate/base/language.h"
 #include "palpate/training/wording.h"
 
 namespace palpate::viewer {
@@ -17,7 +16,7 @@ using training::SessionKind;
 /// A device that gives this share of the forces, or more, gives them whole.
 constexpr double kWholeForce = 0.995;
 
-constexpr const char* kCardKeys = "Arrow keys choose, Enter takes, Esc goes back.";
+constexpr const char* kCardKeys = toTranslate("Arrow keys choose, Enter takes, Esc goes back.");
 
 TrainingButton button(TrainingAct act, std::string label, std::string line = {}) {
   return {.act = act, .label = std::move(label), .line = std::move(line)};
@@ -32,88 +31,88 @@ std::string withCapitalLetter(std::string text) {
 
 TrainingScreen signInScreen(const TrainingView& view) {
   TrainingScreen screen;
-  screen.title = "Welcome";
-  screen.lines = {"Type the code on your card, then press Enter."};
-  screen.entry = TrainingScreen::Entry{"Code", view.typed};
-  screen.buttons = {button(TrainingAct::sign_in, "Sign in"),
-                    button(TrainingAct::make_code, "I have no code", "Makes one for you to write down.")};
-  screen.keys = "Letters and digits type, Enter signs in.";
+  screen.title = tr("Welcome");
+  screen.lines = {tr("Type the code on your card, then press Enter.")};
+  screen.entry = TrainingScreen::Entry{tr("Code"), view.typed};
+  screen.buttons = {button(TrainingAct::sign_in, tr("Sign in")),
+                    button(TrainingAct::make_code, tr("I have no code"), tr("Makes one for you to write down."))};
+  screen.keys = tr("Letters and digits type, Enter signs in.");
   return screen;
 }
 
 TrainingScreen newCodeScreen(const TrainingView& view) {
   TrainingScreen screen;
-  screen.title = "This code is new here. Continue?";
-  screen.entry = TrainingScreen::Entry{"Code", view.code};
-  screen.lines = {"Is it the one on your card?"};
-  screen.buttons = {button(TrainingAct::yes, "Yes, continue"), button(TrainingAct::no, "No, type it again")};
-  screen.keys = kCardKeys;
+  screen.title = tr("This code is new here. Continue?");
+  screen.entry = TrainingScreen::Entry{tr("Code"), view.code};
+  screen.lines = {tr("Is it the one on your card?")};
+  screen.buttons = {button(TrainingAct::yes, tr("Yes, continue")), button(TrainingAct::no, tr("No, type it again"))};
+  screen.keys = tr(kCardKeys);
   return screen;
 }
 
 TrainingScreen ownCodeScreen(const TrainingView& view) {
   TrainingScreen screen;
-  screen.title = "This is your code";
-  screen.entry = TrainingScreen::Entry{"Code", view.code};
-  screen.lines = {"Write it down and keep it. It is the only way back to your results."};
-  screen.buttons = {button(TrainingAct::yes, "I have written it down"), button(TrainingAct::no, "Back")};
-  screen.keys = kCardKeys;
+  screen.title = tr("This is your code");
+  screen.entry = TrainingScreen::Entry{tr("Code"), view.code};
+  screen.lines = {tr("Write it down and keep it. It is the only way back to your results.")};
+  screen.buttons = {button(TrainingAct::yes, tr("I have written it down")), button(TrainingAct::no, tr("Back"))};
+  screen.keys = tr(kCardKeys);
   return screen;
 }
 
 TrainingScreen consentScreen(const TrainingView& view) {
   TrainingScreen screen;
-  screen.title = "What is kept";
-  screen.lines = {"Kept: your answers, their times, and how the finger moved and pressed.",
-                  "Not kept: your name, email address or date of birth. You are known only by your code.",
-                  "Your teacher sees the results of your code. You may have all of it deleted at any time."};
-  screen.buttons = {button(TrainingAct::yes, "I agree"), button(TrainingAct::no, "I do not agree", "Nothing is kept.")};
+  screen.title = tr("What is kept");
+  screen.lines = {tr("Kept: your answers, their times, and how the finger moved and pressed."),
+                  tr("Not kept: your name, email address or date of birth. You are known only by your code."),
+                  tr("Your teacher sees the results of your code. You may have all of it deleted at any time.")};
+  screen.buttons = {button(TrainingAct::yes, tr("I agree")), button(TrainingAct::no, tr("I do not agree"), tr("Nothing is kept."))};
   screen.corner = view.code;
-  screen.keys = kCardKeys;
+  screen.keys = tr(kCardKeys);
   return screen;
 }
 
 TrainingScreen handScreen(const TrainingView& view) {
   TrainingScreen screen;
-  screen.title = "Which hand do you write with?";
-  screen.buttons = {button(TrainingAct::choose, "Left"), button(TrainingAct::choose, "Right"),
-                    button(TrainingAct::choose, "I would rather not say")};
+  screen.title = tr("Which hand do you write with?");
+  screen.buttons = {button(TrainingAct::choose, tr("Left")), button(TrainingAct::choose, tr("Right")),
+                    button(TrainingAct::choose, tr("I would rather not say"))};
   for (std::size_t i = 0; i < screen.buttons.size(); ++i) screen.buttons[i].value = static_cast<int>(i);
   screen.corner = view.code;
-  screen.keys = kCardKeys;
+  screen.keys = tr(kCardKeys);
   return screen;
 }
 
 TrainingScreen choiceScreen(const TrainingView& view) {
   TrainingScreen screen;
-  screen.title = "What would you like to do?";
+  screen.title = tr("What would you like to do?");
   for (std::size_t i = 0; i < view.offers.size(); ++i) {
     const Offer& offer = view.offers[i];
     screen.buttons.push_back({.act = TrainingAct::choose,
                               .value = static_cast<int>(i),
                               .label = offer.name,
                               .line = offer.line,
-                              .badge = offer.suggested ? "suggested" : "",
+                              .badge = offer.suggested ? tr("suggested") : "",
                               .enabled = offer.enabled});
   }
-  screen.buttons.push_back(button(TrainingAct::sign_out, "Sign out"));
+  screen.buttons.push_back(button(TrainingAct::sign_out, tr("Sign out")));
   screen.corner = view.code;
-  screen.keys = kCardKeys;
+  screen.keys = tr(kCardKeys);
   return screen;
 }
 
 TrainingScreen thimbleScreen(const TrainingView& view) {
   TrainingScreen screen;
-  screen.title = "What touches your finger?";
-  screen.lines = {fmt::format("The device is {}. Results belong to what you feel with.", view.device)};
+  screen.title = tr("What touches your finger?");
+  screen.lines = {trf("The device is {}. Results belong to what you feel with.", view.device)};
   for (std::size_t i = 0; i < kThimbles.size(); ++i) {
     screen.buttons.push_back({.act = TrainingAct::choose,
                               .value = static_cast<int>(i),
-                              .label = std::string(kThimbles[i].name),
-                              .line = std::string(kThimbles[i].line)});
+                              .label = tr(kThimbles[i].name),
+                              .line = tr(kThimbles[i].line)});
   }
   screen.corner = view.code;
-  screen.keys = kCardKeys;
+  screen.keys = tr(kCardKeys);
   return screen;
 }
 
@@ -128,10 +127,10 @@ int ownAnswer(const training::Session& session) {
 std::string wordAt(const SiteMark& mark, const training::Session& session) {
   if (session.screen() == Screen::familiarisation) {
     if (!session.feelsTruth()) return {};
-    return mark.is_true ? "stiffer" : "normal";
+    return mark.is_true ? tr("stiffer") : tr("normal");
   }
-  if (mark.is_true) return mark.is_own ? "your answer: right" : "feel it here";
-  return mark.is_own ? "your answer" : "";
+  if (mark.is_true) return mark.is_own ? tr("your answer: right") : tr("feel it here");
+  return mark.is_own ? tr("your answer") : "";
 }
 
 void addSites(const TrainingView& view, TrainingScreen& screen) {
@@ -155,24 +154,25 @@ void addSites(const TrainingView& view, TrainingScreen& screen) {
 
 TrainingButton answerButton(const TrainingView& view) {
   const training::Site* site = view.session->plan().sites.numbered(view.picked);
-  TrainingButton answer = button(TrainingAct::answer, "Answer");
-  if (site != nullptr) answer.label = fmt::format("Answer: {}", training::spoken(*site));
+  TrainingButton answer = button(TrainingAct::answer, tr("Answer"));
+  if (site != nullptr) answer.label = trf("Answer: {}", training::spoken(*site));
   answer.enabled = site != nullptr && !view.waiting;
   return answer;
 }
 
 void familiarButtons(const TrainingView& view, TrainingScreen& screen) {
-  screen.buttons = {answerButton(view), button(TrainingAct::leave, "Leave")};
-  screen.keys = view.by_mouse ? "Number and Enter answer. Arrows go to the other place, Space presses and lifts. "
-                                "Esc leaves."
-                              : "Number and Enter answer, or the device's button on the place. Esc leaves.";
+  screen.buttons = {answerButton(view), button(TrainingAct::leave, tr("Leave"))};
+  screen.keys = view.by_mouse
+                    ? tr("Number and Enter answer. Arrows go to the other place, Space presses and lifts. Esc leaves.")
+                    : tr("Number and Enter answer, or the device's button on the place. Esc leaves.");
 }
 
 void trialButtons(const TrainingView& view, TrainingScreen& screen) {
-  screen.buttons = {answerButton(view), button(TrainingAct::pause, "Pause"), button(TrainingAct::leave, "Leave")};
-  screen.keys = view.by_mouse ? "Number and Enter answer. Arrows go from place to place, Space presses and lifts. "
-                                "P pauses, Esc leaves."
-                              : "Number and Enter answer, or the device's button on the place. P pauses, Esc leaves.";
+  screen.buttons = {answerButton(view), button(TrainingAct::pause, tr("Pause")), button(TrainingAct::leave, tr("Leave"))};
+  screen.keys = view.by_mouse
+                    ? tr("Number and Enter answer. Arrows go from place to place, Space presses and lifts. P pauses, "
+                         "Esc leaves.")
+                    : tr("Number and Enter answer, or the device's button on the place. P pauses, Esc leaves.");
   if (!view.waiting) screen.time_left = view.session->shareOfTimeLeft(view.now);
 }
 
@@ -187,13 +187,13 @@ void addProgress(const training::Session& session, TrainingScreen& screen) {
   const auto& trials = session.trials();
   const auto right = std::ranges::count_if(trials, [](const training::TrialRow& trial) { return trial.correct; });
   const int shown = session.screen() == Screen::feedback ? number - 1 : number;
-  screen.progress = fmt::format("Trial {} of {}", std::max(1, shown), most);
-  if (!trials.empty()) screen.progress += fmt::format(" · {} of {} right", right, trials.size());
+  screen.progress = trf("Trial {} of {}", std::max(1, shown), most);
+  if (!trials.empty()) screen.progress += " · " + trf("{} of {} right", right, trials.size());
 }
 
 void nextButton(const char* label, TrainingScreen& screen) {
-  screen.buttons = {button(TrainingAct::next, label), button(TrainingAct::leave, "Leave")};
-  screen.keys = "Space or Enter goes on, Esc leaves.";
+  screen.buttons = {button(TrainingAct::next, label), button(TrainingAct::leave, tr("Leave"))};
+  screen.keys = tr("Space or Enter goes on, Esc leaves.");
 }
 
 /// The mouse gives the hand nothing: the eye sees how far the finger sinks. The same words, rings and close view
@@ -201,12 +201,12 @@ void nextButton(const char* label, TrainingScreen& screen) {
 void addSink(const TrainingView& view, TrainingScreen& screen) {
   if (!view.by_mouse) return;
   screen.shows_sink = true;
-  screen.lines.emplace_back("Watch how far it sinks: fewer rings, stiffer. Right-drag turns the body.");
+  screen.lines.emplace_back(tr("Watch how far it sinks: fewer rings, stiffer. Right-drag turns the body."));
 }
 
 /// Without a device the finger goes by keys, too.
 void addTouchKeys(const TrainingView& view, TrainingScreen& screen) {
-  if (view.by_mouse) screen.keys += " Arrows go from place to place, T presses and lifts.";
+  if (view.by_mouse) screen.keys += std::string(" ") + tr("Arrows go from place to place, T presses and lifts.");
 }
 
 /// The sentence of the session is what is read first; a trial's own stands above what has just been said.
@@ -229,18 +229,18 @@ TrainingScreen cardOfSession(const TrainingView& view, TrainingScreen screen) {
   switch (session.screen()) {
     case Screen::instruction:
       screen.lines = {training::greeting(session.plan().kind),
-                      "A dot fills when its place has been pressed enough. The ring shows the time."};
+                      tr("A dot fills when its place has been pressed enough. The ring shows the time.")};
       if (session.plan().kind == SessionKind::mastery) screen.lines.pop_back();
-      nextButton("Start", screen);
+      nextButton(tr("Start"), screen);
       return screen;
     case Screen::block_summary:
-      nextButton(session.showsProgress() ? "Another block" : "Finish", screen);
-      screen.buttons.back().label = "Finish";
+      nextButton(session.showsProgress() ? tr("Another block") : tr("Finish"), screen);
+      screen.buttons.back().label = tr("Finish");
       if (!session.showsProgress()) screen.buttons.pop_back();
       return screen;
     default:
-      screen.buttons = {button(TrainingAct::next, "Back to the choice")};
-      screen.keys = "Space or Enter goes on.";
+      screen.buttons = {button(TrainingAct::next, tr("Back to the choice"))};
+      screen.keys = tr("Space or Enter goes on.");
       return screen;
   }
 }
@@ -256,19 +256,19 @@ TrainingScreen sessionScreen(const TrainingView& view) {
     case Screen::device_check:
       screen.sites.clear();
       if (view.by_mouse) {
-        screen.lines = {"Press with the left mouse button on the back. The wheel presses harder."};
+        screen.lines = {tr("Press with the left mouse button on the back. The wheel presses harder.")};
         screen.shows_sink = true;
       }
       if (view.force_share < kWholeForce) {
         screen.lines.push_back(
-            fmt::format("This device gives {:.0f} % of every force: all places feel softer to the same degree.",
+            trf("This device gives {:.0f} % of every force: all places feel softer to the same degree.",
                         100.0 * view.force_share));
       }
       if (view.ratios_kept_to_n > 0.0) {
         screen.lines.push_back(
-            fmt::format("Above {:.2g} N differences are harder to feel: press more gently.", view.ratios_kept_to_n));
+            trf("Above {:.2g} N differences are harder to feel: press more gently.", view.ratios_kept_to_n));
       }
-      nextButton("Next", screen);
+      nextButton(tr("Next"), screen);
       addTouchKeys(view, screen);
       break;
     case Screen::familiarisation:
@@ -276,8 +276,8 @@ TrainingScreen sessionScreen(const TrainingView& view) {
       if (session.asks()) {
         familiarButtons(view, screen);
       } else {
-        screen.lines.insert(screen.lines.begin(), "Press one, then the other, until you feel the difference.");
-        nextButton("Next", screen);
+        screen.lines.insert(screen.lines.begin(), tr("Press one, then the other, until you feel the difference."));
+        nextButton(tr("Next"), screen);
         addTouchKeys(view, screen);
       }
       break;
@@ -295,19 +295,19 @@ TrainingScreen sessionScreen(const TrainingView& view) {
         if (own != nullptr && !trial.correct) screen.lines.push_back(training::yourAnswerWas(*own));
       }
       addSink(view, screen);
-      nextButton("Next", screen);
+      nextButton(tr("Next"), screen);
       addTouchKeys(view, screen);
       break;
     case Screen::free_exploration:
       addSink(view, screen);
-      screen.buttons = {button(TrainingAct::next, "Finish")};
-      screen.keys = "Enter finishes.";
+      screen.buttons = {button(TrainingAct::next, tr("Finish"))};
+      screen.keys = tr("Enter finishes.");
       addTouchKeys(view, screen);
       break;
     default:
       screen = cardOfSession(view, std::move(screen));
   }
-  if (view.waiting && screen.place == TrainingPlace::body) screen.notice = kOneMoment;
+  if (view.waiting && screen.place == TrainingPlace::body) screen.notice = tr(kOneMoment);
   return screen;
 }
 
@@ -338,30 +338,30 @@ TrainingScreen stageScreen(const TrainingView& view) {
 TrainingScreen overScreen(const TrainingView& view) {
   TrainingScreen screen;
   screen.corner = view.code;
-  screen.keys = kCardKeys;
+  screen.keys = tr(kCardKeys);
   switch (view.over) {
     case TrainingOver::paused:
       screen.title = training::pausedWords();
-      screen.buttons = {button(TrainingAct::go_on, "Go on"), button(TrainingAct::leave, "Leave")};
-      screen.keys = "P or Enter goes on, Esc leaves.";
+      screen.buttons = {button(TrainingAct::go_on, tr("Go on")), button(TrainingAct::leave, tr("Leave"))};
+      screen.keys = tr("P or Enter goes on, Esc leaves.");
       break;
     case TrainingOver::leaving:
-      screen.title = "Leave now?";
-      screen.lines = {"Every answer is saved. Next time you continue from here."};
-      screen.buttons = {button(TrainingAct::no, "Stay"), button(TrainingAct::yes, "Leave")};
+      screen.title = tr("Leave now?");
+      screen.lines = {tr("Every answer is saved. Next time you continue from here.")};
+      screen.buttons = {button(TrainingAct::no, tr("Stay")), button(TrainingAct::yes, tr("Leave"))};
       break;
     case TrainingOver::trouble:
-      screen.title = "The last answer is not saved yet";
-      screen.lines = {withCapitalLetter(view.trouble), "Nothing is lost: call your teacher, then try again."};
+      screen.title = tr("The last answer is not saved yet");
+      screen.lines = {withCapitalLetter(view.trouble), tr("Nothing is lost: call your teacher, then try again.")};
       screen.trouble = true;
-      screen.buttons = {button(TrainingAct::retry, "Try again")};
-      screen.keys = "Enter tries again.";
+      screen.buttons = {button(TrainingAct::retry, tr("Try again"))};
+      screen.keys = tr("Enter tries again.");
       break;
     case TrainingOver::message:
       screen.title = view.message;
-      screen.lines = {"From your teacher."};
-      screen.buttons = {button(TrainingAct::yes, "All right")};
-      screen.keys = "Enter goes on.";
+      screen.lines = {tr("From your teacher.")};
+      screen.buttons = {button(TrainingAct::yes, tr("All right"))};
+      screen.keys = tr("Enter goes on.");
       break;
     case TrainingOver::none:
       break;

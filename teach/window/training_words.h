@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/language.h"
 #include "palpate/training/protocol.h"
 #include "palpate/training/session/session.h"
 #include "teach/window/training_screen.h"
@@ -77,14 +78,14 @@ enum class TrainingOver : std::uint8_t { none, paused, leaving, trouble, message
 /// What a finger that a device holds wears: thresholds belong to it.
 struct Thimble {
   std::string_view word;  ///< in the record
-  std::string_view name;
-  std::string_view line;
+  const char* name;       ///< tr() shows them
+  const char* line;
 };
 inline constexpr std::array<Thimble, 4> kThimbles = {{
-    {"stylus", "Pen", "Held like a pencil."},
-    {"rigid thimble", "Hard thimble", "The fingertip sits in a hard cup."},
-    {"soft thimble", "Soft thimble", "The fingertip sits in rubber or foam."},
-    {"bare finger", "Bare finger", "Skin on the device."},
+    {"stylus", toTranslate("Pen"), toTranslate("Held like a pencil.")},
+    {"rigid thimble", toTranslate("Hard thimble"), toTranslate("The fingertip sits in a hard cup.")},
+    {"soft thimble", toTranslate("Soft thimble"), toTranslate("The fingertip sits in rubber or foam.")},
+    {"bare finger", toTranslate("Bare finger"), toTranslate("Skin on the device.")},
 }};
 
 struct TrainingView {
@@ -111,6 +112,6 @@ struct TrainingView {
 TrainingScreen screenOf(const TrainingView& view);
 
 /// Said while the body of the next trial is made.
-inline constexpr const char* kOneMoment = "One moment ...";
+inline constexpr const char* kOneMoment = toTranslate("One moment ...");
 
 }  // namespace palpate::viewer

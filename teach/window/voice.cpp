@@ -2,6 +2,7 @@
 #include "teach/window/voice.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -13,6 +14,7 @@
 #include <string_view>
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "palpate/base/text.h"
 
 namespace palpate::viewer {
@@ -43,8 +45,8 @@ bool isEspeak(const std::string& program) { return fs::path(program).filename() 
 /// Its own process, quiet: whatever it prints belongs to nobody.
 pid_t spawned(const std::string& program, const std::string& sentence) {
   std::string text = sentence;
-  std::array<std::string, 4> words = {program, "-s", kWordsAMinute, "--"};
-  std::array<char*, 6> arguments{};
+  std::array<std::string, 6> words = {program, "-v", std::string(language().code), "-s", kWordsAMinute, "--"};
+  std::array<char*, 8> arguments{};
   std::size_t count = 0;
   arguments[count++] = words[0].data();
   if (isEspeak(program)) {
@@ -99,10 +101,10 @@ void Voice::hush() {
 }
 
 std::string asSpoken(const std::string& sentence) {
-  static constexpr std::pair<std::string_view, std::string_view> kSigns[] = {
-      {"–", " to "}, {"%", " per cent"}, {"  ", " "}, {" .", "."}};
+  const std::pair<std::string_view, std::string> signs[] = {
+      {"–", fmt::format(" {} ", tr("to"))}, {"%", fmt::format(" {}", tr("per cent"))}, {"  ", " "}, {" .", "."}};
   std::string spoken = sentence;
-  for (const auto& [sign, words] : kSigns) {
+  for (const auto& [sign, words] : signs) {
     for (std::size_t at = spoken.find(sign); at != std::string::npos; at = spoken.find(sign, at + words.size())) {
       spoken.replace(at, sign.size(), words);
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/body/places.h"
 
 namespace palpate::training {
@@ -94,8 +95,15 @@ SiteSet sitesNamed(std::span<const body::SkinLandmark> landmarks, std::span<cons
 }
 
 std::string spoken(const Site& site) {
-  if (site.side == Side::middle) return fmt::format("site {}", site.number);
-  return fmt::format("site {}, {}", site.number, wordFor(site.side));
+  switch (site.side) {
+    case Side::left:
+      return trf("site {}, left", site.number);
+    case Side::right:
+      return trf("site {}, right", site.number);
+    case Side::middle:
+      break;
+  }
+  return trf("site {}", site.number);
 }
 
 }  // namespace palpate::training
