@@ -22,10 +22,13 @@ struct KindWords {
 };
 /// As they stand on the screen, in English.
 constexpr std::array<KindWords, 7> kKindWords = {{
-    {SessionKind::pre_test, toTranslate("Test before practice"), toTranslate("How small a change you can feel now, without feedback.")},
+    {SessionKind::pre_test, toTranslate("Test before practice"),
+     toTranslate("How small a change you can feel now, without feedback.")},
     {SessionKind::practice, toTranslate("Practice"), toTranslate("After each answer you hear whether it was right.")},
-    {SessionKind::mastery, toTranslate("Mastery"), toTranslate("Step by step to smaller changes, three of four right.")},
-    {SessionKind::post_test, toTranslate("Test after practice"), toTranslate("The same test again, to see what has changed.")},
+    {SessionKind::mastery, toTranslate("Mastery"),
+     toTranslate("Step by step to smaller changes, three of four right.")},
+    {SessionKind::post_test, toTranslate("Test after practice"),
+     toTranslate("The same test again, to see what has changed.")},
     {SessionKind::exam, toTranslate("Examination"), toTranslate("Pass, not yet, or repeat, without feedback.")},
     {SessionKind::retention, toTranslate("Retention test"), toTranslate("A week or more after the last test.")},
     {SessionKind::free, toTranslate("Free exploration"), toTranslate("Feel whatever you like. Nothing is asked.")},

@@ -42,7 +42,8 @@ void SignIn::erase() {
 void SignIn::signIn() {
   const auto code = training::codeTyped(typed_);
   if (!code) {
-    notice_ = typed_.empty() ? tr("Type your code first.") : tr("This is not a code. Check each letter, then try again.");
+    notice_ =
+        typed_.empty() ? tr("Type your code first.") : tr("This is not a code. Check each letter, then try again.");
     return;
   }
   code_ = *code;

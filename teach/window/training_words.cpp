@@ -66,7 +66,8 @@ TrainingScreen consentScreen(const TrainingView& view) {
   screen.lines = {tr("Kept: your answers, their times, and how the finger moved and pressed."),
                   tr("Not kept: your name, email address or date of birth. You are known only by your code."),
                   tr("Your teacher sees the results of your code. You may have all of it deleted at any time.")};
-  screen.buttons = {button(TrainingAct::yes, tr("I agree")), button(TrainingAct::no, tr("I do not agree"), tr("Nothing is kept."))};
+  screen.buttons = {button(TrainingAct::yes, tr("I agree")),
+                    button(TrainingAct::no, tr("I do not agree"), tr("Nothing is kept."))};
   screen.corner = view.code;
   screen.keys = tr(kCardKeys);
   return screen;
@@ -168,7 +169,8 @@ void familiarButtons(const TrainingView& view, TrainingScreen& screen) {
 }
 
 void trialButtons(const TrainingView& view, TrainingScreen& screen) {
-  screen.buttons = {answerButton(view), button(TrainingAct::pause, tr("Pause")), button(TrainingAct::leave, tr("Leave"))};
+  screen.buttons = {answerButton(view), button(TrainingAct::pause, tr("Pause")),
+                    button(TrainingAct::leave, tr("Leave"))};
   screen.keys = view.by_mouse
                     ? tr("Number and Enter answer. Arrows go from place to place, Space presses and lifts. P pauses, "
                          "Esc leaves.")
@@ -262,7 +264,7 @@ TrainingScreen sessionScreen(const TrainingView& view) {
       if (view.force_share < kWholeForce) {
         screen.lines.push_back(
             trf("This device gives {:.0f} % of every force: all places feel softer to the same degree.",
-                        100.0 * view.force_share));
+                100.0 * view.force_share));
       }
       if (view.ratios_kept_to_n > 0.0) {
         screen.lines.push_back(

@@ -12,8 +12,8 @@ namespace palpate::training {
 namespace {
 
 constexpr std::array<const char*, 13> kNumberWords = {
-    toTranslate("zero"), toTranslate("one"),   toTranslate("two"),    toTranslate("three"), toTranslate("four"),
-    toTranslate("five"), toTranslate("six"),   toTranslate("seven"),  toTranslate("eight"), toTranslate("nine"),
+    toTranslate("zero"), toTranslate("one"),    toTranslate("two"),   toTranslate("three"), toTranslate("four"),
+    toTranslate("five"), toTranslate("six"),    toTranslate("seven"), toTranslate("eight"), toTranslate("nine"),
     toTranslate("ten"),  toTranslate("eleven"), toTranslate("twelve")};
 
 std::string withCapital(std::string text) {
@@ -29,8 +29,8 @@ std::string percent(double change) { return fmt::format("{:.0f}", 100.0 * change
 
 std::string thresholdWords(const ThresholdSummary& threshold) {
   if (!threshold.telling()) return tr("More trials are needed to measure your smallest change.");
-  return trf("Your smallest reliable change: about {} % ({}–{} %).", percent(threshold.median),
-                     percent(threshold.low), percent(threshold.high));
+  return trf("Your smallest reliable change: about {} % ({}–{} %).", percent(threshold.median), percent(threshold.low),
+             percent(threshold.high));
 }
 
 std::string comparison(const ThresholdSummary& now, const ShownThreshold& before) {
@@ -100,13 +100,9 @@ std::string familiarAgain(const Site& stiffer) {
   return trf("It was {}. Feel both again, then press Next.", spoken(stiffer));
 }
 
-std::string yourAnswerWas(const Site& site) {
-  return trf("Your answer was {}. Feel both places.", spoken(site));
-}
+std::string yourAnswerWas(const Site& site) { return trf("Your answer was {}. Feel both places.", spoken(site)); }
 
-std::string rightAnswer(const Site& site) {
-  return trf("Correct. {}.", withCapital(spoken(site)));
-}
+std::string rightAnswer(const Site& site) { return trf("Correct. {}.", withCapital(spoken(site))); }
 
 std::string wrongAnswer(const Site& site) {
   return trf("It was {}. Feel it now; press Next when ready.", spoken(site));
