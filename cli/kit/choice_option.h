@@ -93,10 +93,11 @@ CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& valu
 }
 
 /// For a command whose pages or windows are translated: it calls useLanguage(code). `code` must outlive the command.
-inline void addLanguage(CLI::App& command, std::string& code) {
+inline CLI::Option* addLanguage(CLI::App& command, std::string& code) {
   std::vector<std::string> codes;
   for (const Language& language : languages()) codes.emplace_back(language.code);
-  takesOneOf(codes, command.add_option("--language", code, "Language of what people read (default: the system's)"));
+  return takesOneOf(codes,
+                    command.add_option("--language", code, "Language of what people read (default: the system's)"));
 }
 
 }  // namespace palpate::app

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/language.h"
+
 namespace palpate::viewer {
 
 namespace {
@@ -16,7 +18,9 @@ using classroom::Tile;
 constexpr float kTileWidth = 218.0f;
 constexpr float kTileHeight = 112.0f;
 constexpr double kFullForceN = 5.0;  ///< a bar is full: harder than anybody palpates
-constexpr double kCountsN = 0.5;     ///< a press counts from here on (training/exploration.h)
+/// What a station reports of its device (training_mode.cpp).
+constexpr const char* kEmergencyStop = toTranslate("emergency stop");
+constexpr double kCountsN = 0.5;  ///< a press counts from here on (training/exploration.h)
 
 // Blue and orange tell apart for every eye; what they mean is also written.
 constexpr ImU32 kCalm = IM_COL32(86, 156, 214, 255);
@@ -30,37 +34,51 @@ ImU32 inkOfText(float opacity = 1.0f) {
 }
 
 std::string kindWords(training::SessionKind kind) {
-  std::string words(wordFor(kind));
-  std::replace(words.begin(), words.end(), '_', '-');
-  return words;
+  switch (kind) {
+    case training::SessionKind::practice:
+      return tr("practice");
+    case training::SessionKind::mastery:
+      return tr("mastery");
+    case training::SessionKind::pre_test:
+      return tr("pre-test");
+    case training::SessionKind::post_test:
+      return tr("post-test");
+    case training::SessionKind::exam:
+      return tr("exam");
+    case training::SessionKind::retention:
+      return tr("retention");
+    case training::SessionKind::free:
+      break;
+  }
+  return tr("free");
 }
 
 std::string ageWords(const Tile& tile) {
-  if (!tile.online) return "offline";
-  if (!tile.age_s) return "no data yet";
-  if (*tile.age_s < 2.0) return fmt::format("{:.1f} s", *tile.age_s);
-  return *tile.age_s < 100.0 ? fmt::format("{:.0f} s old", *tile.age_s) : "long ago";
+  if (!tile.online) return tr("offline");
+  if (!tile.age_s) return tr("no data yet");
+  if (*tile.age_s < 2.0) return fmt::format("{:.1f} s", WrittenNumber{*tile.age_s});
+  return *tile.age_s < 100.0 ? trf("{:.0f} s old", *tile.age_s) : tr("long ago");
 }
 
 std::string trialWords(const classroom::StationState& state) {
   if (state.screen == training::Screen::trial && state.trial > 0) {
-    return fmt::format("{}, trial {} of {}", kindWords(state.kind), state.trial, state.trials_at_most);
+    return trf("{}, trial {} of {}", kindWords(state.kind), state.trial, state.trials_at_most);
   }
   switch (state.screen) {
     case training::Screen::device_check:
-      return "device check";
+      return tr("device check");
     case training::Screen::familiarisation:
-      return "familiarisation";
+      return tr("familiarisation");
     case training::Screen::instruction:
-      return kindWords(state.kind) + ", instruction";
+      return trf("{}, instruction", kindWords(state.kind));
     case training::Screen::feedback:
-      return kindWords(state.kind) + ", feedback";
+      return trf("{}, feedback", kindWords(state.kind));
     case training::Screen::block_summary:
-      return kindWords(state.kind) + ", block done";
+      return trf("{}, block done", kindWords(state.kind));
     case training::Screen::free_exploration:
-      return "free exploration";
+      return tr("free exploration");
     default:
-      return "finished";
+      return tr("finished");
   }
 }
 
@@ -69,12 +87,12 @@ bool isTelling(const classroom::StationState& state) {
 }
 
 std::string levelWords(const classroom::StationState& state) {
-  std::string words = state.change > 0.0 ? fmt::format("level {:.0f} %", 100.0 * state.change) : std::string();
+  std::string words = state.change > 0.0 ? trf("level {:.0f} %", 100.0 * state.change) : std::string();
   if (state.threshold > 0.0) {
-    words += (words.empty() ? "" : ", ") + (isTelling(state)
-                                                ? fmt::format("{:.0f} % ({:.0f} to {:.0f} %)", 100.0 * state.threshold,
-                                                              100.0 * state.low, 100.0 * state.high)
-                                                : std::string(training::kMoreTrialsNeeded));
+    words += (words.empty() ? "" : ", ") +
+             (isTelling(state)
+                  ? trf("{:.0f} % ({:.0f} to {:.0f} %)", 100.0 * state.threshold, 100.0 * state.low, 100.0 * state.high)
+                  : tr(training::kMoreTrialsNeeded));
   }
   return words;
 }
@@ -98,17 +116,18 @@ void tileInside(const Tile& tile) {
   ImGui::SameLine(width - ImGui::CalcTextSize(age.c_str()).x);
   ImGui::TextDisabled("%s", age.c_str());
   if (!tile.state) {
-    ImGui::TextDisabled("%s", tile.online ? "nobody signed in" : "");
+    ImGui::TextDisabled("%s", tile.online ? tr("nobody signed in") : "");
     return;
   }
-  ImGui::TextUnformatted((trialWords(*tile.state) + (tile.state->paused ? ", paused" : "")).c_str());
+  const std::string trial = trialWords(*tile.state);
+  ImGui::TextUnformatted((tile.state->paused ? trf("{}, paused", trial) : trial).c_str());
   ImGui::TextUnformatted(levelWords(*tile.state).c_str());
   forceBar(tile, 0.55f * width, 12.0f);
   ImGui::SameLine();
-  ImGui::Text("%d pressed", tile.live.sites_pressed);
+  ImGui::TextUnformatted(trf("{} pressed", tile.live.sites_pressed).c_str());
   if (tile.need == Need::none) return;
   ImGui::PushStyleColor(ImGuiCol_Text, kUrgent);
-  ImGui::TextUnformatted(fmt::format("! {}", classroom::wordsOf(tile.need)).c_str());
+  ImGui::TextUnformatted(fmt::format("! {}", tr(std::string(classroom::wordsOf(tile.need)).c_str())).c_str());
   ImGui::PopStyleColor();
 }
 
@@ -162,23 +181,24 @@ void forceTrace(const std::vector<classroom::ForcePoint>& forces) {
   const ImVec2 counts = strip.at(0.0, kCountsN / most);
   draw.AddLine(counts, strip.at(1.0, kCountsN / most), inkOfText(0.35f));
   if (line.size() > 1) draw.AddPolyline(line.data(), static_cast<int>(line.size()), kCalm, 0, 1.5f);
-  labelAt({strip.low.x + 4.0f, strip.low.y + 2.0f}, fmt::format("force, {:.1f} N", most));
-  labelAt({strip.low.x + 4.0f, counts.y - 18.0f}, "0.5 N");
-  labelAt({strip.high.x - 70.0f, strip.high.y - 18.0f}, "last 20 s");
+  labelAt({strip.low.x + 4.0f, strip.low.y + 2.0f}, trf("force, {:.1f} N", most));
+  labelAt({strip.low.x + 4.0f, counts.y - 18.0f}, fmt::format("{:g} N", WrittenNumber{kCountsN}));
+  labelAt({strip.high.x - 70.0f, strip.high.y - 18.0f}, tr("last 20 s"));
 }
 
 /// The smallest reliable change with its 95 % interval, on an axis of halves: 4 to 100 %.
 void thresholdBand(const classroom::StationState& state) {
   if (!(state.threshold > 0.0)) {
-    ImGui::TextDisabled("No result yet");
+    ImGui::TextDisabled("%s", tr("No result yet"));
     return;
   }
   if (!isTelling(state)) {
-    ImGui::TextDisabled("Smallest reliable change: more trials needed");
+    ImGui::TextDisabled("%s", tr("Smallest reliable change: more trials needed"));
     return;
   }
-  ImGui::Text("Smallest reliable change %.0f %%, 95 %% interval %.0f to %.0f %%", 100.0 * state.threshold,
-              100.0 * state.low, 100.0 * state.high);
+  ImGui::TextUnformatted(trf("Smallest reliable change {:.0f} %, 95 % interval {:.0f} to {:.0f} %",
+                             100.0 * state.threshold, 100.0 * state.low, 100.0 * state.high)
+                             .c_str());
   const Strip strip = stripBegun(26.0f);
   const auto place = [](double change) { return std::clamp(std::log(change / 0.04) / std::log(1.0 / 0.04), 0.0, 1.0); };
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -225,19 +245,19 @@ void backWithFinger(const OpenedStation& station, float height) {
 std::optional<classroom::Command> commandRow(const Tile& tile, ClassView& view) {
   std::optional<classroom::Command> asked;
   ImGui::SetNextItemWidth(-80.0f);
-  const bool entered = ImGui::InputTextWithHint("##message", "Message to this trainee", view.message.data(),
+  const bool entered = ImGui::InputTextWithHint("##message", tr("Message to this trainee"), view.message.data(),
                                                 view.message.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();
-  if ((ImGui::Button("Send") || entered) && view.message.front() != '\0') {
+  if ((ImGui::Button(tr("Send")) || entered) && view.message.front() != '\0') {
     asked = {classroom::CommandKind::message, view.message.data()};
     view.message.fill('\0');
   }
   const bool paused = tile.state && tile.state->paused;
-  if (ImGui::Button(paused ? "Go on" : "Pause")) {
+  if (ImGui::Button(paused ? tr("Go on") : tr("Pause"))) {
     asked = {paused ? classroom::CommandKind::go_on : classroom::CommandKind::pause, {}};
   }
   ImGui::SameLine();
-  if (ImGui::Button("Next block")) asked = {classroom::CommandKind::next_block, {}};
+  if (ImGui::Button(tr("Next block"))) asked = {classroom::CommandKind::next_block, {}};
   ImGui::SameLine();
   ImGui::TextDisabled("%s", view.told.c_str());
   return asked;
@@ -265,14 +285,15 @@ std::optional<classroom::Command> openedStation(const OpenedStation& station, Cl
   ImGui::TextDisabled("%s", fmt::format("{}, {}", tile.status.device, ageWords(tile)).c_str());
   if (tile.status.safety != "ok" && !tile.status.safety.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, kUrgent);
-    ImGui::TextWrapped("! %s", tile.status.safety.c_str());
+    const std::string& safety = tile.status.safety;
+    ImGui::TextWrapped("! %s", safety == kEmergencyStop ? tr(kEmergencyStop) : safety.c_str());
     ImGui::PopStyleColor();
   }
   if (tile.state) {
     ImGui::TextUnformatted(trialWords(*tile.state).c_str());
     if (tile.state->change > 0.0) {
       ImGui::SameLine();
-      ImGui::TextDisabled("level %.0f %%", 100.0 * tile.state->change);
+      ImGui::TextDisabled("%s", trf("level {:.0f} %", 100.0 * tile.state->change).c_str());
     }
   }
   backWithFinger(station, std::max(160.0f, ImGui::GetContentRegionAvail().y - 250.0f));
@@ -283,9 +304,9 @@ std::optional<classroom::Command> openedStation(const OpenedStation& station, Cl
 }
 
 void classCurve(const std::vector<classroom::CurvePoint>& curve) {
-  ImGui::TextUnformatted("Class: thresholds, median and quartiles");
+  ImGui::TextUnformatted(tr("Class: thresholds, median and quartiles"));
   if (curve.empty()) {
-    ImGui::TextDisabled("No finished test yet");
+    ImGui::TextDisabled("%s", tr("No finished test yet"));
     return;
   }
   const Strip strip = stripBegun(std::max(60.0f, ImGui::GetContentRegionAvail().y - 4.0f));

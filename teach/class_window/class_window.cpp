@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include "palpate/base/language.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/engine/living_skin.h"
 #include "palpate/training/site.h"
@@ -73,27 +74,28 @@ void topRow(const classroom::ClassWatch& watch, const std::vector<classroom::Til
     online += tile.online ? 1U : 0U;
     needing += tile.need != classroom::Need::none ? 1U : 0U;
   }
-  ImGui::TextUnformatted(fmt::format("{} of {} station{} online, {} need{} help", online, tiles.size(),
-                                     tiles.size() == 1 ? "" : "s", needing, needing == 1 ? "s" : "")
-                             .c_str());
+  const std::string stations =
+      trnf("{} of {} station online", "{} of {} stations online", tiles.size(), online, tiles.size());
+  const std::string help = trnf("{} needs help", "{} need help", needing, needing);
+  ImGui::TextUnformatted(fmt::format("{}, {}", stations, help).c_str());
   if (watch.connected()) return;
   ImGui::SameLine();
   ImGui::TextDisabled("- %s", watch.trouble().c_str());
 }
 
 std::string toldOf(const classroom::Command& command, bool sent) {
-  if (!sent) return "could not be sent";
+  if (!sent) return tr("could not be sent");
   switch (command.kind) {
     case classroom::CommandKind::pause:
-      return "asked to pause";
+      return tr("asked to pause");
     case classroom::CommandKind::go_on:
-      return "asked to go on";
+      return tr("asked to go on");
     case classroom::CommandKind::message:
-      return "sent";
+      return tr("sent");
     case classroom::CommandKind::next_block:
       break;
   }
-  return "asked for the next block";
+  return tr("asked for the next block");
 }
 
 void rightColumn(classroom::ClassWatch& watch, const BackPicture& back, ClassView& view) {
@@ -106,7 +108,7 @@ void rightColumn(classroom::ClassWatch& watch, const BackPicture& back, ClassVie
         view.told = toldOf(*command, watch.ask(view.opened, *command));
       }
     } else {
-      ImGui::TextDisabled("Choose a station to see its hand.");
+      ImGui::TextDisabled("%s", tr("Choose a station to see its hand."));
     }
   }
   ImGui::EndChild();
@@ -128,7 +130,7 @@ void classFrame(classroom::ClassWatch& watch, const BackPicture& back, const Vec
         view.opened = *clicked == view.opened ? std::string() : *clicked;
         view.told.clear();
       }
-      if (tiles.empty()) ImGui::TextDisabled("No station has been heard of yet.");
+      if (tiles.empty()) ImGui::TextDisabled("%s", tr("No station has been heard of yet."));
     }
     ImGui::EndChild();
     ImGui::SameLine();

@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
@@ -15,6 +16,7 @@
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
+#include "palpate/base/language.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_folder.h"
@@ -38,6 +40,7 @@ struct ClassWatchArguments {
   std::string opened;
   double seconds = 0.0;
   bool json = false;
+  std::string language;
 };
 
 /// What was measured before anybody watched.
@@ -74,6 +77,7 @@ void printBoard(const ClassWatchArguments& arguments, const classroom::ClassWatc
 }
 
 void runClassWatch(const ClassWatchArguments& arguments) {
+  useLanguage(arguments.language);
   const std::filesystem::path folder = arguments.folder;
   const bool whole = std::filesystem::exists(folder / "class.toml");
   const classroom::Member member = classroom::readMember(whole ? folder / "instructor" : folder);
@@ -136,6 +140,7 @@ void addClassWatchCommand(CLI::App& parent) {
   command.add_option("--picture", arguments->picture, "Write the last picture to this PNG file");
   addNumber(command, "--seconds", arguments->seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");
   command.add_flag("--json", arguments->json, "No window: print a JSON object each second");
+  addLanguage(command, arguments->language);
   command.callback([arguments] { runClassWatch(*arguments); });
 }
 

@@ -14,6 +14,7 @@
 #include "cli/run/control_lines.h"
 #include "cli/run/playback.h"
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/private_folder.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/training/records/trainee_code.h"
@@ -59,7 +60,7 @@ viewer::TrainingSettings trainingSettings(const TrainOptions& options) {
 
 window::WindowSettings trainingWindow(const TrainOptions& options) {
   window::WindowSettings settings;
-  settings.title = "Palpate training";
+  settings.title = tr("Palpate training");
   if (options.width > 0) settings.width = options.width;
   if (options.height > 0) settings.height = options.height;
   settings.full_screen = options.full_screen;
@@ -146,6 +147,7 @@ void addTrainCommand(CLI::App& app) {
   addTraineeOptions(*command, *simulated);
   command->callback([=] {
     if (!command->get_subcommands().empty()) return;  // the results were asked for
+    useLanguage(options->language);
     if (!options->screens.empty()) return showScreens(*options);
     if (options->trainee.empty()) return trainInWindow(*options);
     const int code = runTrainee(*options, *simulated);

@@ -24,6 +24,7 @@ void addWindowOptions(CLI::App& command, TrainOptions& options) {
   command.add_flag("--no-state", options.no_state, "Do not read theme and text size of `palpate run`")->group(kGroup);
   command.add_option("--play", options.play, "Play an input script (docs/reference/viewer.md): time_s, event, values")
       ->group(kGroup);
+  addLanguage(command, options.language)->group(kGroup);
   addNumber(command, "--frames", options.frames, between(1, 1e12), "Close after so many frames")->group(kGroup);
   command
       .add_option("--screens", options.screens,

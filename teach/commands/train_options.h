@@ -38,7 +38,8 @@ struct TrainOptions {
   bool no_state = false;
   bool no_speech = false;
   bool verbose = false;
-  std::string screens;  ///< folder for a picture of every screen; empty: a window is opened
+  std::string language;  ///< of the window and its voice; empty: the system's
+  std::string screens;   ///< folder for a picture of every screen; empty: a window is opened
 };
 
 void addTrainOptions(CLI::App& command, TrainOptions& options);

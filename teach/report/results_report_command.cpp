@@ -1,9 +1,11 @@
 // `palpate train results report`: how training went, of a trainee or a class, as one page or as numbers.
 #include <memory>
 
+#include "cli/kit/choice_option.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/classroom/database_copy.h"
 #include "report/recording/report_delivery.h"
 #include "teach/commands/results_commands.h"
@@ -16,9 +18,11 @@ namespace {
 struct ResultsReportArguments {
   ReportRequest request;
   TrainingReportSettings settings;
+  std::string language;
 };
 
 void runResultsReport(ResultsReportArguments arguments) {
+  useLanguage(arguments.language);
   const ReportRequest& request = arguments.request;
   const bool is_database = classroom::isDatabaseAddress(request.file.string());
   ProgressLine progress;
@@ -54,6 +58,7 @@ void addResultsReportCommand(CLI::App& parent) {
       ->excludes(&trainee);
   command.add_flag("--json", a.request.json,
                    "Print all numbers as one JSON object; a page is written then only with --out");
+  addLanguage(command, a.language);
   command.callback([=] { runResultsReport(*arguments); });
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/base/language.h"
 #include "palpate/training/psychometric.h"
 
 namespace palpate::app {
@@ -34,7 +35,7 @@ constexpr figures::Colour kQuartileColour{0.72, 0.75, 0.80};
 std::vector<figures::Tick> changeTicks(double least, double most) {
   std::vector<figures::Tick> ticks;
   for (const double change : kSaidChanges) {
-    if (change >= least && change <= most) ticks.push_back({change, fmt::format("{:g}", change)});
+    if (change >= least && change <= most) ticks.push_back({change, fmt::format("{:g}", WrittenNumber{change})});
   }
   return ticks;
 }
@@ -116,8 +117,9 @@ void addOthers(const TraineeStatistics& trainee, const std::vector<Occasion>& ot
     shown.add(at->medians.upper_quartile);
   }
   if (x.size() < 2) return;
-  plot.shapes.push_back(curveBand("middle half of the class", x, low, high, figures::withAlpha(kQuartileColour, 0.45)));
-  plot.series.push_back({.name = "class median",
+  plot.shapes.push_back(
+      curveBand(tr("middle half of the class"), x, low, high, figures::withAlpha(kQuartileColour, 0.45)));
+  plot.series.push_back({.name = tr("class median"),
                          .x = x,
                          .y = middle,
                          .stroke = Stroke::dashed,
@@ -137,15 +139,15 @@ void addFiltered(const TraineeStatistics& trainee, ShownChanges& shown, Plot& pl
     shown.add(filtered.high);
   }
   if (x.size() > 1) {
-    plot.shapes.push_back(curveBand("95 % band", x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
+    plot.shapes.push_back(curveBand(tr("95 % band"), x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
   }
-  plot.series.push_back({.name = "so far", .x = x, .y = middle, .colour = figures::kBlue, .width_px = 2.2});
+  plot.series.push_back({.name = tr("so far"), .x = x, .y = middle, .colour = figures::kBlue, .width_px = 2.2});
 }
 
 /// The exponential, between the blocks too.
 void addLearning(const TraineeStatistics& trainee, Plot& plot) {
   if (!trainee.learning) return;
-  Series line{.name = "fitted exponential", .x = {}, .y = {}, .stroke = Stroke::dashed, .colour = figures::kGreen};
+  Series line{.name = tr("fitted exponential"), .x = {}, .y = {}, .stroke = Stroke::dashed, .colour = figures::kGreen};
   for (const training::CurvePoint& point : trainee.learning->fit.curve) {
     line.x.push_back(static_cast<double>(trainee.learning->first + 1) + point.session);
     line.y.push_back(100.0 * point.median);
@@ -156,7 +158,7 @@ void addLearning(const TraineeStatistics& trainee, Plot& plot) {
 /// Each block by itself, with its 95 % interval.
 void addBlocks(const TraineeStatistics& trainee, bool tests, ShownChanges& shown, Plot& plot) {
   const figures::Colour colour = tests ? figures::kVermilion : figures::kInk;
-  Series points{.name = tests ? "a test by itself, 95 % interval" : "practice by itself, 95 % interval",
+  Series points{.name = tests ? tr("a test by itself, 95 % interval") : tr("practice by itself, 95 % interval"),
                 .x = {},
                 .y = {},
                 .stroke = Stroke::none,
@@ -182,7 +184,7 @@ void addBlocks(const TraineeStatistics& trainee, bool tests, ShownChanges& shown
 std::string firstAndLast(const std::string& what, const std::string& first, const std::string& last,
                          std::size_t count) {
   if (count == 1) return fmt::format("{}: {}.", what, first);
-  return fmt::format("{} over {} occasions: first {}, last {}.", what, count, first, last);
+  return trf("{} over {} occasions: first {}, last {}.", what, count, first, last);
 }
 
 // ---- psychometric functions
@@ -190,8 +192,9 @@ std::string firstAndLast(const std::string& what, const std::string& first, cons
 std::string boxesWords(const std::vector<AnswerBox>& boxes, double scale, std::string_view unit) {
   std::string words;
   for (const AnswerBox& box : boxes) {
-    words += fmt::format("{}at {:.{}f}{} {} of {}", words.empty() ? "" : ", ", scale * box.middle,
-                         scale * box.middle < 10.0 ? 1 : 0, unit, box.correct, box.trials);
+    const int decimals = scale * box.middle < 10.0 ? 1 : 0;
+    words += (words.empty() ? "" : ", ") +
+             trf("at {:.{}f}{} {} of {}", scale * box.middle, decimals, unit, box.correct, box.trials);
   }
   return words;
 }
@@ -221,8 +224,8 @@ Series levelLine(const std::string& name, double from, double to, double y) {
 Plot fitPlot(const ThresholdPoint& point) {
   const training::FittedCurve curve = training::fittedCurve(training::posteriorOf(point), training::curveChanges());
   Plot plot{.title = fmt::format("{}, {}", occasionWords(point.kind, point.nth), dayWords(point.start_ms))};
-  plot.x = changeAxis("change", 3.0, 100.0);
-  plot.y = rightAxis("right answers");
+  plot.x = changeAxis(tr("change"), 3.0, 100.0);
+  plot.y = rightAxis(tr("right answers"));
   std::vector<double> x, low, high, mean;
   for (std::size_t i = 0; i < curve.changes.size(); ++i) {
     x.push_back(100.0 * curve.changes[i]);
@@ -230,17 +233,18 @@ Plot fitPlot(const ThresholdPoint& point) {
     high.push_back(100.0 * curve.high[i]);
     mean.push_back(100.0 * curve.mean[i]);
   }
-  plot.shapes.push_back(curveBand("95 % band", x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
+  plot.shapes.push_back(curveBand(tr("95 % band"), x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
   const double t = 100.0 * point.threshold->median;
-  plot.shapes.push_back({.name = "smallest reliable change",
+  plot.shapes.push_back({.name = tr("smallest reliable change"),
                          .paths = {{{t, 0.0}, {t, 100.0}}},
                          .closed = false,
                          .stroke = Stroke::dashed,
                          .colour = figures::kVermilion,
                          .width_px = 1.6});
-  plot.series.push_back(levelLine("chance", 3.0, 100.0, 100.0 / point.choices));
-  plot.series.push_back({.name = "fitted", .x = x, .y = mean, .colour = figures::kBlue, .width_px = 2.2});
-  addBoxes(point.trials.boxes, 100.0, "answers, neighbouring changes together", figures::kInk, Marker::circle, plot);
+  plot.series.push_back(levelLine(tr("chance"), 3.0, 100.0, 100.0 / point.choices));
+  plot.series.push_back({.name = tr("fitted"), .x = x, .y = mean, .colour = figures::kBlue, .width_px = 2.2});
+  addBoxes(point.trials.boxes, 100.0, tr("answers, neighbouring changes together"), figures::kInk, Marker::circle,
+           plot);
   return plot;
 }
 
@@ -260,7 +264,7 @@ TrainingPicture curvePicture(const TraineeStatistics& trainee, const std::vector
     words.push_back(occasionWords(trainee.points[point.point].kind, trainee.points[point.point].nth));
   }
   plot.x = occasionAxis(words);
-  plot.y = shown.axis("smallest reliable change");
+  plot.y = shown.axis(tr("smallest reliable change"));
   const auto said = [&](const training::FilteredPoint& point) {
     const ThresholdPoint& block = trainee.points[point.point];
     return fmt::format("{} {}", occasionWords(block.kind, block.nth),
@@ -268,11 +272,11 @@ TrainingPicture curvePicture(const TraineeStatistics& trainee, const std::vector
   };
   return {
       "curve",
-      std::string("Lower is better. Markers: each block by itself. Line and blue band: what all blocks up to it say "
-                  "together, with its 95 % band; a threshold may wander by a fifth between blocks.") +
-          (has_others ? " Grey: the middle half of the class." : ""),
-      firstAndLast("Learning curve, smallest reliable change", said(trainee.curve.front()), said(trainee.curve.back()),
-                   trainee.curve.size()),
+      tr("Lower is better. Markers: each block by itself. Line and blue band: what all blocks up to it say together, "
+         "with its 95 % band; a threshold may wander by a fifth between blocks.") +
+          (has_others ? std::string(" ") + tr("Grey: the middle half of the class.") : std::string()),
+      firstAndLast(tr("Learning curve, smallest reliable change"), said(trainee.curve.front()),
+                   said(trainee.curve.back()), trainee.curve.size()),
       wideFigure(std::move(plot), 400.0)};
 }
 
@@ -282,10 +286,13 @@ TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics
   ShownChanges shown;
   std::vector<double> x, low, high, middle;
   std::vector<std::string> words;
-  Series everybody{.name = "a trainee", .x = {}, .y = {}, .stroke = Stroke::none, .marker = Marker::circle};
+  Series everybody{.name = tr("a trainee"), .x = {}, .y = {}, .stroke = Stroke::none, .marker = Marker::circle};
   everybody.colour = figures::withAlpha(figures::kSky, 0.45);
-  Series group{
-      .name = "mean of the group, 95 % interval", .x = {}, .y = {}, .stroke = Stroke::none, .marker = Marker::diamond};
+  Series group{.name = tr("mean of the group, 95 % interval"),
+               .x = {},
+               .y = {},
+               .stroke = Stroke::none,
+               .marker = Marker::diamond};
   group.colour = figures::kVermilion;
   Shape bars = errorBars(figures::kVermilion);
   bars.width_px = 1.8;
@@ -319,24 +326,24 @@ TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics
   }
   if (x.size() > 1) {
     plot.shapes.push_back(
-        curveBand("middle half of the class", x, low, high, figures::withAlpha(kQuartileColour, 0.5)));
+        curveBand(tr("middle half of the class"), x, low, high, figures::withAlpha(kQuartileColour, 0.5)));
   }
   if (!bars.paths.empty()) plot.shapes.push_back(std::move(bars));
   plot.series.push_back(std::move(everybody));
-  plot.series.push_back({.name = "median", .x = x, .y = middle, .colour = figures::kBlue, .width_px = 2.0});
+  plot.series.push_back({.name = tr("median"), .x = x, .y = middle, .colour = figures::kBlue, .width_px = 2.0});
   if (!group.x.empty()) plot.series.push_back(std::move(group));
   plot.x = occasionAxis(words);
-  plot.y = shown.axis("smallest reliable change");
+  plot.y = shown.axis(tr("smallest reliable change"));
   const auto said = [&](std::size_t i) {
-    return fmt::format("{} median {}, middle half {} to {}", words[i], changeWords(occasions[i].medians.median),
-                       changeWords(occasions[i].medians.lower_quartile),
-                       changeWords(occasions[i].medians.upper_quartile));
+    return trf("{} median {}, middle half {} to {}", words[i], changeWords(occasions[i].medians.median),
+               changeWords(occasions[i].medians.lower_quartile), changeWords(occasions[i].medians.upper_quartile));
   };
-  return {"curve",
-          "Lower is better. Dots: each trainee's own threshold; grey: the middle half of them. Diamonds: the mean of "
-          "the group behind them, which allows for how well each trainee is known.",
-          firstAndLast("Learning curve of the class", said(0), said(occasions.size() - 1), occasions.size()),
-          wideFigure(std::move(plot), 420.0)};
+  return {
+      "curve",
+      tr("Lower is better. Dots: each trainee's own threshold; grey: the middle half of them. Diamonds: the mean of "
+         "the group behind them, which allows for how well each trainee is known."),
+      firstAndLast(tr("Learning curve of the class"), said(0), said(occasions.size() - 1), occasions.size()),
+      wideFigure(std::move(plot), 420.0)};
 }
 
 TrainingPicture fitPicture(const std::vector<const ThresholdPoint*>& blocks) {
@@ -347,35 +354,38 @@ TrainingPicture fitPicture(const std::vector<const ThresholdPoint*>& blocks) {
   std::string alternative;
   for (const ThresholdPoint* point : blocks) {
     figure.panels.emplace_back(fitPlot(*point));
-    alternative += fmt::format("{}: T {}. Right answers {}. ", occasionWords(point->kind, point->nth),
-                               thresholdWords(point->threshold->median, point->threshold->low, point->threshold->high),
-                               boxesWords(point->trials.boxes, 100.0, " %"));
+    alternative += " " + trf("{}: T {}. Right answers {}.", occasionWords(point->kind, point->nth),
+                             thresholdWords(point->threshold->median, point->threshold->low, point->threshold->high),
+                             boxesWords(point->trials.boxes, 100.0, " %"));
   }
-  alternative.pop_back();
-  return {"fit",
-          "How often answers are right at which change: the fitted function with its 95 % band, and the answers with "
-          "neighbouring changes together (bars: 95 %). Dashed: T. Answers given after fewer places were felt lie on a "
-          "function of their own; the fit allows for it, the dots do not.",
-          alternative, std::move(figure)};
+  alternative.erase(0, 1);
+  return {
+      "fit",
+      tr("How often answers are right at which change: the fitted function with its 95 % band, and the answers with "
+         "neighbouring changes together (bars: 95 %). Dashed: T. Answers given after fewer places were felt lie on "
+         "a function of their own; the fit allows for it, the dots do not."),
+      alternative, std::move(figure)};
 }
 
 TrainingPicture collapsedPicture(const std::vector<AnswerBox>& boxes) {
   Plot plot;
-  plot.x = {.label = "change / own threshold", .scale = figures::Scale::logarithmic, .from = 0.25, .to = 8.0};
-  for (const double at : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0}) plot.x.ticks.push_back({at, fmt::format("{:g}", at)});
-  plot.y = rightAxis("right answers");
-  Series expected{.name = "fitted", .x = {}, .y = {}, .colour = figures::kBlue, .width_px = 2.2};
+  plot.x = {.label = tr("change / own threshold"), .scale = figures::Scale::logarithmic, .from = 0.25, .to = 8.0};
+  for (const double at : {0.25, 0.5, 1.0, 2.0, 4.0, 8.0})
+    plot.x.ticks.push_back({at, fmt::format("{:g}", WrittenNumber{at})});
+  plot.y = rightAxis(tr("right answers"));
+  Series expected{.name = tr("fitted"), .x = {}, .y = {}, .colour = figures::kBlue, .width_px = 2.2};
   for (const AnswerBox& box : boxes) {
     expected.x.push_back(box.middle);
     expected.y.push_back(100.0 * box.expected);
   }
   plot.series.push_back(std::move(expected));
-  addBoxes(boxes, 1.0, "answers of tests, 95 % intervals", figures::kInk, Marker::circle, plot);
+  addBoxes(boxes, 1.0, tr("answers of tests, 95 % intervals"), figures::kInk, Marker::circle, plot);
   return {"fit",
-          "All answers of tests, the change counted in units of each block's own threshold, and what the fitted "
-          "functions expect. Below the threshold dots lie somewhat under the line also where the model holds exactly: "
-          "answers chose both the changes and the threshold. It is a picture of the answers, no test of the model.",
-          "Right answers of tests by change over own threshold: " + boxesWords(boxes, 1.0, "") + ".",
+          tr("All answers of tests, the change counted in units of each block's own threshold, and what the fitted "
+             "functions expect. Below the threshold dots lie somewhat under the line also where the model holds "
+             "exactly: answers chose both the changes and the threshold. It is a picture of the answers, no test of "
+             "the model."),
+          trf("Right answers of tests by change over own threshold: {}.", boxesWords(boxes, 1.0, "")),
           wideFigure(std::move(plot), 360.0)};
 }
 
@@ -394,10 +404,10 @@ struct ShownTrials {
 std::vector<ShownTrials> shownTrials(const TestsAndPracticeShown& shown) {
   std::vector<ShownTrials> all;
   if (shown.tests != nullptr && shown.tests->counted > 0) {
-    all.push_back({shown.tests, "tests", figures::kVermilion, Marker::square, Stroke::solid});
+    all.push_back({shown.tests, tr("tests"), figures::kVermilion, Marker::square, Stroke::solid});
   }
   if (shown.practice != nullptr && shown.practice->counted > 0) {
-    all.push_back({shown.practice, "practice", figures::kBlue, Marker::circle, Stroke::dashed});
+    all.push_back({shown.practice, tr("practice"), figures::kBlue, Marker::circle, Stroke::dashed});
   }
   return all;
 }
@@ -446,17 +456,17 @@ figures::Figure panelFigure(std::vector<Plot> plots) {
 Plot sharePlot(std::string title, std::string label, std::string unit, double to) {
   Plot plot{.title = std::move(title)};
   plot.x = {.label = std::move(label), .unit = std::move(unit), .from = 0.0, .to = to};
-  plot.y = {.label = "share of trials", .unit = "%", .from = 0.0};
+  plot.y = {.label = tr("share of trials"), .unit = "%", .from = 0.0};
   return plot;
 }
 
 }  // namespace
 
 TrainingPicture accuracyPicture(const TestsAndPracticeShown& shown) {
-  Plot raw{.title = "as answered"};
-  Plot corrected{.title = "corrected for chance"};
-  raw.y = rightAxis("right answers");
-  corrected.y = {.label = "found", .unit = "%", .from = -20.0, .to = 100.0};
+  Plot raw{.title = tr("as answered")};
+  Plot corrected{.title = tr("corrected for chance")};
+  raw.y = rightAxis(tr("right answers"));
+  corrected.y = {.label = tr("found"), .unit = "%", .from = -20.0, .to = 100.0};
   std::string alternative;
   for (const ShownTrials& each : shownTrials(shown)) {
     addBoxes(each.trials->boxes, 100.0, each.name, each.colour, each.marker, raw);
@@ -467,22 +477,23 @@ TrainingPicture accuracyPicture(const TestsAndPracticeShown& shown) {
       points.y.push_back(100.0 * box.corrected);
     }
     corrected.series.push_back(std::move(points));
-    alternative += fmt::format("Right answers in {}: {}. ", each.name, boxesWords(each.trials->boxes, 100.0, " %"));
+    alternative += " " + trf("Right answers in {}: {}.", each.name, boxesWords(each.trials->boxes, 100.0, " %"));
   }
-  corrected.series.push_back(levelLine("guessing", 3.0, 100.0, 0.0));
-  for (Plot* plot : {&raw, &corrected}) plot->x = changeAxis("change", 3.0, 100.0);
-  if (!alternative.empty()) alternative.pop_back();
-  return {"accuracy",
-          "Neighbouring changes together; the table below has each. Corrected for chance, 0 % is a guesser and 100 % "
-          "finds every place. Bars: 95 %.",
-          alternative, panelFigure({std::move(raw), std::move(corrected)})};
+  corrected.series.push_back(levelLine(tr("guessing"), 3.0, 100.0, 0.0));
+  for (Plot* plot : {&raw, &corrected}) plot->x = changeAxis(tr("change"), 3.0, 100.0);
+  if (!alternative.empty()) alternative.erase(0, 1);
+  return {
+      "accuracy",
+      tr("Neighbouring changes together; the table below has each. Corrected for chance, 0 % is a guesser and 100 % "
+         "finds every place. Bars: 95 %."),
+      alternative, panelFigure({std::move(raw), std::move(corrected)})};
 }
 
 namespace {
 
 /// Somebody who only lifts and presses never searches.
 std::string medianForce(const training::Spread& force) {
-  return force.count == 0 ? "not measured" : fmt::format("{:.2f} N", force.median);
+  return force.count == 0 ? tr("not measured") : fmt::format("{:.2f} N", WrittenNumber{force.median});
 }
 
 }  // namespace
@@ -493,41 +504,41 @@ TrainingPicture handlingPicture(const TestsAndPracticeShown& shown) {
   std::vector<Plot> plots;
   std::string alternative;
   for (const ShownTrials& each : all) {
-    Plot plot = sharePlot("force, " + each.name, "mean force of a trial", "N", most_force);
-    plot.series.push_back(outlineSeries(each.trials->search_force_bins, "search", figures::kSky, Stroke::dashed));
+    Plot plot = sharePlot(trf("force, {}", each.name), tr("mean force of a trial"), "N", most_force);
+    plot.series.push_back(outlineSeries(each.trials->search_force_bins, tr("search"), figures::kSky, Stroke::dashed));
     plot.series.push_back(
-        outlineSeries(each.trials->palpate_force_bins, "palpation", figures::kVermilion, Stroke::solid));
+        outlineSeries(each.trials->palpate_force_bins, tr("palpation"), figures::kVermilion, Stroke::solid));
     plots.push_back(std::move(plot));
-    alternative += fmt::format(
-        "In {} the median force was {} while searching and {} while palpating, the median speed "
-        "{:.0f} mm/s. ",
-        each.name, medianForce(each.trials->search_force_n), medianForce(each.trials->palpate_force_n),
-        each.trials->speed_mm_per_s.median);
+    alternative +=
+        " " + trf("In {} the median force was {} while searching and {} while palpating, the median speed {:.0f} mm/s.",
+                  each.name, medianForce(each.trials->search_force_n), medianForce(each.trials->palpate_force_n),
+                  each.trials->speed_mm_per_s.median);
   }
-  Plot speed = sharePlot("speed", "mean speed of a trial", "mm/s", lastBox(all, {&TrialStatistics::speed_bins}));
+  Plot speed =
+      sharePlot(tr("speed"), tr("mean speed of a trial"), "mm/s", lastBox(all, {&TrialStatistics::speed_bins}));
   for (const ShownTrials& each : all) {
     speed.series.push_back(outlineSeries(each.trials->speed_bins, each.name, each.colour, each.stroke));
   }
   plots.push_back(std::move(speed));
-  if (!alternative.empty()) alternative.pop_back();
+  if (!alternative.empty()) alternative.erase(0, 1);
   return {"handling",
-          "How hard and how fast: means of each trial while the finger moves over the skin (search) and while it stays "
-          "(palpation).",
+          tr("How hard and how fast: means of each trial while the finger moves over the skin (search) and while it "
+             "stays (palpation)."),
           alternative, panelFigure(std::move(plots))};
 }
 
 TrainingPicture secondsPicture(const TestsAndPracticeShown& shown) {
   const std::vector<ShownTrials> all = shownTrials(shown);
-  Plot plot = sharePlot("", "time for a trial", "s", lastBox(all, {&TrialStatistics::seconds_bins}));
+  Plot plot = sharePlot("", tr("time for a trial"), "s", lastBox(all, {&TrialStatistics::seconds_bins}));
   std::string alternative;
   for (const ShownTrials& each : all) {
     plot.series.push_back(outlineSeries(each.trials->seconds_bins, each.name, each.colour, each.stroke));
-    alternative += fmt::format("In {} a trial took {:.0f} s (median; middle half {:.0f} to {:.0f} s). ", each.name,
-                               each.trials->seconds.median, each.trials->seconds.lower_quartile,
-                               each.trials->seconds.upper_quartile);
+    alternative += " " + trf("In {} a trial took {:.0f} s (median; middle half {:.0f} to {:.0f} s).", each.name,
+                             each.trials->seconds.median, each.trials->seconds.lower_quartile,
+                             each.trials->seconds.upper_quartile);
   }
-  if (!alternative.empty()) alternative.pop_back();
-  return {"seconds", "How long a trial took, pauses left out.", alternative, wideFigure(std::move(plot), 280.0)};
+  if (!alternative.empty()) alternative.erase(0, 1);
+  return {"seconds", tr("How long a trial took, pauses left out."), alternative, wideFigure(std::move(plot), 280.0)};
 }
 
 }  // namespace palpate::app

@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
+#include "palpate/base/language.h"
 #include "palpate/body/torso.h"
 #include "palpate/training/psychometric.h"
 #include "report/recording/report_html.h"
@@ -48,7 +50,7 @@ class PageWriter {
 
   std::string page() {
     const std::string name =
-        report_.of_class ? "Training report: class" : fmt::format("Training report: trainee {}", report_.name);
+        report_.of_class ? tr("Training report: class") : trf("Training report: trainee {}", report_.name);
     html_ = pageBegin(name) + summaryOf(trainingSentences(report_)) + trainingFacts(report_);
     if (tests_.shown + practice_.shown > 0) {
       report_.of_class ? classSections() : traineeSections();
@@ -59,7 +61,8 @@ class PageWriter {
       answers();
     }
     if (report_.of_class && !report_.statistics.trainees.empty()) {
-      add("<h2>Every trainee</h2>\n" + traineesTable(report_.statistics));
+      addHeading(tr("Every trainee"));
+      add(traineesTable(report_.statistics));
     }
     if (!report_.statistics.trainees.empty()) add(qualitySection(report_));
     definitions();
@@ -73,12 +76,12 @@ class PageWriter {
   void addPicture(const TrainingPicture& picture) {
     palpate::report(progress_, "drawing " + picture.id, 0.0);
     add(figureHtml(picture.id, picture.figure, picture.alternative, picture.caption));
-    add(foldedHtml("The picture in words", elementOf("p", picture.alternative)));
+    add(foldedHtml(tr("The picture in words"), elementOf("p", picture.alternative)));
   }
 
   void traineeSections() {
     const TraineeStatistics& trainee = report_.statistics.trainees.front();
-    addHeading("Learning curve");
+    addHeading(tr("Learning curve"));
     if (!trainee.curve.empty()) addPicture(curvePicture(trainee, report_.others));
     add(blocksTable(trainee));
     std::vector<const ThresholdPoint*> fitted;
@@ -90,96 +93,97 @@ class PageWriter {
     }
     if (fitted.empty()) return;
     if (fitted.size() > 2) fitted.erase(fitted.begin() + 1, fitted.end() - 1);
-    addHeading("Fitted function");
+    addHeading(tr("Fitted function"));
     addPicture(fitPicture(fitted));
     add(fitsTable(trainee));
   }
 
   void classSections() {
     const training::ClassStatistics& all = report_.statistics.all;
-    addHeading("Learning curve");
-    if (all.occasions.empty()) add("<p>No block has enough answers for a threshold.</p>\n");
+    addHeading(tr("Learning curve"));
+    if (all.occasions.empty()) add(elementOf("p", tr("No block has enough answers for a threshold.")) + "\n");
     if (!all.occasions.empty()) addPicture(classCurvePicture(report_.statistics));
     add(occasionsTable(all));
     if (all.collapsed.empty()) return;
-    addHeading("Fitted function");
+    addHeading(tr("Fitted function"));
     addPicture(collapsedPicture(all.collapsed));
   }
 
+  /// With their words in English, of which ids in the page are made.
+  std::array<std::pair<const TrialStatistics*, const char*>, 2> bothParts() const {
+    return {{{&tests_, toTranslate("tests")}, {&practice_, toTranslate("practice")}}};
+  }
   TestsAndPracticeShown shown() const { return {&tests_, &practice_}; }
   bool anyCounted() const { return tests_.counted + practice_.counted > 0; }
 
   void accuracy() {
     if (!anyCounted()) return;
-    addHeading("Right answers");
+    addHeading(tr("Right answers"));
     addPicture(accuracyPicture(shown()));
-    add(levelsTable(tests_, "tests") + levelsTable(practice_, "practice"));
+    add(levelsTable(tests_, tr("tests")) + levelsTable(practice_, tr("practice")));
   }
 
   void coverage() {
     palpate::report(progress_, "building the back", 0.0);
-    addHeading("What was felt");
+    addHeading(tr("What was felt"));
     const std::optional<ReportBack> back = reportBack(report_);
-    for (const auto& [trials, what] :
-         {std::pair{&tests_, std::string("tests")}, {&practice_, std::string("practice")}}) {
+    for (const auto& [trials, what] : bothParts()) {
       if (trials->shown == trials->warm_up) continue;
       if (back) {
-        TrainingPicture picture = coveragePicture(*trials, *back, what);
-        picture.id += "_" + what;
+        TrainingPicture picture = coveragePicture(*trials, *back, tr(what));
+        picture.id += std::string("_") + what;
         addPicture(picture);
       }
-      add(sitesTable(*trials, back ? back->sites : training::SiteSet{}, what));
+      add(sitesTable(*trials, back ? back->sites : training::SiteSet{}, tr(what)));
     }
   }
 
   void handling() {
-    addHeading("Force and speed");
+    addHeading(tr("Force and speed"));
     if (anyCounted()) addPicture(handlingPicture(shown()));
     add(handlingTable(tests_, practice_));
   }
 
   void seconds() {
-    addHeading("Time for a trial");
+    addHeading(tr("Time for a trial"));
     if (anyCounted()) addPicture(secondsPicture(shown()));
     add(secondsTable(tests_, practice_));
   }
 
   void answers() {
     if (!anyCounted()) return;
-    addHeading("Which site was taken for which");
-    for (const auto& [trials, what] :
-         {std::pair{&tests_, std::string("tests")}, {&practice_, std::string("practice")}}) {
+    addHeading(tr("Which site was taken for which"));
+    for (const auto& [trials, what] : bothParts()) {
       if (trials->counted == 0) continue;
-      TrainingPicture picture = answersPicture(*trials, what);
-      picture.id += "_" + what;
+      TrainingPicture picture = answersPicture(*trials, tr(what));
+      picture.id += std::string("_") + what;
       addPicture(picture);
-      add(answersTable(*trials, what));
+      add(answersTable(*trials, tr(what)));
     }
   }
 
   void definitions() {
     const std::vector<std::pair<std::string, std::string>> words = {
-        {"Smallest reliable change, T", std::string(training::kThresholdDefinition) +
-                                            ". It belongs to the device, the thimble and the number of places asked "
-                                            "about. How often places were felt changes it too: read it with places "
-                                            "felt and time."},
-        {"95 %", "Of T: the middle 95 % of what the answers leave open (posterior). Of shares: Wilson's interval."},
-        {"So far",
-         "What all blocks up to this one say together, where T may have wandered by a fifth from each to the "
-         "next. Another device begins again."},
-        {"Too early to call a change",
-         "The difference of two results (of ln T) is no larger than the root of the sum "
-         "of squares of the halves of their 95 % intervals."},
-        {"Mean of the group",
-         "A two-level model: ln T is normally distributed between trainees, and each trainee is known as "
-         "well as the answers tell. Not the mean of single results, which are drawn towards what was "
-         "believed before."},
-        {"Counted",
-         "No warm-up, and the true place was felt (pressed hard and long enough). Who never felt it cannot "
-         "find it; guessing is then among the places that were felt."},
-        {"Search, palpation", "On the skin: moving faster than 20 mm/s, or slower."},
-        {"What is not shown", std::string(kNotShown)}};
-    add("<h2>What the words mean</h2>\n<dl>\n");
+        {tr("Smallest reliable change, T"),
+         fmt::format("{}. {}", tr(training::kThresholdDefinition),
+                     tr("It belongs to the device, the thimble and the number of places asked about. How often places "
+                        "were felt changes it too: read it with places felt and time."))},
+        {"95 %", tr("Of T: the middle 95 % of what the answers leave open (posterior). Of shares: Wilson's interval.")},
+        {tr("So far"),
+         tr("What all blocks up to this one say together, where T may have wandered by a fifth from each to "
+            "the next. Another device begins again.")},
+        {tr("Too early to call a change"),
+         tr("The difference of two results (of ln T) is no larger than the root of the "
+            "sum of squares of the halves of their 95 % intervals.")},
+        {tr("Mean of the group"),
+         tr("A two-level model: ln T is normally distributed between trainees, and each trainee is known as well as "
+            "the answers tell. Not the mean of single results, which are drawn towards what was believed before.")},
+        {tr("Counted"), tr("No warm-up, and the true place was felt (pressed hard and long enough). Who never felt it "
+                           "cannot find it; guessing is then among the places that were felt.")},
+        {tr("Search, palpation"), tr("On the skin: moving faster than 20 mm/s, or slower.")},
+        {tr("What is not shown"), tr(kNotShown)}};
+    addHeading(tr("What the words mean"));
+    add("<dl>\n");
     for (const auto& [word, meaning] : words) add(elementOf("dt", word) + elementOf("dd", meaning) + "\n");
     add("</dl>\n");
   }

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <ctime>
 #include <fstream>
 #include <set>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/classroom/database_copy.h"
 #include "palpate/training/psychometric.h"
 #include "palpate/training/records/trainee_code.h"
@@ -88,30 +88,36 @@ void keepOne(TrainingReport& report, const WantedTrainee& wanted) {
 
 std::string resultSentence(const TraineeStatistics& trainee) {
   const ThresholdPoint* latest = trainee.latest();
-  if (latest == nullptr) return "No result yet: no block has enough answers for a threshold.";
+  if (latest == nullptr) return tr("No result yet: no block has enough answers for a threshold.");
   const auto& t = *latest->threshold;
   if (!t.telling()) {
-    return fmt::format("Smallest reliable change: {} ({} {} so far, in the {} of {}).", training::kMoreTrialsNeeded,
-                       latest->trials.counted, latest->trials.counted == 1 ? "answer" : "answers",
-                       occasionWords(latest->kind, latest->nth), dayWords(latest->start_ms));
+    return trnf("Smallest reliable change: more trials needed ({} answer so far, in the {} of {}).",
+                "Smallest reliable change: more trials needed ({} answers so far, in the {} of {}).",
+                static_cast<std::size_t>(latest->trials.counted), latest->trials.counted,
+                occasionWords(latest->kind, latest->nth), dayWords(latest->start_ms));
   }
-  return fmt::format("Smallest reliable change: about {} of {}, measured in the {} of {} with {} answers.",
-                     thresholdWords(t.median, t.low, t.high), wordFor(latest->meaning),
-                     occasionWords(latest->kind, latest->nth), dayWords(latest->start_ms), latest->trials.counted);
+  return trf("Smallest reliable change: about {} of {}, measured in the {} of {} with {} answers.",
+             thresholdWords(t.median, t.low, t.high), meaningWords(latest->meaning),
+             occasionWords(latest->kind, latest->nth), dayWords(latest->start_ms), latest->trials.counted);
 }
 
 std::string comparisonSentence(const TraineeStatistics& trainee) {
   if (!trainee.compared) return {};
   const ThresholdPoint& before = trainee.points[trainee.compared->before];
   const ThresholdPoint& now = trainee.points[trainee.compared->now];
-  const std::string first = fmt::format("First test ({}): {}.", occasionWords(before.kind, before.nth),
-                                        changeWords(before.threshold->median));
-  if (trainee.compared->why_not) return first + " The two are not compared: " + *trainee.compared->why_not + ".";
+  const std::string first =
+      trf("First test ({}): {}.", occasionWords(before.kind, before.nth), changeWords(before.threshold->median));
+  if (trainee.compared->why_not) {
+    return first + " " + trf("The two are not compared: {}.", tr(trainee.compared->why_not->c_str()));
+  }
   const training::ThresholdChange& change = trainee.compared->change;
-  if (!change.clear) return first + " Too early to call a change.";
-  return fmt::format("{} Now {} ({:.2f} times, {:.2f} to {:.2f}): a clear {}.", first,
-                     changeWords(now.threshold->median), change.ratio, change.low, change.high,
-                     change.ratio < 1.0 ? "improvement" : "loss");
+  if (!change.clear) return first + " " + tr("Too early to call a change.");
+  const std::string now_words = changeWords(now.threshold->median);
+  const std::string clear = change.ratio < 1.0 ? trf("Now {} ({:.2f} times, {:.2f} to {:.2f}): a clear improvement.",
+                                                     now_words, change.ratio, change.low, change.high)
+                                               : trf("Now {} ({:.2f} times, {:.2f} to {:.2f}): a clear loss.",
+                                                     now_words, change.ratio, change.low, change.high);
+  return first + " " + clear;
 }
 
 /// Tests in which answers in a row were like guesses.
@@ -119,11 +125,12 @@ std::string attentionSentence(const TraineeStatistics& trainee) {
   std::string tests;
   for (const ThresholdPoint& point : trainee.points) {
     if (!training::isTest(point.kind) || !point.attention.warned()) continue;
-    tests += fmt::format("{}{} ({} of {} easy changes missed)", tests.empty() ? "" : ", ",
-                         occasionWords(point.kind, point.nth), point.attention.easy_missed, point.attention.easy);
+    tests +=
+        (tests.empty() ? "" : ", ") + trf("{} ({} of {} easy changes missed)", occasionWords(point.kind, point.nth),
+                                          point.attention.easy_missed, point.attention.easy);
   }
   if (tests.empty()) return {};
-  return fmt::format("Inattention: in {} answers in a row were like guesses; the threshold may be too high.", tests);
+  return trf("Inattention: in {} answers in a row were like guesses; the threshold may be too high.", tests);
 }
 
 std::string examSentence(const TraineeStatistics& trainee) {
@@ -132,64 +139,70 @@ std::string examSentence(const TraineeStatistics& trainee) {
     if (point.kind == SessionKind::exam && point.finished) exam = &point;
   }
   if (exam == nullptr || exam->verdict == training::Verdict::none) return {};
-  const std::array<std::string_view, 4> words = {"", "passed", "not yet", "to be repeated (too close to call)"};
-  return fmt::format("Examination of {}: {}.", dayWords(exam->start_ms),
-                     words[static_cast<std::size_t>(exam->verdict)]);
+  const std::string day = dayWords(exam->start_ms);
+  if (exam->verdict == training::Verdict::pass) return trf("Examination of {}: passed.", day);
+  if (exam->verdict == training::Verdict::not_yet) return trf("Examination of {}: not yet.", day);
+  return trf("Examination of {}: to be repeated (too close to call).", day);
 }
 
 std::string answersSentence(const TrialStatistics& trials, std::string_view what) {
   if (trials.shown == 0) return {};
-  std::string text = fmt::format(
-      "{}: {} of {} counted answers were right; a trial took {:.0f} s (median) and {:.1f} places were felt.", what,
-      trials.correct, trials.counted, trials.seconds.median, trials.places_felt.mean);
+  std::string text =
+      trf("{}: {} of {} counted answers were right; a trial took {:.0f} s (median) and {:.1f} places were felt.", what,
+          trials.correct, trials.counted, trials.seconds.median, trials.places_felt.mean);
   if (trials.excluded > 0) {
-    text += fmt::format(" {} {} left out.", trials.excluded, trials.excluded == 1 ? "trial is" : "trials are");
+    text += " " + trnf("{} trial is left out.", "{} trials are left out.", static_cast<std::size_t>(trials.excluded),
+                       trials.excluded);
   }
   return text;
 }
 
 std::string lapseSentence(const TrialStatistics& tests) {
   if (tests.easy == 0) return {};
-  return fmt::format(
-      "Of {} easy trials in tests {} went wrong{}.", tests.easy, tests.easy_wrong,
-      10 * tests.easy_wrong > tests.easy ? ": attention may have wandered, read the results with care" : "");
+  if (10 * tests.easy_wrong <= tests.easy) {
+    return trf("Of {} easy trials in tests {} went wrong.", tests.easy, tests.easy_wrong);
+  }
+  return trf("Of {} easy trials in tests {} went wrong: attention may have wandered, read the results with care.",
+             tests.easy, tests.easy_wrong);
 }
 
 std::string groupSentence(const training::Occasion& occasion) {
-  std::string text = fmt::format("{}: {} trainee{}", occasionWords(occasion.kind, occasion.nth), occasion.medians.count,
-                                 occasion.medians.count == 1 ? "" : "s");
+  const std::size_t count = occasion.medians.count;
+  const std::string words = occasionWords(occasion.kind, occasion.nth);
+  std::string text;
   if (occasion.group.people >= 2) {
-    text += fmt::format(", mean smallest reliable change {} (95 % interval {} to {}), standard deviation {}",
-                        changeWords(occasion.group.mean), changeWords(occasion.group.low),
-                        changeWords(occasion.group.high), changeWords(occasion.group.sd));
+    text = trnf("{}: {} trainee, mean smallest reliable change {} (95 % interval {} to {}), standard deviation {}.",
+                "{}: {} trainees, mean smallest reliable change {} (95 % interval {} to {}), standard deviation {}.",
+                count, words, count, changeWords(occasion.group.mean), changeWords(occasion.group.low),
+                changeWords(occasion.group.high), changeWords(occasion.group.sd));
   } else {
-    text += fmt::format(", median {}", changeWords(occasion.medians.median));
+    text = trnf("{}: {} trainee, median {}.", "{}: {} trainees, median {}.", count, words, count,
+                changeWords(occasion.medians.median));
   }
   text[0] = text[0] >= 'a' && text[0] <= 'z' ? static_cast<char>(text[0] - 'a' + 'A') : text[0];
-  return text + ".";
+  return text;
 }
 
 /// A factor of at least 1 means better: they feel a smaller change.
 std::string changedBy(double factor) {
-  return factor >= 1.0 ? fmt::format("{:.2f} times smaller", factor) : fmt::format("{:.2f} times larger", 1.0 / factor);
+  return factor >= 1.0 ? trf("{:.2f} times smaller", factor) : trf("{:.2f} times larger", 1.0 / factor);
 }
 
 std::string classChangeSentence(const training::ClassChange& change) {
   if (change.group.people < 2) return {};
-  return fmt::format(
-      "From first to last test, {} trainees: the change that they need became {} (95 % interval "
-      "{} to {}). {}",
-      change.trainees, changedBy(change.group.factor), changedBy(change.group.low), changedBy(change.group.high),
-      !change.group.real() ? "Too early to call a change."
-                           : fmt::format("Single trainees: {} clearly better, {} clearly worse, {} too early to call.",
-                                         change.clearly_better, change.clearly_worse,
-                                         change.trainees - change.clearly_better - change.clearly_worse));
+  const std::string changed =
+      trf("From first to last test, {} trainees: the change that they need became {} (95 % interval {} to {}).",
+          change.trainees, changedBy(change.group.factor), changedBy(change.group.low), changedBy(change.group.high));
+  if (!change.group.real()) return changed + " " + tr("Too early to call a change.");
+  return changed + " " +
+         trf("Single trainees: {} clearly better, {} clearly worse, {} too early to call.", change.clearly_better,
+             change.clearly_worse, change.trainees - change.clearly_better - change.clearly_worse);
 }
 
 std::vector<std::string> classSentences(const TrainingReport& report) {
   const training::ClassStatistics& all = report.statistics.all;
-  std::vector<std::string> sentences = {fmt::format("{} trainee{}.", report.statistics.trainees.size(),
-                                                    report.statistics.trainees.size() == 1 ? "" : "s")};
+  const std::size_t trainees = report.statistics.trainees.size();
+  std::vector<std::string> sentences = {trnf("{} trainee.", "{} trainees.", trainees, trainees)};
   const training::Occasion* first = nullptr;
   const training::Occasion* last = nullptr;
   for (const training::Occasion& occasion : all.occasions) {
@@ -200,8 +213,8 @@ std::vector<std::string> classSentences(const TrainingReport& report) {
   if (first != nullptr) sentences.push_back(groupSentence(*first));
   if (last != first) sentences.push_back(groupSentence(*last));
   if (all.change) sentences.push_back(classChangeSentence(*all.change));
-  sentences.push_back(answersSentence(all.tests, "Tests"));
-  sentences.push_back(answersSentence(all.practice, "Practice"));
+  sentences.push_back(answersSentence(all.tests, tr("Tests")));
+  sentences.push_back(answersSentence(all.practice, tr("Practice")));
   sentences.push_back(lapseSentence(all.tests));
   return sentences;
 }
@@ -212,8 +225,8 @@ std::string devicesSentence(const TrainingReport& report) {
     for (const ThresholdPoint& point : trainee.points) devices.insert(point.device);
   }
   if (devices.size() < 2) return {};
-  return fmt::format("{} devices were used. A threshold belongs to its device and thimble: do not compare across them.",
-                     devices.size());
+  return trf("{} devices were used. A threshold belongs to its device and thimble: do not compare across them.",
+             devices.size());
 }
 
 }  // namespace
@@ -247,7 +260,7 @@ TrainingReport trainingReport(const TrainingReportSettings& settings, const Prog
 std::vector<std::string> trainingSentences(const TrainingReport& report) {
   std::vector<std::string> sentences;
   if (report.statistics.trainees.empty()) {
-    sentences.emplace_back("No trainee has any record here yet.");
+    sentences.emplace_back(tr("No trainee has any record here yet."));
   } else if (report.of_class) {
     sentences = classSentences(report);
   } else {
@@ -256,12 +269,12 @@ std::vector<std::string> trainingSentences(const TrainingReport& report) {
                  comparisonSentence(trainee),
                  attentionSentence(trainee),
                  examSentence(trainee),
-                 answersSentence(trainee.tests, "Tests"),
-                 answersSentence(trainee.practice, "Practice"),
+                 answersSentence(trainee.tests, tr("Tests")),
+                 answersSentence(trainee.practice, tr("Practice")),
                  lapseSentence(trainee.tests)};
   }
   sentences.push_back(devicesSentence(report));
-  sentences.emplace_back(kNotShown);
+  sentences.emplace_back(tr(kNotShown));
   std::erase(sentences, std::string());
   return sentences;
 }
@@ -269,39 +282,43 @@ std::vector<std::string> trainingSentences(const TrainingReport& report) {
 std::string occasionWords(SessionKind kind, int nth) {
   switch (kind) {
     case SessionKind::practice:
-      return fmt::format("practice {}", nth);
+      return trf("practice {}", nth);
     case SessionKind::mastery:
-      return fmt::format("mastery {}", nth);
+      return trf("mastery {}", nth);
     case SessionKind::pre_test:
-      return nth == 1 ? "pre-test" : fmt::format("pre-test {}", nth);
+      return nth == 1 ? tr("pre-test") : trf("pre-test {}", nth);
     case SessionKind::post_test:
-      return nth == 1 ? "post-test" : fmt::format("post-test {}", nth);
+      return nth == 1 ? tr("post-test") : trf("post-test {}", nth);
     case SessionKind::exam:
-      return nth == 1 ? "examination" : fmt::format("examination {}", nth);
+      return nth == 1 ? tr("examination") : trf("examination {}", nth);
     case SessionKind::retention:
-      return nth == 1 ? "retention test" : fmt::format("retention test {}", nth);
+      return nth == 1 ? tr("retention test") : trf("retention test {}", nth);
     case SessionKind::free:
       break;
   }
-  return "free exploration";
+  return tr("free exploration");
+}
+
+std::string meaningWords(training::ChangeMeaning meaning) {
+  return meaning == training::ChangeMeaning::compliance ? tr("compliance") : tr("stiffness");
 }
 
 std::string shortPseudonym(const training::Uuid& id) { return id.substr(0, kPseudonymLetters); }
 
 std::string changeWords(double change) {
-  return fmt::format("{:.{}f}{}%", 100.0 * change, change < 0.0995 ? 1 : 0, kNoBreak);
+  return fmt::format("{:.{}f}{}%", WrittenNumber{100.0 * change}, change < 0.0995 ? 1 : 0, kNoBreak);
 }
 
 std::string thresholdWords(double median, double low, double high) {
   if (!training::ThresholdSummary{.median = median, .low = low, .high = high}.telling()) {
-    return std::string(training::kMoreTrialsNeeded);
+    return tr(training::kMoreTrialsNeeded);
   }
   const std::string from = changeWords(low);
-  return fmt::format("{} ({} to {})", changeWords(median), from.substr(0, from.find(kNoBreak)), changeWords(high));
+  return trf("{} ({} to {})", changeWords(median), from.substr(0, from.find(kNoBreak)), changeWords(high));
 }
 
 std::string dayWords(std::int64_t utc_ms) {
-  if (utc_ms <= 0) return "no date";
+  if (utc_ms <= 0) return tr("no date");
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(utc_ms / 1000)));
 }
 

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "palpate/base/language.h"
 #include "palpate/base/progress.h"
 #include "palpate/mesh/triangle_mesh.h"
 #include "palpate/training/report/training_statistics.h"
@@ -56,17 +57,18 @@ std::vector<std::string> trainingSentences(const TrainingReport& report);
 /// One HTML page that needs nothing else, well-formed, with all numbers as JSON in it. Draws its pictures.
 std::string trainingPage(const TrainingReport& report, const Progress& progress);
 
-/// What no number here shows.
-inline constexpr std::string_view kNotShown =
+/// What no number here shows, in English, for tr().
+inline constexpr const char* kNotShown = toTranslate(
     "These numbers show how small a difference of stiffness somebody finds on this simulator, with this device. They "
-    "do "
-    "not show skill on patients: nobody has tested yet whether it carries over.";
+    "do not show skill on patients: nobody has tested yet whether it carries over.");
 
 /// Of others' results a trainee may see quartiles only where so many stand behind them that nobody is recognised.
 inline constexpr int kMinOthers = 5;
 
 /// "pre-test", "practice 3".
 std::string occasionWords(training::SessionKind kind, int nth);
+/// "compliance".
+std::string meaningWords(training::ChangeMeaning meaning);
 /// 018f3c1e-... -> "018f3c1e".
 std::string shortPseudonym(const training::Uuid& id);
 /// 0.1834 -> "18 %", 0.0734 -> "7.3 %".

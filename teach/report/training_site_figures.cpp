@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "palpate/base/language.h"
 #include "teach/report/training_figures.h"
 
 namespace palpate::app {
@@ -42,8 +43,8 @@ std::string mixedUp(const SiteAnswers& answers) {
       taken = answer;
     }
   }
-  if (most == 0) return "No site was taken for another.";
-  return fmt::format("Most often site {} was taken for site {}, {} times.", of, taken, most);
+  if (most == 0) return tr("No site was taken for another.");
+  return trf("Most often site {} was taken for site {}, {} times.", of, taken, most);
 }
 
 figures::MeshView backView(const ReportBack& back, const std::vector<SiteFelt>& felt, std::string title,
@@ -79,7 +80,7 @@ TrainingPicture answersPicture(const TrialStatistics& trials, const std::string&
   field.from = 0.0;
   field.to = 100.0;
   field.cells = true;
-  field.label = "share of the site's trials";
+  field.label = tr("share of the site's trials");
   field.unit = "%";
   field.colours = ColourMap::cividis;
   for (int row = 1; row <= answers.sites; ++row) {
@@ -96,20 +97,22 @@ TrainingPicture answersPicture(const TrialStatistics& trials, const std::string&
     }
   }
   plot.field = std::move(field);
-  plot.x = {.label = "answered site", .from = 0.5, .to = columns + 0.5, .ticks = siteTicks(answers.sites, false)};
-  plot.x.ticks.push_back({static_cast<double>(columns), "none"});
-  plot.y = {.label = "true site", .from = 0.5, .to = answers.sites + 0.5, .ticks = siteTicks(answers.sites, true)};
+  plot.x = {.label = tr("answered site"), .from = 0.5, .to = columns + 0.5, .ticks = siteTicks(answers.sites, false)};
+  plot.x.ticks.push_back({static_cast<double>(columns), tr("none")});
+  plot.y = {.label = tr("true site"), .from = 0.5, .to = answers.sites + 0.5, .ticks = siteTicks(answers.sites, true)};
   figures::Figure figure;
   figure.panel_width_px = 620.0;
   figure.panel_height_px = 470.0;
   figure.panels.emplace_back(std::move(plot));
-  return {"answers",
-          "Counted answers of " + what +
-              ": each row is a true site, each column what was answered. A good row has all "
-              "on the diagonal.",
-          fmt::format("Table of sites, {} by {}: {} of {} answers on the diagonal. {}", answers.sites, answers.sites,
-                      trials.correct, trials.counted, mixedUp(answers)),
-          std::move(figure)};
+  return {
+      "answers",
+      trf("Counted answers of {}: each row is a true site, each column what was answered. A good row has all on the "
+          "diagonal.",
+          what),
+      trf("Table of sites, {} by {}: {} of {} answers on the diagonal.", answers.sites, answers.sites, trials.correct,
+          trials.counted) +
+          " " + mixedUp(answers),
+      std::move(figure)};
 }
 
 TrainingPicture coveragePicture(const TrialStatistics& trials, const ReportBack& back, const std::string& what) {
@@ -117,19 +120,22 @@ TrainingPicture coveragePicture(const TrialStatistics& trials, const ReportBack&
   figure.columns = 2;
   figure.panel_width_px = 430.0;
   figure.panel_height_px = 430.0;
-  figure.panels.emplace_back(backView(back, trials.felt, "time pressed", &SiteFelt::dwell_s, "time a trial", "s"));
   figure.panels.emplace_back(
-      backView(back, trials.felt, "peak force", &SiteFelt::peak_force_n, "mean peak of a trial", "N"));
+      backView(back, trials.felt, tr("time pressed"), &SiteFelt::dwell_s, tr("time a trial"), "s"));
+  figure.panels.emplace_back(
+      backView(back, trials.felt, tr("peak force"), &SiteFelt::peak_force_n, tr("mean peak of a trial"), "N"));
   const auto least = std::ranges::min_element(trials.felt, {}, &SiteFelt::felt);
-  std::string alternative = fmt::format("The back with its sites, {}.", what);
+  std::string alternative = trf("The back with its sites, {}.", what);
   if (least != trials.felt.end()) {
-    alternative += least->felt == least->trials ? " Every site was felt in every trial."
-                                                : fmt::format(" Least often felt: site {}, in {} of {} trials.",
-                                                              least->site, least->felt, least->trials);
+    alternative += " ";
+    alternative += least->felt == least->trials
+                       ? tr("Every site was felt in every trial.")
+                       : trf("Least often felt: site {}, in {} of {} trials.", least->site, least->felt, least->trials);
   }
   return {"coverage",
-          "How long and how hard each site was pressed in " + what +
-              ", on average, seen from behind with the head upwards. Drawn on the body that palpate brings.",
+          trf("How long and how hard each site was pressed in {}, on average, seen from behind with the head upwards. "
+              "Drawn on the body that palpate brings.",
+              what),
           alternative, std::move(figure)};
 }
 

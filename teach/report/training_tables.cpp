@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
+#include "palpate/base/language.h"
 #include "report/recording/report_html.h"
 
 namespace palpate::app {
@@ -20,7 +22,9 @@ constexpr std::string_view kNoValue = "–";
 /// More sessions than this are counted, not listed.
 constexpr std::size_t kMaxSittings = 60;
 
-std::string shareWords(double share) { return fmt::format("{:.1f} %", 100.0 * share); }
+std::string decimalWords(double value, int decimals) { return fmt::format("{:.{}f}", WrittenNumber{value}, decimals); }
+
+std::string shareWords(double share) { return fmt::format("{:.1f} %", WrittenNumber{100.0 * share}); }
 
 std::string joinedWords(const std::set<std::string>& words) {
   std::string list;
@@ -30,21 +34,37 @@ std::string joinedWords(const std::set<std::string>& words) {
   return list;
 }
 
+/// A word as records have it, for people; a newer version may write others.
+std::string recordWord(const std::string& word) {
+  static constexpr std::array kWords = {
+      // kinds of sessions and verdicts
+      toTranslate("practice"), toTranslate("mastery"), toTranslate("pre_test"), toTranslate("post_test"),
+      toTranslate("exam"), toTranslate("retention"), toTranslate("free"), toTranslate("pass"), toTranslate("not_yet"),
+      toTranslate("repeat"),
+      // events
+      toTranslate("break"), toTranslate("familiarisation"), toTranslate("leave"), toTranslate("pause"),
+      toTranslate("resume"), toTranslate("safety"), toTranslate("tissue"), toTranslate("warning"),
+      // why trials are left out
+      toTranslate("target not felt"), toTranslate("fewer than two places felt")};
+  const auto* known = std::ranges::find(kWords, word);
+  return known == kWords.end() ? word : tr(*known);
+}
+
 std::string reasonsWords(const training::Reasons& reasons) {
   std::string words;
   for (const auto& [reason, count] : reasons)
-    words += fmt::format("{}{}: {}", words.empty() ? "" : ", ", reason, count);
+    words += fmt::format("{}{}: {}", words.empty() ? "" : ", ", recordWord(reason), count);
   return words;
 }
 
 std::string verdictWords(training::Verdict verdict) {
   switch (verdict) {
     case training::Verdict::pass:
-      return "pass";
+      return tr("pass");
     case training::Verdict::not_yet:
-      return "not yet";
+      return tr("not yet");
     case training::Verdict::repeat:
-      return "repeat";
+      return tr("repeat");
     case training::Verdict::none:
       break;
   }
@@ -54,30 +74,30 @@ std::string verdictWords(training::Verdict verdict) {
 std::string methodWords(training::Method method) {
   switch (method) {
     case training::Method::marginal_psi:
-      return "adaptive levels";
+      return tr("adaptive levels");
     case training::Method::two_down_one_up:
-      return "staircase levels";
+      return tr("staircase levels");
     case training::Method::mastery:
-      return "mastery, 3 of 4";
+      return tr("mastery, 3 of 4");
     case training::Method::constant_levels:
       break;
   }
-  return "fixed levels";
+  return tr("fixed levels");
 }
 
 std::string resultWords(const ThresholdPoint& point) {
   if (point.threshold) return thresholdWords(point.threshold->median, point.threshold->low, point.threshold->high);
   if (point.method == training::Method::mastery) {
-    return point.level ? fmt::format("level {}", changeWords(*point.level)) : "no level yet";
+    return point.level ? trf("level {}", changeWords(*point.level)) : tr("no level yet");
   }
-  return "too few answers";
+  return tr("too few answers");
 }
 
 /// median (middle half)
 std::string spreadWords(const Spread& spread, int decimals) {
   if (spread.count == 0) return std::string(kNoValue);
-  return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", spread.median, decimals, spread.lower_quartile, decimals,
-                     spread.upper_quartile, decimals);
+  return trf("{} ({} to {})", decimalWords(spread.median, decimals), decimalWords(spread.lower_quartile, decimals),
+             decimalWords(spread.upper_quartile, decimals));
 }
 
 std::string siteName(const training::SiteSet& set, int number) {
@@ -104,8 +124,8 @@ MadeWith madeWith(const TrainingReport& report) {
       made.last_ms = std::max(made.last_ms, session.row.start_ms);
     }
     for (const ThresholdPoint& point : trainee.points) {
-      made.meanings.insert(std::string(wordFor(point.meaning)));
-      made.protocols.insert(fmt::format("{} version {}", point.protocol_id, point.protocol_version));
+      made.meanings.insert(meaningWords(point.meaning));
+      made.protocols.insert(trf("{} version {}", point.protocol_id, point.protocol_version));
     }
   }
   return made;
@@ -115,7 +135,7 @@ std::string eventsWords(const training::SessionQuality& session) {
   std::string words;
   for (const auto& [kind, count] : session.events) {
     if (kind == "block" || kind == "screen") continue;  // of the ordinary course
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, kind);
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, recordWord(kind));
   }
   return words.empty() ? std::string(kNoValue) : words;
 }
@@ -125,11 +145,13 @@ std::string sessionsTable(const TraineeStatistics& trainee) {
   for (const training::SessionQuality& session : trainee.sessions) {
     if (rows.size() == kMaxSittings) break;
     const training::SessionRow& row = session.row;
-    rows.push_back({dayWords(row.start_ms), std::string(wordFor(row.kind)), row.device, row.app_version,
-                    row.end_ms == 0 ? "not ended" : "ended", eventsWords(session),
-                    row.file.empty() ? "none" : row.file});
+    rows.push_back({dayWords(row.start_ms), recordWord(std::string(wordFor(row.kind))), row.device, row.app_version,
+                    row.end_ms == 0 ? tr("not ended") : tr("ended"), eventsWords(session),
+                    row.file.empty() ? tr("none") : row.file});
   }
-  return tableOf("words", {"day", "kind", "device and thimble", "version", "", "events", "recording"}, rows);
+  return tableOf("words",
+                 {tr("day"), tr("kind"), tr("device and thimble"), tr("version"), "", tr("events"), tr("recording")},
+                 rows);
 }
 
 void addCheck(std::vector<Cells>& rows, std::string what, const TrialStatistics& tests, const TrialStatistics& practice,
@@ -139,15 +161,15 @@ void addCheck(std::vector<Cells>& rows, std::string what, const TrialStatistics&
 
 std::string checksTable(const TrialStatistics& tests, const TrialStatistics& practice) {
   std::vector<Cells> rows;
-  addCheck(rows, "trials shown", tests, practice, &TrialStatistics::shown);
-  addCheck(rows, "warm-up, not counted", tests, practice, &TrialStatistics::warm_up);
-  addCheck(rows, "left out", tests, practice, &TrialStatistics::excluded);
-  addCheck(rows, "counted", tests, practice, &TrialStatistics::counted);
-  addCheck(rows, "no answer in time", tests, practice, &TrialStatistics::timeouts);
-  addCheck(rows, "not all places felt", tests, practice, &TrialStatistics::not_all_felt);
-  addCheck(rows, "easy trials (lapse check)", tests, practice, &TrialStatistics::easy);
-  addCheck(rows, "of them wrong", tests, practice, &TrialStatistics::easy_wrong);
-  return tableOf("numbers", {"", "tests", "practice"}, rows);
+  addCheck(rows, tr("trials shown"), tests, practice, &TrialStatistics::shown);
+  addCheck(rows, tr("warm-up, not counted"), tests, practice, &TrialStatistics::warm_up);
+  addCheck(rows, tr("left out"), tests, practice, &TrialStatistics::excluded);
+  addCheck(rows, tr("counted"), tests, practice, &TrialStatistics::counted);
+  addCheck(rows, tr("no answer in time"), tests, practice, &TrialStatistics::timeouts);
+  addCheck(rows, tr("not all places felt"), tests, practice, &TrialStatistics::not_all_felt);
+  addCheck(rows, tr("easy trials (lapse check)"), tests, practice, &TrialStatistics::easy);
+  addCheck(rows, tr("of them wrong"), tests, practice, &TrialStatistics::easy_wrong);
+  return tableOf("numbers", {"", tr("tests"), tr("practice")}, rows);
 }
 
 }  // namespace
@@ -155,18 +177,18 @@ std::string checksTable(const TrialStatistics& tests, const TrialStatistics& pra
 std::string trainingFacts(const TrainingReport& report) {
   const MadeWith made = madeWith(report);
   std::string html = "<div class=\"wide\"><table class=\"facts\"><tbody>\n";
-  html += factRow("Class", report.class_words);
-  if (report.of_class) html += factRow("Trainees", fmt::format("{}", report.statistics.trainees.size()));
+  html += factRow(tr("Class"), report.class_words);
+  if (report.of_class) html += factRow(tr("Trainees"), fmt::format("{}", report.statistics.trainees.size()));
   if (made.first_ms > 0) {
     const std::string first = dayWords(made.first_ms);
     const std::string last = dayWords(made.last_ms);
-    html += factRow("Days", first == last ? first : first + " to " + last);
+    html += factRow(tr("Days"), first == last ? first : trf("{} to {}", first, last));
   }
-  html += factRow("Device", joinedWords(made.devices));
-  html += factRow("Change of", joinedWords(made.meanings));
-  html += factRow("Protocol", joinedWords(made.protocols));
-  html += factRow("Recorded by", made.versions.empty() ? "" : joinedWords(made.versions));
-  html += factRow("Records", report.file.filename().string());
+  html += factRow(tr("Device"), joinedWords(made.devices));
+  html += factRow(tr("Change of"), joinedWords(made.meanings));
+  html += factRow(tr("Protocol"), joinedWords(made.protocols));
+  html += factRow(tr("Recorded by"), made.versions.empty() ? "" : joinedWords(made.versions));
+  html += factRow(tr("Records"), report.file.filename().string());
   return html + "</tbody></table></div>\n";
 }
 
@@ -177,16 +199,16 @@ std::string blocksTable(const TraineeStatistics& trainee) {
       return trainee.points[each.point].block == point.block;
     });
     rows.push_back({occasionWords(point.kind, point.nth), dayWords(point.start_ms), methodWords(point.method),
-                    fmt::format("{} of {}", point.trials.correct, point.trials.counted), resultWords(point),
+                    trf("{} of {}", point.trials.correct, point.trials.counted), resultWords(point),
                     filtered == trainee.curve.end()
                         ? std::string(kNoValue)
                         : thresholdWords(filtered->filtered.median, filtered->filtered.low, filtered->filtered.high),
-                    verdictWords(point.verdict), fmt::format("{:.1f}", point.trials.places_felt.mean),
-                    fmt::format("{:.0f}", point.trials.seconds.median), point.finished ? "" : "interrupted"});
+                    verdictWords(point.verdict), decimalWords(point.trials.places_felt.mean, 1),
+                    decimalWords(point.trials.seconds.median, 0), point.finished ? "" : tr("interrupted")});
   }
   return tableOf("numbers",
-                 {"block", "day", "method", "right", "by itself (95 %)", "so far (95 %)", "verdict", "places felt",
-                  "time (s)", ""},
+                 {tr("block"), tr("day"), tr("method"), tr("right"), tr("by itself (95 %)"), tr("so far (95 %)"),
+                  tr("verdict"), tr("places felt"), tr("time (s)"), ""},
                  rows);
 }
 
@@ -195,12 +217,13 @@ std::string fitsTable(const TraineeStatistics& trainee) {
   for (const ThresholdPoint& point : trainee.points) {
     if (!point.threshold) continue;
     rows.push_back({occasionWords(point.kind, point.nth), dayWords(point.start_ms), resultWords(point),
-                    fmt::format("{:.2f}", point.slope), shareWords(point.lapse), fmt::format("{}", point.choices),
+                    decimalWords(point.slope, 2), shareWords(point.lapse), fmt::format("{}", point.choices),
                     fmt::format("{}", point.trials.counted)});
   }
   if (rows.empty()) return {};
   return tableOf("numbers",
-                 {"block", "day", "smallest change (95 %)", "slope", "lapse rate", "places asked about", "answers"},
+                 {tr("block"), tr("day"), tr("smallest change (95 %)"), tr("slope"), tr("lapse rate"),
+                  tr("places asked about"), tr("answers")},
                  rows);
 }
 
@@ -217,8 +240,8 @@ std::string occasionsTable(const training::ClassStatistics& all) {
   }
   if (rows.empty()) return {};
   return tableOf("numbers",
-                 {"occasion", "trainees", "mean smallest change of the group (95 %)", "SD between trainees",
-                  "lower quartile", "median", "upper quartile", "verdicts"},
+                 {tr("occasion"), tr("trainees"), tr("mean smallest change of the group (95 %)"),
+                  tr("SD between trainees"), tr("lower quartile"), tr("median"), tr("upper quartile"), tr("verdicts")},
                  rows);
 }
 
@@ -229,22 +252,21 @@ std::string traineesTable(const training::TrainingStatistics& statistics) {
     std::string change(kNoValue);
     if (trainee.compared) {
       const training::TestsCompared& compared = *trainee.compared;
-      change = compared.why_not            ? "not compared"
-               : !compared.change.clear    ? "too early to call"
-               : compared.change.ratio < 1 ? fmt::format("better, {:.2f} times", compared.change.ratio)
-                                           : fmt::format("worse, {:.2f} times", compared.change.ratio);
+      change = compared.why_not            ? tr("not compared")
+               : !compared.change.clear    ? tr("too early to call")
+               : compared.change.ratio < 1 ? trf("better, {:.2f} times", compared.change.ratio)
+                                           : trf("worse, {:.2f} times", compared.change.ratio);
     }
     const int shown = trainee.tests.shown + trainee.practice.shown;
     const int left_out = trainee.tests.excluded + trainee.practice.excluded;
     rows.push_back({shortPseudonym(trainee.id), fmt::format("{}", trainee.points.size()), fmt::format("{}", shown),
                     latest == nullptr ? std::string(kNoValue) : occasionWords(latest->kind, latest->nth),
                     latest == nullptr ? std::string(kNoValue) : resultWords(*latest), change,
-                    fmt::format("{}", left_out),
-                    fmt::format("{} of {}", trainee.tests.easy_wrong, trainee.tests.easy)});
+                    fmt::format("{}", left_out), trf("{} of {}", trainee.tests.easy_wrong, trainee.tests.easy)});
   }
   return tableOf("numbers",
-                 {"trainee", "blocks", "trials", "latest", "smallest change (95 %)", "since the first test", "left out",
-                  "easy ones wrong"},
+                 {tr("trainee"), tr("blocks"), tr("trials"), tr("latest"), tr("smallest change (95 %)"),
+                  tr("since the first test"), tr("left out"), tr("easy ones wrong")},
                  rows);
 }
 
@@ -254,52 +276,53 @@ std::string levelsTable(const TrialStatistics& trials, const std::string& what) 
   for (const training::LevelAccuracy& level : trials.levels) {
     rows.push_back({changeWords(level.change), fmt::format("{}", level.trials), fmt::format("{}", level.correct),
                     shareWords(level.share),
-                    fmt::format("{} to {}", shareWords(level.interval.low), shareWords(level.interval.high)),
+                    trf("{} to {}", shareWords(level.interval.low), shareWords(level.interval.high)),
                     shareWords(level.chance), shareWords(level.corrected)});
   }
-  return foldedHtml(
-      "Each change: " + what,
-      tableOf("numbers", {"change", "answers", "right", "share", "95 %", "by chance", "corrected for chance"}, rows));
+  return foldedHtml(trf("Each change: {}", what), tableOf("numbers",
+                                                          {tr("change"), tr("answers"), tr("right"), tr("share"),
+                                                           "95 %", tr("by chance"), tr("corrected for chance")},
+                                                          rows));
 }
 
 std::string sitesTable(const TrialStatistics& trials, const training::SiteSet& set, const std::string& what) {
   if (trials.shown == 0) return {};
   std::vector<Cells> rows;
   for (const training::SiteFelt& site : trials.felt) {
-    rows.push_back({siteName(set, site.site), fmt::format("{} of {}", site.felt, site.trials),
-                    fmt::format("{:.2f}", site.presses), fmt::format("{:.2f}", site.dwell_s),
-                    fmt::format("{:.2f}", site.peak_force_n), fmt::format("{:.2f}", site.greatest_force_n),
-                    fmt::format("{:.1f}", site.deepest_mm)});
+    rows.push_back({siteName(set, site.site), trf("{} of {}", site.felt, site.trials), decimalWords(site.presses, 2),
+                    decimalWords(site.dwell_s, 2), decimalWords(site.peak_force_n, 2),
+                    decimalWords(site.greatest_force_n, 2), decimalWords(site.deepest_mm, 1)});
   }
-  return foldedHtml("Each site: " + what, tableOf("numbers",
-                                                  {"site", "felt in trials", "presses a trial", "time a trial (s)",
-                                                   "mean peak force (N)", "greatest force (N)", "deepest (mm)"},
-                                                  rows));
+  return foldedHtml(trf("Each site: {}", what),
+                    tableOf("numbers",
+                            {tr("site"), tr("felt in trials"), tr("presses a trial"), tr("time a trial (s)"),
+                             tr("mean peak force (N)"), tr("greatest force (N)"), tr("deepest (mm)")},
+                            rows));
 }
 
 std::string handlingTable(const TrialStatistics& tests, const TrialStatistics& practice) {
-  return tableOf("numbers", {"median (middle half) of trials", "tests", "practice"},
-                 {spreadRow("mean force while searching (N)", tests.search_force_n, practice.search_force_n, 2),
-                  spreadRow("mean force while palpating (N)", tests.palpate_force_n, practice.palpate_force_n, 2),
-                  spreadRow("mean force in contact (N)", tests.mean_force_n, practice.mean_force_n, 2),
-                  spreadRow("peak force (N)", tests.peak_force_n, practice.peak_force_n, 2),
-                  spreadRow("mean speed (mm/s)", tests.speed_mm_per_s, practice.speed_mm_per_s, 0)});
+  return tableOf("numbers", {tr("median (middle half) of trials"), tr("tests"), tr("practice")},
+                 {spreadRow(tr("mean force while searching (N)"), tests.search_force_n, practice.search_force_n, 2),
+                  spreadRow(tr("mean force while palpating (N)"), tests.palpate_force_n, practice.palpate_force_n, 2),
+                  spreadRow(tr("mean force in contact (N)"), tests.mean_force_n, practice.mean_force_n, 2),
+                  spreadRow(tr("peak force (N)"), tests.peak_force_n, practice.peak_force_n, 2),
+                  spreadRow(tr("mean speed (mm/s)"), tests.speed_mm_per_s, practice.speed_mm_per_s, 0)});
 }
 
 std::string secondsTable(const TrialStatistics& tests, const TrialStatistics& practice) {
-  return tableOf("numbers", {"median (middle half) of trials", "tests", "practice"},
-                 {spreadRow("time (s)", tests.seconds, practice.seconds, 1),
-                  spreadRow("time of right answers (s)", tests.seconds_correct, practice.seconds_correct, 1),
-                  spreadRow("time of wrong answers (s)", tests.seconds_wrong, practice.seconds_wrong, 1),
-                  spreadRow("places felt", tests.places_felt, practice.places_felt, 0)});
+  return tableOf("numbers", {tr("median (middle half) of trials"), tr("tests"), tr("practice")},
+                 {spreadRow(tr("time (s)"), tests.seconds, practice.seconds, 1),
+                  spreadRow(tr("time of right answers (s)"), tests.seconds_correct, practice.seconds_correct, 1),
+                  spreadRow(tr("time of wrong answers (s)"), tests.seconds_wrong, practice.seconds_wrong, 1),
+                  spreadRow(tr("places felt"), tests.places_felt, practice.places_felt, 0)});
 }
 
 std::string answersTable(const TrialStatistics& trials, const std::string& what) {
   if (trials.counted == 0) return {};
   const int sites = trials.answers.sites;
-  Cells head = {"true site"};
+  Cells head = {tr("true site")};
   for (int answer = 1; answer <= sites; ++answer) head.push_back(fmt::format("{}", answer));
-  head.emplace_back("none");
+  head.emplace_back(tr("none"));
   std::vector<Cells> rows;
   for (int truth = 1; truth <= sites; ++truth) {
     rows.push_back({fmt::format("{}", truth)});
@@ -308,15 +331,15 @@ std::string answersTable(const TrialStatistics& trials, const std::string& what)
     rows.back().push_back(fmt::format("{}", trials.answers.at(truth, 0)));
   }
   const training::WrongAnswers& wrong = trials.wrong;
-  const std::string where = fmt::format(
+  const std::string where = trf(
       "Of {} wrong answers in {}, {} named the level beside on the same side, {} the same level on the other side, {} "
       "another place, {} none in time.",
       trials.counted - trials.correct, what, wrong.beside, wrong.other_side, wrong.elsewhere, wrong.none);
-  return elementOf("p", where) + "\n" + foldedHtml("Counts: " + what, tableOf("numbers", head, rows));
+  return elementOf("p", where) + "\n" + foldedHtml(trf("Counts: {}", what), tableOf("numbers", head, rows));
 }
 
 std::string qualitySection(const TrainingReport& report) {
-  std::string html = "<h2>Data quality</h2>\n";
+  std::string html = elementOf("h2", tr("Data quality")) + "\n";
   const training::TrainingStatistics& statistics = report.statistics;
   html += checksTable(statistics.all.tests, statistics.all.practice);
   training::Reasons excluded;
@@ -325,18 +348,19 @@ std::string qualitySection(const TrainingReport& report) {
     for (const auto& [reason, count] : trainee.excluded) excluded[reason] += count;
     changed += trainee.changed_results;
   }
-  if (!excluded.empty()) html += elementOf("p", "Left out, with the reason: " + reasonsWords(excluded) + ".") + "\n";
-  html += elementOf("p", changed == 0 ? "Every stored result is the one that its trials give."
-                                      : fmt::format("{} stored results are not what their trials give: the record was "
-                                                    "changed, or written by another version.",
-                                                    changed)) +
+  if (!excluded.empty()) html += elementOf("p", trf("Left out, with the reason: {}.", reasonsWords(excluded))) + "\n";
+  html += elementOf("p", changed == 0 ? tr("Every stored result is the one that its trials give.")
+                                      : trf("{} stored results are not what their trials give: the record was "
+                                            "changed, or written by another version.",
+                                            changed)) +
           "\n";
   if (!report.of_class) html += sessionsTable(statistics.trainees.front());
   std::vector<Cells> protocols;
   for (const training::ProtocolRow& row : report.record.protocols) {
     protocols.push_back({row.id, fmt::format("{}", row.version), row.sha256});
   }
-  if (!protocols.empty()) html += tableOf("words", {"protocol", "version", "SHA-256 of its settings"}, protocols);
+  if (!protocols.empty())
+    html += tableOf("words", {tr("protocol"), tr("version"), tr("SHA-256 of its settings")}, protocols);
   return html;
 }
 

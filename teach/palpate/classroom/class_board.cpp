@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/order_statistics.h"
 #include "palpate/training/records/row_json.h"
 
@@ -26,15 +27,15 @@ bool measures(const training::BlockRow& block) {
 std::string_view wordsOf(Need need) {
   switch (need) {
     case Need::alarm:
-      return "device stopped";
+      return toTranslate("device stopped");
     case Need::three_errors:
-      return "three wrong answers";
+      return toTranslate("three wrong answers");
     case Need::idle:
-      return "nothing for a minute";
+      return toTranslate("nothing for a minute");
     case Need::sites_skipped:
-      return "places not pressed";
+      return toTranslate("places not pressed");
     case Need::too_light:
-      return "presses too lightly";
+      return toTranslate("presses too lightly");
     case Need::none:
       break;
   }

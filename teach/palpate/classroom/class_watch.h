@@ -29,7 +29,7 @@ enum class Need : std::uint8_t {
   too_light,      ///< presses are lighter than what counts
   none,
 };
-/// "three wrong answers"; empty for none.
+/// "three wrong answers" in English, for tr(); empty for none.
 std::string_view wordsOf(Need need);
 
 struct BoardRules {

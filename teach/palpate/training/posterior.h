@@ -5,8 +5,9 @@
 // Based on: Kontsevich, Tyler, Vision Research 39:2729, 1999; Prins 2013 (marginal psi).
 #pragma once
 
-#include <string_view>
 #include <vector>
+
+#include "palpate/base/language.h"
 
 namespace palpate::training {
 
@@ -38,8 +39,8 @@ struct ThresholdSummary {
   bool telling() const;
 };
 
-/// Shown in place of an interval that is not telling.
-inline constexpr std::string_view kMoreTrialsNeeded = "more trials needed";
+/// Shown in place of an interval that is not telling; tr() shows it.
+inline constexpr const char* kMoreTrialsNeeded = toTranslate("more trials needed");
 
 /// Deterministic: the same answers give the same bits on every compiler.
 class Posterior {

@@ -10,7 +10,7 @@
 // 12(6):25, 2012 (lapses).
 #pragma once
 
-#include <string_view>
+#include "palpate/base/language.h"
 
 namespace palpate::training {
 
@@ -29,7 +29,8 @@ double idealSlope(int choices);
 /// T among `choices` places over T of the same observer among `reference` places.
 double thresholdFactor(int choices, int reference);
 
-inline constexpr std::string_view kThresholdDefinition =
-    "T: the change at which answers, corrected for guesses and lapses, are right half of the time (version 1)";
+/// In English, for tr().
+inline constexpr const char* kThresholdDefinition = toTranslate(
+    "T: the change at which answers, corrected for guesses and lapses, are right half of the time (version 1)");
 
 }  // namespace palpate::training

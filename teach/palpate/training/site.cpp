@@ -70,7 +70,8 @@ SiteSet twelveSites(std::span<const body::SkinLandmark> landmarks) {
   for (const Side side : {Side::left, Side::right}) {
     for (std::size_t level = 0; level < body::kSiteLevels.size(); ++level) {
       Site site = siteAt(landmarks, fmt::format("{} site {}", wordFor(side), level + 1));
-      site.label = fmt::format("{}, {}", body::kSiteLevels[level], wordFor(side));
+      site.label =
+          side == Side::left ? trf("{}, left", body::kSiteLevels[level]) : trf("{}, right", body::kSiteLevels[level]);
       site.level = static_cast<int>(level) + 1;
       site.side = side;
       site.number = set.choices() + 1;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "palpate/base/language.h"
 #include "palpate/training/psychometric.h"
 
 namespace palpate::training {
@@ -168,14 +169,14 @@ bool measuresThreshold(const ThresholdPoint& point) {
 }
 
 std::optional<std::string> notComparable(const ThresholdPoint& a, const ThresholdPoint& b) {
-  if (a.meaning != b.meaning) return "one is a change of compliance, the other of stiffness";
-  if (a.choices != b.choices) return "they asked about different numbers of places";
-  if (a.device != b.device) return "they were felt with different devices";
-  if (isTest(a.kind) != isTest(b.kind)) return "one is practice, the other a test";
+  if (a.meaning != b.meaning) return toTranslate("one is a change of compliance, the other of stiffness");
+  if (a.choices != b.choices) return toTranslate("they asked about different numbers of places");
+  if (a.device != b.device) return toTranslate("they were felt with different devices");
+  if (isTest(a.kind) != isTest(b.kind)) return toTranslate("one is practice, the other a test");
   if (a.protocol_id != b.protocol_id || a.protocol_version != b.protocol_version)
-    return "they follow different protocols";
+    return toTranslate("they follow different protocols");
   if (a.attention.warned() || b.attention.warned())
-    return "answers in a row were like guesses where changes were easy to feel (inattention)";
+    return toTranslate("answers in a row were like guesses where changes were easy to feel (inattention)");
   return std::nullopt;
 }
 
