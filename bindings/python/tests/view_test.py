@@ -73,10 +73,17 @@ def test_strain_bones_and_overlays_change_the_picture(torso, pressed):
         "bones": render(torso, skin, touch, camera=near, labels=False, size=(320, 240), bones=True),
         "names": render(torso, skin, touch, camera=near, labels=False, size=(320, 240), show=["names", "wireframe"]),
         "labels": render(torso, skin, touch, camera=near, size=(320, 240), title="T6"),
-        "lens": render(torso, skin, touch, camera=near, labels=False, size=(320, 240), lens=True),
     }
     for name, picture in seen.items():
         assert (np.abs(plain - picture).max(axis=2) > 16).mean() > 0.003, name
+
+
+def test_the_lens_stands_in_a_corner_of_a_picture_that_has_room_for_it(torso, pressed):
+    skin, touch = pressed
+    near = Camera(look_at="T6 right 30 mm", zoom=4)
+    without, large = (render(torso, skin, touch, camera=near, labels=False, size=(800, 600), lens=lens).astype(int)
+                      for lens in (False, True))
+    assert (np.abs(without - large).max(axis=2) > 16).mean() > 0.003
 
 
 def test_pictures_may_be_asked_for_from_any_thread_and_are_the_same(torso, dome_world):

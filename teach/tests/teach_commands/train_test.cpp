@@ -57,7 +57,7 @@ TEST_F(TrainCommand, DrawsAPictureOfEveryScreenWithoutAWindow) {
   const auto result =
       train("s.toml --protocol p.toml --no-state --screens screens --width 640 --height 480", folder.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  for (const char* name : {"01-welcome", "06-choice", "10-practice-trial", "12-wrong", "16-test-trial"}) {
+  for (const char* name : {"01-welcome", "06-choice", "11-practice-trial", "13-wrong", "17-test-trial"}) {
     const auto file = folder / (std::string("screens/") + name + ".png");
     EXPECT_GT(std::filesystem::exists(file) ? std::filesystem::file_size(file) : 0, 5000u) << file;
   }
