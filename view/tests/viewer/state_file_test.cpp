@@ -19,6 +19,7 @@ Remembered unusual() {
   r.window.width = 1111;
   r.state.shown.panel = false;
   r.state.theme = window::Theme::light;
+  r.state.language = "es";
   r.state.touch.by = device::PressBy::force;
   r.state.touch.force_n = 4.25;
   r.state.input.preset = window::MousePreset::cad;

@@ -70,6 +70,7 @@ TEST(Keys, OverlaysAndColouringsFollowTheirLists) {
 
 TEST(Keys, AreNamedAsOnAKeyboard) {
   EXPECT_EQ(window::nameOf({window::key('Z'), {true, true}}), "Ctrl+Shift+Z");
+  EXPECT_EQ(window::shownNameOf({window::key('Z'), {true, true}}), "Ctrl+Shift+Z");
   EXPECT_EQ(window::nameOf({window::functionKey(11), {}}), "F11");
   EXPECT_EQ(window::keysOf(window::bindingOf(window::Action::deeper)), "PgDn or ]");
 }

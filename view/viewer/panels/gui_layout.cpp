@@ -77,7 +77,7 @@ MenuBar menuOf(ViewerState& viewer, const Modes& modes) {
   }
   menu.status.push_back(viewer.world.name + (viewer.history.changed() ? " *" : ""));
   if (viewer.simple_shading) menu.status.emplace_back(tr("smooth shading: slow"));
-  menu.status.push_back(viewer.held_by);
+  menu.status.emplace_back(tr(viewer.held_by.c_str()));
   menu.status.push_back(fmt::format("{:.0f} Hz", viewer.performance.servo.ticks_per_s));
   menu.status.push_back(fmt::format("{:.0f} fps", viewer.performance.frames_per_s));
   return menu;
