@@ -8,6 +8,7 @@
 
 #include "cli/kit/commands.h"
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/database_copy.h"
@@ -27,12 +28,12 @@ using training::TraineeRow;
 /// Fewer letters of a pseudonym could be anybody's.
 constexpr std::size_t kMinPseudonym = 4;
 
-std::string resultsPercent(double share) { return fmt::format("{:.3g}", 100.0 * share); }
+std::string resultsPercent(double share) { return fmt::format("{:.3g}", WrittenNumber{100.0 * share}); }
 
 std::string resultsKind(training::SessionKind kind) {
   std::string words(wordFor(kind));
   std::ranges::replace(words, '_', '-');
-  return words;
+  return tr(words.c_str());
 }
 
 std::size_t trialsOf(Store& store, const SessionRow& session) {
@@ -127,14 +128,14 @@ std::string whenWords(std::int64_t ms) {
 
 std::string thresholdWords(const BlockRow& block) {
   if (block.method == training::Method::mastery) {
-    return block.mastered_change ? fmt::format("level {} %", resultsPercent(*block.mastered_change)) : std::string();
+    return block.mastered_change ? trf("level {} %", resultsPercent(*block.mastered_change)) : std::string();
   }
   if (block.threshold <= 0.0 || block.trials == 0) return {};
   const training::ThresholdSummary shown{
       .median = block.threshold, .low = block.threshold_low, .high = block.threshold_high};
-  if (!shown.telling()) return std::string(training::kMoreTrialsNeeded);
-  return fmt::format("{} % ({} to {} %)", resultsPercent(block.threshold), resultsPercent(block.threshold_low),
-                     resultsPercent(block.threshold_high));
+  if (!shown.telling()) return tr(training::kMoreTrialsNeeded);
+  return trf("{} % ({} to {} %)", resultsPercent(block.threshold), resultsPercent(block.threshold_low),
+             resultsPercent(block.threshold_high));
 }
 
 nlohmann::ordered_json blockJson(const BlockRow& block) {
@@ -160,13 +161,15 @@ nlohmann::ordered_json sessionJson(Store& store, const SessionRow& session) {
 }
 
 std::string sessionLine(Store& store, const SessionRow& session) {
-  std::string line = fmt::format("{}  {}  {:9}  {:3} trials", whenWords(session.start_ms),
-                                 session.trainee_id.substr(0, 8), resultsKind(session.kind), trialsOf(store, session));
+  std::string line = fmt::format("{}  {}  {:9}  ", whenWords(session.start_ms), session.trainee_id.substr(0, 8),
+                                 resultsKind(session.kind)) +
+                     trf("{:3} trials", trialsOf(store, session));
   for (const BlockRow& block : store.blocks(session.id)) {
     const std::string measured = thresholdWords(block);
     if (!measured.empty()) line += ", " + measured;
-    if (block.verdict != training::Verdict::none) line += fmt::format(", {}", wordFor(block.verdict));
-    if (!block.finished) line += ", not finished";
+    if (block.verdict != training::Verdict::none)
+      line += fmt::format(", {}", tr(std::string(wordFor(block.verdict)).c_str()));
+    if (!block.finished) line += std::string(", ") + tr("not finished");
   }
   return line + "\n";
 }

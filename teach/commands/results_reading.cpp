@@ -6,9 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "cli/kit/choice_option.h"
 #include "cli/kit/json.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/language.h"
 #include "palpate/training/records/verify.h"
 #include "teach/commands/results_commands.h"
 
@@ -25,6 +27,7 @@ using ResultsJson = nlohmann::ordered_json;
 struct ReadingArguments {
   ResultsArguments results;
   std::string trainee;
+  std::string language;
 };
 
 void printResults(const ResultsJson& json) { printReadable(jsonText(json)); }
@@ -91,6 +94,7 @@ ResultsJson traineeSummaryJson(const TraineeSummary& summary) {
 std::string measuredWords(const std::optional<BlockRow>& block) { return block ? thresholdWords(*block) : "-"; }
 
 void runResultsTrainee(const ReadingArguments& arguments) {
+  useLanguage(arguments.language);
   Store store = openedResults(arguments.results);
   const TraineeSummary summary = traineeSummary(store, traineeCalled(store, arguments.trainee));
   const std::vector<SessionRow> sessions = store.sessions(summary.row.id);
@@ -100,10 +104,11 @@ void runResultsTrainee(const ReadingArguments& arguments) {
     for (const SessionRow& session : sessions) json["list"].push_back(sessionJson(store, session));
     return printResults(json);
   }
-  std::string text = fmt::format("{}{}\n  {} sessions, {} trials, since {}\n  first measured {}, last {}\n",
-                                 summary.row.id, summary.row.class_id.empty() ? "" : ", class " + summary.row.class_id,
-                                 summary.sessions, summary.trials, whenWords(summary.row.created_ms),
-                                 measuredWords(summary.first), measuredWords(summary.last));
+  const TraineeRow& row = summary.row;
+  std::string text =
+      fmt::format("{}\n  {}\n  {}\n", row.class_id.empty() ? row.id : trf("{}, class {}", row.id, row.class_id),
+                  trf("{} sessions, {} trials, since {}", summary.sessions, summary.trials, whenWords(row.created_ms)),
+                  trf("first measured {}, last {}", measuredWords(summary.first), measuredWords(summary.last)));
   for (const SessionRow& session : sessions) text += "  " + sessionLine(store, session);
   printReadable(text);
 }
@@ -171,6 +176,7 @@ void addResultsTraineeCommand(CLI::App& parent) {
   command.add_option("CODE", arguments->trainee, kTraineeHelp)->required();
   addResultsFile(command, arguments->results);
   addClassFolder(command, arguments->results);
+  addLanguage(command, arguments->language);
 }
 
 void addResultsClassCommand(CLI::App& parent) {

@@ -207,8 +207,8 @@ std::string blocksTable(const TraineeStatistics& trainee) {
                     decimalWords(point.trials.seconds.median, 0), point.finished ? "" : tr("interrupted")});
   }
   return tableOf("numbers",
-                 {tr("block"), tr("day"), tr("method"), tr("right"), tr("by itself (95 %)"), tr("so far (95 %)"),
-                  tr("verdict"), tr("places felt"), tr("time (s)"), ""},
+                 {tr("block"), tr("day"), tr("method"), tr("right answers"), tr("by itself (95 %)"),
+                  tr("so far (95 %)"), tr("verdict"), tr("places felt"), tr("time (s)"), ""},
                  rows);
 }
 
@@ -279,10 +279,11 @@ std::string levelsTable(const TrialStatistics& trials, const std::string& what) 
                     trf("{} to {}", shareWords(level.interval.low), shareWords(level.interval.high)),
                     shareWords(level.chance), shareWords(level.corrected)});
   }
-  return foldedHtml(trf("Each change: {}", what), tableOf("numbers",
-                                                          {tr("change"), tr("answers"), tr("right"), tr("share"),
-                                                           "95 %", tr("by chance"), tr("corrected for chance")},
-                                                          rows));
+  return foldedHtml(trf("Each change: {}", what),
+                    tableOf("numbers",
+                            {tr("change"), tr("answers"), tr("right answers"), tr("share"), "95 %", tr("by chance"),
+                             tr("corrected for chance")},
+                            rows));
 }
 
 std::string sitesTable(const TrialStatistics& trials, const training::SiteSet& set, const std::string& what) {
