@@ -104,6 +104,24 @@ TEST_F(TrainingReport, NobodyIsAPageTooThatSaysSo) {
   EXPECT_TRUE(hasWords(words, "do not show skill on patients"));
 }
 
+TEST_F(TrainingReport, SpeaksTheLanguageThatIsAskedFor) {
+  const training::Uuid trainee = make(1);
+  const std::string german = wordsOf("--language de");
+  for (const char* wanted : {"Trainingsbericht", "Kleinste sichere Änderung: etwa", "Erster Test (Vortest)",
+                             "Lernkurve", "Richtige Antworten", "größte Kraft (N)", "Datenqualität"}) {
+    EXPECT_TRUE(hasWords(german, wanted)) << wanted;
+  }
+  EXPECT_TRUE(hasWords(wordsOf("--language es"), "Menor cambio fiable: alrededor del"));
+  json spoken = numbers("--language de");
+  json english = numbers();
+  EXPECT_NE(spoken["sentences"], english["sentences"]);
+  for (json* object : {&spoken, &english}) object->erase("sentences");
+  EXPECT_TRUE(spoken == english) << "what machines read has no language";
+  const CommandResult summary =
+      palpate("train results trainee " + trainee.substr(0, 8) + " class.results --language de");
+  EXPECT_NE(summary.out.find("Durchgänge, seit"), std::string::npos) << summary.out << summary.err;
+}
+
 TEST_F(TrainingReport, OneTraineeIsToldEverythingInWords) {
   support::MadeCourse course;
   course.kinds.push_back(SessionKind::exam);
