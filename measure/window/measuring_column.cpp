@@ -16,7 +16,7 @@ namespace palpate::viewer {
 namespace {
 
 constexpr std::array<std::string_view, 4> kHeadNames = {toTranslate("top"), toTranslate("left"), toTranslate("bottom"),
-                                                           toTranslate("right")};
+                                                        toTranslate("right")};
 
 void photoRow(MeasuringView& view, Photo which) {
   const bool before = which == Photo::before;
@@ -40,7 +40,8 @@ void photoRows(MeasuringView& view, MeasuringRequests& requests) {
 }
 
 const char* hintOf(const MeasuringView& view) {
-  if (view.tool == MeasuringTool::contact) return toTranslate("Click where the stick touched the skin, in the photograph before.");
+  if (view.tool == MeasuringTool::contact)
+    return toTranslate("Click where the stick touched the skin, in the photograph before.");
   if (view.tool == MeasuringTool::dots) {
     return toTranslate(
         "Click bare skin to add a dot, a dot to remove it; drag moves it. With Shift a click only selects, arrows "

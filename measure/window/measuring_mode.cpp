@@ -58,7 +58,8 @@ std::string doubts(const measure::Measurement& measured, const KeyTableFile& tab
                    const std::string& name) {
   std::string words;
   for (const measure::Finding& finding : measured.findings) {
-    if (finding.severity == measure::Severity::refusal) words += fmt::format("{}: {}\n", tr("Refused"), wordsHere(finding));
+    if (finding.severity == measure::Severity::refusal)
+      words += fmt::format("{}: {}\n", tr("Refused"), wordsHere(finding));
   }
   if (table.kind == KeyTableFile::Kind::other) {
     words += trf("{} is not a table of key points and would be written over.", file.string()) + "\n";
@@ -237,8 +238,9 @@ MeasuringMode::Accepting MeasuringMode::accept(ViewerState& viewer, bool sure) {
   const KeyTableFile table = readKeyTable(file);
   if (const std::string against = doubts(*view.measured, table, file, name); !sure && !against.empty()) {
     waiting_ = MeasuringRequest(AcceptMeasurement{.sure = true});
-    viewer.ask(
-        {.kind = Question::Kind::of_mode, .words = against + tr("Accept all the same?"), .answers = {"Accept", "Cancel"}});
+    viewer.ask({.kind = Question::Kind::of_mode,
+                .words = against + tr("Accept all the same?"),
+                .answers = {"Accept", "Cancel"}});
     return Accepting::asked;
   }
   try {

@@ -147,7 +147,8 @@ void measuringWindow(MeasuringView& view, const FreeArea& free, MeasuringRequest
   if (!view.dialog) return;
   bool open = true;
   const bool before = *view.dialog == Photo::before;
-  std::string chosen = photographDialog(before ? toTranslate("Open the photograph before") : toTranslate("Open the photograph after"), open);
+  std::string chosen = photographDialog(
+      before ? toTranslate("Open the photograph before") : toTranslate("Open the photograph after"), open);
   if (!chosen.empty()) requests.emplace_back(ShowPhoto{*view.dialog, std::move(chosen)});
   if (!open || !chosen.empty()) view.dialog.reset();
 }

@@ -2,7 +2,6 @@
 
 #include "palpate/base/language.h"
 
-
 namespace palpate::viewer {
 
 void Eyesight::keepUsable(ViewerState& viewer) {

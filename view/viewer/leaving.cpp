@@ -1,5 +1,5 @@
-#include "palpate/base/path_text.h"
 #include "palpate/base/language.h"
+#include "palpate/base/path_text.h"
 #include "view/viewer/request_handler.h"
 
 #include <fmt/format.h>
@@ -42,9 +42,8 @@ bool mustAskFirst(const Request& request, ViewerState& viewer) {
     return true;
   }
   if (!std::visit(LeavesTheScene(), request) || !viewer.history.sceneChanged()) return false;
-  viewer.ask({.kind = Question::Kind::leave,
-              .words = trf("{} was changed. Save it first?", nameOf(viewer)),
-              .then = request});
+  viewer.ask(
+      {.kind = Question::Kind::leave, .words = trf("{} was changed. Save it first?", nameOf(viewer)), .then = request});
   return true;
 }
 

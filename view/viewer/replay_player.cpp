@@ -77,9 +77,8 @@ void ReplayPlayer::show(RecordedTouch touch, LiveModel& model, ViewerState& view
     viewer.request(OpenBeside{std::exchange(viewer.beside_at_first, {})});
   }
   if (!trace::isRecording(pathOf(recorded_->file)) && trace::isUnfinished(pathOf(recorded_->file))) {
-    viewer.report(Severity::warning,
-                  trf("{} was not finished: its {:.1f} s are what was written before the end", recorded_->file,
-                              viewer.replay.to_s - viewer.replay.from_s));
+    viewer.report(Severity::warning, trf("{} was not finished: its {:.1f} s are what was written before the end",
+                                         recorded_->file, viewer.replay.to_s - viewer.replay.from_s));
   }
 }
 

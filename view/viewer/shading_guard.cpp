@@ -53,8 +53,8 @@ void guardShading(ShadingGuard& guard, ViewerState& viewer, double elapsed_s, bo
     if (change == ShadingGuard::Change::simpler) {
       // The menu bar says so as long as it lasts; a plate over the picture would hide what is slow already.
       viewer.messages.note(trf("At {:.0f} fps the skin is drawn smooth for now; "
-                                       "Show > shading decides for good",
-                                       viewer.performance.frames_per_s),
+                               "Show > shading decides for good",
+                               viewer.performance.frames_per_s),
                            viewer.now_s);
     } else if (change == ShadingGuard::Change::as_requested) {
       viewer.messages.note("There is time to spare: the skin is drawn as before", viewer.now_s);

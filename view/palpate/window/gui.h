@@ -19,7 +19,7 @@ namespace palpate::window {
 
 enum class Theme : std::uint8_t { dark, light, contrast };
 inline constexpr std::array<std::string_view, 3> kThemeNames = {toTranslate("dark"), toTranslate("light"),
-                                                             toTranslate("high contrast")};
+                                                                toTranslate("high contrast")};
 
 /// Letters of equal width, for code; in the current context of ImGui.
 ImFont* evenFont();

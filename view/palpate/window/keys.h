@@ -134,9 +134,8 @@ struct Chord {
 };
 
 enum class KeyGroup : std::uint8_t { touch, view, overlays, window, file };
-inline constexpr std::array<std::string_view, 5> kKeyGroupNames = {toTranslate("Touch"), toTranslate("View"),
-                                                                toTranslate("Overlays"), toTranslate("Window"),
-                                                                toTranslate("File")};
+inline constexpr std::array<std::string_view, 5> kKeyGroupNames = {
+    toTranslate("Touch"), toTranslate("View"), toTranslate("Overlays"), toTranslate("Window"), toTranslate("File")};
 
 struct KeyBinding {
   Action action;

@@ -104,8 +104,8 @@ void DeviceControl::takeOpened(std::size_t finger, ViewerState& viewer, const sc
   if (!opened) return;
   const std::string words = std::exchange(viewer.devices.fingers[finger].opening, {});
   if (!opened->value)
-    return viewer.report(Severity::error,
-                         trf("The {} finger stays the mouse's: {}", tr(std::string(kFingerNames[finger]).c_str()), opened->error));
+    return viewer.report(Severity::error, trf("The {} finger stays the mouse's: {}",
+                                              tr(std::string(kFingerNames[finger]).c_str()), opened->error));
   const std::string about = device::describe(*opened->value);
   OpenedDevice held{words, std::move(*opened->value), workspaceNow(finger, words, viewer, world)};
   const auto before = std::exchange(viewer.held, servo_.abilitiesWith(finger, &held));
@@ -122,7 +122,8 @@ void DeviceControl::takeOpened(std::size_t finger, ViewerState& viewer, const sc
   viewer.devices.fingers[finger].known_s = -1.0;  // of the device before, if any
   tellWho(viewer);
   if (viewer.active_finger == finger && !servo_.isHeld(1 - finger)) viewer.active_finger = 1 - finger;
-  viewer.report(Severity::info, trf("The {} finger is held by {}", tr(std::string(kFingerNames[finger]).c_str()), about));
+  viewer.report(Severity::info,
+                trf("The {} finger is held by {}", tr(std::string(kFingerNames[finger]).c_str()), about));
 }
 
 void DeviceControl::close(std::size_t finger, ViewerState& viewer) {
@@ -133,7 +134,8 @@ void DeviceControl::close(std::size_t finger, ViewerState& viewer) {
   viewer.devices.fingers[finger].trouble.clear();
   if (viewer.devices.calibration.finger == finger) viewer.devices.calibration = {};
   tellWho(viewer);
-  viewer.report(Severity::info, trf("{} is let go; the mouse has the {} finger", name, tr(std::string(kFingerNames[finger]).c_str())));
+  viewer.report(Severity::info,
+                trf("{} is let go; the mouse has the {} finger", name, tr(std::string(kFingerNames[finger]).c_str())));
 }
 
 /// Looking opens a driver for a moment, so one that is held here is left alone.

@@ -26,9 +26,7 @@ maps::Dysfunction* selected(const DysfunctionEdit& edit) {
   return i >= 0 && i < static_cast<int>(items.size()) ? &items[static_cast<std::size_t>(i)] : nullptr;
 }
 
-std::string nameOfSelected(const DysfunctionEdit& edit) {
-  return trf("dysfunction {}", edit.editor.selected + 1);
-}
+std::string nameOfSelected(const DysfunctionEdit& edit) { return trf("dysfunction {}", edit.editor.selected + 1); }
 
 void grab(const DysfunctionEdit& edit, const Vec2& place) {
   edit.editor.before = edit.items;

@@ -108,8 +108,8 @@ FilePreview previewOfMesh(const fs::path& file, const mesh::LoadOptions& options
   const Vec3 size = finiteBox(mesh).isEmpty() ? Vec3::Zero() : Vec3(finiteBox(mesh).sizes());
   FilePreview preview;
   if (options.unit_mm == 0.0 && hasNoUnit(file)) preview.longest_units = size.maxCoeff();
-  preview.words = trf("{} triangles, {:.4g} x {:.4g} x {:.4g}{}", mesh.triangles.size(), size.x(), size.y(),
-                              size.z(), preview.longest_units ? "" : " mm");
+  preview.words = trf("{} triangles, {:.4g} x {:.4g} x {:.4g}{}", mesh.triangles.size(), size.x(), size.y(), size.z(),
+                      preview.longest_units ? "" : " mm");
   preview.picture = smallPicture(mesh, limits);
   return preview;
 }
@@ -178,9 +178,10 @@ std::optional<UnitGuess> unitGuess(double longest_units) {
     std::string_view name;
     std::string_view answer;
   };
-  constexpr std::array kCandidates = {Candidate{scene::Unit::metre, toTranslate("metres"), toTranslate("Metres")},
-                                      Candidate{scene::Unit::centimetre, toTranslate("centimetres"), toTranslate("Centimetres")},
-                                      Candidate{scene::Unit::decimetre, toTranslate("decimetres"), toTranslate("Decimetres")}};
+  constexpr std::array kCandidates = {
+      Candidate{scene::Unit::metre, toTranslate("metres"), toTranslate("Metres")},
+      Candidate{scene::Unit::centimetre, toTranslate("centimetres"), toTranslate("Centimetres")},
+      Candidate{scene::Unit::decimetre, toTranslate("decimetres"), toTranslate("Decimetres")}};
   // A hand to the tallest person.
   constexpr double kShortestMm = 120.0, kLongestMm = 2300.0;
   // Between these, in millimetres: a body or a part of one, and nothing has to be asked.
@@ -191,11 +192,10 @@ std::optional<UnitGuess> unitGuess(double longest_units) {
     if (length_mm < kShortestMm || length_mm > kLongestMm) continue;
     const std::string length =
         length_mm < 1000.0 ? trf("{:.0f} cm", 0.1 * length_mm) : trf("{:.2g} m", 1e-3 * length_mm);
-    return UnitGuess{
-        candidate.unit,
-        trf("This body is {:.2g} across: {}? It would be {} long.", longest_units, tr(std::string(candidate.name).c_str()),
-            length),
-        std::string(candidate.answer)};
+    return UnitGuess{candidate.unit,
+                     trf("This body is {:.2g} across: {}? It would be {} long.", longest_units,
+                         tr(std::string(candidate.name).c_str()), length),
+                     std::string(candidate.answer)};
   }
   return {};
 }

@@ -1,5 +1,5 @@
-#include "palpate/base/path_text.h"
 #include "palpate/base/language.h"
+#include "palpate/base/path_text.h"
 #include "view/viewer/files/recorded_touch.h"
 
 #include <fmt/format.h>
@@ -80,9 +80,8 @@ RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& 
   const auto longest = static_cast<std::uint64_t>(kLongestReplayS * rate);
   if (facts.last_tick - facts.first_tick > longest) {
     span.from = facts.last_tick - longest;
-    recorded.notes.push_back(
-        trf("The last {:.0f} of {:.0f} s are shown; palpate recording trim cuts out others", kLongestReplayS,
-                    facts.seconds()));
+    recorded.notes.push_back(trf("The last {:.0f} of {:.0f} s are shown; palpate recording trim cuts out others",
+                                 kLongestReplayS, facts.seconds()));
   }
   takeSamples(viewer, span, shown, recorded, progress);
   for (std::size_t i = 0; i < std::min(kFingers, shown.fingers.size()); ++i) {

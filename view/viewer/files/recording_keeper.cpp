@@ -118,7 +118,7 @@ void RecordingKeeper::end(ViewerState& viewer, std::string_view ended_by) {
     recorder_->anyTouch() ? recorder_->finish(ended_by) : recorder_->discard();
   } catch (const std::exception& error) {
     viewer.report(Severity::error, trf("The recording ended: {}; what was written is kept in {}", error.what(),
-                                               recorder_->partial().string()));
+                                       recorder_->partial().string()));
   }
   recorder_.reset();
 }
@@ -126,8 +126,7 @@ void RecordingKeeper::end(ViewerState& viewer, std::string_view ended_by) {
 void RecordingKeeper::advance(ViewerState& viewer) {
   if (const auto finished = tidying_.take(); finished && finished->value) {
     for (const fs::path& file : *finished->value) {
-      viewer.messages.note(trf("An interrupted run was saved as {} (File > Open)", file.string()),
-                           viewer.now_s);
+      viewer.messages.note(trf("An interrupted run was saved as {} (File > Open)", file.string()), viewer.now_s);
     }
   }
   const bool wanted = !folder_.empty() && viewer.state.keeps_last_hour;
@@ -150,8 +149,7 @@ void RecordingKeeper::advance(ViewerState& viewer) {
     recording.keeping = false;
     if (kept->failure.empty()) {
       recording.kept_file = kept->file.string();
-      viewer.report(Severity::info,
-                    trf("The last {:.1f} s are kept as {}", kept->seconds, recording.kept_file));
+      viewer.report(Severity::info, trf("The last {:.1f} s are kept as {}", kept->seconds, recording.kept_file));
     } else {
       viewer.report(Severity::error, trf("The recording is not kept: {}", kept->failure));
     }

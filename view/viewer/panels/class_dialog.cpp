@@ -51,8 +51,7 @@ void runPart(const ClassShown& shown, const std::filesystem::path& folder, Class
   ImGui::TextDisabled("%s", tr("Teach on this computer"));
   if (shown.runs) {
     ImGui::TextWrapped("%s", trf("{} runs. {}", shown.folder, shown.words).c_str());
-    remark(trf("Give each station its folder of {}/stations; there: start page > Class > Take part.",
-                       shown.folder));
+    remark(trf("Give each station its folder of {}/stations; there: start page > Class > Take part.", shown.folder));
     if (buttonWidget("class/end", "End the class")) asks.request(EndClass{});
     return;
   }

@@ -271,7 +271,8 @@ fs::path fileToWrite(const SaveAs& as, Listing& listing, std::string& typed, std
   }
   if (file.extension().empty()) file += as.kinds.front();
   if (!isOneOf(as.kinds, file)) {
-    trouble = trf("Expected a name that ends in {}", fmt::format("{}", fmt::join(as.kinds, fmt::format(" {} ", tr("or")))));
+    trouble =
+        trf("Expected a name that ends in {}", fmt::format("{}", fmt::join(as.kinds, fmt::format(" {} ", tr("or")))));
     return {};
   }
   if (!fs::is_directory(file.parent_path(), error)) {

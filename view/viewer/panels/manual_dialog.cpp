@@ -39,8 +39,8 @@ bool searchBar(ManualShown& manual, bool& open) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-70.0f);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered =
-      ImGui::InputTextWithHint("##search", tr("Search the manual"), &manual.searched, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##search", tr("Search the manual"), &manual.searched,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace("manual/search");
   ImGui::SameLine();
   if (buttonWidget("manual/close", "Close")) open = false;

@@ -25,7 +25,8 @@ struct Menus {
 void item(const Menus& menus, Action action) {
   const window::KeyBinding& binding = window::bindingOf(action);
   const bool on = menus.bar.on[static_cast<std::size_t>(action)];
-  if (ImGui::MenuItem(tr(std::string(binding.name).c_str()), window::keysOf(binding).c_str(), on)) menus.asks.act(action);
+  if (ImGui::MenuItem(tr(std::string(binding.name).c_str()), window::keysOf(binding).c_str(), on))
+    menus.asks.act(action);
   notePlace(fmt::format("menu/{}", binding.name), binding.does);
 }
 
@@ -114,7 +115,8 @@ void languageMenu(const Menus& menus) {
   const std::string before = chosen;
   if (plainItem("menu/Language", "as the system", chosen.empty())) chosen.clear();
   for (const Language& offered : languages()) {
-    if (plainItem("menu/Language", std::string(offered.own_name).c_str(), chosen == offered.code)) chosen = offered.code;
+    if (plainItem("menu/Language", std::string(offered.own_name).c_str(), chosen == offered.code))
+      chosen = offered.code;
   }
   if (chosen != before) menus.asks.tell(Severity::info, "The language holds from the next start");
   ImGui::EndMenu();

@@ -200,7 +200,9 @@ void questionDialog(const std::optional<Question>& question, Asks& asks) {
     for (const std::string& answer : answers) {
       if (answer != answers.front()) ImGui::SameLine();
       const std::string path = fmt::format("question/{}", answer);
-      const char* means = answer == answers.front() ? toTranslate("Enter") : answer == answers.back() ? toTranslate("Esc") : "";
+      const char* means = answer == answers.front()  ? toTranslate("Enter")
+                          : answer == answers.back() ? toTranslate("Esc")
+                                                     : "";
       if (buttonWidget(path.c_str(), answer.c_str(), means)) {
         asks.request(AnswerQuestion{answer});
       }

@@ -37,9 +37,9 @@ struct Part {
 };
 
 std::string faultWords(std::uint32_t faults) {
-  static constexpr std::array<const char*, 5> kWords = {toTranslate("no position"), toTranslate("position too old"),
-                                                        toTranslate("the driver is in trouble"),
-                                                        toTranslate("wants to be calibrated by hand"), toTranslate("closed")};
+  static constexpr std::array<const char*, 5> kWords = {
+      toTranslate("no position"), toTranslate("position too old"), toTranslate("the driver is in trouble"),
+      toTranslate("wants to be calibrated by hand"), toTranslate("closed")};
   std::string words;
   for (std::size_t i = 0; i < kWords.size(); ++i) {
     if ((faults >> i & 1u) != 0) words += fmt::format("{}{}", words.empty() ? "" : ", ", tr(kWords[i]));
@@ -201,8 +201,8 @@ void takeWidgets(const Part& part) {
   CalibrationSteps& steps = part.calibration();
   remark(
       trf("Place {} of {}: click it on the body, hold the tip there, take it. The finger stays where it is, "
-                  "without force.",
-                  steps.of_device.size() + 1, device::kCalibrationPlaces));
+          "without force.",
+          steps.of_device.size() + 1, device::kCalibrationPlaces));
   const auto& clicked = part.panel.reading;
   const Vec3& place = part.held().known_place;
   if (!clicked) return remark("No place of the body was clicked yet.");
@@ -225,8 +225,8 @@ void calibrationWidgets(const Part& part) {
   }
   if (!steps.trouble.empty()) remark(steps.trouble);
   if (steps.found) {
-    remark(trf("The places go together within {:.1f} mm; scale {:.2f}.", steps.found->residual_mm,
-                       steps.found->frame.mm));
+    remark(
+        trf("The places go together within {:.1f} mm; scale {:.2f}.", steps.found->residual_mm, steps.found->frame.mm));
     if (part.button("use", "Use it")) return useCalibration(part, *steps.found);
     ImGui::SameLine();
   } else {

@@ -62,7 +62,8 @@ void listOf(const DysfunctionEdit& edit) {
 void newField(const DysfunctionEdit& edit) {
   if (edit.landmarks.empty()) return;
   static std::string typed;
-  const bool entered = ImGui::InputTextWithHint(tr("new"), "T9 left 51 mm", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint(tr("new"), "T9 left 51 mm", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace("dysfunctions/new");
   if (ImGui::IsItemHovered())
     ImGui::SetTooltip("%s", tr("Where: T9 left 51 mm, left PSIS, right site 4. Enter places one, +50 %."));
@@ -81,7 +82,8 @@ void fieldsOf(const DysfunctionEdit& edit, maps::Dysfunction& item, const std::s
          trf("change {}", name));
   placeField(edit, item, name);
   slider(edit, item.radius_mm,
-         {"dysfunctions/radius", "radius", "%.1f mm", 2.0, 100.0, 15.0, "Outside nothing changes."}, trf("resize {}", name));
+         {"dysfunctions/radius", "radius", "%.1f mm", 2.0, 100.0, 15.0, "Outside nothing changes."},
+         trf("resize {}", name));
   slider(edit, item.edge_softness,
          {"dysfunctions/edge", "soft edge", "%.2f", 0.0, 1.0, 0.5,
           "Share of the radius over which the change fades out; 0 is a hard edge."},

@@ -99,7 +99,8 @@ void overlayWidget(view::Look& look, view::Overlay overlay) {
   const window::KeyBinding& binding = window::bindingOf(window::actionFor(overlay));
   bool on = look.shows(overlay);
   const std::string path = fmt::format("show/{}", view::kOverlayNames[static_cast<std::size_t>(overlay)]);
-  const std::string label = fmt::format("{}  ({})", tr(std::string(binding.name).c_str()), window::shownNameOf(binding.chord));
+  const std::string label =
+      fmt::format("{}  ({})", tr(std::string(binding.name).c_str()), window::shownNameOf(binding.chord));
   if (flagWidget(path.c_str(), label.c_str(), on, std::string(binding.does).c_str())) {
     look.show(overlay, on);
   }

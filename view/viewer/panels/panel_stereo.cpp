@@ -18,11 +18,12 @@ const char* wordsFor(window::HeadTracker::State state) {
   if (state == State::tracking) return toTranslate("seen");
   if (state == State::standing_still) return toTranslate("lost: the picture stands still");
   return state == State::gliding ? toTranslate("lost: back to the place below")
-                                  : toTranslate("none is measured: the place below");
+                                 : toTranslate("none is measured: the place below");
 }
 
 void placeWidgets(Vec3& place, const std::array<const char*, 3>& paths, const Vec3& fallback, const char* meaning) {
-  static constexpr std::array<const char*, 3> kAxes = {toTranslate("right"), toTranslate("up"), toTranslate("towards you")};
+  static constexpr std::array<const char*, 3> kAxes = {toTranslate("right"), toTranslate("up"),
+                                                       toTranslate("towards you")};
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
     numberWidget(place[axis], {paths[i], kAxes[i], "%.0f mm", -1500.0, 1500.0, fallback[axis], meaning});

@@ -14,7 +14,8 @@ namespace palpate::viewer {
 namespace {
 
 constexpr auto kPressBy = allWords<device::PressBy>();
-constexpr std::array<std::string_view, kFingers> kFingerChoices = {toTranslate("left (blue)"), toTranslate("right (red)")};
+constexpr std::array<std::string_view, kFingers> kFingerChoices = {toTranslate("left (blue)"),
+                                                                   toTranslate("right (red)")};
 
 void pressWidgets(TouchSettings& touch) {
   auto by = static_cast<std::size_t>(touch.by);

@@ -22,7 +22,7 @@ constexpr float kButtonsWidth = 214.0f;
 std::string wordsFor(const Replay& replay) {
   if (replay.table.empty()) return trf("Frozen, {:.3f} s ago", replay.to_s - replay.at_s);
   return trf("{}: {:.3f} of {:.3f} s", pathOf(replay.table).filename().string(), replay.at_s - replay.from_s,
-                     replay.to_s - replay.from_s);
+             replay.to_s - replay.from_s);
 }
 
 void stepButtons(Replay& replay, Asks& asks) {

@@ -307,7 +307,8 @@ bool stopButton(const char* path, const char* label, bool wide, const char* mean
   ImGui::PushStyleColor(ImGuiCol_ButtonActive, IM_COL32(140, 12, 10, 255));
   ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
   ImGui::PushID(path);
-  const bool clicked = ImGui::Button(tr(label), wide ? ImVec2(-1.0f, 2.0f * ImGui::GetFrameHeight()) : ImVec2(0.0f, 0.0f));
+  const bool clicked =
+      ImGui::Button(tr(label), wide ? ImVec2(-1.0f, 2.0f * ImGui::GetFrameHeight()) : ImVec2(0.0f, 0.0f));
   ImGui::PopID();
   ImGui::PopStyleColor(4);
   notePlace(path, meaning);

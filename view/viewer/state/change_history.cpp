@@ -19,9 +19,9 @@ namespace palpate::viewer {
 namespace {
 
 /// What is kept from run to run and is no change: what is open, and where.
-constexpr std::array<std::string_view, 11> kNoHabits = {"version", "window_", "full_screen", "panel",      "plots",
-                                                        "numbers", "reach",   "hints",       "start_page", "recent",
-                                                        "language"};
+constexpr std::array<std::string_view, 11> kNoHabits = {"version",    "window_", "full_screen", "panel",
+                                                        "plots",      "numbers", "reach",       "hints",
+                                                        "start_page", "recent",  "language"};
 
 bool isHabit(std::string_view line) {
   return std::none_of(kNoHabits.begin(), kNoHabits.end(),

@@ -78,7 +78,7 @@ struct ViewState {
   window::Theme theme = window::Theme::dark;
   double text_size = 1.0;  ///< 0.75 to 2.5, on top of the screen's own scale
   bool reduced_motion = false;
-  std::string language = {};  ///< "de"; empty: the system's. Holds from the next start
+  std::string language = {};    ///< "de"; empty: the system's. Holds from the next start
   bool keeps_last_hour = true;  ///< records the last hour without being asked
   bool hints = true;
   bool start_page = true;           ///< when the window opens on no scene of the user's

@@ -31,9 +31,8 @@ void decodePicture(const scene::World& world) {
 
 void tellRate(ViewerState& viewer) {
   if (std::abs(viewer.scene.ticks_per_s - viewer.ticks_per_s) < 0.5) return;
-  viewer.report(Severity::info,
-                trf("Felt at {:.0f} ticks a second, as this window began; the scene says {:.0f}",
-                            viewer.ticks_per_s, viewer.scene.ticks_per_s));
+  viewer.report(Severity::info, trf("Felt at {:.0f} ticks a second, as this window began; the scene says {:.0f}",
+                                    viewer.ticks_per_s, viewer.scene.ticks_per_s));
 }
 
 /// The panel, the plots and the banner show what the servo gets.

@@ -101,8 +101,9 @@ void drawCurve(Drawing& page, const Axes& axes, std::span<const SectionPoint> cu
 void drawWords(Drawing& page, const SectionChart& chart, const LabelInks& inks) {
   const float y = chart.corner.y() + 6.0f;
   float x = chart.corner.x() + 8.0f;
-  for (const auto& [words, ink] :
-       {std::pair<std::string_view, Ink>{tr("section"), inks.letter}, {tr("rest"), inks.rest}, {tr("deformed"), inks.deformed}}) {
+  for (const auto& [words, ink] : {std::pair<std::string_view, Ink>{tr("section"), inks.letter},
+                                   {tr("rest"), inks.rest},
+                                   {tr("deformed"), inks.deformed}}) {
     page.text({x, y}, words, ink, Align::left, TextSize::small);
     x += page.measure(words, TextSize::small).x() + 12.0f;
   }
