@@ -224,7 +224,7 @@ void MeasuringMode::take(ViewerState& viewer) {
   if (result->measured) takeMeasured(view, result->measured, std::move(result->overlay), result->of_photographs);
   if (result->errors.empty()) return;
   view.failure = result->errors.front();
-  for (std::string& error : result->errors) viewer.report(Severity::error, std::move(error));
+  for (const std::string& error : result->errors) viewer.report(Severity::error, error);
 }
 
 MeasuringMode::Accepting MeasuringMode::accept(ViewerState& viewer, bool sure) {

@@ -10,7 +10,6 @@
 #include <span>
 #include <string_view>
 
-#include "palpate/base/language.h"
 #include "palpate/window/input.h"
 
 struct ImFont;
@@ -18,8 +17,7 @@ struct ImFont;
 namespace palpate::window {
 
 enum class Theme : std::uint8_t { dark, light, contrast };
-inline constexpr std::array<std::string_view, 3> kThemeNames = {toTranslate("dark"), toTranslate("light"),
-                                                                toTranslate("high contrast")};
+inline constexpr std::array<std::string_view, 3> kThemeNames = {"dark", "light", "high contrast"};
 
 /// Letters of equal width, for code; in the current context of ImGui.
 ImFont* evenFont();

@@ -12,7 +12,6 @@
 #include <string>
 #include <string_view>
 
-#include "palpate/base/language.h"
 #include "palpate/view/look.h"
 
 namespace palpate::window {
@@ -134,8 +133,7 @@ struct Chord {
 };
 
 enum class KeyGroup : std::uint8_t { touch, view, overlays, window, file };
-inline constexpr std::array<std::string_view, 5> kKeyGroupNames = {
-    toTranslate("Touch"), toTranslate("View"), toTranslate("Overlays"), toTranslate("Window"), toTranslate("File")};
+inline constexpr std::array<std::string_view, 5> kKeyGroupNames = {"Touch", "View", "Overlays", "Window", "File"};
 
 struct KeyBinding {
   Action action;

@@ -63,7 +63,7 @@ std::optional<Marked> markedAt(std::string_view text) {
 Inlines inlinesOf(std::string_view text) {
   Inlines words;
   std::string plain;
-  const auto endPlain = [&] {
+  const auto end_plain = [&] {
     if (!plain.empty()) words.push_back({Inline::Kind::plain, plain});
     plain.clear();
   };
@@ -72,7 +72,7 @@ Inlines inlinesOf(std::string_view text) {
       plain += text[1];
       text.remove_prefix(2);
     } else if (const auto marked = markedAt(text)) {
-      endPlain();
+      end_plain();
       words.push_back(marked->words);
       text.remove_prefix(marked->length);
     } else {
@@ -80,7 +80,7 @@ Inlines inlinesOf(std::string_view text) {
       text.remove_prefix(1);
     }
   }
-  endPlain();
+  end_plain();
   return words;
 }
 

@@ -103,6 +103,8 @@ constexpr ControlRow kControlWords[] = {
 /// Words of the engine that are shown as they are: what is being built, safety rules, choices of keys and enumerations.
 // clang-format off
 [[maybe_unused]] constexpr const char* kEngineWords[] = {
+    toTranslate("dark"), toTranslate("light"), toTranslate("high contrast"),  // window::kThemeNames
+    toTranslate("Touch"), toTranslate("View"), toTranslate("Overlays"), toTranslate("Window"), toTranslate("File"),  // window::kKeyGroupNames
     toTranslate("opening"), toTranslate("laying the texture"), toTranslate("looking for self-intersections"),
     toTranslate("checking"), toTranslate("reading the texture coordinates"),
     toTranslate("building the contact surface"), toTranslate("building the torso"), toTranslate("building the back"),

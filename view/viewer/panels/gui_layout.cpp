@@ -106,9 +106,7 @@ void doActions(ViewerState& viewer, const Modes& modes) {
     if (modes.handle({.kind = window::Command::Kind::act, .action = action}, viewer)) continue;
     perform(action, viewer);
   }
-  for (Asks::Words& words : std::exchange(viewer.asks.words, {})) {
-    viewer.report(words.severity, std::move(words.text));
-  }
+  for (const Asks::Words& words : std::exchange(viewer.asks.words, {})) viewer.report(words.severity, words.text);
 }
 
 }  // namespace

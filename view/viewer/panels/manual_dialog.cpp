@@ -85,16 +85,16 @@ void pageShown(ManualShown& manual) {
 }  // namespace
 
 void manualDialog(ManualShown& manual, bool& open) {
-  const char* const kTitle = tr("Manual");
-  const bool shown = ImGui::IsPopupOpen(kTitle);
+  const char* const title = tr("Manual");
+  const bool shown = ImGui::IsPopupOpen(title);
   if (!open && !shown) return;
-  if (!shown) ImGui::OpenPopup(kTitle);
+  if (!shown) ImGui::OpenPopup(title);
   const ImVec2 room = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(kWidestManual, room.x - kManualMargin), room.y - kManualMargin});
   constexpr auto kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_NoSavedSettings;
-  if (!ImGui::BeginPopupModal(kTitle, &open, kFlags)) return;
+  if (!ImGui::BeginPopupModal(title, &open, kFlags)) return;
   const bool entered = searchBar(manual, open);
   if (!manual.outside.empty()) remark(trf("Not a page of the manual: {}", manual.outside));
   const bool searches = !manual.searched.empty();

@@ -31,6 +31,7 @@ void PreviewPane::draw() {
   if (preview == nullptr) return remark("reading ...");
   if (picture_) {
     const float side = std::min(static_cast<float>(preview->picture->width), ImGui::GetContentRegionAvail().x);
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui's own way
     const auto texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture_->texture()));
     ImGui::Image(texture, {side, side});
     notePlace("open/picture");

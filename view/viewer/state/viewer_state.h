@@ -80,7 +80,7 @@ struct ViewerState {
 
   void request(Request request) { asks.request(std::move(request)); }
   void ask(Question asked) { question = std::move(asked); }
-  void report(Severity severity, std::string text) { messages.add(severity, std::move(text), now_s); }
+  void report(Severity severity, const std::string& text) { messages.add(severity, text, now_s); }
   void plot(const trace::Sample& sample) { plots.fingers[sample.finger].add(sample, device_limit_n); }
   DysfunctionEdit dysfunctions() { return {scene.dysfunctions, editor, asks, world.landmarks}; }
 };
