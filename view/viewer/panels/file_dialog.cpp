@@ -94,7 +94,7 @@ Walked walk(Listing& listing, const char* path, const std::string& selected = {}
     for (const fs::path& file : listing.files) {
       const std::string name = file.filename().string();
       const bool clicked = ImGui::Selectable(name.c_str(), name == selected, ImGuiSelectableFlags_AllowDoubleClick);
-      notePlace(fmt::format("{}/files/{}", path, name));
+      notePlace(fmt::format("{}/files/{}", path, name), "Click to take it or to go into it.");
       if (!clicked) continue;
       chosen = {file.string(), ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)};
     }

@@ -57,8 +57,11 @@ mesh::TriangleMesh fittedSkin(const TrunkField& field, std::size_t triangles) {
 
 FoldAmounts foldsOf(const TrunkShape& shape) {
   constexpr double kBellyWithin = 4.5;  // kg/m^2 from the fitted body
+  constexpr double kFilledBy = 20.0;    // kg/m^2: fat fills the crease under the buttock
+  constexpr double kLeastGluteal = 0.4;
   const double away = std::abs(shape.body_mass_index - kFittedMassIndex);
-  return {.gluteal = shape.posture == Posture::sitting ? kGlutealOfSitting : 1.0,
+  const double filled = std::max(0.0, shape.body_mass_index - kFittedMassIndex) / kFilledBy;
+  return {.gluteal = shape.posture == Posture::sitting ? kGlutealOfSitting : std::max(kLeastGluteal, 1.0 - filled),
           .belly = std::max(0.0, 1.0 - away / kBellyWithin)};
 }
 
