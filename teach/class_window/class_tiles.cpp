@@ -15,8 +15,6 @@ namespace {
 using classroom::Need;
 using classroom::Tile;
 
-constexpr float kTileWidth = 218.0f;
-constexpr float kTileHeight = 112.0f;
 constexpr double kFullForceN = 5.0;  ///< a bar is full: harder than anybody palpates
 /// What a station reports of its device (training_mode.cpp).
 constexpr const char* kEmergencyStop = toTranslate("emergency stop");
@@ -109,37 +107,54 @@ void forceBar(const Tile& tile, float width, float height) {
   ImGui::Dummy({width, height});
 }
 
-void tileInside(const Tile& tile) {
-  const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::TextUnformatted(tile.station.c_str());
+void nameAndAge(const Tile& tile) {
   const std::string age = ageWords(tile);
-  ImGui::SameLine(width - ImGui::CalcTextSize(age.c_str()).x);
+  ImGui::TextUnformatted(tile.station.c_str());
+  ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(age.c_str()).x);
   ImGui::TextDisabled("%s", age.c_str());
+}
+
+void needLine(Need need) {
+  ImGui::PushStyleColor(ImGuiCol_Text, kUrgent);
+  ImGui::TextUnformatted(fmt::format("! {}", tr(std::string(classroom::wordsOf(need)).c_str())).c_str());
+  ImGui::PopStyleColor();
+}
+
+void trialLine(const classroom::StationState& state) {
+  const std::string trial = trialWords(state);
+  ImGui::TextUnformatted((state.paused ? trf("{}, paused", trial) : trial).c_str());
+}
+
+void forceLine(const Tile& tile) {
+  constexpr float kBarHeight = 12.0f;
+  forceBar(tile, 0.55f * ImGui::GetContentRegionAvail().x, kBarHeight);
+  ImGui::SameLine();
+  ImGui::TextUnformatted(trf("{} pressed", tile.live.sites_pressed).c_str());
+}
+
+void tileInside(const Tile& tile, bool compact) {
+  nameAndAge(tile);
   if (!tile.state) {
     ImGui::TextDisabled("%s", tile.online ? tr("nobody signed in") : "");
     return;
   }
-  const std::string trial = trialWords(*tile.state);
-  ImGui::TextUnformatted((tile.state->paused ? trf("{}, paused", trial) : trial).c_str());
-  ImGui::TextUnformatted(levelWords(*tile.state).c_str());
-  forceBar(tile, 0.55f * width, 12.0f);
-  ImGui::SameLine();
-  ImGui::TextUnformatted(trf("{} pressed", tile.live.sites_pressed).c_str());
-  if (tile.need == Need::none) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, kUrgent);
-  ImGui::TextUnformatted(fmt::format("! {}", tr(std::string(classroom::wordsOf(tile.need)).c_str())).c_str());
-  ImGui::PopStyleColor();
+  const bool needs = tile.need != Need::none;
+  if (!compact || !needs) trialLine(*tile.state);
+  if (!compact) ImGui::TextUnformatted(levelWords(*tile.state).c_str());
+  if (compact && needs) needLine(tile.need);
+  forceLine(tile);
+  if (!compact && needs) needLine(tile.need);
 }
 
 /// True when it was clicked.
-bool oneTile(const Tile& tile, bool opened) {
+bool oneTile(const Tile& tile, const TileLayout& layout, bool opened) {
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, tile.fresh || tile.age_s == std::nullopt ? 1.0f : 0.6f);
   const ImU32 edge = tile.need != Need::none ? kUrgent : opened ? kCalm : inkOfText(0.25f);
   ImGui::PushStyleColor(ImGuiCol_Border, edge);
   ImGui::PushStyleVar(ImGuiStyleVar_ChildBorderSize, opened || tile.need != Need::none ? 2.0f : 1.0f);
-  if (ImGui::BeginChild(tile.station.c_str(), {kTileWidth, kTileHeight}, true,
+  if (ImGui::BeginChild(tile.station.c_str(), {layout.width, layout.height}, true,
                         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-    tileInside(tile);
+    tileInside(tile, layout.compact);
   }
   ImGui::EndChild();
   ImGui::PopStyleVar();
@@ -210,6 +225,16 @@ void thresholdBand(const classroom::StationState& state) {
   }
 }
 
+/// Dark figures on a light disc: readable on every tone of skin, under the finger too.
+void siteLabel(const ImVec2& at, const std::string& number, bool under) {
+  constexpr float kRadius = 11.0f;  // points: two figures fit
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddCircleFilled(at, kRadius, IM_COL32(250, 250, 250, 215));
+  draw.AddCircle(at, kRadius, under ? kUrgent : IM_COL32(30, 30, 30, 200), 0, under ? 3.0f : 1.2f);
+  const ImVec2 size = ImGui::CalcTextSize(number.c_str());
+  draw.AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, IM_COL32(20, 20, 20, 255), number.c_str());
+}
+
 void backWithFinger(const OpenedStation& station, float height) {
   const BackPicture& back = station.back;
   const Tile& tile = station.tile;
@@ -228,12 +253,8 @@ void backWithFinger(const OpenedStation& station, float height) {
   };
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   for (std::size_t i = 0; i < back.sites.size(); ++i) {
-    const ImVec2 at = on_screen(back.sites[i]);
     const bool under = tile.fresh && tile.live.site == static_cast<int>(i) + 1;
-    draw.AddCircle(at, 9.0f, under ? kUrgent : IM_COL32(30, 30, 30, 200), 0, under ? 2.5f : 1.2f);
-    const std::string number = std::to_string(i + 1);
-    const ImVec2 size = ImGui::CalcTextSize(number.c_str());
-    draw.AddText({at.x - 0.5f * size.x, at.y - 0.5f * size.y}, IM_COL32(20, 20, 20, 255), number.c_str());
+    siteLabel(on_screen(back.sites[i]), std::to_string(i + 1), under);
   }
   const auto finger = tile.online && tile.age_s ? back.seen_at(tile.live.finger_mm) : std::nullopt;
   if (!finger || finger->minCoeff() < 0.0 || finger->maxCoeff() > 1.0) return;
@@ -265,15 +286,15 @@ std::optional<classroom::Command> commandRow(const Tile& tile, ClassView& view) 
 
 }  // namespace
 
-std::optional<std::string> classTiles(const std::vector<Tile>& tiles, const ClassView& view, float width) {
+std::optional<std::string> classTiles(const std::vector<Tile>& tiles, const ClassView& view, const Vec2& room) {
   std::optional<std::string> clicked;
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  const int columns = std::max(1, static_cast<int>((width + gap) / (kTileWidth + gap)));
+  const TileLayout layout = tilesIn(
+      {static_cast<float>(room.x()), static_cast<float>(room.y()), ImGui::GetStyle().ItemSpacing.x}, tiles.size());
   int column = 0;
   for (const Tile& tile : tiles) {
     if (column > 0) ImGui::SameLine();
-    if (oneTile(tile, tile.station == view.opened)) clicked = tile.station;
-    column = (column + 1) % columns;
+    if (oneTile(tile, layout, tile.station == view.opened)) clicked = tile.station;
+    column = (column + 1) % layout.columns;
   }
   return clicked;
 }

@@ -125,8 +125,9 @@ void classFrame(classroom::ClassWatch& watch, const BackPicture& back, const Vec
   if (ImGui::Begin("class", nullptr, kFlags)) {
     topRow(watch, tiles);
     const float width = ImGui::GetContentRegionAvail().x - kOpenedWidth;
+    const Vec2 room(width - ImGui::GetStyle().ScrollbarSize, ImGui::GetContentRegionAvail().y);
     if (ImGui::BeginChild("tiles", {width, 0.0f})) {
-      if (const auto clicked = classTiles(tiles, view, width - ImGui::GetStyle().ScrollbarSize)) {
+      if (const auto clicked = classTiles(tiles, view, room)) {
         view.opened = *clicked == view.opened ? std::string() : *clicked;
         view.told.clear();
       }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -50,8 +51,28 @@ struct BackPicture {
   std::function<std::optional<Vec2>(const Vec3& place_mm)> seen_at;
 };
 
-/// Returns the station whose tile was clicked.
-std::optional<std::string> classTiles(const std::vector<classroom::Tile>& tiles, const ClassView& view, float width);
+// How large the tiles are, so that one station fills the window and thirty are seen without scrolling.
+
+/// Points.
+struct TileLayout {
+  int columns = 1;
+  float width = 0.0f;
+  float height = 0.0f;
+  bool compact = false;  ///< without the level, and what a station needs in place of its trial
+};
+
+struct TileRoom {
+  float width = 0.0f;
+  float height = 0.0f;
+  float gap = 0.0f;  ///< between tiles
+};
+
+/// The largest tiles of `count` that fit; where none do, the smallest, and the caller scrolls.
+TileLayout tilesIn(const TileRoom& room, std::size_t count);
+
+/// In a room of this width and height, points. Returns the station whose tile was clicked.
+std::optional<std::string> classTiles(const std::vector<classroom::Tile>& tiles, const ClassView& view,
+                                      const Vec2& room);
 
 /// The station that is open.
 struct OpenedStation {

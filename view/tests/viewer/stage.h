@@ -63,6 +63,8 @@ class Stage {
   void frame(const std::vector<window::InputEvent>& events = {}) {
     viewer->frame(kStageWidth, kStageHeight, 1.0, now_s += 1.0 / 60.0, events);
   }
+  /// In the smallest window that panels are made for.
+  void smallFrame() { viewer->frame(640, 480, 1.0, now_s += 1.0 / 60.0, {}); }
   /// Frames until it is so, for at most twenty seconds.
   template <class Ready>
   bool until(const Ready& ready) {

@@ -60,8 +60,10 @@ FoldAmounts foldsOf(const TrunkShape& shape) {
   constexpr double kFilledBy = 20.0;    // kg/m^2: fat fills the crease under the buttock
   constexpr double kLeastGluteal = 0.4;
   const double away = std::abs(shape.body_mass_index - kFittedMassIndex);
-  const double filled = std::max(0.0, shape.body_mass_index - kFittedMassIndex) / kFilledBy;
-  return {.gluteal = shape.posture == Posture::sitting ? kGlutealOfSitting : std::max(kLeastGluteal, 1.0 - filled),
+  constexpr double kThinnedBy = 40.0;  // kg/m^2: a thin buttock hangs over it less
+  const double over = shape.body_mass_index - kFittedMassIndex;
+  const double standing = std::max(kLeastGluteal, 1.0 - (over > 0.0 ? over / kFilledBy : -over / kThinnedBy));
+  return {.gluteal = shape.posture == Posture::sitting ? kGlutealOfSitting : standing,
           .belly = std::max(0.0, 1.0 - away / kBellyWithin)};
 }
 
