@@ -60,7 +60,7 @@ FoldAmounts foldsOf(const TrunkShape& shape) {
   constexpr double kFilledBy = 20.0;    // kg/m^2: fat fills the crease under the buttock
   constexpr double kLeastGluteal = 0.4;
   const double away = std::abs(shape.body_mass_index - kFittedMassIndex);
-  constexpr double kThinnedBy = 40.0;  // kg/m^2: a thin buttock hangs over it less
+  constexpr double kThinnedBy = 36.0;  // kg/m^2: a thin buttock hangs over it less
   const double over = shape.body_mass_index - kFittedMassIndex;
   const double standing = std::max(kLeastGluteal, 1.0 - (over > 0.0 ? over / kFilledBy : -over / kThinnedBy));
   return {.gluteal = shape.posture == Posture::sitting ? kGlutealOfSitting : standing,
