@@ -1,3 +1,4 @@
+// Full tiles where all of them fit, compact ones where they do not, and scrolling where even these do not. Cold.
 #include "teach/class_window/class_window.h"
 
 #include <algorithm>
