@@ -1,0 +1,67 @@
+// How much a press strains the tissue below it: strain energy densities per kPa of modulus, by place and by depth of
+// the press.
+//
+// The finite element solver writes it as the optional key `field` of a layered table; lumps are felt through it
+// (lump_energy.h). Rows jump at the borders of layers, so every layer has rows of its own from its top to its bottom,
+// and nothing is interpolated across. Places are those of the tissue at rest.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace palpate::tissue {
+
+struct LayerStack;
+
+/// Of one press: how its pressure falls off from the middle, p = F (q + 1) / (pi c^2) (1 - r^2 / c^2)^q.
+struct PressurePattern {
+  double contact_radius_mm = 0.0;  ///< c, seen along the axis
+  double exponent = 0.0;           ///< q; 0: flat, 0.5: Hertz
+};
+
+/// Densities are kept as their fourth roots, which change nearly straight between neighbours.
+struct PressField {
+  std::vector<double> radii_mm;   ///< from the axis, increasing from 0
+  std::vector<double> rows_mm;    ///< under the skin at rest; a layer's first row at its top, its last at its bottom
+  std::vector<int> row_layers;    ///< of the stack, one per row
+  std::vector<double> depths_mm;  ///< of the presses, increasing, > 0
+  std::vector<PressurePattern> patterns;  ///< one per press
+  /// Fourth roots of w_s = (F:F - 3) / 2 - ln J and w_v = (ln J)^2 / 2: that of row i, radius j, press k at
+  /// (i * radii + j) * presses + k.
+  std::vector<float> shear;
+  std::vector<float> volume;
+
+  std::size_t size() const { return rows_mm.size() * radii_mm.size() * depths_mm.size(); }
+};
+
+/// Throws Error naming what makes no sense for this stack: sizes, numbers that are not finite or out of range, radii,
+/// rows or depths that do not increase, a layer whose rows do not reach from its top to its bottom.
+void check(const PressField& field, const LayerStack& stack);
+
+/// A place among the field's knots, found once for all presses. No allocation.
+struct FieldPlace {
+  std::array<std::size_t, 4> at{};  ///< of the first press, in `shear` and `volume`
+  std::array<float, 4> weight{};    ///< of fourth roots; add up to 1, or are all 0 below the last row
+};
+
+/// Of a depth at rest within a layer: rows above and below, and the share of the lower one. Below the last row: share 0
+/// and `held`.
+struct FieldRow {
+  std::size_t above = 0;
+  std::size_t below = 0;
+  double share = 0.0;
+  bool held = false;  ///< at or in the bone, where nothing is strained
+};
+FieldRow rowAt(const PressField& field, double depth_mm) noexcept;
+FieldPlace placeAt(const PressField& field, const FieldRow& row, double radius_mm) noexcept;
+
+/// w_s and w_v of one press.
+struct StrainDensity {
+  double shear = 0.0;
+  double volume = 0.0;
+};
+StrainDensity densityAt(const PressField& field, const FieldPlace& place, std::size_t press) noexcept;
+
+}  // namespace palpate::tissue
