@@ -2,11 +2,14 @@
 // with the drags that photographs are fitted by.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/kit/commands.h"
@@ -35,6 +38,7 @@ struct LibraryArguments {
   bool solve = false;
   bool fingers = false;
   bool drag = false;
+  bool field = false;
   bool json = false;
 };
 
@@ -140,6 +144,71 @@ std::string dragText(const Progress& progress) {
   return text;
 }
 
+/// Fourth roots of a row in steps of a 4,095th of the greatest, two characters each (library_fields.cpp reads them).
+std::string packedRow(std::span<const float> roots, double scale) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr double kSteps = 4095.0;
+  std::string text;
+  for (const float root : roots) {
+    const auto step = static_cast<std::size_t>(std::lround(kSteps * std::clamp(double{root} / scale, 0.0, 1.0)));
+    text += kDigits[step / kDigits.size()];
+    text += kDigits[step % kDigits.size()];
+  }
+  return text;
+}
+
+std::string packedRowsOf(const tissue::PressField& field) {
+  const std::size_t size = field.radii_mm.size() * field.depths_mm.size();
+  std::string text;
+  for (std::size_t row = 0; row < field.rows_mm.size(); ++row) {
+    const auto shear = std::span(field.shear).subspan(row * size, size);
+    const auto volume = std::span(field.volume).subspan(row * size, size);
+    const float most_shear = *std::ranges::max_element(shear);
+    const float most_volume = *std::ranges::max_element(volume);
+    text +=
+        fmt::format("    {{{:.9g}, {}, {:.6g}, {:.6g}, \"{}\", \"{}\"}},\n", field.rows_mm[row], field.row_layers[row],
+                    most_shear, most_volume, packedRow(shear, most_shear), packedRow(volume, most_volume));
+  }
+  return text;
+}
+
+/// The fields of the stacks as the shipped file has them, from meshes twice as fine as those of the forces.
+std::string fieldsText(const Progress& progress) {
+  constexpr double kFineness = 2.0;
+  const std::vector<double> all_depths = elements::fieldDepths(kDepthsMm.back());
+  std::vector<double> radii;
+  std::string sizes;
+  std::string patterns;
+  std::string rows;
+  const std::size_t count = kThicknessesMm.size() * kFatShares.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    report(progress, "solving the fields", static_cast<double>(i) / static_cast<double>(count));
+    const double thickness = kThicknessesMm[i / kFatShares.size()];
+    elements::PressSettings press;
+    press.fineness = kFineness;
+    press.field_depths_mm = elements::fieldDepths((1.0 - kClosestToBone) * thickness);
+    std::erase_if(press.field_depths_mm, [](double depth) { return depth > kDepthsMm.back(); });
+    press.depths_mm = {press.field_depths_mm.back()};
+    const elements::PressSolution solution =
+        elements::solvePress(tissue::libraryStack(thickness, kFatShares[i % kFatShares.size()]), press);
+    if (!solution.table.field) throw Error(fmt::format("{} mm: {}", thickness, solution.stopped_by));
+    const tissue::PressField& field = *solution.table.field;
+    radii = field.radii_mm;
+    sizes += fmt::format("{{{}, {}}}, ", field.rows_mm.size(), field.depths_mm.size());
+    for (const tissue::PressurePattern& pattern : field.patterns) {
+      patterns += fmt::format("{{{:.4g}, {:.3g}}}, ", pattern.contact_radius_mm, pattern.exponent);
+    }
+    patterns += "\n    ";
+    rows += packedRowsOf(field);
+  }
+  return "// Made by `palpate tissue library --solve --field`; library_fields.cpp says what stands where.\n" +
+         fmt::format("constexpr double kFieldRadiiMm[] = {{{}}};\n", listOf(radii)) +
+         fmt::format("constexpr double kFieldDepthsMm[] = {{{}}};\n", listOf(all_depths)) +
+         fmt::format("constexpr ShippedField kFields[] = {{{}}};\n", sizes) +
+         fmt::format("constexpr PressurePattern kFieldPatterns[] = {{\n    {}}};\n", patterns) +
+         "constexpr ShippedRow kFieldRows[] = {\n" + rows + "};\n";
+}
+
 void solveDrags(const LibraryArguments& arguments) {
   if (arguments.output.empty()) throw Error("--drag needs -o FILE");
   ProgressLine progress;
@@ -155,7 +224,11 @@ void solveLibrary(const LibraryArguments& arguments) {
   std::string text;
   {
     ProgressLine progress;
-    text = arguments.fingers ? fingersText(progress.callback()) : libraryText(solvedNodes(progress.callback()));
+    if (arguments.field) {
+      text = fieldsText(progress.callback());
+    } else {
+      text = arguments.fingers ? fingersText(progress.callback()) : libraryText(solvedNodes(progress.callback()));
+    }
   }
   OutputFile file(arguments.output);
   file.write(text);
@@ -208,6 +281,13 @@ void addTissueLibraryCommand(CLI::App& parent) {
   command
       .add_flag("--drag", a.drag,
                 "With --solve: the drags that `palpate measure` fits to photographs, instead of the body's")
+      ->needs(&solve)
+      ->excludes(&fingers);
+  command
+      .add_flag(
+          "--field", a.field,
+          "With --solve: the strain energy under each press, which lumps are felt through and which has its own file "
+          "(5 minutes)")
       ->needs(&solve)
       ->excludes(&fingers);
   namesFileToWrite(command.add_option("-o,--out", a.output, "With --solve: the file"));

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/kit/commands.h"
@@ -17,6 +19,8 @@
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/base/text.h"
 #include "palpate/elements/finger_solver.h"
 #include "palpate/elements/stack_solver.h"
 #include "report/charts/picture_file.h"
@@ -36,6 +40,8 @@ struct SolveArguments {
   double contact_kpa_per_mm = 1500.0;
   bool no_drag = false;
   bool fingers = false;
+  bool field = false;
+  std::string lump;
   std::string output;
   std::string plot;
   bool json = false;
@@ -66,6 +72,26 @@ tissue::LayerStack stackFrom(const SolveArguments& arguments) {
   return stack;
 }
 
+/// "10mm:6mm:60kPa", "10mm:6mm:60kPa:0.5": diameter, depth of its top, modulus, softness of its edge.
+elements::Inclusion lumpFrom(const std::string& words) {
+  const std::vector<std::string_view> parts = split(words, ':');
+  const bool soft = parts.size() == 4;
+  elements::Inclusion lump;
+  if (parts.size() == 3 || soft) {
+    const auto diameter = tissue::parseMillimetres(parts[0]);
+    const auto depth = tissue::parseMillimetres(parts[1]);
+    lump.young_kpa = tissue::parseKilopascals(parts[2]);
+    const auto edge = soft ? parseNumber(parts[3]) : std::optional(0.0);
+    if (diameter && depth && lump.young_kpa && edge) {
+      lump.across_mm = lump.into_mm = 0.5 * *diameter;
+      lump.top_mm = *depth;
+      lump.edge = *edge;
+      return lump;
+    }
+  }
+  throw Error(fmt::format("--lump {}: a lump is DIAMETER:DEPTH:MODULUS, such as 10mm:6mm:60kPa", oneLine(words)));
+}
+
 nlohmann::ordered_json jsonOf(const elements::StackSolution& solution) {
   const elements::PressSolution& press = solution.press;
   nlohmann::ordered_json json = {{"seconds", solution.seconds}};
@@ -90,6 +116,20 @@ nlohmann::ordered_json jsonOf(const elements::StackSolution& solution) {
   for (const tissue::FingerForces& finger : press.table.fingers) {
     json["fingers"].push_back(
         {{"radius_mm", finger.radius_mm}, {"depths", finger.depths_mm}, {"force_n", finger.force_n}});
+  }
+  json["pressure_kpa"] = press.ring_pressures_kpa;
+  json["field"] = nullptr;
+  if (press.table.field) {
+    const tissue::PressField& field = *press.table.field;
+    json["field"] = {{"radii", field.radii_mm.size()},
+                     {"rows", field.rows_mm.size()},
+                     {"depths", field.depths_mm},
+                     {"contact_radius_mm", nlohmann::ordered_json::array()},
+                     {"pressure_exponent", nlohmann::ordered_json::array()}};
+    for (const tissue::PressurePattern& pattern : field.patterns) {
+      json["field"]["contact_radius_mm"].push_back(pattern.contact_radius_mm);
+      json["field"]["pressure_exponent"].push_back(pattern.exponent);
+    }
   }
   json["drag"] = nullptr;
   if (press.table.drag) {
@@ -124,6 +164,11 @@ std::string textOf(const elements::StackSolution& solution) {
     text += fmt::format("finger of {:g} mm: {:.3f} N at {:.4g} mm\n", finger.radius_mm, finger.force_n.back(),
                         finger.depths_mm.back());
   }
+  if (press.table.field) {
+    const tissue::PressField& field = *press.table.field;
+    text += fmt::format("field     {} radii, {} rows, {} presses from {:g} to {:g} mm\n", field.radii_mm.size(),
+                        field.rows_mm.size(), field.depths_mm.size(), field.depths_mm.front(), field.depths_mm.back());
+  }
   text += fmt::format("solved to {:.4g} mm in {:.1f} s\n", press.converged_to_mm, solution.seconds);
   return text;
 }
@@ -146,7 +191,9 @@ void runSolve(const SolveArguments& arguments) {
   settings.press.fineness = arguments.fineness;
   settings.press.bone_radius_mm = arguments.bone_radius_mm;
   settings.press.contact_kpa_per_mm = arguments.contact_kpa_per_mm;
-  if (arguments.no_drag) settings.drag.reset();
+  if (arguments.no_drag || !arguments.lump.empty()) settings.drag.reset();
+  if (arguments.field) settings.press.field_depths_mm = elements::fieldDepths(settings.press.depths_mm.back());
+  if (!arguments.lump.empty()) settings.press.lump = lumpFrom(arguments.lump);
 
   const FinishesInOrder in_order;
   ProgressLine progress;
@@ -198,6 +245,14 @@ void addTissueSolveCommand(CLI::App& parent) {
   command.add_flag("--fingers", a.fingers,
                    "Press spheres of 1 to 24 mm too (some 20 s): a scene then takes the table's own forces for a "
                    "finger's radius instead of the shipped stacks' ratio");
+  CLI::Option& field = *command.add_flag(
+      "--field", a.field,
+      "Write the strain energy under each press into the table too, down to the deepest of --depths: lumps need it");
+  command
+      .add_option("--lump", a.lump,
+                  "Press over a lump: DIAMETER:DEPTH:MODULUS, its depth being that of its top under the skin, as in "
+                  "10mm:6mm:60kPa; a fourth part, 0 (sharp, default) to 1, makes its edge soft. Without drag and field")
+      ->excludes(&field);
   namesFileToWrite(command.add_option("-o,--out", a.output, "Table to write (JSON)"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");

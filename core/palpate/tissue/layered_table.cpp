@@ -307,6 +307,7 @@ void check(const LayeredTable& table) {
   }
   if (table.drag) check(*table.drag, table.radii_mm.size());
   checkFingers(table);
+  if (table.field) check(*table.field, table.stack);
 }
 
 std::string layeredTableText(const LayeredTable& table) {
@@ -318,6 +319,7 @@ std::string layeredTableText(const LayeredTable& table) {
   text += fmt::format("]}},\n  \"indenter_radius_mm\": {},\n", table.indenter_radius_mm);
   if (table.drag) text += dragText(*table.drag);
   if (!table.fingers.empty()) text += fingersText(table.fingers);
+  if (table.field) text += "  \"field\": " + fieldText(*table.field) + ",\n";
   text += fmt::format("  \"radii_mm\": {},\n  \"shapes\": [\n", listText(table.radii_mm, "    "));
   for (std::size_t i = 0; i < table.shapes.size(); ++i) {
     text += fmt::format("{}{}", i == 0 ? "" : ",\n", shapeText(table.shapes[i]));
@@ -340,6 +342,7 @@ LayeredTable parseLayeredTable(std::string_view json, std::string_view name) {
   if (root["fingers"]) {
     for (const mesh::JsonValue& finger : root["fingers"].items()) table.fingers.push_back(fingerFrom(finger));
   }
+  if (root["field"]) table.field = fieldFrom(root["field"]);
   try {
     check(table);
   } catch (const Error& error) {
@@ -356,6 +359,9 @@ void writeLayeredTable(const std::filesystem::path& file, const LayeredTable& ta
   check(table);
   writeFile(file, layeredTableText(table));
 }
+
+std::optional<double> parseMillimetres(std::string_view text) { return quantityFrom(text, kLengths); }
+std::optional<double> parseKilopascals(std::string_view text) { return quantityFrom(text, kModuli); }
 
 Layer parseLayer(std::string_view text) {
   const std::string where = fmt::format("layer '{}'", oneLine(text));

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "palpate/tissue/press_field.h"
+
 namespace palpate::tissue {
 
 /// One sheet of a stack, nearly incompressible neo-Hookean.
@@ -72,6 +74,7 @@ struct LayeredTable {
   /// Of other radii than the indenter's, increasing; none: the shipped stacks say how forces change with the radius
   /// (nodeOf in layered_tissue.h).
   std::vector<FingerForces> fingers = {};
+  std::optional<PressField> field = {};  ///< where it was solved; lumps need it
 };
 
 /// Throws Error naming what makes no sense: radii or depths that do not increase, shapes of other sizes, forces that
@@ -89,5 +92,9 @@ std::string layeredTableText(const LayeredTable& table);
 /// "skin:2mm:150kPa" -> Layer. Units mm and kPa (or MPa, cm) are asked for or may be left out; throws Error saying the
 /// form.
 Layer parseLayer(std::string_view text);
+
+/// "10mm", "1 cm", "10"; "60kPa", "0.06 MPa", "60": nothing for anything else.
+std::optional<double> parseMillimetres(std::string_view text);
+std::optional<double> parseKilopascals(std::string_view text);
 
 }  // namespace palpate::tissue

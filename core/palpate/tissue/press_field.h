@@ -11,6 +11,10 @@
 #include <string>
 #include <vector>
 
+namespace palpate::mesh {
+class JsonValue;
+}
+
 namespace palpate::tissue {
 
 struct LayerStack;
@@ -40,21 +44,26 @@ struct PressField {
 /// rows or depths that do not increase, a layer whose rows do not reach from its top to its bottom.
 void check(const PressField& field, const LayerStack& stack);
 
-/// A place among the field's knots, found once for all presses. No allocation.
-struct FieldPlace {
-  std::array<std::size_t, 4> at{};  ///< of the first press, in `shear` and `volume`
-  std::array<float, 4> weight{};    ///< of fourth roots; add up to 1, or are all 0 below the last row
-};
+/// The value of a table's key `field`, and back. Reading throws Error at a value of the wrong kind; check() is the
+/// caller's.
+std::string fieldText(const PressField& field);
+PressField fieldFrom(const mesh::JsonValue& value);
 
-/// Of a depth at rest within a layer: rows above and below, and the share of the lower one. Below the last row: share 0
-/// and `held`.
+/// Of a depth at rest within a layer: up to four neighbouring rows of it and their weights, which add up to 1. At or in
+/// the bone, where nothing is strained: no rows.
 struct FieldRow {
-  std::size_t above = 0;
-  std::size_t below = 0;
-  double share = 0.0;
-  bool held = false;  ///< at or in the bone, where nothing is strained
+  std::size_t first = 0;
+  std::size_t count = 0;
+  std::array<double, 4> weight{};
 };
 FieldRow rowAt(const PressField& field, double depth_mm) noexcept;
+
+/// A place among the field's knots, found once for all presses: cubic down a layer, straight outwards.
+struct FieldPlace {
+  std::size_t count = 0;            ///< 0: nothing is strained
+  std::array<std::size_t, 8> at{};  ///< of the first press, in `shear` and `volume`
+  std::array<float, 8> weight{};    ///< of fourth roots
+};
 FieldPlace placeAt(const PressField& field, const FieldRow& row, double radius_mm) noexcept;
 
 /// w_s and w_v of one press.

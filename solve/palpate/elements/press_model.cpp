@@ -19,6 +19,45 @@ PressModel::PressModel(const tissue::LayerStack& stack, const MeshFineness& fine
   for (std::size_t element = 0; element < mesh_.nodes.size(); ++element) {
     points_.push_back(quadPoints(mesh_, element));
   }
+  if (fineness.lump && fineness.lump->young_kpa) hardenLump(stack, *fineness.lump);
+}
+
+void PressModel::hardenLump(const tissue::LayerStack& stack, const Inclusion& lump) {
+  lump_law_of_.assign(mesh_.nodes.size(), -1);
+  for (std::size_t element = 0; element < mesh_.nodes.size(); ++element) {
+    const double layer_kpa = stack.layers[static_cast<std::size_t>(mesh_.layers[element])].young_kpa;
+    const auto places = quadPlaces(mesh_, element);
+    QuadLaws laws;
+    bool inside = false;
+    for (std::size_t q = 0; q < kQuadPoints; ++q) {
+      const double young = youngAt(lump, places[q][0], mesh_.height() - places[q][1], layer_kpa);
+      laws[q] = neoHookean(young, stack.poisson);
+      inside = inside || young != layer_kpa;
+    }
+    if (!inside) continue;
+    lump_law_of_[element] = static_cast<int>(lump_laws_.size());
+    lump_laws_.push_back(laws);
+  }
+}
+
+QuadVector PressModel::ofElement(const Eigen::VectorXd& displacement, std::size_t element) const {
+  QuadVector local;
+  for (std::size_t i = 0; i < kQuadFreedoms; ++i) {
+    local[i] = displacement[2 * mesh_.nodes[element][i / 2] + static_cast<int>(i % 2)];
+  }
+  return local;
+}
+
+std::array<PressModel::VolumePoint, kVolumePoints> PressModel::volumePoints(const Eigen::VectorXd& displacement,
+                                                                            std::size_t element) const {
+  const QuadVector local = ofElement(displacement, element);
+  const auto places = quadPlaces(mesh_, element);
+  std::array<VolumePoint, kVolumePoints> points;
+  for (std::size_t q = 0; q < kVolumePoints; ++q) {
+    const std::size_t at = kShearPoints + q;
+    points[q] = {places[at][0], places[at][1], gradientAt(points_[element][at], local)};
+  }
+  return points;
 }
 
 Balance PressModel::evaluate(const Eigen::VectorXd& displacement, double depth_mm, Tangent tangent) {
@@ -28,11 +67,13 @@ Balance PressModel::evaluate(const Eigen::VectorXd& displacement, double depth_m
   QuadAnswer answer;
   for (std::size_t element = 0; element < mesh_.nodes.size(); ++element) {
     const std::array<int, 8>& nodes = mesh_.nodes[element];
-    QuadVector local;
-    for (std::size_t i = 0; i < kQuadFreedoms; ++i) {
-      local[i] = displacement[2 * nodes[i / 2] + static_cast<int>(i % 2)];
+    const QuadVector local = ofElement(displacement, element);
+    const int lump = lump_law_of_.empty() ? -1 : lump_law_of_[element];
+    if (lump < 0) {
+      answerOfQuad(points_[element], laws_[static_cast<std::size_t>(mesh_.layers[element])], local, tangent, answer);
+    } else {
+      answerOfQuad(points_[element], lump_laws_[static_cast<std::size_t>(lump)], local, tangent, answer);
     }
-    answerOfQuad(points_[element], laws_[static_cast<std::size_t>(mesh_.layers[element])], local, tangent, answer);
     if (!(answer.least_j > 0.0)) {
       balance.inverted = static_cast<int>(element);
       return balance;

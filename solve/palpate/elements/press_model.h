@@ -40,6 +40,14 @@ struct ContactSum {
   double radius_mm = 0.0;
 };
 
+/// What a narrow ring of the skin carries, seen along the axis.
+struct ContactRing {
+  double radius_mm = 0.0;  ///< of the pressed skin
+  double force_mn = 0.0;   ///< along the axis
+};
+/// From the middle outwards, about 0.05 mm wide each; those that touch.
+std::vector<ContactRing> contactRings(const QuadMesh& mesh, const Sphere& sphere, const Eigen::VectorXd& displacement);
+
 /// Goes over the edges that touch. `displacement`: u_r, u_z of every node.
 ContactSum addContact(const QuadMesh& mesh, const Sphere& sphere, const Eigen::VectorXd& displacement, Tangent tangent,
                       const std::function<void(const std::array<int, 3>& nodes, const EdgeAnswer&)>& add);
@@ -95,6 +103,20 @@ class PressModel {
   PressModel& operator=(const PressModel&) = delete;
 
   const QuadMesh& mesh() const { return mesh_; }
+  /// The sphere that presses so deep.
+  Sphere sphereAt(double depth_mm) const {
+    Sphere sphere = sphere_;
+    sphere.depth_mm = depth_mm;
+    return sphere;
+  }
+  /// r, z at rest and the gradient there of the four points that an element's volume is added up over.
+  struct VolumePoint {
+    double r = 0.0;
+    double z = 0.0;
+    Gradient gradient{};
+  };
+  std::array<VolumePoint, kVolumePoints> volumePoints(const Eigen::VectorXd& displacement, std::size_t element) const;
+
   /// u_r, u_z of every node, nothing moved.
   Eigen::VectorXd atRest() const { return Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(mesh_.r.size())); }
 
@@ -112,13 +134,17 @@ class PressModel {
   std::string placeOfElement(int element) const;
 
  private:
+  QuadVector ofElement(const Eigen::VectorXd& displacement, std::size_t element) const;
+  void hardenLump(const tissue::LayerStack& stack, const Inclusion& lump);
   std::string placeWords(double r, double z, int layer) const;
 
   QuadMesh mesh_;
   std::vector<NeoHookean> laws_;  ///< a layer each
   std::vector<std::string> layer_names_;
   Sphere sphere_;
-  std::vector<QuadPoints> points_;  ///< an element each
+  std::vector<QuadPoints> points_;   ///< an element each
+  std::vector<QuadLaws> lump_laws_;  ///< of the elements that a lump is in
+  std::vector<int> lump_law_of_;     ///< an element each: place in `lump_laws_`, or -1; empty without lump
   StiffnessMatrix matrix_;
   Eigen::VectorXd residual_;
 };

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/elements/field_sampler.h"
 #include "palpate/elements/press_model.h"
 
 namespace palpate::elements {
@@ -143,7 +145,24 @@ void checkSize(const char* what, double value, double least, double most) {
   throw Error(fmt::format("{} is {:g}; it must be {:g} to {:g}", what, value, least, most));
 }
 
+/// Of depths that must increase from above 0; 0 where there is none.
+double lastOf(const std::vector<double>& depths) {
+  double before = 0.0;
+  for (const double depth : depths) {
+    if (!(depth > before))
+      throw Error(fmt::format("depths must increase from above 0: {:g} after {:g}", depth, before));
+    before = depth;
+  }
+  return before;
+}
+
 }  // namespace
+
+std::vector<double> fieldDepths(double deepest_mm) {
+  std::vector<double> depths = {0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 12.0, 14.0, 16.0};
+  std::erase_if(depths, [&](double depth) { return depth > std::max(deepest_mm, depths.front()); });
+  return depths;
+}
 
 MeshFineness finenessFor(const PressSettings& settings) {
   const double radius = settings.indenter_radius_mm;
@@ -169,15 +188,19 @@ void check(const tissue::LayerStack& stack, const PressSettings& settings) {
   checkSize("the first step in mm", settings.first_step_mm, 1e-3, 5.0);
   checkSize("the longest step in mm", settings.longest_step_mm, 1e-3, 10.0);
   if (settings.depths_mm.empty()) throw Error("no depth is asked for");
-  double before = 0.0;
-  for (const double depth : settings.depths_mm) {
-    if (!(depth > before))
-      throw Error(fmt::format("depths must increase from above 0: {:g} after {:g}", depth, before));
-    before = depth;
+  const double before = lastOf(settings.depths_mm);
+  const double field = lastOf(settings.field_depths_mm);
+  if (field > 0.0 && settings.bone_radius_mm > 0.0) throw Error("a field needs a plane bone, not a post");
+  if (settings.lump) {
+    check(*settings.lump, stack);
+    if (settings.bone_radius_mm > 0.0) throw Error("a lump needs a plane bone, not a post");
+    if (field > 0.0) throw Error("a field is that of a press without a lump: ask for one of the two");
   }
   const double total = tissue::totalThickness(stack);
-  if (before < total) return;
-  throw Error(fmt::format("a depth of {:g} mm reaches the bone: the layers are {:g} mm thick together", before, total));
+  const double deepest = std::max(before, field);
+  if (deepest < total) return;
+  throw Error(
+      fmt::format("a depth of {:g} mm reaches the bone: the layers are {:g} mm thick together", deepest, total));
 }
 
 std::vector<double> tableRadii(double disc_radius_mm) {
@@ -215,7 +238,19 @@ tissue::LayerStack aroundBone(tissue::LayerStack stack, double bone_radius_mm) {
 MeshFineness meshFor(const tissue::LayerStack& stack, const PressSettings& settings) {
   MeshFineness mesh = finenessFor(settings);
   mesh.bone = {.cover_mm = tissue::totalThickness(stack), .radius_mm = settings.bone_radius_mm};
+  mesh.lump = settings.lump;
   return mesh;
+}
+
+}  // namespace
+
+namespace {
+
+/// Of shapes and of fields.
+std::vector<double> allDepths(const PressSettings& settings) {
+  std::vector<double> depths;
+  std::ranges::set_union(settings.depths_mm, settings.field_depths_mm, std::back_inserter(depths));
+  return depths;
 }
 
 }  // namespace
@@ -232,10 +267,18 @@ PressSolution solvePress(const tissue::LayerStack& stack, const PressSettings& s
   table.stack = stack;
   table.indenter_radius_mm = settings.indenter_radius_mm;
   table.radii_mm = tableRadii(settings.radius_mm);
-  const auto note = [&] { table.shapes.push_back(shapeOf(path, model.mesh(), table.radii_mm)); };
-  for (const double target : settings.depths_mm) {
+  const auto note = [&] {
+    table.shapes.push_back(shapeOf(path, model.mesh(), table.radii_mm));
+    constexpr double kRingMm = 1.0;
+    solution.ring_pressures_kpa.push_back(
+        ringPressures(contactRings(model.mesh(), model.sphereAt(path.depth()), path.displacement()), kRingMm));
+  };
+  std::optional<FieldSampler> sampler;
+  if (!settings.field_depths_mm.empty()) sampler.emplace(model, stack);
+  const std::vector<double> depths = allDepths(settings);
+  for (const double target : depths) {
     while (path.depth() < target && solution.stopped_by.empty()) {
-      report(progress, "pressing", path.depth() / settings.depths_mm.back());
+      report(progress, "pressing", path.depth() / depths.back());
       if (stop && stop()) {
         solution.stopped_by = "asked to stop";
       } else if (!path.goTowards(target)) {
@@ -243,8 +286,10 @@ PressSolution solvePress(const tissue::LayerStack& stack, const PressSettings& s
       }
     }
     if (path.depth() < target) break;
-    note();
+    if (std::ranges::binary_search(settings.depths_mm, target)) note();
+    if (std::ranges::binary_search(settings.field_depths_mm, target)) sampler->add(target, path.displacement());
   }
+  if (sampler && path.depth() >= settings.field_depths_mm.front()) table.field = sampler->field();
   if (!solution.stopped_by.empty() && path.depth() > 0.0) {
     if (table.shapes.empty() || path.depth() > table.shapes.back().depth_mm) note();
   }

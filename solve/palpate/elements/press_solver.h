@@ -5,10 +5,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "palpate/base/progress.h"
+#include "palpate/elements/inclusion.h"
 #include "palpate/elements/quad_mesh.h"
 #include "palpate/tissue/layered_table.h"
 
@@ -25,7 +27,15 @@ struct PressSettings {
   /// 0: the base is a plane. Otherwise the layers lie over the round top of a post of bone this wide, and the deepest
   /// goes on around it, 30 mm farther down.
   double bone_radius_mm = 0.0;
+  /// Presses whose field the table gets (tissue::PressField), increasing; none: no field. Needs a plane base.
+  std::vector<double> field_depths_mm = {};
+  /// A lump under the axis. Its table has no field.
+  std::optional<Inclusion> lump = {};
 };
+
+/// Depths of a field up to the deepest press that is asked for: half a millimetre apart for light presses, one for
+/// deeper ones; 8 to 16 of them where the deepest is 4 mm or more. The first always.
+std::vector<double> fieldDepths(double deepest_mm);
 
 /// The mesh that goes with a sphere: it is fine as far as the skin can touch.
 MeshFineness finenessFor(const PressSettings& settings);
@@ -46,6 +56,8 @@ struct PressSolution {
   double converged_to_mm = 0.0;  ///< deepest equilibrium
   std::string stopped_by;        ///< why it went no deeper; empty: all depths were reached
   std::vector<PressStep> path;
+  /// One per shape of the table: kPa, means over rings of 1 mm from the middle, seen along the axis.
+  std::vector<std::vector<double>> ring_pressures_kpa;
   double work_mj = 0.0;  ///< of the sphere, from force and depth; as much as is stored, but for the path's steps
   double seconds = 0.0;
 };

@@ -58,18 +58,6 @@ QuadPoint pointAt(const QuadMesh& mesh, const std::array<int, 8>& nodes, double 
   return point;
 }
 
-Gradient gradientAt(const QuadPoint& point, const QuadVector& u) {
-  Gradient f = {1.0, 0.0, 0.0, 1.0, 1.0};
-  for (std::size_t a = 0; a < kQuadNodes; ++a) {
-    f[0] += point.along_r[a] * u[2 * a];
-    f[1] += point.along_z[a] * u[2 * a];
-    f[2] += point.along_r[a] * u[2 * a + 1];
-    f[3] += point.along_z[a] * u[2 * a + 1];
-    f[4] += point.hoop[a] * u[2 * a];
-  }
-  return f;
-}
-
 /// Lifts eigenvalues to a small share of the law's own.
 void makeConvex(Answer& answer, double least) {
   Eigen::Matrix<double, kGradients, kGradients> full;
@@ -122,29 +110,39 @@ void addStiffness(const QuadPoint& point, const Answer& law, std::array<double, 
 
 }  // namespace
 
-QuadPoints quadPoints(const QuadMesh& mesh, std::size_t element) {
-  const std::array<int, 8>& nodes = mesh.nodes[element];
-  QuadPoints points;
+namespace {
+
+/// On the square from -1 to 1, those of shear first.
+struct QuadPlace {
+  double x = 0.0;
+  double y = 0.0;
+  double weight = 0.0;
+};
+
+std::array<QuadPlace, kQuadPoints> quadRule() {
+  std::array<QuadPlace, kQuadPoints> rule;
   std::size_t next = 0;
   const double at3 = std::sqrt(0.6);
   const std::array<std::pair<double, double>, 3> three = {{{-at3, 5.0 / 9.0}, {0.0, 8.0 / 9.0}, {at3, 5.0 / 9.0}}};
   for (const auto& [x, wx] : three) {
-    for (const auto& [y, wy] : three) points[next++] = pointAt(mesh, nodes, x, y, wx * wy);
+    for (const auto& [y, wy] : three) rule[next++] = {x, y, wx * wy};
   }
   const double at2 = 1.0 / std::sqrt(3.0);
   for (const double x : {-at2, at2}) {
-    for (const double y : {-at2, at2}) points[next++] = pointAt(mesh, nodes, x, y, 1.0);
+    for (const double y : {-at2, at2}) rule[next++] = {x, y, 1.0};
   }
-  return points;
+  return rule;
 }
 
-void answerOfQuad(const QuadPoints& points, const NeoHookean& law, const QuadVector& displacement, Tangent tangent,
-                  QuadAnswer& answer) {
+template <class LawAt>
+void addUpQuad(const QuadPoints& points, const LawAt& law_at, const QuadVector& displacement, Tangent tangent,
+               QuadAnswer& answer) {
   answer = QuadAnswer{.least_j = 1e300};
   for (std::size_t q = 0; q < kQuadPoints; ++q) {
     const Gradient f = gradientAt(points[q], displacement);
     answer.least_j = std::min(answer.least_j, volumeRatio(f));
     if (!(answer.least_j > 0.0)) return;
+    const NeoHookean law = law_at(q);
     const NeoHookean part = q < kShearPoints ? NeoHookean{law.shear, 0.0} : NeoHookean{0.0, law.volume};
     Answer local = answerOf(part, f);
     constexpr double kMinShare = 1e-3;
@@ -153,6 +151,54 @@ void answerOfQuad(const QuadPoints& points, const NeoHookean& law, const QuadVec
     addForces(points[q], local.stress, answer.forces);
     addStiffness(points[q], local, answer.stiffness);
   }
+}
+
+}  // namespace
+
+Gradient gradientAt(const QuadPoint& point, const QuadVector& u) {
+  Gradient f = {1.0, 0.0, 0.0, 1.0, 1.0};
+  for (std::size_t a = 0; a < kQuadNodes; ++a) {
+    f[0] += point.along_r[a] * u[2 * a];
+    f[1] += point.along_z[a] * u[2 * a];
+    f[2] += point.along_r[a] * u[2 * a + 1];
+    f[3] += point.along_z[a] * u[2 * a + 1];
+    f[4] += point.hoop[a] * u[2 * a];
+  }
+  return f;
+}
+
+QuadPoints quadPoints(const QuadMesh& mesh, std::size_t element) {
+  QuadPoints points;
+  const auto rule = quadRule();
+  for (std::size_t q = 0; q < kQuadPoints; ++q) {
+    points[q] = pointAt(mesh, mesh.nodes[element], rule[q].x, rule[q].y, rule[q].weight);
+  }
+  return points;
+}
+
+std::array<std::array<double, 2>, kQuadPoints> quadPlaces(const QuadMesh& mesh, std::size_t element) {
+  const std::array<int, 8>& nodes = mesh.nodes[element];
+  const auto between = [](double from, double to, double at) { return from + 0.5 * (to - from) * (1.0 + at); };
+  const auto corner = [&](std::size_t a) { return static_cast<std::size_t>(nodes[a]); };
+  std::array<std::array<double, 2>, kQuadPoints> places;
+  const auto rule = quadRule();
+  for (std::size_t q = 0; q < kQuadPoints; ++q) {
+    places[q] = {between(mesh.r[corner(0)], mesh.r[corner(1)], rule[q].x),
+                 between(mesh.z[corner(0)], mesh.z[corner(3)], rule[q].y)};
+  }
+  return places;
+}
+
+void answerOfQuad(const QuadPoints& points, const NeoHookean& law, const QuadVector& displacement, Tangent tangent,
+                  QuadAnswer& answer) {
+  addUpQuad(
+      points, [&](std::size_t) { return law; }, displacement, tangent, answer);
+}
+
+void answerOfQuad(const QuadPoints& points, const QuadLaws& laws, const QuadVector& displacement, Tangent tangent,
+                  QuadAnswer& answer) {
+  addUpQuad(
+      points, [&](std::size_t q) { return laws[q]; }, displacement, tangent, answer);
 }
 
 std::array<double, 3> edgeShape(double s) { return {0.5 * s * (s - 1.0), 1.0 - s * s, 0.5 * s * (s + 1.0)}; }

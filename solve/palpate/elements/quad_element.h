@@ -114,6 +114,14 @@ enum class Tangent { exact, convex };
 
 void answerOfQuad(const QuadPoints& points, const NeoHookean& law, const QuadVector& displacement, Tangent tangent,
                   QuadAnswer& answer);
+/// The same with a law of its own at each point.
+using QuadLaws = std::array<NeoHookean, kQuadPoints>;
+void answerOfQuad(const QuadPoints& points, const QuadLaws& laws, const QuadVector& displacement, Tangent tangent,
+                  QuadAnswer& answer);
+
+Gradient gradientAt(const QuadPoint& point, const QuadVector& displacement);
+/// Where each point is at rest: r, z.
+std::array<std::array<double, 2>, kQuadPoints> quadPlaces(const QuadMesh& mesh, std::size_t element);
 
 /// Of a point between the ends of an edge of the surface, s from -1 to 1.
 std::array<double, 3> edgeShape(double s);

@@ -72,8 +72,9 @@ bool BonePost::holds(double r, double depth_mm) const {
 
 QuadMesh quadMesh(const tissue::LayerStack& stack, const MeshFineness& fineness) {
   QuadMesh mesh;
-  mesh.columns = bordersAlong(fineness.columns);
-  const LayerRows rows = layerRows(stack, fineness.rows);
+  const auto& lump = fineness.lump;
+  mesh.columns = lump ? bordersAlong(fineness.columns, *lump) : bordersAlong(fineness.columns);
+  const LayerRows rows = lump ? layerRows(stack, fineness.rows, *lump) : layerRows(stack, fineness.rows);
   for (const double depth : rows.depths_mm) mesh.rows.push_back(rows.depths_mm.back() - depth);
   const Numbering number(mesh);
   addNodes(mesh, number);

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "palpate/elements/grid_borders.h"
+#include "palpate/elements/inclusion.h"
 #include "palpate/tissue/layered_table.h"
 
 namespace palpate::elements {
@@ -22,6 +24,7 @@ struct MeshFineness {
   Spacing columns;
   RowFineness rows;
   BonePost bone = {};
+  std::optional<Inclusion> lump = {};  ///< whose lines the mesh has
 };
 
 /// No degree of freedom: held.

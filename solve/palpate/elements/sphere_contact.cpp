@@ -60,6 +60,23 @@ void addTouch(const Touch& touch, double weight, Tangent tangent, EdgeAnswer& an
 
 }  // namespace
 
+std::vector<ContactRing> contactRings(const QuadMesh& mesh, const Sphere& sphere, const Eigen::VectorXd& displacement) {
+  constexpr int kRingsAnEdge = 16;
+  std::vector<ContactRing> rings;
+  for (std::size_t edge = 0; edge < mesh.surface.size(); ++edge) {
+    if (mesh.columns[edge] > 3.0 * sphere.radius_mm) break;
+    const double width = (mesh.columns[edge + 1] - mesh.columns[edge]) / kRingsAnEdge;
+    for (int i = 0; i < kRingsAnEdge; ++i) {
+      const double s = (2.0 * i + 1.0) / kRingsAnEdge - 1.0;
+      const Touch touch = touchAt(mesh, mesh.surface[edge], s, sphere, displacement);
+      if (!(touch.gap > 0.0)) continue;
+      const double weight = sphere.stiffness_kpa_per_mm * width * 2.0 * std::numbers::pi * touch.rest_r;
+      rings.push_back({touch.normal_r * touch.distance, -weight * touch.gap * touch.normal_z});
+    }
+  }
+  return rings;
+}
+
 ContactSum addContact(const QuadMesh& mesh, const Sphere& sphere, const Eigen::VectorXd& displacement, Tangent tangent,
                       const std::function<void(const std::array<int, 3>& nodes, const EdgeAnswer&)>& add) {
   // Gauss-Legendre with four points.

@@ -1,0 +1,432 @@
+// At build: densities of the press, gathered at points in the lump for 32 distances and every solved depth, then two
+// splines. In the tick: one bicubic patch.
+#include "palpate/tissue/lump_energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "palpate/base/elementary.h"
+#include "palpate/base/error.h"
+#include "palpate/tissue/lump_saturation.h"
+
+namespace palpate::tissue {
+
+namespace {
+
+/// Felt so far beside a lump, beyond its radius.
+constexpr double kReachMm = 30.0;
+/// Knots are closer up to here, where a fingertip touches.
+constexpr double kFineToMm = 12.0;
+constexpr std::size_t kFineSteps = 20;
+/// The window leaves this share of the reach as it is.
+constexpr double kWindowFrom = 0.5;
+constexpr double kNPerMn = 1e-3;
+
+constexpr std::size_t kGauss = 8;
+constexpr std::array<double, 4> kGaussAt = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267,
+                                            0.9602898564975363};
+constexpr std::array<double, 4> kGaussWeight = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745,
+                                                0.1012285362903763};
+
+struct GaussPoint {
+  double at = 0.0;  ///< from 0 to 1
+  double weight = 0.0;
+};
+
+GaussPoint gaussPoint(std::size_t i) {
+  const double side = i % 2 == 0 ? -1.0 : 1.0;
+  return {0.5 * (1.0 + side * kGaussAt[i / 2]), 0.5 * kGaussWeight[i / 2]};
+}
+
+/// A point of the half y > 0 of the lump, which stands for both.
+struct LumpPoint {
+  double x = 0.0;
+  double y = 0.0;
+  std::size_t layer = 0;
+  double depth_mm = 0.0;
+  double shear_mn = 0.0;   ///< kappa_s mu dV; kPa mm^3 = mN mm
+  double volume_mn = 0.0;  ///< kappa_v lambda dV
+};
+
+/// The slice between two depths of one layer.
+void addSlice(const LumpShape& lump, const Saturation& saturation, std::size_t layer, double from, double to,
+              std::vector<LumpPoint>& points) {
+  const double across = lump.half_axes_mm[0];
+  const double into = lump.half_axes_mm[2];
+  for (std::size_t i = 0; i < kGauss; ++i) {
+    const GaussPoint down = gaussPoint(i);
+    const double depth = from + (to - from) * down.at;
+    const double height = (depth - lump.centreMm()) / into;
+    const double disc = std::sqrt(std::max(0.0, 1.0 - height * height));
+    for (std::size_t j = 0; j < kGauss; ++j) {
+      const GaussPoint out = gaussPoint(j);
+      const double radius = disc * out.at;  // in half axes
+      const double volume = (to - from) * down.weight * across * across * disc * out.weight * radius * 2.0 *
+                            std::numbers::pi / static_cast<double>(kGauss);
+      const Hardening hardening = saturation.at(layer, std::sqrt(height * height + radius * radius));
+      for (std::size_t k = 0; k < kGauss; ++k) {
+        const double angle = std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(kGauss);
+        points.push_back({.x = across * radius * elementary::cos(angle),
+                          .y = across * radius * elementary::sin(angle),
+                          .layer = layer,
+                          .depth_mm = depth,
+                          .shear_mn = hardening.shear_kpa * volume,
+                          .volume_mn = hardening.volume_kpa * volume});
+      }
+    }
+  }
+}
+
+std::vector<LumpPoint> pointsOf(const LumpShape& lump, const LayerStack& stack) {
+  const Saturation saturation(lump, stack);
+  std::vector<LumpPoint> points;
+  double top = 0.0;
+  for (std::size_t layer = 0; layer < stack.layers.size(); ++layer) {
+    const double bottom = top + stack.layers[layer].thickness_mm;
+    const double from = std::max(top, lump.depth_mm);
+    const double to = std::min(bottom, lump.bottomMm());
+    if (to > from) addSlice(lump, saturation, layer, from, to, points);
+    top = bottom;
+  }
+  return points;
+}
+
+/// The depth in a stack of other thicknesses: as far down its layer as here. Stacks of other layers: the same depth.
+double depthIn(const LayerStack& other, const LayerStack& stack, std::size_t layer, double depth_mm) {
+  if (other.layers.size() != stack.layers.size()) return depth_mm;
+  double top = 0.0;
+  double other_top = 0.0;
+  for (std::size_t i = 0; i < layer; ++i) {
+    top += stack.layers[i].thickness_mm;
+    other_top += other.layers[i].thickness_mm;
+  }
+  return other_top + (depth_mm - top) * other.layers[layer].thickness_mm / stack.layers[layer].thickness_mm;
+}
+
+/// U at one distance and every solved depth, N mm.
+std::vector<double> energiesOf(const PressField& field, const std::vector<LumpPoint>& points,
+                               const std::vector<FieldRow>& rows, double rho_mm) {
+  std::vector<double> energies(field.depths_mm.size(), 0.0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const LumpPoint& point = points[i];
+    const FieldPlace place = placeAt(field, rows[i], elementary::hypot(point.x - rho_mm, point.y));
+    for (std::size_t press = 0; press < energies.size(); ++press) {
+      const StrainDensity density = densityAt(field, place, press);
+      energies[press] += point.shear_mn * density.shear + point.volume_mn * density.volume;
+    }
+  }
+  for (double& energy : energies) energy *= kNPerMn;
+  return energies;
+}
+
+/// Slopes of the cubic spline through values at knots, twice continuous; at its ends the slope is given, or nothing
+/// bends.
+std::vector<double> splineSlopes(std::span<const double> knots, std::span<const double> values, bool flat_ends) {
+  const std::size_t n = knots.size();
+  std::vector<double> diagonal(n, 1.0), upper(n, 0.0), lower(n, 0.0), slopes(n, 0.0);
+  const auto step = [&](std::size_t i) { return knots[i + 1] - knots[i]; };
+  const auto secant = [&](std::size_t i) { return (values[i + 1] - values[i]) / step(i); };
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    lower[i] = step(i);
+    diagonal[i] = 2.0 * (step(i - 1) + step(i));
+    upper[i] = step(i - 1);
+    slopes[i] = 3.0 * (step(i) * secant(i - 1) + step(i - 1) * secant(i));
+  }
+  if (!flat_ends) {
+    diagonal[0] = diagonal[n - 1] = 2.0;
+    upper[0] = lower[n - 1] = 1.0;
+    slopes[0] = 3.0 * secant(0);
+    slopes[n - 1] = 3.0 * secant(n - 2);
+  }
+  for (std::size_t i = 1; i < n; ++i) {
+    const double factor = lower[i] / diagonal[i - 1];
+    diagonal[i] -= factor * upper[i - 1];
+    slopes[i] -= factor * slopes[i - 1];
+  }
+  slopes[n - 1] /= diagonal[n - 1];
+  for (std::size_t i = n - 1; i-- > 0;) slopes[i] = (slopes[i] - upper[i] * slopes[i + 1]) / diagonal[i];
+  return slopes;
+}
+
+/// Cubic on a cell by values and slopes at its ends, and its weights' first and second derivatives.
+struct HermiteWeights {
+  std::array<double, 4> value{};  ///< value and slope at the near end, value and slope at the far end
+  std::array<double, 4> first{};
+  std::array<double, 4> second{};
+};
+
+HermiteWeights hermiteAt(double t, double step) noexcept {
+  const double t2 = t * t;
+  const double t3 = t2 * t;
+  const double inverse = 1.0 / step;
+  return {{1.0 - 3.0 * t2 + 2.0 * t3, step * (t - 2.0 * t2 + t3), 3.0 * t2 - 2.0 * t3, step * (t3 - t2)},
+          {6.0 * (t2 - t) * inverse, 1.0 - 4.0 * t + 3.0 * t2, 6.0 * (t - t2) * inverse, 3.0 * t2 - 2.0 * t},
+          {(12.0 * t - 6.0) * inverse * inverse, (6.0 * t - 4.0) * inverse, (6.0 - 12.0 * t) * inverse * inverse,
+           (6.0 * t - 2.0) * inverse}};
+}
+
+/// Value and slope at a depth.
+struct EnergyAndForce {
+  double energy = 0.0;
+  double force = 0.0;
+};
+
+/// Energies of solved depths as a curve: U / d^2 is nearly straight over the root of d.
+class DepthCurve {
+ public:
+  DepthCurve(const std::vector<double>& depths, const std::vector<double>& energies) {
+    roots_.push_back(0.0);
+    shares_.push_back(0.0);
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+      roots_.push_back(std::sqrt(depths[i]));
+      shares_.push_back(energies[i] / (depths[i] * depths[i]));
+    }
+    slopes_ = splineSlopes(roots_, shares_, false);
+  }
+
+  EnergyAndForce at(double depth) const {
+    if (!(depth > 0.0)) return {};
+    const double last = roots_.back() * roots_.back();
+    if (depth <= last) return within(std::sqrt(depth));
+    constexpr double kBefore = 0.5;  // mm, that the last slope is taken over
+    const EnergyAndForce end = within(roots_.back());
+    const double slope = (end.force - within(std::sqrt(last - kBefore)).force) / kBefore;
+    const double beyond = depth - last;
+    return {end.energy + beyond * (end.force + 0.5 * slope * beyond), end.force + slope * beyond};
+  }
+
+ private:
+  EnergyAndForce within(double root) const {
+    const auto above = std::upper_bound(roots_.begin() + 1, roots_.end() - 1, root);
+    const auto i = static_cast<std::size_t>(above - roots_.begin()) - 1;
+    const double step = roots_[i + 1] - roots_[i];
+    const HermiteWeights weights = hermiteAt((root - roots_[i]) / step, step);
+    const auto sum = [&](const std::array<double, 4>& w) {
+      return w[0] * shares_[i] + w[1] * slopes_[i] + w[2] * shares_[i + 1] + w[3] * slopes_[i + 1];
+    };
+    const double share = sum(weights.value);
+    const double depth = root * root;
+    return {depth * depth * share, 2.0 * depth * share + 0.5 * depth * root * sum(weights.first)};
+  }
+
+  std::vector<double> roots_;
+  std::vector<double> shares_;
+  std::vector<double> slopes_;
+};
+
+/// 1 near the lump, 0 with slope 0 at the end of its reach.
+double windowAt(double share_of_reach) {
+  const double t = std::clamp((share_of_reach - kWindowFrom) / (1.0 - kWindowFrom), 0.0, 1.0);
+  return 1.0 - t * t * (3.0 - 2.0 * t);
+}
+
+double factorAt(std::span<const ForceCorrection> correction, double depth_mm) {
+  if (correction.empty()) return 1.0;
+  if (depth_mm <= correction.front().depth_mm) return correction.front().factor;
+  for (std::size_t i = 1; i < correction.size(); ++i) {
+    const ForceCorrection& a = correction[i - 1];
+    const ForceCorrection& b = correction[i];
+    if (depth_mm < b.depth_mm)
+      return a.factor + (b.factor - a.factor) * (depth_mm - a.depth_mm) / (b.depth_mm - a.depth_mm);
+  }
+  return correction.back().factor;
+}
+
+}  // namespace
+
+struct LumpEnergy::Table {
+  struct Knot {
+    double u = 0.0;
+    double by_depth = 0.0;
+    double by_rho = 0.0;
+    double by_both = 0.0;
+  };
+
+  double radius_mm = 0.0;
+  double reach_mm = 0.0;
+  double deepest_mm = 0.0;
+  double depth_step = 0.0;
+  double coarse_step = 0.0;
+  LumpSteepness steepest;
+  std::array<std::array<Knot, kDepths>, kRhos> knots{};
+
+  double rhoOf(std::size_t i) const {
+    constexpr double kFineStep = kFineToMm / kFineSteps;
+    return i <= kFineSteps ? kFineStep * static_cast<double>(i)
+                           : kFineToMm + coarse_step * static_cast<double>(i - kFineSteps);
+  }
+
+  struct Full {
+    LumpAnswer answer;
+    double d_depth_depth = 0.0;
+  };
+  Full at(double rho, double depth) const noexcept;
+};
+
+LumpEnergy::Table::Full LumpEnergy::Table::at(double rho, double depth) const noexcept {
+  constexpr double kFineStep = kFineToMm / kFineSteps;
+  const bool fine = rho < kFineToMm;
+  const double rho_step = fine ? kFineStep : coarse_step;
+  const double along = fine ? rho / kFineStep : (rho - kFineToMm) / coarse_step;
+  const auto i = std::min(static_cast<std::size_t>(along) + (fine ? 0 : kFineSteps), kRhos - 2);
+  const double t = along - static_cast<double>(i - (fine ? 0 : kFineSteps));
+  const double inside = std::min(depth, deepest_mm);
+  const double down = inside / depth_step;
+  const auto k = std::min(static_cast<std::size_t>(down), kDepths - 2);
+  const HermiteWeights r = hermiteAt(t, rho_step);
+  const HermiteWeights d = hermiteAt(down - static_cast<double>(k), depth_step);
+
+  // Rows of the patch at this distance: value and depth's slope at both depths; then of their slopes along rho.
+  const auto row = [&](const std::array<double, 4>& w, std::size_t at) {
+    const Knot& a = knots[i][at];
+    const Knot& b = knots[i + 1][at];
+    return std::array{w[0] * a.u + w[1] * a.by_rho + w[2] * b.u + w[3] * b.by_rho,
+                      w[0] * a.by_depth + w[1] * a.by_both + w[2] * b.by_depth + w[3] * b.by_both};
+  };
+  const auto column = [&](const std::array<double, 4>& along_rho) {
+    const auto near = row(along_rho, k);
+    const auto far = row(along_rho, k + 1);
+    return std::array{near[0], near[1], far[0], far[1]};
+  };
+  const auto sum = [](const std::array<double, 4>& w, const std::array<double, 4>& v) {
+    return w[0] * v[0] + w[1] * v[1] + w[2] * v[2] + w[3] * v[3];
+  };
+  const auto value = column(r.value);
+  const auto first = column(r.first);
+  const auto second = column(r.second);
+  Full full{{sum(d.value, value), sum(d.value, first), sum(d.first, value), sum(d.value, second)},
+            sum(d.second, value)};
+  const double beyond = depth - inside;
+  if (beyond > 0.0) {
+    LumpAnswer& answer = full.answer;
+    answer.energy_n_mm += beyond * (answer.d_depth + 0.5 * beyond * full.d_depth_depth);
+    answer.d_rho += beyond * (sum(d.first, first) + 0.5 * beyond * sum(d.second, first));
+    answer.d_rho_rho += beyond * (sum(d.first, second) + 0.5 * beyond * sum(d.second, second));
+    answer.d_depth += beyond * full.d_depth_depth;
+  }
+  return full;
+}
+
+namespace {
+
+/// By distance and depth, before the splines along rho.
+using EnergyRows = std::vector<std::vector<EnergyAndForce>>;
+
+/// U <- the integral of c dU/dd, by three points between two depths.
+void correct(std::span<const ForceCorrection> correction, double step, std::vector<EnergyAndForce>& row) {
+  constexpr std::array<double, 3> kAt = {0.1127016653792583, 0.5, 0.8872983346207417};
+  constexpr std::array<double, 3> kWeight = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+  const std::vector<EnergyAndForce> before = row;
+  double energy = 0.0;
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (k > 0) {
+      for (std::size_t q = 0; q < kAt.size(); ++q) {
+        const HermiteWeights weights = hermiteAt(kAt[q], step);
+        const double slope = weights.first[0] * before[k - 1].energy + weights.first[1] * before[k - 1].force +
+                             weights.first[2] * before[k].energy + weights.first[3] * before[k].force;
+        energy += kWeight[q] * step * slope * factorAt(correction, step * (static_cast<double>(k - 1) + kAt[q]));
+      }
+    }
+    row[k] = {energy, before[k].force * factorAt(correction, step * static_cast<double>(k))};
+  }
+}
+
+}  // namespace
+
+LumpEnergy::LumpEnergy(const LumpShape& lump, const LayerStack& stack, std::span<const WeightedField> fields,
+                       std::span<const ForceCorrection> correction) {
+  check(lump, stack);
+  if (fields.empty()) throw Error("lump: no field of a press is given");
+  auto table = std::make_shared<Table>();
+  table->radius_mm = lump.radiusMm();
+  table->reach_mm = kReachMm + table->radius_mm;
+  table->coarse_step = (table->reach_mm - kFineToMm) / static_cast<double>(kRhos - 1 - kFineSteps);
+  for (const WeightedField& one : fields) {
+    table->deepest_mm = std::max(table->deepest_mm, one.field->depths_mm.back());
+  }
+  table->depth_step = table->deepest_mm / static_cast<double>(kDepths - 1);
+
+  const std::vector<LumpPoint> points = pointsOf(lump, stack);
+  EnergyRows sums(kRhos, std::vector<EnergyAndForce>(kDepths));
+  for (const WeightedField& one : fields) {
+    std::vector<FieldRow> rows;
+    for (const LumpPoint& point : points) {
+      rows.push_back(rowAt(*one.field, depthIn(*one.stack, stack, point.layer, point.depth_mm)));
+    }
+    for (std::size_t i = 0; i < kRhos; ++i) {
+      const double rho = table->rhoOf(i);
+      const double share = one.share * windowAt(rho / table->reach_mm);
+      const DepthCurve curve(one.field->depths_mm, energiesOf(*one.field, points, rows, rho));
+      for (std::size_t k = 0; k < kDepths; ++k) {
+        const EnergyAndForce at = curve.at(table->depth_step * static_cast<double>(k));
+        sums[i][k].energy += share * at.energy;
+        sums[i][k].force += share * at.force;
+      }
+    }
+  }
+  if (!correction.empty()) {
+    for (auto& row : sums) correct(correction, table->depth_step, row);
+  }
+
+  std::vector<double> rhos(kRhos);
+  for (std::size_t i = 0; i < kRhos; ++i) rhos[i] = table->rhoOf(i);
+  std::vector<double> energies(kRhos);
+  std::vector<double> forces(kRhos);
+  for (std::size_t k = 0; k < kDepths; ++k) {
+    for (std::size_t i = 0; i < kRhos; ++i) {
+      energies[i] = sums[i][k].energy;
+      forces[i] = sums[i][k].force;
+    }
+    const std::vector<double> by_rho = splineSlopes(rhos, energies, true);
+    const std::vector<double> by_both = splineSlopes(rhos, forces, true);
+    for (std::size_t i = 0; i < kRhos; ++i) table->knots[i][k] = {energies[i], forces[i], by_rho[i], by_both[i]};
+  }
+
+  constexpr int kLooks = 4;  // per cell
+  for (std::size_t i = 0; i + 1 < kRhos; ++i) {
+    for (int a = 0; a < kLooks; ++a) {
+      const double rho = rhos[i] + (rhos[i + 1] - rhos[i]) * a / kLooks;
+      for (std::size_t k = 0; k < kLooks * (kDepths - 1) + 1; ++k) {
+        const Table::Full full = table->at(rho, table->depth_step * static_cast<double>(k) / kLooks);
+        LumpSteepness& steepest = table->steepest;
+        steepest.depth = std::max(steepest.depth, std::abs(full.d_depth_depth));
+        steepest.rho = std::max(steepest.rho, std::abs(full.answer.d_rho_rho));
+        steepest.snapping = std::max(steepest.snapping, -full.answer.d_rho_rho);
+      }
+    }
+  }
+  table_ = std::move(table);
+}
+
+LumpEnergy LumpEnergy::scaled(double factor) const {
+  LumpEnergy result = *this;
+  result.factor_ *= factor;
+  return result;
+}
+
+LumpAnswer LumpEnergy::at(double rho_mm, double depth_mm) const noexcept {
+  const double rho = std::abs(rho_mm);
+  if (!(depth_mm > 0.0) || !(rho < table_->reach_mm)) return {};
+  LumpAnswer answer = table_->at(rho, depth_mm).answer;
+  answer.energy_n_mm *= factor_;
+  answer.d_rho *= rho_mm < 0.0 ? -factor_ : factor_;
+  answer.d_depth *= factor_;
+  answer.d_rho_rho *= factor_;
+  return answer;
+}
+
+double LumpEnergy::reachMm() const noexcept { return table_->reach_mm; }
+double LumpEnergy::deepestMm() const noexcept { return table_->deepest_mm; }
+double LumpEnergy::radiusMm() const noexcept { return table_->radius_mm; }
+
+LumpSteepness LumpEnergy::steepest() const noexcept {
+  LumpSteepness steepest = table_->steepest;
+  steepest.depth *= std::abs(factor_);
+  steepest.rho *= std::abs(factor_);
+  steepest.snapping *= std::abs(factor_);
+  return steepest;
+}
+
+}  // namespace palpate::tissue

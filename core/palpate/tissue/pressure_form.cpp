@@ -1,0 +1,93 @@
+// The contact radius grows as the root of the depth, so that is what it runs straight over.
+#include "palpate/tissue/pressure_form.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "palpate/base/elementary.h"
+#include "palpate/base/error.h"
+
+namespace palpate::tissue {
+
+namespace {
+
+constexpr double kMnPerN = 1e3;
+/// The fingertip ends at its equator.
+constexpr double kWidestShare = 0.99;
+
+PressurePattern mixed(const PressurePattern& a, const PressurePattern& b, double share) noexcept {
+  return {a.contact_radius_mm + share * (b.contact_radius_mm - a.contact_radius_mm),
+          a.exponent + share * (b.exponent - a.exponent)};
+}
+
+/// Patterns at increasing depths; from no radius at no depth, and constant beyond the last.
+PressurePattern patternAt(std::span<const double> depths, std::span<const PressurePattern> patterns,
+                          double depth_mm) noexcept {
+  if (!(depth_mm > 0.0)) return {};
+  if (depth_mm >= depths.back()) return patterns.back();
+  const auto after =
+      static_cast<std::size_t>(std::upper_bound(depths.begin(), depths.end(), depth_mm) - depths.begin());
+  const double root = std::sqrt(depth_mm);
+  const double to = std::sqrt(depths[after]);
+  if (after == 0) return mixed({0.0, patterns[0].exponent}, patterns[0], root / to);
+  const double from = std::sqrt(depths[after - 1]);
+  return mixed(patterns[after - 1], patterns[after], (root - from) / (to - from));
+}
+
+}  // namespace
+
+PressureForm::PressureForm(std::span<const WeightedField> fields, double indenter_radius_mm)
+    : indenter_radius_mm_(indenter_radius_mm) {
+  if (fields.empty()) throw Error("pressure: no field of a press is given");
+  const auto longest =
+      std::ranges::max_element(fields, {}, [](const WeightedField& one) { return one.field->depths_mm.back(); });
+  depths_mm_ = longest->field->depths_mm;
+  for (const double depth : depths_mm_) {
+    PressurePattern& sum = patterns_.emplace_back();
+    for (const WeightedField& one : fields) {
+      const PressurePattern pattern = patternAt(one.field->depths_mm, one.field->patterns, depth);
+      sum.contact_radius_mm += one.share * pattern.contact_radius_mm;
+      sum.exponent += one.share * pattern.exponent;
+    }
+  }
+}
+
+PressurePattern PressureForm::at(double depth_mm, double finger_mm) const noexcept {
+  PressurePattern pattern = patternAt(depths_mm_, patterns_, depth_mm);
+  pattern.contact_radius_mm =
+      std::min(pattern.contact_radius_mm * std::sqrt(finger_mm / indenter_radius_mm_), kWidestShare * finger_mm);
+  return pattern;
+}
+
+double pressureAt(const PressurePattern& pattern, double force_n, double radius_mm) noexcept {
+  const double share = radius_mm / pattern.contact_radius_mm;
+  if (!(share < 1.0)) return 0.0;
+  const double middle = kMnPerN * force_n * (pattern.exponent + 1.0) /
+                        (std::numbers::pi * pattern.contact_radius_mm * pattern.contact_radius_mm);
+  return middle * elementary::pow(1.0 - share * share, pattern.exponent);
+}
+
+double bumpWidth(const LumpShape& lump, double skin_mm, double depth_mm) noexcept {
+  return std::max(0.8, 0.66 + 0.78 * lump.radiusMm() + 0.92 * (lump.depth_mm - skin_mm) - 0.12 * depth_mm);
+}
+
+double bumpAt(double distance_mm, double width_mm) noexcept {
+  const double wide = 1.0 + distance_mm * distance_mm / (width_mm * width_mm);
+  return 1.0 / (wide * wide * std::sqrt(wide));
+}
+
+double bumpBase(const PressurePattern& pattern, double offset_mm, double width_mm) noexcept {
+  constexpr int kAround = 16;
+  constexpr double kShare = 0.53;
+  const double radius = 0.5 * pattern.contact_radius_mm;
+  double sum = 0.0;
+  for (int i = 0; i < kAround; ++i) {
+    const double along = radius * elementary::cos(std::numbers::pi * (i + 0.5) / kAround);
+    sum +=
+        bumpAt(std::sqrt(std::max(0.0, radius * radius + offset_mm * offset_mm + 2.0 * offset_mm * along)), width_mm);
+  }
+  return kShare * sum / kAround;
+}
+
+}  // namespace palpate::tissue
