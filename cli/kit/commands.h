@@ -43,6 +43,7 @@ void addTrainCommand(CLI::App& app);
 void addClassCommand(CLI::App& app);
 void addStudyCommand(CLI::App& app);
 void addTissueCommand(CLI::App& app);
+void addLumpCommand(CLI::App& app);
 
 // Of `palpate body`. What is of bodies and recordings stands in both.
 void addModelCommand(CLI::App& body);

@@ -272,6 +272,7 @@ void addStudyCommand(CLI::App& app) {
 void addStudyFamily(CLI::App& app) {
   addStudyCommand(app);
   addTissueCommand(app);
+  addLumpCommand(app);
 }
 
 }  // namespace palpate::app

@@ -1,0 +1,197 @@
+// What a lump adds to a press: an energy whose slopes are the forces, smooth everywhere, from any field.
+#include "palpate/tissue/lump_energy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "palpate/tissue/library_fields.h"
+#include "palpate/tissue/lump_saturation.h"
+#include "support/counted.h"
+#include "support/error_message.h"
+
+namespace palpate::tissue {
+namespace {
+
+LumpShape ball(double diameter_mm, double depth_mm, double ratio) {
+  const double radius = 0.5 * diameter_mm;
+  return {.half_axes_mm = {radius, radius, radius}, .depth_mm = depth_mm, .stiffness_ratio = ratio};
+}
+
+LumpEnergy energyOf(const LumpShape& lump, double thickness_mm = 40.0, std::vector<ForceCorrection> correction = {}) {
+  return LumpEnergy(lump, placeStack(thickness_mm, 8.0), libraryFieldsAt(thickness_mm, 8.0), correction);
+}
+
+std::string faultOf(const LumpShape& lump, const LayerStack& stack = placeStack(40.0, 8.0)) {
+  return support::messageOf([&] { check(lump, stack); });
+}
+
+TEST(LumpEnergy, ForcesAreTheSlopesOfTheEnergy) {
+  const LumpEnergy energy = energyOf(ball(10.0, 3.0, 20.0));
+  constexpr double kStep = 1e-4;
+  for (const double rho : {0.0, 0.3, 2.71, 5.0, 11.99, 12.01, 20.0, 34.9}) {
+    for (const double depth : {0.2, 1.0, 3.3, 7.9, 11.9, 12.5, 16.0}) {
+      const LumpAnswer here = energy.at(rho, depth);
+      const double by_rho =
+          (energy.at(rho + kStep, depth).energy_n_mm - energy.at(rho - kStep, depth).energy_n_mm) / (2.0 * kStep);
+      const double by_depth =
+          (energy.at(rho, depth + kStep).energy_n_mm - energy.at(rho, depth - kStep).energy_n_mm) / (2.0 * kStep);
+      EXPECT_NEAR(here.d_rho, by_rho, 1e-6) << rho << " " << depth;
+      EXPECT_NEAR(here.d_depth, by_depth, 1e-6) << rho << " " << depth;
+      const double bend = (energy.at(rho + kStep, depth).d_rho - energy.at(rho - kStep, depth).d_rho) / (2.0 * kStep);
+      if (std::abs(std::remainder(rho, 0.6)) > kStep) {
+        EXPECT_NEAR(here.d_rho_rho, bend, 1e-5) << rho << " " << depth;
+      }
+    }
+  }
+}
+
+TEST(LumpEnergy, PushesTheFingerOutOfTheBodyAndOffTheLump) {
+  const LumpEnergy energy = energyOf(ball(10.0, 3.0, 20.0));
+  EXPECT_NEAR(energy.at(0.0, 5.0).d_depth, 0.547, 0.03);  // finite elements: 41 % of 1.34 N, in a stack like this one
+  EXPECT_LT(energy.at(5.0, 5.0).d_rho, -0.05);
+  EXPECT_EQ(energy.at(-5.0, 5.0).d_rho, -energy.at(5.0, 5.0).d_rho);
+  EXPECT_EQ(energy.at(-5.0, 5.0).d_depth, energy.at(5.0, 5.0).d_depth);
+  EXPECT_EQ(energy.at(0.0, 5.0).d_rho, 0.0);
+}
+
+TEST(LumpEnergy, EndsSmoothlyWhereItIsNoLongerFelt) {
+  const LumpEnergy energy = energyOf(ball(10.0, 3.0, 20.0));
+  EXPECT_EQ(energy.reachMm(), 35.0);
+  const LumpAnswer last = energy.at(35.0 - 1e-6, 8.0);
+  EXPECT_NEAR(last.energy_n_mm, 0.0, 1e-9);
+  EXPECT_NEAR(last.d_rho, 0.0, 1e-9);
+  for (const auto& [rho, depth] :
+       {std::pair{35.0, 8.0}, std::pair{80.0, 8.0}, std::pair{0.0, 0.0}, std::pair{0.0, -3.0}}) {
+    const LumpAnswer nothing = energy.at(rho, depth);
+    EXPECT_EQ(nothing.energy_n_mm, 0.0);
+    EXPECT_EQ(nothing.d_rho, 0.0);
+    EXPECT_EQ(nothing.d_depth, 0.0);
+  }
+  EXPECT_EQ(energy.at(std::nan(""), 3.0).d_depth, 0.0);
+  EXPECT_EQ(energy.at(1.0, std::nan("")).d_depth, 0.0);
+}
+
+TEST(LumpEnergy, GoesStraightOnBeyondTheLastSolvedDepth) {
+  const LumpEnergy energy = energyOf(ball(10.0, 8.0, 5.0));
+  const double last = energy.deepestMm();
+  EXPECT_EQ(last, 12.0);
+  EXPECT_NEAR(energy.at(3.0, last - 1e-7).d_depth, energy.at(3.0, last + 1e-7).d_depth, 1e-7);
+  EXPECT_NEAR(energy.at(3.0, last - 1e-7).d_rho, energy.at(3.0, last + 1e-7).d_rho, 1e-7);
+  const double first = energy.at(3.0, last + 1.0).d_depth - energy.at(3.0, last).d_depth;
+  const double second = energy.at(3.0, last + 2.0).d_depth - energy.at(3.0, last + 1.0).d_depth;
+  EXPECT_NEAR(first, second, 1e-12);
+}
+
+TEST(LumpEnergy, OfASofterLumpTakesForceAway) {
+  const LumpEnergy cyst = energyOf(ball(10.0, 8.0, 0.3));
+  EXPECT_LT(cyst.at(0.0, 5.0).d_depth, -0.02);
+  EXPECT_GT(cyst.at(5.0, 5.0).d_rho, 0.0);
+}
+
+TEST(LumpEnergy, ShallowLumpsStandOutUnderALightPressAndDeepOnesUnderADeepOne) {
+  const LumpEnergy shallow = energyOf(ball(6.0, 3.0, 20.0));
+  const LumpEnergy deep = energyOf(ball(6.0, 15.0, 20.0));
+  const auto growth = [](const LumpEnergy& energy) {
+    return energy.at(0.0, 8.0).d_depth / energy.at(0.0, 2.0).d_depth;
+  };
+  EXPECT_LT(growth(shallow), 0.6 * growth(deep));
+}
+
+TEST(LumpEnergy, IsScaledAsAWhole) {
+  const LumpEnergy energy = energyOf(ball(10.0, 3.0, 20.0));
+  const LumpEnergy half = energy.scaled(0.5);
+  EXPECT_EQ(half.at(4.0, 6.0).energy_n_mm, 0.5 * energy.at(4.0, 6.0).energy_n_mm);
+  EXPECT_EQ(half.at(4.0, 6.0).d_rho, 0.5 * energy.at(4.0, 6.0).d_rho);
+  EXPECT_EQ(half.steepest().depth, 0.5 * energy.steepest().depth);
+}
+
+TEST(LumpEnergy, KnowsItsSteepestSlopes) {
+  const LumpEnergy energy = energyOf(ball(10.0, 3.0, 20.0));
+  const LumpSteepness steepest = energy.steepest();
+  EXPECT_GT(steepest.depth, 0.1);
+  EXPECT_GE(steepest.rho, steepest.snapping);
+  for (double rho = 0.0; rho < 35.0; rho += 0.37) {
+    for (double depth = 0.1; depth < 12.0; depth += 0.31) {
+      EXPECT_LE(std::abs(energy.at(rho, depth).d_rho_rho), 1.02 * steepest.rho);
+      EXPECT_LE(std::abs(energy.at(rho, depth + 0.01).d_depth - energy.at(rho, depth).d_depth),
+                0.0102 * steepest.depth);
+    }
+  }
+}
+
+TEST(LumpEnergy, TakesTheForceOfItsOwnSolveWhereThatIsGiven) {
+  const LumpShape lump = ball(10.0, 3.0, 20.0);
+  const LumpEnergy table = energyOf(lump);
+  const LumpEnergy solved = energyOf(lump, 40.0, {{1.0, 1.2}, {5.0, 1.0}, {9.0, 0.9}});
+  for (const double depth : {24.0 / 23.0, 84.0 / 23.0, 180.0 / 23.0}) {  // at knots, where nothing is interpolated
+    const double factor = depth < 5.0 ? 1.2 - 0.05 * (depth - 1.0) : 1.0 - 0.025 * (depth - 5.0);
+    EXPECT_NEAR(solved.at(0.0, depth).d_depth, factor * table.at(0.0, depth).d_depth, 1e-9);
+  }
+  constexpr double kStep = 1e-4;
+  const double by_rho =
+      (solved.at(4.0 + kStep, 6.1).energy_n_mm - solved.at(4.0 - kStep, 6.1).energy_n_mm) / (2.0 * kStep);
+  EXPECT_NEAR(solved.at(4.0, 6.1).d_rho, by_rho, 1e-6) << "still a gradient";
+}
+
+TEST(LumpEnergy, BlendsNeighbouringStacks) {
+  const LumpShape lump = ball(8.0, 6.0, 5.0);
+  const double thin = energyOf(lump, 30.0).at(0.0, 6.0).d_depth;
+  const double middle = energyOf(lump, 34.0).at(0.0, 6.0).d_depth;
+  const double thick = energyOf(lump, 40.0).at(0.0, 6.0).d_depth;
+  EXPECT_LT(std::min(thin, thick) - 0.002, middle);
+  EXPECT_GT(std::max(thin, thick) + 0.002, middle);
+  double shares = 0.0;
+  for (const WeightedField& one : libraryFieldsAt(34.0, 5.0)) {
+    EXPECT_EQ(support::messageOf([&] { check(*one.field, *one.stack); }), "no error");
+    shares += one.share;
+  }
+  EXPECT_NEAR(shares, 1.0, 1e-12);
+  EXPECT_EQ(libraryFieldsAt(34.0, 5.0).size(), 4u);
+}
+
+TEST(LumpEnergy, AsksForNoMemoryInTheTick) {
+  const LumpEnergy energy = energyOf(ball(10.0, 3.0, 20.0));
+  double sum = 0.0;
+  support::expectNoAllocation([&] {
+    for (int i = 0; i < 100; ++i) sum += energy.at(0.3 * i, 0.15 * i).energy_n_mm;
+  });
+  EXPECT_GT(sum, 0.0);
+}
+
+TEST(LumpSaturation, FarFromEverythingIsEshelbys) {
+  const LayerStack deep{{{"skin", 2.0, 100.0}, {"fat", 400.0, 10.0}}, 0.48};
+  const Saturation far(ball(2.0, 150.0, 5.0), deep);
+  EXPECT_NEAR(far.sigma(), 1.0, 0.01);
+  EXPECT_LT(Saturation(ball(10.0, 3.0, 5.0), deep).sigma(), 0.6) << "near the skin a lump cannot relax";
+  const Hardening hard = far.at(1, 0.5);
+  const double shear = 10.0 / (2.0 * 1.48);
+  EXPECT_NEAR(hard.shear_kpa, shear * 4.0 / (1.0 + 0.4103 * far.sigma() * 4.0), 1e-3);
+  EXPECT_EQ(Saturation({.stiffness_ratio = 5.0, .edge = 0.5}, deep).at(1, 1.0).shear_kpa, 0.0) << "soft to its rim";
+}
+
+TEST(LumpShape, IsRefusedWhereItCannotBe) {
+  EXPECT_EQ(faultOf(ball(10.0, 8.0, 5.0)), "no error");
+  EXPECT_EQ(
+      faultOf(ball(10.0, 2.0, 5.0)),
+      "lump: depth_mm = 2 is out of range: the top lies at least 0.5 mm under the skin's layer, here 2.5 to 29.0 mm");
+  EXPECT_EQ(faultOf(ball(10.0, 30.0, 5.0)), "lump: reaches the bone: its bottom is 40.0 mm deep, the bone 40.0 mm");
+  EXPECT_EQ(faultOf(ball(10.0, 8.0, 0.1)), "lump: stiffness_ratio = 0.1 is out of range: 0.2 to 1,000");
+  LumpShape lump = ball(10.0, 8.0, 5.0);
+  lump.young_kpa = 1.0;
+  EXPECT_EQ(faultOf(lump), "lump: young_kpa = 1 is out of range: at least 0.2 times the layer's, here 5.4 kPa");
+  lump = ball(10.0, 8.0, 5.0);
+  lump.half_axes_mm[1] = 4.0;
+  EXPECT_NE(faultOf(lump).find("first two half axes must be equal"), std::string::npos);
+  lump.half_axes_mm[1] = std::nan("");
+  EXPECT_NE(faultOf(lump).find("half axis = nan is out of range"), std::string::npos);
+  EXPECT_NE(faultOf(ball(10.0, std::nan(""), 5.0)).find("depth_mm = nan"), std::string::npos);
+  EXPECT_NE(faultOf(ball(10.0, 8.0, 5.0), {{{"muscle", 40.0, 27.0}}, 0.48}).find("needs a skin"), std::string::npos);
+  EXPECT_EQ(support::messageOf([] { LumpEnergy(ball(10.0, 8.0, 5.0), placeStack(40.0, 8.0), {}); }),
+            "lump: no field of a press is given");
+}
+
+}  // namespace
+}  // namespace palpate::tissue

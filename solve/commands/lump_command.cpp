@@ -1,0 +1,257 @@
+// `palpate lump`: what a lump adds to a press, and how near that is to finite elements with the lump in the mesh.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/kit/commands.h"
+#include "cli/kit/json.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "palpate/base/error.h"
+#include "palpate/base/json_text.h"
+#include "palpate/tissue/layered_library.h"
+#include "palpate/tissue/layered_tissue.h"
+#include "palpate/tissue/library_fields.h"
+#include "palpate/tissue/lump_energy.h"
+#include "solve/realism/lump_judge.h"
+
+namespace palpate::app {
+
+namespace {
+
+// --- check
+
+struct LumpCheckArguments {
+  std::string cases;
+  std::optional<std::uint64_t> seed;
+  std::size_t lumps = 12;
+  bool json = false;
+};
+
+nlohmann::ordered_json spreadJson(const lab::Spread& spread) {
+  return {
+      {"mean", spread.mean}, {"p90", spread.p90}, {"p95", spread.p95}, {"worst", spread.worst}, {"of", spread.count}};
+}
+
+/// Of all lumps, with those to 12 mm apart.
+nlohmann::ordered_json twoSpreadsJson(const lab::Spread& all, const lab::Spread& small) {
+  nlohmann::ordered_json json = spreadJson(all);
+  json["to_12_mm"] = spreadJson(small);
+  return json;
+}
+
+double shareWithin(const std::vector<double>& ratios, double from, double to) {
+  if (ratios.empty()) return 1.0;
+  const auto inside = std::ranges::count_if(ratios, [&](double ratio) { return ratio >= from && ratio <= to; });
+  return static_cast<double>(inside) / static_cast<double>(ratios.size());
+}
+
+nlohmann::ordered_json ratiosJson(const std::vector<double>& ratios) {
+  nlohmann::ordered_json json = {{"presses", ratios.size()},
+                                 {"share_0.75_to_1.25", shareWithin(ratios, 0.75, 1.25)},
+                                 {"share_0.9_to_1.1", shareWithin(ratios, 0.9, 1.1)}};
+  if (ratios.empty()) return json;
+  json["least"] = *std::ranges::min_element(ratios);
+  json["greatest"] = *std::ranges::max_element(ratios);
+  return json;
+}
+
+nlohmann::ordered_json findingsJson(const lab::LumpFindings& findings) {
+  nlohmann::ordered_json json = {{"force_error_percent", twoSpreadsJson(findings.force, findings.force_small)},
+                                 {"extra_force_ratio", ratiosJson(findings.extra_ratios)},
+                                 {"off_axis", nlohmann::ordered_json::array()},
+                                 {"pressure_rms_percent", twoSpreadsJson(findings.pressure, findings.pressure_small)},
+                                 {"pressure_gain", findings.pressure_gain},
+                                 {"surface_rms_percent", spreadJson(findings.surface_small)},
+                                 {"field_error_percent", spreadJson(findings.field)},
+                                 {"cases", nlohmann::ordered_json::array()}};
+  json["surface_rms_percent"]["over_12_mm"] = spreadJson(findings.surface_large);
+  for (const lab::LumpFindings::Beside& beside : findings.beside) {
+    json["off_axis"].push_back({{"name", beside.name},
+                                {"at_mm", beside.at_mm},
+                                {"kernel_ratio_error_percent", beside.ratio_percent},
+                                {"lateral_error", beside.lateral}});
+  }
+  for (const lab::LumpFindings::One& one : findings.cases) {
+    json["cases"].push_back({{"name", one.name},
+                             {"force_error_percent", one.force_percent},
+                             {"pressure_rms_percent", one.pressure_percent},
+                             {"surface_rms_percent", one.surface_percent}});
+  }
+  return json;
+}
+
+std::string findingsText(const lab::LumpFindings& findings) {
+  std::string text =
+      fmt::format("{:<44}{:>8}{:>10}{:>9}\n", "worst errors, presses of 2 mm and more", "force", "pressure", "surface");
+  for (const lab::LumpFindings::One& one : findings.cases) {
+    text += fmt::format("{:<44}{:>6.2f} %{:>8.1f} %{:>7.2f} %\n", one.name, one.force_percent, one.pressure_percent,
+                        one.surface_percent);
+  }
+  text += fmt::format(
+      "force, of the total: mean {:.2f}, p90 {:.2f}, worst {:.2f} %; lumps to 12 mm: {:.2f}, {:.2f}, {:.2f} %\n",
+      findings.force.mean, findings.force.p90, findings.force.worst, findings.force_small.mean,
+      findings.force_small.p90, findings.force_small.worst);
+  text += fmt::format("extra force over the truth: within 25 % in {:.1f}, within 10 % in {:.1f} % of {} presses\n",
+                      100.0 * shareWithin(findings.extra_ratios, 0.75, 1.25),
+                      100.0 * shareWithin(findings.extra_ratios, 0.9, 1.1), findings.extra_ratios.size());
+  text += fmt::format(
+      "pressure, RMS of the peak: mean {:.2f}, p95 {:.2f}, worst {:.2f} %; over that without a bump {:.2f}\n",
+      findings.pressure.mean, findings.pressure.p95, findings.pressure.worst, findings.pressure_gain);
+  text += fmt::format("surface, RMS of the depth: to 12 mm {:.2f}, larger {:.2f} % at worst\n",
+                      findings.surface_small.worst, findings.surface_large.worst);
+  for (const lab::LumpFindings::Beside& beside : findings.beside) {
+    text += fmt::format("{:g} mm beside the lump ({}): extra force {:.1f} %, lateral force {:.4f} of the force off\n",
+                        beside.at_mm, beside.name, beside.ratio_percent, beside.lateral);
+  }
+  if (findings.field.count == 0) return text;
+  return text + fmt::format("field of the table: mean {:.2f}, worst {:.2f} % of the energy\n", findings.field.mean,
+                            findings.field.worst);
+}
+
+void runLumpCheck(const LumpCheckArguments& arguments) {
+  if (arguments.cases.empty() == !arguments.seed)
+    throw Error("lump check: give --cases FILE or --solve SEED, one of the two");
+  ProgressLine progress;
+  const lab::LumpCases cases = arguments.seed
+                                   ? lab::solveLumpCases(*arguments.seed, arguments.lumps, progress.callback())
+                                   : lab::readLumpCases(arguments.cases);
+  const lab::LumpFindings findings = lab::judgeLumps(cases, progress.callback());
+  progress.clear();
+  fmt::print("{}", arguments.json ? jsonText(findingsJson(findings)) : findingsText(findings));
+}
+
+// --- show
+
+struct LumpShowArguments {
+  double thickness_mm = 40.0;
+  double fat_mm = 8.0;
+  std::string table;
+  double diameter_mm = 10.0;
+  double depth_mm = 8.0;
+  std::optional<double> ratio;
+  std::optional<double> young_kpa;
+  double edge = 0.0;
+  bool json = false;
+};
+
+/// Where a lump is shown: its layers, their fields and the force without lump.
+struct ShownPlace {
+  tissue::LayerStack stack;
+  std::optional<tissue::LayeredTable> table;
+  std::vector<tissue::WeightedField> fields;
+  tissue::LayeredTissue tissue;
+};
+
+void fillFields(ShownPlace& place, const LumpShowArguments& arguments) {
+  if (!place.table) {
+    place.stack = tissue::placeStack(arguments.thickness_mm, arguments.fat_mm);
+    place.fields = tissue::libraryFieldsAt(arguments.thickness_mm, arguments.fat_mm);
+    return;
+  }
+  if (!place.table->field) {
+    throw Error::inFile(arguments.table, "has no field, which lumps need: palpate tissue solve --field");
+  }
+  place.stack = place.table->stack;
+  place.fields = {{&place.table->stack, &*place.table->field, 1.0}};
+}
+
+void runLumpShow(const LumpShowArguments& arguments) {
+  if (arguments.ratio && arguments.young_kpa) throw Error("lump show: takes --ratio or --young-kpa, not both");
+  std::optional<tissue::LayeredTable> table;
+  if (!arguments.table.empty()) table = tissue::readLayeredTable(arguments.table);
+  std::vector<tissue::LayeredNode> nodes =
+      table ? std::vector{tissue::nodeOf(*table)} : tissue::libraryNodes(arguments.fat_mm);
+  ShownPlace place{
+      .stack = {}, .table = std::move(table), .fields = {}, .tissue = tissue::LayeredTissue(std::move(nodes))};
+  fillFields(place, arguments);
+  const double radius = 0.5 * arguments.diameter_mm;
+  tissue::LumpShape lump{.half_axes_mm = {radius, radius, radius},
+                         .depth_mm = arguments.depth_mm,
+                         .stiffness_ratio = arguments.ratio.value_or(tissue::LumpShape{}.stiffness_ratio),
+                         .young_kpa = arguments.young_kpa,
+                         .edge = arguments.edge};
+  const tissue::LumpEnergy energy(lump, place.stack, place.fields);
+  const double thickness = tissue::totalThickness(place.stack);
+  nlohmann::ordered_json json = {{"young_kpa", tissue::youngOf(lump, place.stack)},
+                                 {"bottom_mm", lump.bottomMm()},
+                                 {"bone_mm", thickness},
+                                 {"presses", nlohmann::ordered_json::array()}};
+  std::string text =
+      fmt::format("lump of {:g} mm, top {:g} mm under the skin, {:.4g} kPa; bone {:.4g} mm deep\n",
+                  arguments.diameter_mm, arguments.depth_mm, tissue::youngOf(lump, place.stack), thickness);
+  text += "   depth     force    extra    share   sideways, at best\n";
+  for (const double depth : {3.0, 5.0, 8.0}) {
+    const double force = depth * place.tissue.secantAt(thickness, depth);
+    const double extra = energy.at(0.0, depth).d_depth;
+    double lateral = 0.0;
+    for (double rho = 0.0; rho < energy.reachMm(); rho += 0.25)
+      lateral = std::max(lateral, std::abs(energy.at(rho, depth).d_rho));
+    text += fmt::format("{:5g} mm {:7.3f} N {:6.3f} N {:6.2f} % {:8.3f} N\n", depth, force, extra,
+                        100.0 * extra / force, lateral);
+    json["presses"].push_back({{"depth_mm", depth},
+                               {"force_without_n", force},
+                               {"extra_n", extra},
+                               {"share_percent", 100.0 * extra / force},
+                               {"lateral_n", lateral}});
+  }
+  const tissue::LumpSteepness steepest = energy.steepest();
+  json["steepest_n_per_mm"] = {{"depth", steepest.depth}, {"sideways", steepest.rho}, {"snapping", steepest.snapping}};
+  fmt::print("{}", arguments.json ? jsonText(json) : text);
+}
+
+void addLumpCheckCommand(CLI::App& lump) {
+  const auto arguments = std::make_shared<LumpCheckArguments>();
+  LumpCheckArguments& a = *arguments;
+  CLI::App& command =
+      *lump.add_subcommand("check", "Compare lumps with finite elements that have the lump in their mesh");
+  CLI::Option& cases = *command.add_option("--cases", a.cases, "Solved presses over lumps (JSON)");
+  addNumber(command, "--solve", a.seed, between(0.0, 1e9),
+            "Draw stacks and lumps with this seed and solve them instead")
+      ->excludes(&cases);
+  addNumber(command, "--lumps", a.lumps, between(1.0, 200.0), "With --solve: lumps, four to a stack, some 10 s each")
+      ->capture_default_str();
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([arguments] { runLumpCheck(*arguments); });
+}
+
+void addLumpShowCommand(CLI::App& lump) {
+  const auto arguments = std::make_shared<LumpShowArguments>();
+  LumpShowArguments& a = *arguments;
+  CLI::App& command =
+      *lump.add_subcommand("show", "Show what a lump adds to a press: kPa, share of the force at 3, 5 and 8 mm");
+  addNumber(command, "--diameter-mm", a.diameter_mm, between(2.0, 40.0, "mm"), "Diameter")->capture_default_str();
+  addNumber(command, "--depth-mm", a.depth_mm, between(0.5, 200.0, "mm"), "Depth of its top under the skin")
+      ->capture_default_str();
+  addNumber(command, "--ratio", a.ratio, between(0.2, 1000.0),
+            "Stiffness over that of the layer at its centre (default: 5)");
+  addNumber(command, "--young-kpa", a.young_kpa, between(0.1, 1e6, "kPa"), "Stiffness in kPa instead");
+  addNumber(command, "--edge", a.edge, between(0.0, 1.0), "0: sharp, to 1: soft all through")->capture_default_str();
+  addNumber(command, "--thickness-mm", a.thickness_mm, between(9.0, 62.0, "mm"), "Depth of the bone at the place")
+      ->capture_default_str();
+  addNumber(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Fat between skin and muscle")
+      ->capture_default_str();
+  command.add_option("--table", a.table, "Layers of a table instead, solved with --field");
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([arguments] { runLumpShow(*arguments); });
+}
+
+}  // namespace
+
+void addLumpCommand(CLI::App& app) {
+  CLI::App& lump =
+      *app.add_subcommand("lump", "Lumps under the skin: what they add to a press, compared with finite elements");
+  lump.require_subcommand(1);
+  addLumpShowCommand(lump);
+  addLumpCheckCommand(lump);
+}
+
+}  // namespace palpate::app

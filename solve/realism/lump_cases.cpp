@@ -1,0 +1,215 @@
+// Cases of lumps: read from a file, or drawn and solved. Solved ones are pressed twice on one mesh, with the lump and
+// without, so that they differ by the lump alone.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/base/random.h"
+#include "palpate/base/text.h"
+#include "palpate/elements/press_solver.h"
+#include "solve/realism/lump_judge.h"
+
+namespace palpate::lab {
+
+namespace {
+
+using LumpJson = nlohmann::json;
+
+constexpr std::uint64_t kMaxLumpBytes = 64u << 20u;
+constexpr double kPercent = 0.01;
+
+tissue::LumpShape lumpFrom(const LumpJson& json) {
+  tissue::LumpShape lump;
+  const double radius = 0.5 * json.at("diameter_mm").get<double>();
+  lump.half_axes_mm = {radius, radius, radius};
+  lump.depth_mm = json.at("depth_mm").get<double>();
+  lump.young_kpa = json.at("young_kpa").get<double>();
+  lump.edge = json.value("edge", 0.0);
+  return lump;
+}
+
+std::size_t stackNamed(const LumpCases& cases, const std::string& name) {
+  const auto found = std::ranges::find(cases.stack_names, name);
+  if (found == cases.stack_names.end()) throw Error("unknown stack '" + oneLine(name) + "'");
+  return static_cast<std::size_t>(found - cases.stack_names.begin());
+}
+
+void readStacks(const LumpJson& root, LumpCases& cases) {
+  for (const LumpJson& json : root.at("stacks")) {
+    cases.stack_names.push_back(json.at("name").get<std::string>());
+    tissue::LayerStack& stack = cases.stacks.emplace_back();
+    stack.poisson = root.value("poisson", stack.poisson);
+    for (const LumpJson& layer : json.at("layers_mm_kpa"))
+      stack.layers.push_back({"", layer.at(0).get<double>(), layer.at(1).get<double>()});
+    tissue::check(stack);
+    std::vector<double>& forces = cases.forces_n.emplace_back();
+    for (const LumpJson& press : json.value("presses", LumpJson::array()))
+      forces.push_back(press.at("force_n").get<double>());
+  }
+}
+
+LumpCase caseFrom(const LumpJson& json, const LumpCases& cases) {
+  LumpCase one{.name = json.at("name").get<std::string>(),
+               .stack = stackNamed(cases, json.at("stack").get<std::string>()),
+               .lump = lumpFrom(json.at("lump")),
+               .presses = {}};
+  for (const LumpJson& from : json.at("presses")) {
+    LumpPress& press = one.presses.emplace_back();
+    press.depth_mm = from.at("depth_mm").get<double>();
+    press.force_n = from.at("force_n").get<double>();
+    press.force_without_n = from.at("force_without_n").get<double>();
+    press.contact_radius_mm = from.at("contact_radius_mm").get<double>();
+    press.pressure_kpa = from.at("pressure_kpa").get<std::vector<double>>();
+    if (press.pressure_kpa.empty()) throw Error(one.name + ": pressure_kpa is empty");
+    for (const LumpJson& percent : from.value("surface_change_percent_of_depth", LumpJson::array()))
+      press.surface_change_share.push_back(kPercent * percent.get<double>());
+    if (press.surface_change_share.size() > cases.surface_radii_mm.size())
+      throw Error(one.name + ": surface_change_percent_of_depth is too long");
+  }
+  tissue::check(one.lump, cases.stacks[one.stack]);
+  return one;
+}
+
+BesideCase besideFrom(const LumpJson& json, const LumpCases& cases) {
+  BesideCase one{.name = json.at("name").get<std::string>(),
+                 .stack = stackNamed(cases, json.at("stack").get<std::string>()),
+                 .lump = lumpFrom(json.at("lump")),
+                 .at_mm = json.at("at_mm").get<double>(),
+                 .presses = {}};
+  for (const LumpJson& press : json.at("presses")) {
+    one.presses.push_back({press.at("depth_mm").get<double>(), press.at("force_over_force_without").get<double>() - 1.0,
+                           press.at("lateral_away_from_lump_over_force_without").get<double>()});
+  }
+  return one;
+}
+
+void readField(const LumpJson& root, LumpCases& cases) {
+  for (const LumpJson& kernel : root.value("kernels", LumpJson::array())) {
+    const std::size_t stack = stackNamed(cases, kernel.at("stack").get<std::string>());
+    for (const LumpJson& entry : kernel.at("entries")) {
+      for (std::size_t i = 0; i < entry.at("press_mm").size(); ++i) {
+        cases.field.push_back({stack, entry.at("centre_depth_mm").get<double>(), entry.at("at_mm").get<double>(),
+                               entry.at("press_mm").at(i).get<double>(), entry.at("shear_mm3").at(i).get<double>(),
+                               entry.at("volume_mm3").at(i).get<double>()});
+      }
+    }
+  }
+}
+
+// --- drawn and solved
+
+tissue::LayerStack drawnStack(Random& random) {
+  tissue::LayerStack stack;
+  stack.layers.push_back({"skin", random.uniform(1.0, 2.5), random.uniform(60.0, 150.0)});
+  stack.layers.push_back({"fat", random.uniform(5.0, 18.0), random.uniform(6.0, 20.0)});
+  stack.layers.push_back({"muscle", random.uniform(12.0, 30.0), random.uniform(12.0, 40.0)});
+  return stack;
+}
+
+tissue::LumpShape drawnLump(Random& random, const tissue::LayerStack& stack) {
+  constexpr double kDeepestTopMm = 15.0;
+  constexpr double kShallowest = 0.5;  // mm, beyond what is allowed
+  tissue::LumpShape lump;
+  const double radius = random.uniform(1.5, 6.0);
+  lump.half_axes_mm = {radius, radius, radius};
+  const tissue::TopRange top = tissue::topRange(lump, stack);
+  lump.depth_mm = random.uniform(top.from_mm + kShallowest, std::min(kDeepestTopMm, top.to_mm - 1.0));
+  lump.stiffness_ratio = std::exp(random.uniform(std::log(1.5), std::log(20.0)));
+  return lump;
+}
+
+std::vector<double> padded(std::vector<double> pressures, std::size_t count) {
+  pressures.resize(std::max(count, pressures.size()), 0.0);
+  return pressures;
+}
+
+LumpCase solvedCase(const tissue::LumpShape& lump, const tissue::LayerStack& stack,
+                    const std::vector<double>& surface_radii) {
+  constexpr double kDeepestMm = 8.0;
+  constexpr double kShare = 0.5;  // of the thickness
+  constexpr std::size_t kRings = 9;
+  elements::PressSettings settings;
+  settings.depths_mm.clear();
+  for (double depth = 1.0; depth <= std::min(kDeepestMm, kShare * tissue::totalThickness(stack)); depth += 1.0)
+    settings.depths_mm.push_back(depth);
+  settings.lump = elements::Inclusion{.across_mm = lump.half_axes_mm[0],
+                                      .into_mm = lump.half_axes_mm[2],
+                                      .top_mm = lump.depth_mm,
+                                      .edge = lump.edge,
+                                      .young_kpa = {}};
+  const elements::PressSolution without = elements::solvePress(stack, settings);
+  settings.lump->young_kpa = tissue::youngOf(lump, stack);
+  const elements::PressSolution with = elements::solvePress(stack, settings);
+  LumpCase one{.name = {}, .stack = 0, .lump = lump, .presses = {}};
+  const std::size_t count = std::min(without.table.shapes.size(), with.table.shapes.size());
+  for (std::size_t i = 0; i < count && i < settings.depths_mm.size(); ++i) {
+    const tissue::PressedShape& shape = with.table.shapes[i];
+    const tissue::PressedShape& plain = without.table.shapes[i];
+    if (shape.depth_mm != plain.depth_mm) break;
+    LumpPress& press = one.presses.emplace_back();
+    press.depth_mm = shape.depth_mm;
+    press.force_n = shape.force_n;
+    press.force_without_n = plain.force_n;
+    // Up to the end of the last ring that touches.
+    press.contact_radius_mm = static_cast<double>(with.ring_pressures_kpa[i].size());
+    press.pressure_kpa = padded(with.ring_pressures_kpa[i], kRings);
+    for (const double radius : surface_radii) {
+      const auto at = std::ranges::lower_bound(with.table.radii_mm, radius - 1e-9) - with.table.radii_mm.begin();
+      const auto r = static_cast<std::size_t>(at);
+      press.surface_change_share.push_back((shape.down[r] * shape.surface_mm - plain.down[r] * plain.surface_mm) /
+                                           shape.depth_mm);
+    }
+  }
+  return one;
+}
+
+}  // namespace
+
+LumpCases readLumpCases(const std::filesystem::path& file) {
+  const std::string text = readFile(file, kMaxLumpBytes);
+  LumpCases cases;
+  cases.surface_radii_mm = {0, 2, 4, 6, 8, 10, 12, 15, 20, 25, 30, 40};
+  try {
+    const LumpJson root = LumpJson::parse(text);
+    readStacks(root, cases);
+    for (const LumpJson& json : root.at("cases")) cases.cases.push_back(caseFrom(json, cases));
+    for (const LumpJson& json : root.value("off_axis", LumpJson::array()))
+      cases.beside.push_back(besideFrom(json, cases));
+    readField(root, cases);
+  } catch (const LumpJson::exception& error) {
+    throw Error::inFile(file.string(), fmt::format("is not a file of lump cases: {}", error.what()));
+  } catch (const Error& error) {
+    throw Error::inFile(file.string(), error.what());
+  }
+  return cases;
+}
+
+LumpCases solveLumpCases(std::uint64_t seed, std::size_t lumps, const Progress& progress) {
+  constexpr std::size_t kLumpsAStack = 4;
+  Random random(seed);
+  LumpCases cases;
+  cases.surface_radii_mm = {0, 2, 4, 6, 8, 10, 12, 15, 20, 25, 30, 40};
+  while (cases.cases.size() < lumps) {
+    const std::size_t done = cases.cases.size();
+    report(progress, "solving lumps", static_cast<double>(done) / static_cast<double>(lumps));
+    if (done % kLumpsAStack == 0) {
+      cases.stacks.push_back(drawnStack(random));
+      cases.stack_names.push_back(fmt::format("stack {}", cases.stacks.size()));
+      cases.forces_n.emplace_back();
+    }
+    const tissue::LayerStack& stack = cases.stacks.back();
+    const tissue::LumpShape lump = drawnLump(random, stack);
+    LumpCase one = solvedCase(lump, stack, cases.surface_radii_mm);
+    one.stack = cases.stacks.size() - 1;
+    one.name = fmt::format("{}: {:.1f} mm, {:.1f} mm deep, ratio {:.1f}", cases.stack_names.back(),
+                           2.0 * lump.half_axes_mm[0], lump.depth_mm, lump.stiffness_ratio);
+    cases.cases.push_back(std::move(one));
+  }
+  return cases;
+}
+
+}  // namespace palpate::lab

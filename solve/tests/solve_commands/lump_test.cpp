@@ -1,0 +1,68 @@
+// `palpate lump` and the lumps of `palpate tissue solve` from the outside.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "palpate/tissue/layered_table.h"
+#include "support/run_command.h"
+#include "support/temporary_folder.h"
+
+namespace palpate {
+namespace {
+
+using support::CommandResult;
+
+class LumpCommand : public ::testing::Test {
+ protected:
+  CommandResult run(const std::string& arguments) const { return support::runPalpate(arguments, folder_.path()); }
+  void refuses(const std::string& arguments, const std::string& words) const {
+    const CommandResult result = run(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
+  }
+
+  const std::string layers_ = "--layer skin:2mm:150kPa --layer fat:8mm:10kPa --layer muscle:12mm:27kPa --no-drag ";
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(LumpCommand, ShowsWhatALumpAddsInALibraryPlaceAndInATable) {
+  const CommandResult shown = run("lump show --diameter-mm 10 --depth-mm 3 --ratio 20 --json");
+  ASSERT_EQ(shown.exit_code, 0) << shown.err;
+  const auto json = nlohmann::json::parse(shown.out);
+  EXPECT_NEAR(json["young_kpa"].get<double>(), 200.0, 1e-9);
+  ASSERT_EQ(json["presses"].size(), 3u);
+  EXPECT_NEAR(json["presses"][0]["share_percent"].get<double>(), 60.0, 3.0);
+  EXPECT_NEAR(json["presses"][2]["share_percent"].get<double>(), 28.0, 2.0);
+
+  ASSERT_EQ(run("tissue solve " + layers_ + "--depths 2:8:2 --field -o mine.json").exit_code, 0);
+  EXPECT_TRUE(tissue::readLayeredTable(folder_ / "mine.json").field.has_value());
+  const CommandResult mine = run("lump show --table mine.json --depth-mm 4 --diameter-mm 6");
+  ASSERT_EQ(mine.exit_code, 0) << mine.err;
+  EXPECT_NE(mine.out.find("8 mm"), std::string::npos);
+  ASSERT_EQ(run("tissue solve " + layers_ + "--depths 2:8:2 -o bare.json").exit_code, 0);
+  refuses("lump show --table bare.json", "bare.json has no field, which lumps need: palpate tissue solve --field");
+}
+
+TEST_F(LumpCommand, SolvesAPressOverALump) {
+  const CommandResult hard = run("tissue solve " + layers_ + "--depths 2,4 --lump 6mm:3mm:200kPa --json");
+  const CommandResult none = run("tissue solve " + layers_ + "--depths 2,4 --json");
+  ASSERT_EQ(hard.exit_code, 0) << hard.err;
+  const auto with = nlohmann::json::parse(hard.out);
+  const auto without = nlohmann::json::parse(none.out);
+  EXPECT_GT(with["force_n"][1].get<double>(), 1.1 * without["force_n"][1].get<double>());
+  EXPECT_GT(with["pressure_kpa"][1][0].get<double>(), 1.3 * without["pressure_kpa"][1][0].get<double>());
+}
+
+TEST_F(LumpCommand, RefusesInOneLine) {
+  refuses("tissue solve " + layers_ + "--lump 6mm:3mm", "a lump is DIAMETER:DEPTH:MODULUS, such as 10mm:6mm:60kPa");
+  refuses("tissue solve " + layers_ + "--lump 6mm:3mm:2s", "a lump is DIAMETER:DEPTH:MODULUS");
+  refuses("lump show --depth-mm 2", "the top lies at least 0.5 mm under the skin's layer");
+  refuses("lump show --depth-mm 8 --thickness-mm 12", "reaches the bone");
+  refuses("lump show --ratio 3 --young-kpa 30", "not both");
+  refuses("lump check", "give --cases FILE or --solve SEED");
+  refuses("lump check --cases nothing.json", "nothing.json");
+}
+
+}  // namespace
+}  // namespace palpate
