@@ -143,43 +143,21 @@ struct LumpShowArguments {
   bool json = false;
 };
 
-/// Where a lump is shown: its layers, their fields and the force without lump.
-struct ShownPlace {
-  tissue::LayerStack stack;
-  std::optional<tissue::LayeredTable> table;
-  std::vector<tissue::WeightedField> fields;
-  tissue::LayeredTissue tissue;
-};
-
-void fillFields(ShownPlace& place, const LumpShowArguments& arguments) {
-  if (!place.table) {
-    place.stack = tissue::placeStack(arguments.thickness_mm, arguments.fat_mm);
-    place.fields = tissue::libraryFieldsAt(arguments.thickness_mm, arguments.fat_mm);
-    return;
-  }
-  if (!place.table->field) {
-    throw Error::inFile(arguments.table, "has no field, which lumps need: palpate tissue solve --field");
-  }
-  place.stack = place.table->stack;
-  place.fields = {{&place.table->stack, &*place.table->field, 1.0}};
-}
-
 void runLumpShow(const LumpShowArguments& arguments) {
   if (arguments.ratio && arguments.young_kpa) throw Error("lump show: takes --ratio or --young-kpa, not both");
   std::optional<tissue::LayeredTable> table;
   if (!arguments.table.empty()) table = tissue::readLayeredTable(arguments.table);
-  std::vector<tissue::LayeredNode> nodes =
-      table ? std::vector{tissue::nodeOf(*table)} : tissue::libraryNodes(arguments.fat_mm);
-  ShownPlace place{
-      .stack = {}, .table = std::move(table), .fields = {}, .tissue = tissue::LayeredTissue(std::move(nodes))};
-  fillFields(place, arguments);
+  const tissue::LayeredTissue without(table ? std::vector{tissue::nodeOf(*table)}
+                                            : tissue::libraryNodes(arguments.fat_mm));
+  const tissue::LumpPlace place = table ? tissue::tablePlace(*table, arguments.table)
+                                        : tissue::libraryPlaceAt(arguments.thickness_mm, arguments.fat_mm);
   const double radius = 0.5 * arguments.diameter_mm;
   tissue::LumpShape lump{.half_axes_mm = {radius, radius, radius},
                          .depth_mm = arguments.depth_mm,
                          .stiffness_ratio = arguments.ratio.value_or(tissue::LumpShape{}.stiffness_ratio),
                          .young_kpa = arguments.young_kpa,
                          .edge = arguments.edge};
-  const tissue::LumpEnergy energy(lump, place.stack, place.fields);
+  const tissue::LumpEnergy energy = place.energyOf(lump);
   const double thickness = tissue::totalThickness(place.stack);
   nlohmann::ordered_json json = {{"young_kpa", tissue::youngOf(lump, place.stack)},
                                  {"bottom_mm", lump.bottomMm()},
@@ -190,7 +168,7 @@ void runLumpShow(const LumpShowArguments& arguments) {
                   arguments.diameter_mm, arguments.depth_mm, tissue::youngOf(lump, place.stack), thickness);
   text += "   depth     force    extra    share   sideways, at best\n";
   for (const double depth : {3.0, 5.0, 8.0}) {
-    const double force = depth * place.tissue.secantAt(thickness, depth);
+    const double force = depth * without.secantAt(thickness, depth);
     const double extra = energy.at(0.0, depth).d_depth;
     double lateral = 0.0;
     for (double rho = 0.0; rho < energy.reachMm(); rho += 0.25)

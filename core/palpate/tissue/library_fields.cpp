@@ -2,12 +2,15 @@
 // each, so that a density is within half a percent down to a thousandth of the greatest.
 #include "palpate/tissue/library_fields.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
 
 #include "palpate/base/elementary.h"
+#include "palpate/base/error.h"
 #include "palpate/tissue/layered_library.h"
 
 namespace palpate::tissue {
@@ -119,6 +122,15 @@ std::vector<WeightedField> libraryFieldsAt(double thickness_mm, double fat_mm) {
   add(thick.below, 1.0 - thick.share);
   add(thick.above, thick.share);
   return fields;
+}
+
+LumpPlace libraryPlaceAt(double thickness_mm, double fat_mm) {
+  return {placeStack(thickness_mm, fat_mm), libraryFieldsAt(thickness_mm, fat_mm)};
+}
+
+LumpPlace tablePlace(const LayeredTable& table, std::string_view name) {
+  if (!table.field) throw Error(fmt::format("{} has no field, which lumps need: palpate tissue solve --field", name));
+  return {table.stack, {{&table.stack, &*table.field, 1.0}}};
 }
 
 }  // namespace palpate::tissue

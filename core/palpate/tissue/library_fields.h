@@ -3,6 +3,7 @@
 // Made by `palpate tissue library --solve --field`; decoded once, when first asked for.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "palpate/tissue/lump_energy.h"
@@ -17,5 +18,19 @@ LayerStack placeStack(double thickness_mm, double fat_mm);
 /// the logarithm of the thickness, as those of LayeredTissue. Pointers stay valid for the whole program; any number of
 /// threads.
 std::vector<WeightedField> libraryFieldsAt(double thickness_mm, double fat_mm);
+
+/// What lumps and patterns of pressure at a place are made of: its layers and the fields around it.
+struct LumpPlace {
+  LayerStack stack;
+  std::vector<WeightedField> fields;
+
+  LumpEnergy energyOf(const LumpShape& lump) const { return LumpEnergy(lump, stack, fields); }
+};
+
+/// Of a place in a body with the shipped stacks.
+LumpPlace libraryPlaceAt(double thickness_mm, double fat_mm);
+
+/// Of the layers of a table, which must outlive it. Throws Error, which says what to do, for a table without a field.
+LumpPlace tablePlace(const LayeredTable& table, std::string_view name);
 
 }  // namespace palpate::tissue
