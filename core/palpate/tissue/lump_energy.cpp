@@ -93,7 +93,9 @@ std::vector<LumpPoint> pointsOf(const LumpShape& lump, const LayerStack& stack) 
   return points;
 }
 
-/// The depth in a stack of other thicknesses: as far down its layer as here. Stacks of other layers: the same depth.
+/// The depth in a stack of other thicknesses. A thin layer is strained as a whole, so there the share of its thickness
+/// counts; a thick one by its depth under the skin, as long as that is in the layer. Stacks of other layers: the same
+/// depth.
 double depthIn(const LayerStack& other, const LayerStack& stack, std::size_t layer, double depth_mm) {
   if (other.layers.size() != stack.layers.size()) return depth_mm;
   double top = 0.0;
@@ -102,7 +104,16 @@ double depthIn(const LayerStack& other, const LayerStack& stack, std::size_t lay
     top += stack.layers[i].thickness_mm;
     other_top += other.layers[i].thickness_mm;
   }
-  return other_top + (depth_mm - top) * other.layers[layer].thickness_mm / stack.layers[layer].thickness_mm;
+  constexpr double kThinMm = 10.0;  // half of each; of places solved by themselves the best (lump_test.cpp)
+  constexpr double kInside = 1e-9;
+  const double thickness = stack.layers[layer].thickness_mm;
+  const double other_thickness = other.layers[layer].thickness_mm;
+  const double by_share = other_top + (depth_mm - top) * other_thickness / thickness;
+  const double by_depth = std::clamp(depth_mm, other_top, other_top + other_thickness - kInside);
+  const bool over_bone = layer + 1 == stack.layers.size();
+  const double thin = elementary::square(elementary::square(thickness / kThinMm));
+  const double share = over_bone ? 0.0 : 1.0 / (1.0 + thin);
+  return by_depth + share * (by_share - by_depth);
 }
 
 /// U at one distance and every solved depth, N mm.

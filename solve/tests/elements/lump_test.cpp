@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "palpate/elements/press_solver.h"
+#include "palpate/tissue/library_fields.h"
 #include "support/error_message.h"
 #include "support/golden.h"
 
@@ -94,6 +95,24 @@ TEST(PressFieldOfTheSolver, LeavesTheForcesAsTheyAreAndTellsThePattern) {
     EXPECT_NEAR(solution.table.shapes[i].force_n, plain.table.shapes[i].force_n, 1e-4) << "only the way there differs";
   EXPECT_NEAR(solution.table.field->patterns.back().contact_radius_mm, 5.6, 0.15);
   EXPECT_NEAR(solution.ring_pressures_kpa.back().front(), 19.9, 0.8);  // independent: 19.4
+}
+
+TEST(LumpOfTheLibrary, IsNearThatOfThePlacesOwnSolve) {
+  for (const auto& [thickness, fat] : {std::pair{27.0, 4.0}, std::pair{45.0, 14.0}}) {
+    PressSettings settings;
+    settings.depths_mm = {6.0};
+    settings.field_depths_mm = fieldDepths(6.0);
+    const PressSolution solution = solvePress(tissue::placeStack(thickness, fat), settings);
+    const tissue::LumpPlace own = tissue::tablePlace(solution.table, "own");
+    const tissue::LumpPlace blended = tissue::libraryPlaceAt(thickness, fat);
+    for (const auto& [radius, top] : {std::pair{3.0, 3.0}, std::pair{4.0, 6.0}, std::pair{2.5, 8.0}}) {
+      const tissue::LumpShape lump{.half_axes_mm = {radius, radius, radius}, .depth_mm = top};
+      for (const double depth : {2.0, 5.0}) {
+        const double truth = own.energyOf(lump).at(0.0, depth).d_depth;
+        EXPECT_NEAR(blended.energyOf(lump).at(0.0, depth).d_depth / truth, 1.0, 0.06) << thickness << " " << top;
+      }
+    }
+  }
 }
 
 }  // namespace
