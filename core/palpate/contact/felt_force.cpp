@@ -7,12 +7,15 @@
 // What is felt is continuous by construction. Tip and proxy move apart by at most feltBound in a tick, so the depth as
 // a vector does not change faster either, and where it would (the contact ended far from its proxy) it follows at that
 // pace; friction takes of its own change what the normal force leaves of the step.
+//
+// Lumps add their force last: friction knows the press without them, and acts beside them.
 #include "palpate/contact/felt_force.h"
 
 #include <algorithm>
 
 #include "palpate/base/elementary.h"
 #include "palpate/contact/friction.h"
+#include "palpate/contact/lump_force.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {
@@ -72,10 +75,23 @@ bool followPress(const Surface& surface, double most_mm, const Vec3& tip, Press&
   return press.felt_depth_mm > 0.0;
 }
 
+/// What the surface's lumps add to a press that relaxation leaves this share of.
+void addLumps(const Surface& surface, const LumpPlaces* places, const Press& press, double share, double normal_n,
+              FingerState& state, FingerOutput& output) noexcept {
+  state.lumps = {output.tip, press.normal, press.felt_depth_mm, share};
+  const LumpPush push = lumpPush(*surface.lumps, places, state.lumps);
+  output.lump_force = share * (push.normal_n * press.normal + push.lateral_n);
+  output.lump_share = normal_n > 0.0 ? share * push.normal_n / normal_n : 0.0;
+  output.force += output.lump_force;
+  output.lump = push.nearest_moving;
+  if (places != nullptr && output.lump != kNoIndex) output.lump_moved_mm = places->moved_mm[output.lump];
+}
+
 /// A tip that touches nothing, and what the skin makes of having been touched.
 FingerOutput leftOutput(const Surface& surface, const FingerSettings& settings, const Vec3& tip, FingerState& state) {
   FingerOutput output = freeOutput(tip);
   output.finger_mm = settings.radius_mm;
+  state.lumps = {};
   if (settings.relaxation.on()) {
     recover(surface, settings, state.anchor, state.memory);
     output.dent = state.memory.dent;
@@ -106,7 +122,7 @@ FingerOutput lostOutput(const FingerState& state) noexcept {
 }
 
 FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, Press press, const Vec3& tip,
-                        double tip_moved_mm, FingerState& state) noexcept {
+                        double tip_moved_mm, FingerState& state, const LumpPlaces* lumps) noexcept {
   const double most_mm = feltBound(settings, tip_moved_mm);
   // Friction at its most turns and shrinks with the normal force, which it makes longer by this factor.
   const double with_friction = std::min(elementary::hypot(1.0, settings.mu_static), kMaxFriction);
@@ -119,10 +135,12 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
   tissue::Response tissue = tissue::respond(surface.force_law, here.stiffness_n_per_mm, press.felt_depth_mm, place);
   double most_n = most_mm * tangentOf(surface, here, press.felt_depth_mm, place, tissue);
   double rest_mm = 0.0;
+  double share = 1.0;
   if (settings.relaxation.on()) {
     const Relaxed now = relaxed(settings, tissue, here.stiffness_n_per_mm, press.proxy, state.memory);
     tissue = now.tissue;
     rest_mm = now.rest_mm;
+    share = now.share;
     most_n += with_friction * here.stiffness_n_per_mm * now.change_mm;
   } else if (remembers(state.memory)) {
     state.memory = {};
@@ -146,6 +164,7 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
   output.status = press.status | (hold.settled ? 0u : kCatchingUp);
   output.rest_mm = rest_mm;
   output.dent = state.memory.dent;
+  if (surface.lumps) addLumps(surface, lumps, press, share, tissue.force_n, state, output);
   return output;
 }
 

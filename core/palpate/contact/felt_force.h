@@ -9,6 +9,8 @@
 
 namespace palpate::contact {
 
+struct LumpPlaces;
+
 /// False for a tip that is not finite or absurdly far away: a broken device.
 bool usableTip(const Surface& surface, const Vec3& tip) noexcept;
 
@@ -20,9 +22,10 @@ FingerOutput lostOutput(const FingerState& state) noexcept;
 
 /// What a finger that moved by `tip_moved_mm` to `tip` and presses so reports: normal force by the surface's force law
 /// and friction, together in newton. Moves the anchor in `state`. No tick changes the force by more than stiffness
-/// times feltBound: a press that has ended at once (the tip came out on another side) fades.
+/// times feltBound: a press that has ended at once (the tip came out on another side) fades. What lumps add comes on
+/// top and is as steep as they are (tissue::LumpEnergy::steepest). `lumps`: where they lie, or null.
 FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, Press press, const Vec3& tip,
-                        double tip_moved_mm, FingerState& state) noexcept;
+                        double tip_moved_mm, FingerState& state, const LumpPlaces* lumps = nullptr) noexcept;
 
 // How the force of a press that is held falls in time, and how the dent comes back afterwards: viscous skin.
 //
@@ -65,6 +68,7 @@ inline constexpr double kDentReachMm = 13.0;
 struct Relaxed {
   double rest_mm = 0.0;          ///< sum g_i x_i: the effective depth at which the skin would stay
   double change_mm = 0.0;        ///< how far that moved since the last tick, not less
+  double share = 1.0;            ///< of the force at once that is left
   tissue::Response tissue = {};  ///< as the finger feels it
 };
 

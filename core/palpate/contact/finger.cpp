@@ -56,8 +56,8 @@ void check(const FingerSettings& settings) {
   checkRelaxation(settings.relaxation);
 }
 
-FingerOutput step(const Surface& surface, const FingerSettings& settings, FingerState& state,
-                  const Vec3& tip) noexcept {
+FingerOutput step(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip,
+                  const LumpPlaces* lumps) noexcept {
   if (!usableTip(surface, tip)) return lostOutput(state);
   if (!state.knows_tip) {
     state.tip = tip;
@@ -72,7 +72,7 @@ FingerOutput step(const Surface& surface, const FingerSettings& settings, Finger
     state.from_inside = false;
     prefetchNeighbours(surface, state.proxy.triangle, state.proxy.triangle != triangle_before);
   }
-  return feltOutput(surface, settings, press, tip, tip_moved_mm, state);
+  return feltOutput(surface, settings, press, tip, tip_moved_mm, state, lumps);
 }
 
 void stepAll(const Surface& surface, std::span<const FingerSettings> settings, std::span<FingerState> states,

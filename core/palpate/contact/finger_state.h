@@ -87,6 +87,14 @@ struct SkinMemory {
   Dent dent;                         ///< that dent, as FingerOutput has it
 };
 
+/// A press as the lumps under it feel it (lump_force.h): of the last tick.
+struct LumpPress {
+  Vec3 tip = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();
+  double depth_mm = 0.0;  ///< that the force counts
+  double share = 0.0;     ///< of the force that relaxation leaves; 0: nothing is pressed
+};
+
 /// All that a finger remembers between two ticks. Plain data; value-initialised it has never touched anything.
 struct FingerState {
   bool knows_tip = false;  ///< false until the first usable tip
@@ -104,6 +112,7 @@ struct FingerState {
   Vec3 felt = Vec3::Zero();    ///< the depth that was felt along its normal, mm; fades after the skin was left
   Vec3 force = Vec3::Zero();   ///< on the tip, N
   SkinMemory memory = {};
+  LumpPress lumps = {};  ///< only where there are any
 };
 
 /// What one finger felt in one tick; value-initialised it touches nothing, at the origin.
@@ -126,6 +135,11 @@ struct FingerOutput {
   std::uint32_t status = 0;          ///< StatusBits
   double rest_mm = 0.0;  ///< effective depth at which the skin under the finger would stay by itself; 0 when free
   Dent dent = {};        ///< what the finger left and is still coming back
+  /// Of the world's lumps the one that moves and is nearest, if the finger feels any that moves; kNoIndex: none.
+  Index lump = kNoIndex;
+  Vec2 lump_moved_mm = Vec2::Zero();  ///< how far that one is from its place, across and up (lump_force.h)
+  Vec3 lump_force = Vec3::Zero();     ///< of `force`, what the lumps add, N
+  double lump_share = 0.0;            ///< their normal force over that of the press without them; 0 where that is 0
 };
 
 }  // namespace palpate::contact

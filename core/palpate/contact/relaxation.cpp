@@ -70,9 +70,9 @@ Relaxed relaxed(const FingerSettings& settings, const tissue::Response& instant,
   result.change_mm = changeOf(relaxation, kept, held_mm, memory.under_mm);
   // As a share, so that friction's lengths (felt_force.cpp) do not depend on time.
   const double taken = result.rest_mm > 0.0 ? result.rest_mm / pressed_mm : 0.0;
-  const double share = std::max(0.0, 1.0 - taken);
-  result.tissue.force_n *= share;
-  result.tissue.secant_n_per_mm *= share;
+  result.share = std::max(0.0, 1.0 - taken);
+  result.tissue.force_n *= result.share;
+  result.tissue.secant_n_per_mm *= result.share;
   ease(kept, held_mm, memory.under_mm);
   return result;
 }

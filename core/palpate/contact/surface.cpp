@@ -171,7 +171,8 @@ Surface surfaceOf(std::shared_ptr<const SurfaceGeometry> geometry, std::vector<d
   return {.geometry = std::move(geometry),
           .stiffness_n_per_mm = std::move(stiffness_n_per_mm),
           .tissue_mm = std::move(options.tissue_mm),
-          .force_law = options.force_law};
+          .force_law = options.force_law,
+          .lumps = std::move(options.lumps)};
 }
 
 Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm, SurfaceOptions options) {

@@ -15,6 +15,8 @@
 
 namespace palpate::contact {
 
+struct Lumps;
+
 /// Plain data. Triangles are named by their record in the tree (leaf order).
 struct SurfaceGeometry {
   tree::TriangleTree tree;
@@ -36,6 +38,7 @@ struct Surface {
   std::vector<double> stiffness_n_per_mm;           ///< per vertex
   std::vector<double> tissue_mm;  ///< per vertex: thickness over the bone; empty where it is not known
   tissue::ForceLaw force_law;
+  std::shared_ptr<const Lumps> lumps = nullptr;  ///< under it (lump_force.h); null: none
 };
 
 /// `mesh` must be fit for contact, as mesh::repair leaves it: an edge has at most one neighbour on each side and the
@@ -49,6 +52,7 @@ struct SurfaceOptions {
   std::optional<bool> self_intersecting = {};  ///< as buildGeometry has it
   /// Per vertex, finite and >= 0: the thickness over the bone, for the layered law. May be empty.
   std::vector<double> tissue_mm = {};
+  std::shared_ptr<const Lumps> lumps = nullptr;
 };
 
 /// One stiffness (and thickness) per vertex, finite and >= 0. Throws Error otherwise.

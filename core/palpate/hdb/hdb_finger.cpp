@@ -306,14 +306,15 @@ contact::Press pressHdb(const contact::Surface& surface, const contact::FingerSe
 }  // namespace
 
 contact::FingerOutput stepHdb(const contact::Surface& surface, const contact::FingerSettings& settings,
-                              HdbCandidates& candidates, contact::FingerState& state, const Vec3& tip) noexcept {
+                              HdbCandidates& candidates, contact::FingerState& state, const Vec3& tip,
+                              const contact::LumpPlaces* lumps) noexcept {
   if (!contact::usableTip(surface, tip)) return contact::lostOutput(state);
   if (!state.knows_tip) state.tip = tip;
   const contact::Press press = pressHdb(surface, settings, candidates, state, tip);
   const double tip_moved_mm = (tip - state.tip).norm();
   state.knows_tip = true;
   state.tip = tip;
-  return contact::feltOutput(surface, settings, press, tip, tip_moved_mm, state);
+  return contact::feltOutput(surface, settings, press, tip, tip_moved_mm, state, lumps);
 }
 
 }  // namespace palpate::hdb

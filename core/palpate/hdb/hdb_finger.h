@@ -14,8 +14,10 @@ namespace palpate::hdb {
 
 /// One tick. In `state`, `centre` is the god object while it touches and `proxy` the skin's point under it; a state of
 /// contact::step does not serve here. Radius 0 only; force shading and the too-deep search of the default finger do not
-/// exist here. noexcept, no allocation, no lock. Any thread, one at a time per state and candidates.
+/// exist here. `lumps` as contact::step has it. noexcept, no allocation, no lock. Any thread, one at a time per state
+/// and candidates.
 contact::FingerOutput stepHdb(const contact::Surface& surface, const contact::FingerSettings& settings,
-                              HdbCandidates& candidates, contact::FingerState& state, const Vec3& tip) noexcept;
+                              HdbCandidates& candidates, contact::FingerState& state, const Vec3& tip,
+                              const contact::LumpPlaces* lumps = nullptr) noexcept;
 
 }  // namespace palpate::hdb

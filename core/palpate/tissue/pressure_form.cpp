@@ -2,6 +2,7 @@
 #include "palpate/tissue/pressure_form.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -77,17 +78,46 @@ double bumpAt(double distance_mm, double width_mm) noexcept {
   return 1.0 / (wide * wide * std::sqrt(wide));
 }
 
+namespace {
+
+/// Cosines of the middles of so many arcs of half a circle.
+template <std::size_t kCount>
+std::array<double, kCount> arcCosines() {
+  std::array<double, kCount> cosines;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    cosines[i] = elementary::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(kCount));
+  }
+  return cosines;
+}
+
+/// The mean of K over a circle round a point `offset_mm` from the foot.
+template <std::size_t kCount>
+double meanBump(const std::array<double, kCount>& cosines, double radius_mm, double offset_mm,
+                double width_mm) noexcept {
+  const double inverse = 1.0 / (width_mm * width_mm);
+  const double middle = 1.0 + (radius_mm * radius_mm + offset_mm * offset_mm) * inverse;
+  const double swing = 2.0 * radius_mm * offset_mm * inverse;
+  std::array<double, kCount> values;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const double wide = middle + swing * cosines[i];
+    values[i] = 1.0 / (wide * wide * std::sqrt(wide));
+  }
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(kCount);
+}
+
+const std::array<double, 6> kFewArcs = arcCosines<6>();
+const std::array<double, 16> kManyArcs = arcCosines<16>();
+
+}  // namespace
+
 double bumpBase(const PressurePattern& pattern, double offset_mm, double width_mm) noexcept {
-  constexpr int kAround = 16;
   constexpr double kShare = 0.53;
   const double radius = 0.5 * pattern.contact_radius_mm;
-  double sum = 0.0;
-  for (int i = 0; i < kAround; ++i) {
-    const double along = radius * elementary::cos(std::numbers::pi * (i + 0.5) / kAround);
-    sum +=
-        bumpAt(std::sqrt(std::max(0.0, radius * radius + offset_mm * offset_mm + 2.0 * offset_mm * along)), width_mm);
-  }
-  return kShare * sum / kAround;
+  // Six arcs have a bump that is wide beside the circle to 1e-4.
+  return kShare * (width_mm > 1.5 * radius ? meanBump(kFewArcs, radius, offset_mm, width_mm)
+                                           : meanBump(kManyArcs, radius, offset_mm, width_mm));
 }
 
 }  // namespace palpate::tissue
