@@ -26,11 +26,15 @@ struct FeltFinger {
   }
 };
 
+/// Each by itself: lumps that move do so for each finger alone, and threads may share the fingers.
 inline std::vector<FeltFinger> fingersOn(const scene::World& world,
                                          const std::vector<contact::FingerSettings>& settings) {
-  servo::FingerSolvers solvers = servo::makeSolvers(world.surface, world.hdb, settings.size(), world.breath);
-  std::vector<FeltFinger> fingers(settings.size());
-  for (std::size_t i = 0; i < fingers.size(); ++i) fingers[i] = {std::move(solvers[i]), settings[i]};
+  std::vector<FeltFinger> fingers;
+  fingers.reserve(settings.size());
+  for (const contact::FingerSettings& one : settings) {
+    servo::FingerSolvers solver = servo::makeSolvers(world.surface, world.hdb, 1, world.breath);
+    fingers.push_back({std::move(solver.front()), one});
+  }
   return fingers;
 }
 

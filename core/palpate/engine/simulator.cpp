@@ -42,8 +42,7 @@ void Simulator::feel(std::span<const Vec3> tips, std::span<contact::FingerOutput
 
 void Simulator::lift(std::size_t finger) noexcept {
   if (finger >= fingers_.size()) return;
-  fingers_[finger].state = {};
-  fingers_[finger].solver.handover.on = false;
+  servo::lift(fingers_[finger].solver, fingers_[finger].state);
   felt_[finger] = contact::freeOutput(felt_[finger].tip);
 }
 

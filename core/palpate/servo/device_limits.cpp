@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "palpate/base/error.h"
+#include "palpate/contact/surface_walk.h"
+#include "palpate/scene/lumps_of_body.h"
 
 namespace palpate::servo {
 
@@ -113,6 +115,21 @@ std::vector<Stiffest> stiffestPlaces(const scene::World& world) {
   return places;
 }
 
+/// The steepest of a lump comes on top of the place that it lies under.
+std::vector<Stiffest> stiffestLumps(const scene::World& world) {
+  std::vector<Stiffest> places;
+  for (const auto& placed : world.lumps) {
+    const contact::Lump& lump = placed->lump;
+    const tissue::LumpSteepness steepness = lump.energy.steepest();
+    const tree::NearestPoint skin = tree::nearestPoint(world.surface.geometry->tree, lump.foot, 1.0);
+    if (skin.triangle == kNoIndex) continue;
+    const contact::SkinHere here =
+        contact::skinAt(world.surface, {skin.closest.point, skin.triangle, skin.closest.feature});
+    places.push_back({here.stiffness_n_per_mm + std::max(steepness.depth, steepness.rho), here.tissue_mm});
+  }
+  return places;
+}
+
 /// The law of one place under one finger: of layered tissue its only row.
 tissue::ForceLaw lawAt(const tissue::ForceLaw& law, const tissue::PressedPlace& place) {
   if (law.kind != tissue::ForceLaw::Kind::layered || law.layers.rows == 0) return law;
@@ -144,7 +161,9 @@ struct FeltPlace {
 
 std::vector<FeltPlace> feltPlaces(const scene::World& world, double finger_mm, double sideways) {
   std::vector<FeltPlace> places;
-  for (const Stiffest& place : stiffestPlaces(world)) {
+  std::vector<Stiffest> stiffest = stiffestPlaces(world);
+  for (const Stiffest& place : stiffestLumps(world)) stiffest.push_back(place);
+  for (const Stiffest& place : stiffest) {
     places.push_back(
         {lawAt(world.surface.force_law, {place.tissue_mm, finger_mm}), place.stiffness_n_per_mm * sideways});
   }

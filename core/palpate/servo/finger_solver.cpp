@@ -10,20 +10,35 @@ namespace palpate::servo {
 FingerSolvers makeSolvers(const contact::Surface& surface, const std::shared_ptr<const hdb::HdbSurface>& box,
                           std::size_t fingers, const std::optional<body::BreathField>& breath) {
   FingerSolvers solvers(fingers);
-  for (FingerSolver& solver : solvers) {
-    solver.surface = &surface;
-    solver.breath = breath;
-    if (box) solver.box.emplace(box);
+  const bool lumps_move = surface.lumps && surface.lumps->anyMoves();
+  const auto lumps = lumps_move ? std::make_shared<LumpLoop>(fingers) : nullptr;
+  for (std::size_t i = 0; i < fingers; ++i) {
+    solvers[i].surface = &surface;
+    solvers[i].breath = breath;
+    solvers[i].lumps = lumps;
+    solvers[i].finger = i;
+    if (box) solvers[i].box.emplace(box);
   }
   return solvers;
 }
 
 namespace {
 
+contact::FingerOutput touchAmongLumps(FingerSolver& solver, const contact::FingerSettings& settings,
+                                      contact::FingerState& state, const Vec3& tip,
+                                      const contact::LumpPlaces* lumps) noexcept {
+  if (solver.box) return hdb::stepHdb(*solver.surface, settings, *solver.box, state, tip, lumps);
+  return contact::step(*solver.surface, settings, state, tip, lumps);
+}
+
 contact::FingerOutput touchAtRest(FingerSolver& solver, const contact::FingerSettings& settings,
                                   contact::FingerState& state, const Vec3& tip) noexcept {
-  if (solver.box) return hdb::stepHdb(*solver.surface, settings, *solver.box, state, tip);
-  return contact::step(*solver.surface, settings, state, tip);
+  if (!solver.lumps) return touchAmongLumps(solver, settings, state, tip, nullptr);
+  const contact::LumpPlaces& places =
+      solver.lumps->begin(*solver.surface->lumps, solver.finger, state.lumps, settings.tick_s);
+  const contact::FingerOutput felt = touchAmongLumps(solver, settings, state, tip, &places);
+  solver.lumps->end(solver.finger, state.lumps);
+  return felt;
 }
 
 contact::FingerOutput touchWhereItIs(FingerSolver& solver, const contact::FingerSettings& settings,
@@ -71,6 +86,12 @@ contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings&
   return felt;
 }
 
+void lift(FingerSolver& solver, contact::FingerState& state) noexcept {
+  state = {};
+  solver.handover.on = false;
+  if (solver.lumps) solver.lumps->lift(solver.finger);
+}
+
 contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOutput felt, double lift_mm) noexcept {
   for (Vec3* place : {&felt.tip, &felt.proxy, &felt.anchor, &felt.hold}) *place = breath.rest(*place, lift_mm);
   if (felt.dent.rest_mm > 0.0) felt.dent.place = breath.rest(felt.dent.place, lift_mm);
@@ -80,7 +101,9 @@ contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOut
 void exchange(FingerSolver& at_work, FingerSolver& next, contact::FingerState& state) noexcept {
   // The centre of one is not the centre of the other: a sphere's, or the god object's.
   if (at_work.box.has_value() != next.box.has_value()) state = {};
+  if (at_work.lumps && next.lumps) next.lumps->takeOver(*next.surface->lumps, *at_work.lumps, *at_work.surface->lumps);
   std::swap(at_work.surface, next.surface);
+  std::swap(at_work.lumps, next.lumps);
   at_work.box.swap(next.box);
   std::swap(at_work.breath, next.breath);
   at_work.handover.on = true;

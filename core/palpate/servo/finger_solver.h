@@ -3,6 +3,7 @@
 //   contact::Surface ────────────────────────► contact::step ─┐
 //   hdb::Partition ─► HdbSurface ─► box ─────► hdb::stepHdb ──┴─► touch (the tick's one line)
 //   body::BreathField ─► the tip taken back to the skin at rest, what was felt taken to the skin as it is
+//   LumpLoop ─► where the lumps lie that move
 //
 // It is all of a world that a finger sees. A rebuilt world is made beside the loop, solvers included with the room for
 // their lists, and exchanged between two ticks; what the tick puts down is freed beside the loop again.
@@ -15,6 +16,7 @@
 
 #include "palpate/body/trunk/breathing.h"
 #include "palpate/hdb/hdb_finger.h"
+#include "palpate/servo/lump_loop.h"
 
 namespace palpate::servo {
 
@@ -33,12 +35,15 @@ struct FingerSolver {
   std::optional<hdb::HdbCandidates> box;      ///< none: the finger walks on the whole surface
   std::optional<body::BreathField> breath;    ///< how the surface moves; none: it does not
   Handover handover = {};
+  std::shared_ptr<LumpLoop> lumps = nullptr;  ///< of the rig's fingers together; null: no lump of the surface moves
+  std::size_t finger = 0;                     ///< its number in the rig
 };
 
 /// One for each finger of a rig, in its order.
 using FingerSolvers = std::vector<FingerSolver>;
 
-/// `box` may be null; otherwise it was made for this surface. Allocates.
+/// `box` may be null; otherwise it was made for this surface. Fingers made together feel each other through lumps that
+/// move, and belong to one thread then. Allocates.
 FingerSolvers makeSolvers(const contact::Surface& surface, const std::shared_ptr<const hdb::HdbSurface>& box,
                           std::size_t fingers, const std::optional<body::BreathField>& breath = {});
 
@@ -46,6 +51,9 @@ FingerSolvers makeSolvers(const contact::Surface& surface, const std::shared_ptr
 /// the output says where things are now. No allocation, lock or exception.
 contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings& settings, contact::FingerState& state,
                             const Vec3& tip, std::uint64_t tick = 0) noexcept;
+
+/// The finger is put elsewhere, and forgets what it touched.
+void lift(FingerSolver& solver, contact::FingerState& state) noexcept;
 
 /// What was felt on a surface that has moved by this lift, as it would have been at rest: for those who deform it.
 contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOutput felt, double lift_mm) noexcept;

@@ -44,8 +44,7 @@ void runFinger(FingerChain& finger, LoopEvent event, EmergencyStop* stop, trace:
 }  // namespace
 
 void forgetTouch(FingerChain& finger) noexcept {
-  finger.contact = {};
-  finger.solver.handover.on = false;
+  lift(finger.solver, finger.contact);
   finger.forgot |= trace::kForgotTouch;
 }
 

@@ -125,6 +125,8 @@ class Repair {
     const auto now = sampleColumns();
     std::vector<SampleColumn> columns(now.begin(), now.end());
     columns_.push_back(columns);
+    std::erase_if(columns, [](const SampleColumn& column) { return column.name.starts_with("lump"); });
+    columns_.push_back(columns);
     std::erase_if(columns, [](const SampleColumn& column) {
       return column.name == "rest_mm" || column.name.starts_with("dent_");
     });

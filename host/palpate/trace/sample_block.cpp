@@ -115,6 +115,15 @@ constexpr std::array kColumns = {
     SampleColumn{"dent_triangle", "u32", "", "under that dent; 4294967295: none",
                  [](const Sample& s) { return std::uint64_t{s.contact.dent.triangle}; },
                  [](Sample& s, std::uint64_t bits) { s.contact.dent.triangle = static_cast<Index>(bits); }},
+    felt<&FingerOutput::lump>("lump", "the mobile lump nearest to the finger, by its number; 4294967295: none"),
+    feltAxis<&FingerOutput::lump_moved_mm, 0>("lump_across_mm", "mm", "how far that one is from its place"),
+    feltAxis<&FingerOutput::lump_moved_mm, 1>("lump_up_mm", "mm", ""),
+    feltAxis<&FingerOutput::lump_force, 0>("lump_force_x_n", "N", "of the contact's force, what lumps add"),
+    feltAxis<&FingerOutput::lump_force, 1>("lump_force_y_n", "N", ""),
+    feltAxis<&FingerOutput::lump_force, 2>("lump_force_z_n", "N", ""),
+    SampleColumn{"lump_share", "f64", "", "their normal force over that of the press without them",
+                 [](const Sample& s) { return std::bit_cast<std::uint64_t>(s.contact.lump_share); },
+                 [](Sample& s, std::uint64_t bits) { s.contact.lump_share = std::bit_cast<double>(bits); }},
 };
 
 std::size_t rowBytes(std::span<const SampleColumn> columns) {

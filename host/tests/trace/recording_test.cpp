@@ -44,9 +44,9 @@ TEST(SampleBlock, GivesEveryBitBack) {
 TEST(SampleBlock, HoldsAllOfASample) {
   // What a new member of Sample adds must get a column, or replays would lose it; tissue_mm follows from the place,
   // finger_mm from the settings.
-  EXPECT_EQ(sizeof(contact::FingerOutput), 7 * sizeof(Vec3) + 5 * sizeof(double) + 16 + 8);
+  EXPECT_EQ(sizeof(contact::FingerOutput), 8 * sizeof(Vec3) + sizeof(Vec2) + 6 * sizeof(double) + 16 + 8 + 8);
   EXPECT_EQ(sizeof(Sample), 16 + sizeof(contact::FingerOutput) + sizeof(Vec3) + 32);
-  EXPECT_EQ(sampleColumns().size(), 1u + 6 * 3 + 1 + 3 + 4 + 5 + 6);
+  EXPECT_EQ(sampleColumns().size(), 1u + 6 * 3 + 1 + 3 + 4 + 5 + 6 + 7);
 }
 
 TEST(SampleBlock, RefusesWhatIsDamaged) {
