@@ -100,6 +100,12 @@ struct PartitionSettings {
   double refresh_s = 0.0;                          ///< the box stays where it is for this long; 0: a tick
 };
 
+/// Where the force of a lump comes from.
+enum class LumpForce : std::uint8_t {
+  table,   ///< the field of a press without it
+  solved,  ///< the same, set right on its axis by a solve of the lump itself
+};
+
 struct TissueSettings {
   /// Its table is read, its layers are filled in, when the scene is built.
   tissue::ForceLaw force_law = {.kind = tissue::ForceLaw::Kind::layered};
@@ -110,6 +116,7 @@ struct TissueSettings {
   double point_radius_mm = tissue::kFingertipMm;  ///< layered law: the radius that a point is felt with
   bool narrow_bone = false;                       ///< layered law: bone that is narrow pushes back less than a wide one
   contact::Relaxation relaxation = {};            ///< of every finger's force: filled in by contactSettings (world.h)
+  LumpForce lumps = LumpForce::table;
 };
 
 /// What one stretch of a finger's script does.
@@ -138,12 +145,38 @@ struct Finger {
 
   std::string at = {};  ///< that place in words ("T6 right 30 mm"), before at_mm
 
+  std::size_t pad = 0;   ///< taxels along a side of its pad; 0: none
+  double pad_mm = 16.0;  ///< side of the pad
+
   /// Neither path nor script: it gets a path that suits the body. Scene files must say what they want.
   bool findsItsOwnWay() const { return trajectory.empty() && steps.empty(); }
 };
 
 /// Which finger of the scene a device holds: the first or the second.
 enum class HeldFinger : std::uint8_t { left, right };
+
+/// The table [[lump]]: something under the skin. Placed by lumps_of_body.h.
+struct LumpSettings {
+  std::string name;     ///< empty: lump1, lump2, ... by its number in the scene
+  std::string at = {};  ///< its place in words, before x_mm and y_mm
+  double x_mm = 0.0;    ///< the skin over its middle, seen along z
+  double y_mm = 0.0;
+  double depth_mm = 8.0;  ///< of its top under the skin at rest
+  double diameter_mm = 10.0;
+  std::optional<Vec3> half_axes_mm = {};  ///< in place of the diameter: across, across, into the body
+  double stiffness_ratio = 5.0;           ///< over the layer at its centre
+  double young_kpa = 0.0;                 ///< in place of the ratio; 0: none
+  double edge = 0.0;
+  double mobility_mm_per_n = 0.0;  ///< 0: fixed
+  double mobility_limit_mm = 10.0;
+  double raise_mm = 0.0;  ///< of the skin over it, at rest
+  // Where its table and its depth stand, for messages; line 0: not from a scene file.
+  std::string scene_file = {};
+  std::size_t line = 0;
+  std::size_t depth_line = 0;
+
+  Vec3 halfAxes() const { return half_axes_mm.value_or(Vec3::Constant(0.5 * diameter_mm)); }
+};
 
 /// The table [[device]]: where the space of a hand lies in the body. Made a device::Workspace by device/workspace.h.
 struct DeviceSettings {
@@ -176,6 +209,7 @@ struct Scene {
   body::Breathing breathing;  ///< of a body whose landmarks are known
   StiffnessSettings stiffness;
   std::vector<maps::Dysfunction> dysfunctions;
+  std::vector<LumpSettings> lumps;
   EllipseSettings ellipses;
   ContactSettings contact;
   PartitionSettings partition;

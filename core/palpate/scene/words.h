@@ -153,6 +153,12 @@ struct WordsOf<tissue::ForceLaw::Kind> {
 };
 
 template <>
+struct WordsOf<scene::LumpForce> {
+  using V = scene::LumpForce;
+  static constexpr std::array kAll = {Word{"table", V::table}, Word{"solved", V::solved}};
+};
+
+template <>
 struct WordsOf<scene::TissueModel> {
   using V = scene::TissueModel;
   static constexpr std::array kAll = {Word{"layered", V::layered}, Word{"gaussian", V::gaussian},

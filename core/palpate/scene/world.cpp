@@ -1,7 +1,7 @@
 // Builds a world in the order in which its parts need each other:
 //
 //   scene ─ forms (their files first) ─► body: geometry of contact, deformable skin, bones (body.h)
-//   body, key points ─► healthy tissue ─ dysfunctions ─► surface ─► detecting box, where it is asked for ─► World
+//   body, key points ─► healthy tissue ─ dysfunctions ─► surface ─► lumps ─► detecting box, where asked for ─► World
 //                            └─► reach of regions ──────────────────────────────────────────────────────────▲
 //   key points ─► ellipses, contours ─────────────────────────────────────────────────────────────────────┘
 //
@@ -21,6 +21,7 @@
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/scene/healthy_tissue.h"
+#include "palpate/scene/lumps_of_body.h"
 #include "palpate/scene/place_curves.h"
 #include "palpate/scene/skin_channels.h"
 #include "palpate/tissue/user_profile.h"
@@ -121,6 +122,25 @@ void noteFingers(const Scene& scene, const tissue::ForceLaw& law, std::vector<st
   }
 }
 
+// ---- what lies under it
+
+/// Null where nobody asks for them. Patterns of the same tissue are those of the world before.
+std::shared_ptr<const contact::PressureGround> pressureIfAsked(const Scene& scene, const HealthyTissue& healthy,
+                                                               bool layered, const World* before,
+                                                               std::vector<std::string>& notes) {
+  const auto padded = std::ranges::find_if(scene.fingers, [](const Finger& finger) { return finger.pad > 0; });
+  if (scene.lumps.empty() && padded == scene.fingers.end()) return nullptr;
+  const bool same = before != nullptr && before->pressure && before->healthy.get() == &healthy;
+  if (same && before->scene.tissue.layer_table == scene.tissue.layer_table) return before->pressure;
+  try {
+    return pressureGround(LumpGround(scene, healthy, layered, "pressure pads"));
+  } catch (const Error& error) {
+    if (!scene.lumps.empty()) throw;
+    notes.push_back(fmt::format("finger '{}' has no pressure on its pad: {}", padded->name, error.what()));
+    return nullptr;
+  }
+}
+
 // ---- what is seen
 
 void noteUnknownScalar(const Scene& scene, const SkinChannels* channels, std::vector<std::string>& notes) {
@@ -165,14 +185,17 @@ Scene withPlaces(Scene scene, const std::vector<body::SkinLandmark>& landmarks) 
   };
   for (maps::Dysfunction& dysfunction : scene.dysfunctions) find(dysfunction.at, dysfunction.x_mm, dysfunction.y_mm);
   for (PlaceProfile& profile : scene.profiles) find(profile.at, profile.x_mm, profile.y_mm);
-  for (Finger& finger : scene.fingers) {
+  /// Of a table that knows where it stands.
+  const auto find_for = [&](const auto& table, double& x_mm, double& y_mm) {
     try {
-      find(finger.at, finger.at_mm.x(), finger.at_mm.y());
+      find(table.at, x_mm, y_mm);
     } catch (const Error& error) {
-      if (finger.line == 0) throw;
-      throw Error::atLine(finger.scene_file, finger.line, error.what());
+      if (table.line == 0) throw;
+      throw Error::atLine(table.scene_file, table.line, error.what());
     }
-  }
+  };
+  for (LumpSettings& lump : scene.lumps) find_for(lump, lump.x_mm, lump.y_mm);
+  for (Finger& finger : scene.fingers) find_for(finger, finger.at_mm.x(), finger.at_mm.y());
   return scene;
 }
 
@@ -227,6 +250,10 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
       contact::surfaceOf(body->geometry, std::move(stiffness.n_per_mm),
                          {.force_law = forceLaw(scene, healthy->tissue), .tissue_mm = healthy->tissue.thickness_mm});
   noteFingers(scene, surface.force_law, notes);
+  const bool has_layers = choice.model == TissueModel::layered;
+  auto lumps = placedLumps({scene, *body, *healthy, surface, has_layers, before}, notes);
+  surface.lumps = feltLumps(lumps);
+  auto pressure = pressureIfAsked(scene, *healthy, has_layers, before, notes);
   auto hdb = detectingBoxIfAsked(scene, body->skin, surface, progress);
 
   report(progress, "preparing the deformation", 0.0);
@@ -252,7 +279,9 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
                                              .notes = std::move(notes),
                                              .hdb = std::move(hdb),
                                              .healthy = std::move(healthy),
-                                             .tissue = std::move(choice)});
+                                             .tissue = std::move(choice),
+                                             .lumps = std::move(lumps),
+                                             .pressure = std::move(pressure)});
 }
 
 }  // namespace
@@ -260,16 +289,24 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
 std::shared_ptr<const World> build(const Scene& scene, const Progress& progress) {
   checkContactSource(scene);
   deform::FormSettings forms = formsOf(scene);  // first: a fault in its files should not wait for the body
-  return worldOf(scene, builtBody(makeBody(scene.body, progress), progress), std::move(forms), nullptr, progress);
+  BodyParts body = makeBody(scene.body, progress);
+  raiseSkin(scene, body);
+  return worldOf(scene, builtBody(std::move(body), progress), std::move(forms), nullptr, progress);
 }
 
 std::shared_ptr<const World> buildOn(const Scene& scene, BodyParts body, const Progress& progress) {
   checkContactSource(scene);
   deform::FormSettings forms = formsOf(scene);
+  raiseSkin(scene, body);
   return worldOf(scene, builtBody(std::move(body), progress), std::move(forms), nullptr, progress);
 }
 
 std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, const Progress& progress) {
+  if (!raiseAlike(world.scene, scene)) {  // another skin
+    Scene raised = scene;
+    raised.body = world.scene.body;
+    return build(raised, progress);
+  }
   return worldOf(scene, world.body, formsOf(scene), &world, progress);
 }
 

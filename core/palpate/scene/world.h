@@ -19,6 +19,10 @@
 #include "palpate/scene/scene.h"
 #include "palpate/tissue/force_law.h"
 
+namespace palpate::contact {
+class PressureGround;
+}
+
 namespace palpate::scene {
 
 // Which tissue and which force law a scene comes to, and what stands in the way of layers where it asks for them.
@@ -51,6 +55,7 @@ std::string tissueNote(const Scene& scene, const TissueChoice& choice, const std
 class AnatomicalReach;
 struct HealthyTissue;
 struct PlaceCurves;
+struct PlacedLump;
 
 struct World {
   Scene scene;                       ///< the settings it was built from
@@ -71,6 +76,10 @@ struct World {
   std::shared_ptr<const hdb::HdbSurface> hdb;    ///< for the contact source "hdb", otherwise null
   std::shared_ptr<const HealthyTissue> healthy;  ///< before dysfunctions (healthy_tissue.h); never null
   TissueChoice tissue = {};                      ///< what acts, and why where it is not what the scene asks for
+  /// The scene's lumps, as surface.lumps has them and in the same order (lumps_of_body.h).
+  std::vector<std::shared_ptr<const PlacedLump>> lumps = {};
+  /// Patterns of pressure under a finger; null where the scene has neither lumps nor a pad (pressureGround makes it).
+  std::shared_ptr<const contact::PressureGround> pressure = nullptr;
 };
 
 /// Loads or makes the body, mends and orders it, and builds what the run needs. Throws Error: a file that cannot be
@@ -80,7 +89,8 @@ std::shared_ptr<const World> build(const Scene& scene, const Progress& progress 
 
 /// The world's body under other settings of the scene: new maps, dysfunctions, force law or deformation, the same
 /// triangles in the same order. What the settings leave as it is is shared: another dysfunction costs a copy of the
-/// stiffness. `scene.body` is not looked at, but for its kind and mass. Throws Error as build does.
+/// stiffness. `scene.body` is not looked at, but for its kind and mass. Where lumps raise the skin otherwise the body
+/// is built again. Throws Error as build does.
 std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, const Progress& progress = {});
 
 /// Settings of one finger's contact in this scene.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "palpate/contact/pressure_field.h"
 #include "palpate/scene/detail/scene_keys.h"
 #include "palpate/scene/words.h"
 
@@ -70,6 +71,23 @@ Key<Finger> scriptKey() {
   return {"script", "list of steps", "What the finger does, step by step; see below.", read, showScript};
 }
 
+Key<Finger> padKey() {
+  constexpr Range kTaxels = between(contact::kMinTaxels, contact::kMaxTaxels);
+  const auto read = [=](Finger& finger, const Entry& entry) {
+    finger.pad = readCount(entry, 0, contact::kMaxTaxels);
+    if (finger.pad != 0 && finger.pad < contact::kMinTaxels) {
+      entry.fail("= " + outOfRange(fmt::format("{}", finger.pad), kTaxels) + ", or 0");
+    }
+  };
+  return {"pad",
+          "whole number" + rangeSuffix(kTaxels) + ", or 0",
+          "Pad: taxels along a side of the finger's sensor of pressure, at least 2; 0 is none "
+          "(docs/explanation/lump-contact.md).",
+          read,
+          [](const Finger& finger) { return fmt::format("{}", finger.pad); },
+          {KeyForm::Kind::whole, 0.0, static_cast<double>(contact::kMaxTaxels)}};
+}
+
 std::vector<Key<Finger>> fingerKeys() {
   using S = Finger;
   return {
@@ -84,6 +102,8 @@ std::vector<Key<Finger>> fingerKeys() {
       number<S>("start_height_mm", &S::start_height_mm, between(-kLongestMm, kLongestMm),
                 "Script: height above the skin it starts from."),
       scriptKey(),
+      padKey(),
+      number<S>("pad_mm", &S::pad_mm, between(1, 100), "Pad: a side of its square of taxels."),
   };
 }
 

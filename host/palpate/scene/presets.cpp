@@ -13,10 +13,11 @@ namespace palpate::scene {
 namespace {
 
 // clang-format off
-constexpr std::array<Preset, 17> kPresets{{
+constexpr std::array<Preset, 18> kPresets{{
     {"vhb", toTranslate("Virtual Haptic Back"), toTranslate("The dissertation's model of 2008: 2,962 triangles over its bones."), "virtual_haptic_back"},
     {"trunk", toTranslate("Built-in body"), toTranslate("A trunk in layers of skin, fat and muscle, with a stiff place to find."), "default"},
     {"dysfunctions", toTranslate("Hidden dysfunctions"), toTranslate("Find two stiff places and a soft one; key M shows them."), "dysfunctions"},
+    {"lumps", toTranslate("Hidden lumps"), toTranslate("Find three lumps by touch; one of them slips away."), "lumps"},
     {"anatomy", toTranslate("Bones and names"), toTranslate("What lies under the skin, and what it is called."), "anatomy"},
     {"thin", toTranslate("Thin person"), toTranslate("Ribs and spine are felt close under the skin."), "thin"},
     {"heavy", toTranslate("Heavy person"), toTranslate("Fat gives way softly and far; bones are deep."), "heavy"},

@@ -1,5 +1,6 @@
 // Text -> TOML tree -> the keys before the first table -> each table by its own reader (scene_keys.h) -> Scene. What no
-// single table can see, two fingers of one name, is checked last. The documentation is made of the same tables.
+// single table can see, two fingers or lumps of one name, is checked last. The documentation is made of the same
+// tables.
 #include "palpate/scene/scene_file.h"
 
 #include <algorithm>
@@ -32,6 +33,12 @@ void requireNamesApart(const Scene& scene, std::string_view name) {
   for (const Finger& finger : scene.fingers) {
     if (!names.insert(finger.name).second) {
       throw Error::atLine(name, finger.line, fmt::format("is the second [[finger]] of the name '{}'", finger.name));
+    }
+  }
+  names.clear();
+  for (const LumpSettings& lump : scene.lumps) {
+    if (!lump.name.empty() && !names.insert(lump.name).second) {
+      throw Error::atLine(name, lump.line, fmt::format("is the second [[lump]] of the name '{}'", lump.name));
     }
   }
 }

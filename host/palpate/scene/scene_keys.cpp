@@ -34,10 +34,10 @@ std::vector<KeyRow> topRows(const Scene& scene) { return describe("", topKeys(),
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
-      bodySection(),     breathingSection(), stiffnessSection(), dysfunctionSection(), ellipsesSection(),
-      frictionSection(), contactSection(),   partitionSection(), tissueSection(),      deformationSection(),
-      profileSection(),  strainSection(),    outputSection(),    viewSection(),        safetySection(),
-      fingerSection(),   deviceSection(),
+      bodySection(),        breathingSection(), stiffnessSection(), dysfunctionSection(), lumpSection(),
+      ellipsesSection(),    frictionSection(),  contactSection(),   partitionSection(),   tissueSection(),
+      deformationSection(), profileSection(),   strainSection(),    outputSection(),      viewSection(),
+      safetySection(),      fingerSection(),    deviceSection(),
   };
   return all;
 }

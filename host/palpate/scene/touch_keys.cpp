@@ -166,6 +166,10 @@ Section tissueSection() {
   };
   const std::vector<Key<S>> relaxation = relaxationKeys();
   keys.insert(keys.end(), relaxation.begin(), relaxation.end());
+  keys.push_back(choice<S, LumpForce>("lumps", &S::lumps,
+                                      "Force of a [[lump]]: by the field of a press without it; or set right on its "
+                                      "axis by a solve of the lump itself, "
+                                      "some seconds each."));
   return section<S>(
       "tissue", "How force grows with depth, and falls with time.", &Scene::tissue, std::move(keys),
       [](const S& tissue, const Entry& entry) {

@@ -64,6 +64,8 @@ struct Written {
 
 /// Values that a key takes, other than the one it has when it is left out as far as there are any.
 std::vector<std::string> valuesOf(const KeyRow& row) {
+  if (row.key == "pad" || row.key == "mobility_mm_per_n") return {"2"};  // 0 is none, and a little is refused
+  if (row.key == "young_kpa") return {"60"};
   switch (row.form.kind) {
     case KeyForm::Kind::flag:
       return {"true", "false"};
@@ -91,6 +93,7 @@ std::string companionOf(const KeyRow& row, const std::string& value) {
   if (row.table == "[[profile]]" && value == "\"user\"") return row.key + "_file = \"profile.csv\"\n";
   if (row.key == "force_law" && value == "\"table\"") return "force_table = \"law.csv\"\n";
   if (row.key == "dynamic") return "static = 1\n";
+  if (row.table == "[[lump]]") return row.key == "x_mm" || row.key == "y_mm" ? "" : "x_mm = 100\ny_mm = 100\n";
   return {};
 }
 

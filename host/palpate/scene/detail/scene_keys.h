@@ -93,6 +93,7 @@ Section bodySection();
 Section breathingSection();
 Section stiffnessSection();
 Section dysfunctionSection();
+Section lumpSection();  // lump_keys.cpp
 Section ellipsesSection();
 
 // How it is felt: touch_keys.cpp.
