@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <bitset>
 #include <limits>
 #include <span>
 #include <string>
@@ -40,6 +41,10 @@ class ReplayProof {
   void begin(std::span<const trace::Sample> recorded);
   /// True where a finger of which nothing is known begins to rest: it must be felt as one that has never touched.
   bool beginsAnew(const trace::Sample& recorded);
+  /// Whether time before this tick is missing, a device was exchanged, or a finger's press is not known: where lumps
+  /// had moved to is not known then.
+  bool lostLumps() const { return lost_lumps_ || !knowsAll(); }
+  bool knowsAll() const { return std::ranges::all_of(fingers_, &Finger::known); }
   /// Whether the sample must come out to the bit.
   bool proves(const trace::Sample& recorded) const { return fingers_[recorded.finger].known; }
   /// Whether the warning "too stiff" must, too: it counts a second of contact, also across time that is missing.
@@ -63,6 +68,7 @@ class ReplayProof {
   std::vector<Finger> fingers_;
   std::vector<trace::RecordingEvent> events_;
   std::size_t next_ = 0;
+  bool lost_lumps_ = false;
   double ticks_per_s_;
 };
 
@@ -86,13 +92,18 @@ void ReplayProof::loseSight(const trace::RecordingEvent& event) {
 }
 
 void ReplayProof::begin(std::span<const trace::Sample> recorded) {
+  lost_lumps_ = false;
   for (const trace::Sample& sample : recorded) {
     Finger& finger = fingers_[sample.finger];
     if ((sample.forgot & trace::kForgotLimiter) == 0) continue;
+    lost_lumps_ = true;
     finger.counts_known = true;
     finger.known = finger.known || (sample.forgot & trace::kForgotTouch) != 0;
   }
-  for (; next_ < events_.size() && events_[next_].tick <= recorded.front().tick; ++next_) loseSight(events_[next_]);
+  for (; next_ < events_.size() && events_[next_].tick <= recorded.front().tick; ++next_) {
+    loseSight(events_[next_]);
+    lost_lumps_ = true;
+  }
 }
 
 bool ReplayProof::beginsAnew(const trace::Sample& recorded) {
@@ -156,6 +167,10 @@ class Replay {
     recording_.forEachTick({0, span.to}, [&](std::span<const trace::Sample> recorded) {
       felt.clear();
       proof_.begin(recorded);
+      // A part of a recording may begin with one finger, and the other may have moved a lump until it comes.
+      const bool is_whole = recorded.size() == fingers_.size();
+      if (proof_.lostLumps() || !is_whole || !was_whole_) lumps_known_.reset();
+      was_whole_ = is_whole;
       for (const trace::Sample& sample : recorded) {
         felt.push_back(feelAgain(sample));
         if (sample.tick >= span.from && proof_.proves(sample)) compare(sample, felt.back());
@@ -223,6 +238,15 @@ class Replay {
     number_ = number;
   }
 
+  /// A lump is where the recording has it, until what moves it is known.
+  void placeLump(const trace::Sample& sample, servo::FingerChain& chain) {
+    const std::size_t lump = sample.contact.lump;
+    if (!chain.solver.lumps || lump >= lumps_known_.size()) return;
+    if (lumps_known_[lump] && proof_.knowsAll()) return;
+    chain.solver.lumps->place(lump, sample.contact.lump_moved_mm);
+    lumps_known_.set(lump);
+  }
+
   trace::Sample feelAgain(const trace::Sample& sample) {
     if (sample.world != number_) enter(sample.world);
     servo::FingerChain& chain = fingers_[sample.finger];
@@ -241,6 +265,7 @@ class Replay {
     felt.world = sample.world;
     felt.forgot = sample.forgot;
     felt.buttons = sample.buttons;
+    placeLump(sample, chain);
     felt.contact = servo::touch(chain.solver, chain.contact_settings, chain.contact, tip, sample.tick);
     felt.device_force =
         servo::limitForce(chain.limiter_settings, chain.limiter, felt.contact, chain.solver.surface->force_law);
@@ -272,6 +297,8 @@ class Replay {
   const Progress& progress_;
   ReplayProof proof_;
   std::vector<servo::FingerChain> fingers_;
+  bool was_whole_ = true;                        ///< the last tick had all fingers
+  std::bitset<contact::kMaxLumps> lumps_known_;  ///< none before the recording has said where it is
   std::vector<std::shared_ptr<const scene::World>> worlds_;
   std::pair<std::string, std::filesystem::path> built_from_;  ///< scene and folder of the last of them
   std::uint32_t number_ = std::numeric_limits<std::uint32_t>::max();

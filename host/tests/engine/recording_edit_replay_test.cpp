@@ -11,6 +11,7 @@
 #include "palpate/engine/servo_thread.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/trace/recording_edit.h"
+#include "support/lump_field.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
@@ -34,8 +35,8 @@ device::Device tappingDevice(std::uint64_t seed) {
 
 class RecordingEditReplay : public testing::Test {
  protected:
-  /// Twelve seconds of two fingers on 8 N/mm.
-  std::filesystem::path record(const std::string& name, std::uint64_t seed) const {
+  /// Twelve seconds of two fingers on 8 N/mm; over a lump that moves, and one that does not.
+  std::filesystem::path record(const std::string& name, std::uint64_t seed, bool lumps = false) const {
     mesh::save(folder_ / "sheet.ply", zoo::grid(20, 200.0));
     scene::Scene scene;
     scene.file = folder_ / "scene.toml";
@@ -46,6 +47,7 @@ class RecordingEditReplay : public testing::Test {
     scene.fingers[0].name = "left";
     scene.fingers[1].name = "right";
     scene.fingers[1].radius_mm = 4.0;
+    if (lumps) addLumps(scene);
     const auto world = scene::build(scene);
     trace::RecordingWriter writer(folder_ / name, recordingHeader(1000.0), {{"left", "tapping"}, {"right", "tapping"}});
     servo::RigParts parts;
@@ -64,6 +66,14 @@ class RecordingEditReplay : public testing::Test {
     return folder_ / name;
   }
 
+  void addLumps(scene::Scene& scene) const {
+    tissue::writeLayeredTable(folder_ / "back.json", test::inventedTable());
+    scene.tissue.layer_table = folder_ / "back.json";
+    scene.lumps.resize(2);
+    scene.lumps[0] = {.name = "mobile", .x_mm = 105.0, .y_mm = 108.0, .mobility_mm_per_n = 10.0};
+    scene.lumps[1] = {.name = "fixed", .x_mm = 85.0, .y_mm = 95.0};
+  }
+
   /// Every sample of it is proven or told not to be.
   ReplayReport replayed(const std::string& name) const {
     trace::RecordingReader recording(folder_ / name);
@@ -78,6 +88,23 @@ class RecordingEditReplay : public testing::Test {
 
   support::TemporaryFolder folder_;
 };
+
+TEST_F(RecordingEditReplay, ALumpThatMovesIsWhereItWasWhereverTheRecordingIsCut) {
+  trace::RecordingReader recording(record("run.session", 11, true));
+  double farthest = 0.0;
+  recording.forEachTick({}, [&](std::span<const trace::Sample> samples) {
+    for (const trace::Sample& sample : samples) farthest = std::max(farthest, sample.contact.lump_moved_mm.norm());
+    return true;
+  });
+  EXPECT_GT(farthest, 0.2);
+  EXPECT_EQ(replayed("run.session").unproven, 0u);
+  Random random(5);
+  for (int round = 0; round < 15; ++round) {
+    const std::uint64_t from = 1 + random.below(9000);
+    trim(recording, {{from, from + 2500}, round % 2 == 0}, folder_ / "part.session");
+    replayed("part.session");
+  }
+}
 
 TEST_F(RecordingEditReplay, WhereverItIsCutWhatIsSaidToBeProvenIs) {
   trace::RecordingReader recording(record("run.session", 1));
