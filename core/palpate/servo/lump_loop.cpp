@@ -2,6 +2,7 @@
 #include "palpate/servo/lump_loop.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace palpate::servo {
 
@@ -54,6 +55,8 @@ void LumpLoop::takeOver(const contact::Lumps& lumps, const LumpLoop& before,
   const std::size_t count = std::min(fingers_.size(), before.fingers_.size());
   std::copy_n(before.fingers_.begin(), count, fingers_.begin());
 }
+
+void LumpLoop::forget() noexcept { places_.moved_mm.fill(Vec2::Constant(std::numeric_limits<double>::quiet_NaN())); }
 
 void LumpLoop::place(std::size_t lump, const Vec2& moved_mm) noexcept {
   placed_ = lump;

@@ -38,6 +38,8 @@ class LumpLoop {
   /// The finger that is felt next finds the lump there: a recording says so (FingerOutput::lump), of which the time
   /// before is missing.
   void place(std::size_t lump, const Vec2& moved_mm) noexcept;
+  /// Nobody knows where the lumps that move are: they are nowhere, and not felt, until place() says.
+  void forget(const contact::Lumps& lumps) noexcept;
 
  private:
   struct Finger {

@@ -169,7 +169,7 @@ class Replay {
       proof_.begin(recorded);
       // A part of a recording may begin with one finger, and the other may have moved a lump until it comes.
       const bool is_whole = recorded.size() == fingers_.size();
-      if (proof_.lostLumps() || !is_whole || !was_whole_) lumps_known_.reset();
+      if (proof_.lostLumps() || !is_whole || !was_whole_) forgetLumps();
       was_whole_ = is_whole;
       for (const trace::Sample& sample : recorded) {
         felt.push_back(feelAgain(sample));
@@ -238,8 +238,16 @@ class Replay {
     number_ = number;
   }
 
+  void forgetLumps() {
+    lumps_known_.reset();
+    lumps_forgotten_ = true;
+  }
+
   /// A lump is where the recording has it, until what moves it is known.
   void placeLump(const trace::Sample& sample, servo::FingerChain& chain) {
+    if (chain.solver.lumps && std::exchange(lumps_forgotten_, false)) {
+      chain.solver.lumps->forget(*chain.solver.surface->lumps);
+    }
     const std::size_t lump = sample.contact.lump;
     if (!chain.solver.lumps || lump >= lumps_known_.size()) return;
     if (lumps_known_[lump] && proof_.knowsAll()) return;
@@ -298,6 +306,7 @@ class Replay {
   ReplayProof proof_;
   std::vector<servo::FingerChain> fingers_;
   bool was_whole_ = true;                        ///< the last tick had all fingers
+  bool lumps_forgotten_ = false;                 ///< and the loop does not know yet
   std::bitset<contact::kMaxLumps> lumps_known_;  ///< none before the recording has said where it is
   std::vector<std::shared_ptr<const scene::World>> worlds_;
   std::pair<std::string, std::filesystem::path> built_from_;  ///< scene and folder of the last of them
