@@ -56,7 +56,12 @@ void LumpLoop::takeOver(const contact::Lumps& lumps, const LumpLoop& before,
   std::copy_n(before.fingers_.begin(), count, fingers_.begin());
 }
 
-void LumpLoop::forget() noexcept { places_.moved_mm.fill(Vec2::Constant(std::numeric_limits<double>::quiet_NaN())); }
+void LumpLoop::forget(const contact::Lumps& lumps) noexcept {
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < lumps.all.size(); ++i) {
+    if (lumps.all[i].mobility.moves()) places_.moved_mm[i].setConstant(kNowhere);
+  }
+}
 
 void LumpLoop::place(std::size_t lump, const Vec2& moved_mm) noexcept {
   placed_ = lump;
