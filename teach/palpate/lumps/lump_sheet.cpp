@@ -1,0 +1,62 @@
+#include "palpate/lumps/lump_sheet.h"
+
+#include <utility>
+#include <vector>
+
+#include "palpate/tissue/layered_tissue.h"
+#include "palpate/tissue/library_fields.h"
+#include "palpate/tissue/pressure_form.h"
+
+namespace palpate::lumps {
+
+namespace {
+
+contact::FingerSettings fingertip() {
+  contact::FingerSettings finger;
+  finger.radius_mm = tissue::kFingertipMm;
+  return finger;
+}
+
+contact::Surface plainSheet(tissue::LayeredTable table) {
+  constexpr double kHalfMm = 200.0;  // far beyond what a finger feels
+  // A drag that was not solved has its usual form: it is of no use to a press.
+  if (!table.drag) table.drag = tissue::DragShape{};
+  const tissue::LayeredTissue layered({tissue::nodeOf(table)});
+  const double thickness_mm = tissue::totalThickness(table.stack);
+  mesh::TriangleMesh sheet;
+  sheet.positions = {{-kHalfMm, -kHalfMm, 0}, {kHalfMm, -kHalfMm, 0}, {kHalfMm, kHalfMm, 0}, {-kHalfMm, kHalfMm, 0}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  contact::SurfaceOptions options;
+  options.force_law.kind = tissue::ForceLaw::Kind::layered;
+  options.force_law.layers = layered.forceRows();
+  options.self_intersecting = false;
+  options.tissue_mm.assign(sheet.positions.size(), thickness_mm);
+  const double secant = layered.secantAt(thickness_mm, tissue::kReferenceDepthMm);
+  return contact::buildSurface(sheet, std::vector<double>(sheet.positions.size(), secant), options);
+}
+
+}  // namespace
+
+LumpSheet::LumpSheet(tissue::LayeredTable table) : table_(std::move(table)), plain_(plainSheet(table_)) {
+  const tissue::LumpPlace place = tissue::tablePlace(table_, "the sheet's table");
+  ground_ = std::make_shared<const contact::PressureGround>(std::vector<contact::PressureGround::Place>{
+      {tissue::totalThickness(table_.stack), tissue::PressureForm(place.fields)}});
+}
+
+ComparedSkin LumpSheet::with(const std::optional<tissue::LumpShape>& lump) const {
+  contact::Surface surface = plain_;
+  if (lump) {
+    const tissue::LumpPlace place = tissue::tablePlace(table_, "the sheet's table");
+    contact::Lump placed{.foot = foot(), .energy = place.energyOf(*lump), .shape = *lump};
+    placed.skin_mm = table_.stack.layers.front().thickness_mm;
+    contact::setPlane(placed);
+    surface.lumps = std::make_shared<const contact::Lumps>(contact::Lumps{.all = {std::move(placed)}});
+  }
+  return {std::move(surface), ground_, fingertip()};
+}
+
+double LumpSheet::depthAt(double force_n) const {
+  return with(std::nullopt).press(foot(), Vec3::UnitZ(), force_n).without.depth_mm;
+}
+
+}  // namespace palpate::lumps

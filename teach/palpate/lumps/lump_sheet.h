@@ -1,0 +1,36 @@
+// A flat sheet of one stack of layers with a lump in it, as silicone models of breasts are: where published
+// examinations of lumps are repeated.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "palpate/lumps/lump_observer.h"
+#include "palpate/tissue/layered_table.h"
+
+namespace palpate::lumps {
+
+/// The sheet without a lump. Immutable; any number of threads.
+class LumpSheet {
+ public:
+  /// Throws Error for a table without a field.
+  explicit LumpSheet(tissue::LayeredTable table);
+
+  /// A fingertip on the sheet with this lump under foot(); without one both presses are the same. Throws Error for a
+  /// lump that the layers have no room for.
+  ComparedSkin with(const std::optional<tissue::LumpShape>& lump) const;
+
+  /// On the skin over the lump; not on an edge of the sheet's triangles.
+  static Vec3 foot() { return {20.0, 10.0, 0.0}; }
+  /// How deep a fingertip presses with so much force where there is no lump, mm.
+  double depthAt(double force_n) const;
+
+  const tissue::LayerStack& stack() const { return table_.stack; }
+
+ private:
+  tissue::LayeredTable table_;
+  contact::Surface plain_;
+  std::shared_ptr<const contact::PressureGround> ground_;
+};
+
+}  // namespace palpate::lumps
