@@ -8,6 +8,7 @@
 #include "measure/study/measuring_study.h"
 #endif
 #ifdef PALPATE_HAS_TEACH
+#include "teach/study/lump_measurement.h"
 #include "teach/study/training_measurement.h"
 #endif
 
@@ -42,6 +43,7 @@ std::vector<Study> builtStudies() {
 #endif
 #ifdef PALPATE_HAS_TEACH
   all.push_back(trainingStudy());
+  all.push_back(lumpStudy());
 #endif
   return all;
 }

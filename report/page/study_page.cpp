@@ -91,6 +91,13 @@ nlohmann::ordered_json rowsAsJson(const TextTable& table) {
   return rows;
 }
 
+/// The member at the end of a path of names with dots between them.
+nlohmann::ordered_json& memberAt(nlohmann::ordered_json& json, std::string_view path) {
+  nlohmann::ordered_json* member = &json;
+  for (const std::string_view name : split(path, '.')) member = &(*member)[std::string(name)];
+  return *member;
+}
+
 }  // namespace
 
 std::string jsonOf(const StudyPage& page) {
@@ -101,9 +108,13 @@ std::string jsonOf(const StudyPage& page) {
   json["numbers"] = nlohmann::ordered_json::object();
   for (const auto& [name, value] : page.numbers) {
     json["numbers"][name] = value;
-    if (page.numbers_on_top) json[name] = value;
+    if (page.numbers_on_top) memberAt(json, name) = value;
   }
-  for (const StudyFigure& figure : page.figures) json["figures"].push_back(figure.stem + ".svg");
+  for (const auto& [name, words] : page.words) memberAt(json, name) = words;
+  const bool numbers = json.contains("figures");
+  for (const StudyFigure& figure : page.figures) {
+    memberAt(json, numbers ? "figures.files" : "figures").push_back(figure.stem + ".svg");
+  }
   for (const StudyTable& table : page.tables) json["tables"].push_back(table.stem + ".csv");
   for (const StudyTable& table : page.tables) {
     if (!table.key.empty()) json[table.key] = rowsAsJson(table.table);

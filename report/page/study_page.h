@@ -70,10 +70,13 @@ struct StudyPage {
   std::vector<StudyTable> tables;
   std::vector<StudyFigure> figures;
   std::vector<std::pair<std::string, double>> numbers;  ///< the main results by name, with the unit in it, for programs
-  bool numbers_on_top = false;  ///< the JSON object has them beside `study` too, not only in `numbers`
-  std::string command{};        ///< that makes this page again
-  std::string machine{};        ///< that it ran on
-  double seconds = 0.0;         ///< that it took
+  /// The JSON object has them beside `study` too, not only in `numbers`; there "a.b" is the member b of an object a.
+  bool numbers_on_top = false;
+  /// Likewise, lists of words. Where `figures` is an object by now, the names of files are its member `files`.
+  std::vector<std::pair<std::string, std::vector<std::string>>> words{};
+  std::string command{};  ///< that makes this page again
+  std::string machine{};  ///< that it ran on
+  double seconds = 0.0;   ///< that it took
 };
 
 /// Findings, figures (as PNG in the same folder), tables, method, command and machine.

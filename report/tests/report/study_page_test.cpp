@@ -59,6 +59,23 @@ TEST(StudyPage, SumsItselfUpAsJson) {
   EXPECT_EQ(json["findings"].size(), 2u);
 }
 
+TEST(StudyPage, NestsNumbersAndWordsThatHaveDotsInTheirNames) {
+  StudyPage page = samplePage();
+  page.numbers = {{"found.hard", 61.0}, {"found.soft", 52.0}, {"people", 12.0}};
+  page.words = {{"fitted.first", {"hard"}}};
+  EXPECT_FALSE(nlohmann::json::parse(jsonOf(page)).contains("found")) << "only on top";
+  page.numbers_on_top = true;
+  const auto json = nlohmann::json::parse(jsonOf(page));
+  EXPECT_EQ(json["found"]["hard"], 61.0);
+  EXPECT_EQ(json["found"]["soft"], 52.0);
+  EXPECT_EQ(json["people"], 12.0);
+  EXPECT_EQ(json["numbers"]["found.hard"], 61.0);
+  EXPECT_EQ(json["fitted"]["first"][0], "hard");
+  EXPECT_EQ(json["figures"][0], "sample_time.svg");
+  page.numbers.emplace_back("figures.one", 1.0);
+  EXPECT_EQ(nlohmann::json::parse(jsonOf(page))["figures"]["files"][0], "sample_time.svg");
+}
+
 TEST(StudyPage, AFolderThatCannotBeMadeIsNamed) {
   EXPECT_NE(support::messageOf([] { writePage(samplePage(), "/proc/nowhere"); }).find("/proc/nowhere"),
             std::string::npos);

@@ -90,6 +90,7 @@ class ComparedSkin {
 
   const contact::Surface& surface() const { return with_; }
   const contact::PressureGround& ground() const { return *ground_; }
+  const contact::FingerSettings& finger() const { return finger_; }
 
  private:
   contact::Surface with_;

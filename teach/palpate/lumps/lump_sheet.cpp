@@ -1,5 +1,7 @@
 #include "palpate/lumps/lump_sheet.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -57,6 +59,32 @@ ComparedSkin LumpSheet::with(const std::optional<tissue::LumpShape>& lump) const
 
 double LumpSheet::depthAt(double force_n) const {
   return with(std::nullopt).press(foot(), Vec3::UnitZ(), force_n).without.depth_mm;
+}
+
+std::vector<LumpCue> strokePast(const ComparedSkin& skin, double beside_mm, double depth_mm, std::size_t taxels) {
+  constexpr double kTickMm = 0.5;  // a brisk stroke of 500 mm/s: nothing here depends on the pace
+  constexpr int kTicksPerCue = 2;
+  const double radius_mm = skin.finger().radius_mm;
+  const double half_mm = 0.5 * kStrokesApartMm;
+  const Vec3 start = LumpSheet::foot() + Vec3(beside_mm, -half_mm, radius_mm - depth_mm);
+  contact::FingerState state;
+  contact::FingerOutput felt;
+  const auto to = [&](const Vec3& tip) { felt = contact::step(skin.surface(), skin.finger(), state, tip); };
+  const int down = static_cast<int>(std::ceil(depth_mm / kTickMm)) + 2;
+  for (int i = down; i >= 0; --i) to(start + Vec3(0.0, 0.0, i * kTickMm));
+  std::vector<LumpCue> cues;
+  const int along = static_cast<int>(std::lround(2.0 * half_mm / kTickMm));
+  for (int i = 0; i <= along; ++i) {
+    to(start + Vec3(0.0, i * kTickMm, 0.0));
+    if (i % kTicksPerCue == 0) cues.push_back(cueOf(felt, skin.surface().lumps.get(), skin.ground(), taxels));
+  }
+  return cues;
+}
+
+double clearestOf(const std::vector<LumpCue>& cues, const LumpObserver& observer) noexcept {
+  double clearest = 0.0;
+  for (const LumpCue& cue : cues) clearest = std::max(clearest, clarityOf(cue, observer));
+  return clearest;
 }
 
 }  // namespace palpate::lumps

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "palpate/lumps/lump_observer.h"
 #include "palpate/tissue/layered_table.h"
@@ -32,5 +33,10 @@ class LumpSheet {
   contact::Surface plain_;
   std::shared_ptr<const contact::PressureGround> ground_;
 };
+
+/// A finger pressed so deep on a sheet and led straight past the lump, so far beside it, tick by tick: what it tells
+/// each millimetre of the way, from half a stroke's width before to as far behind. An observer goes by the clearest.
+std::vector<LumpCue> strokePast(const ComparedSkin& skin, double beside_mm, double depth_mm, std::size_t taxels);
+double clearestOf(const std::vector<LumpCue>& cues, const LumpObserver& observer) noexcept;
 
 }  // namespace palpate::lumps

@@ -101,6 +101,24 @@ TEST(LumpObserver, FeelsNothingWhereThereIsNothing) {
   EXPECT_FALSE(bare.press(LumpSheet::foot(), Vec3::UnitZ(), 1e4).reached);
 }
 
+TEST(LumpObserver, AStrokeTellsWhatPressesOnItsWayTellAndIsClearestNearTheLump) {
+  const ComparedSkin skin = silicone().with(ball(5.0, 200.0, 8.0));
+  const double depth_mm = silicone().depthAt(kPressN);
+  const std::vector<LumpCue> cues = strokePast(skin, 3.0, depth_mm, 8);
+  ASSERT_EQ(cues.size(), 17u);
+  for (const std::size_t at : {0, 6, 8, 11}) {
+    const LumpCue pressed = skin.cue(pressBeside(skin, {3.0, static_cast<double>(at) - 8.0}), 8);
+    EXPECT_NEAR(cues[at].force, pressed.force, 0.01 * pressed.force) << at;
+    EXPECT_NEAR(cues[at].pattern, pressed.pattern, 0.02 * pressed.pattern) << at;
+  }
+  EXPECT_NEAR(cues.front().force, cues.back().force, 1e-6);
+  double clearest = 0.0;
+  for (const LumpCue& cue : cues) clearest = std::max(clearest, clarityOf(cue, {}));
+  EXPECT_EQ(clearestOf(cues, {}), clearest);
+  EXPECT_GT(clearest, clarityOf(cues.front(), {}));
+  EXPECT_GT(clearest, clearestOf(strokePast(skin, 8.0, depth_mm, 8), {}));
+}
+
 TEST(LumpObserver, WithoutTheFieldOnlyTheForceCounts) {
   const LumpCue cue = cueBeside(ball(5.0, 200.0, 8.0), {0, 0}, 8);
   EXPECT_NEAR(clarityOf(cue, {.field = false}), cue.force / 0.08, 1e-12);
