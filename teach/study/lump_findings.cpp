@@ -84,18 +84,26 @@ FindingValues presses(const std::vector<TwoPresses>& rows, double most_by_force,
 FindingValues assumptions(const LumpMeasurement& found) {
   if (found.otherwise.empty()) return nullptr;
   constexpr double kFirm = 5.0;  // points
-  double worst = 0.0;
-  std::string which;
+  struct Change {
+    double points = 0.0;
+    std::string words;
+  };
+  std::vector<Change> changes;
   const ExaminedGroup& later = found.groups.front();
   for (const AssumedOtherwise& row : found.otherwise) {
+    Change change{.words = row.words};
     for (std::size_t i = 0; i < row.expected.size(); ++i) {
-      const double change = std::abs(row.expected[i] - later.figures[i].expected);
-      if (change <= worst) continue;
-      worst = change;
-      which = row.words;
+      change.points = std::max(change.points, std::abs(row.expected[i] - later.figures[i].expected));
     }
+    changes.push_back(std::move(change));
   }
-  return {{"cases", found.otherwise.size()}, {"worst", worst}, {"which", which}, {"firm", worst < kFirm}};
+  std::stable_sort(changes.begin(), changes.end(),
+                   [](const Change& a, const Change& b) { return a.points > b.points; });
+  return {{"cases", changes.size()},
+          {"worst", changes[0].points},
+          {"which", changes[0].words},
+          {"others", changes.size() > 1 ? changes[1].points : 0.0},
+          {"firm", changes[0].points < kFirm}};
 }
 
 }  // namespace

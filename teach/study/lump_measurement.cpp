@@ -29,7 +29,7 @@ constexpr double k95 = 1.96;
 /// A later study with the same kind of set, quoted in works that cite "Lump detection is enhanced in silicone breast
 /// models simulating postmenopausal breast tissue" (1996).
 ExaminedGroup laterStudy() {
-  ExaminedGroup group{.name = "later", .words = "later study", .figures = {}};
+  ExaminedGroup group{.name = "later", .words = "Later study", .figures = {}};
   group.figures = {{"size_1_0", "1.0 cm", 78.0, true, {.size = 2}}, {"size_0_3", "0.3 cm", 38.0, true, {.size = 0}},
                    {"hard", "hard", 61.0, false, {.hardness = 2}},  {"soft", "soft", 52.0, false, {.hardness = 0}},
                    {"medium", "medium", 63.0, false, {.depth = 0}}, {"deep", "deep", 53.0, false, {.depth = 1}}};
@@ -38,7 +38,7 @@ ExaminedGroup laterStudy() {
 
 /// "Physicians' abilities to detect lumps in silicone breast models" (JAMA 1985): 80 physicians.
 ExaminedGroup studyOf1985() {
-  ExaminedGroup group{.name = "jama_1985", .words = "1985", .figures = {}};
+  ExaminedGroup group{.name = "jama_1985", .words = "Physicians of 1985", .figures = {}};
   group.figures = {{"size_1_0", "1.0 cm", 87.0, true, {.size = 2}},
                    {"size_0_3", "0.3 cm", 14.0, true, {.size = 0}},
                    {"hard", "hard", 56.0, false, {.hardness = 2}},
@@ -46,7 +46,7 @@ ExaminedGroup studyOf1985() {
                    {"mean", "all", 44.0, false, {}},
                    {"easiest", "1.0 hard", 94.0, false, {.size = 2, .hardness = 2}},
                    {"hardest", "0.3 soft", 4.0, false, {.size = 0, .hardness = 0}},
-                   {"hardest_deep", "its deep", 0.0, false, {.size = 0, .hardness = 0, .depth = 1}},
+                   {"hardest_deep", "0.3 soft deep", 0.0, false, {.size = 0, .hardness = 0, .depth = 1}},
                    {"medium", "medium", kNotPrinted, false, {.depth = 0}},
                    {"deep", "deep", kNotPrinted, false, {.depth = 1}}};
   return group;

@@ -95,7 +95,7 @@ Series pointsNamed(const std::string& name, Marker marker, const figures::Colour
 }
 
 Plot detectionPlot(const ExaminedGroup& group) {
-  Plot plot = percentPlot(group.name == "later" ? "Later study" : "Physicians of 1985", "lumps");
+  Plot plot = percentPlot(group.words, "lumps");
   Series printed = pointsNamed("printed", Marker::square, figures::kInk);
   Series trainees = pointsNamed("trainees", Marker::circle, figures::kBlue);
   double x = 0.0;
@@ -118,7 +118,7 @@ Plot detectionPlot(const ExaminedGroup& group) {
 Plot pressPlot(const LumpMeasurement& found) {
   Plot plot = percentPlot("Which press was over a lump of 5 mm?", "felt by");
   plot.y.label = "right";
-  plot.y.from = 50.0;
+  plot.y.from = 40.0;
   Series printed = pointsNamed("measured (Yu et al.)", Marker::square, figures::kInk);
   Series trainees = pointsNamed("trainees", Marker::circle, figures::kBlue);
   double x = 0.0;
