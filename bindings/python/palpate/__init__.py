@@ -6,7 +6,7 @@ out of the back. docs/reference/python.md is the manual.
 
 from __future__ import annotations
 
-from palpate._core import Error, Finger, Fingers, FingerSettings, Session, Skin, Touch, World, __version__
+from palpate._core import Error, Finger, Fingers, FingerSettings, Lump, Session, Skin, Touch, World, __version__
 
 TYPE_CHECKING = False  # typing itself takes two milliseconds to import
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from palpate import tissue as tissue
     from palpate import view as view
 
-__all__ = ["Error", "Finger", "FingerSettings", "Fingers", "Session", "Skin", "Touch", "World", "__version__"]
+__all__ = ["Error", "Finger", "FingerSettings", "Fingers", "Lump", "Session", "Skin", "Touch", "World", "__version__"]
 
 # Loaded when they are first asked for: `import palpate` is to cost nothing that is not used.
 _LAZY = ("devices", "env", "fit", "measure", "sessions", "tissue", "view")

@@ -29,6 +29,8 @@ class World:
     mm, N, s; x to the patient's right seen from behind, y to the head, z out of the back.
     """
 
+    def __init__(self, *, lumps: Optional[Sequence[Lump]] = None, body: str = 'trunk', triangles: int = 0) -> None:
+        """A built-in body with lumps under its skin. body: 'trunk' or 'torso'; triangles: of skin and bones together, 0: as many as usual. Raises palpate.Error for a lump that cannot be where it should."""
     @staticmethod
     def load(file: Union[str, os.PathLike[str]]) -> World:
         """A world from a scene file (docs/reference/scene-files.md). Raises palpate.Error with file and line. Releases the interpreter's lock, as all that build a world do; Ctrl-C interrupts."""
@@ -127,17 +129,35 @@ class World:
         """In a few words."""
     def finger_settings(self, n: int = 1) -> list[FingerSettings]:
         """List of n FingerSettings: the scene's own in their order, then points with its friction."""
+    def with_lumps(self, lumps: Optional[Sequence[Lump]]) -> World:
+        """The same body with these lumps and no others, in some 30 ms a lump: the same triangles in the same order. Its tissue must be layered: a built-in body, or a mesh under a scene with [tissue] layer_table. Raises palpate.Error."""
+    @property
+    def lumps(self) -> list[dict[str, Any]]:
+        """What lies under the skin, a dict each: name; foot (3,) on the skin over its middle, axis (3,) out of the skin, across and up (3,), mm; half_axes_mm (3,), depth_mm of its top; young_kpa, layer_kpa of the tissue around it; tissue_mm over the bone; mobility_mm_per_n; share: what it adds to the force of a fingertip right over it, by the depth of the press, mm; note, all of this in a line."""
     def rollout(self, tips: numpy.typing.ArrayLike, *, settings: Optional[Union[FingerSettings, Sequence[FingerSettings]]] = None, fields: Optional[Sequence[str]] = None, threads: int = 1, out: Optional[dict[str, numpy.typing.NDArray[Any]]] = None) -> dict[str, numpy.typing.NDArray[Any]]:
         """Whole paths: one finger a row of tips (F, T, 3), mm, each tick FingerSettings.tick_s after the last.
 
         settings: None for the scene's fingers, a FingerSettings for all, or a sequence of F
         fields: names of what is answered; None for force (F, T, 3) N, depth (F, T) mm, proxy, anchor and normal
             (F, T, 3), triangle (F, T) int32, -1 when free, state (F, T) uint8, 0 free, 1 stick, 2 slip, and status
-            (F, T) uint32. Also tip, hold (F, T, 3), tissue, rest, anchor_triangle (F, T)
+            (F, T) uint32. Also tip, hold (F, T, 3), tissue, rest, anchor_triangle, radius (F, T), and of lumps
+            lump_force (F, T, 3) N, part of force, lump_share, their normal force over that of the press without them,
+            lump (F, T) int32, the mobile one that is nearest or -1, lump_moved (F, T, 2), how far it is from its place,
+            mm across and up. In a world with lumps or pads None answers all that `pressure` needs, too
         threads: fingers are shared among so many, where there is work enough for them
         out: a dict of C-ordered arrays that are written instead of fresh ones; says the fields where `fields` does not
 
         Every finger starts again: nothing is kept between two calls. The interpreter's lock is released, Ctrl-C interrupts. Raises ValueError for shapes, TypeError for what is not a number, palpate.Error for settings.
+        """
+    def pressure(self, felt: Union[dict[str, numpy.typing.NDArray[Any]], Touch, Sequence[Touch]], n: int = 4, pad_mm: float = 16.0, shear: bool = False, *, tick: Optional[numpy.typing.ArrayLike] = None) -> numpy.typing.NDArray[numpy.float64]:
+        """Pressure on the fingertip, kPa, of what was felt in this world: n x n taxels of a square pad with sides of pad_mm, in the plane of the contact. The first row is nearest to the head, the first taxel of a row lowest along u = v x normal, with v towards the head.
+
+        felt: what rollout or Fingers.step answered (F, T) or (F,), with all fields that a world with lumps or pads answers by itself; or a Touch, or several
+        n: 2 to 16; pad_mm: 1 to 100
+        shear: a last axis of three: pressure, and shear on the finger along u and along v, kPa
+        tick: of a body that breathes, when it was felt; None counts the last axis of (F, T) from 0, as rollout does
+
+        Gives (F, T, n, n), (F, n, n) or, of a Touch, (n, n): zeros where nothing is touched. The pressures add up to the normal force, and a point counts as a fingertip of 8 mm. The interpreter's lock is released, Ctrl-C interrupts. Raises palpate.Error where the tissue is not layered or the pad is out of range, ValueError for fields that are missing.
         """
 
 class FingerSettings:
@@ -245,6 +265,21 @@ class Touch:
     @property
     def status(self) -> int:
         """Bits: 1 tip lost (not finite or absurdly far: no force), 2 catching up, 4 too deep, 8 letting go, 16 at the border, 32 started inside, 64 unsettled, 128 shading failed (docs/explanation/contact.md)."""
+    @property
+    def radius_mm(self) -> float:
+        """Of the finger, mm; 0: a point."""
+    @property
+    def lump_force(self) -> numpy.typing.NDArray[numpy.float64]:
+        """(3,) of `force`, what the lumps under the skin add, N."""
+    @property
+    def lump_share(self) -> float:
+        """Their normal force over that of the press without them; 0 where that is 0."""
+    @property
+    def lump(self) -> int:
+        """Of the lumps that move and are felt the nearest, by its place in World.lumps; -1: none."""
+    @property
+    def lump_moved(self) -> numpy.typing.NDArray[numpy.float64]:
+        """(2,) how far that one is from its place, mm across and up."""
     def __repr__(self) -> str:
         """In a few words."""
 
@@ -262,7 +297,7 @@ class Finger:
     def lift(self) -> None:
         """The finger leaves: its next tip may be anywhere, and nothing between here and there is touched."""
     def reset(self) -> None:
-        """As when it was made: `lift`, and its clock starts again, which counts on a body that breathes."""
+        """As when it was made: `lift`, its clock starts again, which counts on a body that breathes, and lumps that it moved are back."""
     @overload
     def step(self, tip: numpy.typing.ArrayLike) -> Touch:
         """One tick with the tip (3,) here, mm; FingerSettings.tick_s after the last. A ball's tip is its centre.
@@ -273,6 +308,43 @@ class Finger:
     @overload
     def step(self, x: float, y: float, z: float) -> Touch:
         """The same with three numbers."""
+
+class Lump:
+    """Something under the skin: a node, a cyst, a hard band. Checked when made; it never changes.
+
+    at: the skin over its middle, by name ("T9 right 30 mm") or x, y, mm, seen along z
+    depth_mm: of its top under the skin at rest, along the normal; at least 0.5 mm under the skin's own layer
+    diameter_mm: of a ball (2 to 40; 10), or half_axes_mm: across, across (the same), into the body (1 to 20)
+    stiffness_ratio: over the layer at its centre (0.2 to 1,000; 5), or young_kpa: Young's modulus
+    edge: share of the radius over which its modulus falls to the tissue's; 0 is sharp (0 to 1)
+    mobility_mm_per_n: how far it moves under 1 N sideways (0.1 to 100); 0 is fixed
+    mobility_limit_mm: it moves no farther from its place (above 0, to 100)
+    raise_mm: how far the skin over it is raised at rest (0 to 10)
+    name: different for each lump of a world; "": lump1, lump2, ...
+
+    Raises palpate.Error for a number that is out of range. Whether there is room for it is known when a world is built.
+    """
+
+    def __init__(self, *, at: Union[str, numpy.typing.ArrayLike], depth_mm: float = 8.0, diameter_mm: Optional[float] = None, half_axes_mm: Optional[numpy.typing.ArrayLike] = None, stiffness_ratio: Optional[float] = None, young_kpa: Optional[float] = None, edge: float = 0.0, mobility_mm_per_n: float = 0.0, mobility_limit_mm: float = 10.0, raise_mm: float = 0.0, name: str = '') -> None:
+        """All by name. Raises palpate.Error, ValueError for shapes."""
+    @property
+    def name(self) -> str:
+        """As it was given."""
+    @property
+    def at(self) -> Union[str, numpy.typing.ArrayLike]:
+        """The skin over its middle: words, or x and y, mm."""
+    @property
+    def depth_mm(self) -> float:
+        """Of its top under the skin at rest."""
+    @property
+    def half_axes_mm(self) -> numpy.typing.NDArray[numpy.float64]:
+        """(3,) across, across, into the body, mm."""
+    def __repr__(self) -> str:
+        """As the constructor would be called."""
+    def __eq__(self, other: object) -> bool:
+        """True where all of it is the same."""
+    def __hash__(self) -> int:
+        """Of all its numbers."""
 
 def _native_rollout_seconds(world: World, tips: numpy.typing.ArrayLike) -> float:
     """Seconds that a loop of C++ takes for the path (T, 3) of one finger, its outputs kept; for tools/bench-python."""
@@ -488,7 +560,7 @@ class Session:
         """A dict each: tick, finger (None: of all), kind, text. span: first and last tick, both included."""
     def samples(self, fields: Optional[list[str]] = None, finger: Any = 0, span: Optional[tuple[int, int]] = None) -> dict[str, numpy.typing.NDArray[Any]]:
         """Ticks of one finger (its number or name) as a dict of fresh arrays (N,) by column, or (N, 3) for tip,
-        proxy, anchor, hold, normal, force, device_force, dent. fields: None means every column. span: first and
+        proxy, anchor, hold, normal, force, device_force, dent, lump_force. fields: None means every column. span: first and
         last tick, both included. Releases the GIL. Raises Error for a field, a finger, a damaged block.
         """
     def blocks(self, ticks: int = 10000, fields: Optional[list[str]] = None, finger: Any = 0, span: Optional[tuple[int, int]] = None) -> SessionBlocks:

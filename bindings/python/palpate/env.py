@@ -24,6 +24,20 @@ Flags = NDArray[np.bool_]
 Felt = dict[str, NDArray[Any]]
 
 
+_FELT = ("force", "depth", "proxy", "triangle", "state")
+_PRESSED = (*_FELT, "normal", "tip", "tissue", "radius", "lump_force", "lump", "lump_moved")
+
+
+def _taxels(observe: str) -> int:
+    """Along a side of the pad that is observed; 0: none."""
+    if observe == "touch":
+        return 0
+    number = observe.removeprefix("pressure")
+    if number == observe or not number.isascii() or not number.isdigit() or not 2 <= int(number) <= 16:
+        raise ValueError(f"observe: 'touch', or 'pressure2' to 'pressure16', not {observe!r}")
+    return int(number)
+
+
 class Box:
     """Numbers between bounds, as gymnasium.spaces.Box has them: low, high, shape, dtype, sample, contains."""
 
@@ -90,8 +104,9 @@ class VectorEnv:
     """Fingers that search the skin around a place: each action moves a tip, each observation is what it felt.
 
     Actions (n, 3) in -1 to 1: the way of the tip in this step, over max_step_mm, along x, y and z. Observations (n, 7)
-    float32: the tip from the middle of the region over reach_mm (3), the force, N (3), the depth, mm (1). A tip stays
-    within reach_mm of the middle, each axis for itself. An episode is truncated after max_steps.
+    float32: the tip from the middle of the region over reach_mm (3), the force, N (3), the depth, mm (1). With
+    observe="pressure4" (2 to 16) the 4 x 4 pressures of a pad on the fingertip follow, kPa, row by row (World.pressure):
+    (n, 23). A tip stays within reach_mm of the middle, each axis for itself. An episode is truncated after max_steps.
     """
 
     metadata: dict[str, Any] = {"autoreset_mode": "next_step", "render_modes": []}
@@ -99,14 +114,19 @@ class VectorEnv:
 
     def __init__(self, world: World, num_envs: int, *, around: str | ArrayLike = "T6", reach_mm: float = 40.0,
                  substeps: int = 10, max_step_mm: float = 2.0, max_steps: int = 200,
-                 settings: Optional[FingerSettings] = None, task: Optional[Task] = None, threads: int = 1) -> None:
-        """around: the middle of the region, by name or (3,), mm; substeps: ticks a step; task: None for Stiffest."""
+                 settings: Optional[FingerSettings] = None, task: Optional[Task] = None, threads: int = 1,
+                 observe: str = "touch", pad_mm: float = 16.0) -> None:
+        """around: the middle of the region, by name or (3,), mm; substeps: ticks a step; task: None for Stiffest.
+
+        observe: "touch", or "pressureN" with an N x N pad of sides of pad_mm, which needs layered tissue."""
         if substeps < 1 or max_steps < 1:
             raise ValueError("substeps and max_steps: at least 1")
         if not reach_mm > 0 or not max_step_mm > 0:
             raise ValueError("reach_mm and max_step_mm: above 0")
         self.world = world
         self.num_envs = num_envs
+        self.taxels, self.pad_mm = _taxels(observe), pad_mm
+        self._clock = np.zeros(num_envs, np.int64)
         self.around = world.place(around)
         self.normal = world.normal_at(around)
         self.reach_mm, self.substeps, self.max_step_mm, self.max_steps = reach_mm, substeps, max_step_mm, max_steps
@@ -116,12 +136,16 @@ class VectorEnv:
         self._tips = np.zeros((num_envs, 3))
         self._steps = np.zeros(num_envs, np.int64)
         self._ended: Optional[Flags] = None
-        low = np.array([-1, -1, -1, -np.inf, -np.inf, -np.inf, 0], np.float32)
-        high = np.array([1, 1, 1, np.inf, np.inf, np.inf, np.inf], np.float32)
+        pad = self.taxels**2
+        low = np.array([-1, -1, -1, -np.inf, -np.inf, -np.inf, *np.zeros(1 + pad)], np.float32)
+        high = np.array([1, 1, 1, *np.full(4 + pad, np.inf)], np.float32)
         self.single_action_space = Box(-1, 1, (3,))
-        self.single_observation_space = Box(low, high, (7,))
+        self.single_observation_space = Box(low, high, (7 + pad,))
         self.action_space = Box(-1, 1, (num_envs, 3))
-        self.observation_space = Box(low, high, (num_envs, 7))
+        self.observation_space = Box(low, high, (num_envs, 7 + pad))
+        if pad:
+            self._pressure(self._fingers.step(np.full((num_envs, 3), np.nan), fields=_PRESSED))  # refused now, not later
+            self._fingers.reset()
 
     def reset(self, *, seed: Optional[int] = None, options: Optional[dict[str, Any]] = None
               ) -> tuple[NDArray[np.float32], dict[str, Any]]:
@@ -136,7 +160,7 @@ class VectorEnv:
 
     def step(self, actions: ArrayLike
              ) -> tuple[NDArray[np.float32], Floats, Flags, Flags, dict[str, Any]]:
-        """Observations (n, 7), rewards (n,), terminated (n,), truncated (n,), infos: `state` (n,), 0 free, 1 stick, 2 slip.
+        """Observations (n, 7) or wider, rewards (n,), terminated (n,), truncated (n,), infos: `state` (n,), 0 free, 1 stick, 2 slip.
 
         Raises ValueError for actions of another shape or not finite, RuntimeError before the first reset."""
         if self._ended is None:
@@ -169,15 +193,22 @@ class VectorEnv:
         self._tips[mask] = self.around + shift + self.normal * min(10.0, self.reach_mm)
         self._steps[mask] = 0
         self._fingers.reset(mask)
+        self._clock[mask] = -1
         self.task.reset(mask)
 
     def _feel(self) -> Felt:
-        return self._fingers.step(self._tips, substeps=self.substeps,
-                                  fields=("force", "depth", "proxy", "triangle", "state"))
+        self._clock += self.substeps  # of each finger's last tick
+        return self._fingers.step(self._tips, substeps=self.substeps, fields=_PRESSED if self.taxels else _FELT)
+
+    def _pressure(self, felt: Felt) -> Floats:
+        pressed = self.world.pressure(felt, self.taxels, self.pad_mm, tick=np.maximum(self._clock, 0))
+        return pressed.reshape(self.num_envs, -1)
 
     def _observed(self, felt: Felt) -> NDArray[np.float32]:
-        observed = np.empty((self.num_envs, 7), np.float32)
+        observed = np.empty((self.num_envs, 7 + self.taxels**2), np.float32)
         observed[:, :3] = (self._tips - self.around) / self.reach_mm
         observed[:, 3:6] = felt["force"]
         observed[:, 6] = felt["depth"]
+        if self.taxels:
+            observed[:, 7:] = self._pressure(felt)
         return observed

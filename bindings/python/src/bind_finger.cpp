@@ -159,9 +159,10 @@ const char* wordOf(contact::Touch touch) {
 }
 
 /// A view of a point inside the Touch.
-template <Vec3 FingerOutput::*Member>
+template <auto Member>
 FloatArray pointIn(const py::object& self) {
-  return viewOf((self.cast<const FingerOutput&>().*Member).data(), {3}, self);
+  const auto& point = self.cast<const FingerOutput&>().*Member;
+  return viewOf(point.data(), {static_cast<py::ssize_t>(point.size())}, self);
 }
 
 int signedIndex(Index index) { return std::bit_cast<std::int32_t>(index); }
@@ -199,6 +200,18 @@ void bindTouch(py::module_& module) {
       "status", [](const FingerOutput& self) { return self.status; },
       "Bits: 1 tip lost (not finite or absurdly far: no force), 2 catching up, 4 too deep, 8 letting go, 16 at the "
       "border, 32 started inside, 64 unsettled, 128 shading failed (docs/explanation/contact.md).");
+  touch.def_property_readonly(
+      "radius_mm", [](const FingerOutput& self) { return self.finger_mm; }, "Of the finger, mm; 0: a point.");
+  touch.def_property_readonly("lump_force", pointIn<&FingerOutput::lump_force>,
+                              "(3,) of `force`, what the lumps under the skin add, N.");
+  touch.def_property_readonly(
+      "lump_share", [](const FingerOutput& self) { return self.lump_share; },
+      "Their normal force over that of the press without them; 0 where that is 0.");
+  touch.def_property_readonly(
+      "lump", [](const FingerOutput& self) { return signedIndex(self.lump); },
+      "Of the lumps that move and are felt the nearest, by its place in World.lumps; -1: none.");
+  touch.def_property_readonly("lump_moved", pointIn<&FingerOutput::lump_moved_mm>,
+                              "(2,) how far that one is from its place, mm across and up.");
   touch.def(
       "__repr__",
       [](const FingerOutput& self) {
@@ -303,7 +316,8 @@ void bindFingerClass(py::module_& module) {
       "The finger leaves: its next tip may be anywhere, and nothing between here and there is touched.");
   finger.def(
       "reset", [](FingerHandle& self) { self.finger.reset(); },
-      "As when it was made: `lift`, and its clock starts again, which counts on a body that breathes.");
+      "As when it was made: `lift`, its clock starts again, which counts on a body that breathes, and lumps that it "
+      "moved are back.");
   const auto descriptor =
       py::reinterpret_steal<py::object>(PyDescr_NewMethod(reinterpret_cast<PyTypeObject*>(finger.ptr()), &step_method));
   if (!descriptor) throw py::error_already_set();

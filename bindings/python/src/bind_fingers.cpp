@@ -45,7 +45,7 @@ class FingersHandle {
       throw py::value_error(fmt::format("tips: must be ({}, 3)", size()));
     }
     if (substeps == 0) throw py::value_error("substeps: at least 1");
-    const FeltArrays arrays({tips.shape(0)}, fields, out);
+    const FeltArrays arrays(*world_->world, {tips.shape(0)}, fields, out);
     const double* to = tips.data();
     unlocked([&](Interrupts& interrupts) { stepAll(to, substeps, arrays.rows(), interrupts); });
     return FeltDict(arrays.dict());

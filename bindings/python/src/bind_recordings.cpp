@@ -74,7 +74,8 @@ constexpr std::array kVectors = {VectorField{"tip", "tip_", "_mm"},
                                  VectorField{"normal", "normal_", ""},
                                  VectorField{"force", "force_", "_n"},
                                  VectorField{"device_force", "device_", "_n"},
-                                 VectorField{"dent", "dent_", "_mm"}};
+                                 VectorField{"dent", "dent_", "_mm"},
+                                 VectorField{"lump_force", "lump_force_", "_n"}};
 
 /// A field of a table: one column, or three.
 struct Field {
@@ -463,7 +464,7 @@ void bindSessions(py::module_& module) {
           },
           py::arg("fields") = py::none(), py::arg("finger") = 0, py::arg("span") = py::none(),
           "Ticks of one finger (its number or name) as a dict of fresh arrays (N,) by column, or (N, 3) for tip,\n"
-          "proxy, anchor, hold, normal, force, device_force, dent. fields: None means every column. span: first and\n"
+          "proxy, anchor, hold, normal, force, device_force, dent, lump_force. fields: None means every column. span: first and\n"
           "last tick, both included. Releases the GIL. Raises Error for a field, a finger, a damaged block.")
       .def("blocks", blocksOf, py::arg("ticks") = 10000, py::arg("fields") = py::none(), py::arg("finger") = 0,
            py::arg("span") = py::none(),

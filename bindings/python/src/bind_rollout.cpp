@@ -32,7 +32,7 @@ FeltDict rollout(const WorldPointer& world, const ArrayLike& given, const MaybeS
   const auto ticks = static_cast<std::size_t>(tips.shape(1));
   if (threads == 0) throw py::value_error("threads: at least 1");
   std::vector<FeltFinger> fingers = fingersOn(*world->world, settingsOf(*world->world, settings, count));
-  const FeltArrays felt({tips.shape(0), tips.shape(1)}, fields, out);
+  const FeltArrays felt(*world->world, {tips.shape(0), tips.shape(1)}, fields, out);
   const double* from = tips.data();
   const std::size_t worth = std::max<std::size_t>(1, count * ticks / kTicksWorthAThread);
   unlocked([&](Interrupts& interrupts) {
@@ -84,7 +84,10 @@ void bindRollout(py::module_& module) {
       "settings: None for the scene's fingers, a FingerSettings for all, or a sequence of F\n"
       "fields: names of what is answered; None for force (F, T, 3) N, depth (F, T) mm, proxy, anchor and normal\n"
       "    (F, T, 3), triangle (F, T) int32, -1 when free, state (F, T) uint8, 0 free, 1 stick, 2 slip, and status\n"
-      "    (F, T) uint32. Also tip, hold (F, T, 3), tissue, rest, anchor_triangle (F, T)\n"
+      "    (F, T) uint32. Also tip, hold (F, T, 3), tissue, rest, anchor_triangle, radius (F, T), and of lumps\n"
+      "    lump_force (F, T, 3) N, part of force, lump_share, their normal force over that of the press without them,\n"
+      "    lump (F, T) int32, the mobile one that is nearest or -1, lump_moved (F, T, 2), how far it is from its place,\n"
+      "    mm across and up. In a world with lumps or pads None answers all that `pressure` needs, too\n"
       "threads: fingers are shared among so many, where there is work enough for them\n"
       "out: a dict of C-ordered arrays that are written instead of fresh ones; says the fields where `fields` does "
       "not\n\n"

@@ -10,6 +10,8 @@ void bindErrors(pybind11::module_& module);    // palpate.Error
 void bindWorld(pybind11::module_& module);     // World
 void bindFinger(pybind11::module_& module);    // FingerSettings, Touch, Finger
 void bindRollout(pybind11::module_& module);   // World.rollout
+void bindLumps(pybind11::module_& module);     // Lump, World(lumps=...), World.lumps
+void bindPressure(pybind11::module_& module);  // World.pressure
 void bindFingers(pybind11::module_& module);   // Fingers
 void bindSkin(pybind11::module_& module);      // Skin
 void bindSessions(pybind11::module_& module);  // sessions: read, replay, iterate

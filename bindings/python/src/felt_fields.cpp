@@ -16,12 +16,13 @@ using Place = std::variant<double * FeltRows::*, std::int32_t * FeltRows::*, std
 
 struct FieldForm {
   const char* name;
-  py::ssize_t axes;  ///< 3: a vector
+  py::ssize_t axes;  ///< 2, 3: a vector
   Place place;
 };
 
-/// The first kUsual are answered when nobody asks: 113 bytes a tick.
+/// The first kUsual are answered when nobody asks: 113 bytes a tick. With those of pressure 233.
 constexpr std::size_t kUsual = 8;
+constexpr std::size_t kWithPressure = 15;
 const std::array kForms = {
     FieldForm{"force", 3, &FeltRows::force},
     FieldForm{"depth", 1, &FeltRows::depth},
@@ -32,8 +33,13 @@ const std::array kForms = {
     FieldForm{"state", 1, &FeltRows::state},
     FieldForm{"status", 1, &FeltRows::status},
     FieldForm{"tip", 3, &FeltRows::tip},
-    FieldForm{"hold", 3, &FeltRows::hold},
     FieldForm{"tissue", 1, &FeltRows::tissue},
+    FieldForm{"radius", 1, &FeltRows::radius},
+    FieldForm{"lump_force", 3, &FeltRows::lump_force},
+    FieldForm{"lump_share", 1, &FeltRows::lump_share},
+    FieldForm{"lump", 1, &FeltRows::lump},
+    FieldForm{"lump_moved", 2, &FeltRows::lump_moved},
+    FieldForm{"hold", 3, &FeltRows::hold},
     FieldForm{"rest", 1, &FeltRows::rest},
     FieldForm{"anchor_triangle", 1, &FeltRows::anchor_triangle},
 };
@@ -48,7 +54,7 @@ const FieldForm& formOf(const std::string& name) {
 }
 
 /// The names asked for; those of `out` where nobody asks, and the usual ones without that.
-std::vector<std::string> namesOf(const py::object& fields, const py::object& out) {
+std::vector<std::string> namesOf(const scene::World& world, const py::object& fields, const py::object& out) {
   std::vector<std::string> names;
   if (!fields.is_none()) {
     if (py::isinstance<py::str>(fields)) throw py::type_error("fields: a sequence of names, such as (\"force\",)");
@@ -59,7 +65,8 @@ std::vector<std::string> namesOf(const py::object& fields, const py::object& out
   } else if (!out.is_none()) {
     for (const auto& [name, array] : out.cast<py::dict>()) names.push_back(py::str(name));
   } else {
-    for (std::size_t i = 0; i < kUsual; ++i) names.emplace_back(kForms[i].name);
+    const std::size_t usual = world.surface.lumps || world.pressure ? kWithPressure : kUsual;
+    for (std::size_t i = 0; i < usual; ++i) names.emplace_back(kForms[i].name);
   }
   return names;
 }
@@ -82,9 +89,10 @@ py::array_t<Number> wholeArray(const py::object& given, const std::string& name,
 
 }  // namespace
 
-FeltArrays::FeltArrays(std::vector<py::ssize_t> leading, const py::object& fields, const py::object& out) {
+FeltArrays::FeltArrays(const scene::World& world, std::vector<py::ssize_t> leading, const py::object& fields,
+                       const py::object& out) {
   if (!out.is_none() && !py::isinstance<py::dict>(out)) throw py::type_error("out: a dict of arrays");
-  for (const std::string& name : namesOf(fields, out)) {
+  for (const std::string& name : namesOf(world, fields, out)) {
     py::object given = py::none();
     if (!out.is_none()) {
       if (!out.contains(name)) throw py::value_error(fmt::format("out: has no array '{}'", name));

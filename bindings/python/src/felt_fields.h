@@ -11,6 +11,7 @@
 
 #include "arrays.h"
 #include "palpate/contact/finger_state.h"
+#include "palpate/scene/world.h"
 
 namespace palpate::python {
 
@@ -30,6 +31,11 @@ struct FeltRows {
   double* tissue = nullptr;
   double* rest = nullptr;
   std::int32_t* anchor_triangle = nullptr;
+  double* radius = nullptr;
+  double* lump_force = nullptr;
+  double* lump_share = nullptr;
+  std::int32_t* lump = nullptr;
+  double* lump_moved = nullptr;
 
   void write(std::size_t row, const contact::FingerOutput& felt) const noexcept {
     if (force != nullptr) write3(force, row, felt.force);
@@ -45,6 +51,14 @@ struct FeltRows {
     if (tissue != nullptr) tissue[row] = felt.tissue_mm;
     if (rest != nullptr) rest[row] = felt.rest_mm;
     if (anchor_triangle != nullptr) anchor_triangle[row] = static_cast<std::int32_t>(felt.anchor_triangle);
+    if (radius != nullptr) radius[row] = felt.finger_mm;
+    if (lump_force != nullptr) write3(lump_force, row, felt.lump_force);
+    if (lump_share != nullptr) lump_share[row] = felt.lump_share;
+    if (lump != nullptr) lump[row] = static_cast<std::int32_t>(felt.lump);
+    if (lump_moved != nullptr) {
+      for (int axis = 0; axis < 2; ++axis)
+        lump_moved[2 * row + static_cast<std::size_t>(axis)] = felt.lump_moved_mm[axis];
+    }
   }
 
  private:
@@ -57,10 +71,12 @@ struct FeltRows {
 class FeltArrays {
  public:
   /// `leading` is the shape before the axis of a vector: (fingers, ticks) or (fingers). `fields`: a sequence of names,
-  /// or None for those that docs/reference/python.md names first. `out`: None for fresh arrays, or a dict of C-ordered
-  /// writable arrays of the right shape and kind, which are written and answered; it says the fields where `fields`
-  /// does not. Throws ValueError, TypeError or KeyError naming the field.
-  FeltArrays(std::vector<py::ssize_t> leading, const py::object& fields, const py::object& out);
+  /// or None for those that docs/reference/python.md names first, and in a `world` with lumps or pads all that a
+  /// pattern of pressure is made of. `out`: None for fresh arrays, or a dict of C-ordered writable arrays of the right
+  /// shape and kind, which are written and answered; it says the fields where `fields` does not. Throws ValueError,
+  /// TypeError or KeyError naming the field.
+  FeltArrays(const scene::World& world, std::vector<py::ssize_t> leading, const py::object& fields,
+             const py::object& out);
 
   const FeltRows& rows() const { return rows_; }
   py::dict dict() const { return dict_; }

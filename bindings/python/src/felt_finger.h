@@ -18,11 +18,12 @@ struct FeltFinger {
 
   contact::FingerOutput step(const Vec3& tip) noexcept { return servo::touch(solver, settings, state, tip, ticks++); }
   /// It is nowhere: its next tip may be anywhere. The clock goes on.
-  void lift() noexcept { state = {}; }
-  /// As when it was made.
-  void reset() noexcept {
-    state = {};
+  void lift() noexcept { servo::lift(solver, state); }
+  /// As when it was made; lumps that it moved are back at their places.
+  void reset() {
+    lift();
     ticks = 0;
+    if (solver.lumps) *solver.lumps = servo::LumpLoop(1);
   }
 };
 

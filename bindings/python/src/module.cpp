@@ -11,7 +11,9 @@ PYBIND11_MODULE(_core, module) {
   bindErrors(module);
   bindWorld(module);
   bindFinger(module);
+  bindLumps(module);
   bindRollout(module);
+  bindPressure(module);
   bindFingers(module);
   bindSkin(module);
   bindSessions(module);

@@ -10,6 +10,7 @@
 #include "arrays.h"
 #include "palpate/base/skin_place.h"
 #include "palpate/contact/finger.h"
+#include "palpate/engine/felt_pressure.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::python {
@@ -25,6 +26,8 @@ struct SourceMaps {
 struct WorldHandle {
   std::shared_ptr<const scene::World> world;
   std::shared_ptr<const SourceMaps> maps = nullptr;  ///< null where the body was not given as a mesh
+  /// Made when it is first asked for (bind_pressure.cpp), with the interpreter's lock held.
+  mutable std::shared_ptr<const engine::FeltPressure> pressure = nullptr;
 };
 using WorldPointer = std::shared_ptr<WorldHandle>;
 

@@ -268,6 +268,7 @@ def test_fields_and_out(dome_world):
         with pytest.raises(ValueError, match="out"):
             dome_world.rollout(tips, out={"force": wrong}) if wrong is not None else dome_world.rollout(
                 tips, out={}, fields=["force"])
+    assert dome_world.rollout(tips, fields=["lump_moved"])["lump_moved"].shape == (4, 30, 2)
     with pytest.raises(ValueError, match="'forces' is none; known: force, depth"):
         dome_world.rollout(tips, fields=["forces"])
     with pytest.raises(TypeError, match="fields"):
