@@ -1,7 +1,11 @@
 // A finger behind its handle: what engine::Simulator has of one, without the others.
+#include <array>
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "answers.h"
+#include "palpate/engine/felt_pressure.h"
 #include "palpate/engine/fingers.h"
 #include "palpate/servo/finger_solver.h"
 #include "structs.h"
@@ -14,6 +18,8 @@ struct palpate_finger {
   palpate::contact::FingerSettings settings = {};
   palpate::contact::FingerState state = {};
   std::uint64_t ticks = 0;
+  palpate::contact::FingerOutput felt = {};                    ///< in the last of them
+  std::optional<palpate::engine::FeltPressure> pressure = {};  ///< made when it is first asked for
 };
 
 namespace palpate::c_api {
@@ -65,8 +71,22 @@ palpate_finger* fingerOn(const palpate_world& world, const contact::FingerSettin
 
 void step(palpate_finger& finger, const double* tip_mm, palpate_touch* touch, std::size_t size) noexcept {
   const std::uint64_t tick = finger.ticks++;
-  putTouch(servo::touch(finger.solver, finger.settings, finger.state, {tip_mm[0], tip_mm[1], tip_mm[2]}, tick), tick,
-           touch, size);
+  finger.felt = servo::touch(finger.solver, finger.settings, finger.state, {tip_mm[0], tip_mm[1], tip_mm[2]}, tick);
+  putTouch(finger.felt, tick, touch, size);
+}
+
+/// A pad of C's numbers: room for the largest lies on the stack.
+void press(const palpate_finger& finger, const contact::PressurePad& pad, float* kpa, float* shear_kpa) noexcept {
+  constexpr std::size_t kMost = contact::kMaxTaxels * contact::kMaxTaxels;
+  std::array<double, kMost> normal;
+  std::array<Vec2, kMost> shear;
+  const std::size_t count = pad.taxels * pad.taxels;
+  const std::uint64_t tick = finger.ticks == 0 ? 0 : finger.ticks - 1;
+  finger.pressure->at(finger.felt, tick, pad, std::span(normal).first(count),
+                      std::span(shear).first(shear_kpa == nullptr ? 0 : count));
+  for (std::size_t i = 0; i < count; ++i) kpa[i] = static_cast<float>(normal[i]);
+  if (shear_kpa == nullptr) return;
+  for (std::size_t i = 0; i < 2 * count; ++i) shear_kpa[i] = static_cast<float>(shear[i / 2][static_cast<int>(i % 2)]);
 }
 
 }  // namespace
@@ -116,9 +136,22 @@ int32_t palpate_finger_rollout(palpate_finger* finger, const double* tips_mm, si
   return PALPATE_OK;
 }
 
+int32_t palpate_finger_pressure(palpate_finger* finger, size_t taxels, double pad_mm, float* kpa,
+                                float* shear_kpa) noexcept {
+  const contact::PressurePad pad{taxels, pad_mm};
+  if (finger == nullptr || kpa == nullptr || !engine::isPad(pad)) return PALPATE_ARGUMENT;
+  if (!finger->pressure) {
+    const int32_t made = c_api::answered(nullptr, [&] { finger->pressure.emplace(finger->world); });
+    if (made != PALPATE_OK) return made;
+  }
+  c_api::press(*finger, pad, kpa, shear_kpa);
+  return PALPATE_OK;
+}
+
 int32_t palpate_finger_lift(palpate_finger* finger) noexcept {
   if (finger == nullptr) return PALPATE_ARGUMENT;
-  finger->state = {};
+  servo::lift(finger->solver, finger->state);
+  finger->felt = {};
   return PALPATE_OK;
 }
 

@@ -129,6 +129,7 @@ typedef struct palpate_world_facts {
   double ticks_per_s;  /* of the scene */
   uint64_t hash;       /* worlds with the same hash give the same forces */
   char body_name[128]; /* "torso", or the file's name */
+  uint64_t lumps;      /* for palpate_world_lump */
 } palpate_world_facts;
 
 /* Some milliseconds: the hash reads the whole skin. */
@@ -166,6 +167,26 @@ PALPATE_API int32_t palpate_world_landmark(const palpate_world* world, size_t in
                                            palpate_place* place) PALPATE_NOEXCEPT;
 /* What the user should know of the body: repairs, a doubtful unit. Null past the last; there until the last release. */
 PALPATE_API const char* palpate_world_note(const palpate_world* world, size_t index) PALPATE_NOEXCEPT;
+
+/* A lump under the skin, as the scene's [[lump]] has it in this body (docs/explanation/lump-contact.md). */
+typedef struct palpate_lump {
+  size_t size;
+  double foot_mm[3];        /* on the skin at rest, over its middle */
+  double axis[3];           /* unit, out of the skin there */
+  double across[3];         /* unit; across, up and axis are right-handed */
+  double up[3];             /* unit, towards the head */
+  double half_axes_mm[3];   /* across, across, into the body */
+  double depth_mm;          /* of its top under the skin, along the axis */
+  double young_kpa;         /* in its middle */
+  double layer_kpa;         /* of the layer at its centre */
+  double tissue_mm;         /* thickness over the bone there */
+  double mobility_mm_per_n; /* how far it moves under 1 N sideways; 0: it is fixed */
+  double mobility_limit_mm; /* it moves no farther */
+  double share[3];          /* what it adds to the force of a fingertip right over it that presses 3, 5, 8 mm */
+  char name[64];            /* "lump1" where the scene gives none */
+} palpate_lump;
+/* Lump number `index` of the world, from 0, in the order of the scene. PALPATE_ARGUMENT beyond the last. Any thread. */
+PALPATE_API int32_t palpate_world_lump(const palpate_world* world, size_t index, palpate_lump* lump) PALPATE_NOEXCEPT;
 
 /* ---- fingers ----------------------------------------------------------------------------------------------------- */
 
@@ -222,13 +243,18 @@ typedef struct palpate_touch {
   double hold_mm[3];   /* where friction holds the tip, a point in space */
   uint32_t triangle;   /* of the world's skin under the proxy, or PALPATE_NONE */
   uint32_t anchor_triangle;
-  double tissue_mm;       /* thickness over the bone under the proxy; 0 where it is not known */
-  double rest_mm;         /* how deep the pressed skin would stay by itself (relaxation); 0 when free */
-  double dent_mm[3];      /* a dent that the finger left and that comes back: where */
-  double dent_rest_mm;    /* how deep it still is; 0: there is none */
-  uint32_t dent_triangle; /* of the world's skin, or PALPATE_NONE */
-  uint32_t reserved;      /* 0 */
-  uint64_t tick;          /* counts this finger's steps from 0 */
+  double tissue_mm;        /* thickness over the bone under the proxy; 0 where it is not known */
+  double rest_mm;          /* how deep the pressed skin would stay by itself (relaxation); 0 when free */
+  double dent_mm[3];       /* a dent that the finger left and that comes back: where */
+  double dent_rest_mm;     /* how deep it still is; 0: there is none */
+  uint32_t dent_triangle;  /* of the world's skin, or PALPATE_NONE */
+  uint32_t reserved;       /* 0 */
+  uint64_t tick;           /* counts this finger's steps from 0 */
+  double lump_force_n[3];  /* of force_n, what the lumps under the skin add */
+  double lump_share;       /* their normal force over that of the press without them; 0 where that is 0 */
+  double lump_moved_mm[2]; /* how far the lump below is from its place, across and up */
+  uint32_t lump;           /* of those that move and are felt the nearest, for palpate_world_lump; or PALPATE_NONE */
+  uint32_t reserved_2;     /* 0 */
 } palpate_touch;
 
 typedef struct palpate_finger palpate_finger;
@@ -244,6 +270,15 @@ PALPATE_API int32_t palpate_finger_step(palpate_finger* finger, const double tip
  * `stride` bytes apart, and each gets `stride` as its size: give sizeof(palpate_touch). No allocation, no lock. */
 PALPATE_API int32_t palpate_finger_rollout(palpate_finger* finger, const double* tips_mm, size_t count,
                                            palpate_touch* touches, size_t stride) PALPATE_NOEXCEPT;
+/* The pressure on the fingertip in its last step, kPa: `taxels` rows of as many (2 to 16) of a square pad with sides of
+ * `pad_mm` (1 to 100), in the plane of the contact. The first row is nearest to the head, the first taxel of a row
+ * lowest along u = v x normal, with v towards the head. `kpa` has room for taxels * taxels, `shear_kpa` for twice as
+ * many, or is null: shear on the finger along u and v, taxel by taxel. Zeros when free. The pressures add up to the
+ * normal force; a point counts as a fingertip of 8 mm. Bodies of layered tissue only: PALPATE_REFUSED for another. 0.2
+ * us for 4 x 4, 2 for 16 x 16; the first call of a finger in a world that has neither lumps nor a pad takes
+ * milliseconds and allocates, others do not. */
+PALPATE_API int32_t palpate_finger_pressure(palpate_finger* finger, size_t taxels, double pad_mm, float* kpa,
+                                            float* shear_kpa) PALPATE_NOEXCEPT;
 /* Lifts the finger: its next tip may be anywhere, and nothing between here and there is touched. Ticks go on. */
 PALPATE_API int32_t palpate_finger_lift(palpate_finger* finger) PALPATE_NOEXCEPT;
 PALPATE_API void palpate_finger_release(palpate_finger* finger) PALPATE_NOEXCEPT;

@@ -36,7 +36,7 @@ bool readAll(const palpate_skin& skin, const palpate_touch* touches, std::size_t
     const palpate_touch* given = at(touches, i, stride);
     if (!isSize<palpate_touch>(given->size)) return false;
     palpate_touch none = {};
-    none.triangle = none.anchor_triangle = none.dent_triangle = PALPATE_NONE;
+    none.triangle = none.anchor_triangle = none.dent_triangle = none.lump = PALPATE_NONE;
     const palpate_touch touch = fromCaller(given, none);
     if (!feltFrom(touch, skin.world->body->skin.triangles.size(), felt[i])) return false;
     if (i == 0) tick = touch.tick;

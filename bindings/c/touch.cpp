@@ -17,8 +17,9 @@ static_assert(contact::kTooDeep == PALPATE_TOO_DEEP && contact::kLettingGo == PA
 static_assert(contact::kAtBorder == PALPATE_AT_BORDER && contact::kStartedInside == PALPATE_STARTED_INSIDE);
 static_assert(contact::kUnsettled == PALPATE_UNSETTLED && contact::kShadingFailed == PALPATE_SHADING_FAILED);
 
-void put(const Vec3& vector, double* target) noexcept {
-  for (int axis = 0; axis < 3; ++axis) target[axis] = vector[axis];
+template <class Vector>
+void put(const Vector& vector, double* target) noexcept {
+  for (Eigen::Index axis = 0; axis < vector.size(); ++axis) target[axis] = vector[axis];
 }
 
 Vec3 vectorOf(const double* numbers) noexcept { return {numbers[0], numbers[1], numbers[2]}; }
@@ -43,13 +44,19 @@ void fill(const contact::FingerOutput& felt, std::uint64_t tick, palpate_touch& 
   touch.dent_triangle = felt.dent.triangle;
   touch.reserved = 0;
   touch.tick = tick;
+  put(felt.lump_force, touch.lump_force_n);
+  touch.lump_share = felt.lump_share;
+  put(felt.lump_moved_mm, touch.lump_moved_mm);
+  touch.lump = felt.lump;
+  touch.reserved_2 = 0;
 }
 
 bool isFinite(const palpate_touch& touch) noexcept {
   // 0 times a number is not 0 where it is not finite.
-  double sum = 0.0 * (touch.depth_mm + touch.tissue_mm + touch.rest_mm + touch.dent_rest_mm);
-  for (const auto& vector :
-       {touch.force_n, touch.normal, touch.tip_mm, touch.proxy_mm, touch.anchor_mm, touch.hold_mm, touch.dent_mm}) {
+  double sum = 0.0 * (touch.depth_mm + touch.tissue_mm + touch.rest_mm + touch.dent_rest_mm + touch.lump_share +
+                      touch.lump_moved_mm[0] + touch.lump_moved_mm[1]);
+  for (const auto& vector : {touch.force_n, touch.normal, touch.tip_mm, touch.proxy_mm, touch.anchor_mm, touch.hold_mm,
+                             touch.dent_mm, touch.lump_force_n}) {
     for (int axis = 0; axis < 3; ++axis) sum += 0.0 * vector[axis];
   }
   return sum == 0.0;
@@ -88,6 +95,10 @@ bool feltFrom(const palpate_touch& touch, std::size_t triangles, contact::Finger
   felt.tissue_mm = touch.tissue_mm;
   felt.rest_mm = touch.rest_mm;
   felt.dent = {vectorOf(touch.dent_mm), touch.dent_rest_mm, touch.dent_triangle};
+  felt.lump_force = vectorOf(touch.lump_force_n);
+  felt.lump_share = touch.lump_share;
+  felt.lump_moved_mm = {touch.lump_moved_mm[0], touch.lump_moved_mm[1]};
+  felt.lump = touch.lump;
   return true;
 }
 

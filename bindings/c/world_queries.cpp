@@ -1,8 +1,11 @@
 // What a world tells of itself: its skin, its places, where its vertices came from.
+#include <algorithm>
+
 #include "answers.h"
 #include "palpate/body/places.h"
 #include "palpate/engine/recording_settings.h"
 #include "palpate/engine/skin_place.h"
+#include "palpate/scene/lumps_of_body.h"
 #include "structs.h"
 #include "world_handle.h"
 
@@ -33,7 +36,26 @@ palpate_world_facts factsOf(const scene::World& world) {
   facts.ticks_per_s = world.scene.ticks_per_s;
   facts.hash = engine::hashOf(world);
   putText(world.body->name, facts.body_name);
+  facts.lumps = world.lumps.size();
   return facts;
+}
+
+palpate_lump lumpOf(const scene::PlacedLump& placed) noexcept {
+  palpate_lump lump = {};
+  putVector(placed.lump.foot, lump.foot_mm);
+  putVector(placed.lump.axis, lump.axis);
+  putVector(placed.lump.across, lump.across);
+  putVector(placed.lump.up, lump.up);
+  putVector(placed.settings.halfAxes(), lump.half_axes_mm);
+  lump.depth_mm = placed.settings.depth_mm;
+  lump.young_kpa = placed.young_kpa;
+  lump.layer_kpa = placed.layer_kpa;
+  lump.tissue_mm = placed.thickness_mm;
+  lump.mobility_mm_per_n = placed.settings.mobility_mm_per_n;
+  lump.mobility_limit_mm = placed.settings.mobility_limit_mm;
+  std::copy(placed.share.begin(), placed.share.end(), lump.share);
+  putText(placed.name, lump.name);
+  return lump;
 }
 
 palpate_place placeOf(const SkinPlace& at, std::string_view name) noexcept {
@@ -111,6 +133,12 @@ int32_t palpate_world_landmark(const palpate_world* world, size_t index, palpate
     const SkinPlace at = {landmark.position, landmark.normal, kNoIndex};
     c_api::toCaller(c_api::placeOf(at, body::spokenName(landmark.name)), place);
   });
+}
+
+int32_t palpate_world_lump(const palpate_world* world, size_t index, palpate_lump* lump) noexcept {
+  if (world == nullptr || !c_api::isUsable(lump) || index >= world->world().lumps.size()) return PALPATE_ARGUMENT;
+  c_api::toCaller(c_api::lumpOf(*world->world().lumps[index]), lump);
+  return PALPATE_OK;
 }
 
 const char* palpate_world_note(const palpate_world* world, size_t index) noexcept {

@@ -220,6 +220,9 @@ void askWorld(Requests& requests, const Made& made) {
       error);
   palpate_world_landmark(world, requests.next<std::size_t>(), place.get());
   palpate_world_note(world, requests.next<std::uint8_t>());
+  const Given<palpate_lump> lump(requests);
+  expect(palpate_world_lump(world, requests.next<std::size_t>(), lump.get()) == PALPATE_ARGUMENT);  // a sheet has none
+  lump.expectSize();
   const Given<palpate_finger_settings> settings(requests);
   palpate_world_finger_settings(world, requests.next<std::size_t>(), settings.get());
   settings.expectSize();
@@ -252,6 +255,19 @@ void step(Requests& requests, const Made& made) {
   for (const double force : touch->force_n) expect(std::isfinite(force));
   const bool is_place = std::isfinite(tip[0]) && std::isfinite(tip[1]) && std::isfinite(tip[2]);
   expect(is_place || touch->status == PALPATE_TIP_LOST);
+}
+
+/// A sheet's tissue has no layers, so what is asked for is refused, and nothing is written.
+void askPressure(Requests& requests, const Made& made) {
+  const std::size_t taxels = requests.seldom() ? requests.next<std::size_t>() : requests.below(18);
+  const double pad_mm = requests.coordinate();
+  const std::size_t room = taxels <= 16 ? taxels * taxels : 1;
+  std::vector<float> kpa(std::max<std::size_t>(room, 1), 7.0f), shear(2 * kpa.size(), 7.0f);
+  const int32_t code =
+      palpate_finger_pressure(oneOf(requests, made.fingers), taxels, pad_mm, requests.seldom() ? nullptr : kpa.data(),
+                              requests.seldom() ? nullptr : shear.data());
+  expect(code == PALPATE_ARGUMENT || code == PALPATE_REFUSED);
+  for (const float pressure : kpa) expect(pressure == 7.0f);
 }
 
 void rollout(Requests& requests, const Made& made) {
@@ -358,11 +374,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Made made;
   using Call = void (*)(Requests&, Made&);
   const Call calls[] = {
-      [](Requests& w, Made& m) { makeWorld(w, m); },  [](Requests& w, Made& m) { makeWorldFromText(w, m); },
-      [](Requests& w, Made& m) { askWorld(w, m); },   [](Requests& w, Made& m) { makeFinger(w, m); },
-      [](Requests& w, Made& m) { step(w, m); },       [](Requests& w, Made& m) { rollout(w, m); },
-      [](Requests& w, Made& m) { makeSkin(w, m); },   [](Requests& w, Made& m) { apply(w, m); },
-      [](Requests& w, Made& m) { askSession(w, m); }, [](Requests& w, Made& m) { release(w, m); },
+      [](Requests& w, Made& m) { makeWorld(w, m); },   [](Requests& w, Made& m) { makeWorldFromText(w, m); },
+      [](Requests& w, Made& m) { askWorld(w, m); },    [](Requests& w, Made& m) { makeFinger(w, m); },
+      [](Requests& w, Made& m) { step(w, m); },        [](Requests& w, Made& m) { rollout(w, m); },
+      [](Requests& w, Made& m) { makeSkin(w, m); },    [](Requests& w, Made& m) { apply(w, m); },
+      [](Requests& w, Made& m) { askSession(w, m); },  [](Requests& w, Made& m) { release(w, m); },
+      [](Requests& w, Made& m) { askPressure(w, m); },
   };
   for (int i = 0; i < 64 && requests.any(); ++i) calls[requests.below(std::size(calls))](requests, made);
   return 0;

@@ -73,12 +73,17 @@ namespace Palpate
         public uint DentTriangle;
         internal uint reserved;
         public ulong Tick;
+        public fixed double LumpForceN[3];
+        public double LumpShare;
+        public fixed double LumpMovedMm[2];
+        public uint Lump;
+        internal uint reserved2;
 
         public static Touch New()
         {
             var touch = new Touch();
             touch.size = (UIntPtr)sizeof(Touch);
-            touch.Triangle = touch.AnchorTriangle = touch.DentTriangle = 0xffffffff;
+            touch.Triangle = touch.AnchorTriangle = touch.DentTriangle = touch.Lump = 0xffffffff;
             return touch;
         }
     }
@@ -113,6 +118,28 @@ namespace Palpate
         public ulong Hash;
         internal fixed byte bodyName[128];
         public string BodyName { get { fixed (byte* text = bodyName) return Native.TextAt(text, 128); } }
+        public ulong Lumps;
+    }
+
+    /// A lump under the skin, as it lies in a body (palpate_lump).
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe struct Lump
+    {
+        internal UIntPtr size;
+        public fixed double FootMm[3];
+        public fixed double Axis[3];
+        public fixed double Across[3];
+        public fixed double Up[3];
+        public fixed double HalfAxesMm[3];
+        public double DepthMm;
+        public double YoungKpa;
+        public double LayerKpa;
+        public double TissueMm;
+        public double MobilityMmPerN;
+        public double MobilityLimitMm;
+        public fixed double Share[3];
+        internal fixed byte name[64];
+        public string Name { get { fixed (byte* text = name) return Native.TextAt(text, 64); } }
     }
 
     /// A body that can be felt; immutable.
@@ -192,6 +219,15 @@ namespace Palpate
             GC.KeepAlive(this);
             return place;
         }
+        /// Lump number `index`, from 0; WorldFacts.Lumps says how many there are.
+        public Lump Lump(int index)
+        {
+            var lump = new Lump();
+            lump.size = (UIntPtr)sizeof(Lump);
+            Native.Throw(Native.palpate_world_lump(Handle, (UIntPtr)(uint)index, &lump), "there is no such lump");
+            GC.KeepAlive(this);
+            return lump;
+        }
         /// Three vertices of each triangle of the skin.
         public int[] Triangles()
         {
@@ -231,6 +267,16 @@ namespace Palpate
             fixed (Touch* felt = &touch)
                 if (Native.palpate_finger_step(handle, tip, felt) != 0) Native.Throw(1, "the finger was disposed of, or the touch is not New()");
             GC.KeepAlive(this);
+        }
+        /// Pressure on the fingertip in its last step, kPa: `taxels` rows of as many, the first nearest to the head.
+        public float[] Pressure(int taxels = 4, double padMm = 16)
+        {
+            if (taxels < 2 || taxels > 16) throw new ArgumentException("2 to 16 taxels");
+            var kpa = new float[taxels * taxels];
+            fixed (float* to = kpa)
+                Native.Throw(Native.palpate_finger_pressure(handle, (UIntPtr)(uint)taxels, padMm, to, null), "the finger was disposed of, or the tissue has no layers");
+            GC.KeepAlive(this);
+            return kpa;
         }
         public void Lift() { Native.palpate_finger_lift(handle); GC.KeepAlive(this); }
         public void Dispose()
@@ -357,7 +403,7 @@ namespace Palpate
         internal static void Check()
         {
             if (isChecked) return;
-            if (sizeof(Touch) != 240 || sizeof(FingerSettings) != 104 || sizeof(Place) != 192 || sizeof(WorldFacts) != 248 ||
+            if (sizeof(Touch) != 296 || sizeof(FingerSettings) != 104 || sizeof(Place) != 192 || sizeof(WorldFacts) != 256 || sizeof(Lump) != 264 ||
                 sizeof(Error) != 528 || sizeof(Arrays) != 72)
                 throw new PalpateException(4, 0, "this compiler lays out Palpate.cs otherwise than C");
             isChecked = true;
@@ -383,10 +429,12 @@ namespace Palpate
         [DllImport(Library)] public static extern void palpate_world_release(IntPtr world);
         [DllImport(Library)] public static extern int palpate_world_get_facts(IntPtr world, WorldFacts* facts);
         [DllImport(Library)] public static extern int palpate_world_place(IntPtr world, byte* words, Place* place, Error* error);
+        [DllImport(Library)] public static extern int palpate_world_lump(IntPtr world, UIntPtr index, Lump* lump);
         [DllImport(Library)] public static extern IntPtr palpate_world_triangles(IntPtr world);
         [DllImport(Library)] public static extern void palpate_finger_settings_init(FingerSettings* settings, UIntPtr size);
         [DllImport(Library)] public static extern int palpate_finger_create(IntPtr world, FingerSettings* settings, out IntPtr finger, Error* error);
         [DllImport(Library)] public static extern int palpate_finger_step(IntPtr finger, double* tip, Touch* touch);
+        [DllImport(Library)] public static extern int palpate_finger_pressure(IntPtr finger, UIntPtr taxels, double padMm, float* kpa, float* shear);
         [DllImport(Library)] public static extern int palpate_finger_lift(IntPtr finger);
         [DllImport(Library)] public static extern void palpate_finger_release(IntPtr finger);
         [DllImport(Library)] public static extern int palpate_skin_create(IntPtr world, UIntPtr fingers, int strain, out IntPtr skin, Error* error);

@@ -53,7 +53,7 @@ public sealed class PalpationBehaviour
                 finger.Step(at[0] + over * up[0], at[1] + over * up[1], at[2] + over * up[2], ref touch);
             double force = Math.Sqrt(touch.ForceN[0] * touch.ForceN[0] + touch.ForceN[1] * touch.ForceN[1] + touch.ForceN[2] * touch.ForceN[2]);
             MostForceN = Math.Max(MostForceN, force); // here it goes to the device
-            lock (exchange) newest = touch;           // held for a copy of 240 bytes, by either
+            lock (exchange) newest = touch;           // held for a copy of 296 bytes, by either
             Ticks = tick + 1;
             while (clock.Elapsed.TotalMilliseconds < tick + 1) Thread.Sleep(0);
         }

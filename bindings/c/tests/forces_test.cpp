@@ -21,7 +21,9 @@ bool same(const contact::FingerOutput& cpp, const palpate_touch& c) {
          same(cpp.dent.place, c.dent_mm) && cpp.depth_mm == c.depth_mm && cpp.tissue_mm == c.tissue_mm &&
          cpp.rest_mm == c.rest_mm && cpp.dent.rest_mm == c.dent_rest_mm && cpp.dent.triangle == c.dent_triangle &&
          static_cast<int>(cpp.touch) == c.touch && cpp.status == c.status && cpp.triangle == c.triangle &&
-         cpp.anchor_triangle == c.anchor_triangle;
+         cpp.anchor_triangle == c.anchor_triangle && same(cpp.lump_force, c.lump_force_n) &&
+         cpp.lump_share == c.lump_share && cpp.lump == c.lump && cpp.lump_moved_mm.x() == c.lump_moved_mm[0] &&
+         cpp.lump_moved_mm.y() == c.lump_moved_mm[1];
 }
 
 /// The same sheet as in C.

@@ -229,6 +229,7 @@ static void testRollout(palpate_world* world) {
   CHECK(palpate_finger_rollout(two, tips, SHEET_TICKS, (palpate_touch*)narrow, sizeof narrow[0]) == PALPATE_OK);
   for (i = 0; i < SHEET_TICKS; ++i) {
     CHECK(sameBytes(wide[i] + 8, (char*)&steps[i] + 8, offsetof(palpate_touch, tick) - 8));
+    CHECK(sameBytes(wide[i] + offsetof(palpate_touch, lump_force_n), steps[i].lump_force_n, 6 * sizeof(double)));
     CHECK(isFilled(wide[i] + sizeof(palpate_touch), 0x5a, 64));
     CHECK(sameBytes(narrow[i] + 1, steps[i].force_n, sizeof steps[i].force_n));
   }
@@ -282,6 +283,7 @@ static void testSkin(palpate_world* world) {
   bad = touch, bad.anchor_mm[0] = NAN, refusesTouch(skin, bad);
   bad = touch, bad.triangle = SHEET_TRIANGLES, refusesTouch(skin, bad);
   bad = touch, bad.dent_triangle = 0xfffffffeu, refusesTouch(skin, bad);
+  bad = touch, bad.lump_force_n[2] = NAN, refusesTouch(skin, bad);
   bad = touch, bad.size = 0, refusesTouch(skin, bad);
   CHECK(palpate_skin_apply(skin, &touch, 2, sizeof touch) == PALPATE_ARGUMENT);
   CHECK(palpate_skin_apply(skin, NULL, 1, sizeof touch) == PALPATE_ARGUMENT);
@@ -356,6 +358,78 @@ static void testWorld(palpate_world* world) {
   palpate_finger_release(finger);
 }
 
+/* A torso with a hard lump that moves: the force over it, its pattern of pressure, and all that can be wrong. */
+static void testLumps(palpate_world* bare) {
+  static const char scene[] =
+      "[body]\nkind = \"torso\"\n[[lump]]\nname = \"node\"\nat = \"T9 right 30 mm\"\ndepth_mm = 6\n"
+      "stiffness_ratio = 15\nmobility_mm_per_n = 20\n[[finger]]\nname = \"index\"\nradius_mm = 8\n"
+      "at = \"T9 right 30 mm\"\nscript = [{ do = \"press\" }]\n";
+  struct {
+    palpate_lump lump;
+    char guard[32];
+  } kept;
+  palpate_error error = newError();
+  palpate_world_facts facts;
+  palpate_world* world = NULL;
+  palpate_finger* finger = NULL;
+  palpate_touch touch = newTouch();
+  float kpa[16], shear[32], wide[256];
+  double tip[3], sum_n = 0.0, normal_n = 0.0, lateral_n = 0.0;
+  int i, axis;
+  CHECK(palpate_world_parse(scene, NULL, &world, &error) == PALPATE_OK);
+  memset(&facts, 0, sizeof facts);
+  facts.size = sizeof facts;
+  CHECK(palpate_world_get_facts(world, &facts) == PALPATE_OK && facts.lumps == 1);
+  memset(&kept, 0x5a, sizeof kept);
+  kept.lump.size = sizeof kept.lump;
+  CHECK(palpate_world_lump(world, 0, &kept.lump) == PALPATE_OK && isFilled(kept.guard, 0x5a, sizeof kept.guard));
+  CHECK(strcmp(kept.lump.name, "node") == 0 && kept.lump.depth_mm == 6.0 && kept.lump.half_axes_mm[2] == 5.0);
+  CHECK(fabs(kept.lump.young_kpa - 15.0 * kept.lump.layer_kpa) < 1e-9 && kept.lump.mobility_mm_per_n == 20.0);
+  CHECK(kept.lump.share[0] > 0.02 && kept.lump.tissue_mm > 16.0 && kept.lump.axis[2] > 0.5);
+  CHECK(palpate_world_lump(world, 1, &kept.lump) == PALPATE_ARGUMENT);
+  CHECK(palpate_world_lump(NULL, 0, &kept.lump) == PALPATE_ARGUMENT);
+  CHECK(palpate_world_lump(world, 0, NULL) == PALPATE_ARGUMENT);
+  kept.lump.size = 0;
+  CHECK(palpate_world_lump(world, 0, &kept.lump) == PALPATE_ARGUMENT);
+  CHECK(palpate_world_lump(bare, 0, &kept.lump) == PALPATE_ARGUMENT);
+
+  finger = newFinger(world);
+  CHECK(palpate_finger_pressure(finger, 4, 16.0, kpa, shear) == PALPATE_OK); /* it has felt nothing yet */
+  for (i = 0; i < 16; ++i) CHECK(kpa[i] == 0.0f && shear[2 * i] == 0.0f && shear[2 * i + 1] == 0.0f);
+  for (i = 0; i <= 300; ++i) { /* 7 mm deep, and 4 mm towards the head */
+    for (axis = 0; axis < 3; ++axis) {
+      tip[axis] = kept.lump.foot_mm[axis] + (12.0 - 0.045 * i + 0.5) * kept.lump.axis[axis] + 4.0 * kept.lump.up[axis];
+    }
+    CHECK(palpate_finger_step(finger, tip, &touch) == PALPATE_OK);
+  }
+  CHECK(touch.touch != PALPATE_FREE && touch.lump_share > 0.01 && touch.lump == 0);
+  CHECK(touch.lump_moved_mm[1] < 0.0 && touch.reserved_2 == 0);
+  for (axis = 0; axis < 3; ++axis) {
+    normal_n += touch.force_n[axis] * touch.normal[axis];
+    lateral_n += touch.lump_force_n[axis] * kept.lump.up[axis];
+  }
+  CHECK(lateral_n > 0.0); /* it pushes the tip off itself */
+  CHECK(palpate_finger_pressure(finger, 4, 16.0, kpa, shear) == PALPATE_OK);
+  for (i = 0; i < 16; ++i) sum_n += kpa[i] * 16.0 / 1000.0;
+  CHECK(fabs(sum_n - normal_n) < 1e-5 * normal_n);
+  CHECK(palpate_finger_pressure(finger, 16, 16.0, wide, NULL) == PALPATE_OK && wide[0] == 0.0f);
+
+  CHECK(palpate_finger_pressure(NULL, 4, 16.0, kpa, NULL) == PALPATE_ARGUMENT);
+  CHECK(palpate_finger_pressure(finger, 4, 16.0, NULL, NULL) == PALPATE_ARGUMENT);
+  CHECK(palpate_finger_pressure(finger, 1, 16.0, kpa, NULL) == PALPATE_ARGUMENT);
+  CHECK(palpate_finger_pressure(finger, 17, 16.0, kpa, NULL) == PALPATE_ARGUMENT);
+  CHECK(palpate_finger_pressure(finger, (size_t)-1, 16.0, kpa, NULL) == PALPATE_ARGUMENT);
+  CHECK(palpate_finger_pressure(finger, 4, 0.5, kpa, NULL) == PALPATE_ARGUMENT);
+  CHECK(palpate_finger_pressure(finger, 4, NAN, kpa, NULL) == PALPATE_ARGUMENT);
+  CHECK(palpate_finger_lift(finger) == PALPATE_OK);
+  CHECK(palpate_finger_pressure(finger, 4, 16.0, kpa, NULL) == PALPATE_OK && kpa[5] == 0.0f);
+  palpate_finger_release(finger);
+  finger = newFinger(bare);
+  CHECK(palpate_finger_pressure(finger, 4, 16.0, kpa, NULL) == PALPATE_REFUSED); /* its tissue has no layers */
+  palpate_finger_release(finger);
+  palpate_world_release(world);
+}
+
 int main(void) {
   palpate_world* world = sheetWorld();
   CHECK(world != NULL);
@@ -368,6 +442,7 @@ int main(void) {
     testRollout(world);
     testSkin(world);
     testWorld(world);
+    testLumps(world);
   }
   palpate_world_release(world);
   return checksDone("c.interface");

@@ -38,7 +38,8 @@ AT(palpate_world_facts, breathes, 100);
 AT(palpate_world_facts, ticks_per_s, 104);
 AT(palpate_world_facts, hash, 112);
 AT(palpate_world_facts, body_name, 120);
-SIZE(palpate_world_facts, 248);
+AT(palpate_world_facts, lumps, 248);
+SIZE(palpate_world_facts, 256);
 
 AT(palpate_place, size, 0);
 AT(palpate_place, point_mm, 8);
@@ -47,6 +48,22 @@ AT(palpate_place, triangle, 56);
 AT(palpate_place, reserved, 60);
 AT(palpate_place, name, 64);
 SIZE(palpate_place, 192);
+
+AT(palpate_lump, size, 0);
+AT(palpate_lump, foot_mm, 8);
+AT(palpate_lump, axis, 32);
+AT(palpate_lump, across, 56);
+AT(palpate_lump, up, 80);
+AT(palpate_lump, half_axes_mm, 104);
+AT(palpate_lump, depth_mm, 128);
+AT(palpate_lump, young_kpa, 136);
+AT(palpate_lump, layer_kpa, 144);
+AT(palpate_lump, tissue_mm, 152);
+AT(palpate_lump, mobility_mm_per_n, 160);
+AT(palpate_lump, mobility_limit_mm, 168);
+AT(palpate_lump, share, 176);
+AT(palpate_lump, name, 200);
+SIZE(palpate_lump, 264);
 
 AT(palpate_finger_settings, size, 0);
 AT(palpate_finger_settings, radius_mm, 8);
@@ -83,7 +100,12 @@ AT(palpate_touch, dent_rest_mm, 216);
 AT(palpate_touch, dent_triangle, 224);
 AT(palpate_touch, reserved, 228);
 AT(palpate_touch, tick, 232);
-SIZE(palpate_touch, 240);
+AT(palpate_touch, lump_force_n, 240);
+AT(palpate_touch, lump_share, 264);
+AT(palpate_touch, lump_moved_mm, 272);
+AT(palpate_touch, lump, 288);
+AT(palpate_touch, reserved_2, 292);
+SIZE(palpate_touch, 296);
 
 AT(palpate_session_facts, size, 0);
 AT(palpate_session_facts, ticks_per_s, 8);
