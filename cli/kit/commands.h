@@ -83,6 +83,7 @@ void addBenchContactCommand(CLI::App& bench);
 void addBenchDeformCommand(CLI::App& bench);
 void addBenchFrameCommand(CLI::App& bench);
 void addBenchLoadCommand(CLI::App& bench);
+void addBenchLumpCommand(CLI::App& bench);
 void addBenchPartitionCommand(CLI::App& bench);
 void addBenchServoCommand(CLI::App& bench);
 void addBenchRecordingCommand(CLI::App& bench);
@@ -90,6 +91,10 @@ void addBenchRecordingCommand(CLI::App& bench);
 void addStudyPages(CLI::App& study);
 /// `palpate study all`.
 void addStudyAll(CLI::App& study);
+
+// Of `palpate lump`.
+void addLumpLoopsCommand(CLI::App& lump);
+void addLumpSolveCommand(CLI::App& lump);
 
 // Of `palpate tissue`.
 void addTissueLibraryCommand(CLI::App& tissue);

@@ -273,6 +273,7 @@ void addStudyFamily(CLI::App& app) {
   addStudyCommand(app);
   addTissueCommand(app);
   addLumpCommand(app);
+  addLumpLoopsCommand(*app.get_subcommand("lump"));
 }
 
 }  // namespace palpate::app

@@ -29,7 +29,9 @@ contact::Surface plateSurface(const PlateSettings& settings) {
     mesh.triangles.push_back({i, i + 2, i + 3});
     mesh.triangles.push_back({i, i + 3, i + 1});
   }
-  return contact::buildSurface(mesh, std::move(stiffness), {.force_law = settings.law, .self_intersecting = false});
+  contact::SurfaceOptions options{.force_law = settings.law, .self_intersecting = false};
+  options.lumps = settings.lumps;
+  return contact::buildSurface(mesh, std::move(stiffness), options);
 }
 
 servo::LimiterSettings limitsOf(const device::DeviceProfile& device, double tick_s, double delay_ticks,
@@ -46,22 +48,30 @@ servo::LimiterSettings limitsOf(const device::DeviceProfile& device, double tick
 }
 
 ClosedLoop::ClosedLoop(const LoopSettings& settings)
-    : surface_(std::make_unique<contact::Surface>(plateSurface(settings.plate))),
-      hand_(std::make_unique<device::SimulatedHand>(settings.hand)) {
+    : surface_(std::make_unique<contact::Surface>(plateSurface(settings.plate))) {
   contact::FingerSettings finger;
   finger.mu_static = finger.mu_dynamic = settings.plate.friction;
+  std::vector<Vec3> starts{settings.hand.start};
+  starts.insert(starts.end(), settings.more_hands.begin(), settings.more_hands.end());
   servo::RigParts parts;
   parts.tick_s = settings.hand.tick_s;
   parts.limiter = settings.limits;
-  parts.solvers = servo::makeSolvers(*surface_, nullptr, 1);
-  parts.fingers = {finger};
-  parts.devices.push_back(device::simulatedHandDevice("hand", *hand_));
+  parts.solvers = servo::makeSolvers(*surface_, nullptr, starts.size());
+  parts.fingers.assign(starts.size(), finger);
+  for (const Vec3& start : starts) {
+    device::SimulatedHandSettings hand = settings.hand;
+    hand.start = start;
+    hand.seed += hands_.size();
+    hands_.push_back(std::make_unique<device::SimulatedHand>(hand));
+    parts.devices.push_back(device::simulatedHandDevice("hand", *hands_.back()));
+  }
   rig_ = servo::rigOf(std::move(parts));
+  samples_.resize(starts.size());
 }
 
 void ClosedLoop::settleContact() {
   servo::FingerChain& finger = rig_.fingers.front();
-  const Vec3 there = hand_->place();
+  const Vec3 there = hand().place();
   for (double z = 1.0; z > there.z(); z -= 0.5) {
     servo::touch(finger.solver, finger.contact_settings, finger.contact, {there.x(), there.y(), z});
   }

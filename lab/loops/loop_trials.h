@@ -1,8 +1,9 @@
 // What is done to a closed loop to see whether it is safe to touch: a kick, a tap, a slow press, a slide over a map.
 #pragma once
 
-#include <array>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "palpate/device/simulated_hand.h"
 #include "palpate/servo/device_limits.h"
@@ -34,6 +35,7 @@ struct PlateSettings {
   double blend_mm = 10.0;
   double friction = 0.0;  ///< coefficient
   tissue::ForceLaw law;
+  std::shared_ptr<const contact::Lumps> lumps = nullptr;  ///< under it; null: none
 };
 
 contact::Surface plateSurface(const PlateSettings& settings);
@@ -42,25 +44,28 @@ struct LoopSettings {
   device::SimulatedHandSettings hand;
   servo::LimiterSettings limits;
   PlateSettings plate;
+  std::vector<Vec3> more_hands = {};  ///< where further devices and hands start, alike but for their jitter
 };
 
 class ClosedLoop {
  public:
   explicit ClosedLoop(const LoopSettings& settings);
 
-  device::SimulatedHand& hand() { return *hand_; }
-  /// Brings the contact to where the device is, which may be inside, and forgets how: as if it had rested there.
+  device::SimulatedHand& hand(std::size_t finger = 0) { return *hands_[finger]; }
+  /// Brings the first contact to where its device is, which may be inside, and forgets how: as if it had rested there.
   void settleContact();
   const trace::Sample& tick();
+  std::span<const trace::Sample> samples() const { return samples_; }  ///< of the last tick, one per finger
   servo::Rig& rig() { return rig_; }
+  const contact::Surface& surface() const { return *surface_; }
   const servo::LimiterState& limiter() const { return rig_.fingers.front().limiter; }
   double tickS() const { return rig_.tick_s; }
 
  private:
   std::unique_ptr<contact::Surface> surface_;
-  std::unique_ptr<device::SimulatedHand> hand_;
+  std::vector<std::unique_ptr<device::SimulatedHand>> hands_;
   servo::Rig rig_;
-  std::array<trace::Sample, 1> samples_;
+  std::vector<trace::Sample> samples_;
   std::uint64_t next_ = 0;
 };
 

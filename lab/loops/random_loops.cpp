@@ -77,6 +77,7 @@ LoopPlan randomLoop(const RandomCell& cell, std::uint64_t number) {
   plan.delay_ticks = cell.delay_ticks;
   plan.protection = cell.protection;
   plan.plate.stiffness_n_per_mm = cell.stiffness_n_per_mm;
+  plan.plate.lumps = cell.lumps;
   plan.seed = number + 1;
   return plan;
 }

@@ -14,6 +14,7 @@ struct RandomCell {
   double delay_ticks = 1.0;
   bool dead_load = false;
   Protection protection = Protection::assumed;
+  std::shared_ptr<const contact::Lumps> lumps = nullptr;  ///< under the plate; null: none
 };
 
 /// The seven nominal devices, in turn.

@@ -1,0 +1,151 @@
+// `palpate lump loops`: whether lumps give energy away. Adds itself to the command of
+// `solve/commands/lump_command.cpp`.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/kit/cli11.h"
+#include "cli/kit/commands.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "lab/loops/lump_loops.h"
+#include "palpate/base/json_text.h"
+
+namespace palpate::app {
+
+namespace {
+
+/// Of what is stored; and N mm.
+constexpr double kMostShare = 1e-5;
+constexpr double kMostGivenNMm = 1e-5;
+/// As the stability map allows it where a run may start.
+constexpr double kMostPortEnergyMj = 0.01;
+/// A rule whose error falls with the square gains a factor of four; what is rounding already gains nothing.
+constexpr double kRounding = 1e-9;
+constexpr double kFourfold = 3.0;
+
+struct LumpLoopsArguments {
+  lab::ClosedPathsPlan closed;
+  lab::HeldLumpsPlan held;
+  lab::StiffestLumpPlan stiffest;
+  std::uint64_t seed = 1;
+  std::size_t threads = 0;
+  bool json = false;
+};
+
+bool fallsWithTheSquare(const lab::ClosedPathsFigures& closed) {
+  if (closed.by_steps.size() < 3 || closed.by_steps[0].mean_share < kRounding) return true;
+  return closed.by_steps[1].mean_share > kFourfold * closed.by_steps[0].mean_share;
+}
+
+/// What the three measurements found.
+struct LumpLoops {
+  lab::ClosedPathsFigures closed;
+  lab::HeldLumpsFigures held;
+  lab::StiffestLumpFigures stiffest;
+};
+
+bool holds(const LumpLoops& loops) {
+  const auto& [closed, held, stiffest] = loops;
+  return closed.worstShare() <= kMostShare && fallsWithTheSquare(closed) && held.given_back_n_mm <= kMostGivenNMm &&
+         held.oscillating == 0 && stiffest.oscillating == 0 && stiffest.port_energy_mj <= kMostPortEnergyMj;
+}
+
+nlohmann::ordered_json loopsJson(const LumpLoops& loops, std::uint64_t seed) {
+  const auto& [closed, held, stiffest] = loops;
+  nlohmann::ordered_json json = {{"holds", holds(loops)},
+                                 {"worst_work_n_mm", closed.worst_work_n_mm},
+                                 {"stored_n_mm", closed.stored_n_mm},
+                                 {"worst_work_share", closed.worstShare()},
+                                 {"falls_with_the_square", fallsWithTheSquare(closed)},
+                                 {"by_step", nlohmann::ordered_json::array()},
+                                 {"paths", closed.paths},
+                                 {"ticks", closed.ticks},
+                                 {"lumps", closed.lumps},
+                                 {"mobile",
+                                  {{"paths", held.paths},
+                                   {"with_two_fingers", held.with_two_fingers},
+                                   {"moved", held.felt},
+                                   {"farthest_mm", held.farthest_mm},
+                                   {"given_back_n_mm", held.given_back_n_mm},
+                                   {"lost_n_mm", held.lost_n_mm},
+                                   {"oscillating", held.oscillating}}},
+                                 {"stiffest",
+                                  {{"systems", stiffest.systems},
+                                   {"slope_n_per_mm", stiffest.slope_n_per_mm},
+                                   {"oscillating", stiffest.oscillating},
+                                   {"oscillating_bare", stiffest.oscillating_bare},
+                                   {"port_energy_mj", stiffest.port_energy_mj}}},
+                                 {"seed", seed}};
+  for (const auto& by_step : closed.by_steps) {
+    json["by_step"].push_back({{"step_mm", by_step.step_mm},
+                               {"worst_work_share", by_step.worst_share},
+                               {"mean_work_share", by_step.mean_share}});
+  }
+  return json;
+}
+
+std::string loopsText(const LumpLoops& loops) {
+  const auto& [closed, held, stiffest] = loops;
+  std::string text =
+      fmt::format("closed paths   {} over {} fixed lumps, {} ticks\n", closed.paths, closed.lumps, closed.ticks);
+  for (const auto& by_step : closed.by_steps) {
+    text += fmt::format("  steps of {:g} mm   work {:.2g} of what was stored at worst, {:.2g} on average\n",
+                        by_step.step_mm, by_step.worst_share, by_step.mean_share);
+  }
+  text += fmt::format("mobile lumps   {} paths, {} with two fingers; moved in {}, {:.1f} mm at most\n", held.paths,
+                      held.with_two_fingers, held.felt, held.farthest_mm);
+  text += fmt::format("  given back beyond what was stored {:.2g} N mm, lost {:.2f} N mm at most, {} oscillate\n",
+                      held.given_back_n_mm, held.lost_n_mm, held.oscillating);
+  text += fmt::format(
+      "stiffest lump  {:.2f} N/mm with the skin: of {} systems {} oscillate after a kick ({} without the "
+      "controller); {:.2g} mJ given after a tap\n",
+      stiffest.slope_n_per_mm, stiffest.systems, stiffest.oscillating, stiffest.oscillating_bare,
+      stiffest.port_energy_mj);
+  return text;
+}
+
+void runLumpLoops(LumpLoopsArguments arguments) {
+  ProgressLine progress;
+  arguments.closed.seed = arguments.held.seed = arguments.seed;
+  arguments.closed.threads = arguments.held.threads = arguments.stiffest.threads = arguments.threads;
+  const LumpLoops loops{lab::measureClosedPaths(arguments.closed, progress.callback()),
+                        lab::measureHeldLumps(arguments.held, progress.callback()),
+                        lab::measureStiffestLump(arguments.stiffest, progress.callback())};
+  progress.clear();
+  fmt::print("{}", arguments.json ? jsonDump(loopsJson(loops, arguments.seed), 2) + "\n" : loopsText(loops));
+  if (!holds(loops)) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void addLumpLoopsCommand(CLI::App& lump) {
+  const auto arguments = std::make_shared<LumpLoopsArguments>();
+  LumpLoopsArguments& a = *arguments;
+  CLI::App& command = *lump.add_subcommand(
+      "loops", "Check that lumps give no energy away on random paths (exit code 0: they do not, 1: they do)");
+  addNumber(command, "--paths", a.closed.paths, between(1, 1e7), "Closed paths without friction over fixed lumps")
+      ->capture_default_str();
+  addNumber(command, "--step-mm", a.closed.step_mm, between(0.001, 1.0, "mm"),
+            "Step of a closed path, on average; twice and four times as long ones are taken too")
+      ->capture_default_str();
+  addNumber(command, "--hands", a.held.paths, between(1, 1e6),
+            "Paths of simulated hands over a mobile lump, every second one with two fingers")
+      ->capture_default_str();
+  addNumber(command, "--seconds", a.held.seconds, between(0.5, 60.0, "s"), "How long a hand's path lasts")
+      ->capture_default_str();
+  addNumber(command, "--systems", a.stiffest.systems, between(1, 1e5),
+            "Random devices and hands that are kicked over the stiffest lump")
+      ->capture_default_str();
+  addNumber(command, "--seed", a.seed, between(0, 1e15),
+            "Of lumps, paths and hands: the same seed gives the same result")
+      ->capture_default_str();
+  addNumber(command, "--threads", a.threads, between(0, 1024), "Threads; 0: as many as there are processors")
+      ->capture_default_str();
+  command.add_flag("--json", a.json, "Print one JSON object");
+  command.callback([arguments] { runLumpLoops(*arguments); });
+}
+
+}  // namespace palpate::app
