@@ -108,10 +108,10 @@ LumpPush lumpPush(const Lumps& lumps, const LumpPlaces* places, const LumpPress&
     const Lump& lump = lumps.all[i];
     const PressAtLump at = pressAt(lump, placeOf(places, i), press);
     if (!(at.share > 0.0)) continue;
-    const tissue::LumpAnswer answer = lump.energy.at(at.rho_mm, press.depth_mm);
-    push.normal_n += at.share * answer.d_depth;
+    const tissue::LumpSlopes slopes = lump.energy.slopesAt(at.rho_mm, press.depth_mm);
+    push.normal_n += at.share * slopes.d_depth;
     if (at.rho_mm > kOnAxisMm) {
-      const Vec2 lateral = (at.share * answer.d_rho / at.rho_mm) * at.offset;
+      const Vec2 lateral = (at.share * slopes.d_rho / at.rho_mm) * at.offset;
       push.lateral_n -= lateral.x() * lump.across + lateral.y() * lump.up;
     }
     if (!lump.mobility.moves() || (push.nearest_moving != kNoIndex && at.rho_mm >= nearest_mm)) continue;
@@ -123,7 +123,7 @@ LumpPush lumpPush(const Lumps& lumps, const LumpPlaces* places, const LumpPress&
 
 double normalPush(const Lump& lump, const Vec2& moved_mm, const LumpPress& press) noexcept {
   const PressAtLump at = pressAt(lump, moved_mm, press);
-  return at.share > 0.0 ? at.share * lump.energy.at(at.rho_mm, press.depth_mm).d_depth : 0.0;
+  return at.share > 0.0 ? at.share * lump.energy.forceAt(at.rho_mm, press.depth_mm) : 0.0;
 }
 
 double lumpEnergy(const Lumps& lumps, const LumpPlaces& places, std::span<const LumpPress> presses) noexcept {

@@ -274,50 +274,99 @@ struct LumpEnergy::Table {
     double d_depth_depth = 0.0;
   };
   Full at(double rho, double depth) const noexcept;
+  LumpSlopes slopesAt(double rho, double depth) const noexcept;
+  double forceAt(double rho, double depth) const noexcept;
+
+ private:
+  /// Where a distance and a depth are among the knots.
+  struct Patch {
+    std::size_t i = 0, k = 0;
+    double t = 0.0;  ///< from knot i on, in steps
+    double rho_step = 0.0;
+    double down = 0.0;    ///< from knot k on, in steps
+    double beyond = 0.0;  ///< the deepest, mm
+  };
+  Patch patchAt(double rho, double depth) const noexcept;
+  /// The patch at a distance as values and depth's slopes at both depths, by the weights of the distance.
+  std::array<double, 4> column(const Patch& patch, const std::array<double, 4>& along_rho) const noexcept;
 };
 
-LumpEnergy::Table::Full LumpEnergy::Table::at(double rho, double depth) const noexcept {
+LumpEnergy::Table::Patch LumpEnergy::Table::patchAt(double rho, double depth) const noexcept {
   constexpr double kFineStep = kFineToMm / kFineSteps;
   const bool fine = rho < kFineToMm;
-  const double rho_step = fine ? kFineStep : coarse_step;
   const double along = fine ? rho / kFineStep : (rho - kFineToMm) / coarse_step;
   const auto i = std::min(static_cast<std::size_t>(along) + (fine ? 0 : kFineSteps), kRhos - 2);
-  const double t = along - static_cast<double>(i - (fine ? 0 : kFineSteps));
   const double inside = std::min(depth, deepest_mm);
   const double down = inside / depth_step;
   const auto k = std::min(static_cast<std::size_t>(down), kDepths - 2);
-  const HermiteWeights r = hermiteAt(t, rho_step);
-  const HermiteWeights d = hermiteAt(down - static_cast<double>(k), depth_step);
+  return {.i = i,
+          .k = k,
+          .t = along - static_cast<double>(i - (fine ? 0 : kFineSteps)),
+          .rho_step = fine ? kFineStep : coarse_step,
+          .down = down - static_cast<double>(k),
+          .beyond = depth - inside};
+}
 
-  // Rows of the patch at this distance: value and depth's slope at both depths; then of their slopes along rho.
-  const auto row = [&](const std::array<double, 4>& w, std::size_t at) {
-    const Knot& a = knots[i][at];
-    const Knot& b = knots[i + 1][at];
+std::array<double, 4> LumpEnergy::Table::column(const Patch& patch, const std::array<double, 4>& w) const noexcept {
+  const auto row = [&](std::size_t at) {
+    const Knot& a = knots[patch.i][at];
+    const Knot& b = knots[patch.i + 1][at];
     return std::array{w[0] * a.u + w[1] * a.by_rho + w[2] * b.u + w[3] * b.by_rho,
                       w[0] * a.by_depth + w[1] * a.by_both + w[2] * b.by_depth + w[3] * b.by_both};
   };
-  const auto column = [&](const std::array<double, 4>& along_rho) {
-    const auto near = row(along_rho, k);
-    const auto far = row(along_rho, k + 1);
-    return std::array{near[0], near[1], far[0], far[1]};
-  };
-  const auto sum = [](const std::array<double, 4>& w, const std::array<double, 4>& v) {
-    return w[0] * v[0] + w[1] * v[1] + w[2] * v[2] + w[3] * v[3];
-  };
-  const auto value = column(r.value);
-  const auto first = column(r.first);
-  const auto second = column(r.second);
-  Full full{{sum(d.value, value), sum(d.value, first), sum(d.first, value), sum(d.value, second)},
-            sum(d.second, value)};
-  const double beyond = depth - inside;
+  const auto near = row(patch.k);
+  const auto far = row(patch.k + 1);
+  return {near[0], near[1], far[0], far[1]};
+}
+
+namespace {
+
+double weighted(const std::array<double, 4>& w, const std::array<double, 4>& v) noexcept {
+  return w[0] * v[0] + w[1] * v[1] + w[2] * v[2] + w[3] * v[3];
+}
+
+}  // namespace
+
+LumpEnergy::Table::Full LumpEnergy::Table::at(double rho, double depth) const noexcept {
+  const Patch patch = patchAt(rho, depth);
+  const HermiteWeights r = hermiteAt(patch.t, patch.rho_step);
+  const HermiteWeights d = hermiteAt(patch.down, depth_step);
+  const auto value = column(patch, r.value);
+  const auto first = column(patch, r.first);
+  const auto second = column(patch, r.second);
+  Full full{{weighted(d.value, value), weighted(d.value, first), weighted(d.first, value), weighted(d.value, second)},
+            weighted(d.second, value)};
+  const double beyond = patch.beyond;
   if (beyond > 0.0) {
     LumpAnswer& answer = full.answer;
     answer.energy_n_mm += beyond * (answer.d_depth + 0.5 * beyond * full.d_depth_depth);
-    answer.d_rho += beyond * (sum(d.first, first) + 0.5 * beyond * sum(d.second, first));
-    answer.d_rho_rho += beyond * (sum(d.first, second) + 0.5 * beyond * sum(d.second, second));
+    answer.d_rho += beyond * (weighted(d.first, first) + 0.5 * beyond * weighted(d.second, first));
+    answer.d_rho_rho += beyond * (weighted(d.first, second) + 0.5 * beyond * weighted(d.second, second));
     answer.d_depth += beyond * full.d_depth_depth;
   }
   return full;
+}
+
+LumpSlopes LumpEnergy::Table::slopesAt(double rho, double depth) const noexcept {
+  const Patch patch = patchAt(rho, depth);
+  const HermiteWeights r = hermiteAt(patch.t, patch.rho_step);
+  const HermiteWeights d = hermiteAt(patch.down, depth_step);
+  const auto value = column(patch, r.value);
+  const auto first = column(patch, r.first);
+  LumpSlopes slopes{weighted(d.value, first), weighted(d.first, value)};
+  if (const double beyond = patch.beyond; beyond > 0.0) {
+    slopes.d_rho += beyond * (weighted(d.first, first) + 0.5 * beyond * weighted(d.second, first));
+    slopes.d_depth += beyond * weighted(d.second, value);
+  }
+  return slopes;
+}
+
+double LumpEnergy::Table::forceAt(double rho, double depth) const noexcept {
+  const Patch patch = patchAt(rho, depth);
+  const auto value = column(patch, hermiteAt(patch.t, patch.rho_step).value);
+  const HermiteWeights d = hermiteAt(patch.down, depth_step);
+  const double force = weighted(d.first, value);
+  return patch.beyond > 0.0 ? force + patch.beyond * weighted(d.second, value) : force;
 }
 
 namespace {
@@ -426,6 +475,19 @@ LumpAnswer LumpEnergy::at(double rho_mm, double depth_mm) const noexcept {
   answer.d_depth *= factor_;
   answer.d_rho_rho *= factor_;
   return answer;
+}
+
+LumpSlopes LumpEnergy::slopesAt(double rho_mm, double depth_mm) const noexcept {
+  const double rho = std::abs(rho_mm);
+  if (!(depth_mm > 0.0) || !(rho < table_->reach_mm)) return {};
+  const LumpSlopes slopes = table_->slopesAt(rho, depth_mm);
+  return {slopes.d_rho * (rho_mm < 0.0 ? -factor_ : factor_), slopes.d_depth * factor_};
+}
+
+double LumpEnergy::forceAt(double rho_mm, double depth_mm) const noexcept {
+  const double rho = std::abs(rho_mm);
+  if (!(depth_mm > 0.0) || !(rho < table_->reach_mm)) return 0.0;
+  return factor_ * table_->forceAt(rho, depth_mm);
 }
 
 double LumpEnergy::reachMm() const noexcept { return table_->reach_mm; }

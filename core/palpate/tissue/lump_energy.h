@@ -67,6 +67,11 @@ struct LumpAnswer {
   double d_rho_rho = 0.0;  ///< N/mm; a lump that moves needs it
 };
 
+struct LumpSlopes {
+  double d_rho = 0.0;
+  double d_depth = 0.0;
+};
+
 /// The steepest of a table, N/mm, for bounds of stability.
 struct LumpSteepness {
   double depth = 0.0;     ///< of |d2U/dd2|
@@ -91,6 +96,9 @@ class LumpEnergy {
   /// 0 from reachMm() on and for d <= 0; beyond deepestMm() the force goes straight on with its last slope. Negative
   /// rho is as positive. No allocation.
   LumpAnswer at(double rho_mm, double depth_mm) const noexcept;
+  /// dU/drho and dU/dd alone, and the latter alone, to the same bits in less time.
+  LumpSlopes slopesAt(double rho_mm, double depth_mm) const noexcept;
+  double forceAt(double rho_mm, double depth_mm) const noexcept;
 
   double reachMm() const noexcept;    ///< where the lump is no longer felt: 30 mm + a from its axis
   double deepestMm() const noexcept;  ///< last depth of the table

@@ -38,8 +38,10 @@ double bumpWidth(const LumpShape& lump, double skin_mm, double depth_mm) noexcep
 /// K = (1 + s^2 / w^2)^(-5/2) at a distance s from the lump's foot.
 double bumpAt(double distance_mm, double width_mm) noexcept;
 
-/// K0: 0.53 times the mean of K over the circle of radius c / 2 round the tip, whose middle is `offset_mm` from the
-/// foot.
+/// K0 over the mean of K over the circle of radius c / 2 round the tip.
+inline constexpr double kBumpBase = 0.53;
+
+/// K0 where the tip is `offset_mm` from the foot.
 double bumpBase(const PressurePattern& pattern, double offset_mm, double width_mm) noexcept;
 
 }  // namespace palpate::tissue

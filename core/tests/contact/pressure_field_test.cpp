@@ -2,6 +2,7 @@
 #include "palpate/contact/pressure_field.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -175,6 +176,24 @@ TEST(PressureField, IsNothingInTheAirAndNeverJumpsOnTheWayIn) {
       EXPECT_NEAR(now.kpa[i], before.kpa[i], kMostKpaPerMm * kStepMm) << depth << " mm, taxel " << i;
     }
     before = now;
+  }
+}
+
+TEST(PressureField, HasTheSameBitsOnEveryInstructionSet) {
+  const Felt felt = pressed({47, 52}, 5.0, {test::inventedLump({50, 50, 0}), test::inventedLump({63, 45, 0})});
+  for (const std::size_t taxels : {2u, 3u, 4u, 8u, 11u, 16u}) {
+    const Field expected = fieldOf(felt, {.taxels = taxels});
+    int compared = 0;
+    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1, ++compared) {
+      hwy::SetSupportedTargetsForTest(left & -left);
+      hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+      const Field field = fieldOf(felt, {.taxels = taxels});
+      hwy::SetSupportedTargetsForTest(0);
+      hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+      EXPECT_EQ(field.kpa, expected.kpa) << taxels << " taxels, " << hwy::TargetName(left & -left);
+      EXPECT_EQ(field.sums.lateral_n, expected.sums.lateral_n);
+    }
+    EXPECT_GE(compared, 1);
   }
 }
 

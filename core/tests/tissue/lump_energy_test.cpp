@@ -48,6 +48,18 @@ TEST(LumpEnergy, ForcesAreTheSlopesOfTheEnergy) {
   }
 }
 
+TEST(LumpEnergy, SlopesAloneAreTheSameBits) {
+  const LumpEnergy energy = energyOf(ball(10.0, 3.0, 20.0)).scaled(0.7);
+  for (double rho = -40.0; rho < 40.0; rho += 0.37) {
+    for (double depth = -0.5; depth < 20.0; depth += 0.31) {
+      const LumpAnswer answer = energy.at(rho, depth);
+      EXPECT_EQ(energy.forceAt(rho, depth), answer.d_depth) << rho << " " << depth;
+      EXPECT_EQ(energy.slopesAt(rho, depth).d_depth, answer.d_depth) << rho << " " << depth;
+      EXPECT_EQ(energy.slopesAt(rho, depth).d_rho, answer.d_rho) << rho << " " << depth;
+    }
+  }
+}
+
 TEST(LumpEnergy, PushesTheFingerOutOfTheBodyAndOffTheLump) {
   const LumpEnergy energy = energyOf(ball(10.0, 3.0, 20.0));
   EXPECT_NEAR(energy.at(0.0, 5.0).d_depth, 0.547, 0.03);  // finite elements: 41 % of 1.34 N, in a stack like this one
