@@ -230,6 +230,7 @@ void addLumpCommand(CLI::App& app) {
   lump.require_subcommand(1);
   addLumpShowCommand(lump);
   addLumpCheckCommand(lump);
+  addLumpSolveCommand(lump);
 }
 
 }  // namespace palpate::app

@@ -10,7 +10,7 @@
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/random.h"
 #include "palpate/base/text.h"
-#include "palpate/elements/press_solver.h"
+#include "palpate/elements/lump_solver.h"
 #include "solve/realism/lump_judge.h"
 
 namespace palpate::lab {
@@ -129,18 +129,8 @@ std::vector<double> padded(std::vector<double> pressures, std::size_t count) {
 
 LumpCase solvedCase(const tissue::LumpShape& lump, const tissue::LayerStack& stack,
                     const std::vector<double>& surface_radii) {
-  constexpr double kDeepestMm = 8.0;
-  constexpr double kShare = 0.5;  // of the thickness
   constexpr std::size_t kRings = 9;
-  elements::PressSettings settings;
-  settings.depths_mm.clear();
-  for (double depth = 1.0; depth <= std::min(kDeepestMm, kShare * tissue::totalThickness(stack)); depth += 1.0)
-    settings.depths_mm.push_back(depth);
-  settings.lump = elements::Inclusion{.across_mm = lump.half_axes_mm[0],
-                                      .into_mm = lump.half_axes_mm[2],
-                                      .top_mm = lump.depth_mm,
-                                      .edge = lump.edge,
-                                      .young_kpa = {}};
+  elements::PressSettings settings = elements::pressBeside(lump, stack);
   const elements::PressSolution without = elements::solvePress(stack, settings);
   settings.lump->young_kpa = tissue::youngOf(lump, stack);
   const elements::PressSolution with = elements::solvePress(stack, settings);

@@ -10,6 +10,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/contact/surface_walk.h"
+#include "palpate/scene/solved_lumps.h"
 #include "palpate/scene/tissue_of_body.h"
 #include "palpate/tissue/layered_library.h"
 #include "palpate/tissue/library_fields.h"
@@ -26,11 +27,6 @@ namespace {
 
 [[noreturn]] void fail(const LumpSettings& lump, const std::string& cause) {
   failAt(lump, lump.line, fmt::format("lump '{}' {}", lump.name, cause));
-}
-
-LumpSolver& solverOfLumps() {
-  static LumpSolver solver;
-  return solver;
 }
 
 // ---- layers
@@ -170,12 +166,17 @@ double layerKpaAt(const tissue::LayerStack& stack, double depth_mm) {
   return stack.layers.back().young_kpa;
 }
 
-std::vector<tissue::ForceCorrection> correctionOf(const LumpSettings& lump, const tissue::LumpShape& shape,
-                                                  const tissue::LayerStack& stack, LumpForce force) {
-  if (force == LumpForce::table) return {};
-  const LumpSolver& solver = solverOfLumps();
-  if (!solver) fail(lump, "cannot be solved here: [tissue] lumps = \"solved\" needs the program palpate");
-  return solver(shape, stack);
+/// Solved with this lump in the mesh. Throws Error where nobody can.
+std::vector<SolvedPush> solvedOrFail(const LumpSettings& lump, const tissue::LumpShape& shape,
+                                     const tissue::LayerStack& stack) {
+  std::optional<std::vector<SolvedPush>> pushes;
+  try {
+    pushes = solvedPushes(shape, stack);
+  } catch (const Error& error) {
+    fail(lump, error.what());
+  }
+  if (pushes) return *std::move(pushes);
+  fail(lump, "is not solved yet: [tissue] lumps = \"solved\" needs `palpate lump solve` of this scene first");
 }
 
 /// Everything that the table of a lump depends on.
@@ -207,12 +208,16 @@ contact::LumpMobility mobilityOf(const LumpSettings& lump) {
 tissue::LumpEnergy tableOf(const LumpSettings& settings, const tissue::LumpShape& shape,
                            const tissue::LayerStack& stack, double thickness_mm, LumpForce force,
                            const LumpGround& ground) {
-  const auto correction = correctionOf(settings, shape, stack, force);
-  try {
-    return {shape, stack, ground.fieldsAt(thickness_mm), correction};
-  } catch (const Error& error) {
-    failAt(settings, settings.line, error.what());
-  }
+  const std::vector<tissue::WeightedField> fields = ground.fieldsAt(thickness_mm);
+  const tissue::LumpEnergy table = [&] {
+    try {
+      return tissue::LumpEnergy(shape, stack, fields);
+    } catch (const Error& error) {
+      failAt(settings, settings.line, error.what());
+    }
+  }();
+  if (force == LumpForce::table) return table;
+  return {shape, stack, fields, correctionOf(solvedOrFail(settings, shape, stack), table)};
 }
 
 PlacedLump placed(const LumpSettings& settings, const LumpBed& bed, const LumpGround& ground) {
@@ -397,7 +402,5 @@ std::shared_ptr<const contact::PressureGround> pressureGround(const World& world
   return pressureGround(
       LumpGround(world.scene, *world.healthy, world.tissue.model == TissueModel::layered, "pressure pads"));
 }
-
-void setLumpSolver(LumpSolver solver) { solverOfLumps() = std::move(solver); }
 
 }  // namespace palpate::scene

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -91,11 +90,5 @@ std::shared_ptr<const contact::PressureGround> pressureGround(const World& world
 void raiseSkin(const Scene& scene, BodyParts& body);
 /// Whether two scenes raise the skin of one body alike.
 bool raiseAlike(const Scene& one, const Scene& other);
-
-/// Solves a lump on its axis: what the force of its table is to be multiplied by, by depth. For `lumps = "solved"`.
-using LumpSolver =
-    std::function<std::vector<tissue::ForceCorrection>(const tissue::LumpShape& lump, const tissue::LayerStack& stack)>;
-/// Given once, by a program that has the finite element solver, before worlds are built.
-void setLumpSolver(LumpSolver solver);
 
 }  // namespace palpate::scene

@@ -1,0 +1,45 @@
+// Lumps that were solved with their lump in the mesh, for `[tissue] lumps = "solved"`: the force of a lump's table is
+// then set right over its middle. The core has no solver and no files; programs give it both.
+//
+//   palpate::elements, where it is linked ─ setLumpSolver ─┐
+//   palpate::palpate: the user's folder ─ setLumpStore ────┴─► solvedPushes ─► placedLumps (lumps_of_body.h)
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "palpate/tissue/lump_energy.h"
+
+namespace palpate::scene {
+
+/// What a lump adds to the force of a press over its middle.
+struct SolvedPush {
+  double depth_mm = 0.0;
+  double extra_n = 0.0;
+};
+
+/// Takes seconds. Throws Error for a lump that it cannot solve.
+using LumpSolver =
+    std::function<std::vector<SolvedPush>(const tissue::LumpShape& lump, const tissue::LayerStack& stack)>;
+
+/// Where solved lumps are kept, by a number that names the lump and its layers.
+struct LumpStore {
+  std::function<std::optional<std::vector<SolvedPush>>(std::uint64_t name)> find;
+  std::function<void(std::uint64_t name, std::span<const SolvedPush> pushes)> keep;
+};
+
+/// Given once each, while the program starts.
+void setLumpSolver(LumpSolver solver);
+void setLumpStore(LumpStore store);
+
+/// As they were kept, or solved now and kept. Nothing where they were not and nobody here can solve them. Throws Error
+/// as the solver does.
+std::optional<std::vector<SolvedPush>> solvedPushes(const tissue::LumpShape& lump, const tissue::LayerStack& stack);
+
+/// Of a table's extra force on the axis, what it is to be multiplied by. Where the table has hardly any, 1.
+std::vector<tissue::ForceCorrection> correctionOf(std::span<const SolvedPush> pushes, const tissue::LumpEnergy& table);
+
+}  // namespace palpate::scene

@@ -1,0 +1,21 @@
+// A lump on the axis of a press, solved: what it adds to the force. Whoever links this library has worlds solve the
+// lumps of scenes with `lumps = "solved"` (core/palpate/scene/lumps_of_body.h).
+#pragma once
+
+#include <vector>
+
+#include "palpate/elements/press_solver.h"
+#include "palpate/scene/solved_lumps.h"
+#include "palpate/tissue/lump_energy.h"
+
+namespace palpate::elements {
+
+/// A press over this lump to 8 mm, or half of the tissue, in steps of 1 mm. `settings.lump` has no modulus: as it is,
+/// the press is one of the tissue alone, on the mesh of the lump.
+PressSettings pressBeside(const tissue::LumpShape& lump, const tissue::LayerStack& stack);
+
+/// Presses with the lump and without it, on one mesh: some 10 s. Depths that the solver does not come to are missing.
+/// Throws Error as check(lump, stack) does, and where it comes to none.
+std::vector<scene::SolvedPush> solveLump(const tissue::LumpShape& lump, const tissue::LayerStack& stack);
+
+}  // namespace palpate::elements
