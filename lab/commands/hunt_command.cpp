@@ -42,6 +42,7 @@ struct HuntArguments {
   bool generated = false;
   std::size_t bodies = 0;
   double scale = 1.0;
+  std::size_t lumps = 0;
   std::size_t threads = 0;
   std::string out;
   std::size_t keep = 6;
@@ -89,6 +90,9 @@ void addBodyOptions(CLI::App& command, HuntArguments& a) {
   addNumber(command, "--scale", a.scale, between(1e-6, 1e6),
             "Everything so many times as large: bodies, paths and fingers")
       ->capture_default_str();
+  addNumber(command, "--lumps", a.lumps, between(0, 64),
+            "Lumps under the skin of each body, every second one mobile; a second finger follows the first")
+      ->capture_default_str();
 }
 
 /// `arguments` must outlive the command.
@@ -126,6 +130,7 @@ lab::HuntPlan planOf(const HuntArguments& arguments, const Progress& progress) {
   plan.generated = arguments.generated || arguments.meshes.empty();
   plan.bodies = arguments.bodies;
   plan.scale = arguments.scale;
+  plan.lumps = arguments.lumps;
   plan.threads = arguments.threads;
   return plan;
 }
@@ -189,12 +194,16 @@ lab::KeptCase caseOf(const lab::HuntPlan& plan, const lab::FailingPath& path) {
   {
     lab::HuntWorld world = lab::buildHuntWorld(mesh);
     tips = lab::huntedTips(world.body, path.seed, path.radius_mm, plan.scale);
+    tips.resize(std::min(tips.size(), path.ticks));
+    if (plan.lumps > 0 && endAskedBy() == 0) {  // the body stays: its lumps lie under its triangles
+      lab::putLumps(world, path.body, plan.lumps);
+      tips = lab::minimised(world, finger, std::move(tips), path.fault);
+    }
   }
-  tips.resize(std::min(tips.size(), path.ticks));
   // Making it short takes long: after a signal a case is kept as it was found.
-  lab::SmallCase small =
-      endAskedBy() == 0 ? lab::minimised(mesh, finger, tips, path.fault) : lab::SmallCase{mesh, tips};
-  lab::KeptCase kept{path.body,  path.seed,    path.radius_mm,        plan.scale,
+  lab::SmallCase small = endAskedBy() == 0 && plan.lumps == 0 ? lab::minimised(mesh, finger, tips, path.fault)
+                                                              : lab::SmallCase{mesh, tips};
+  lab::KeptCase kept{path.body,  path.seed,    path.radius_mm,        plan.scale,           plan.lumps,
                      path.fault, path.finding, std::move(small.tips), std::move(small.mesh)};
   kept.finding = lab::replay(kept).of(path.fault);
   return kept;
@@ -214,6 +223,9 @@ nlohmann::ordered_json huntJson(const lab::HuntPlan& plan, const lab::HuntResult
   json["wrong_forces"] = ticksOf(result, lab::Fault::wrong_force);
   json["steps_over_bound"] = ticksOf(result, lab::Fault::step);
   json["held_in_air"] = ticksOf(result, lab::Fault::held_in_air);
+  json["lump_forces"] = ticksOf(result, lab::Fault::lump_force);
+  json["lump_steps"] = ticksOf(result, lab::Fault::lump_step);
+  json["lumps_moved"] = ticksOf(result, lab::Fault::lump_moved);
   json["held_through_body"] = result.held_through_ticks;
   json["events"] = result.events;
   json["failing_paths"] = nlohmann::ordered_json::array();
@@ -223,6 +235,7 @@ nlohmann::ordered_json huntJson(const lab::HuntPlan& plan, const lab::HuntResult
   json["touching_ticks"] = result.touching_ticks;
   json["seed"] = plan.seed;
   json["scale"] = plan.scale;
+  json["lumps"] = plan.lumps;
   json["radii_mm"] = plan.radii_mm;
   json["seconds"] = result.seconds;
   json["ticks_per_s"] = ticksPerSecond(result);
@@ -239,6 +252,9 @@ std::string huntText(const lab::HuntResult& result, const std::vector<std::strin
   text += fmt::format("wrong forces      {}\n", ticksOf(result, lab::Fault::wrong_force));
   text += fmt::format("steps over bound  {}\n", ticksOf(result, lab::Fault::step));
   text += fmt::format("held in air       {}\n", ticksOf(result, lab::Fault::held_in_air));
+  text += fmt::format("lumps             {} wrong forces, {} steps over the bound, {} wrong motions\n",
+                      ticksOf(result, lab::Fault::lump_force), ticksOf(result, lab::Fault::lump_step),
+                      ticksOf(result, lab::Fault::lump_moved));
   text += fmt::format("held through body {}\n", result.held_through_ticks);
   text += fmt::format("events            {}\n", result.events);
   for (std::size_t i = 0; i < std::min(result.failing.size(), kMaxLines); ++i)

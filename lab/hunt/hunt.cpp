@@ -17,6 +17,7 @@
 #include "palpate/base/random.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
+#include "palpate/contact/lump_force.h"
 
 namespace palpate::lab {
 namespace {
@@ -149,6 +150,7 @@ class Hunt {
   void run(const Job& job, HuntResult& sum, const Progress& progress) {
     const std::string name = bodyName(plan_, job.body);
     HuntWorld world = buildHuntWorld(huntedMesh(plan_, name));
+    if (plan_.lumps > 0) putLumps(world, name, plan_.lumps);
     const auto in_time = [&] { return !plan_.seconds || secondsSince(begun_) < *plan_.seconds; };
     for (std::size_t path = 0; sum.ticks < job.ticks && in_time() && !isStopped(); ++path) {
       FailingPath now;
@@ -189,6 +191,8 @@ void check(const HuntPlan& plan) {
   if (plan.radii_mm.empty()) throw Error("a hunt needs a radius");
   if (plan.ticks == 0 && !plan.seconds) throw Error("a hunt needs a tick");
   if (!(plan.scale > 0.0) || !std::isfinite(plan.scale)) throw Error("the scale must be above 0");
+  if (plan.lumps > contact::kMaxLumps) throw Error("a body has no room for so many lumps");
+  if (plan.lumps > 0 && plan.scale != 1.0) throw Error("lumps are of a size in mm: they need a scale of 1");
 }
 
 }  // namespace

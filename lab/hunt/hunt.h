@@ -30,6 +30,7 @@ struct HuntPlan {
   bool generated = true;    ///< bodies of hunted_bodies.h
   std::size_t bodies = 0;   ///< generated ones; 0: one for every 20,000 ticks
   double scale = 1.0;       ///< a millimetre is so many units
+  std::size_t lumps = 0;    ///< under the skin of each body, felt by two fingers; at scale 1 only
   std::size_t threads = 0;  ///< 0: as many as there are processors
   /// Asked before every path, by any thread: ends the hunt with what it has. May be empty.
   std::function<bool()> stop;

@@ -43,9 +43,12 @@ std::string sceneText(const KeptCase& kept) {
 
 std::string noteText(const KeptCase& kept) {
   const Finding& f = kept.finding;
-  return fmt::format(
-      "body: {}\nseed: {}\nradius_mm: {}\nscale: {}\nfault: {}\ntick: {}\nmeasured: {}\nbound: {}\nseen: {}\n",
-      kept.body, kept.seed, kept.radius_mm, kept.scale, nameOf(kept.fault), f.first_tick, f.measured, f.bound, f.what);
+  const std::string lumps = kept.lumps > 0 ? fmt::format("lumps: {}\n", kept.lumps) : "";
+  return lumps +
+         fmt::format(
+             "body: {}\nseed: {}\nradius_mm: {}\nscale: {}\nfault: {}\ntick: {}\nmeasured: {}\nbound: {}\nseen: {}\n",
+             kept.body, kept.seed, kept.radius_mm, kept.scale, nameOf(kept.fault), f.first_tick, f.measured, f.bound,
+             f.what);
 }
 
 /// "key: value" lines of a note.
@@ -61,6 +64,9 @@ class Note {
     if (!value) throw Error::atLine(file_, line.number, fmt::format("'{}' is not a number", key));
     if (range.words().empty() || range.holds(*value)) return *value;
     throw Error::atLine(file_, line.number, fmt::format("{} = {}", key, outOfRange(oneLine(line.word), range)));
+  }
+  bool has(std::string_view key) const {
+    return text_.starts_with(key) || text_.find(fmt::format("\n{}:", key)) != std::string::npos;
   }
   Fault fault() const {
     const std::optional<Fault> fault = faultNamed(word("fault"));
@@ -90,6 +96,7 @@ constexpr NumberRange kSeeds{0.0, 1e19};
 constexpr NumberRange kTicks{0.0, 1e12};
 constexpr NumberRange kRadiiMm{0.0, 1e9};
 constexpr NumberRange kScales{1e-9, 1e9};
+constexpr NumberRange kLumpCounts{0.0, 64.0};
 
 KeptCase caseOfScene(const std::filesystem::path& file) {
   const scene::Scene scene = scene::load(file);
@@ -133,6 +140,7 @@ KeptCase readCase(const std::filesystem::path& folder) {
   kept.seed = static_cast<std::uint64_t>(note.number("seed", kSeeds));
   kept.radius_mm = note.number("radius_mm", kRadiiMm);
   kept.scale = note.number("scale", kScales);
+  if (note.has("lumps")) kept.lumps = static_cast<std::size_t>(note.number("lumps", kLumpCounts));
   kept.fault = note.fault();
   kept.finding.first_tick = static_cast<std::size_t>(note.number("tick", kTicks));
   kept.finding.measured = note.number("measured");
@@ -146,6 +154,7 @@ KeptCase readCase(const std::filesystem::path& folder) {
 
 HuntReport replay(const KeptCase& kept) {
   HuntWorld world = buildHuntWorld(kept.mesh);
+  if (kept.lumps > 0) putLumps(world, kept.body, kept.lumps);
   return huntAlong(world, huntedFinger(kept.radius_mm, kept.scale), kept.tips);
 }
 

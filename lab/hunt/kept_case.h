@@ -25,6 +25,7 @@ struct KeptCase {
   std::uint64_t seed = 0;
   double radius_mm = 0.0;  ///< before the scale
   double scale = 1.0;      ///< of mesh and tips
+  std::size_t lumps = 0;   ///< under its skin (putLumps); its scene has none of them
   Fault fault = Fault::fall;
   Finding finding;  ///< only its numbers are read back
   std::vector<Vec3> tips;

@@ -52,8 +52,8 @@ mesh::TriangleMesh notEmpty(mesh::TriangleMesh mesh) {
 }  // namespace
 
 const char* nameOf(Fault fault) {
-  constexpr std::array<const char*, kFaults> kNames{"fall", "missed_contact", "wrong_force", "step_over_bound",
-                                                    "held_in_air"};
+  constexpr std::array<const char*, kFaults> kNames{"fall",        "missed_contact", "wrong_force", "step_over_bound",
+                                                    "held_in_air", "lump_force",     "lump_step",   "lump_moved"};
   return kNames[static_cast<std::size_t>(fault)];
 }
 

@@ -108,10 +108,13 @@ enum class Fault {
   missed_contact,  ///< the tip went in without a force; a free sphere overlaps the skin from outside
   wrong_force,     ///< not finite, pulling, out of the friction cone, of a sphere sunk in, of a proxy off the skin
   step,            ///< the force changed by more than the tip's motion and the catch-up allow
-  held_in_air  ///< a force although the tip is outside, clear of the skin, and nothing lies between it and its proxy
+  held_in_air,  ///< a force although the tip is outside, clear of the skin, and nothing lies between it and its proxy
+  lump_force,   ///< what lumps add is not the slope of their energy (lump_check.h)
+  lump_step,    ///< it changed by more than the motions of tip and lumps allow
+  lump_moved    ///< a lump went too far, or its motion made energy
 };
-inline constexpr std::size_t kFaults = 5;
-/// "fall", "missed_contact", "wrong_force", "step_over_bound", "held_in_air".
+inline constexpr std::size_t kFaults = 8;
+/// "fall", "missed_contact", "wrong_force", "step_over_bound", "held_in_air", "lump_force", "lump_step", "lump_moved".
 const char* nameOf(Fault fault);
 std::optional<Fault> faultNamed(std::string_view name);
 

@@ -59,6 +59,20 @@ TEST(Hunt, TakesBodiesFromOutsideAtAnyScale) {
   EXPECT_EQ(hunt(plan).touching_ticks, real.touching_ticks);
 }
 
+TEST(Hunt, WithLumpsIsTheSameForTheSameSeedAndFindsNothing) {
+  HuntPlan plan = smallPlan();
+  plan.ticks = 12000;
+  plan.bodies = 2;
+  plan.lumps = 12;
+  const HuntResult one = hunt(plan);
+  EXPECT_EQ(one.fault_ticks, (std::array<std::size_t, kFaults>{}));
+  EXPECT_EQ(one.touching_ticks, hunt(plan).touching_ticks);
+  plan.lumps = 0;
+  EXPECT_EQ(one.touching_ticks, hunt(plan).touching_ticks) << "lumps change forces, not contacts";
+  plan.lumps = 1000;
+  EXPECT_THROW(hunt(plan), Error);
+}
+
 TEST(Hunt, RefusesWhatCannotBeHunted) {
   HuntPlan plan = smallPlan();
   plan.generated = false;
