@@ -131,6 +131,10 @@ std::string thresholdWords(const BlockRow& block) {
     return block.mastered_change ? trf("level {} %", resultsPercent(*block.mastered_change)) : std::string();
   }
   if (block.threshold <= 0.0 || block.trials == 0) return {};
+  if (block.change_meaning == training::ChangeMeaning::cue) {
+    const auto number = [](double cue) { return fmt::format("{:.2g}", WrittenNumber{cue}); };
+    return trf("C {} ({} to {})", number(block.threshold), number(block.threshold_low), number(block.threshold_high));
+  }
   const training::ThresholdSummary shown{
       .median = block.threshold, .low = block.threshold_low, .high = block.threshold_high};
   if (!shown.telling()) return tr(training::kMoreTrialsNeeded);

@@ -36,7 +36,7 @@ bool isClassName(const std::string& text) {
 viewer::TrainingSettings trainingSettings(const TrainOptions& options) {
   viewer::TrainingSettings settings;
   settings.records = recordsFile(options);
-  settings.protocol = training::protocolNamed(options.protocol);
+  settings.protocol = protocolAskedFor(options);
   settings.sign_in.kind = kindAskedFor(options);
   if (isClassName(options.class_id)) {
     settings.sign_in.class_id = options.class_id;

@@ -38,7 +38,8 @@ void addTrainOptions(CLI::App& command, TrainOptions& options) {
   command.add_option("SCENE", options.scene, "Scene (TOML) or mesh file; without one: the built-in body");
   command.add_option("--records", options.records, "File of results (default: the user's own)");
   command
-      .add_option("--protocol", options.protocol, "What is trained and tested: vhb, or a file (docs/howto/training.md)")
+      .add_option("--protocol", options.protocol,
+                  "What is trained and tested: vhb, lumps, or a file (docs/howto/training.md)")
       ->capture_default_str();
   takesOneOf(choiceNames<training::SessionKind>(),
              command.add_option("--kind", options.kind, "Done at once after signing in (default: chosen)"));
@@ -52,7 +53,8 @@ void addTrainOptions(CLI::App& command, TrainOptions& options) {
   addNumber(command, "--seed", options.seed, between(0, 9007199254740991.0),
             "Of everything that is drawn (default: the system's randomness)");
   command.add_option("--trainee", options.trainee,
-                     "A simulated trainee in place of a person, without a window: weber=0.2,lapse=0.02,sites=12,...");
+                     "A simulated trainee in place of a person, without a window: weber=0.2,lapse=0.02,sites=12,... or "
+                     "observer=lump,spread=3.4,...");
   addNumber(command, "--sittings", options.sessions, between(1, 1000), "Of a simulated trainee, one after the other");
   command.add_option("-o,--out", options.out,
                      "Folder for pictures that are saved; of a simulated trainee a file (JSON) with what it did");
@@ -69,6 +71,12 @@ std::filesystem::path recordsFile(const TrainOptions& options) {
 scene::Scene sceneToTrainOn(const TrainOptions& options) {
   const scene::Scene standard = scene::standardScene();
   return options.scene.empty() ? standard : viewer::sceneFromFile(options.scene, standard).scene;
+}
+
+training::Protocol protocolAskedFor(const TrainOptions& options) {
+  const auto kind = kindAskedFor(options);
+  const bool lumps = kind && training::hidesLumps(*kind) && options.protocol == TrainOptions().protocol;
+  return lumps ? training::builtInLumpProtocol() : training::protocolNamed(options.protocol);
 }
 
 std::optional<training::SessionKind> kindAskedFor(const TrainOptions& options) {

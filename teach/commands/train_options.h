@@ -53,6 +53,8 @@ scene::Scene sceneToTrainOn(const TrainOptions& options);
 
 /// The kind that was asked for by name, if one was.
 std::optional<training::SessionKind> kindAskedFor(const TrainOptions& options);
+/// The protocol that was named; of sittings with lumps that with lumps, where none was. Throws Error.
+training::Protocol protocolAskedFor(const TrainOptions& options);
 
 // `palpate train --trainee WORDS`: a simulated trainee instead of a person, without a window.
 

@@ -61,16 +61,46 @@ int rightOf(const SatThrough& sat) {
   return static_cast<int>(std::ranges::count_if(sat.trials, &training::TrialRow::correct));
 }
 
+std::string lumpTrialLine(const training::TrialRow& trial) {
+  const lumps::LumpTrial body = lumps::parseLumpTrial(trial.lumps);
+  return fmt::format("  body {:2}: {} lumps, the plainest C = {:.3g}, {} places named: {}; {:.1f} s\n", trial.number,
+                     body.hidden.size(), trial.change, body.findings.size(), trial.correct ? "right" : "wrong",
+                     trial.seconds);
+}
+
 std::string trialLine(const training::TrialRow& trial) {
+  if (!trial.lumps.empty()) return lumpTrialLine(trial);
   const char* verdict = trial.timed_out ? "no answer in time" : trial.correct ? "right" : "wrong";
   return fmt::format("  trial {:2}: change {} %, site {}, answered {}: {}; {} felt, {:.1f} s\n", trial.number,
                      percentWords(trial.change), trial.site_true, trial.site_answer, verdict, trial.sites_felt,
                      trial.seconds);
 }
 
+std::string lumpsWords(const SatThrough& sat) {
+  const lumps::LumpCounts& counts = sat.lumps;
+  std::string words =
+      fmt::format("; {} of {} lumps found, {} places named in vain", counts.found, counts.lumps, counts.false_places);
+  if (counts.without > 0) {
+    words += fmt::format("; {} of {} bodies without known", counts.without - counts.said_without, counts.without);
+  }
+  if (counts.lumps > 0) {
+    words += fmt::format("; half are found at C = {:.2g} ({:.2g} to {:.2g})", counts.threshold.median,
+                         counts.threshold.low, counts.threshold.high);
+  }
+  if (sat.block.verdict != training::Verdict::none) words += fmt::format("; {}", wordFor(sat.block.verdict));
+  return words;
+}
+
+/// The end of a line about a session.
+std::string wallWords(const SatThrough& sat, double wall_s) {
+  return fmt::format("{}; {:.1f} min in {:.1f} s\n", sat.block.finished ? "" : "; put down", sat.simulated_s / 60.0,
+                     wall_s);
+}
+
 std::string sessionLine(const SatThrough& sat, int sites, double wall_s) {
   const training::BlockRow& block = sat.block;
   std::string line = fmt::format("{}: {} trials, {} right", wordFor(sat.row.kind), sat.trials.size(), rightOf(sat));
+  if (training::hidesLumps(sat.row.kind)) return line + lumpsWords(sat) + wallWords(sat, wall_s);
   if (sat.resumed) line += ", went on with an earlier block";
   if (block.trials > 0) {
     line += fmt::format("; T {} % ({} to {} %)", percentWords(block.threshold), percentWords(block.threshold_low),
@@ -81,8 +111,20 @@ std::string sessionLine(const SatThrough& sat, int sites, double wall_s) {
   if (const int flagged = flaggedOf(sat, sites); flagged > 0) {
     line += fmt::format("; {} trials with places not felt", flagged);
   }
-  if (!block.finished) line += "; put down";
-  return line + fmt::format("; {:.1f} min in {:.1f} s\n", sat.simulated_s / 60.0, wall_s);
+  return line + wallWords(sat, wall_s);
+}
+
+Json lumpsJson(const SatThrough& sat) {
+  if (!training::hidesLumps(sat.row.kind)) return nullptr;
+  const lumps::LumpCounts& counts = sat.lumps;
+  return {{"bodies", counts.bodies},
+          {"with", counts.with},
+          {"without", counts.without},
+          {"said_with", counts.said_with},
+          {"said_without", counts.said_without},
+          {"hidden", counts.lumps},
+          {"found", counts.found},
+          {"false_places", counts.false_places}};
 }
 
 Json satThroughJson(const SatThrough& sat, int sites) {
@@ -105,6 +147,7 @@ Json satThroughJson(const SatThrough& sat, int sites) {
           {"high", block.threshold_high},
           {"level", block.mastered_change ? Json(*block.mastered_change) : Json(nullptr)},
           {"verdict", wordFor(block.verdict)},
+          {"lumps", lumpsJson(sat)},
           {"simulated_s", sat.simulated_s}};
 }
 
@@ -129,8 +172,10 @@ class TraineeCommand {
   TraineeCommand(const TrainOptions& options, const TraineeOptions& simulated)
       : options_(options),
         simulated_(simulated),
-        observer_(training::observerNamed(options.trainee)),
-        seed_(options.seed.value_or(observer_.seed)),
+        finds_lumps_(training::hidesLumps(kindAskedFor(options).value_or(SessionKind::pre_test))),
+        observer_(finds_lumps_ ? training::ObserverSettings() : training::observerNamed(options.trainee)),
+        lump_observer_(finds_lumps_ ? training::lumpTraineeNamed(options.trainee) : training::LumpTraineeSettings()),
+        seed_(options.seed.value_or(finds_lumps_ ? lump_observer_.seed : observer_.seed)),
         start_ms_(startMs(simulated.start)) {
     // What is wrong is said before a body is built.
     if (simulated.trainees > 1 && !options.code.empty()) throw Error("--code is one trainee's; --trainees are several");
@@ -139,7 +184,14 @@ class TraineeCommand {
     }
     if (!options.out.empty()) requireWritableFile(options.out);
     bench_.hand = device::handChoice(simulated.hand);
-    bench_.protocol = training::protocolNamed(options.protocol);
+    bench_.protocol = protocolAskedFor(options);
+    if (finds_lumps_) {
+      if (!training::isLumpTrainee(options.trainee)) {
+        throw Error("--trainee: who sits with lumps is asked for as observer=lump,spread=3.4,...");
+      }
+      if (simulated.fast) throw Error("--fast: lumps are felt on a body");
+      if (simulated.programme) throw Error("--programme has no sitting with lumps");
+    }
     if (!options.class_id.empty() && !classroom::isClassWord(options.class_id)) {
       member_ = classroom::readMember(options.class_id);
     }
@@ -160,6 +212,9 @@ class TraineeCommand {
   }
 
  private:
+  std::string traineeWords(const training::TraineeCourse& course) const {
+    return finds_lumps_ ? training::lumpTraineeWords(course.lump_observer) : training::observerWords(course.observer);
+  }
   std::string classId() const { return member_ ? member_->class_id : options_.class_id; }
   std::string deviceWords() const {
     return simulated_.fast ? std::string(training::kNoBody) : training::deviceWords(bench_.hand);
@@ -237,6 +292,8 @@ class TraineeCommand {
     if (const auto known = store.trainee(row.id); !known || member_) store.keep(known.value_or(row));
     training::TraineeCourse course;
     course.observer = alone ? observer_ : training::oneOfClass(observer_, simulated_.spread, seed_, number);
+    course.lump_observer = lump_observer_;
+    course.lump_observer.seed += static_cast<std::uint64_t>(number);
     course.trainee = row.id;
     course.kinds = kinds();
     course.goes_on = simulated_.programme;
@@ -245,7 +302,7 @@ class TraineeCommand {
     course.most_trials = simulated_.most_trials;
     person_ = code;
     Json sessions = Json::array();
-    if (tells()) fmt::print("trainee {}: {}\n", code, training::observerWords(course.observer));
+    if (tells()) fmt::print("trainee {}: {}\n", code, traineeWords(course));
     Clock::time_point began = Clock::now();
     training::sitCourse(store, bench_, course, [&](const SatThrough& sat) {
       sessions.push_back(satThroughJson(sat, bench_.sites.choices()));
@@ -257,10 +314,8 @@ class TraineeCommand {
       }
       began = Clock::now();
     });
-    trainees_.push_back({{"code", code},
-                         {"trainee", row.id},
-                         {"observer", training::observerWords(course.observer)},
-                         {"sittings", std::move(sessions)}});
+    trainees_.push_back(
+        {{"code", code}, {"trainee", row.id}, {"observer", traineeWords(course)}, {"sittings", std::move(sessions)}});
   }
 
   void finish(const training::Store& store) {
@@ -278,7 +333,7 @@ class TraineeCommand {
   std::string classLines() const {
     std::string lines;
     for (const auto& [kind, thresholds] : finished_) {
-      if (training::settingsOf(bench_.protocol, kind).feedback) continue;
+      if (training::hidesLumps(kind) || training::settingsOf(bench_.protocol, kind).feedback) continue;
       const auto n = static_cast<double>(thresholds.size());
       const double mean = std::accumulate(thresholds.begin(), thresholds.end(), 0.0) / n;
       double squares = 0.0;
@@ -292,7 +347,9 @@ class TraineeCommand {
 
   const TrainOptions& options_;
   const TraineeOptions& simulated_;
+  bool finds_lumps_;  ///< it is asked for a sitting with lumps
   training::ObserverSettings observer_;
+  training::LumpTraineeSettings lump_observer_;
   std::uint64_t seed_;
   std::int64_t start_ms_;
   training::TraineeBench bench_;

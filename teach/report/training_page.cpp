@@ -60,6 +60,7 @@ class PageWriter {
       seconds();
       answers();
     }
+    add(lumpSections(report_));
     if (report_.of_class && !report_.statistics.trainees.empty()) {
       addHeading(tr("Every trainee"));
       add(traineesTable(report_.statistics));

@@ -86,8 +86,9 @@ void keepOne(TrainingReport& report, const WantedTrainee& wanted) {
 
 // ---- sentences
 
-std::string resultSentence(const TraineeStatistics& trainee) {
+std::string resultSentence(const TraineeStatistics& trainee, bool found_lumps) {
   const ThresholdPoint* latest = trainee.latest();
+  if (found_lumps && trainee.points.empty()) return {};  // sittings with lumps alone have sentences of their own
   if (latest == nullptr) return tr("No result yet: no block has enough answers for a threshold.");
   const auto& t = *latest->threshold;
   if (!t.telling()) {
@@ -254,6 +255,7 @@ TrainingReport trainingReport(const TrainingReportSettings& settings, const Prog
   }
   report.statistics =
       training::trainingStatistics(report.record, {.curves = !report.of_class, .groups = report.of_class});
+  report.lumps = training::lumpGroups(report.record);
   return report;
 }
 
@@ -265,7 +267,7 @@ std::vector<std::string> trainingSentences(const TrainingReport& report) {
     sentences = classSentences(report);
   } else {
     const TraineeStatistics& trainee = report.statistics.trainees.front();
-    sentences = {resultSentence(trainee),
+    sentences = {resultSentence(trainee, !report.lumps.empty()),
                  comparisonSentence(trainee),
                  attentionSentence(trainee),
                  examSentence(trainee),
@@ -273,6 +275,7 @@ std::vector<std::string> trainingSentences(const TrainingReport& report) {
                  answersSentence(trainee.practice, tr("Practice")),
                  lapseSentence(trainee.tests)};
   }
+  for (std::string& sentence : lumpSentences(report)) sentences.push_back(std::move(sentence));
   sentences.push_back(devicesSentence(report));
   sentences.emplace_back(tr(kNotShown));
   std::erase(sentences, std::string());
@@ -293,6 +296,10 @@ std::string occasionWords(SessionKind kind, int nth) {
       return nth == 1 ? tr("examination") : trf("examination {}", nth);
     case SessionKind::retention:
       return nth == 1 ? tr("retention test") : trf("retention test {}", nth);
+    case SessionKind::lump:
+      return trf("lumps {}", nth);
+    case SessionKind::lump_exam:
+      return nth == 1 ? tr("examination with lumps") : trf("examination with lumps {}", nth);
     case SessionKind::free:
       break;
   }
@@ -300,6 +307,7 @@ std::string occasionWords(SessionKind kind, int nth) {
 }
 
 std::string meaningWords(training::ChangeMeaning meaning) {
+  if (meaning == training::ChangeMeaning::cue) return tr("the cue of a lump");
   return meaning == training::ChangeMeaning::compliance ? tr("compliance") : tr("stiffness");
 }
 

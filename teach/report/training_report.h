@@ -16,6 +16,7 @@
 #include "palpate/base/language.h"
 #include "palpate/base/progress.h"
 #include "palpate/mesh/triangle_mesh.h"
+#include "palpate/training/report/lump_statistics.h"
 #include "palpate/training/report/training_statistics.h"
 #include "palpate/training/site.h"
 
@@ -43,6 +44,7 @@ struct TrainingReport {
   training::TrainingStatistics statistics;  ///< of the trainee alone, or of all
   /// A trainee's report: the class's occasions, where enough others were there.
   std::vector<training::Occasion> others;
+  std::vector<training::LumpGroup> lumps;  ///< sittings with lumps of the same trainees
 };
 
 /// Throws Error for what is no records file, and for a trainee or class that it does not hold.
@@ -99,6 +101,12 @@ std::string handlingTable(const training::TrialStatistics& tests, const training
 std::string secondsTable(const training::TrialStatistics& tests, const training::TrialStatistics& practice);
 std::string answersTable(const training::TrialStatistics& trials, const std::string& what);
 std::string qualitySection(const TrainingReport& report);
+
+// Of sittings with lumps; empty without any.
+
+std::string lumpSections(const TrainingReport& report);
+std::vector<std::string> lumpSentences(const TrainingReport& report);
+nlohmann::ordered_json lumpGroupsJson(const TrainingReport& report);
 
 /// A heading that opens what lies below it.
 std::string foldedHtml(const std::string& heading, const std::string& html);

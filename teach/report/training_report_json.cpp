@@ -287,6 +287,7 @@ Json trainingReportJson(const TrainingReport& report) {
   } else {
     json["others"] = occasionsJson(report.others, false);
   }
+  if (!report.lumps.empty()) json["lumps"] = lumpGroupsJson(report);
   json["protocols"] = Json::array();
   for (const training::ProtocolRow& row : report.record.protocols) {
     json["protocols"].push_back({{"id", row.id}, {"version", row.version}, {"sha256", row.sha256}});

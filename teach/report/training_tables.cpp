@@ -39,8 +39,8 @@ std::string recordWord(const std::string& word) {
   static constexpr std::array kWords = {
       // kinds of sessions and verdicts
       toTranslate("practice"), toTranslate("mastery"), toTranslate("pre_test"), toTranslate("post_test"),
-      toTranslate("exam"), toTranslate("retention"), toTranslate("free"), toTranslate("pass"), toTranslate("not_yet"),
-      toTranslate("repeat"),
+      toTranslate("exam"), toTranslate("retention"), toTranslate("free"), toTranslate("lump"), toTranslate("lump_exam"),
+      toTranslate("pass"), toTranslate("not_yet"), toTranslate("repeat"),
       // events
       toTranslate("break"), toTranslate("familiarisation"), toTranslate("leave"), toTranslate("pause"),
       toTranslate("resume"), toTranslate("safety"), toTranslate("tissue"), toTranslate("warning"),

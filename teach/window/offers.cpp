@@ -21,7 +21,7 @@ struct KindWords {
   const char* line;
 };
 /// As they stand on the screen, in English.
-constexpr std::array<KindWords, 7> kKindWords = {{
+constexpr std::array<KindWords, 9> kKindWords = {{
     {SessionKind::pre_test, toTranslate("Test before practice"),
      toTranslate("How small a change you can feel now, without feedback.")},
     {SessionKind::practice, toTranslate("Practice"), toTranslate("After each answer you hear whether it was right.")},
@@ -31,6 +31,9 @@ constexpr std::array<KindWords, 7> kKindWords = {{
      toTranslate("The same test again, to see what has changed.")},
     {SessionKind::exam, toTranslate("Examination"), toTranslate("Pass, not yet, or repeat, without feedback.")},
     {SessionKind::retention, toTranslate("Retention test"), toTranslate("A week or more after the last test.")},
+    {SessionKind::lump, toTranslate("Lumps"), toTranslate("Is there a lump, where, and of which kind?")},
+    {SessionKind::lump_exam, toTranslate("Examination with lumps"),
+     toTranslate("Find 18 lumps in six bodies, without feedback.")},
     {SessionKind::free, toTranslate("Free exploration"), toTranslate("Feel whatever you like. Nothing is asked.")},
 }};
 
@@ -47,7 +50,8 @@ int daysToWait(const TrainingPast& past, const training::Protocol& protocol, std
 
 SessionKind suggestion(const TrainingPast& past, bool retention_due) {
   for (const KindWords& words : kKindWords) {
-    if (words.kind != SessionKind::free && past.of(words.kind).interrupted) return words.kind;
+    if (words.kind == SessionKind::free || training::hidesLumps(words.kind)) continue;
+    if (past.of(words.kind).interrupted) return words.kind;
   }
   if (past.of(SessionKind::pre_test).finished == 0) return SessionKind::pre_test;
   if (retention_due && past.of(SessionKind::retention).finished == 0) return SessionKind::retention;
@@ -96,6 +100,7 @@ std::vector<Offer> offersFor(const TrainingPast& past, const training::Protocol&
   const SessionKind suggested = suggestion(past, tested && days == 0);
   std::vector<Offer> offers;
   for (const KindWords& words : kKindWords) {
+    if (training::hidesLumps(words.kind) && !protocol.lump) continue;
     Offer offer{words.kind, tr(words.name), tr(words.line), true, words.kind == suggested};
     if (words.kind == SessionKind::retention && (!tested || days > 0)) {
       offer.enabled = false;

@@ -25,18 +25,12 @@ std::vector<trace::RecordingFinger> fingersOf(LiveServo& servo) {
 
 }  // namespace
 
-SessionRun::SessionRun(training::Store& store, LiveServo& servo, const training::SessionPlan& plan,
-                       const training::Moment& now)
-    : store_(store), files_(store), latest_(now) {
-  if (!plan.row.file.empty()) file_ = files_.pathOf(plan.row.file);
-  // A file that cannot be made is told before anybody has answered anything.
+KeptRows::KeptRows(training::Store& store, LiveServo& servo, const std::string& file) : store_(store), files_(store) {
+  if (!file.empty()) file_ = files_.pathOf(file);
   record(servo);
-  session_ = std::make_unique<training::Session>(plan, now);
 }
 
-SessionRun::~SessionRun() { finish("interrupted", latest_); }
-
-void SessionRun::record(LiveServo& servo) {
+void KeptRows::record(LiveServo& servo) {
   if (file_.empty()) return;
   engine::RecorderSettings settings;
   settings.header = engine::recordingHeader(servo.thread().ticksPerS());
@@ -47,8 +41,8 @@ void SessionRun::record(LiveServo& servo) {
   recorder_ = std::make_unique<engine::Recorder>(servo.thread(), std::move(settings));
 }
 
-/// So that whoever opens the viewer's state file finds the trials in it.
-void SessionRun::mark(const training::Row& row) {
+/// So that whoever opens the recording finds the trials in it.
+void KeptRows::mark(const training::Row& row) {
   if (!recorder_) return;
   if (const auto* trial = std::get_if<training::TrialRow>(&row)) {
     recorder_->mark(
@@ -58,8 +52,8 @@ void SessionRun::mark(const training::Row& row) {
   }
 }
 
-bool SessionRun::keep() {
-  for (training::Row& row : session_->takeRows()) {
+bool KeptRows::keep(std::vector<training::Row> rows) {
+  for (training::Row& row : rows) {
     mark(row);
     waiting_.push_back(std::move(row));
   }
@@ -75,24 +69,30 @@ bool SessionRun::keep() {
   return true;
 }
 
+std::string KeptRows::finish(const training::Uuid& session, std::string_view ended_by) {
+  if (!recorder_) return {};
+  try {
+    const auto recorder = std::exchange(recorder_, nullptr);
+    recorder->finish(ended_by);
+    files_.lock(session);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
+SessionRun::SessionRun(training::Store& store, LiveServo& servo, const training::SessionPlan& plan,
+                       const training::Moment& now)
+    : rows_(store, servo, plan.row.file), session_(std::make_unique<training::Session>(plan, now)), latest_(now) {}
+
+SessionRun::~SessionRun() { finish("interrupted", latest_); }
+
 std::string SessionRun::finish(std::string_view ended_by, const training::Moment& now) {
   if (std::exchange(finished_, true) || !session_) return {};
   session_->leave(now);
-  std::string words;
-  if (!keep()) words = trouble_;
-  try {
-    finishFile(ended_by);
-  } catch (const std::exception& error) {
-    if (words.empty()) words = error.what();
-  }
-  return words;
-}
-
-void SessionRun::finishFile(std::string_view ended_by) {
-  if (!recorder_) return;
-  const auto recorder = std::exchange(recorder_, nullptr);
-  recorder->finish(ended_by);
-  files_.lock(session_->plan().row.id);
+  const bool kept = keep();
+  const std::string words = rows_.finish(session_->plan().row.id, ended_by);
+  return kept ? words : trouble();
 }
 
 }  // namespace palpate::viewer

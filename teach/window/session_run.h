@@ -22,6 +22,30 @@
 
 namespace palpate::viewer {
 
+class KeptRows {
+ public:
+  /// `file`: of the recording, as a session's row names it; empty: none. Begins it: one that cannot be made is told
+  /// before anybody has answered anything. Throws Error.
+  KeptRows(training::Store& store, LiveServo& servo, const std::string& file);
+
+  /// They go into the record, after those that wait; whether nothing waits. If not, `trouble` says why.
+  bool keep(std::vector<training::Row> rows);
+  const std::string& trouble() const { return trouble_; }
+  /// The recording is finished and locked. Words for the user about what went wrong; empty: all is well.
+  std::string finish(const training::Uuid& session, std::string_view ended_by);
+
+ private:
+  void record(LiveServo& servo);
+  void mark(const training::Row& row);
+
+  training::Store& store_;
+  training::RecordingFiles files_;
+  std::filesystem::path file_;
+  std::unique_ptr<engine::Recorder> recorder_;
+  std::vector<training::Row> waiting_;
+  std::string trouble_;
+};
+
 class SessionRun {
  public:
   /// Begins the viewer's state file, where the plan names one. All must outlive it. Throws Error.
@@ -35,24 +59,15 @@ class SessionRun {
   const training::Session& session() const { return *session_; }
 
   /// Rows go into the record; whether nothing waits. If not, `trouble` says why.
-  bool keep();
-  const std::string& trouble() const { return trouble_; }
+  bool keep() { return rows_.keep(session_->takeRows()); }
+  const std::string& trouble() const { return rows_.trouble(); }
   /// The recording is finished and locked with the trainee's key. Leaves what is under way. Words for the user about
   /// what went wrong; empty: all is well.
   std::string finish(std::string_view ended_by, const training::Moment& now);
 
  private:
-  void record(LiveServo& servo);
-  void mark(const training::Row& row);
-  void finishFile(std::string_view ended_by);
-
-  training::Store& store_;
-  training::RecordingFiles files_;
-  std::filesystem::path file_;
+  KeptRows rows_;
   std::unique_ptr<training::Session> session_;
-  std::unique_ptr<engine::Recorder> recorder_;
-  std::vector<training::Row> waiting_;
-  std::string trouble_;
   training::Moment latest_;
   bool finished_ = false;
 };

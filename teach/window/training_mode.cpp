@@ -38,6 +38,13 @@ bool sameHidden(const scene::Scene& a, const scene::Scene& b) {
   });
 }
 
+bool sameLumps(const scene::Scene& a, const scene::Scene& b) {
+  return std::ranges::equal(a.lumps, b.lumps, [](const scene::LumpSettings& x, const scene::LumpSettings& y) {
+    return x.x_mm == y.x_mm && x.y_mm == y.y_mm && x.diameter_mm == y.diameter_mm && x.depth_mm == y.depth_mm &&
+           x.stiffness_ratio == y.stiffness_ratio && x.mobility_mm_per_n == y.mobility_mm_per_n;
+  });
+}
+
 /// The member's own, or the one that this record has always had.
 training::StationRow stationOf(training::Store& store, const std::optional<classroom::Member>& member) {
   const std::vector<training::StationRow> known = store.stations();
@@ -76,6 +83,7 @@ void TrainingMode::begin(ViewerState& viewer, const scene::World& world, window:
   sites_ = settings_.protocol.sites.empty() ? training::twelveSites(landmarks)
                                             : training::sitesNamed(landmarks, settings_.protocol.sites);
   base_ = viewer.scene;
+  body_ = std::make_shared<const scene::World>(world);
   if (settings_.member) {
     const std::string app = engine::recordingHeader(viewer.ticks_per_s).software;
     class_ = std::make_unique<ClassLine>(*settings_.member, store_, classroom::StationInfo{app, viewer.held_by});
@@ -93,12 +101,13 @@ void TrainingMode::begin(ViewerState& viewer, const scene::World& world, window:
 
 training::Moment TrainingMode::now() const { return {clock_s_, training::utcMs(), tick_}; }
 
-bool TrainingMode::clockRuns() const { return run_ && !world_.waiting() && state_ == State::going_on; }
+bool TrainingMode::clockRuns() const { return (run_ || lumps_) && !world_.waiting() && state_ == State::going_on; }
 
 // --- the body
 
 TrialWorld::Body TrainingMode::wanted() const {
   // While something is asked there is nothing to be felt: nobody searches while the clock stands still.
+  if (lumps_ && state_ == State::going_on) return lumps_->wanted();
   if (!run_ || state_ != State::going_on || run_->session().paused()) return {};
   const training::Session& session = run_->session();
   const bool of_trial = session.screen() == Screen::trial || session.screen() == Screen::feedback;
@@ -110,19 +119,31 @@ TrialWorld::Body TrainingMode::wanted() const {
 }
 
 void TrainingMode::layBody(ViewerState& viewer, WorldSwap& world_swap) {
-  if (!run_) return;
+  if (!run_ && !lumps_) return;
   if (world_.waiting() && !world_swap.failure().empty()) {
     state_ = State::trouble;
     trouble_ = world_swap.failure();
   }
   const TrialWorld::Body body = wanted();
   if (!world_.request(body)) return;
+  if (lumps_) {
+    scene::Scene scene = lumps_->sceneOf(base_);
+    if (!body.hidden) scene.lumps.clear();
+    world_swap.lay(scene, viewer);
+    return compose();
+  }
   const training::SessionPlan& plan = run_->session().plan();
   world_swap.lay(training::trialScene(base_, plan.protocol, plan.kind, plan.sites, body.hidden), viewer);
   compose();
 }
 
 void TrainingMode::worldCame(const scene::World& world) {
+  if (lumps_ && world_.waiting()) {
+    scene::Scene wanted = lumps_->sceneOf(base_);
+    if (!world_.requested() || !world_.requested()->hidden) wanted.lumps.clear();
+    world_.taken(sameLumps(world.scene, wanted));
+    return lumps_->worldCame(world);
+  }
   if (!run_ || !world_.waiting()) return;
   const training::SessionPlan& plan = run_->session().plan();
   const auto hidden = world_.requested() ? world_.requested()->hidden : std::nullopt;
@@ -134,6 +155,10 @@ void TrainingMode::feel(const trace::Sample& sample) {
   takeButton(sample.buttons);
   if (class_) class_->felt(sample);
   const bool came = world_.feel(sample.world);
+  if (lumps_ && !world_.waiting() && state_ == State::going_on) {
+    if (came && lumps_->session().screen() == training::LumpScreen::trial && world_.begins()) lumps_->ready(now());
+    return lumps_->feel(sample, now());
+  }
   if (!run_ || world_.waiting() || state_ != State::going_on) return;
   if (came && run_->session().screen() == Screen::trial && world_.begins()) run_->session().ready(now());
   run_->session().feel(sample, now());
@@ -143,6 +168,7 @@ void TrainingMode::takeButton(std::uint32_t buttons) {
   const std::uint32_t down = buttons & ~holder_.ignored_buttons;
   const bool pressed = down != 0 && buttons_ == 0;
   buttons_ = down;
+  if (pressed && lumps_ && state_ == State::going_on && !world_.waiting() && lumps_->deviceButton(now())) endSession();
   if (!pressed || !run_ || state_ != State::going_on || world_.waiting()) return;
   if (!run_->session().asks()) return clicks_.push_back({TrainingAct::next, 0});
   if (const int site = run_->session().touchedSite(); site != 0) {
@@ -157,6 +183,16 @@ void TrainingMode::takeButton(std::uint32_t buttons) {
 
 void TrainingMode::look(const Sight& sight, const ViewerState& viewer) {
   seen_.clear();
+  if (lumps_) {
+    for (const Vec3& place : lumps_->places()) {
+      const Vec2 share = view::seenAt(sight.frustum, place);
+      SeenSite seen;
+      if (share.allFinite()) seen.at = share.cwiseProduct(sight.size_points);
+      seen.tag_left = place.x() < 0.0;
+      seen_.push_back(seen);
+    }
+    return;
+  }
   for (const training::Site& site : sites_.sites) {
     SeenSite seen;
     const Vec2 share = view::seenAt(sight.frustum, site.point_mm);
@@ -234,7 +270,9 @@ TrainingView TrainingMode::view() const {
 void TrainingMode::compose() {
   TrainingView shown = view();
   if (shown.stage == TrainingStage::session && !run_) shown.stage = TrainingStage::choice;
-  screen_ = screenOf(shown);
+  const bool of_lumps = lumps_ && shown.over == TrainingOver::none;
+  screen_ = of_lumps ? lumps_->screen(shown.code, world_.waiting()) : screenOf(shown);
+  if (of_lumps) screen_.focus = screen_.buttons.empty() ? 0 : std::min(focus_, screen_.buttons.size() - 1);
   if (std::exchange(screen_title_, screen_.title) != screen_.title) {
     focus_ = 0;
     const auto suggested = std::ranges::find_if(screen_.buttons, [](const auto& b) { return !b.badge.empty(); });
@@ -251,8 +289,8 @@ void TrainingMode::draw(const FreeArea& /*area*/) {
 void TrainingMode::speak() {
   voice_.advance();
   if (!voice_.can()) return;
-  if (run_ && state_ == State::going_on) {
-    const training::Said said = run_->session().said();
+  if ((run_ || lumps_) && state_ == State::going_on) {
+    const training::Said said = run_ ? run_->session().said() : lumps_->session().said();
     if (std::exchange(spoken_, said.number) != said.number) voice_.say(said.text);
     spoken_title_ = screen_.title;
   } else if (std::exchange(spoken_title_, screen_.title) != screen_.title) {
@@ -280,7 +318,7 @@ bool TrainingMode::handle(const window::InputEvent& event, ViewerState& /*viewer
       typed(stroke.text);
       break;
     case Kind::erase:
-      run_ ? (digits_.clear(), picked_ = 0, void()) : sign_in_.erase();
+      if (!lumps_) run_ ? (digits_.clear(), picked_ = 0, void()) : sign_in_.erase();
       break;
     case Kind::walk:
       walk(stroke.by);
@@ -295,6 +333,7 @@ bool TrainingMode::handle(const window::InputEvent& event, ViewerState& /*viewer
 
 /// A number that is typed picks its site: the digits together where there is such a site, else the last one alone.
 void TrainingMode::typed(const std::string& letters) {
+  if (lumps_) return;
   if (!run_) return sign_in_.type(letters);
   if (screen_.place != TrainingPlace::body) return;
   const std::int64_t now_ms = training::utcMs();
@@ -319,6 +358,7 @@ bool TrainingMode::canPick(int site) const {
 }
 
 void TrainingMode::walk(const Vec2& by) {
+  if (lumps_) return;
   const auto pair = run_ ? run_->session().familiarPlaces() : std::nullopt;
   picked_ = !pair ? siteTowards(sites_, picked_, by) : picked_ == pair->first ? pair->second : pair->first;
   digits_.clear();
@@ -350,7 +390,7 @@ bool TrainingMode::handleOver(TrainingAct act) {
   if (state_ == State::trouble) {
     if (act != TrainingAct::retry) return true;
     state_ = State::going_on;
-    if (trouble_.empty() || (run_ && !run_->trouble().empty())) return true;
+    if (trouble_.empty() || (run_ && !run_->trouble().empty()) || (lumps_ && !lumps_->trouble().empty())) return true;
     world_.fail();
   } else if (act == TrainingAct::yes || act == TrainingAct::no) {
     const State asked = std::exchange(state_, State::going_on);
@@ -360,10 +400,8 @@ bool TrainingMode::handleOver(TrainingAct act) {
 }
 
 void TrainingMode::leaveNow(bool quits) {
-  if (run_) {
-    run_->session().leave(now());
-    endSession();
-  }
+  if (run_) run_->session().leave(now());
+  if (run_ || lumps_) endSession();
   quit_ = quit_ || quits;
 }
 
@@ -409,6 +447,8 @@ void TrainingMode::handle(const TrainingClick& click, ViewerState& viewer, LiveS
     quit_ = quit_ || mayQuit();
   } else if (handleOver(click.act)) {
     return;
+  } else if (lumps_) {
+    actOnLumps(click.act, click.value);
   } else if (run_) {
     actOnSession(click.act, click.value);
   } else if (kind_) {
@@ -432,7 +472,29 @@ bool TrainingMode::handle(const Request& request, ViewerState& /*viewer*/) {
   return std::holds_alternative<Quit>(request) && !mayQuit();
 }
 
+void TrainingMode::actOnLumps(TrainingAct act, int value) {
+  if (act == TrainingAct::leave) {
+    state_ = asksBeforeLeaving() ? State::leaving : state_;
+    if (state_ != State::leaving) leaveNow(false);
+  } else if (world_.waiting() && act != TrainingAct::next) {
+    return;
+  } else if (lumps_->act(act, value, now())) {
+    return endSession();
+  }
+  keepRows();
+}
+
+/// What is over already needs no question.
+bool TrainingMode::asksBeforeLeaving() const {
+  const training::LumpScreen screen = lumps_->session().screen();
+  return screen != training::LumpScreen::summary && screen != training::LumpScreen::finished;
+}
+
 bool TrainingMode::mayQuit() {
+  if (lumps_) {
+    if (asksBeforeLeaving()) state_ = State::quitting;
+    return !asksBeforeLeaving();
+  }
   if (!run_ || run_->session().screen() == Screen::finished || run_->session().screen() == Screen::block_summary) {
     return true;
   }
@@ -468,6 +530,20 @@ training::SessionPlan TrainingMode::planOf(training::SessionKind kind, const Vie
   return plan;
 }
 
+training::LumpSessionPlan TrainingMode::lumpPlanOf(const training::SessionPlan& plan) {
+  if (!lump_bodies_) lump_bodies_ = std::make_shared<const training::LumpBodies>(body_, settings_.protocol, sites_);
+  training::LumpSessionPlan of_lumps;
+  of_lumps.protocol = settings_.protocol;
+  of_lumps.kind = plan.kind;
+  of_lumps.bodies = lump_bodies_;
+  of_lumps.sites = sites_;
+  of_lumps.seed = plan.seed;
+  of_lumps.tick_s = plan.tick_s;
+  of_lumps.row = plan.row;
+  of_lumps.resumed = plan.resumed;
+  return of_lumps;
+}
+
 void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {
   const training::SessionKind kind = *std::exchange(kind_, std::nullopt);
   try {
@@ -483,7 +559,11 @@ void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {
     store_.keep(training::protocolRowOf(settings_.protocol));
     training::SessionPlan plan = planOf(kind, viewer);
     plan.row.station_id = station.id;
-    run_ = std::make_unique<SessionRun>(store_, servo, std::move(plan), now());
+    if (training::hidesLumps(kind)) {
+      lumps_ = std::make_unique<LumpSitting>(store_, servo, lumpPlanOf(plan), now());
+    } else {
+      run_ = std::make_unique<SessionRun>(store_, servo, std::move(plan), now());
+    }
   } catch (const Error& error) {
     return sign_in_.comeBack(error.what());
   }
@@ -493,14 +573,19 @@ void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {
 }
 
 void TrainingMode::endSession() {
-  const std::string words = run_->finish("done", now());
+  const std::string words = lumps_ ? lumps_->finish("done", now()) : run_->finish("done", now());
   run_.reset();
+  lumps_.reset();
   world_.clear();
   state_ = State::going_on;
   sign_in_.comeBack(words.empty() ? tr("Saved.") : words);
 }
 
 void TrainingMode::keepRows() {
+  if (lumps_ && !lumps_->keep()) {
+    state_ = State::trouble;
+    trouble_ = lumps_->trouble();
+  }
   if (!run_ || run_->keep()) return;
   state_ = State::trouble;
   trouble_ = run_->trouble();
@@ -558,7 +643,7 @@ void TrainingMode::advance(const ModeWork& work) {
   }
   if (clockRuns()) {
     clock_s_ += work.elapsed_s;
-    run_->session().tick(now());
+    if (run_) run_->session().tick(now());
   }
   if (run_) {
     const Screen screen = run_->session().screen();
@@ -578,6 +663,11 @@ void TrainingMode::advance(const ModeWork& work) {
 
 std::string TrainingMode::finish(std::string_view ended_by) {
   voice_.hush();
+  if (lumps_) {
+    const std::string words = lumps_->finish(ended_by, now());
+    lumps_.reset();
+    return words;
+  }
   if (!run_) return {};
   std::string words = run_->finish(ended_by, now());
   run_.reset();

@@ -15,6 +15,7 @@
 
 #include "palpate/view/painter.h"
 #include "teach/window/class_line.h"
+#include "teach/window/lump_sitting.h"
 #include "teach/window/session_run.h"
 #include "teach/window/sign_in.h"
 #include "teach/window/training_keys.h"
@@ -71,6 +72,7 @@ class TrainingMode : public Mode {
 
   const TrainingScreen& screen() const { return screen_; }
   const training::Session* session() const { return run_ ? &run_->session() : nullptr; }
+  const training::LumpSession* lumpSession() const { return lumps_ ? &lumps_->session() : nullptr; }
   bool waiting() const { return world_.waiting(); }
 
  private:
@@ -112,6 +114,9 @@ class TrainingMode : public Mode {
   void endSession();
   void leaveNow(bool quits);
   training::SessionPlan planOf(training::SessionKind kind, const ViewerState& viewer);
+  training::LumpSessionPlan lumpPlanOf(const training::SessionPlan& plan);
+  void actOnLumps(TrainingAct act, int value);
+  bool asksBeforeLeaving() const;
   void keepRows();
   void followSafety(const ViewerState& viewer);
   void followClass();
@@ -130,6 +135,9 @@ class TrainingMode : public Mode {
   scene::Scene base_;
   std::optional<training::SessionKind> kind_;  ///< chosen, waits for the thimble
   std::unique_ptr<SessionRun> run_;
+  std::unique_ptr<LumpSitting> lumps_;                       ///< a sitting with lumps goes on in place of a run
+  std::shared_ptr<const scene::World> body_;                 ///< that lumps are hidden in
+  std::shared_ptr<const training::LumpBodies> lump_bodies_;  ///< once they were asked for
   State state_ = State::going_on;
   std::string message_;
   std::string trouble_;

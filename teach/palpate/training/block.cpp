@@ -49,6 +49,7 @@ void checkLevels(const BlockSettings& settings) {
 }
 
 void checkSettings(const BlockSettings& settings) {
+  require(settings.meaning != ChangeMeaning::cue, "a hidden place has no cue; meaning is compliance or stiffness");
   checkLevels(settings);
   require(settings.choices >= 2 && settings.choices <= 1000, "there must be at least two places to choose from");
   require(settings.start > 0.0 && settings.start <= 10.0, "the start must be over 0");

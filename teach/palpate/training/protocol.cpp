@@ -63,6 +63,8 @@ const SessionSettings& settingsOf(const Protocol& protocol, SessionKind kind) {
       return protocol.retention;
     case SessionKind::practice:
     case SessionKind::free:
+    case SessionKind::lump:
+    case SessionKind::lump_exam:
       break;
   }
   return protocol.practice;
@@ -79,6 +81,14 @@ Protocol builtInProtocol() {
   protocol.mastery = masterySession();
   protocol.pre_test = protocol.post_test = protocol.retention = measuringSession();
   protocol.exam = examSession();
+  return protocol;
+}
+
+Protocol builtInLumpProtocol() {
+  Protocol protocol = builtInProtocol();
+  protocol.id = "lumps";
+  protocol.title = "Lumps under the skin: is there one, where, and of which kind";
+  protocol.lump = lumps::LumpTask();
   return protocol;
 }
 

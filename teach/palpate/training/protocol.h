@@ -5,17 +5,32 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "palpate/base/words.h"
+#include "palpate/lumps/lump_task.h"
 #include "palpate/training/block.h"
 #include "palpate/training/exploration.h"
 
 namespace palpate::training {
 
-enum class SessionKind : std::uint8_t { practice, mastery, pre_test, post_test, exam, retention, free };
+enum class SessionKind : std::uint8_t {
+  practice,
+  mastery,
+  pre_test,
+  post_test,
+  exam,
+  retention,
+  free,
+  lump,
+  lump_exam
+};
+
+/// Lumps are hidden, not stiffer places: session/lump_session.h.
+constexpr bool hidesLumps(SessionKind kind) { return kind == SessionKind::lump || kind == SessionKind::lump_exam; }
 
 /// The hidden dysfunction apart from its change.
 struct HiddenPlace {
@@ -47,9 +62,10 @@ struct Protocol {
   double break_after_min = 15.0;  ///< a block is offered to be put down after this long; 0: never
   double least_days_to_retention = 7.0;
   SessionSettings practice, mastery, pre_test, post_test, exam, retention;
+  std::optional<lumps::LumpTask> lump = {};  ///< of sittings with lumps; none: there are none
 };
 
-/// free: that of practice.
+/// free, and sittings with lumps: that of practice.
 const SessionSettings& settingsOf(const Protocol& protocol, SessionKind kind);
 
 /// The largest change that a block of these settings may hide.
@@ -58,7 +74,9 @@ double largestChange(const BlockSettings& settings);
 /// As documented: practice 2-down-1-up from 50 %, blocks of 20; tests marginal psi, 40 trials; examination sequential
 /// at 20 %.
 Protocol builtInProtocol();
-/// "vhb" or a file. Throws Error with the line for what is no such file, an unknown key, a value out of range.
+/// The same with sittings that hide lumps.
+Protocol builtInLumpProtocol();
+/// "vhb", "lumps" or a file. Throws Error with the line for what is no such file, an unknown key, a value out of range.
 Protocol protocolNamed(const std::string& name_or_file);
 Protocol parseProtocol(std::string_view text, std::string_view file);
 /// With explanations; parseProtocol gives the same settings back.
@@ -71,8 +89,8 @@ std::string protocolSha256(const Protocol& protocol);
 template <>
 struct palpate::WordsOf<palpate::training::SessionKind> {
   using V = palpate::training::SessionKind;
-  static constexpr std::array kAll = {Word{"practice", V::practice}, Word{"mastery", V::mastery},
-                                      Word{"pre_test", V::pre_test}, Word{"post_test", V::post_test},
-                                      Word{"exam", V::exam},         Word{"retention", V::retention},
-                                      Word{"free", V::free}};
+  static constexpr std::array kAll = {
+      Word{"practice", V::practice},   Word{"mastery", V::mastery}, Word{"pre_test", V::pre_test},
+      Word{"post_test", V::post_test}, Word{"exam", V::exam},       Word{"retention", V::retention},
+      Word{"free", V::free},           Word{"lump", V::lump},       Word{"lump_exam", V::lump_exam}};
 };

@@ -143,11 +143,57 @@ void readExploration(const toml::table& root, std::string_view file, Exploration
   table.read("radius_mm", exploration.radius_mm, {5.0, 50.0});
 }
 
+// --- lumps
+
+/// As scene files have them, but a diameter is that of a node and not of an organ, and lumps are harder than tissue.
+constexpr NumberRange kLumpDiameters{2.0, 25.0};
+constexpr NumberRange kLumpDepths{2.5, 40.0};
+constexpr NumberRange kLumpRatios{1.2, 1000.0};
+constexpr int kMostBodies = 200;
+
+void readGrades(const TomlTable& table, const char* key, lumps::Grades& grades, const NumberRange& range) {
+  const toml::node* node = table.node(key);
+  if (node == nullptr) return;
+  const toml::array* list = node->as_array();
+  if (list == nullptr || list->size() != grades.size()) table.fail(*node, fmt::format("{} takes three numbers", key));
+  for (std::size_t i = 0; i < grades.size(); ++i) {
+    const toml::node& one = *list->get(i);
+    const auto number = one.value<double>();
+    if (!one.is_number() || !number) table.fail(one, fmt::format("{} takes three numbers", key));
+    if (!range.holds(*number)) {
+      table.fail(one, fmt::format("{} = {}", key, outOfRange(fmt::format("{:g}", *number), range)));
+    }
+    if (i > 0 && *number <= grades[i - 1]) table.fail(one, fmt::format("{}: each is larger than the one before", key));
+    grades[i] = *number;
+  }
+}
+
+std::optional<lumps::LumpTask> readLumpTask(const toml::table& root, std::string_view file) {
+  const toml::table* keys = tableNamed(root, "lump", file);
+  if (keys == nullptr) return std::nullopt;
+  lumps::LumpTask task;
+  const TomlTable table(*keys, file, "[lump]",
+                        {"diameters_mm", "depths_mm", "ratios", "mobile_share", "mobility_mm_per_n", "empty_share",
+                         "bodies", "start_cue", "pad_shown", "mark_share", "most_false"});
+  readGrades(table, "diameters_mm", task.diameters_mm, kLumpDiameters);
+  readGrades(table, "depths_mm", task.depths_mm, kLumpDepths);
+  readGrades(table, "ratios", task.ratios, kLumpRatios);
+  table.read("mobile_share", task.mobile_share, {0.0, 1.0});
+  table.read("mobility_mm_per_n", task.mobility_mm_per_n, {0.1, 100.0});
+  table.read("empty_share", task.empty_share, {0.0, 0.9});
+  table.read("bodies", task.bodies, {1, kMostBodies});
+  table.read("start_cue", task.start_cue, {0.1, 1000.0});
+  table.read("pad_shown", task.pad_shown);
+  table.read("mark_share", task.mark_share, {0.0, 1.0});
+  table.read("most_false", task.most_false, {0, kMaxTrials});
+  return task;
+}
+
 Protocol protocolFrom(const toml::table& root, std::string_view file) {
   Protocol protocol = builtInProtocol();
   std::vector<std::string> keys = {
-      "id",     "version",    "title", "sites", "base_n_per_mm", "break_after_min", "least_days_to_retention",
-      "hidden", "exploration"};
+      "id",     "version",     "title", "sites", "base_n_per_mm", "break_after_min", "least_days_to_retention",
+      "hidden", "exploration", "lump"};
   for (const NamedSession& one : kSessions) keys.emplace_back(one.table);
   const TomlTable table(root, file, "a protocol", keys);
   table.read("id", protocol.id);
@@ -164,6 +210,7 @@ Protocol protocolFrom(const toml::table& root, std::string_view file) {
   table.read("least_days_to_retention", protocol.least_days_to_retention, {0.0, 365.0});
   readHidden(root, file, protocol.hidden);
   readExploration(root, file, protocol.exploration);
+  protocol.lump = readLumpTask(root, file);
   const int choices = protocol.sites.empty() ? 12 : static_cast<int>(protocol.sites.size());
   for (const NamedSession& one : kSessions) {
     SessionSettings& settings = protocol.*one.settings;
@@ -215,6 +262,25 @@ std::string sessionText(const NamedSession& named, const SessionSettings& settin
   return text;
 }
 
+std::string gradesText(const lumps::Grades& grades) {
+  return fmt::format("[{}, {}, {}]", number(grades[0]), number(grades[1]), number(grades[2]));
+}
+
+std::string lumpText(const lumps::LumpTask& task) {
+  return fmt::format(
+      "\n[lump]  # what sittings with lumps hide; each list: small, middle, large\n"
+      "diameters_mm = {}\ndepths_mm = {}  # of the tops under the skin\nratios = {}  # of stiffness, over the layer\n"
+      "mobile_share = {}  # of lumps, the others are fixed\nmobility_mm_per_n = {}\n"
+      "empty_share = {}  # of the bodies of practice\nbodies = {}  # of a sitting of practice\n"
+      "start_cue = {}  # C, how plain the first lump of practice is; 1 is found every other time\n"
+      "pad_shown = {}  # the pressures under the finger, in practice\n"
+      "mark_share = {}  # of the {} lumps of an examination, to pass\n"
+      "most_false = {}  # places named in vain, to pass\n",
+      gradesText(task.diameters_mm), gradesText(task.depths_mm), gradesText(task.ratios), number(task.mobile_share),
+      number(task.mobility_mm_per_n), number(task.empty_share), task.bodies, number(task.start_cue),
+      task.pad_shown ? "true" : "false", number(task.mark_share), lumps::kExamLumps, task.most_false);
+}
+
 std::string inQuotes(std::string_view text) {
   std::string safe = "\"";
   for (const char letter : text) {
@@ -233,6 +299,7 @@ Protocol parseProtocol(std::string_view text, std::string_view file) {
 
 Protocol protocolNamed(const std::string& name_or_file) {
   if (name_or_file.empty() || name_or_file == "vhb") return builtInProtocol();
+  if (name_or_file == "lumps") return builtInLumpProtocol();
   return parseProtocol(readFile(name_or_file, kMaxProtocolBytes), name_or_file);
 }
 
@@ -256,6 +323,8 @@ std::string protocolText(const Protocol& protocol) {
   text += fmt::format("\n[exploration]  # a site counts as felt\nforce_n = {}\ndwell_s = {}\nradius_mm = {}\n",
                       number(protocol.exploration.force_n), number(protocol.exploration.dwell_s),
                       number(protocol.exploration.radius_mm));
+  // Protocols without lumps keep the text, and with it the hash, that they always had.
+  if (protocol.lump) text += lumpText(*protocol.lump);
   for (const NamedSession& one : kSessions) text += sessionText(one, protocol.*one.settings);
   return text;
 }

@@ -15,6 +15,7 @@ namespace palpate::training {
 enum class ChangeMeaning : std::uint8_t {
   compliance,  ///< the place is less compliant by d: k'/k = 1 / (1 - d), d < 1
   stiffness,   ///< the place is stiffer by d: k'/k = 1 + d
+  cue,         ///< of a lump: C, how plainly it is felt (lumps/lump_observer.h); no hidden place has it
 };
 
 /// The factor on the stiffness at the centre of the place; d in (0, kMaxChange of the meaning].
@@ -37,5 +38,6 @@ std::vector<double> adaptiveLevels(ChangeMeaning meaning);
 template <>
 struct palpate::WordsOf<palpate::training::ChangeMeaning> {
   using V = palpate::training::ChangeMeaning;
-  static constexpr std::array kAll = {Word{"compliance", V::compliance}, Word{"stiffness", V::stiffness}};
+  static constexpr std::array kAll = {Word{"compliance", V::compliance}, Word{"stiffness", V::stiffness},
+                                      Word{"cue", V::cue}};
 };

@@ -79,6 +79,10 @@ std::string greeting(SessionKind kind) {
       return tr("Retention test. Your answers are saved; there is no feedback.");
     case SessionKind::free:
       return tr("Free exploration. Feel whatever you like.");
+    case SessionKind::lump:
+      return tr("Lumps: after each answer you hear whether it was right.");
+    case SessionKind::lump_exam:
+      return tr("Examination with lumps. Your answers are saved; there is no feedback.");
   }
   return {};
 }
@@ -144,6 +148,8 @@ std::string blockSummary(const BlockResult& result, SessionKind kind, const std:
     case SessionKind::retention:
       break;
     case SessionKind::free:
+    case SessionKind::lump:
+    case SessionKind::lump_exam:
       return tr("Free exploration has ended.");
   }
   const std::string words = thresholdWords(result.threshold);

@@ -32,6 +32,24 @@ TEST(Protocol, WhatIsWrittenIsReadAgain) {
   EXPECT_NE(protocolSha256(again), protocolSha256(builtInProtocol()));
 }
 
+TEST(Protocol, LumpsAreWrittenAndReadAgain) {
+  Protocol protocol = builtInLumpProtocol();
+  protocol.lump->diameters_mm = {4.0, 6.5, 12.0};
+  protocol.lump->empty_share = 0.4;
+  protocol.lump->pad_shown = true;
+  protocol.lump->most_false = 2;
+  const Protocol again = parseProtocol(protocolText(protocol), "own.toml");
+  EXPECT_EQ(again.lump, protocol.lump);
+  EXPECT_EQ(protocolSha256(again), protocolSha256(protocol));
+  EXPECT_EQ(protocolNamed("lumps").lump, lumps::LumpTask());
+}
+
+/// Records that were made before there were lumps name the hash of their protocol.
+TEST(Protocol, WithoutLumpsNothingIsSaidOfThem) {
+  EXPECT_EQ(protocolText(builtInProtocol()).find("lump"), std::string::npos);
+  EXPECT_FALSE(parseProtocol(protocolText(builtInProtocol()), "own.toml").lump);
+}
+
 TEST(Protocol, DefaultsAreThoseThatAreDocumented) {
   const Protocol protocol = builtInProtocol();
   EXPECT_EQ(protocol.pre_test.block.method, Method::marginal_psi);
@@ -69,6 +87,11 @@ INSTANTIATE_TEST_SUITE_P(
                     WrongProtocol{"[exam]\nleast = 30\nmost = 20\n", "own.toml:1"},
                     WrongProtocol{"sites = ['T6']", "one site"}, WrongProtocol{"hidden = 3", "[hidden]"},
                     WrongProtocol{"[hidden]\nradius_mm = 1e9", "own.toml:2"}, WrongProtocol{"x = [", "own.toml:1"},
+                    WrongProtocol{"[lump]\nratios = [5, 3, 20]\n", "own.toml:2"},
+                    WrongProtocol{"[lump]\ndepths_mm = [1, 3, 5]\n", "out of range"},
+                    WrongProtocol{"[lump]\ndiameters_mm = [3, 5]\n", "three numbers"},
+                    WrongProtocol{"[lump]\nempty = 1\n", "empty_share"},
+                    WrongProtocol{"[pre_test]\nmeaning = 'cue'\n", "own.toml:1"},
                     // The parser's message quotes the end of the line.
                     WrongProtocol{"[exam]\nfeedback = f\ndraw = 'balanced'\n", "own.toml:"}));
 

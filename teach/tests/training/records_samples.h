@@ -68,6 +68,7 @@ inline TrialRow trial(const BlockRow& of, std::uint64_t number, int in_block, Ra
   row.seconds = random.uniform(3.0, 45.0);
   row.kind = in_block < 3 ? TrialKind::warm_up : TrialKind::measured;
   row.change = random.uniform(0.04, 0.9);
+  if (in_block % 5 == 0) row.lumps = R"({"hidden":[],"findings":[],"over":true,"timed_out":false})";
   row.site_true = 1 + static_cast<int>(random.below(12));
   row.site_answer = static_cast<int>(random.below(13));
   row.correct = row.site_answer == row.site_true;

@@ -122,7 +122,8 @@ void eachField(Visitor&& visit, R& row) {
   visit("id", row.id, column(kUuid, "UUID of version 7: begins with its time", "PRIMARY KEY"));
   visit("trainee_id", row.trainee_id, column(kUuid, "whose", "REFERENCES trainee (id) ON DELETE CASCADE"));
   visit("station_id", row.station_id, column(kUuid, "where", "REFERENCES station (id)"));
-  visit("kind", row.kind, column(kAnyWord, "practice, mastery, pre_test, post_test, exam, retention, free"));
+  visit("kind", row.kind,
+        column(kAnyWord, "practice, mastery, pre_test, post_test, exam, retention, free, lump, lump_exam"));
   visit("start_ms", row.start_ms, column(kTime, "ms since 1970"));
   visit("end_ms", row.end_ms, column(kTime, "ms since 1970; 0: it goes on, or was cut off"));
   visit("app_version", row.app_version, column(text(64), "of palpate"));
@@ -141,7 +142,7 @@ void eachField(Visitor&& visit, R& row) {
   visit("number", row.number, column(kCount, "in the session, from 1"));
   visit("method", row.method, column(kAnyWord, "marginal_psi, two_down_one_up, mastery, constant_levels"));
   visit("change_meaning", row.change_meaning,
-        column(kAnyWord, "compliance: k'/k = 1/(1 - change); stiffness: k'/k = 1 + change"));
+        column(kAnyWord, "compliance: k'/k = 1/(1 - change); stiffness: k'/k = 1 + change; cue: C of a lump"));
   visit("protocol_id", row.protocol_id, column(text(200), "see protocol"));
   visit("protocol_version", row.protocol_version, column(number(0, kMaxCount), "see protocol"));
   visit("state_json", row.state_json, column(text(kLongestText), "seed and outcomes so far: from here it goes on"));
@@ -171,7 +172,7 @@ void eachField(Visitor&& visit, R& row) {
   visit("end_ms", row.end_ms, column(kTime, "ms since 1970"));
   visit("seconds", row.seconds, column(number(0, 1e6), "it took, s, pauses left out"));
   visit("kind", row.kind, column(kAnyWord, "warm_up (not counted), measured, easy"));
-  visit("change", row.change, column(kShare, "of the hidden place, as the block's change_meaning says, 0 to 1"));
+  visit("change", row.change, column(number(0, 1e6), "of the hidden place, as the block's change_meaning says"));
   visit("site_true", row.site_true, column(kSite, "where it was hidden"));
   visit("site_answer", row.site_answer, column(kSite, "what was answered; 0: nothing"));
   visit("correct", row.correct, column(kAnyWord, "the answer was right"));
@@ -187,6 +188,9 @@ void eachField(Visitor&& visit, R& row) {
         column(kForce, "mean while moving, N; 0: none, or recorded by version 1", "DEFAULT 0", 2));
   visit("palpate_force_n", row.palpate_force_n,
         column(kForce, "mean while staying, N; 0: none, or recorded by version 1", "DEFAULT 0", 2));
+  visit(
+      "lumps", row.lumps,
+      column(text(8000), "of a sitting with lumps: those hidden and those named (JSON); else empty", "DEFAULT ''", 4));
 }
 
 /// Without the trial that it belongs to.

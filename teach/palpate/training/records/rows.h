@@ -112,6 +112,8 @@ struct TrialRow {
   // Of all samples of the trial, for reports without the recording.
   double mean_force_n = 0.0, peak_force_n = 0.0, mean_speed_mm_per_s = 0.0;
   double search_force_n = 0.0, palpate_force_n = 0.0;  ///< mean while moving (over 20 mm/s) and while staying
+  /// Of sittings with lumps: what was hidden in this body and what was said of it (lumps::lumpTrialText); else empty.
+  std::string lumps = {};
   std::vector<SiteVisit> visits = {};
 };
 

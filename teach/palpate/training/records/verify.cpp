@@ -132,12 +132,44 @@ class RecordsCheck {
         fault("block {}: trial {} is missing", block.id, number);
         number = trial.number;
       }
-      if (trial.correct != (trial.site_answer != 0 && trial.site_answer == trial.site_true)) {
+      if (!hidesLumps(kind) && trial.correct != (trial.site_answer != 0 && trial.site_answer == trial.site_true)) {
         fault("trial {}: right or wrong is not what its sites say", trial.id);
       }
       if (trial.end_ms < trial.start_ms) fault("trial {} ends before it begins", trial.id);
     }
-    checkResult(block, kind, trials.size());
+    hidesLumps(kind) ? checkLumps(block, trials) : checkResult(block, kind, trials.size());
+  }
+
+  /// The bodies of a sitting with lumps: those of the rows are those that the block's result is computed from.
+  void checkLumps(const BlockRow& block, const std::vector<TrialRow>& trials) {
+    for (const ProtocolRow& row : store_.protocols()) {
+      if (row.id != block.protocol_id || row.version != block.protocol_version) continue;
+      const auto protocol = protocolOfRow(row);
+      if (!protocol || !protocol->lump || block.state_json.empty()) return;
+      try {
+        const lumps::LumpState state = lumps::parseLumpState(block.state_json);
+        checkBodies(block, state, trials, *protocol->lump);
+      } catch (const Error& error) {
+        fault("block {}: {}", block.id, error.what());
+      }
+    }
+  }
+
+  void checkBodies(const BlockRow& block, const lumps::LumpState& state, const std::vector<TrialRow>& trials,
+                   const lumps::LumpTask& task) {
+    std::vector<lumps::LumpTrial> done = state.trials;
+    std::erase_if(done, [](const lumps::LumpTrial& trial) { return !trial.over; });
+    bool same = done.size() == trials.size();
+    for (std::size_t i = 0; same && i < done.size(); ++i) {
+      same = lumps::parseLumpTrial(trials[i].lumps) == done[i] && trials[i].correct == lumps::isRight(done[i], task);
+    }
+    if (!same) fault("block {}: its bodies are not those of its trials", block.id);
+    const lumps::LumpCounts counts = lumps::countsOf(state.trials, task);
+    if (counts.bodies == block.trials && std::abs(counts.threshold.median - block.threshold) <= kSameResult) {
+      ++found_.recomputed;
+    } else {
+      fault("block {}: its result is not what its answers give", block.id);
+    }
   }
 
   void checkResult(const BlockRow& block, SessionKind kind, std::size_t trials) {
@@ -178,6 +210,20 @@ class RecordsCheck {
 }  // namespace
 
 Verified verifyRecords(Store& store) { return RecordsCheck(store).done(); }
+
+std::optional<lumps::LumpCounts> recomputedLumps(RowTables& rows, const BlockRow& block) {
+  for (const ProtocolRow& row : rows.protocols()) {
+    if (row.id != block.protocol_id || row.version != block.protocol_version) continue;
+    const auto protocol = protocolOfRow(row);
+    if (!protocol || !protocol->lump) return std::nullopt;
+    try {
+      return lumps::countsOf(lumps::parseLumpState(block.state_json).trials, *protocol->lump);
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
 
 std::optional<BlockResult> recomputed(RowTables& rows, const BlockRow& block, SessionKind kind) {
   for (const ProtocolRow& row : rows.protocols()) {

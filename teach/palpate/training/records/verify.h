@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/lumps/lump_block.h"
 #include "palpate/training/records/store.h"
 
 namespace palpate::training {
@@ -26,5 +27,7 @@ Verified verifyRecords(Store& store);
 
 /// What the block's protocol and state give now; nothing where this version cannot read them.
 std::optional<BlockResult> recomputed(RowTables& rows, const BlockRow& block, SessionKind kind);
+/// The same of a sitting with lumps.
+std::optional<lumps::LumpCounts> recomputedLumps(RowTables& rows, const BlockRow& block);
 
 }  // namespace palpate::training

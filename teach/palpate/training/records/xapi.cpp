@@ -114,17 +114,27 @@ class XapiStatements {
       more[extension("threshold")] = block.threshold;
       more[extension("threshold_low")] = block.threshold_low;
       more[extension("threshold_high")] = block.threshold_high;
-      more[extension("threshold_definition")] = kThresholdDefinition;
+      if (!hidesLumps(session.kind)) more[extension("threshold_definition")] = kThresholdDefinition;
       more[extension("change_meaning")] = wordFor(block.change_meaning);
     }
     add(session, "completed", block.id, end_ms, object)["result"] = result;
-    if (session.kind != SessionKind::exam) return;
+    if (session.kind != SessionKind::exam && session.kind != SessionKind::lump_exam) return;
     if (block.verdict != Verdict::pass && block.verdict != Verdict::not_yet) return;
     const bool passed = block.verdict == Verdict::pass;
-    const auto again = recomputed(rows_, block, session.kind);
     result["success"] = passed;
-    result["score"] = {{"scaled", again ? again->probability_below_mark : passed ? 1.0 : 0.0}};
+    result["score"] = {{"scaled", scoreOf(session, block).value_or(passed ? 1.0 : 0.0)}};
     add(session, passed ? "passed" : "failed", block.id, end_ms, object)["result"] = result;
+  }
+
+  /// 0 to 1; of an examination with lumps the share that was found.
+  std::optional<double> scoreOf(const SessionRow& session, const BlockRow& block) {
+    if (session.kind == SessionKind::lump_exam) {
+      const auto counts = recomputedLumps(rows_, block);
+      if (!counts || counts->lumps == 0) return std::nullopt;
+      return static_cast<double>(counts->found) / counts->lumps;
+    }
+    const auto again = recomputed(rows_, block, session.kind);
+    return again ? std::optional(again->probability_below_mark) : std::nullopt;
   }
 
   RowTables& rows_;

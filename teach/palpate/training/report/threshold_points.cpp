@@ -116,7 +116,7 @@ std::vector<ChosenTrial> chosenTrials(const TrainingRecord& record, const BlockR
 std::vector<ThresholdPoint> thresholdPoints(const TrainingRecord& record, const TraineeRecord& trainee) {
   std::vector<ThresholdPoint> points;
   for (const SessionRecord& session : trainee.sessions) {
-    if (session.row.kind == SessionKind::free) continue;
+    if (session.row.kind == SessionKind::free || hidesLumps(session.row.kind)) continue;
     for (const BlockRecord& block : session.blocks) {
       if (!block.trials.empty()) points.push_back(pointOf(record, session, block));
     }

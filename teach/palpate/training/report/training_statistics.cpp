@@ -29,6 +29,7 @@ struct TestsAndPractice {
 TestsAndPractice trialsOf(const TrainingRecord& record, const TraineeRecord& trainee) {
   TestsAndPractice all;
   for (const SessionRecord& session : trainee.sessions) {
+    if (hidesLumps(session.row.kind)) continue;  // of another kind: lump_statistics.h
     for (const BlockRecord& block : session.blocks) {
       const ChosenTrials chosen = chosenTrials(record, block);
       ChosenTrials& into = isTest(session.row.kind) ? all.tests : all.practice;

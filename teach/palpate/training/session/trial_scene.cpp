@@ -65,7 +65,7 @@ scene::Scene trialScene(const scene::Scene& base, const Protocol& protocol, Sess
   const SessionSettings& settings = settingsOf(protocol, kind);
   scene::Scene scene = base;
   scene.dysfunctions.clear();
-  if (!settings.natural_stiffness) makeEven(scene, protocol.base_n_per_mm);
+  if (!settings.natural_stiffness && !hidesLumps(kind)) makeEven(scene, protocol.base_n_per_mm);
   if (!hidden) return scene;
   const Site* site = sites.numbered(hidden->site);
   if (site == nullptr) throw Error("trial: there is no site " + std::to_string(hidden->site));

@@ -95,8 +95,7 @@ servo::LimiterSettings BodyTouch::limitsOf(const scene::World& world) const {
   return servo::limiterSettings(world, profile_);
 }
 
-void BodyTouch::change(const std::optional<HiddenNow>& hidden) {
-  std::shared_ptr<const scene::World> next = worlds_.with(hidden);
+void BodyTouch::lay(std::shared_ptr<const scene::World> next) {
   servo::FingerChain& finger = rig_.fingers.front();
   servo::FingerSolvers solvers = servo::makeSolvers(next->surface, next->hdb, 1, next->breath);
   servo::exchange(finger.solver, solvers.front(), finger.contact);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numeric>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
@@ -17,11 +19,13 @@ namespace palpate::training {
 namespace {
 
 /// A key of the words, where its number goes, and what it may be.
-struct ObserverKey {
+template <class Settings>
+struct NumberKey {
   const char* name;
-  double ObserverSettings::*value;
+  double Settings::*value;
   NumberRange range;
 };
+using ObserverKey = NumberKey<ObserverSettings>;
 const std::array kObserverKeys = {
     ObserverKey{"weber", &ObserverSettings::weber, {0.005, 1.0}},
     ObserverKey{"weber_end", &ObserverSettings::weber_end, {0.0, 1.0}},
@@ -31,14 +35,39 @@ const std::array kObserverKeys = {
     ObserverKey{"press_n", &ObserverSettings::press_n, {0.1, 3.0}},
     ObserverKey{"press_s", &ObserverSettings::press_s, {0.05, 5.0}},
 };
+using LumpKey = NumberKey<LumpTraineeSettings>;
+const std::array kLumpKeys = {
+    LumpKey{"pattern_weber", &LumpTraineeSettings::pattern_weber, {0.001, 10.0}},
+    LumpKey{"force_weber", &LumpTraineeSettings::force_weber, {0.001, 10.0}},
+    LumpKey{"spread", &LumpTraineeSettings::spread, {0.05, 20.0}},
+    LumpKey{"false_alarms", &LumpTraineeSettings::false_alarms, {0.0, 0.9}},
+    LumpKey{"press_n", &LumpTraineeSettings::press_n, {0.1, 3.0}},
+    LumpKey{"press_s", &LumpTraineeSettings::press_s, {0.05, 5.0}},
+};
+constexpr const char* kLumpWords = "--trainee observer=lump,spread=3.4,...";
 constexpr NumberRange kSitesRange{1.0, 40.0};
 constexpr NumberRange kSeedRange{0.0, 9007199254740992.0};  // whole numbers that a double keeps
 
-std::vector<std::string> observerKeyNames() {
+template <class Keys>
+std::vector<std::string> keyNames(const Keys& keys, std::initializer_list<const char*> more) {
   std::vector<std::string> names;
-  for (const ObserverKey& key : kObserverKeys) names.emplace_back(key.name);
-  names.insert(names.end(), {"sites", "seed"});
+  for (const auto& key : keys) names.emplace_back(key.name);
+  names.insert(names.end(), more.begin(), more.end());
   return names;
+}
+
+/// "weber", "0.2" of "weber=0.2, lapse=0.02".
+std::vector<std::pair<std::string_view, std::string_view>> pairsOf(std::string_view words) {
+  std::vector<std::pair<std::string_view, std::string_view>> pairs;
+  if (trimmed(words).empty()) return pairs;
+  for (const std::string_view pair : split(words, ',')) {
+    const std::size_t equals = pair.find('=');
+    if (equals == std::string_view::npos) {
+      throw Error(fmt::format("trainee: '{}' has no value; as in weber=0.2,lapse=0.02", oneLine(pair)));
+    }
+    pairs.emplace_back(trimmed(pair.substr(0, equals)), trimmed(pair.substr(equals + 1)));
+  }
+  return pairs;
 }
 
 double observerNumber(std::string_view key, std::string_view word, const NumberRange& range, bool whole) {
@@ -62,24 +91,52 @@ void setObserverKey(ObserverSettings& settings, std::string_view key, std::strin
   const auto* const found =
       std::ranges::find_if(kObserverKeys, [&](const ObserverKey& known) { return known.name == key; });
   if (found == kObserverKeys.end()) {
-    throw Error(unknownName("key", key, "--trainee weber=0.2,...", observerKeyNames()));
+    throw Error(unknownName("key", key, "--trainee weber=0.2,...", keyNames(kObserverKeys, {"sites", "seed"})));
   }
   settings.*(found->value) = observerNumber(key, word, found->range, false);
+}
+
+void setLumpKey(LumpTraineeSettings& settings, std::string_view key, std::string_view word) {
+  if (key == "observer") {
+    if (word != "lump") throw Error(fmt::format("trainee: observer = '{}' must be lump", oneLine(word)));
+  } else if (key == "field") {
+    if (word != "true" && word != "false") {
+      throw Error(fmt::format("trainee: field = '{}' must be true or false", oneLine(word)));
+    }
+    settings.field = word == "true";
+  } else if (key == "seed") {
+    settings.seed = static_cast<std::uint64_t>(observerNumber(key, word, kSeedRange, true));
+  } else {
+    const auto* const found = std::ranges::find_if(kLumpKeys, [&](const LumpKey& known) { return known.name == key; });
+    if (found == kLumpKeys.end()) {
+      throw Error(unknownName("key", key, kLumpWords, keyNames(kLumpKeys, {"observer", "field", "seed"})));
+    }
+    settings.*(found->value) = observerNumber(key, word, found->range, false);
+  }
 }
 
 }  // namespace
 
 ObserverSettings observerNamed(std::string_view words) {
   ObserverSettings settings;
-  if (trimmed(words).empty()) return settings;
-  for (const std::string_view pair : split(words, ',')) {
-    const std::size_t equals = pair.find('=');
-    if (equals == std::string_view::npos) {
-      throw Error(fmt::format("trainee: '{}' has no value; as in weber=0.2,lapse=0.02", oneLine(pair)));
-    }
-    setObserverKey(settings, trimmed(pair.substr(0, equals)), trimmed(pair.substr(equals + 1)));
-  }
+  for (const auto& [key, word] : pairsOf(words)) setObserverKey(settings, key, word);
   return settings;
+}
+
+bool isLumpTrainee(std::string_view words) {
+  return std::ranges::any_of(pairsOf(words), [](const auto& pair) { return pair.first == "observer"; });
+}
+
+LumpTraineeSettings lumpTraineeNamed(std::string_view words) {
+  LumpTraineeSettings settings;
+  for (const auto& [key, word] : pairsOf(words)) setLumpKey(settings, key, word);
+  return settings;
+}
+
+std::string lumpTraineeWords(const LumpTraineeSettings& settings) {
+  std::string words = "observer=lump,";
+  for (const LumpKey& key : kLumpKeys) words += fmt::format("{}={},", key.name, settings.*(key.value));
+  return words + fmt::format("field={},seed={}", settings.field, settings.seed);
 }
 
 std::string observerWords(const ObserverSettings& settings) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "palpate/base/random.h"
+#include "palpate/lumps/lump_observer.h"
 #include "palpate/training/stimulus.h"
 
 namespace palpate::training {
@@ -40,6 +41,20 @@ inline constexpr double kDPrimeAtThreshold = 1.697;
 ObserverSettings observerNamed(std::string_view words);
 /// The same settings as words that observerNamed understands, for records.
 std::string observerWords(const ObserverSettings& settings);
+
+/// One who sits with lumps (lump_trainee.h): how plainly each has to be felt is LumpObserver's.
+struct LumpTraineeSettings : lumps::LumpObserver {
+  double false_alarms = 0.05;  ///< names a place in a body for nothing
+  double press_n = 3.0;
+  double press_s = 0.5;
+  std::uint64_t seed = 1;
+};
+
+/// Whether words ask for such a one: they have observer=lump among them.
+bool isLumpTrainee(std::string_view words);
+/// "observer=lump,pattern_weber=0.036,force_weber=0.08,spread=3.4,field=true". Throws Error naming the key.
+LumpTraineeSettings lumpTraineeNamed(std::string_view words);
+std::string lumpTraineeWords(const LumpTraineeSettings& settings);
 
 /// The threshold before the block number `block` (from 0).
 double weberNow(const ObserverSettings& settings, int block);

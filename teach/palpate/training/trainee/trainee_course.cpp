@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/private_folder.h"
 #include "palpate/engine/recording_settings.h"
@@ -15,6 +16,7 @@
 #include "palpate/training/sha256.h"
 #include "palpate/training/trainee/body_touch.h"
 #include "palpate/training/trainee/imagined_touch.h"
+#include "palpate/training/trainee/lump_trainee.h"
 
 namespace palpate::training {
 
@@ -64,19 +66,25 @@ SessionPlan planOf(Store& store, const TraineeBench& bench, const TraineeSession
   return plan;
 }
 
-std::unique_ptr<Touching> touchingOf(const Store& store, const TraineeBench& bench, const SessionPlan& plan,
-                                     const TraineeSession& requested) {
-  if (!bench.body) return std::make_unique<ImaginedTouch>(plan.protocol, plan.kind);
+std::unique_ptr<BodyTouch> bodyTouchOf(const Store& store, const TraineeBench& bench, const SessionPlan& plan,
+                                       const TraineeSession& requested) {
   BodyTouchSettings settings;
   settings.hand = bench.hand;
   settings.start_ms = requested.start_ms;
-  settings.notes = "a simulated trainee: " + observerWords(requested.observer);
+  settings.notes = "a simulated trainee: " + (hidesLumps(plan.kind) ? lumpTraineeWords(requested.lump_observer)
+                                                                    : observerWords(requested.observer));
   if (!plan.row.file.empty()) {
     settings.recording = store.folder() / plan.row.file;
     makePrivateFolder(settings.recording.parent_path(), ExistingFolder::closed);
   }
   return std::make_unique<BodyTouch>(TrialWorlds(*bench.body, plan.protocol, plan.kind, plan.sites), plan.sites,
                                      settings);
+}
+
+std::unique_ptr<Touching> touchingOf(const Store& store, const TraineeBench& bench, const SessionPlan& plan,
+                                     const TraineeSession& requested) {
+  if (!bench.body) return std::make_unique<ImaginedTouch>(plan.protocol, plan.kind);
+  return bodyTouchOf(store, bench, plan, requested);
 }
 
 /// The last row of each kind that went by.
@@ -95,7 +103,48 @@ SiteSet sitesOn(const scene::World& body, const Protocol& protocol) {
   return protocol.sites.empty() ? twelveSites(landmarks) : sitesNamed(landmarks, protocol.sites);
 }
 
+namespace {
+
+SatThrough sitThroughLumps(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
+  if (!bench.body) throw Error("trainee: a sitting with lumps is felt on a body");
+  const SessionPlan plan = planOf(store, bench, requested);
+  LumpSessionPlan of_lumps;
+  of_lumps.protocol = bench.protocol;
+  of_lumps.kind = plan.kind;
+  of_lumps.sites = plan.sites;
+  of_lumps.seed = plan.seed;
+  of_lumps.bodies = std::make_shared<const LumpBodies>(bench.body, bench.protocol, bench.sites);
+  of_lumps.tick_s = plan.tick_s;
+  of_lumps.row = plan.row;
+  of_lumps.resumed = plan.resumed;
+  const std::unique_ptr<BodyTouch> touch = bodyTouchOf(store, bench, plan, requested);
+  SatThrough sat;
+  sat.resumed = plan.resumed.has_value();
+  LumpOrders orders{.trainee = requested.lump_observer, .most_bodies = requested.most_trials};
+  orders.keep = [&](std::vector<Row> rows) {
+    noteRows(rows, sat);
+    store.keep(rows);
+  };
+  orders.answered = bench.answered;
+  orders.stop = bench.stop;
+  LumpSession session(of_lumps, {.s = 0.0, .utc_ms = requested.start_ms, .tick = 0});
+  LumpRun run(session, *touch, orders, requested.start_ms);
+  run.run();
+  touch->finish(run.now().utc_ms);
+  if (!sat.row.file.empty()) {
+    sat.row.file_sha256 = sha256OfFile(store.folder() / sat.row.file);
+    const std::vector<Row> last = {sat.row};
+    store.keep(last);
+  }
+  sat.lumps = session.counts();
+  sat.simulated_s = run.now().s;
+  return sat;
+}
+
+}  // namespace
+
 SatThrough sitThrough(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
+  if (hidesLumps(requested.kind)) return sitThroughLumps(store, bench, requested);
   const SessionPlan plan = planOf(store, bench, requested);
   const std::unique_ptr<Touching> touching = touchingOf(store, bench, plan, requested);
   SatThrough sat;
@@ -174,6 +223,7 @@ void sitCourse(Store& store, const TraineeBench& bench, const TraineeCourse& cou
     if (bench.stop && bench.stop()) return;
     TraineeSession session;
     session.observer = course.observer;
+    session.lump_observer = course.lump_observer;
     session.kind = kind;
     session.trainee = course.trainee;
     session.seed = mixed(course.seed, "session " + std::to_string(so_far.sessions));

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "palpate/device/hand_device.h"
+#include "palpate/lumps/lump_block.h"
 #include "palpate/scene/world.h"
 #include "palpate/training/records/store.h"
 #include "palpate/training/session/session.h"
@@ -40,6 +41,7 @@ SiteSet sitesOn(const scene::World& body, const Protocol& protocol);
 
 struct TraineeSession {
   ObserverSettings observer;
+  LumpTraineeSettings lump_observer = {};  ///< of sittings with lumps
   SessionKind kind = SessionKind::pre_test;
   Uuid trainee;
   std::uint64_t seed = 1;
@@ -54,6 +56,7 @@ struct SatThrough {
   BlockRow block;
   std::vector<TrialRow> trials;       ///< of this session
   std::optional<BlockResult> result;  ///< of the whole block, once it is over
+  lumps::LumpCounts lumps = {};       ///< of a sitting with lumps: of the whole block so far
   bool resumed = false;
   double simulated_s = 0.0;
 };
@@ -64,6 +67,7 @@ SatThrough sitThrough(Store& store, const TraineeBench& bench, const TraineeSess
 /// One trainee's sessions, one after the other, a few days apart.
 struct TraineeCourse {
   ObserverSettings observer;
+  LumpTraineeSettings lump_observer = {};
   Uuid trainee;
   std::vector<SessionKind> kinds;
   bool goes_on = false;  ///< those kinds that the records hold already are left out

@@ -1,0 +1,158 @@
+#include "palpate/training/trainee/lump_trainee.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace palpate::training {
+
+namespace {
+
+/// To make up its mind about a body.
+constexpr double kDecideS = 1.5;
+/// A place is named so far beside what is meant, mm, along each axis.
+constexpr double kNamedBesideSdMm = 3.0;
+
+}  // namespace
+
+LumpRun::LumpRun(LumpSession& session, BodyTouch& touch, const LumpOrders& orders, std::int64_t start_ms)
+    : session_(session), touch_(touch), orders_(orders), start_ms_(start_ms), random_(orders.trainee.seed) {
+  skill_ = lumps::drawSkill(orders_.trainee, random_);
+  // The same person, another day: what is drawn from here on belongs to the sitting.
+  random_ = Random(random_.bits() ^ session.plan().seed);
+}
+
+Moment LumpRun::now() const {
+  const double seconds = touch_.tickS() * static_cast<double>(touch_.tick());
+  return {.s = seconds, .utc_ms = start_ms_ + std::llround(1000.0 * seconds), .tick = touch_.tick()};
+}
+
+bool LumpRun::stops() const {
+  if (orders_.stop && orders_.stop()) return true;
+  return orders_.most_bodies > 0 && bodies_ >= orders_.most_bodies;
+}
+
+void LumpRun::run() {
+  keepRows();
+  while (session_.screen() != LumpScreen::finished) {
+    if (stops()) {
+      session_.leave(now());
+    } else if (session_.screen() == LumpScreen::trial) {
+      tryBody();
+    } else {
+      // A sitting is a block: reads what is said, goes on.
+      touch_.rest(kDecideS, [](const trace::Sample&) {});
+      session_.next(now());
+    }
+    keepRows();
+  }
+}
+
+void LumpRun::tryBody() {
+  touch_.mark(fmt::format("body {}", session_.bodyNumber()));
+  touch_.lay(session_.plan().bodies->with(session_.hidden()));
+  session_.ready(now());
+  const std::size_t before = session_.trials().size();
+  const std::vector<lumps::HiddenLump> hidden = session_.hidden();
+  const FeltLump last_named{.truth = hidden.empty() ? lumps::HiddenLump() : hidden.back(), .clarity = 1.0};
+  const std::vector<FeltLump> found = findingsOf(hidden);
+  touch_.rest(kDecideS, [&](const trace::Sample& sample) { session_.feel(sample, now()); });
+  describe(last_named);  // a sitting that was interrupted goes on with the question that was asked last
+  if (session_.question() == lumps::LumpQuestion::there) {
+    session_.answer(found.empty() ? 0 : 1, now());
+    keepRows();
+  }
+  for (const FeltLump& lump : found) answerPlace(lump);
+  if (!session_.isExam()) answerPlace(last_named);
+  session_.noMore(now());
+  keepRows();
+  ++bodies_;
+  if (orders_.answered && session_.trials().size() > before) orders_.answered(session_.trials().back());
+}
+
+void LumpRun::answerPlace(const FeltLump& lump) {
+  if (session_.question() != lumps::LumpQuestion::place) return;
+  session_.answer(lump.named_mm, now());
+  keepRows();
+  describe(lump);
+}
+
+bool LumpRun::isNamed(const lumps::HiddenLump& lump) const {
+  const std::vector<lumps::LumpFinding> named = session_.named();
+  const double near_mm = session_.plan().bodies->task().hitMm(lump.size);
+  return std::ranges::any_of(named, [&](const lumps::LumpFinding& finding) {
+    return finding.place_mm && (*finding.place_mm - lump.place_mm).norm() <= near_mm;
+  });
+}
+
+std::vector<LumpRun::FeltLump> LumpRun::findingsOf(const std::vector<lumps::HiddenLump>& hidden) {
+  std::vector<FeltLump> found;
+  for (const lumps::HiddenLump& lump : hidden) {
+    if (isNamed(lump)) continue;
+    FeltLump felt = feel(lump);
+    if (lumps::finds(felt.clarity, skill_, orders_.trainee, random_)) found.push_back(std::move(felt));
+  }
+  const std::vector<Vec2>& places = session_.plan().bodies->places();
+  const Vec2 anywhere = places[random_.below(places.size())];
+  if (hidden.empty()) press(anywhere, nullptr);
+  if (random_.uniform() < orders_.trainee.false_alarms && (session_.isExam() || found.empty())) {
+    found.push_back({.truth = {}, .clarity = 0.0, .named_mm = anywhere});
+  }
+  return found;
+}
+
+LumpRun::FeltLump LumpRun::feel(const lumps::HiddenLump& lump) {
+  const Vec2 stroke = lump.place_mm + Vec2(lumps::drawStroke(random_), 0.0);
+  contact::FingerOutput firmest;
+  press(stroke, &firmest);
+  const lumps::LumpCue cue = lumps::cueOf(firmest, touch_.world().surface.lumps.get(), session_.plan().bodies->ground(),
+                                          orders_.trainee.taxels);
+  const Vec2 seems = orders_.trainee.field ? lump.place_mm : stroke;
+  return {.truth = lump,
+          .clarity = lumps::clarityOf(cue, orders_.trainee),
+          .named_mm = seems + kNamedBesideSdMm * random_.normal2()};
+}
+
+void LumpRun::press(const Vec2& place_mm, contact::FingerOutput* firmest) {
+  Site place;
+  place.place_mm = place_mm;
+  const MeantPress meant{.force_n = orders_.trainee.press_n, .hold_s = orders_.trainee.press_s};
+  double most_n = 0.0;
+  touch_.press(place, meant, [&](const trace::Sample& sample) {
+    session_.feel(sample, now());
+    const double force_n = sample.contact.force.dot(sample.contact.normal);
+    if (firmest == nullptr || force_n <= most_n) return;
+    most_n = force_n;
+    *firmest = sample.contact;
+  });
+}
+
+void LumpRun::describe(const FeltLump& lump) {
+  using lumps::LumpQuestion;
+  constexpr std::array kNoKind = {LumpQuestion::there, LumpQuestion::place, LumpQuestion::none};
+  for (LumpQuestion asked = session_.question(); std::ranges::find(kNoKind, asked) == kNoKind.end();
+       asked = session_.question()) {
+    const int truth = asked == LumpQuestion::size       ? lump.truth.size
+                      : asked == LumpQuestion::depth    ? lump.truth.depth
+                      : asked == LumpQuestion::hardness ? lump.truth.hardness
+                                                        : (lump.truth.mobile ? 1 : 0);
+    session_.answer(known(truth, asked == LumpQuestion::mobile ? 2 : lumps::kGrades, lump.clarity), now());
+    keepRows();
+  }
+}
+
+int LumpRun::known(int truth, int choices, double clarity) {
+  const bool knows = random_.uniform() < lumps::detectionOf(clarity, orders_.trainee);
+  const auto any = static_cast<int>(random_.below(static_cast<std::uint64_t>(choices)));
+  return knows ? truth : any;
+}
+
+void LumpRun::keepRows() {
+  std::vector<Row> kept = session_.takeRows();
+  if (orders_.keep && !kept.empty()) orders_.keep(std::move(kept));
+}
+
+}  // namespace palpate::training

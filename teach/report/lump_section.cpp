@@ -1,0 +1,222 @@
+// The part of a training report that sittings with lumps fill: what was found, by size, depth and hardness, what was
+// named in vain, and what was known of the lumps.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "palpate/base/language.h"
+#include "report/recording/report_html.h"
+#include "teach/report/training_report.h"
+
+namespace palpate::app {
+
+namespace {
+
+using training::LumpGroup;
+using training::LumpRate;
+using training::LumpSitting;
+using training::LumpStatistics;
+using training::SaidGrades;
+using Json = nlohmann::ordered_json;
+
+std::string percentOf(double share) { return fmt::format("{:.0f} %", WrittenNumber{100.0 * share}); }
+
+/// "12 of 18, 67 % (44 to 84 %)"
+std::string rateWords(const LumpRate& rate) {
+  if (rate.whole == 0) return "–";
+  const training::ShareInterval interval = rate.interval();
+  return trf("{} of {}, {} ({} to {})", rate.part, rate.whole, percentOf(rate.share()), percentOf(interval.low),
+             percentOf(interval.high));
+}
+
+std::string cueWords(const lumps::CueThreshold& threshold) {
+  if (!(threshold.median > 0.0)) return "–";
+  const auto number = [](double value) { return fmt::format("{:.2g}", WrittenNumber{value}); };
+  return trf("{} ({} to {})", number(threshold.median), number(threshold.low), number(threshold.high));
+}
+
+std::string primeWords(const LumpStatistics& statistics) {
+  if (!statistics.prime) return "–";
+  const auto number = [](double value) { return fmt::format("{:.1f}", WrittenNumber{value}); };
+  return trf("{} ({} to {})", number(statistics.prime->value), number(statistics.prime->low),
+             number(statistics.prime->high));
+}
+
+std::string groupName(const LumpGroup& group) {
+  const std::string kind =
+      group.kind == training::SessionKind::lump ? tr("Practice with lumps") : tr("Examination with lumps");
+  return trf("{} (protocol {} version {})", kind, group.protocol_id, group.protocol_version);
+}
+
+std::string verdictOf(const LumpSitting& sitting) {
+  if (sitting.block.verdict == training::Verdict::none) return sitting.block.finished ? "–" : tr("interrupted");
+  return sitting.block.verdict == training::Verdict::pass ? tr("pass") : tr("not yet");
+}
+
+std::string sittingsTable(const LumpGroup& group, bool of_class) {
+  std::vector<Cells> rows;
+  for (const LumpSitting& sitting : group.sittings) {
+    const LumpStatistics& said = sitting.statistics;
+    Cells row = {dayWords(sitting.start_ms), fmt::format("{}", said.counts.bodies), rateWords(said.found),
+                 fmt::format("{}", said.counts.false_places)};
+    if (of_class) row.insert(row.begin(), shortPseudonym(sitting.trainee));
+    if (group.kind == training::SessionKind::lump) {
+      row.insert(row.end(), {rateWords(said.known_with), rateWords(said.known_without), primeWords(said)});
+    }
+    row.insert(row.end(), {cueWords(said.counts.threshold), verdictOf(sitting)});
+    rows.push_back(std::move(row));
+  }
+  Cells head = {tr("day"), tr("bodies"), tr("lumps found (95 %)"), tr("named in vain")};
+  if (of_class) head.insert(head.begin(), tr("trainee"));
+  if (group.kind == training::SessionKind::lump) {
+    head.insert(head.end(), {tr("bodies with a lump known"), tr("bodies without known"), tr("d′ (95 %)")});
+  }
+  head.insert(head.end(), {tr("C of what is found every other time (95 %)"), tr("verdict")});
+  return tableOf("numbers", head, rows);
+}
+
+void addGrades(std::vector<Cells>& rows, const char* format, const lumps::Grades& grades,
+               const std::array<LumpRate, lumps::kGrades>& rates) {
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    if (rates[i].whole == 0) continue;
+    rows.push_back({fmt::format(fmt::runtime(tr(format)), grades[i]), rateWords(rates[i])});
+  }
+}
+
+std::string kindsTable(const LumpGroup& group) {
+  std::vector<Cells> rows;
+  addGrades(rows, toTranslate("{:g} mm large"), group.task.diameters_mm, group.all.by_size);
+  addGrades(rows, toTranslate("{:g} mm deep"), group.task.depths_mm, group.all.by_depth);
+  addGrades(rows, toTranslate("{:g} times as stiff"), group.task.ratios, group.all.by_hardness);
+  rows.push_back({tr("fixed"), rateWords(group.all.fixed)});
+  rows.push_back({tr("mobile"), rateWords(group.all.mobile)});
+  rows.push_back({tr("all"), rateWords(group.all.found)});
+  return tableOf("numbers", {tr("lumps"), tr("found (95 %)")}, rows);
+}
+
+void addSaid(std::vector<Cells>& rows, const char* format, const lumps::Grades& grades, const SaidGrades& said) {
+  for (std::size_t truth = 0; truth < said.size(); ++truth) {
+    Cells row = {fmt::format(fmt::runtime(tr(format)), grades[truth])};
+    for (const int count : said[truth]) row.push_back(fmt::format("{}", count));
+    rows.push_back(std::move(row));
+  }
+}
+
+std::string saidTable(const LumpGroup& group) {
+  std::vector<Cells> rows;
+  addSaid(rows, toTranslate("{:g} mm large"), group.task.diameters_mm, group.all.size);
+  addSaid(rows, toTranslate("{:g} mm deep"), group.task.depths_mm, group.all.depth);
+  addSaid(rows, toTranslate("{:g} times as stiff"), group.task.ratios, group.all.hardness);
+  return tableOf("numbers", {tr("lumps that were found"), tr("said: least"), tr("said: middle"), tr("said: most")},
+                 rows);
+}
+
+Json rateJson(const LumpRate& rate) {
+  const training::ShareInterval interval = rate.interval();
+  return {{"part", rate.part},
+          {"whole", rate.whole},
+          {"share", rate.share()},
+          {"low", interval.low},
+          {"high", interval.high}};
+}
+
+Json ratesJson(const std::array<LumpRate, lumps::kGrades>& rates) {
+  Json json = Json::array();
+  for (const LumpRate& rate : rates) json.push_back(rateJson(rate));
+  return json;
+}
+
+Json lumpStatisticsJson(const LumpStatistics& statistics) {
+  const lumps::LumpCounts& counts = statistics.counts;
+  Json json = {{"bodies", counts.bodies}, {"false_places", counts.false_places}};
+  json["found"] = rateJson(statistics.found);
+  json["known_with"] = rateJson(statistics.known_with);
+  json["known_without"] = rateJson(statistics.known_without);
+  json["d_prime"] = nullptr;
+  if (statistics.prime) {
+    json["d_prime"] = {
+        {"value", statistics.prime->value}, {"low", statistics.prime->low}, {"high", statistics.prime->high}};
+  }
+  json["cue"] = {{"median", counts.threshold.median}, {"low", counts.threshold.low}, {"high", counts.threshold.high}};
+  json["by_size"] = ratesJson(statistics.by_size);
+  json["by_depth"] = ratesJson(statistics.by_depth);
+  json["by_hardness"] = ratesJson(statistics.by_hardness);
+  json["fixed"] = rateJson(statistics.fixed);
+  json["mobile"] = rateJson(statistics.mobile);
+  json["said_size"] = statistics.size;
+  json["said_depth"] = statistics.depth;
+  json["said_hardness"] = statistics.hardness;
+  json["mobility_right"] = rateJson(statistics.mobility_right);
+  json["error_mm"] = {{"count", statistics.error_mm.count},
+                      {"median", statistics.error_mm.median},
+                      {"greatest", statistics.error_mm.greatest}};
+  return json;
+}
+
+}  // namespace
+
+std::string lumpSections(const TrainingReport& report) {
+  std::string html;
+  for (const LumpGroup& group : report.lumps) {
+    html += elementOf("h2", groupName(group)) + "\n" + sittingsTable(group, report.of_class) + kindsTable(group);
+    if (group.all.error_mm.count > 0) {
+      html += elementOf("p", trf("Places were named {:.1f} mm beside the lumps (median; the farthest {:.1f} mm).",
+                                 group.all.error_mm.median, group.all.error_mm.greatest)) +
+              "\n";
+    }
+    html += foldedHtml(tr("What was said of the lumps that were found"), saidTable(group));
+  }
+  if (!html.empty()) {
+    html += elementOf("p", tr("C says how plainly a lump is felt: the change of force and of the pattern of pressure "
+                              "over it, each over the smallest that people notice. d′ says how well bodies with a "
+                              "lump were told from those without: 0 is guessing.")) +
+            "\n";
+  }
+  return html;
+}
+
+std::vector<std::string> lumpSentences(const TrainingReport& report) {
+  std::vector<std::string> sentences;
+  for (const LumpGroup& group : report.lumps) {
+    const LumpStatistics& all = group.all;
+    std::string text = trf("{}: {} of {} lumps found, {} places named in vain in {} bodies.", groupName(group),
+                           all.counts.found, all.counts.lumps, all.counts.false_places, all.counts.bodies);
+    if (all.counts.without > 0) {
+      text += fmt::format(
+          " {}", trf("Of {} bodies without a lump {} were known.", all.counts.without, all.known_without.part));
+    }
+    const LumpSitting& last = group.sittings.back();
+    if (!report.of_class && last.block.verdict == training::Verdict::pass) {
+      text += fmt::format(" {}", trf("The last, of {}: passed.", dayWords(last.start_ms)));
+    } else if (!report.of_class && last.block.verdict == training::Verdict::not_yet) {
+      text += fmt::format(" {}", trf("The last, of {}: not yet.", dayWords(last.start_ms)));
+    }
+    sentences.push_back(std::move(text));
+  }
+  return sentences;
+}
+
+Json lumpGroupsJson(const TrainingReport& report) {
+  Json json = Json::array();
+  for (const LumpGroup& group : report.lumps) {
+    Json one = {{"kind", wordFor(group.kind)},
+                {"protocol", group.protocol_id},
+                {"protocol_version", group.protocol_version},
+                {"diameters_mm", group.task.diameters_mm},
+                {"depths_mm", group.task.depths_mm},
+                {"ratios", group.task.ratios},
+                {"all", lumpStatisticsJson(group.all)},
+                {"sittings", Json::array()}};
+    for (const LumpSitting& sitting : group.sittings) {
+      Json row = {{"block", sitting.block.id},          {"trainee", shortPseudonym(sitting.trainee)},
+                  {"start_ms", sitting.start_ms},       {"device", sitting.device},
+                  {"finished", sitting.block.finished}, {"verdict", wordFor(sitting.block.verdict)}};
+      row.update(lumpStatisticsJson(sitting.statistics));
+      one["sittings"].push_back(std::move(row));
+    }
+    json.push_back(std::move(one));
+  }
+  return json;
+}
+
+}  // namespace palpate::app

@@ -1,0 +1,162 @@
+#include "teach/window/lump_sitting.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "palpate/base/language.h"
+#include "palpate/scene/lumps_of_body.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+using lumps::LumpQuestion;
+using training::LumpScreen;
+
+/// A touch counts as pointing from this force in the hand on, N: what rests on the skin names nothing.
+constexpr double kPointsN = 0.1;
+
+TrainingButton buttonFor(TrainingAct act, std::string label, int value = 0) {
+  TrainingButton button;
+  button.act = act;
+  button.value = value;
+  button.label = std::move(label);
+  return button;
+}
+
+TrainingScreen cardFor(const training::LumpSession& session) {
+  TrainingScreen screen;
+  if (session.screen() == LumpScreen::instruction) {
+    screen.lines = {tr("A place is named by touching it: touch it last, then press Here.")};
+    screen.buttons = {buttonFor(TrainingAct::next, tr("Start")), buttonFor(TrainingAct::leave, tr("Leave"))};
+  } else {
+    screen.buttons = {buttonFor(TrainingAct::next, tr("Finish"))};
+  }
+  return screen;
+}
+
+}  // namespace
+
+LumpSitting::LumpSitting(training::Store& store, LiveServo& servo, const training::LumpSessionPlan& plan,
+                         const training::Moment& now)
+    : rows_(store, servo, plan.row.file), session_(plan, now) {}
+
+std::string LumpSitting::finish(std::string_view ended_by, const training::Moment& now) {
+  session_.leave(now);
+  const bool kept = keep();
+  const std::string words = rows_.finish(session_.plan().row.id, ended_by);
+  return kept ? words : trouble();
+}
+
+TrialWorld::Body LumpSitting::wanted() const {
+  const bool felt = session_.screen() == LumpScreen::trial || session_.screen() == LumpScreen::feedback;
+  if (!felt) return {};
+  return {.hidden = training::HiddenNow{.site = session_.bodyNumber(), .change = 0.0}, .trial = session_.bodyNumber()};
+}
+
+scene::Scene LumpSitting::sceneOf(const scene::Scene& base) const {
+  return training::lumpScene(base, session_.plan().bodies->task(), session_.hidden());
+}
+
+void LumpSitting::worldCame(const scene::World& world) {
+  feet_.clear();
+  for (const auto& lump : world.lumps) feet_.push_back(lump->lump.foot);
+  markPlaces();
+}
+
+void LumpSitting::feel(const trace::Sample& sample, const training::Moment& now) {
+  session_.feel(sample, now);
+  if (sample.contact.touch == contact::Touch::free || sample.device_force.norm() < kPointsN) return;
+  touched_ = sample.contact.proxy;
+  markPlaces();
+}
+
+void LumpSitting::namePlace(const training::Moment& now) {
+  if (!touched_ || !session_.answer(Vec2(touched_->head<2>()), now)) return;
+  named_.push_back(*touched_);
+  touched_.reset();
+}
+
+bool LumpSitting::deviceButton(const training::Moment& now) {
+  const bool points = session_.question() == LumpQuestion::place && touched_;
+  return act(points ? TrainingAct::answer : TrainingAct::next, 0, now);
+}
+
+bool LumpSitting::act(TrainingAct act, int value, const training::Moment& now) {
+  const int body = session_.bodyNumber();
+  switch (act) {
+    case TrainingAct::next:
+      if (session_.screen() == LumpScreen::finished) return true;
+      session_.next(now);
+      break;
+    case TrainingAct::choose:
+      session_.answer(value, now);
+      break;
+    case TrainingAct::answer:
+      namePlace(now);
+      break;
+    case TrainingAct::no:
+      session_.noMore(now);
+      break;
+    default:
+      break;
+  }
+  if (session_.bodyNumber() != body) {
+    touched_.reset();
+    named_.clear();
+    feet_.clear();
+  }
+  markPlaces();
+  return false;
+}
+
+/// The named ones, then what is touched or, in feedback, the lumps.
+void LumpSitting::markPlaces() {
+  places_ = named_;
+  if (!session_.shown().empty()) {
+    places_.insert(places_.end(), feet_.begin(), feet_.end());
+  } else if (touched_ && session_.question() == LumpQuestion::place) {
+    places_.push_back(*touched_);
+  }
+}
+
+TrainingScreen LumpSitting::screen(const std::string& corner, bool waiting) const {
+  const LumpScreen shown = session_.screen();
+  const bool on_body = shown == LumpScreen::trial || shown == LumpScreen::feedback;
+  TrainingScreen screen = on_body ? TrainingScreen() : cardFor(session_);
+  screen.corner = corner;
+  screen.title = session_.said().text;
+  screen.keys = tr("Enter presses the marked button, Tab marks the next, Esc leaves.");
+  if (!on_body) return screen;
+  screen.place = TrainingPlace::body;
+  if (waiting) screen.notice = tr("One moment ...");
+  screen.done = static_cast<double>(session_.bodyNumber() - 1) / session_.bodiesAtMost();
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    SiteMark mark{.number = static_cast<int>(i) + 1};
+    mark.is_true = shown == LumpScreen::feedback && i >= named_.size();
+    mark.is_own = shown == LumpScreen::feedback && i < named_.size();
+    mark.picked = shown == LumpScreen::trial && i >= named_.size();
+    mark.pressed = i < named_.size();
+    if (mark.is_true) mark.word = tr("feel it here");
+    if (mark.is_own) mark.word = tr("your answer");
+    screen.sites.push_back(std::move(mark));
+  }
+  if (shown == LumpScreen::feedback) {
+    screen.buttons = {buttonFor(TrainingAct::next, tr("Next"))};
+  } else if (session_.question() == LumpQuestion::place) {
+    screen.buttons = {buttonFor(TrainingAct::answer, tr("Here"))};
+    screen.buttons.back().enabled = touched_.has_value() && !waiting;
+    if (session_.isExam()) screen.buttons.push_back(buttonFor(TrainingAct::no, tr("No more lumps")));
+  } else {
+    int value = 0;
+    for (std::string& label : training::lumpChoices(session_.question())) {
+      screen.buttons.push_back(buttonFor(TrainingAct::choose, std::move(label), value++));
+      screen.buttons.back().enabled = !waiting;
+    }
+  }
+  screen.buttons.push_back(buttonFor(TrainingAct::leave, tr("Leave")));
+  return screen;
+}
+
+}  // namespace palpate::viewer

@@ -1,0 +1,59 @@
+// A sitting with lumps in the window: what its screen says, the place that was touched last, the body that is felt, and
+// its rows in the record.
+//
+//   samples ─► LumpSitting ─ screen, marks ─► TrainingMode ─► painting          act ─► LumpSession ─► rows
+//                   └─ wanted ─► the body of a trial
+//
+// A place is named by touching it: the finger's last press is what Here means, whoever holds the finger.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "palpate/training/session/lump_session.h"
+#include "teach/window/session_run.h"
+#include "teach/window/training_screen.h"
+
+namespace palpate::viewer {
+
+class LumpSitting {
+ public:
+  /// All must outlive it. Throws Error.
+  LumpSitting(training::Store& store, LiveServo& servo, const training::LumpSessionPlan& plan,
+              const training::Moment& now);
+
+  const training::LumpSession& session() const { return session_; }
+  bool keep() { return rows_.keep(session_.takeRows()); }
+  const std::string& trouble() const { return rows_.trouble(); }
+  std::string finish(std::string_view ended_by, const training::Moment& now);
+
+  /// The body that is to be felt now, and its scene around `base`.
+  TrialWorld::Body wanted() const;
+  scene::Scene sceneOf(const scene::Scene& base) const;
+  /// The world with what is hidden now is at work.
+  void worldCame(const scene::World& world);
+  void ready(const training::Moment& now) { session_.ready(now); }
+  void feel(const trace::Sample& sample, const training::Moment& now);
+  /// What a button or key asked for; true: the sitting is over and may be closed.
+  bool act(TrainingAct act, int value, const training::Moment& now);
+  /// The button of a device: names the place that is touched, else goes on.
+  bool deviceButton(const training::Moment& now);
+
+  TrainingScreen screen(const std::string& corner, bool waiting) const;
+  /// Points on the skin of the screen's marks, by their number from 1.
+  const std::vector<Vec3>& places() const { return places_; }
+
+ private:
+  void namePlace(const training::Moment& now);
+  void markPlaces();
+
+  KeptRows rows_;
+  training::LumpSession session_;
+  std::optional<Vec3> touched_;  ///< on the skin: of the newest press of this body
+  std::vector<Vec3> named_;      ///< of this body
+  std::vector<Vec3> feet_;       ///< of the body's lumps, on the skin
+  std::vector<Vec3> places_;
+};
+
+}  // namespace palpate::viewer
