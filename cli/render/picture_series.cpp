@@ -19,6 +19,7 @@ view::FingerMark markOf(const scene::World& world, const trace::Sample& sample) 
   mark.colour = colours[std::min<std::size_t>(sample.finger, std::size(colours) - 1)];
   mark.haptic_radius_mm = radius_mm;
   mark.left = sample.finger % 2 == 0;
+  mark.pad = view::padOf(world.scene, sample.finger);
   return mark;
 }
 

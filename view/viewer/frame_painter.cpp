@@ -65,9 +65,10 @@ void addReach(const ViewerState& viewer, std::vector<view::Lines>& lines) {
 
 /// None while the past is looked at: they are where the fingers are now.
 std::vector<view::Lines> rings(const FrameParts& frame) {
-  const ViewerState& viewer = frame.viewer;
+  ViewerState& viewer = frame.viewer;
   if (viewer.ruler.active) return rulerLines(viewer.ruler);
   if (viewer.editor.active) return dysfunctionRings(viewer, frame.pointer, frame.world);
+  if (viewer.lump_editor.active) return lumpRings(viewer, frame.pointer, frame.world);
   std::vector<view::Lines> marks;
   if (!viewer.replay.frozen) marks = fingerRings(viewer, frame.pointer);
   if (viewer.reading && viewer.vertex_panel_open && viewer.mark_vertex) {
@@ -153,7 +154,8 @@ std::vector<view::FingerMark> FramePainter::fingerMarks(const FrameParts& frame)
                      .haptic_radius_mm = radius,
                      .left = left,
                      .outline = i == viewer.active_finger ? 0.0 : kOutline,
-                     .lifted = peaks_[i].shown(viewer.now_s)});
+                     .lifted = peaks_[i].shown(viewer.now_s),
+                     .pad = view::padOf(viewer.scene, i)});
   }
   return marks;
 }

@@ -101,8 +101,7 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   const bool held = ImGui::IsAnyItemActive();
   const bool any = held || !events.empty() || asks.changed != kNothing || !asks.requests.empty();
   useChanges(elapsed_s);
-  if (!viewer_.opening && !modes_.claims().window)
-    viewer_.history.follow(viewer_, {held, viewer_.editor.before.has_value(), any});
+  if (!viewer_.opening && !modes_.claims().window) viewer_.history.follow(viewer_, {held, viewer_.editingNow(), any});
   tellTitle();
   pointServo();
   paintAndKeep(points);

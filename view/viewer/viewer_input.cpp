@@ -3,6 +3,7 @@
 #include "palpate/window/gui_passes.h"
 #include "view/viewer/editing/acts.h"
 #include "view/viewer/editing/dysfunction_editor.h"
+#include "view/viewer/editing/lump_editor.h"
 #include "view/viewer/panels/gui_layout.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/viewer.h"
@@ -63,7 +64,7 @@ void Viewer::handle(std::span<const window::InputEvent> events) {
     window::Situation situation;
     situation.over_gui = gui_.wantsMouse() || viewer_.question || dialogShown() || modes_.claims().touch;
     situation.gui_wants_text = typing;
-    situation.editing = viewer_.editor.active || viewer_.ruler.active;
+    situation.editing = viewer_.editing() || viewer_.ruler.active;
     situation.on_skin = event.kind == EventKind::button && pointer_.skinAt(event.at).has_value();
     commands.clear();
     input_.handle(event, situation, commands);
@@ -75,8 +76,10 @@ void Viewer::handle(const window::Command& command) {
   if (modes_.handle(command, viewer_)) return;
   countHint(command, viewer_.hint, viewer_.state.hints);
   if (command.kind == Kind::act) return actOn(command);
+  const bool of_lumps = viewer_.lump_editor.active;
+  const int selected = of_lumps ? viewer_.lump_editor.selected : viewer_.editor.selected;
   // With nothing selected the wheel has nothing to size, so it zooms.
-  if (command.kind == Kind::edit_size && (viewer_.ruler.active || viewer_.editor.selected < 0)) {
+  if (command.kind == Kind::edit_size && (viewer_.ruler.active || selected < 0)) {
     window::Command zoom = command;
     zoom.kind = Kind::zoom;
     pointer_.apply(zoom, viewer_);
@@ -90,7 +93,7 @@ void Viewer::handle(const window::Command& command) {
   const auto place = pointer_.skinAt(command.at);
   std::optional<Vec2> on_map;
   if (place) on_map = Vec2(place->point.x(), place->point.y());
-  applyEdit(command, on_map, viewer_.dysfunctions());
+  of_lumps ? applyEdit(command, on_map, viewer_.lumps()) : applyEdit(command, on_map, viewer_.dysfunctions());
 }
 
 void Viewer::actOn(const window::Command& command) {

@@ -37,8 +37,11 @@ enum class Overlay : std::uint8_t {
   arrows,    ///< displacement
   contact,   ///< friction anchor, proxy, tip, force
   normals,
-  section,  ///< cut through the contact, rest against deformed, as a curve in mm (Fig 4.7)
-  names,    ///< of the body's landmarks, as examiners say them (docs/reference/names.md)
+  section,   ///< cut through the contact, rest against deformed, as a curve in mm (Fig 4.7)
+  names,     ///< of the body's landmarks, as examiners say them (docs/reference/names.md)
+  pressure,  ///< under the fingertips, taxel by taxel, in kPa
+  lumps,     ///< at their places under the skin, which becomes translucent
+  cut,       ///< cut-away through a finger and the lump nearest to it: layers, bone, lump, pressed skin
 };
 
 /// `automatic`: the window draws hands where pictures then still come fast enough; everything else draws fingers.
@@ -136,12 +139,21 @@ struct WordsOf<ColourMap> {
 template <>
 struct WordsOf<scene::Overlay> {
   using V = scene::Overlay;
-  static constexpr std::array kAll = {Word{"wireframe", V::wireframe}, Word{"triangles", V::haptic_triangles},
-                                      Word{"leaves", V::leaf_boxes},   Word{"planes", V::planes},
-                                      Word{"box", V::detecting_box},   Word{"ellipses", V::ellipses},
-                                      Word{"rings", V::rings},         Word{"arrows", V::arrows},
-                                      Word{"contact", V::contact},     Word{"normals", V::normals},
-                                      Word{"section", V::section},     Word{"names", V::names}};
+  static constexpr std::array kAll = {Word{"wireframe", V::wireframe},
+                                      Word{"triangles", V::haptic_triangles},
+                                      Word{"leaves", V::leaf_boxes},
+                                      Word{"planes", V::planes},
+                                      Word{"box", V::detecting_box},
+                                      Word{"ellipses", V::ellipses},
+                                      Word{"rings", V::rings},
+                                      Word{"arrows", V::arrows},
+                                      Word{"contact", V::contact},
+                                      Word{"normals", V::normals},
+                                      Word{"section", V::section},
+                                      Word{"names", V::names},
+                                      Word{"pressure", V::pressure},
+                                      Word{"lumps", V::lumps},
+                                      Word{"cut", V::cut}};
 };
 
 template <>

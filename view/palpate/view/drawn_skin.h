@@ -26,6 +26,7 @@ class DrawnSkin {
   void setBreath(std::vector<float> shares) { breath_ = std::move(shares); }
   /// How far the breath has moved the body now.
   void lift(float lift_mm) { lift_mm_ = lift_mm; }
+  double liftMm() const { return lift_mm_; }
   Vec3 at(Index v) const {
     const Vec3 place = places_[v].cast<double>();
     return breath_.empty() ? place : Vec3(place + Vec3(0, 0, lift_mm_ * breath_[v]));

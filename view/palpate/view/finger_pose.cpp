@@ -93,6 +93,11 @@ void liftOut(FingerPose& pose, const std::vector<Corners>& triangles) {
 
 }  // namespace
 
+contact::PressurePad padOf(const scene::Scene& scene, std::size_t finger) {
+  if (finger >= scene.fingers.size() || scene.fingers[finger].pad == 0) return {};
+  return {scene.fingers[finger].pad, scene.fingers[finger].pad_mm};
+}
+
 FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger) {
   FingerPose pose;
   pose.radius_mm = finger.radius_mm;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "palpate/contact/finger_state.h"
+#include "palpate/contact/pressure_field.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::view {
@@ -33,6 +34,7 @@ struct FingerMark {
   bool left = true;                 ///< which hand, when hands are drawn
   double outline = 0.0;             ///< width of a light rim round it, points: the finger that was put and left there
   std::optional<Peak> lifted = {};  ///< its numbers for a moment after it was lifted
+  contact::PressurePad pad = {};    ///< of the overlay `pressure`
 };
 
 /// The drawn ball.
@@ -47,5 +49,8 @@ struct FingerPose {
 };
 
 FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger);
+
+/// The pad of a scene's finger; four taxels along a side where it has none.
+contact::PressurePad padOf(const scene::Scene& scene, std::size_t finger);
 
 }  // namespace palpate::view

@@ -25,12 +25,14 @@ inline constexpr auto kColouringNames = allWords<Colouring>();
 inline constexpr auto kOverlayNames = allWords<Overlay>();
 inline constexpr auto kFingerShapeNames = allWords<FingerShape>();
 inline constexpr std::size_t kOverlays = kOverlayNames.size();
-/// In menus and panels: what a touch does, and how the engine finds it. Names stand with the colours.
+/// In menus and panels: what a touch does, how the engine finds it, what lies under the skin. Names stand with the
+/// colours.
 inline constexpr std::array kTouchOverlays = {Overlay::contact, Overlay::section, Overlay::arrows, Overlay::ellipses};
 inline constexpr std::array kEngineOverlays = {Overlay::wireframe,        Overlay::normals,    Overlay::rings,
                                                Overlay::haptic_triangles, Overlay::leaf_boxes, Overlay::planes,
                                                Overlay::detecting_box};
-static_assert(kTouchOverlays.size() + kEngineOverlays.size() + 1 == kOverlays);
+inline constexpr std::array kLumpOverlays = {Overlay::pressure, Overlay::lumps, Overlay::cut};
+static_assert(kTouchOverlays.size() + kEngineOverlays.size() + kLumpOverlays.size() + 1 == kOverlays);
 
 /// Each field has a colour map of its own, so that two pictures cannot be mistaken for each other. Strain: blue is
 /// compression, red tension.
@@ -88,6 +90,7 @@ struct LabelSettings {
   bool orientation = true;                ///< the patient's left and right, and where the head is
   bool numbers = true;                    ///< depth and force beside each finger that touches
   bool section = true;                    ///< the cut through the contact, when the look shows it
+  bool beneath = true;                    ///< pressure, cut-away and the names of lumps, when the look shows them
   std::vector<std::string> finger_names;  ///< in the order of the fingers; empty = without names
 
   static LabelSettings none() {
@@ -97,6 +100,7 @@ struct LabelSettings {
             .orientation = false,
             .numbers = false,
             .section = false,
+            .beneath = false,
             .finger_names = {}};
   }
 };

@@ -61,6 +61,9 @@ constexpr KeyBinding kTable[] = {
     {A::show_normals, G::overlays, plain('N'), kNone, false, toTranslate("Normals"), toTranslate("Show the directions out of the skin.")},
     {A::show_section, G::overlays, plain('X'), kNone, false, toTranslate("Cross section"), toTranslate("Show a cut through the contact, in mm.")},
     {A::show_names, G::overlays, plain('I'), kNone, false, toTranslate("Names"), toTranslate("Show what the places of the body are called.")},
+    {A::show_pressure, G::overlays, shift('P'), kNone, false, toTranslate("Pressure"), toTranslate("Show the pressure under the fingertip, in kPa.")},
+    {A::show_lumps, G::overlays, shift('L'), kNone, false, toTranslate("Lumps"), toTranslate("Show the lumps under translucent skin.")},
+    {A::show_cut, G::overlays, shift('X'), kNone, false, toTranslate("Cut-away"), toTranslate("Show layers, bone and lump, cut open under the finger.")},
     {A::skin_opacity, G::overlays, plain('O'), kNone, false, toTranslate("Skin opacity"), toTranslate("Make the skin 100, 60, 30 and 0 % opaque in turn.")},
     {A::colour_strain, G::overlays, plain('S'), kNone, false, toTranslate("Strain"), toTranslate("Colour the skin by strain; again: off.")},
     {A::colour_stiffness, G::overlays, plain('M'), kNone, false, toTranslate("Stiffness"), toTranslate("Colour the skin by stiffness; again: off.")},
@@ -93,7 +96,7 @@ constexpr KeyBinding kTable[] = {
     {A::undo, G::file, ctrl('Z'), kNone, false, toTranslate("Undo"), toTranslate("Take back the last change, of whatever control.")},
     {A::redo, G::file, ctrlShift('Z'), kNone, false, toTranslate("Redo"), toTranslate("Do it again.")},
     {A::copy_scene, G::file, ctrl('C'), kNone, false, toTranslate("Copy as a scene"), toTranslate("Copy what is seen and felt now as the text of a scene file.")},
-    {A::delete_selected, G::file, plain(Key::delete_key), kNone, false, toTranslate("Delete"), toTranslate("Delete the selected dysfunction.")},
+    {A::delete_selected, G::file, plain(Key::delete_key), kNone, false, toTranslate("Delete"), toTranslate("Delete the selected dysfunction or lump.")},
     {A::cancel, G::file, plain(Key::escape), kNone, false, toTranslate("Cancel"), toTranslate("Leave the drag, tool or dialog; never quits.")},
     {A::quit, G::file, ctrl('Q'), kNone, false, toTranslate("Quit"), toTranslate("Close the window.")},
 };
@@ -131,7 +134,7 @@ std::string nameOf(Key k) {
   return {static_cast<char>(k)};
 }
 
-bool isOverlay(Action action) { return action >= Action::show_wireframe && action <= Action::show_names; }
+bool isOverlay(Action action) { return action >= Action::show_wireframe && action <= Action::show_cut; }
 
 }  // namespace
 

@@ -240,6 +240,18 @@ TEST_F(PanelPictures, OfDysfunctions) {
   expectPanel("dysfunctions", 235, [&] { dysfunctionPanel({.edit = {items, editor, asks}}); });
 }
 
+TEST_F(PanelPictures, OfLumps) {
+  std::vector<scene::LumpSettings> items(2);
+  items[0].name = "node";
+  items[0].at = "T9 right 30 mm";
+  items[1].name = "cyst";
+  items[1].x_mm = -45.0;
+  items[1].y_mm = -110.0;
+  items[1].stiffness_ratio = 0.4;
+  LumpEditor editor{.active = false, .selected = 0};
+  expectPanel("lumps", 345, [&] { lumpPanel({.edit = {items, editor, asks}}); });
+}
+
 TEST_F(PanelPictures, OfTheModel) {
   world.tissue = "half-Gaussian tissue, force F = k d";
   world.notes = {"no layers because of fidelity.E15 = \"literal\"", "2 holes of the skin were closed"};

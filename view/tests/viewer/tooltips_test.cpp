@@ -60,7 +60,7 @@ void expectWords(const Swept& swept, std::size_t controls, const std::string& wh
   EXPECT_TRUE(swept.silent.empty()) << where << ": nothing is said at " << testing::PrintToString(swept.silent);
 }
 
-constexpr std::array<const char*, 10> kSections = {"Touch", "Devices", "Tissue", "Dysfunctions", "Model",
+constexpr std::array<const char*, 11> kSections = {"Touch", "Devices", "Tissue", "Dysfunctions", "Lumps",      "Model",
                                                    "Show",  "Vertex",  "Stereo", "Record",       "Performance"};
 
 TEST(Tooltips, EveryControlOfEveryPanelExplainsItself) {
@@ -68,6 +68,8 @@ TEST(Tooltips, EveryControlOfEveryPanelExplainsItself) {
   for (const char* section : kSections) {
     Stage stage;
     stage.state().scene.dysfunctions.push_back({.x_mm = 10.0, .y_mm = 20.0, .radius_mm = 15.0, .change_percent = 60.0});
+    stage.state().scene.lumps.push_back({.name = "node"});
+    stage.state().lump_editor.selected = 0;
     stage.click("panel/Touch");  // it is open at first
     stage.click(std::string("panel/") + section);
     if (section == std::string("Show")) stage.click("show/engine");

@@ -9,6 +9,7 @@
 
 #include "palpate/base/language.h"
 #include "view/viewer/editing/dysfunction_editor.h"
+#include "view/viewer/editing/lump_editor.h"
 #include "view/viewer/state/replay.h"
 
 namespace palpate::viewer {
@@ -96,10 +97,21 @@ void nextStereoMode(ViewerState& viewer) {
   viewer.report(Severity::info, trf("Stereo: {}", tr(std::string(view::kStereoModeNames[next]).c_str())));
 }
 
+void leaveEditors(ViewerState& viewer) {
+  if (viewer.editor.active) stopEditing(viewer.dysfunctions());
+  if (viewer.lump_editor.active) stopEditing(viewer.lumps());
+}
+
+/// Of lumps while they are edited, or where one of them alone is selected.
+void deleteWhatIsSelected(ViewerState& viewer) {
+  const bool of_lumps = viewer.lump_editor.active || (!viewer.editor.active && viewer.editor.selected < 0);
+  of_lumps ? deleteSelected(viewer.lumps()) : deleteSelected(viewer.dysfunctions());
+}
+
 /// Anew, or an end of it; the editor wants the same button.
 void startMeasuring(ViewerState& viewer) {
   const bool on = !viewer.ruler.active;
-  if (on && viewer.editor.active) stopEditing(viewer.dysfunctions());
+  if (on) leaveEditors(viewer);
   viewer.ruler = {};
   viewer.ruler.active = on;
 }
@@ -122,8 +134,8 @@ void cancel(ViewerState& viewer) {
     shown.help = false;
   } else if (shown.messages) {
     shown.messages = false;
-  } else if (viewer.editor.active) {
-    stopEditing(viewer.dysfunctions());
+  } else if (viewer.editing()) {
+    leaveEditors(viewer);
   } else if (viewer.ruler.active) {
     viewer.ruler = {};
   } else if (viewer.building) {
@@ -175,7 +187,7 @@ void perform(Action action, ViewerState& viewer) {
       viewer.state.shown.save_dialog = true;
       return;
     case Action::delete_selected:
-      return deleteSelected(viewer.dysfunctions());
+      return deleteWhatIsSelected(viewer);
     case Action::cancel:
       return cancel(viewer);
     case Action::measure_person:  // no mode has taken it

@@ -90,6 +90,9 @@ std::vector<view::Lines> fingerRings(const ViewerState& viewer, const Pointer& p
 
 /// The rims of the dysfunctions, laid on the skin; the selected one bold. Where the pointer is on free skin, dashed:
 /// the one that a click would place.
-std::vector<view::Lines> dysfunctionRings(const ViewerState& viewer, const Pointer& pointer, const scene::World& world);
+std::vector<view::Lines> dysfunctionRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world);
+
+/// The same of lumps, as wide as they are.
+std::vector<view::Lines> lumpRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world);
 
 }  // namespace palpate::viewer

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "palpate/mesh/triangle_mesh.h"
 #include "view/viewer/editing/dysfunction_editor.h"
+#include "view/viewer/editing/lump_editor.h"
 
 namespace palpate::viewer {
 
@@ -17,7 +19,7 @@ constexpr int kRingPoints = 48;
 constexpr double kLiftMm = 0.5;
 constexpr double kPointRadiusMm = 2.0;  ///< of the ring of a finger without size
 constexpr view::Paint kDysfunctionPaint{240, 170, 60, 255};
-constexpr view::Paint kGhostPaint{240, 170, 60, 150};
+constexpr view::Paint kLumpRingPaint{170, 135, 255, 255};
 
 Vec2 onCircle(int i) {
   const double angle = 2.0 * std::numbers::pi * i / kRingPoints;
@@ -38,11 +40,11 @@ view::Lines ringOn(const SkinPlace& place, double radius, double width_px, view:
 }
 
 /// A circle of the map plane, laid on the back of the skin; gaps where there is no skin below.
-view::Lines ringOver(const scene::World& world, const maps::Dysfunction& item, double width_px, view::Paint paint,
-                     bool dashed) {
+view::Lines ringOver(const scene::World& world, const Vec2& centre, double radius_mm, double width_px,
+                     view::Paint paint, bool dashed) {
   const double top = mesh::boundingBox(world.body->skin).max().z() + 1.0;
   const auto at = [&](int i) {
-    const Vec2 rim = Vec2(item.x_mm, item.y_mm) + item.radius_mm * onCircle(i);
+    const Vec2 rim = centre + radius_mm * onCircle(i);
     return view::skinAlong(world.surface, {Vec3(rim.x(), rim.y(), top), -Vec3::UnitZ()});
   };
   view::Lines ring{width_px, {}};
@@ -53,6 +55,29 @@ view::Lines ringOver(const scene::World& world, const maps::Dysfunction& item, d
     if (from && to) ring.add(from->point + kLiftMm * from->normal, to->point + kLiftMm * to->normal, paint);
   }
   return ring;
+}
+
+double ringMm(const maps::Dysfunction& item) { return item.radius_mm; }
+double ringMm(const scene::LumpSettings& item) { return item.halfAxes().x(); }
+
+/// All items of an editor, and the one that a click would place.
+template <class Item>
+std::vector<view::Lines> ringsOf(const PlaceEdit<Item>& edit, const std::optional<SkinPlace>& under,
+                                 const scene::World& world, view::Paint paint) {
+  constexpr double kGhostShare = 0.6;  // of the paint's opacity
+  std::vector<view::Lines> rings;
+  for (std::size_t i = 0; i < edit.items.size(); ++i) {
+    const Item& item = edit.items[i];
+    const bool selected = edit.editor.selected == static_cast<int>(i);
+    rings.push_back(ringOver(world, {item.x_mm, item.y_mm}, ringMm(item), selected ? 3.0 : 1.6, paint, false));
+  }
+  if (!under) return rings;
+  const Vec2 place(under->point.x(), under->point.y());
+  if (itemAt(edit.items, place) < 0) {
+    const double ghost_mm = ringMm(EditRules<Item>::placed(edit.items));
+    rings.push_back(ringOver(world, place, ghost_mm, 1.6, view::faded(paint, kGhostShare), true));
+  }
+  return rings;
 }
 
 }  // namespace
@@ -69,23 +94,12 @@ std::vector<view::Lines> fingerRings(const ViewerState& viewer, const Pointer& p
   return rings;
 }
 
-std::vector<view::Lines> dysfunctionRings(const ViewerState& viewer, const Pointer& pointer,
-                                          const scene::World& world) {
-  std::vector<view::Lines> rings;
-  const auto& items = viewer.scene.dysfunctions;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const bool selected = viewer.editor.selected == static_cast<int>(i);
-    rings.push_back(ringOver(world, items[i], selected ? 3.0 : 1.6, kDysfunctionPaint, false));
-  }
-  const auto& place = pointer.placeOf(viewer.active_finger);
-  if (!place) return rings;
-  maps::Dysfunction ghost;
-  ghost.x_mm = place->point.x();
-  ghost.y_mm = place->point.y();
-  if (dysfunctionAt(items, {ghost.x_mm, ghost.y_mm}) < 0) {
-    rings.push_back(ringOver(world, ghost, 1.6, kGhostPaint, true));
-  }
-  return rings;
+std::vector<view::Lines> dysfunctionRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world) {
+  return ringsOf(viewer.dysfunctions(), pointer.placeOf(viewer.active_finger), world, kDysfunctionPaint);
+}
+
+std::vector<view::Lines> lumpRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world) {
+  return ringsOf(viewer.lumps(), pointer.placeOf(viewer.active_finger), world, kLumpRingPaint);
 }
 
 }  // namespace palpate::viewer

@@ -8,6 +8,8 @@
 
 #include "palpate/base/language.h"
 #include "view/viewer/editing/acts.h"
+#include "view/viewer/editing/dysfunction_editor.h"
+#include "view/viewer/editing/lump_editor.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/panels/hints.h"
 #include "view/viewer/panels/widgets.h"
@@ -36,6 +38,12 @@ constexpr PanelEntry kPanels[] = {
     {toTranslate("Dysfunctions"),
      [](ViewerState& s) {
        dysfunctionPanel({s.dysfunctions(), s.history.steps().undoWords(), s.history.steps().redoWords()});
+       if (s.editor.active && s.lump_editor.active) stopEditing(s.lumps());
+     }},
+    {toTranslate("Lumps"),
+     [](ViewerState& s) {
+       lumpPanel({s.lumps(), s.history.steps().undoWords(), s.history.steps().redoWords()});
+       if (s.lump_editor.active && s.editor.active) stopEditing(s.dysfunctions());
      }},
     {toTranslate("Model"),
      [](ViewerState& s) {
@@ -151,12 +159,12 @@ void drawAroundTheBody(ViewerState& viewer, float width, const FreeArea& free) {
   const Shown& shown = viewer.state.shown;
   if (shown.panel) sidePanel(viewer, width, free);
   if (shown.plots) plotStrips(plotsOf(viewer), free, viewer.asks);
-  if (viewer.editor.active) editingFrame(free);
+  if (viewer.editing()) editingFrame(free);
   if (viewer.ruler.active) rulerNotice(viewer.ruler, free);
   interventionNotice(interventionLines(viewer), free);
   if (viewer.replay.frozen) {
     replayBar(viewer.replay, free, viewer.asks);
-  } else if (viewer.state.hints && !viewer.editor.active && !viewer.ruler.active) {
+  } else if (viewer.state.hints && !viewer.editing() && !viewer.ruler.active) {
     hint(hintText(viewer.hint), free);
   }
 }

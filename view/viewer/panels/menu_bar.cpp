@@ -173,6 +173,8 @@ void showMenu(const Menus& menus) {
   ImGui::Separator();
   for (const view::Overlay overlay : view::kTouchOverlays) item(menus, window::actionFor(overlay));
   ImGui::Separator();
+  for (const view::Overlay overlay : view::kLumpOverlays) item(menus, window::actionFor(overlay));
+  ImGui::Separator();
   if (beginMenu("menu/Engine", "Engine")) {
     for (const view::Overlay overlay : view::kEngineOverlays) item(menus, window::actionFor(overlay));
     ImGui::EndMenu();

@@ -168,6 +168,7 @@ void showPanel(const ShowPanel& panel) {
   ImGui::Separator();
   overlayWidget(panel.look, view::Overlay::names);
   for (const view::Overlay overlay : view::kTouchOverlays) overlayWidget(panel.look, overlay);
+  for (const view::Overlay overlay : view::kLumpOverlays) overlayWidget(panel.look, overlay);
   const bool engine = ImGui::TreeNode(tr("Engine"));
   notePlace("show/engine");
   if (engine) {

@@ -67,6 +67,13 @@ struct DysfunctionPanel {
 };
 void dysfunctionPanel(const DysfunctionPanel& panel);
 
+struct LumpPanel {
+  LumpEdit edit;
+  std::string undo_words = {};  ///< the step that would be taken back; empty: none
+  std::string redo_words = {};
+};
+void lumpPanel(const LumpPanel& panel);
+
 struct ModelPanel {
   scene::Scene& scene;
   const WorldFacts& world;

@@ -152,9 +152,12 @@ void ChangeHistory::restore(SessionSnapshot to, ViewerState& viewer) {
   to.state.recent = std::move(state.recent);
   to.state.stereo.monitor_row = state.stereo.monitor_row;
   state = std::move(to.state);
-  Editor& editor = viewer.editor;
-  editor.before.reset();
-  editor.selected = std::min(editor.selected, static_cast<int>(viewer.scene.dysfunctions.size()) - 1);
+  const auto kept = [](auto& editor, std::size_t items) {
+    editor.before.reset();
+    editor.selected = std::min(editor.selected, static_cast<int>(items) - 1);
+  };
+  kept(viewer.editor, viewer.scene.dysfunctions.size());
+  kept(viewer.lump_editor, viewer.scene.lumps.size());
   // The file of the user's profile has one name, so its words are written back.
   ProfileEdit& profile = viewer.profile;
   if (!areSame(profile.drawn, to.drawn) && !to.drawn.empty() &&

@@ -1,5 +1,5 @@
-// What is known while dysfunctions are edited: which one is selected, and how they were before the gesture under way.
-// Plain data; the gestures are in dysfunction_editor.h.
+// What is known while things are edited on the body: which one is selected, and how they were before the gesture under
+// way. Plain data; the gestures are in place_editor.h.
 #pragma once
 
 #include <optional>
@@ -8,22 +8,29 @@
 
 #include "palpate/body/torso.h"
 #include "palpate/maps/stiffness_map.h"
+#include "palpate/scene/scene.h"
 #include "view/viewer/state/requests.h"
 
 namespace palpate::viewer {
 
-struct Editor {
+template <class Item>
+struct PlaceEditor {
   bool active = false;
-  int selected = -1;                                          ///< index of a dysfunction, or none
-  std::optional<std::vector<maps::Dysfunction>> before = {};  ///< while one is dragged
+  int selected = -1;                             ///< index of an item, or none
+  std::optional<std::vector<Item>> before = {};  ///< while one is dragged
 };
+using Editor = PlaceEditor<maps::Dysfunction>;
+using LumpEditor = PlaceEditor<scene::LumpSettings>;
 
-/// All that an edit touches: the scene's dysfunctions, the editor, and the way to say what changed.
-struct DysfunctionEdit {
-  std::vector<maps::Dysfunction>& items;
-  Editor& editor;
+/// All that an edit touches: items of the scene, their editor, and the way to say what changed.
+template <class Item>
+struct PlaceEdit {
+  std::vector<Item>& items;
+  PlaceEditor<Item>& editor;
   Asks& asks;
   std::span<const body::SkinLandmark> landmarks = {};  ///< of the body: places get words
 };
+using DysfunctionEdit = PlaceEdit<maps::Dysfunction>;
+using LumpEdit = PlaceEdit<scene::LumpSettings>;
 
 }  // namespace palpate::viewer

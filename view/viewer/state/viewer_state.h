@@ -36,7 +36,8 @@ struct ViewerState {
   view::Camera camera;
   std::size_t active_finger = 0;
   bool mark_vertex = true;  ///< by a cross, while the vertex's panel is open
-  Editor editor;
+  Editor editor;            ///< of dysfunctions
+  LumpEditor lump_editor;
   ChangeHistory history;
   ProfileEdit profile;
   Plots plots;
@@ -82,6 +83,11 @@ struct ViewerState {
   void ask(Question asked) { question = std::move(asked); }
   void report(Severity severity, const std::string& text) { messages.add(severity, text, now_s); }
   void plot(const trace::Sample& sample) { plots.fingers[sample.finger].add(sample, device_limit_n); }
+  /// Something is edited on the body: the left button places and moves.
+  bool editing() const { return editor.active || lump_editor.active; }
+  /// A gesture of it is under way.
+  bool editingNow() const { return editor.before.has_value() || lump_editor.before.has_value(); }
+  LumpEdit lumps() { return {scene.lumps, lump_editor, asks, world.landmarks}; }
   DysfunctionEdit dysfunctions() { return {scene.dysfunctions, editor, asks, world.landmarks}; }
 };
 

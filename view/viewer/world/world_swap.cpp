@@ -71,6 +71,7 @@ OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like) {
   scene.file.clear();
   // They belong to the body they were placed on.
   scene.dysfunctions.clear();
+  scene.lumps.clear();
   scene.fingers.clear();
   for (scene::DeviceSettings& device : scene.devices) device.origin_mm.reset();
   scene.view = {};  // how it is looked at stays (ViewerState::state)
@@ -104,6 +105,7 @@ void WorldSwap::open(const scene::Scene& scene, ViewerState& viewer) {
   viewer.document = {};
   viewer.opening = true;
   viewer.editor = {};
+  viewer.lump_editor = {};
   opening_.clear();
   wanted_ = 0;
   body_requested_ = true;
@@ -166,15 +168,17 @@ void WorldSwap::takeResult(ViewerState& viewer, engine::ServoThread& servo) {
     viewer.scene = result->world->scene;
     viewer.document = *opening_document_;
     viewer.editor = {};
+    viewer.lump_editor = {};
     tellRate(viewer);
   }
   adopt(viewer, *result, servo);
 }
 
 void WorldSwap::adopt(ViewerState& viewer, const engine::BuildResult& result, engine::ServoThread& servo) {
+  // A swelling over a lump is another body to the fingers, and the same one to the eye.
+  const bool other_body = result.request.body == nullptr || result.world->body != shown_->body;
   try {
-    engine::ServoPlan plan =
-        planFor(result.world, viewer.scene, result.request.body == nullptr, viewer.held, 1.0 / viewer.ticks_per_s);
+    engine::ServoPlan plan = planFor(result.world, viewer.scene, other_body, viewer.held, 1.0 / viewer.ticks_per_s);
     tellLimits(plan, viewer);
     servo.change(std::move(plan));
   } catch (const Error& error) {
@@ -187,8 +191,9 @@ void WorldSwap::adopt(ViewerState& viewer, const engine::BuildResult& result, en
 }
 
 engine::ServoPlan WorldSwap::planNow(ViewerState& viewer) const {
+  const bool other_body = coming_ && (other_body_ || coming_->body != shown_->body);
   engine::ServoPlan plan =
-      planFor(coming_ ? coming_ : shown_, viewer.scene, coming_ && other_body_, viewer.held, 1.0 / viewer.ticks_per_s);
+      planFor(coming_ ? coming_ : shown_, viewer.scene, other_body, viewer.held, 1.0 / viewer.ticks_per_s);
   tellLimits(plan, viewer);
   return plan;
 }

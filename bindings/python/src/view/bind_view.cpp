@@ -178,6 +178,7 @@ std::vector<view::FingerMark> marksFor(const scene::World& world, const std::vec
     mark.radius_mm = mark.haptic_radius_mm > 0.0 ? mark.haptic_radius_mm : kFingertipMm;
     mark.colour = colours[std::min(i, std::size(colours) - 1)];
     mark.left = i % 2 == 0;
+    mark.pad = view::padOf(world.scene, i);
     marks.push_back(mark);
   }
   return marks;

@@ -155,6 +155,12 @@ void Drawing::triangle(const Vec2f& a, const Vec2f& b, const Vec2f& c, const Ink
   impl_->list->AddTriangleFilled(at(a), at(b), at(c), packed(ink));
 }
 
+void Drawing::convex(std::span<const Vec2f> points, const Ink& ink) {
+  if (points.size() < 3) return;
+  impl_->list->AddConvexPolyFilled(reinterpret_cast<const ImVec2*>(points.data()), static_cast<int>(points.size()),
+                                   packed(ink));
+}
+
 void Drawing::disc(const Vec2f& middle, float radius, const Ink& ink) {
   impl_->list->AddCircleFilled(at(middle), radius, packed(ink));
 }

@@ -46,6 +46,8 @@ class Drawing {
   void box(const Vec2f& corner, const Vec2f& opposite, const Ink& ink, float rounding = 0.0f);
   void frame(const Vec2f& corner, const Vec2f& opposite, const Ink& ink, float rounding = 0.0f);
   void triangle(const Vec2f& a, const Vec2f& b, const Vec2f& c, const Ink& ink);
+  /// A convex outline, filled; its points go round it either way.
+  void convex(std::span<const Vec2f> points, const Ink& ink);
   void disc(const Vec2f& middle, float radius, const Ink& ink);
   void ring(const Vec2f& middle, float radius, const Ink& ink, float thickness = 1.0f);
   /// `place` is the upper left, upper middle or upper right of the line of text.

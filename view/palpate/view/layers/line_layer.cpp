@@ -148,11 +148,12 @@ void LineLayer::draw(const Lines& lines, const Viewpoint& viewpoint, double pixe
   end();
 }
 
-void LineLayer::draw(const Patches& patches, const Viewpoint& viewpoint) {
+void LineLayer::draw(const Patches& patches, const Viewpoint& viewpoint, PatchDepth depth) {
   if (patches.points.empty()) return;
   upload(patches.points);
   begin(patches_, viewpoint);
-  glDepthFunc(GL_LEQUAL);
+  glDepthFunc(depth == PatchDepth::seen_through ? GL_ALWAYS : GL_LEQUAL);
+  if (depth == PatchDepth::solid) glDepthMask(GL_TRUE);
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(patches.points.size()));
   end();
 }

@@ -13,12 +13,18 @@ namespace palpate::view {
 /// Lines that lie on the skin are drawn this share of their distance nearer to the eye: 1 mm at arm's length.
 inline constexpr float kNearerShare = 0.0015f;
 
+enum class PatchDepth : std::uint8_t {
+  laid_on,       ///< hidden by what lies before them, hiding nothing
+  seen_through,  ///< whatever lies before them
+  solid,         ///< as bodies: they hide each other and what is drawn later
+};
+
 class LineLayer {
  public:
   LineLayer();
   /// Skin and bones must have left their depth.
   void draw(const Lines& lines, const Viewpoint& viewpoint, double pixels_per_point);
-  void draw(const Patches& patches, const Viewpoint& viewpoint);
+  void draw(const Patches& patches, const Viewpoint& viewpoint, PatchDepth depth = PatchDepth::laid_on);
 
   /// Draws the edges in the bound vertex array (positions at locations 0 to 2) that `draw` issues, in one colour,
   /// without the hidden ones.

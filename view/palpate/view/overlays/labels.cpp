@@ -280,6 +280,41 @@ void drawCut(Drawing& page, const LabelScene& scene, const FingerMark* finger, f
   drawEnd(page, scene, onPlane(plane, curve.back().deformed), chart.ends.high, taken);
 }
 
+// ---- what lies under the skin
+
+/// The name of each lump on the side that is seen, over it.
+void drawLumpNames(Drawing& page, const LabelScene& scene, Taken& taken) {
+  const double screen_mm = (scene.eyes.screen.upper_left - scene.eyes.screen.lower_left).norm();
+  const auto points_per_mm = static_cast<float>(static_cast<double>(page.size().y()) / screen_mm);
+  for (const auto& placed : scene.world.lumps) {
+    const contact::Lump& lump = placed->lump;
+    if (!(lump.axis.dot(scene.eyes.middle - lump.foot) > 0.0)) continue;
+    const Vec2f at = placeOnPage(page, scene.eyes, lump.foot - lump.shape.centreMm() * lump.axis);
+    if (!at.allFinite()) continue;
+    const Vec2f size = page.measure(placed->name, TextSize::normal);
+    const float above = points_per_mm * static_cast<float>(lump.shape.half_axes_mm[0]) + size.y() + 3.0f;
+    writeLabel(page, at - Vec2f(0.0f, above), placed->name, inksFor(scene.look), Align::centre, TextSize::normal);
+    taken.push_back({at - Vec2f(0.5f * size.x(), above), at + Vec2f(0.5f * size.x(), above)});
+  }
+}
+
+/// Pads at the right, beside the figure of directions; the cut-away at the left, where the section would be. `left`
+/// then begins beside it.
+void drawBeneath(Drawing& page, const LabelScene& scene, const LabelSettings& settings, float& left, Taken& taken) {
+  constexpr float kFigure = 90.0f;  // of directions
+  const LabelInks& inks = inksFor(scene.look);
+  if (scene.look.shows(Overlay::lumps)) drawLumpNames(page, scene, taken);
+  const float right = page.size().x() - kMargin - (settings.orientation ? kFigure : 0.0f);
+  if (scene.cut != nullptr) {
+    const float width = std::round(std::clamp(0.34f * page.size().x(), 150.0f, 330.0f));
+    taken.push_back(drawCutAway(page, *scene.cut, {left, page.size().y() - kScaleBarHeight}, width, inks));
+    left = taken.back().opposite.x() + kMargin;
+  }
+  if (scene.pads.empty()) return;
+  const Vec2f corner(right, page.size().y() - kMargin);
+  for (const LabelBox& box : drawPads(page, scene.pads, corner, right - left, inks)) taken.push_back(box);
+}
+
 }  // namespace
 
 std::vector<std::string> fingerWords(const scene::World& world, const FingerMark& finger, const std::string& name) {
@@ -303,7 +338,8 @@ void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& set
   if (settings.legend) drawColours(page, scene, taken);
   drawTitle(page, settings.title, inks, taken);
   if (settings.legend) drawKey(page, scene, settings, taken);
-  const float left = drawLensFrame(page, scene, taken);
+  float left = drawLensFrame(page, scene, taken);
+  if (settings.beneath) drawBeneath(page, scene, settings, left, taken);
   drawCut(page, scene, chartedFinger(scene, settings), left, taken);
   if (scene.look.shows(Overlay::names)) drawNames(page, scene, taken);
   if (settings.numbers) drawFingers(page, scene, settings, taken);

@@ -11,7 +11,9 @@
 
 #include "palpate/view/layers/drawing.h"
 #include "palpate/view/overlays/body_names.h"
+#include "palpate/view/overlays/cut_away.h"
 #include "palpate/view/overlays/plates.h"
+#include "palpate/view/overlays/pressure_pad.h"
 #include "palpate/view/renderer.h"
 #include "palpate/view/stereo.h"
 
@@ -25,8 +27,10 @@ struct LabelScene {
   const Look& look;
   const Camera& camera;
   const Eyes& eyes;
-  std::span<const BodyName> names = {};  ///< of this body
-  std::optional<Vec3> eye = {};          ///< whose page this is; nothing: between the eyes
+  std::span<const BodyName> names = {};   ///< of this body
+  std::optional<Vec3> eye = {};           ///< whose page this is; nothing: between the eyes
+  std::span<const PadReading> pads = {};  ///< where the look shows them
+  const CutAway* cut = nullptr;           ///< likewise; may be null
 };
 
 /// What stands beside a finger, line by line: its name, the depth and the whole force of now, or the most of the press

@@ -7,6 +7,7 @@
 #include "palpate/scene/world.h"
 #include "palpate/view/drawn_skin.h"
 #include "palpate/view/lines.h"
+#include "palpate/view/overlays/section.h"
 
 namespace palpate::view {
 
@@ -30,6 +31,9 @@ inline constexpr Paint kForcePaint{60, 255, 120, 255};
 inline constexpr Paint kRestSectionPaint{240, 240, 240, 190};
 inline constexpr Paint kDeformedSectionPaint{255, 80, 160, 255};
 inline constexpr Paint kNamePaint{255, 214, 150, 255};
+inline constexpr Paint kPadPaint{229, 92, 48, 255};  ///< of the key: the middle of the pressure's colours
+inline constexpr Paint kLumpPaint{150, 110, 240, 255};
+inline constexpr Paint kCutPaint{90, 235, 255, 255};
 
 // ---- of a finger (contact_marks.cpp)
 
@@ -54,5 +58,9 @@ void addRings(const scene::World& world, const DrawnSkin& skin, Index triangle, 
 
 /// The cut through a finger's contact as far as its chart shows it: deformed, and at rest where the skin has moved.
 void addSection(const scene::World& world, const DrawnSkin& skin, const contact::FingerOutput& contact, Lines& lines);
+
+/// The deformed skin along a plane, up to so far to either side of its origin.
+void addCutLine(const scene::World& world, const DrawnSkin& skin, const SectionPlane& plane, double half_width_mm,
+                Paint paint, Lines& lines);
 
 }  // namespace palpate::view

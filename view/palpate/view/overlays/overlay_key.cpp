@@ -45,6 +45,9 @@ constexpr KeyRow kOverlayKeyRows[] = {
     {Overlay::section, Sign::line, kDeformedSectionPaint, toTranslate("section, deformed")},
     {Overlay::section, Sign::line, kRestSectionPaint, toTranslate("section, at rest")},
     {Overlay::names, Sign::cross, kNamePaint, toTranslate("place with a name")},
+    {Overlay::pressure, Sign::patch, kPadPaint, toTranslate("pressure under the fingertip")},
+    {Overlay::lumps, Sign::patch, kLumpPaint, toTranslate("lump under the skin")},
+    {Overlay::cut, Sign::line, kCutPaint, toTranslate("where the cut-away is")},
 };
 // clang-format on
 static_assert(kForceMmPerN == 10.0, "the words say so");

@@ -2,6 +2,8 @@
 // cost more than a picture may, are made when first shown and kept.
 #include "palpate/view/overlays/overlays.h"
 
+#include "palpate/view/overlays/cut_away.h"
+#include "palpate/view/overlays/lump_marks.h"
 #include "palpate/view/overlays/marks.h"
 #include "palpate/view/overlays/section.h"
 
@@ -17,6 +19,8 @@ void clear(OverlayShapes& shapes) {
   shapes.patches.points.clear();
   shapes.thin.points.clear();
   shapes.bold.points.clear();
+  shapes.seen_through.points.clear();
+  shapes.solid.points.clear();
 }
 
 }  // namespace
@@ -29,7 +33,23 @@ const OverlayShapes& Overlays::shapes(const Look& look, const DrawnSkin& skin, s
   for (const FingerMark& finger : fingers) addFinger(look, skin, finger.contact);
   const FingerMark* cut = look.shows(Overlay::section) ? sectionFinger(fingers) : nullptr;
   if (cut != nullptr) addSection(world_, skin, cut->contact, shapes_.bold);
+  addBeneath(look, skin, fingers);
   return shapes_;
+}
+
+void Overlays::addBeneath(const Look& look, const DrawnSkin& skin, std::span<const FingerMark> fingers) {
+  constexpr double kCutLineMm = 30.0;
+  if (look.shows(Overlay::lumps)) addLumps(world_, fingers, skin, shapes_.solid);
+  if (look.shows(Overlay::cut)) {
+    if (const auto plane = cutPlane(world_, fingers)) {
+      addCutLine(world_, skin, *plane, kCutLineMm, kCutPaint, shapes_.bold);
+    }
+  }
+  if (!look.shows(Overlay::pressure)) return;
+  if (!pads_) pads_.emplace(world_);
+  const std::vector<PadReading> pads = pads_->read(fingers, skin.liftMm());
+  const double top_kpa = padScaleTop(pads);
+  for (const PadReading& pad : pads) addPad(pad, top_kpa, world_, skin, shapes_.seen_through, shapes_.thin);
 }
 
 void Overlays::addPartition(const Look& look) {

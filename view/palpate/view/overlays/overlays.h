@@ -17,6 +17,7 @@
 #include "palpate/view/finger_pose.h"
 #include "palpate/view/lines.h"
 #include "palpate/view/look.h"
+#include "palpate/view/overlays/pressure_pad.h"
 
 namespace palpate::view {
 
@@ -82,6 +83,8 @@ struct OverlayShapes {
   Patches patches;
   Lines thin{1.3, {}};
   Lines bold{2.6, {}};
+  Patches seen_through;  ///< whatever lies before them
+  Patches solid;         ///< bodies under the skin
 };
 
 /// Keeps what does not change from picture to picture. The world must outlive it.
@@ -100,6 +103,7 @@ class Overlays {
   void addBody(const Look& look, const DrawnSkin& skin);
   void addPartition(const Look& look);
   void addFinger(const Look& look, const DrawnSkin& skin, const contact::FingerOutput& contact);
+  void addBeneath(const Look& look, const DrawnSkin& skin, std::span<const FingerMark> fingers);
   void addTouch(const Look& look, const DrawnSkin& skin, const contact::FingerOutput& contact);
   const ShownPartition& partition();
   const std::vector<Outline>& keyEllipses();
@@ -107,6 +111,7 @@ class Overlays {
   const scene::World& world_;
   std::optional<ShownPartition> partition_;           // made when first shown
   std::optional<std::vector<Outline>> key_ellipses_;  // made when first shown
+  std::optional<PadReader> pads_;                     // made when first shown
   OverlayShapes shapes_;
 };
 

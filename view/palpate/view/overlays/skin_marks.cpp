@@ -75,6 +75,12 @@ Vec3 liftedAt(const SectionPlane& plane, std::span<const SectionPoint> curve, st
   return onPlane(plane, curve[i].deformed + kLiftMm * outward);
 }
 
+void addLifted(const SectionPlane& plane, std::span<const SectionPoint> curve, Paint paint, Lines& lines) {
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    lines.add(liftedAt(plane, curve, i - 1), liftedAt(plane, curve, i), paint);
+  }
+}
+
 /// From where the skin was to where it is. Seen from behind or from before it is a ring with a cross in it, as an arrow
 /// of paper shows its feathers: a straight press points away from the eye.
 void addDisplacement(const Vec3& from, const Vec3& to, Lines& lines) {
@@ -139,9 +145,14 @@ void addSection(const scene::World& world, const DrawnSkin& skin, const contact:
     if (!moved(i - 1) && !moved(i)) continue;
     lines.add(onPlane(plane, curve[i - 1].rest), onPlane(plane, curve[i].rest), kRestSectionPaint);
   }
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    lines.add(liftedAt(plane, curve, i - 1), liftedAt(plane, curve, i), kDeformedSectionPaint);
-  }
+  addLifted(plane, curve, kDeformedSectionPaint, lines);
+}
+
+void addCutLine(const scene::World& world, const DrawnSkin& skin, const SectionPlane& plane, double half_width_mm,
+                Paint paint, Lines& lines) {
+  const auto curve = sectionCurve(
+      world, [&](Index v) { return skin.at(v); }, plane, half_width_mm);
+  addLifted(plane, curve, paint, lines);
 }
 
 }  // namespace palpate::view

@@ -30,6 +30,8 @@ struct Job {
   StereoSettings stereo;
   EyePicture picture;
   Eyes eyes;
+  std::vector<PadReading> pads = {};
+  std::optional<CutAway> cut = {};
 };
 
 /// A rectangle of the page, points.
@@ -71,6 +73,8 @@ struct Painter::Impl {
   Drawing page;
   std::optional<Target> smaller;  // where the body has fewer pixels than the picture
   std::optional<std::vector<BodyName>> names;
+  std::optional<PadReader> pads;  // made when first shown, as names are
+  std::optional<CutMaker> cutter;
 
   explicit Impl(std::shared_ptr<const scene::World> shown) : world(std::move(shown)), renderer(world) { measure(); }
 
@@ -86,9 +90,27 @@ struct Painter::Impl {
     return *names;
   }
 
-  std::string noteOn(const Look& look) {
-    const bool nameless = look.shows(Overlay::names) && namesFor(look).empty();
-    return nameless ? "this body has no named places" : "";
+  /// What the look shows of the tissue below the fingers.
+  void readBeneath(Job& job) {
+    const Look& look = job.settings.look;
+    if (!job.settings.labels.beneath) return;
+    if (look.shows(Overlay::pressure)) {
+      if (!pads) pads.emplace(*world);
+      job.pads = pads->read(job.frame.fingers, job.frame.lift_mm);
+    }
+    if (look.shows(Overlay::cut)) {
+      if (!cutter) cutter.emplace(*world);
+      const auto deformed = [&](Index v) { return Vec3(job.surface.positionAt(v).cast<double>()); };
+      job.cut = cutter->cut(job.frame.fingers, deformed);
+    }
+  }
+
+  std::vector<std::string> notesOn(const Look& look) {
+    std::vector<std::string> notes;
+    if (look.shows(Overlay::names) && namesFor(look).empty()) notes.emplace_back("this body has no named places");
+    if (look.shows(Overlay::lumps) && world->lumps.empty()) notes.emplace_back("this body has no lumps");
+    if (look.shows(Overlay::pressure) && pads && !pads->missing().empty()) notes.push_back(pads->missing());
+    return notes;
   }
 
   void preparePage(const Job& job, const Vec3& eye) {
@@ -97,7 +119,7 @@ struct Painter::Impl {
     eyes.screen = partOf(eyes.screen, labelledPart(job.picture, job.canvas), wholePage(job.picture, job.canvas));
     drawLabels(page,
                {*world, job.surface, job.frame, job.settings.look, job.settings.camera, eyes,
-                namesFor(job.settings.look), eye},
+                namesFor(job.settings.look), eye, job.pads, job.cut ? &*job.cut : nullptr},
                job.settings.labels);
     page.end();
   }
@@ -189,6 +211,8 @@ Renderer& Painter::renderer() { return impl_->renderer; }
 void Painter::setWorld(std::shared_ptr<const scene::World> world) {
   impl_->renderer.setWorld(world);
   impl_->names.reset();
+  impl_->pads.reset();
+  impl_->cutter.reset();
   impl_->world = std::move(world);
   impl_->measure();
 }
@@ -209,12 +233,14 @@ Painted Painter::paint(const Frame& frame, const deform::DeformedSurface& surfac
   const ComfortableStereo calm = comfortable(settings.camera, job.stereo, job.picture.aspect(), impl_->box);
   job.stereo = calm.settings;
   job.eyes = eyesOf(settings.camera, job.stereo, job.picture.aspect());
+  impl_->readBeneath(job);
   impl_->preparePage(job, job.eyes.middle);
   impl_->paintEyes(job);
   Painted painted{job.eyes, usable.mode, {}};
-  for (const std::string& note : {usable.note, calm.note, impl_->noteOn(settings.look)}) {
+  for (const std::string& note : {usable.note, calm.note}) {
     if (!note.empty()) painted.notes.push_back(note);
   }
+  for (std::string& note : impl_->notesOn(settings.look)) painted.notes.push_back(std::move(note));
   return painted;
 }
 

@@ -16,6 +16,7 @@
 #include "palpate/view/layers/skin_layer.h"
 #include "palpate/view/layers/skin_paint.h"
 #include "palpate/view/layers/support_layer.h"
+#include "palpate/view/overlays/lump_marks.h"
 #include "palpate/view/overlays/marks.h"
 #include "palpate/view/overlays/overlays.h"
 
@@ -69,6 +70,7 @@ struct Renderer::Impl {
   std::vector<FingerPose> poses;
   std::vector<HandPose> hands;  // of the poses, unless balls are drawn
   std::vector<ShadowCaster> casters;
+  const OverlayShapes* shown = nullptr;  // of the picture under way
 
   void setWorld(std::shared_ptr<const scene::World> next) {
     if (world && world->body == next->body) {
@@ -83,6 +85,14 @@ struct Renderer::Impl {
     overlays.emplace(*next);
     blanching = {};
     world = std::move(next);
+  }
+
+  /// Lumps are shown under skin that lets them through.
+  Look seenLook(Look look) const {
+    if (look.shows(Overlay::lumps) && !world->lumps.empty()) {
+      look.skin_opacity = std::min(look.skin_opacity, kSkinOverLumps);
+    }
+    return look;
   }
 
   void poseFingers(const Frame& frame, const Look& look) {
@@ -135,6 +145,7 @@ struct Renderer::Impl {
     const float support_opacity = support.opacityFor(look, viewpoint);
     if (support_opacity == 1.0f) support.draw(viewpoint, 1.0f);
     background.draw(look);
+    if (!opaque) lines.draw(shown->solid, viewpoint, PatchDepth::solid);
     if (!opaque) skin.draw(look, viewpoint, {casters, marks});
     if (support_opacity < 1.0f) support.draw(viewpoint, support_opacity);  // seen from below, over the body
     drawHands(look, viewpoint, FingerLayer::Part::fading);
@@ -146,10 +157,11 @@ struct Renderer::Impl {
       lines.drawEdges(viewpoint, kWireframePx * frame.pixels_per_point, kWireframePaint,
                       [&] { skin.buffers().drawEdges(); });
     }
-    const OverlayShapes& shapes = overlays->shapes(look, drawn, frame.fingers);
+    const OverlayShapes& shapes = *shown;
     lines.draw(shapes.patches, viewpoint);
     lines.draw(shapes.thin, viewpoint, frame.pixels_per_point);
     lines.draw(shapes.bold, viewpoint, frame.pixels_per_point);
+    lines.draw(shapes.seen_through, viewpoint, PatchDepth::seen_through);
     for (const Lines& marks : frame.marks) lines.draw(marks, viewpoint, frame.pixels_per_point);
   }
 };
@@ -184,18 +196,20 @@ void Renderer::setPartition(std::shared_ptr<const hdb::Partition> partition, con
 
 void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height,
                     const Frustum* lit_as) {
+  const Look seen = impl_->seenLook(look);
   Viewpoint viewpoint = viewpointOf(frustum, width, height);
   if (lit_as != nullptr) viewpoint.lights = lightsFor(*lit_as);
   viewpoint.lift_mm = static_cast<float>(frame.lift_mm);
   viewpoint.pixels_per_point = static_cast<float>(frame.pixels_per_point);
   impl_->drawn.lift(viewpoint.lift_mm);
-  impl_->poseFingers(frame, look);
+  impl_->poseFingers(frame, seen);
   const auto marks = impl_->blanching.at(frame.time_s, pressesOf(frame, impl_->world->breath));
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
   setWinding(frustum);
-  impl_->drawBody(look, viewpoint, marks);
-  impl_->drawOverlays(frame, look, viewpoint);
+  impl_->shown = &impl_->overlays->shapes(seen, impl_->drawn, frame.fingers);
+  impl_->drawBody(seen, viewpoint, marks);
+  impl_->drawOverlays(frame, seen, viewpoint);
   glBindVertexArray(0);
   glFrontFace(GL_CCW);
 }

@@ -1,0 +1,71 @@
+// Lumps, the pressure over them and the body cut open, against pictures that a person has looked at (image_compare.h).
+#include <gtest/gtest.h>
+
+#include "palpate/view/picture.h"
+#include "palpate/view/scene_view.h"
+#include "pictures/image_compare.h"
+#include "view/tests/view/lump_world.h"
+
+namespace palpate::view {
+namespace {
+
+constexpr PictureSize kLumpPictureSize{640, 400, 2};
+
+PictureSettings closeTo(const scene::World& world, double x_mm, double y_mm, std::initializer_list<Overlay> show) {
+  scene::ViewSettings view;
+  view.look_at_mm = backAt(world, x_mm, y_mm);
+  view.zoom = 4.0;
+  view.show = show;
+  view.finger = FingerShape::finger;
+  return pictureSettings(world, view, 1.6);
+}
+
+/// `finger`: null: nobody touches.
+void expectTaken(const std::string& name, const std::shared_ptr<const scene::World>& world, const FingerMark* finger,
+                 const PictureSettings& settings) {
+  const std::span<const FingerMark> fingers(finger, finger != nullptr ? 1 : 0);
+  Studio studio(world);
+  const TakenPicture taken = studio.take(deformedBy(*world, fingers), {fingers, 0.0}, settings, kLumpPictureSize);
+  EXPECT_TRUE(taken.notes.empty());
+  support::expectPicture(name, taken.image, taken.drawn_by);
+}
+
+TEST(LumpPictures, OfThePressureOverALumpOfFiveMillimetres) {
+  scene::LumpSettings small = lumpAt(kLumpX, kLumpY);
+  small.diameter_mm = 5.0;
+  const auto world = lumpyTorso({small});
+  FingerMark finger = fingertipAt(*world, kLumpX + 1.0, kLumpY, 5.0);
+  finger.pad.taxels = 8;
+  expectTaken("lump_pressure", world, &finger, closeTo(*world, kLumpX, kLumpY, {Overlay::pressure}));
+}
+
+TEST(LumpPictures, OfACutAwayThroughAMobileLump) {
+  scene::LumpSettings mobile = lumpAt(kLumpX, kLumpY);
+  mobile.mobility_mm_per_n = 20.0;
+  const auto world = lumpyTorso({mobile});
+  FingerMark finger = fingertipAt(*world, kLumpX - 6.0, kLumpY, 6.0);
+  finger.contact.lump = 0;
+  finger.contact.lump_moved_mm = Vec2(2.5, 0.0);
+  expectTaken("lump_cut", world, &finger,
+              closeTo(*world, kLumpX, kLumpY, {Overlay::cut, Overlay::pressure, Overlay::lumps}));
+}
+
+TEST(LumpPictures, OfLumpsUnderTranslucentSkin) {
+  scene::LumpSettings flat = lumpAt(-45.0, 40.0);
+  flat.name = "flat";
+  flat.half_axes_mm = Vec3(9.0, 9.0, 2.5);
+  const auto world = lumpyTorso({lumpAt(kLumpX, kLumpY), flat});
+  expectTaken("lump_bodies", world, nullptr, closeTo(*world, 0.0, 20.0, {Overlay::lumps}));
+}
+
+TEST(LumpPictures, OfASwellingAtRest) {
+  scene::LumpSettings swollen = lumpAt(kLumpX, kLumpY);
+  swollen.raise_mm = 5.0;
+  const auto world = lumpyTorso({swollen});
+  PictureSettings settings = closeTo(*world, kLumpX, kLumpY, {});
+  settings.camera.pitch_rad += 0.5;
+  expectTaken("lump_swelling", world, nullptr, settings);
+}
+
+}  // namespace
+}  // namespace palpate::view

@@ -1,0 +1,31 @@
+// Lumps as things that are edited on the body (place_editor.h).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "view/viewer/editing/place_editor.h"
+
+namespace palpate::viewer {
+
+template <>
+struct EditRules<scene::LumpSettings> {
+  using Items = std::vector<scene::LumpSettings>;
+  /// With a name that no other has.
+  static scene::LumpSettings placed(const Items& items);
+  /// At least a fingertip: small ones are to be grabbed too.
+  static double reachMm(const scene::LumpSettings& item);
+  /// The diameter, or all half axes, by a share a notch.
+  static void resize(scene::LumpSettings& item, double notches);
+  /// The stiffness, by a share a notch.
+  static void strengthen(scene::LumpSettings& item, double notches);
+  static std::string nameOf(const Items& items, int index);
+};
+
+// What scene files take (docs/reference/scene-files.md).
+inline constexpr double kMinLumpMm = 2.0;  ///< diameter
+inline constexpr double kMaxLumpMm = 40.0;
+inline constexpr double kMinLumpRatio = 0.2;
+inline constexpr double kMaxLumpRatio = 1000.0;
+
+}  // namespace palpate::viewer
