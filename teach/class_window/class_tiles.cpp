@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "palpate/base/language.h"
-#include "teach/class_window/tile_layout.h"
 
 namespace palpate::viewer {
 

@@ -196,11 +196,11 @@ TEST(VirtualHapticBack, IsOneWordOfTheCommandAnywhere) {
   EXPECT_EQ(report["tissue"], "gaussian");
   EXPECT_EQ(report["law"], "linear");
   EXPECT_EQ(report["body"]["skin_triangles"], 2962);
-  EXPECT_EQ(
-      support::runPalpate("simulate --preset vbh", folder.path()).err,
-      "palpate: --preset: 'vbh' is not one of vhb|trunk|dysfunctions|anatomy|thin|heavy|prone|sitting|two-fingers|"
-      "strain|oiled|relaxation|breathing|stereo|detecting-box|fine-mesh|vhb-literal; did you mean 'vhb'? (see "
-      "--help)\n");
+  EXPECT_EQ(support::runPalpate("simulate --preset vbh", folder.path()).err,
+            "palpate: --preset: 'vbh' is not one of "
+            "vhb|trunk|dysfunctions|lumps|anatomy|thin|heavy|prone|sitting|two-fingers|"
+            "strain|oiled|relaxation|breathing|stereo|detecting-box|fine-mesh|vhb-literal; did you mean 'vhb'? (see "
+            "--help)\n");
   EXPECT_EQ(support::runPalpate("simulate a.toml --preset vhb", folder.path()).err,
             "palpate: a.toml and --preset vhb: one scene at a time\n");
   EXPECT_NE(support::messageOf([] { scene::presetScene("back"); }).find("unknown preset 'back'"), std::string::npos);
