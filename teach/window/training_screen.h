@@ -81,7 +81,4 @@ struct TrainingScreen {
   std::string corner = {};                                                           ///< who is signed in
 };
 
-/// All words of the screen, whatever they are for.
-std::vector<std::string> wordsOf(const TrainingScreen& screen);
-
 }  // namespace palpate::viewer

@@ -111,6 +111,9 @@ struct TrainingView {
 
 TrainingScreen screenOf(const TrainingView& view);
 
+/// All words of the screen, whatever they are for.
+std::vector<std::string> wordsOf(const TrainingScreen& screen);
+
 /// Said while the body of the next trial is made.
 inline constexpr const char* kOneMoment = toTranslate("One moment ...");
 
