@@ -21,6 +21,7 @@
 #include "teach/commands/train_options.h"
 #include "teach/window/screen_tour.h"
 #include "teach/window/training_mode.h"
+#include "teach/window/training_words.h"
 #include "view/viewer/state/state_file.h"
 #include "view/viewer/viewer.h"
 
