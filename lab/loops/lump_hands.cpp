@@ -160,7 +160,8 @@ LoopPlan handsOver(contact::Lumps lumps, std::uint64_t number) {
 }
 
 std::vector<Goal> goalsOf(const device::HandModel& hand, std::size_t fingers, Random& random) {
-  const Vec2 side(random.uniform(2.0, 6.0), random.uniform(-3.0, 3.0));
+  const double aside = random.uniform(2.0, 6.0);
+  const Vec2 side(aside, random.uniform(-3.0, 3.0));
   double give = 1.0 + kSkinNPerMm / hand.stiffness_n_per_mm;
   if (hand.grip_n_per_mm > 0.0) give += kSkinNPerMm / hand.grip_n_per_mm;
   std::vector<Goal> goals;

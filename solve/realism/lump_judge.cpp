@@ -49,31 +49,34 @@ struct Rings {
 
 double areaOf(std::size_t ring) { return std::numbers::pi * (2.0 * static_cast<double>(ring) + 1.0); }
 
-Rings ringsOver(const tissue::LumpShape& lump, double skin_mm, const tissue::PressurePattern& pattern,
+Rings ringsOver(const tissue::LumpShape& lump, double skin_mm, const tissue::PressurePattern& without,
                 const LumpPress& press, double extra_n) {
   constexpr std::size_t kLooks = 40;  // per ring
+  const double widening = tissue::wideningOf(lump, skin_mm) * extra_n / press.force_without_n;
+  const tissue::PressurePattern pattern = tissue::overLumps(without, widening);
   const double width = tissue::bumpWidth(lump, skin_mm, press.depth_mm);
   const double base = tissue::bumpBase(pattern, 0.0, width);
   Rings rings;
-  std::vector<double> bump;
+  std::vector<double> widened, bump;
   double bump_mn = 0.0;
   for (std::size_t ring = 0; ring < press.pressure_kpa.size(); ++ring) {
-    double plain = 0.0;
-    double extra = 0.0;
+    double plain = 0.0, wide = 0.0, extra = 0.0;
     for (std::size_t i = 0; i < kLooks; ++i) {
       const double radius = static_cast<double>(ring) + (static_cast<double>(i) + 0.5) / kLooks;
       const double weight = 2.0 * std::numbers::pi * radius / kLooks / areaOf(ring);
       const double here = weight * tissue::pressureAt(pattern, press.force_without_n, radius);
-      plain += here;
+      plain += weight * tissue::pressureAt(without, press.force_without_n, radius);
+      wide += here;
       extra += here * (tissue::bumpAt(radius, width) - base);
     }
     rings.scaled.push_back(plain);
+    widened.push_back(wide);
     bump.push_back(extra);
     bump_mn += extra * areaOf(ring);
   }
   const double height = bump_mn != 0.0 ? kMnPerN * extra_n / bump_mn : 0.0;
   for (std::size_t ring = 0; ring < bump.size(); ++ring)
-    rings.with_bump.push_back(std::max(0.0, rings.scaled[ring] + height * bump[ring]));
+    rings.with_bump.push_back(std::max(0.0, widened[ring] + height * bump[ring]));
   for (std::vector<double>* pressures : {&rings.with_bump, &rings.scaled}) {
     double sum = 0.0;
     for (std::size_t ring = 0; ring < bump.size(); ++ring) sum += (*pressures)[ring] * areaOf(ring);

@@ -113,32 +113,51 @@ Vec2 footOf(const Lump& lump, const Vec2& moved_mm, const FingerOutput& felt, co
   return {from_tip.dot(plane.u), from_tip.dot(plane.v)};
 }
 
-/// The bumps of all lumps into the cells' forces. `extra_n`: what they add to the normal force together.
-PadSlopes addBumps(const Lumps& lumps, const FingerOutput& felt, const tissue::PressurePattern& pattern,
-                   const PadPlane& plane, double extra_n, PadCells& cells) {
-  constexpr double kUnfelt = 1e-5;  // of the force: a bump that nobody would find among the taxels
-  const double normal_n = felt.force.dot(felt.normal);
-  const LumpPress press{felt.tip, felt.normal, felt.depth_mm, 1.0};
+/// What each lump adds to the normal force.
+struct Pushes {
+  std::size_t count = 0;
   std::array<double, kMaxLumps> push;
   std::array<Vec2, kMaxLumps> moved;
+};
+
+/// `extra_n`: what they add together.
+void fillPushes(const Lumps& lumps, const FingerOutput& felt, double extra_n, Pushes& pushes) {
+  const LumpPress press{felt.tip, felt.normal, felt.depth_mm, 1.0};
   double all = 0.0;
-  const std::size_t count = std::min(lumps.all.size(), kMaxLumps);
-  for (std::size_t i = 0; i < count; ++i) {
-    moved[i] = i == felt.lump ? felt.lump_moved_mm : Vec2(Vec2::Zero());
-    push[i] = normalPush(lumps.all[i], moved[i], press);
-    all += push[i];
+  pushes.count = std::min(lumps.all.size(), kMaxLumps);
+  for (std::size_t i = 0; i < pushes.count; ++i) {
+    pushes.moved[i] = i == felt.lump ? felt.lump_moved_mm : Vec2(Vec2::Zero());
+    pushes.push[i] = normalPush(lumps.all[i], pushes.moved[i], press);
+    all += pushes.push[i];
   }
   // What relaxation and a hand-over of worlds left of it.
   const double left = all != 0.0 && extra_n / all > 0.0 ? std::min(extra_n / all, 10.0) : 1.0;
+  for (std::size_t i = 0; i < pushes.count; ++i) pushes.push[i] *= left;
+}
+
+/// For tissue::overLumps, where the lumps add to a force of `plain_n`.
+double wideningOf(const Lumps& lumps, const Pushes& pushes, double plain_n) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < pushes.count; ++i) {
+    if (pushes.push[i] != 0.0) sum += pushes.push[i] * tissue::wideningOf(lumps.all[i].shape, lumps.all[i].skin_mm);
+  }
+  return sum / plain_n;
+}
+
+/// The bumps of all lumps into the cells' forces, which add up to `plain_n` without them.
+PadSlopes addBumps(const Lumps& lumps, const Pushes& pushes, const FingerOutput& felt,
+                   const tissue::PressurePattern& pattern, const PadPlane& plane, double plain_n, PadCells& cells) {
+  constexpr double kUnfelt = 1e-5;  // of the force: a bump that nobody would find among the taxels
+  const double normal_n = felt.force.dot(felt.normal);
   const auto from = static_cast<std::ptrdiff_t>(cells.begin());
   std::fill(cells.bumps.begin() + from, cells.bumps.begin() + static_cast<std::ptrdiff_t>(cells.end()), 0.0);
   double level = 1.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!(std::abs(push[i]) > kUnfelt * normal_n)) continue;
+  for (std::size_t i = 0; i < pushes.count; ++i) {
+    if (!(std::abs(pushes.push[i]) > kUnfelt * normal_n)) continue;
     const Lump& lump = lumps.all[i];
-    Bump bump{.foot = footOf(lump, moved[i], felt, plane), .extra_n = left * push[i]};
+    Bump bump{.foot = footOf(lump, pushes.moved[i], felt, plane), .extra_n = pushes.push[i]};
     bump.width_mm = tissue::bumpWidth(lump.shape, lump.skin_mm, felt.depth_mm);
-    level += addBump(bump, pattern.contact_radius_mm, normal_n - extra_n, cells);
+    level += addBump(bump, pattern.contact_radius_mm, plain_n, cells);
   }
   return raiseForces(level, cells);
 }
@@ -197,15 +216,21 @@ PadSums pressureField(const PressureGround& ground, const Lumps* lumps, const Fi
   if (felt.touch == Touch::free || !(normal_n > 0.0)) return {};
   const double finger_mm = felt.finger_mm > 0.0 ? felt.finger_mm : tissue::kFingertipMm;
   const PadPlane plane = padPlane(felt.normal);
-  const tissue::PressurePattern pattern = ground.at(felt.tissue_mm, felt.depth_mm, finger_mm);
-  PadCells cells;
-  coverPad(pad, pattern, finger_mm, cells);
   const double extra_n = felt.lump_force.dot(felt.normal);
   const bool has_lumps = lumps != nullptr && !felt.lump_force.isZero(0.0) && normal_n > extra_n;
-  scaleTo(has_lumps ? normal_n - extra_n : normal_n, cells, cells.plain);
+  tissue::PressurePattern pattern = ground.at(felt.tissue_mm, felt.depth_mm, finger_mm);
+  const double plain_n = has_lumps ? normal_n - extra_n : normal_n;
+  Pushes pushes;
+  if (has_lumps) {
+    fillPushes(*lumps, felt, extra_n, pushes);
+    pattern = tissue::overLumps(pattern, wideningOf(*lumps, pushes, plain_n));
+  }
+  PadCells cells;
+  coverPad(pad, pattern, finger_mm, cells);
+  scaleTo(plain_n, cells, cells.plain);
   PadSums sums{normal_n, Vec2::Zero()};
   if (has_lumps) {
-    const PadSlopes raised = addBumps(*lumps, felt, pattern, plane, extra_n, cells);
+    const PadSlopes raised = addBumps(*lumps, pushes, felt, pattern, plane, plain_n, cells);
     sums = keepSums(raised, normal_n, {felt.lump_force.dot(plane.u), felt.lump_force.dot(plane.v)}, cells);
   }
   const Vec3 friction = felt.force - felt.lump_force;

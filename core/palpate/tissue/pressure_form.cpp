@@ -62,6 +62,29 @@ PressurePattern PressureForm::at(double depth_mm, double finger_mm) const noexce
   return pattern;
 }
 
+namespace {
+
+/// A ball needs no cube root, which would be a tenth of what a bump costs.
+double radiusOf(const LumpShape& lump) noexcept {
+  const auto& [across, other, into] = lump.half_axes_mm;
+  return across == other && across == into ? across : lump.radiusMm();
+}
+
+}  // namespace
+
+PressurePattern overLumps(PressurePattern pattern, double widening) noexcept {
+  constexpr double kWidening = 0.1;
+  constexpr double kMost = 0.3;
+  pattern.contact_radius_mm *= 1.0 + kWidening * std::clamp(widening, 0.0, kMost);
+  return pattern;
+}
+
+double wideningOf(const LumpShape& lump, double skin_mm) noexcept {
+  const double large = std::clamp((radiusOf(lump) - 5.0) / 3.0, 0.0, 1.0);
+  const double deep = std::clamp((lump.depth_mm - skin_mm - 1.0) / 3.0, 0.0, 1.0);
+  return large * deep;
+}
+
 double pressureAt(const PressurePattern& pattern, double force_n, double radius_mm) noexcept {
   const double share = radius_mm / pattern.contact_radius_mm;
   if (!(share < 1.0)) return 0.0;
@@ -71,10 +94,7 @@ double pressureAt(const PressurePattern& pattern, double force_n, double radius_
 }
 
 double bumpWidth(const LumpShape& lump, double skin_mm, double depth_mm) noexcept {
-  // A ball needs no cube root, which would be a tenth of what a bump costs.
-  const auto& [across, other, into] = lump.half_axes_mm;
-  const double radius_mm = across == other && across == into ? across : lump.radiusMm();
-  return std::max(0.8, 0.66 + 0.78 * radius_mm + 0.92 * (lump.depth_mm - skin_mm) - 0.12 * depth_mm);
+  return std::max(0.8, 0.66 + 0.78 * radiusOf(lump) + 0.92 * (lump.depth_mm - skin_mm) - 0.12 * depth_mm);
 }
 
 double bumpAt(double distance_mm, double width_mm) noexcept {

@@ -29,6 +29,14 @@ class PressureForm {
   double indenter_radius_mm_;
 };
 
+/// The pattern of a press over lumps: large ones that lie deep are a harder ground, which is touched a little farther
+/// out. `widening`: the sum over the lumps of what each adds to the force, as a share of the force without them, times
+/// wideningOf. Fitted.
+PressurePattern overLumps(PressurePattern pattern, double widening) noexcept;
+
+/// 0 for lumps to 10 mm and those right under the skin's layer, to 1 for large and deep ones.
+double wideningOf(const LumpShape& lump, double skin_mm) noexcept;
+
 /// kPa at a distance from the tip, of a pattern whose sum is `force_n`; 0 outside.
 double pressureAt(const PressurePattern& pattern, double force_n, double radius_mm) noexcept;
 

@@ -179,6 +179,20 @@ TEST(PressureField, IsNothingInTheAirAndNeverJumpsOnTheWayIn) {
   }
 }
 
+TEST(PressureField, ALargeDeepLumpIsTouchedALittleFartherOut) {
+  const tissue::PressurePattern plain{5.0, 0.1};
+  EXPECT_EQ(tissue::overLumps(plain, 0.0).contact_radius_mm, 5.0);
+  EXPECT_EQ(tissue::overLumps(plain, -0.5).contact_radius_mm, 5.0) << "softer ones";
+  EXPECT_NEAR(tissue::overLumps(plain, 0.2).contact_radius_mm, 5.1, 1e-12);
+  EXPECT_NEAR(tissue::overLumps(plain, 3.0).contact_radius_mm, 5.15, 1e-12);
+  EXPECT_EQ(tissue::overLumps(plain, 0.2).exponent, 0.1);
+  const tissue::LumpShape small{.half_axes_mm = {5.0, 5.0, 5.0}, .depth_mm = 8.0};
+  const tissue::LumpShape large{.half_axes_mm = {10.0, 10.0, 10.0}, .depth_mm = 8.0};
+  EXPECT_EQ(tissue::wideningOf(small, 2.0), 0.0);
+  EXPECT_EQ(tissue::wideningOf(large, 2.0), 1.0);
+  EXPECT_EQ(tissue::wideningOf(large, 7.0), 0.0) << "right under the skin";
+}
+
 TEST(PressureField, HasTheSameBitsOnEveryInstructionSet) {
   const Felt felt = pressed({47, 52}, 5.0, {test::inventedLump({50, 50, 0}), test::inventedLump({63, 45, 0})});
   for (const std::size_t taxels : {2u, 3u, 4u, 8u, 11u, 16u}) {

@@ -1,5 +1,9 @@
-// A lump on the axis of a press, solved: what it adds to the force. Whoever links this library has worlds solve the
-// lumps of scenes with `lumps = "solved"` (core/palpate/scene/lumps_of_body.h).
+// A lump on the axis of a press, solved: what it adds to the force.
+//
+//   shape, layers ─► press without the lump ─┐
+//                └─► press with the lump ────┴─► SolvedPush at 1, 2, 3 ... mm ─► the table of the lump in a world
+//
+// Whoever links this library has worlds solve the lumps of scenes with `lumps = "solved"` (scene/solved_lumps.h).
 #pragma once
 
 #include <vector>
@@ -14,8 +18,9 @@ namespace palpate::elements {
 /// the press is one of the tissue alone, on the mesh of the lump.
 PressSettings pressBeside(const tissue::LumpShape& lump, const tissue::LayerStack& stack);
 
-/// Presses with the lump and without it, on one mesh: some 10 s. Depths that the solver does not come to are missing.
-/// Throws Error as check(lump, stack) does, and where it comes to none.
+/// Presses with the lump and without it, on one mesh: some 4 s. Both meshes are the same, so that what differs is the
+/// lump and not the mesh. Depths that the solver does not come to are missing; it ends where soft skin would fold over
+/// a hard ball. Throws Error as check(lump, stack) does, and where it comes to none.
 std::vector<scene::SolvedPush> solveLump(const tissue::LumpShape& lump, const tissue::LayerStack& stack);
 
 }  // namespace palpate::elements
