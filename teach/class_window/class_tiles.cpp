@@ -45,6 +45,10 @@ std::string kindWords(training::SessionKind kind) {
       return tr("exam");
     case training::SessionKind::retention:
       return tr("retention");
+    case training::SessionKind::lump:
+      return tr("lumps");
+    case training::SessionKind::lump_exam:
+      return tr("examination with lumps");
     case training::SessionKind::free:
       break;
   }

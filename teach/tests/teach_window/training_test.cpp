@@ -913,6 +913,43 @@ TEST_F(TrainingWindow, ClosingItInABlockAsksFirst) {
   EXPECT_TRUE(stage.viewer->wantsToQuit());
 }
 
+TEST_F(TrainingWindow, AnExaminationWithLumpsHidesThemAndKeepsEveryAnswer) {
+  TrainingSeat stage(records, SessionKind::lump_exam, training::builtInLumpProtocol());
+  stage.comeIn();
+  ASSERT_NE(stage.training->lumpSession(), nullptr) << stage.words();
+  const training::LumpSession& session = *stage.training->lumpSession();
+  stage.key(Key::enter);  // Start
+  ASSERT_TRUE(stage.settled());
+  ASSERT_EQ(session.screen(), training::LumpScreen::trial);
+  EXPECT_EQ(stage.viewer->world().scene.lumps.size(), 3U) << "in the body";
+  EXPECT_TRUE(stage.training->screen().sites.empty()) << "and on no screen";
+  EXPECT_FALSE(stage.training->screen().buttons.front().enabled) << "nothing was touched yet: Here means nothing";
+  stage.key(Key::tab);
+  stage.key(Key::enter);  // No more lumps
+  ASSERT_TRUE(stage.settled());
+  EXPECT_EQ(session.bodyNumber(), 2);
+  ASSERT_EQ(keptTrials().size(), 1U) << "before the next screen, not at the end";
+  EXPECT_FALSE(keptTrials().front().lumps.empty());
+  stage.viewer->finish();
+}
+
+TEST_F(TrainingWindow, PracticeWithLumpsShowsInItsFeedbackWhereTheLumpLies) {
+  training::Protocol protocol = training::builtInLumpProtocol();
+  protocol.lump->empty_share = 0.0;
+  TrainingSeat stage(records, SessionKind::lump, protocol);
+  stage.comeIn();
+  ASSERT_NE(stage.training->lumpSession(), nullptr) << stage.words();
+  stage.key(Key::enter);
+  ASSERT_TRUE(stage.settled());
+  EXPECT_TRUE(stage.training->screen().sites.empty());
+  stage.key(Key::enter);  // no lump
+  ASSERT_EQ(stage.training->lumpSession()->screen(), training::LumpScreen::feedback) << stage.words();
+  ASSERT_EQ(stage.training->screen().sites.size(), 1U);
+  EXPECT_TRUE(stage.training->screen().sites.front().is_true);
+  EXPECT_NE(stage.words().find("There was one"), std::string::npos) << stage.words();
+  stage.viewer->finish();
+}
+
 TEST_F(TrainingWindow, NeedsABodyThatHasThePlacesOfItsProtocol) {
   training::Protocol protocol = training::builtInProtocol();
   protocol.sites = {"no such place", "T6"};
