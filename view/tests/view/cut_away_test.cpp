@@ -57,7 +57,7 @@ TEST(CutAway, HoldsTheFingerAndTheFootOfTheNearestLump) {
   scene::LumpSettings far = lumpAt(-40.0, 60.0);
   far.name = "far";
   const auto world = lumpyTorso({far, lumpAt(kLumpX, kLumpY)});
-  const FingerMark finger = fingertipAt(*world, kLumpX - 9.0, kLumpY + 9.0, 5.0);
+  const FingerMark finger = fingertipAt(*world, kLumpX - 9.0, kLumpY + 4.0, 5.0);
   const CutAway cut = cutOf(*world, finger);
   ASSERT_EQ(cut.nearest, 1u);
   EXPECT_EQ(cut.lumps[1].name, "hard");
@@ -76,7 +76,7 @@ TEST(CutAway, HasTheLayersOfThePlaceDownToTheBone) {
   ASSERT_EQ(cut.layers.size(), 3u);
   EXPECT_EQ(cut.layers[0].name, "skin");
   EXPECT_EQ(cut.layers[2].name, "muscle");
-  EXPECT_NEAR(cut.bone_mm, world->lumps[0]->thickness_mm, 0.5);
+  EXPECT_NEAR(cut.bone_mm, world->lumps[0]->thickness_mm, 1.5) << "the finger has slid a little";
   const auto middle = static_cast<std::size_t>(
       std::min_element(cut.skin.begin(), cut.skin.end(),
                        [](const Vec2& a, const Vec2& b) { return std::abs(a.x()) < std::abs(b.x()); }) -

@@ -60,10 +60,11 @@ TEST(LumpPictures, OfLumpsUnderTranslucentSkin) {
 
 TEST(LumpPictures, OfASwellingAtRest) {
   scene::LumpSettings swollen = lumpAt(kLumpX, kLumpY);
-  swollen.raise_mm = 5.0;
+  swollen.diameter_mm = 16.0;
+  swollen.raise_mm = 8.0;
   const auto world = lumpyTorso({swollen});
   PictureSettings settings = closeTo(*world, kLumpX, kLumpY, {});
-  settings.camera.pitch_rad += 0.5;
+  settings.camera.yaw_rad += 0.9;
   expectTaken("lump_swelling", world, nullptr, settings);
 }
 

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "palpate/scene/lumps_of_body.h"
 #include "stage.h"
 
 namespace palpate::viewer {

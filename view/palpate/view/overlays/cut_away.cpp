@@ -41,11 +41,9 @@ std::optional<std::size_t> nearestLump(const scene::World& world, const Vec3& pl
 SectionPlane planeThrough(const scene::World& world, const FingerMark& finger, std::optional<std::size_t> lump,
                           std::span<const FingerMark> fingers) {
   SectionPlane plane = sectionPlane(world, finger.contact);
-  if (!lump) return plane;
-  const Vec3 way = footOf(world, *lump, fingers) - plane.origin;
+  const Vec3 way = lump ? Vec3(footOf(world, *lump, fingers) - plane.origin) : Vec3(Vec3::Zero());
   const Vec3 in_skin = way - way.dot(plane.upward) * plane.upward;
-  if (in_skin.norm() < kUnderFingerMm) return plane;
-  plane.along = in_skin.normalized();
+  if (in_skin.norm() >= kUnderFingerMm) plane.along = in_skin.normalized();
   // What is at the right of the body, or towards its head, stays at the right of the picture.
   const bool sideways = std::abs(plane.along.x()) > std::abs(plane.along.y());
   if ((sideways ? plane.along.x() : plane.along.y()) < 0.0) plane.along = -plane.along;

@@ -24,6 +24,9 @@ namespace palpate::view {
 /// How far a cut reaches to either side of its finger, mm. A lump farther away than that is not in the picture.
 inline constexpr double kCutHalfWidthMm = 70.0;
 
+/// How far the line on the skin goes to either side.
+inline constexpr double kCutLineMm = 30.0;
+
 /// Width over height of what is shown.
 inline constexpr double kCutAspect = 1.5;
 

@@ -298,6 +298,19 @@ void drawLumpNames(Drawing& page, const LabelScene& scene, Taken& taken) {
   }
 }
 
+/// The letters of the chart's ends where the line on the skin ends.
+void drawCutEnds(Drawing& page, const LabelScene& scene, const CutAway& cut, Taken& taken) {
+  const SectionEnds ends = sectionEnds(cut.plane);
+  const auto at = [&](double along_mm) {
+    const auto nearest = std::min_element(cut.skin.begin(), cut.skin.end(), [&](const Vec2& a, const Vec2& b) {
+      return std::abs(a.x() - along_mm) < std::abs(b.x() - along_mm);
+    });
+    return onPlane(cut.plane, *nearest);
+  };
+  drawEnd(page, scene, at(-kCutLineMm), ends.low, taken);
+  drawEnd(page, scene, at(kCutLineMm), ends.high, taken);
+}
+
 /// Pads at the right, beside the figure of directions; the cut-away at the left, where the section would be. `left`
 /// then begins beside it.
 void drawBeneath(Drawing& page, const LabelScene& scene, const LabelSettings& settings, float& left, Taken& taken) {
@@ -309,6 +322,7 @@ void drawBeneath(Drawing& page, const LabelScene& scene, const LabelSettings& se
     const float width = std::round(std::clamp(0.34f * page.size().x(), 150.0f, 330.0f));
     taken.push_back(drawCutAway(page, *scene.cut, {left, page.size().y() - kScaleBarHeight}, width, inks));
     left = taken.back().opposite.x() + kMargin;
+    drawCutEnds(page, scene, *scene.cut, taken);
   }
   if (scene.pads.empty()) return;
   const Vec2f corner(right, page.size().y() - kMargin);

@@ -14,7 +14,7 @@
 namespace palpate::view {
 
 /// The most opaque that skin is drawn over lumps that are shown.
-inline constexpr double kSkinOverLumps = 0.55;
+inline constexpr double kSkinOverLumps = 0.4;
 
 /// How far a lump of the world is from its place, mm across and up: as the fingers say, else it is at its place.
 Vec2 movedOf(std::size_t lump, std::span<const FingerMark> fingers);

@@ -38,7 +38,6 @@ const OverlayShapes& Overlays::shapes(const Look& look, const DrawnSkin& skin, s
 }
 
 void Overlays::addBeneath(const Look& look, const DrawnSkin& skin, std::span<const FingerMark> fingers) {
-  constexpr double kCutLineMm = 30.0;
   if (look.shows(Overlay::lumps)) addLumps(world_, fingers, skin, shapes_.solid);
   if (look.shows(Overlay::cut)) {
     if (const auto plane = cutPlane(world_, fingers)) {
