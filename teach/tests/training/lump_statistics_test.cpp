@@ -12,8 +12,8 @@ TEST(LumpStatistics, DPrimeIsThatOfTheTables) {
   // (18 + 1/2) / 21 = 0.881 -> z 1.180; (2 + 1/2) / 11 = 0.2273 -> z -0.748: by a table of the normal distribution.
   const DPrime prime = dPrime({18, 20}, {2, 10});
   EXPECT_NEAR(prime.value, 1.928, 0.002);
-  // Variances p (1 - p) / (n phi(z)^2): 0.1288 and 0.1766, their sum's root 0.553, times 1.96 = 1.083.
-  EXPECT_NEAR(prime.high - prime.value, 1.083, 0.005);
+  // Variances p (1 - p) / (n phi(z)^2): 0.1262 and 0.1755, their sum's root 0.5493, times 1.96 = 1.0767.
+  EXPECT_NEAR(prime.high - prime.value, 1.0767, 0.001);
   EXPECT_NEAR(prime.value - prime.low, prime.high - prime.value, 1e-12);
   EXPECT_NEAR(dPrime({5, 10}, {5, 10}).value, 0.0, 1e-9) << "guessing";
   EXPECT_LT(dPrime({10, 10}, {0, 10}).value, 10.0) << "finite also where nothing went wrong";
