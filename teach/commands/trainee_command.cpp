@@ -79,9 +79,9 @@ std::string trialLine(const training::TrialRow& trial) {
 std::string lumpsWords(const SatThrough& sat) {
   const lumps::LumpCounts& counts = sat.lumps;
   std::string words =
-      fmt::format("; {} of {} lumps found, {} places named in vain", counts.found, counts.lumps, counts.false_places);
+      fmt::format("; {} of {} lumps found, {} false alarms", counts.found, counts.lumps, counts.false_places);
   if (counts.without > 0) {
-    words += fmt::format("; {} of {} bodies without known", counts.without - counts.said_without, counts.without);
+    words += fmt::format("; {} of {} bodies without recognised", counts.without - counts.said_without, counts.without);
   }
   if (counts.lumps > 0) {
     words += fmt::format("; half are found at C = {:.2g} ({:.2g} to {:.2g})", counts.threshold.median,

@@ -1,5 +1,5 @@
 // The part of a training report that sittings with lumps fill: what was found, by size, depth and hardness, what was
-// named in vain, and what was known of the lumps.
+// false alarms, and what was known of the lumps.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -66,12 +66,12 @@ std::string sittingsTable(const LumpGroup& group, bool of_class) {
     row.insert(row.end(), {cueWords(said.counts.threshold), verdictOf(sitting)});
     rows.push_back(std::move(row));
   }
-  Cells head = {tr("day"), tr("bodies"), tr("lumps found (95 %)"), tr("named in vain")};
+  Cells head = {tr("day"), tr("bodies"), tr("lumps found (95 %)"), tr("false alarms")};
   if (of_class) head.insert(head.begin(), tr("trainee"));
   if (group.kind == training::SessionKind::lump) {
-    head.insert(head.end(), {tr("bodies with a lump known"), tr("bodies without known"), tr("d′ (95 %)")});
+    head.insert(head.end(), {tr("bodies with a lump recognised"), tr("bodies without recognised"), tr("d′ (95 %)")});
   }
-  head.insert(head.end(), {tr("C of what is found every other time (95 %)"), tr("verdict")});
+  head.insert(head.end(), {tr("C of what is found half the time (95 %)"), tr("verdict")});
   return tableOf("numbers", head, rows);
 }
 
@@ -179,11 +179,11 @@ std::vector<std::string> lumpSentences(const TrainingReport& report) {
   std::vector<std::string> sentences;
   for (const LumpGroup& group : report.lumps) {
     const LumpStatistics& all = group.all;
-    std::string text = trf("{}: {} of {} lumps found, {} places named in vain in {} bodies.", groupName(group),
+    std::string text = trf("{}: {} of {} lumps found, {} false alarms in {} bodies.", groupName(group),
                            all.counts.found, all.counts.lumps, all.counts.false_places, all.counts.bodies);
     if (all.counts.without > 0) {
       text += fmt::format(
-          " {}", trf("Of {} bodies without a lump {} were known.", all.counts.without, all.known_without.part));
+          " {}", trf("Of {} bodies without a lump {} were recognised.", all.counts.without, all.known_without.part));
     }
     const LumpSitting& last = group.sittings.back();
     if (!report.of_class && last.block.verdict == training::Verdict::pass) {

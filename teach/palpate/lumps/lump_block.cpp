@@ -285,7 +285,7 @@ struct Sought {
   bool found;
 };
 
-/// On a grid: ln C of the threshold, normal around 0 (what the group of the observer finds every other time), and the
+/// On a grid: ln C of the threshold, normal around 0 (what the group of the observer finds half the time), and the
 /// spread among those that people show.
 CueThreshold cueThreshold(const std::vector<Sought>& sought) {
   constexpr int kPoints = 121;

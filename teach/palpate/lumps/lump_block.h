@@ -71,7 +71,7 @@ enum class LumpQuestion : std::uint8_t {
   none,      ///< the body is done
 };
 
-/// C that is found every other time, and the middle 95 % of what the answers leave open.
+/// C that is found half the time, and the middle 95 % of what the answers leave open.
 struct CueThreshold {
   double median = 0.0;
   double low = 0.0;

@@ -51,7 +51,7 @@ LumpCue cueOf(const contact::FingerOutput& felt, const contact::Lumps* lumps, co
 LumpCue cueOf(const contact::FingerOutput& with, const contact::FingerOutput& without, const contact::Lumps* lumps,
               const contact::PressureGround& ground, std::size_t taxels) noexcept;
 
-/// C >= 0; 1 is what is found every other time.
+/// C >= 0; 1 is what is found half the time.
 double clarityOf(const LumpCue& cue, const LumpObserver& observer) noexcept;
 
 /// P that somebody of the group finds what is so clear.

@@ -272,10 +272,10 @@ std::string lumpText(const lumps::LumpTask& task) {
       "diameters_mm = {}\ndepths_mm = {}  # of the tops under the skin\nratios = {}  # of stiffness, over the layer\n"
       "mobile_share = {}  # of lumps, the others are fixed\nmobility_mm_per_n = {}\n"
       "empty_share = {}  # of the bodies of practice\nbodies = {}  # of a sitting of practice\n"
-      "start_cue = {}  # C, how plain the first lump of practice is; 1 is found every other time\n"
+      "start_cue = {}  # C, how plain the first lump of practice is; 1 is found half the time\n"
       "pad_shown = {}  # the pressures under the finger, in practice\n"
       "mark_share = {}  # of the {} lumps of an examination, to pass\n"
-      "most_false = {}  # places named in vain, to pass\n",
+      "most_false = {}  # false alarms, to pass\n",
       gradesText(task.diameters_mm), gradesText(task.depths_mm), gradesText(task.ratios), number(task.mobile_share),
       number(task.mobility_mm_per_n), number(task.empty_share), task.bodies, number(task.start_cue),
       task.pad_shown ? "true" : "false", number(task.mark_share), lumps::kExamLumps, task.most_false);

@@ -60,11 +60,11 @@ std::vector<std::string> lumpChoices(LumpQuestion question) {
     case LumpQuestion::there:
       return {tr("no lump"), tr("a lump")};
     case LumpQuestion::size:
-      return {tr("small"), tr("of middle size"), tr("large")};
+      return {tr("small"), tr("medium-sized"), tr("large")};
     case LumpQuestion::depth:
-      return {tr("shallow"), tr("of middle depth"), tr("deep")};
+      return {tr("shallow"), tr("medium-deep"), tr("deep")};
     case LumpQuestion::hardness:
-      return {tr("soft"), tr("of middle hardness"), tr("hard")};
+      return {tr("soft"), tr("medium-hard"), tr("hard")};
     case LumpQuestion::mobile:
       return {tr("fixed"), tr("mobile")};
     case LumpQuestion::place:
@@ -88,14 +88,14 @@ std::string lumpFeedback(const lumps::LumpTrial& trial, const lumps::LumpTask& t
 std::string lumpSummary(const lumps::LumpCounts& counts, bool exam) {
   if (exam) {
     const std::string found =
-        trf("{} of {} lumps found, {} places named in vain.", counts.found, counts.lumps, counts.false_places);
+        trf("{} of {} lumps found, {} false alarms.", counts.found, counts.lumps, counts.false_places);
     return fmt::format("{} {}", found, counts.passed ? tr("Passed.") : tr("Not yet."));
   }
   const std::string found = trf("{} of {} lumps found.", counts.found, counts.lumps);
   if (counts.without == 0) return found;
   return fmt::format(
       "{} {}", found,
-      trf("{} of {} bodies without a lump known.", counts.without - counts.said_without, counts.without));
+      trf("{} of {} bodies without a lump recognised.", counts.without - counts.said_without, counts.without));
 }
 
 }  // namespace palpate::training
