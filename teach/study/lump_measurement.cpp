@@ -173,7 +173,7 @@ LumpObserver fittedObserver(const FeltSet& set, double large_percent, double sma
 enum class LumpPart : std::uint64_t { later = 1, jama_1985, detection = 10, sizes = 20 };
 
 std::uint64_t seedOf(const LumpPlan& plan, LumpPart part, std::size_t person) {
-  constexpr std::uint64_t kApart = 7000;  // from the cells of the other study of this house
+  constexpr std::uint64_t kApart = 7000;  // a number of its own, which the quoted figures come from
   return runSeed(plan.seed, kApart + static_cast<std::uint64_t>(part), person);
 }
 
