@@ -16,6 +16,7 @@
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "palpate/engine/recorded_pressure.h"
 #include "palpate/engine/recording_bundle.h"
 #include "palpate/engine/recording_settings.h"
 #include "palpate/trace/forces_csv.h"
@@ -36,17 +37,39 @@ struct ExportArguments {
   std::filesystem::path attachments;
   std::filesystem::path folder;
   std::optional<double> at_s;
+  std::optional<std::size_t> taxels;
+  std::optional<double> pad_mm;
   bool raw = false;
   TimeSpan span;
 };
 
-std::uint64_t writeCsv(trace::RecordingReader& recording, const ExportArguments& arguments, const Progress& progress) {
+/// What its patterns are made of is felt again; what that was not quite, the user is told.
+std::optional<engine::RecordedPressure> pressureOf(trace::RecordingReader& recording, const ExportArguments& arguments,
+                                                   const Progress& progress, std::string& text) {
+  if (!arguments.taxels) return std::nullopt;
+  const engine::CarriedFiles carried(recording);
+  engine::ReplaySettings settings;
+  settings.span = ticksOf(arguments.span, recording.facts().header.ticks_per_s);
+  settings.folder = arguments.folder.empty() ? carried.folder() : arguments.folder;
+  const contact::PressurePad pad{*arguments.taxels, arguments.pad_mm.value_or(contact::PressurePad().size_mm)};
+  auto pressure = engine::recordedPressure(recording, settings, pad, progress);
+  for (const std::string& note : pressure.replay.notes) text += "  note: " + note + "\n";
+  for (const std::string& gap : pressure.replay.gaps) text += "  note: " + gap + "\n";
+  if (pressure.replay.different > 0) {
+    text += fmt::format("  note: the pressures are of forces that differ from the recorded ones in {} of {} samples\n",
+                        pressure.replay.different, pressure.replay.ticks);
+  }
+  return pressure;
+}
+
+std::uint64_t writeCsv(trace::RecordingReader& recording, const ExportArguments& arguments,
+                       const engine::RecordedPressure* pressure, const Progress& progress) {
   const trace::RecordingFacts& facts = recording.facts();
   trace::ForcesCsvSettings settings;
   for (const trace::RecordingFinger& finger : facts.fingers)
     settings.finger_names.push_back(csvTextCell(finger.name, arguments.raw ? CsvText::raw : CsvText::safe));
   settings.ticks_per_s = facts.header.ticks_per_s;
-  trace::ForcesCsvWriter table(arguments.csv, settings);
+  trace::ForcesCsvWriter table(arguments.csv, settings, OutputFile::Unfinished::remove, pressureColumns(pressure));
   std::uint64_t rows = 0;
   recording.forEachTick(ticksOf(arguments.span, settings.ticks_per_s), [&](std::span<const trace::Sample> samples) {
     for (const trace::Sample& sample : samples) table.add(sample);
@@ -112,17 +135,24 @@ void runExport(const ExportArguments& arguments) {
   requireSomething(arguments);
   if (arguments.raw && arguments.csv.empty()) throw Error("export: --raw is for --csv FILE");
   if (arguments.at_s && arguments.ply.empty()) throw Error("export: --at says the moment of --ply FILE");
+  if (arguments.taxels && arguments.npz.empty() && arguments.csv.empty()) {
+    throw Error("export: --pressure is for --npz FILE and --csv FILE");
+  }
+  if (arguments.pad_mm && !arguments.taxels) throw Error("export: --pad-mm is the size of a --pressure pad");
   const FinishesInOrder in_order;  // files that the recording carries lie in a folder that must go again
   const trace::ReadingWatch watch(endIfAsked);
   ProgressLine progress;
   trace::RecordingReader recording(arguments.file);
   std::string text;
+  const auto felt = pressureOf(recording, arguments, progress.callback(), text);
+  const engine::RecordedPressure* const pressure = felt ? &*felt : nullptr;
   if (!arguments.csv.empty()) {
-    text += fmt::format("{} rows -> {}\n", writeCsv(recording, arguments, progress.callback()), arguments.csv.string());
+    text += fmt::format("{} rows -> {}\n", writeCsv(recording, arguments, pressure, progress.callback()),
+                        arguments.csv.string());
   }
   if (!arguments.npz.empty()) {
     const trace::TickSpan span = ticksOf(arguments.span, recording.facts().header.ticks_per_s);
-    text += fmt::format("{} rows -> {}\n", writeNpz(recording, span, arguments.npz, progress.callback()),
+    text += fmt::format("{} rows -> {}\n", writeNpz(recording, span, arguments.npz, pressure, progress.callback()),
                         arguments.npz.string());
   }
   if (!arguments.ply.empty()) text += writePly(recording, arguments, progress.callback());
@@ -157,6 +187,11 @@ void addExportCommand(CLI::App& recording) {
   command.add_option("--json", a.json, "Everything but the ticks: header, fingers, worlds, events");
   command.add_option("--scene", a.scene, "The scene that it began with (TOML)");
   command.add_option("--npz", a.npz, "Every column of every tick as arrays for NumPy: numpy.load(FILE)['index.tick']");
+  addNumber(
+      command, "--pressure", a.taxels, between(contact::kMinTaxels, contact::kMaxTaxels),
+      "Taxels along a side of a pad on each fingertip: its pressures, kPa, go into --npz ('index.pressure_kpa') and "
+      "--csv (such a table cannot be played back)");
+  addNumber(command, "--pad-mm", a.pad_mm, between(1.0, 100.0, "mm"), "A side of that pad (default: 16)");
   command.add_option("--ply", a.ply, "The deformed skin at a moment, with displacement and strain");
   addNumber(command, "--at", a.at_s, between(0.0, 1e9, "s"),
             "Moment of --ply (default: where the fingers press deepest)");

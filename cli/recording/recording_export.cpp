@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,6 +45,8 @@ class NpzFile {
 
   /// `type` as NumPy has it, "<f8"; `bytes` are those of `count` numbers, little-endian. Throws Error.
   void add(const std::string& name, std::string_view type, std::uint64_t count, std::string_view bytes);
+  /// `count` squares of `side` x `side` floats.
+  void addSquares(const std::string& name, std::uint64_t count, std::size_t side, std::span<const float> values);
   /// A single number.
   void add(const std::string& name, double number);
   /// The last call: gives the file its name.
@@ -96,6 +101,13 @@ void NpzFile::fail() const {
 
 void NpzFile::add(const std::string& name, std::string_view type, std::uint64_t count, std::string_view bytes) {
   add(name, headOf(type, fmt::format("({},)", count)), bytes, bytes.size() > kLarge);
+}
+
+void NpzFile::addSquares(const std::string& name, std::uint64_t count, std::size_t side,
+                         std::span<const float> values) {
+  static_assert(std::endian::native == std::endian::little);
+  const std::string_view bytes(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+  add(name, headOf("<f4", fmt::format("({}, {}, {})", count, side, side)), bytes, bytes.size() > kLarge);
 }
 
 void NpzFile::add(const std::string& name, double number) {
@@ -196,17 +208,38 @@ std::uint64_t tickAt(double time_s, const trace::RecordingFacts& facts) {
 }  // namespace
 
 std::uint64_t writeNpz(trace::RecordingReader& recording, const trace::TickSpan& span,
-                       const std::filesystem::path& file, const Progress& progress) {
+                       const std::filesystem::path& file, const engine::RecordedPressure* pressure,
+                       const Progress& progress) {
   const std::vector<std::string> names = plainNames(recording.facts());
   NpzFile npz(file);
   npz.add("ticks_per_s", recording.facts().header.ticks_per_s);
   std::uint64_t rows = 0;
   for (std::uint32_t i = 0; i < names.size(); ++i) {
     report(progress, "writing the arrays", static_cast<double>(i) / static_cast<double>(names.size()));
-    rows += addFinger(recording, span, i, names[i], npz);
+    const std::uint64_t ticks = addFinger(recording, span, i, names[i], npz);
+    rows += ticks;
+    if (pressure != nullptr) npz.addSquares(names[i] + ".pressure_kpa", ticks, pressure->taxels, pressure->kpa.at(i));
   }
   npz.commit();
   return rows;
+}
+
+trace::MoreColumns pressureColumns(const engine::RecordedPressure* pressure) {
+  if (pressure == nullptr) return {};
+  trace::MoreColumns more;
+  for (std::size_t row = 1; row <= pressure->taxels; ++row) {
+    for (std::size_t column = 1; column <= pressure->taxels; ++column) {
+      more.header += fmt::format(",pressure_{}_{}_kpa", row, column);
+    }
+  }
+  std::vector<std::size_t> next(pressure->kpa.size(), 0);  // of each finger's taxels
+  more.append = [pressure, next](const trace::Sample& sample, std::string& text) mutable {
+    const std::vector<float>& of_finger = pressure->kpa.at(sample.finger);
+    for (std::size_t taxel = 0; taxel < pressure->taxels * pressure->taxels; ++taxel) {
+      fmt::format_to(std::back_inserter(text), ",{}", of_finger.at(next[sample.finger]++));
+    }
+  };
+  return more;
 }
 
 std::uint64_t writeAttachments(trace::RecordingReader& recording, const trace::TickSpan& span,

@@ -10,15 +10,23 @@
 #include <vector>
 
 #include "palpate/base/progress.h"
+#include "palpate/engine/recorded_pressure.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
+#include "palpate/trace/forces_csv.h"
 #include "palpate/trace/recording_reader.h"
 
 namespace palpate::app {
 
-/// Every column of every finger as an array, "index.tick"; "ticks_per_s". Rows of all fingers. Throws Error.
+/// Every column of every finger as an array, "index.tick"; "ticks_per_s". `pressure` of the same span, or null: as
+/// "index.pressure_kpa", ticks x taxels x taxels. Rows of all fingers. Throws Error.
 std::uint64_t writeNpz(trace::RecordingReader& recording, const trace::TickSpan& span,
-                       const std::filesystem::path& file, const Progress& progress);
+                       const std::filesystem::path& file, const engine::RecordedPressure* pressure,
+                       const Progress& progress);
+
+/// The same as columns of a table, "pressure_1_1_kpa" the first taxel of the row that is nearest to the head. For the
+/// samples of the span in their order; `pressure` must stay. None for null.
+trace::MoreColumns pressureColumns(const engine::RecordedPressure* pressure);
 
 /// All but the files that a bundle carries. Makes the folder. Throws Error. How many.
 std::uint64_t writeAttachments(trace::RecordingReader& recording, const trace::TickSpan& span,

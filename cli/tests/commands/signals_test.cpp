@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -15,6 +16,8 @@
 
 #include "palpate/mesh/files/save.h"
 #include "palpate/trace/forces_table.h"
+#include "palpate/trace/recording_reader.h"
+#include "support/lump_field.h"
 #include "support/mesh_zoo.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
@@ -222,6 +225,37 @@ TEST_F(Signals, ARecordingThatIsKilledKeepsWhatWasWrittenAndRepairFinishesIt) {
   EXPECT_EQ(support::runPalpate("recording replay run.session.partial --verify", folder_.path()).exit_code, 0);
   EXPECT_EQ(support::runPalpate("recording repair run.session.partial -o mended.session", folder_.path()).exit_code, 0);
   EXPECT_EQ(support::runPalpate("recording replay mended.session --verify", folder_.path()).exit_code, 0);
+}
+
+TEST_F(Signals, ARecordingOverALumpThatMovesIsFeltAgainToTheBitAfterItWasKilled) {
+  tissue::writeLayeredTable(folder_ / "back.json", test::inventedTable());
+  std::ofstream(folder_ / "scene.toml")
+      << "[body]\nkind = \"mesh\"\nfile = \"dome.ply\"\n[stiffness]\nconstant_n_per_mm = 8\n[tissue]\nlayer_table = "
+         "\"back.json\"\n[[lump]]\ny_mm = 6\ndepth_mm = 5\nyoung_kpa = 200\nmobility_mm_per_n = 20\n[[finger]]\nname = "
+         "\"index\"\nradius_mm = 8\npad = 4\nscript = [{ do = \"lift\", seconds = 1 }, { do = \"press\", depth_mm = 6, "
+         "seconds = 0.1 }, { do = \"circle\", radius_mm = 8, turns = 900, seconds = 600 }]\n";
+  const auto much = [&] {
+    std::error_code error;
+    return fs::file_size(folder_ / "run.session.partial-wal", error) > 500'000 && !error;
+  };
+  EXPECT_EQ(ended({"recording", "new", "scene.toml", "-o", "run.session"}, SIGKILL, much), -SIGKILL);
+  const auto palpate = [&](const std::string& words) { return support::runPalpate(words, folder_.path()).exit_code; };
+  EXPECT_EQ(palpate("recording replay run.session.partial --verify"), 0);
+  EXPECT_EQ(palpate("recording export run.session.partial --pressure 4 --npz part.npz"), 0);
+  EXPECT_EQ(palpate("recording repair run.session.partial -o mended.session"), 0);
+  EXPECT_EQ(palpate("recording replay mended.session --verify"), 0);
+  EXPECT_EQ(palpate("recording export mended.session --pressure 4 --npz mended.npz"), 0);
+  const std::string arrays = support::contentOf(folder_ / "mended.npz");
+  EXPECT_GT(arrays.size(), 10'000u);
+  EXPECT_EQ(support::contentOf(folder_ / "part.npz"), arrays);
+  // That the lump moved at all is in the recording.
+  trace::RecordingReader recording(folder_ / "mended.session");
+  double farthest_mm = 0.0;
+  recording.forEachTick({}, [&](std::span<const trace::Sample> samples) {
+    farthest_mm = std::max(farthest_mm, samples.front().contact.lump_moved_mm.norm());
+    return true;
+  });
+  EXPECT_GT(farthest_mm, 0.05);
 }
 
 }  // namespace

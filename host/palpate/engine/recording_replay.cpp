@@ -236,6 +236,7 @@ class Replay {
     }
     worlds_.push_back(world);  // a solver that was put down still points to the one before
     number_ = number;
+    if (settings_.entered) settings_.entered(number, world);
   }
 
   void forgetLumps() {

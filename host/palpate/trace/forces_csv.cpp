@@ -14,13 +14,18 @@ constexpr std::size_t kBlockBytes = std::size_t{1} << 18;
 }  // namespace
 
 ForcesCsvWriter::ForcesCsvWriter(const std::filesystem::path& file, ForcesCsvSettings settings,
-                                 OutputFile::Unfinished unfinished)
-    : settings_(std::move(settings)), file_(file, unfinished), block_(forcesCsvHeader()) {
-  block_ += '\n';
+                                 OutputFile::Unfinished unfinished, MoreColumns more)
+    : settings_(std::move(settings)), more_(std::move(more)), file_(file, unfinished), block_(forcesCsvHeader()) {
+  block_ += more_.header + '\n';
 }
 
 void ForcesCsvWriter::add(const Sample& sample) {
   appendForcesRow(block_, settings_, sample);
+  if (more_.append) {
+    block_.pop_back();  // the end of the line
+    more_.append(sample, block_);
+    block_ += '\n';
+  }
   if (block_.size() > kBlockBytes) flush();
 }
 

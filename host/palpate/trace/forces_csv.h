@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "palpate/base/output_file.h"
@@ -10,13 +11,20 @@
 
 namespace palpate::trace {
 
+/// Columns behind those of every such table. One that has any is for spreadsheets and scripts: it cannot be played
+/// back.
+struct MoreColumns {
+  std::string header = {};                                                   ///< ",name" each; empty: there are none
+  std::function<void(const Sample& sample, std::string& text)> append = {};  ///< ",value" each
+};
+
 /// Writes a file block by block; it appears under its name when it is complete. One thread. Throws Error when the file
 /// cannot be created or written.
 class ForcesCsvWriter {
  public:
   /// `unfinished`: what becomes of the rows when there is no commit.
   ForcesCsvWriter(const std::filesystem::path& file, ForcesCsvSettings settings,
-                  OutputFile::Unfinished unfinished = OutputFile::Unfinished::remove);
+                  OutputFile::Unfinished unfinished = OutputFile::Unfinished::remove, MoreColumns more = {});
   void add(const Sample& sample);
   /// Writes what is left and gives the file its name.
   void commit();
@@ -27,6 +35,7 @@ class ForcesCsvWriter {
   void flush();
 
   ForcesCsvSettings settings_;
+  MoreColumns more_;
   OutputFile file_;
   std::string block_;
 };
