@@ -35,6 +35,7 @@ std::string FingerControl::hear(WatcherId who, Role role, const Request& request
   if (std::holds_alternative<Take>(request)) return take(who, role, now_s);
   if (const auto* halt = std::get_if<Pause>(&request)) return pause(role, halt->on, now_s);
   if (std::holds_alternative<Say>(request)) return role == Role::instruct ? "" : "only who instructs writes to all";
+  if (std::holds_alternative<Listen>(request)) return {};
   if (who != holder_) return "somebody else has the finger";
   if (const auto* lift = std::get_if<Lift>(&request)) {
     if (lift->finger >= hands_.size()) return "no such finger";

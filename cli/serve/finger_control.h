@@ -23,7 +23,8 @@ namespace palpate::app::serving {
 
 // What a page and the server say to each other beside skin and frames: one JSON object a message.
 //
-// docs/reference/serve.md has the table. From the server: hello, state, message, refused. To it: what Request holds.
+// docs/reference/serve.md has the table. From the server: hello, state, touch, message, refused. To it: what Request
+// holds.
 
 /// A longer message closes its stream.
 inline constexpr std::size_t kMaxRequestBytes = 1024;
@@ -51,7 +52,13 @@ struct Pause {
 struct Say {
   std::string words;
 };
-using Request = std::variant<Point, Lift, Take, Give, Pause, Say>;
+/// To be told what the fingers feel, or no more.
+struct Listen {
+  bool on = true;
+  std::size_t pad = 0;  ///< taxels along a side of a pad on each finger; 0: none
+  double pad_mm = 16.0;
+};
+using Request = std::variant<Point, Lift, Take, Give, Pause, Say, Listen>;
 
 /// Deeper, stronger or farther is no message; the desk limits further.
 inline constexpr double kDeepestMm = 60.0;
@@ -91,7 +98,7 @@ class FingerControl {
                 const ControlLimits& limits = {});
 
   /// Does what is requested; why it was not done, or empty. Messages (Say) are only judged: to send them on is the
-  /// caller's.
+  /// caller's, and so is who listens (Listen).
   std::string hear(WatcherId who, Role role, const Request& request, double now_s);
   /// The stream has ended, however.
   void left(WatcherId who, double now_s);

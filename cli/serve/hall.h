@@ -13,19 +13,19 @@
 
 #include "cli/serve/access.h"
 #include "cli/serve/network.h"
+#include "cli/serve/touch_text.h"
 #include "cli/serve/wire.h"
 #include "palpate/base/stopwatch.h"
 
 namespace palpate::app::serving {
 
 using HttpRequest = boost::beast::http::request<boost::beast::http::empty_body>;
-using Frame = std::shared_ptr<const std::string>;
 
 class Watcher;
 
 struct HallCounts {
   std::atomic<std::uint64_t> watchers{0}, most_watchers{0}, frames_sent{0}, frames_skipped{0}, bytes_sent{0},
-      refused_token{0}, refused_origin{0}, refused_full{0}, malformed{0}, dropped{0}, hung_up{0};
+      refused_token{0}, refused_origin{0}, refused_full{0}, malformed{0}, dropped{0}, hung_up{0}, listening{0};
 };
 
 struct Hall {
@@ -52,6 +52,8 @@ struct Hall {
   /// To everybody.
   void tellState();
   void tellMessage(const std::string& words);
+  /// To those that listen.
+  void tellTouch(TouchTexts texts);
   void show(const Frame& frame);
   void join(const std::shared_ptr<Watcher>& watcher, WatcherId id);
   void leave(WatcherId id);
@@ -69,6 +71,7 @@ void beginLooking(Wire wire, Hall& hall, Role role, const HttpRequest& request);
 /// For Hall: what everybody is told, and the end of everybody.
 void tell(Watcher& watcher, const std::string& state);
 void tellWords(Watcher& watcher, const std::string& message);
+void tellTouch(Watcher& watcher, TouchTexts& texts);
 void show(Watcher& watcher, const Frame& frame);
 /// Some times a second: who takes nothing is hung up on.
 void look(Watcher& watcher);

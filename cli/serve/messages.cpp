@@ -5,6 +5,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "palpate/contact/pressure_field.h"
+
 namespace palpate::app::serving {
 
 namespace {
@@ -94,6 +96,16 @@ Request sayOf(const Json& json, Members& members) {
   return say;
 }
 
+Request listenOf(Members& members) {
+  Listen listen;
+  members.only({"type", "on", "pad", "pad_mm"});
+  listen.on = members.truth("on");
+  if (members.has("pad")) listen.pad = members.count("pad", contact::kMaxTaxels);
+  if (members.has("pad_mm")) listen.pad_mm = members.number("pad_mm", 1.0, 100.0);
+  if (listen.pad != 0 && listen.pad < contact::kMinTaxels) members.fail("pad is out of range");
+  return listen;
+}
+
 }  // namespace
 
 std::optional<Request> requestOf(std::string_view message, std::string& why) {
@@ -117,6 +129,8 @@ std::optional<Request> requestOf(std::string_view message, std::string& why) {
   } else if (word == "pause") {
     members.only({"type", "on"});
     request = Pause{members.truth("on")};
+  } else if (word == "touch") {
+    request = listenOf(members);
   } else if (word == "message") {
     request = sayOf(json, members);
   } else {

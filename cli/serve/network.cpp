@@ -72,7 +72,7 @@ constexpr int kRoundsPerState = 20;  // a second
 constexpr std::chrono::milliseconds kNoSocketsLeft{200};
 constexpr double kGoodbyeS = 1.0;
 /// Frames that wait for the thread; more would only be older.
-constexpr int kMaxPosted = 2;
+constexpr int kMaxPosted = 3;
 
 asio::ip::address addressOf(const std::string& host) {
   boost::system::error_code error;
@@ -196,6 +196,18 @@ void Network::show(std::shared_ptr<const std::string> frame) {
   });
 }
 
+bool Network::isListenedTo() const { return impl_->hall.counts.listening.load() > 0; }
+
+void Network::tellTouch(std::vector<trace::Sample> felt) {
+  Impl* parts = impl_.get();
+  if (parts->posted.load() >= kMaxPosted) return;
+  ++parts->posted;
+  asio::post(parts->events, [parts, felt = std::move(felt)]() mutable {
+    --parts->posted;
+    parts->hall.tellTouch(TouchTexts(parts->hall.exhibits.pressure, std::move(felt)));
+  });
+}
+
 void Network::tellVitals(nlohmann::ordered_json vitals) {
   asio::post(impl_->events,
              [parts = impl_.get(), vitals = std::move(vitals)]() mutable { parts->hall.vitals = std::move(vitals); });
@@ -225,6 +237,10 @@ void Hall::tellState() {
 void Hall::tellMessage(const std::string& words) {
   const std::string text = jsonDump(nlohmann::ordered_json{{"type", "message"}, {"text", words}});
   for (const auto& [id, watcher] : watchers) tellWords(*watcher, text);
+}
+
+void Hall::tellTouch(TouchTexts texts) {
+  for (const auto& [id, watcher] : watchers) serving::tellTouch(*watcher, texts);
 }
 
 void Hall::show(const Frame& frame) {

@@ -16,6 +16,8 @@
 #include "cli/serve/access.h"
 #include "cli/serve/finger_control.h"
 #include "cli/serve/site.h"
+#include "palpate/engine/felt_pressure.h"
+#include "palpate/trace/sample.h"
 
 namespace boost::asio::ssl {
 class context;
@@ -39,9 +41,10 @@ struct NetworkSettings {
 /// What is shown, made once.
 struct Exhibits {
   Site site;
-  std::string skin;              ///< engine::encodedSkin
-  std::string forms;             ///< engine::encodedForms
-  nlohmann::ordered_json facts;  ///< of the hello
+  std::string skin;                                                ///< engine::encodedSkin
+  std::string forms;                                               ///< engine::encodedForms
+  nlohmann::ordered_json facts;                                    ///< of the hello
+  std::shared_ptr<const engine::FeltPressure> pressure = nullptr;  ///< null: the tissue has no patterns
 };
 
 /// Since the start, but for the first.
@@ -76,6 +79,10 @@ class Network {
 
   /// `frame` is the newest; it is sent as it is.
   void show(std::shared_ptr<const std::string> frame);
+  /// Whether anybody wants to be told what the fingers feel.
+  bool isListenedTo() const;
+  /// What they felt in their newest tick, for those.
+  void tellTouch(std::vector<trace::Sample> felt);
   /// How the servo is doing: a JSON object for the state message.
   void tellVitals(nlohmann::ordered_json vitals);
   NetworkCounts counts() const;

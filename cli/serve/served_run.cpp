@@ -25,6 +25,7 @@
 #include "palpate/body/places.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/engine/contact_stream.h"
+#include "palpate/engine/felt_pressure.h"
 #include "palpate/engine/recorder.h"
 #include "view/viewer/world/live_servo.h"
 
@@ -35,6 +36,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kFramesPerS = 60;
+/// What fingers feel is told, to those that asked, with every third frame: more would be read by nobody.
+constexpr int kRoundsPerTouch = 3;
 /// A frame that says nothing new goes out only so often: who looks on sees that the server lives.
 constexpr double kStillS = 0.25;
 /// Kind, version and tick of a frame, which differ where nothing else does.
@@ -108,7 +111,13 @@ nlohmann::ordered_json factsOf(const scene::World& world, const std::vector<Cont
   for (const char byte : skin) hash.add(std::uint64_t{static_cast<unsigned char>(byte)});
   nlohmann::ordered_json hands = nlohmann::ordered_json::array();
   for (const ControlledFinger& finger : fingers) {
-    hands.push_back({{"name", finger.name}, {"radius_mm", finger.radius_mm}, {"device", finger.device}});
+    const std::size_t number = hands.size();
+    const scene::Finger own = number < world.scene.fingers.size() ? world.scene.fingers[number] : scene::Finger();
+    hands.push_back({{"name", finger.name},
+                     {"radius_mm", finger.radius_mm},
+                     {"device", finger.device},
+                     {"pad", own.pad},
+                     {"pad_mm", own.pad_mm}});
   }
   nlohmann::ordered_json landmarks = nlohmann::ordered_json::array();
   for (const body::SkinLandmark& landmark : world.body->anatomy.landmarks) {
@@ -125,6 +134,15 @@ nlohmann::ordered_json factsOf(const scene::World& world, const std::vector<Cont
           {"skin", fmt::format("{:016x}", hash.value())},
           {"fingers", std::move(hands)},
           {"landmarks", std::move(landmarks)}};
+}
+
+/// Null where the tissue has no patterns: who asks for a pad is then told so.
+std::shared_ptr<const engine::FeltPressure> pressureOf(const std::shared_ptr<const scene::World>& world) {
+  try {
+    return std::make_shared<const engine::FeltPressure>(world);
+  } catch (const Error&) {
+    return nullptr;
+  }
 }
 
 Box3 boxOf(const scene::World& world) {
@@ -226,7 +244,9 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
     if (options.input.seconds > 0.0 && now_s >= options.input.seconds) return;
     if (recorder != nullptr && !recorder->state().failure.empty()) return;  // `finish` says why
     servo.thread().exchange();
-    if (auto frame = frames.next(servo.thread().contacts(), now_s)) network.show(std::move(frame));
+    const std::span<const trace::Sample> felt = servo.thread().contacts();
+    if (auto frame = frames.next(felt, now_s)) network.show(std::move(frame));
+    if (round % kRoundsPerTouch == 0 && network.isListenedTo()) network.tellTouch({felt.begin(), felt.end()});
     trace::Sample sample;
     while (servo.thread().pop(sample)) {  // nobody plots them here
     }
@@ -329,6 +349,7 @@ void serve(const ServeOptions& options) {
   exhibits.skin = engine::encodedSkinOf(*world);
   exhibits.forms = engine::encodedFormsOf(*world, viewer::kFingers);
   exhibits.facts = factsOf(*world, fingersOf(*world, options), exhibits.skin);
+  exhibits.pressure = pressureOf(world);
   const std::string title = exhibits.facts["title"];
 
   viewer::LiveServo servo = servoFor(world, options);

@@ -9,6 +9,7 @@
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include "cli/serve/hall.h"
@@ -37,6 +38,9 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
  public:
   Watcher(Wire wire, Hall& hall, Role role, WatcherId id)
       : stream_(std::move(wire)), hall_(hall), role_(role), id_(id) {}
+  ~Watcher() { listenTo(std::nullopt); }
+  Watcher(const Watcher&) = delete;
+  Watcher& operator=(const Watcher&) = delete;
 
   void accept(const HttpRequest& request) {
     holdBackLittle();
@@ -61,6 +65,11 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
   void tellWords(const std::string& message) {
     if (words_.size() == kMaxWaiting) return drop();
     words_.push_back(message);
+    send();
+  }
+  void tellTouch(TouchTexts& texts) {
+    if (!listens_) return;
+    touch_ = texts.of(*listens_, role_ == Role::instruct);
     send();
   }
   void show(const Frame& frame) {
@@ -127,12 +136,22 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
     const WatcherId holder = hall_.control.holder();
     const bool paused = hall_.control.paused();
     why = hall_.control.hear(id_, role_, *request, hall_.now());
+    const auto* listen = std::get_if<Listen>(&*request);
+    if (listen != nullptr && listen->pad > 0 && !hall_.exhibits.pressure) why = "this body's tissue has no layers";
     if (!why.empty()) {
       refused_ = jsonDump(nlohmann::ordered_json{{"type", "refused"}, {"why", why}});
       return send();
     }
     if (const auto* say = std::get_if<Say>(&*request)) hall_.tellMessage(say->words);
+    if (listen != nullptr) listenTo(listen->on ? std::optional(*listen) : std::nullopt);
     if (holder != hall_.control.holder() || paused != hall_.control.paused()) hall_.tellState();
+  }
+
+  void listenTo(const std::optional<Listen>& listen) {
+    if (listen && !listens_) ++hall_.counts.listening;
+    if (!listen && listens_) --hall_.counts.listening;
+    listens_ = listen;
+    touch_ = nullptr;
   }
 
   void complain(websocket::close_code code, const char* reason) {
@@ -157,8 +176,13 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
       under_way_ = std::make_shared<const std::string>(std::exchange(*words, {}));
       if (words == (words_.empty() ? nullptr : &words_.front())) words_.pop_front();
       stream_.text(true);
+    } else if (touch_ && (!frame_ || frame_went_last_)) {  // in turn: over a slow line neither waits for the other
+      under_way_ = std::exchange(touch_, nullptr);
+      frame_went_last_ = false;
+      stream_.text(true);
     } else if (frame_) {
       under_way_ = std::exchange(frame_, nullptr);
+      frame_went_last_ = true;
       stream_.binary(true);
       ++hall_.counts.frames_sent;
       hall_.counts.bytes_sent += under_way_->size();
@@ -187,7 +211,10 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
   const Role role_;
   const WatcherId id_;
   beast::flat_buffer buffer_;
-  Frame frame_;                    // the newest that it has not had
+  Frame frame_;  // the newest that it has not had
+  Frame touch_;  // likewise, for one that listens
+  bool frame_went_last_ = false;
+  std::optional<Listen> listens_;
   std::string state_, refused_;    // likewise
   std::deque<std::string> words_;  // all of them
   Frame under_way_;
@@ -205,6 +232,7 @@ void beginLooking(Wire wire, Hall& hall, Role role, const HttpRequest& request) 
 
 void tell(Watcher& watcher, const std::string& state) { watcher.tell(state); }
 void tellWords(Watcher& watcher, const std::string& message) { watcher.tellWords(message); }
+void tellTouch(Watcher& watcher, TouchTexts& texts) { watcher.tellTouch(texts); }
 void show(Watcher& watcher, const Frame& frame) { watcher.show(frame); }
 void look(Watcher& watcher) { watcher.look(); }
 void sendAway(Watcher& watcher) { watcher.close(websocket::close_code::going_away, "the server ends"); }

@@ -127,6 +127,77 @@ TEST(Serve, ADeviceKeepsItsFingerAndPagesHaveTheOther) {
   EXPECT_TRUE(server.report().is_object());
 }
 
+/// A lump that moves, 8 mm beside the top of the dome towards the head, and a finger with a pad.
+const std::string kLumpScene =
+    "[body]\nkind = \"mesh\"\nfile = \"dome.ply\"\n[tissue]\nlayer_table = \"back.json\"\n[[lump]]\ny_mm = 8\n"
+    "depth_mm = 5\nyoung_kpa = 200\nmobility_mm_per_n = 5\n[[finger]]\nname = \"left\"\nradius_mm = 8\npad = 4\n"
+    "script = [{ do = \"press\" }]\n";
+
+/// The next touch of a left finger that is so deep.
+nlohmann::json deepTouch(PlainStream& stream, PlainStream& hand) {
+  for (int i = 0; i < 200; ++i) {
+    hand.say(press());
+    const auto text = stream.receiveText(R"("type":"touch")", 2.0);
+    if (!text) return {};
+    auto touch = nlohmann::json::parse(*text);
+    if (touch["fingers"][0]["depth_mm"] > 4.0) return touch;
+  }
+  return {};
+}
+
+TEST(Serve, TellsWhoAsksWhatTheFingersFeelAndWhereALumpIsOnlyToWhoInstructs) {
+  ServedCommand server({}, kLumpScene);
+  PlainStream hand(server.port(), kControlToken);
+  const auto hello = nlohmann::json::parse(hand.receiveText("hello").value_or("{}"));
+  EXPECT_EQ(hello["fingers"][0]["pad"], 4);
+  EXPECT_EQ(hello["fingers"][0]["pad_mm"], 16.0);
+  EXPECT_EQ(hello["fingers"][1]["pad"], 0);
+  hand.say(press());
+  EXPECT_FALSE(hand.receiveText(R"("type":"touch")", 0.5)) << "nobody asked";
+
+  hand.say(R"({"type":"touch","on":true,"pad":4})");
+  const auto touch = deepTouch(hand, hand);
+  ASSERT_TRUE(touch.is_object());
+  ASSERT_EQ(touch["fingers"].size(), 2u);
+  const auto& finger = touch["fingers"][0];
+  EXPECT_FALSE(finger.contains("lump_force_n") || finger.contains("lump_share")) << "it would say where the lump is";
+  EXPECT_NE(finger["state"], "free");
+  ASSERT_EQ(finger["kpa"].size(), 16u);
+  double sum_n = 0.0, head_kpa = 0.0, foot_kpa = 0.0;
+  for (std::size_t i = 0; i < 16; ++i) {
+    const double kpa = finger["kpa"][i];
+    EXPECT_GE(kpa, 0.0);
+    sum_n += kpa * 16.0 / 1000.0;
+    (i < 8 ? head_kpa : foot_kpa) += kpa;
+  }
+  EXPECT_NEAR(sum_n, finger["force_n"][2].get<double>(), 0.05 * sum_n) << "the skin lies flat there";
+  EXPECT_GT(head_kpa, 1.02 * foot_kpa) << "the lump is felt under the rows towards the head";
+  EXPECT_EQ(touch["fingers"][1]["state"], "free");
+  EXPECT_EQ(touch["fingers"][1]["kpa"], std::vector<double>(16, 0.0));
+
+  PlainStream teacher(server.port(), kInstructToken);
+  teacher.say(R"({"type":"touch","on":true})");
+  const auto told = deepTouch(teacher, hand);
+  ASSERT_TRUE(told.is_object());
+  EXPECT_GT(told["fingers"][0]["lump_share"], 0.005);
+  EXPECT_LT(told["fingers"][0]["lump_force_n"][1], 0.0) << "it pushes the tip off itself";
+  EXPECT_FALSE(told["fingers"][0].contains("kpa"));
+  teacher.say(R"({"type":"touch","on":false})");
+  while (teacher.receiveText(R"("type":"touch")", 0.4)) {  // those that were on their way
+  }
+  EXPECT_TRUE(teacher.receiveText("state", 2.0)) << "the rest goes on";
+  EXPECT_TRUE(frameWith(teacher, false)) << "nothing is heard of the hand any more";
+}
+
+TEST(Serve, APadOfTissueWithoutLayersIsRefused) {
+  ServedCommand server;
+  PlainStream hand(server.port(), kLookToken);
+  hand.say(R"({"type":"touch","on":true,"pad":4})");
+  EXPECT_TRUE(hand.receiveText("no layers"));
+  hand.say(R"({"type":"touch","on":true})");
+  EXPECT_TRUE(hand.receiveText(R"("type":"touch")"));
+}
+
 // --- who may come in
 
 TEST(Serve, WrongTokensAndOriginsAreTurnedAway) {
@@ -247,6 +318,10 @@ TEST(Serve, MalformedMessagesCloseTheirStreamWithAReason) {
        "normal has no length"},
       {1, R"({"type":"finger","finger":0,"pressed":true,"place":[0,0,0],"normal":[0,0,1],"depth_mm":1e6})", 1007,
        "depth_mm is out of range"},
+      {1, R"({"type":"touch"})", 1007, "on is not true or false"},
+      {1, R"({"type":"touch","on":true,"pad":1})", 1007, "pad is out of range"},
+      {1, R"({"type":"touch","on":true,"pad":17})", 1007, "pad is out of range"},
+      {1, R"({"type":"touch","on":true,"pad":4,"pad_mm":0})", 1007, "pad_mm is out of range"},
       {2, "bytes", 1003, "text only"},
       {1, std::string(2000, 'x'), 1009, ""},
       {1, std::string(200, '['), 1007, "no JSON object"},

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "palpate/mesh/files/save.h"
+#include "support/lump_field.h"
 #include "support/mesh_zoo.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
@@ -27,9 +28,14 @@ inline const std::string kInstructToken = "instruct-0123456789abcdef";
 
 class ServedCommand {
  public:
-  /// A dome, 200 mm wide, its top at (0, 0, 20). `more`: further words of the command.
-  explicit ServedCommand(const std::vector<std::string>& more = {}) {
+  /// A dome, 200 mm wide, its top at (0, 0, 20). `more`: further words of the command. `scene`: a text that is served
+  /// in place of the bare dome, and may name dome.ply and the layers back.json.
+  explicit ServedCommand(const std::vector<std::string>& more = {}, const std::string& scene = {}) {
     mesh::save(folder_ / "dome.ply", zoo::dome({-100.0, -100.0}, 10.0, 20.0));
+    if (!scene.empty()) {
+      tissue::writeLayeredTable(folder_ / "back.json", test::inventedTable());
+      std::ofstream(folder_ / "scene.toml") << scene;
+    }
     std::filesystem::create_directories(folder_ / "site/part");
     std::ofstream(folder_ / "site/index.html")
         << "<!doctype html><head></head><script>let a = 1;</script><script src='m.js'></script>";
@@ -38,9 +44,13 @@ class ServedCommand {
     std::ofstream(folder_ / "site/.hidden") << "secret";
     std::ofstream(folder_ / "secret.txt") << "secret";
     std::filesystem::create_symlink("../secret.txt", folder_ / "site/link.txt");
-    std::vector<std::string> words = {"serve",        "dome.ply",         "--port",      "0",           "--json",
-                                      "--look-token", kLookToken,         "--token",     kControlToken, "--site",
-                                      "site",         "--instruct-token", kInstructToken};
+    std::vector<std::string> words = {"serve",       scene.empty() ? "dome.ply" : "scene.toml",
+                                      "--port",      "0",
+                                      "--json",      "--look-token",
+                                      kLookToken,    "--token",
+                                      kControlToken, "--site",
+                                      "site",        "--instruct-token",
+                                      kInstructToken};
     words.insert(words.end(), more.begin(), more.end());
     child_ = ::fork();
     if (child_ == 0) runInFolder(std::move(words));
