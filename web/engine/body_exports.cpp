@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "palpate/base/colour_map.h"
 #include "palpate/base/error.h"
 #include "palpate/body/places.h"
+#include "palpate/contact/pressure_field.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/triangle_mesh.h"
 #include "palpate/scene/body_parts.h"
@@ -95,7 +97,7 @@ std::shared_ptr<const scene::World> openMesh(std::string_view bytes, std::string
   }
 }
 
-/// The scene file for what was opened, so that it can be looked at again elsewhere: body and dysfunctions. Of a mesh
+/// The scene file for what was opened, so that it can be looked at again elsewhere: body, dysfunctions and lumps. Of a mesh
 /// the name and the unit, as they were given to openMesh.
 std::string sceneText(const scene::Scene& scene) {
   const scene::BodySettings& body = scene.body;
@@ -110,6 +112,13 @@ std::string sceneText(const scene::Scene& scene) {
   for (const maps::Dysfunction& d : scene.dysfunctions) {
     text += fmt::format("\n[[dysfunction]]\nx_mm = {}\ny_mm = {}\nradius_mm = {}\nchange_percent = {}\n", d.x_mm,
                         d.y_mm, d.radius_mm, d.change_percent);
+  }
+  for (const scene::LumpSettings& lump : scene.lumps) {
+    text += fmt::format(
+        "\n[[lump]]\nname = {}\nat = {}\ndepth_mm = {}\ndiameter_mm = {}\nstiffness_ratio = {}\n"
+        "mobility_mm_per_n = {}\n",
+        quoted(lump.name), quoted(lump.at), lump.depth_mm, lump.diameter_mm, lump.stiffness_ratio,
+        lump.mobility_mm_per_n);
   }
   return text;
 }
@@ -247,6 +256,11 @@ PALPATE_EXPORT const char* palpate_set_dysfunctions(const double* numbers, std::
   });
 }
 
+/// Not 0: the three of the preset, which only the trunk has room for; 0: none.
+PALPATE_EXPORT const char* palpate_set_lumps(int on) {
+  return errorOf([&] { body->setLumps(on != 0 ? presetLumps() : std::vector<scene::LumpSettings>()); });
+}
+
 // ---- what the body looks like
 
 PALPATE_EXPORT const char* palpate_about() { return keptText(bodyInWords(body->world())); }
@@ -295,6 +309,14 @@ PALPATE_EXPORT const double* palpate_felt(std::size_t finger) {
   *out++ = static_cast<double>(felt.touch);
   *out = static_cast<double>(felt.status);
   return numbers.data();
+}
+
+/// kPa of the finger's last tick, `taxels` rows of as many, the first nearest to the head; null where the body has no
+/// lumps, and so no pads.
+PALPATE_EXPORT const double* palpate_pad(std::size_t finger, std::size_t taxels) {
+  static std::array<double, contact::kMaxTaxels * contact::kMaxTaxels> kpa;
+  if (taxels < contact::kMinTaxels || taxels > contact::kMaxTaxels) return nullptr;
+  return body->pad(finger, std::span(kpa).first(taxels * taxels)) ? kpa.data() : nullptr;
 }
 
 // ---- pictures and files

@@ -1,7 +1,10 @@
 // A target becomes a tip by the viewer's own MouseFinger, so a press begins above the skin and never steps.
 #include "engine/live_body.h"
 
+#include <cmath>
 #include <utility>
+
+#include "palpate/contact/pressure_field.h"
 
 namespace palpate::web {
 
@@ -15,12 +18,34 @@ std::vector<contact::FingerSettings> pageFingers(const scene::Scene& scene) {
 
 }  // namespace
 
+std::vector<scene::LumpSettings> presetLumps() {
+  std::vector<scene::LumpSettings> lumps(3);
+  lumps[0] = {.name = "soft", .at = "L2 left 35 mm", .depth_mm = 8.0, .diameter_mm = 12.0, .stiffness_ratio = 4.0};
+  lumps[1] = {.name = "hard", .at = "L2 right 40 mm", .depth_mm = 4.0, .stiffness_ratio = 15.0};
+  lumps[2] = {.name = "mobile", .at = "L4 right 40 mm", .depth_mm = 4.0, .stiffness_ratio = 15.0};
+  lumps[2].mobility_mm_per_n = 20.0;
+  return lumps;
+}
+
 LiveBody::LiveBody(std::shared_ptr<const scene::World> world) : simulator_(world, pageFingers(world->scene)) {}
 
 void LiveBody::setDysfunctions(std::vector<maps::Dysfunction> dysfunctions) {
   scene::Scene scene = world().scene;
   scene.dysfunctions = std::move(dysfunctions);
   simulator_.change(scene::rebuilt(world(), scene));
+}
+
+void LiveBody::setLumps(std::vector<scene::LumpSettings> lumps) {
+  scene::Scene scene = world().scene;
+  scene.lumps = std::move(lumps);
+  simulator_.change(scene::rebuilt(world(), scene));
+}
+
+bool LiveBody::pad(std::size_t finger, std::span<double> kpa) const noexcept {
+  if (!world().pressure || finger >= kFingers) return false;
+  const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(kpa.size()))));
+  contact::pressureField(*world().pressure, world().surface.lumps.get(), felt(finger), {.taxels = side}, kpa);
+  return true;
 }
 
 void LiveBody::aim(std::size_t finger, device::FingerTarget target) {

@@ -12,7 +12,9 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "engine/frame_packer.h"
 #include "palpate/contact/finger_state.h"
@@ -47,6 +49,9 @@ class Recording {
   std::deque<Row> rows_;
 };
 
+/// The lumps of the preset `lumps` (scenes/lumps.toml): the page's engine reads no scene files. A test compares.
+std::vector<scene::LumpSettings> presetLumps();
+
 inline constexpr std::size_t kFingers = 2;
 /// Of both fingers: a fingertip.
 inline constexpr double kRadiusMm = 8.0;
@@ -59,6 +64,8 @@ class LiveBody {
   const scene::World& world() const { return simulator_.world(); }
   /// The same body with these dysfunctions, and no others; fingers go on touching. Throws Error as scene::rebuilt does.
   void setDysfunctions(std::vector<maps::Dysfunction> dysfunctions);
+  /// The same for lumps under the skin.
+  void setLumps(std::vector<scene::LumpSettings> lumps);
 
   /// Where a finger is wanted. Its radius is set here. A target that is not finite lifts the finger.
   void aim(std::size_t finger, device::FingerTarget target);
@@ -66,6 +73,9 @@ class LiveBody {
   void run(std::size_t ticks) noexcept;
   const contact::FingerOutput& felt(std::size_t finger) const { return at_work_[finger].felt; }
   std::uint64_t ticks() const { return tick_; }
+  /// The pressure on a fingertip, kPa, as so many taxels of a square pad of 16 mm. False, and nothing is written, where
+  /// the body has no lumps.
+  bool pad(std::size_t finger, std::span<double> kpa) const noexcept;
 
   /// The skin as the fingers leave it: what changed since the last frame, or all of it.
   void packFrame(FramePacker& frame, bool all);

@@ -85,6 +85,10 @@ export class Engine {
     const numbers = list.flatMap(({ x, y, radius, change }) => [x, y, radius, change]);
     this.check(this.module._palpate_set_dysfunctions(this.put(numbers), list.length));
   }
+  /// The lumps of the preset under the skin of the trunk, or none.
+  setLumps(on) {
+    this.check(this.module._palpate_set_lumps(on ? 1 : 0));
+  }
   stiffness() {
     return Float32Array.from(this.doubles(this.module._palpate_stiffness(), this.module._palpate_vertices()));
   }
@@ -119,6 +123,11 @@ export class Engine {
     const n = this.doubles(this.module._palpate_felt(finger), 15);
     const vector = (i) => [n[i], n[i + 1], n[i + 2]];
     return { tip: vector(0), proxy: vector(3), normal: vector(6), force: vector(9), depth: n[12], touch: n[13], status: n[14] };
+  }
+  /// Pressures on a fingertip, kPa: taxels x taxels, the first row nearest to the head; null on a body without lumps.
+  pad(finger, taxels) {
+    const at = this.module._palpate_pad(finger, taxels);
+    return at === 0 ? null : Array.from(this.doubles(at, taxels * taxels));
   }
   frame(all = false) {
     const m = this.module;

@@ -3,11 +3,12 @@ import { AIM_BYTES, AimWriter } from './aims.js';
 import { bodyToSee } from './first_body.js';
 
 const FIRST_BODY = { task: 'openFirst' };
+const LUMPS = { task: 'openLumps' };
 const FRAMES_AHEAD = 2;
 
 class LocalSource {
   constructor() {
-    this.can = { open: true, dysfunctions: true, record: true };
+    this.can = { open: true, dysfunctions: true, lumps: true, record: true };
     this.frame = () => {};
     this.trouble = () => {};
     this.shared = globalThis.crossOriginIsolated ? new SharedArrayBuffer(AIM_BYTES) : null;
@@ -47,6 +48,11 @@ class LocalSource {
   async firstBody() {
     const body = await this.ask(FIRST_BODY);
     this.opening = FIRST_BODY;
+    return body;
+  }
+  async lumps() {
+    const body = await this.ask(LUMPS);
+    this.opening = LUMPS;
     return body;
   }
   /// A page that is hidden draws nothing and takes nothing: then the worker keeps its frames to itself.

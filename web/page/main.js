@@ -14,6 +14,7 @@ import { Headset } from './headset.js';
 import { Hint } from './hint.js';
 import { Legend } from './legend.js';
 import { Names } from './names.js';
+import { Pads } from './pads.js';
 import { Picture } from './picture.js';
 import { Plot } from './plot.js';
 import { inWords } from './places.js';
@@ -36,6 +37,7 @@ class Page {
     this.plot = new Plot(element('plot'));
     this.names = new Names(element('names'));
     this.legend = new Legend();
+    this.pads = new Pads(element('pads'));
     this.announcer = new Announcer(element('events'));
     this.hint = new Hint(element('hint'), element('picture'));
     this.touches = new TouchEvents({
@@ -98,13 +100,15 @@ class Page {
     on('read-out', 'click', () => this.readOut());
     on('whole', 'click', () => this.camera.home());
     on('next-view', 'click', () => this.camera.nextView());
-    on('first-body', 'click', () => this.backToFirst());
+    on('first-body', 'click', () => this.changeBody(() => this.source.firstBody(), false));
+    on('lumps', 'click', () => this.changeBody(() => this.source.lumps(), true));
     on('give-up', 'click', () => this.giveUp());
     on('panel-button', 'click', () => this.showPanel(document.body.classList.contains('narrow')));
     this.fingers.changed = () => this.showFingers();
     const can = this.source.can;
     element('open').disabled = !can.open;
     element('export').disabled = !can.record;
+    element('lumps').hidden = !can.lumps;
     this.source.onFrame((frame) => this.frames.push(frame));
     this.source.onTrouble((words) => this.fail(words));
     this.source.onBody((body) => this.setBody(body));
@@ -176,6 +180,7 @@ class Page {
     if (!newest) return;
     this.newest = newest;
     this.showFelt(newest.fingers);
+    this.pads.show(newest.pads ?? null);
     if (now - (this.plotted ?? 0) > 45) {
       this.plotted = now;
       this.plot.draw();
@@ -229,6 +234,7 @@ class Page {
       element('pace').textContent = words;
       element('force').textContent = '–';
       element('depth').textContent = 'no server';
+      this.pads.show(null);
     }
     if (was_away !== this.is_away) this.announcer.say(this.is_away ? 'The connection to the server is lost' : 'Connected to the server again');
   }
@@ -368,11 +374,12 @@ class Page {
       if (!given_up) this.wait(null);
     }
   }
-  async backToFirst() {
+  /// `other`: it is not the first one.
+  async changeBody(make, other) {
     this.wait('Building the body …');
     try {
-      this.setBody(await this.source.firstBody());
-      element('first-body').hidden = true;
+      this.setBody(await make());
+      element('first-body').hidden = !other;
     } catch (error) {
       this.fail(error.message);
     }

@@ -26,7 +26,7 @@ class Refused extends Error {}
 
 class ServedSource {
   constructor() {
-    this.can = { open: false, dysfunctions: false, record: false };
+    this.can = { open: false, dysfunctions: false, lumps: false, record: false };
     this.frame = () => {};
     this.trouble = () => {};
     this.body = () => {};
@@ -87,13 +87,14 @@ class ServedSource {
     });
     const known = this.hello?.skin === hello.skin;
     this.hello = hello;
-    this.newest = null;
+    this.newest = this.pads = null;
     this.told = [null, null];
     this.wait_ms = FIRST_WAIT_MS;
     this.heard_ms = performance.now();
     this.away(null);
     this.socket.onmessage = ({ data }) => this.take(data);
     this.socket.onclose = (event) => this.lost(event.reason);
+    this.listenToPads(hello.fingers);
     if (known) return null;
     const [skin, forms] = await Promise.all([this.fetched('skin'), this.fetched('forms')]);
     this.skin.open(skin, forms);
@@ -103,6 +104,11 @@ class ServedSource {
     };
   }
 
+  /// Where the scene gives a finger a pad, its pressures are asked for.
+  listenToPads(fingers) {
+    const padded = fingers.find(({ pad }) => pad > 0);
+    if (padded) this.say({ type: 'touch', on: true, pad: padded.pad, pad_mm: padded.pad_mm });
+  }
   listenForSilence() {
     if (this.socket?.readyState !== WebSocket.OPEN || performance.now() - this.heard_ms < SILENT_MS) return;
     this.drop();
@@ -122,7 +128,7 @@ class ServedSource {
     this.timer = setTimeout(() => this.again(), wait_ms);
   }
   gone(words) {
-    this.state = this.newest = null;
+    this.state = this.newest = this.pads = null;
     this.bar.away(words);
     this.away(words);
   }
@@ -161,6 +167,9 @@ class ServedSource {
       this.bar.show(this.hello, message);
     } else if (message.type === 'message') {
       this.bar.tell(message.text);
+    } else if (message.type === 'touch') {
+      const kpa = message.fingers.map(({ kpa: taxels }, finger) => (this.hello.fingers[finger]?.pad > 0 ? taxels ?? null : null));
+      this.pads = { taxels: message.pad, kpa };
     } else if (message.type === 'refused') {
       this.bar.tell(message.why);
     }
@@ -201,7 +210,7 @@ class ServedSource {
     this.newest = null;
     try {
       const { fingers, tick } = this.skin.follow(bytes);
-      this.frame({ ...this.skin.pack(), fingers, tick: (1000 * tick) / this.hello.ticks_per_s, pace: this.pace() });
+      this.frame({ ...this.skin.pack(), fingers, pads: this.pads, tick: (1000 * tick) / this.hello.ticks_per_s, pace: this.pace() });
     } catch (error) {
       this.socket.onclose = null;
       this.socket.close();

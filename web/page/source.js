@@ -2,7 +2,7 @@
 //
 // Everything else of the page knows a source only by this interface:
 //
-//   source.can                      {open, dysfunctions, record}: what it offers besides touch, each true or false
+//   source.can                      {open, dysfunctions, lumps, record}: what it offers besides touch, each true or false
 //   await source.preview?.()        a Body to look at until the one to feel is there; null when there is none
 //   await source.start()            a Body; rejects with an Error whose message can be shown
 //   source.tip(finger, aim)         finger 0 (left, blue) or 1 (right, red) is wanted there from now on:
@@ -15,6 +15,7 @@
 //   source.onAway?.(callback)       callback(words) while who feels the body is out of reach, callback(null) when back
 //   await source.open(name, bytes, unit_mm)      a mesh file: a Body; rejects in words and keeps the old body
 //   await source.setDysfunctions([{x, y, radius, change}])   gives the new stiffness (Float32Array)
+//   await source.lumps()            the trunk with the lumps of the preset: a Body
 //   await source.record()           {csv, toml}: what was felt so far and the scene it was felt on
 //
 //   Body  = {name, closed, notes: [words], landmarks: [{name, at, normal}], stiffness: Float32Array or null,
@@ -22,7 +23,8 @@
 //            bones: {positions: Float32Array, corners: Uint32Array} or null, colours: {name: Uint8Array of 256 x 4}}
 //   frame = {ranges: Uint32Array (first, end, first, end ...), values: Float32Array (7 a vertex of the ranges: place,
 //            normal, strain), fingers: [{tip, proxy, normal, force: [x, y, z], depth, touch}] (touch 0 free, 1 sticks,
-//            2 slips), tick, pace: {ticks_per_s, late_ms, worst_ms, lost} or null}
+//            2 slips), pads: {taxels, kpa: of each finger taxels x taxels numbers or null} or null, tick,
+//            pace: {ticks_per_s, late_ms, worst_ms, lost} or null}
 //
 // A source is chosen once: by <meta name="palpate-source" content="served">, or by ?served in the address.
 

@@ -13,6 +13,7 @@ const MOST_TICKS = 50; // a wake: late ticks are caught up with, but never so ma
 const GIVE_UP_MS = 500; // later than that (a laptop that slept), ticks are left out and counted as lost
 const AWAKE_MS = 12; // in a row, before messages are read
 const FRAME_MS = 15; // a little less than a sixtieth of a second
+const TAXELS = 8; // along a side of the pads that are shown
 
 let engine = null;
 let aims = null;
@@ -23,6 +24,7 @@ let due_ms = 0; // when the next tick is due
 let last_frame_ms = 0;
 let ticks = 0;
 let first_read = false; // the trunk, but not opened
+let has_lumps = false;
 const pace = new PaceMeter();
 const yielding = new MessageChannel();
 let turn_comes = false;
@@ -53,7 +55,9 @@ function sendFrame(now) {
   --credits;
   const { ranges, values } = engine.frame();
   const fingers = [engine.felt(0), engine.felt(1)];
-  const message = { frame: { ranges, values, fingers, tick: ticks, pace: pace.report(now) } };
+  const kpa = has_lumps ? [0, 1].map((finger) => (fingers[finger].touch === 0 ? null : engine.pad(finger, TAXELS))) : null;
+  const pads = kpa && { taxels: TAXELS, kpa };
+  const message = { frame: { ranges, values, fingers, pads, tick: ticks, pace: pace.report(now) } };
   postMessage(message, [ranges.buffer, values.buffer]);
 }
 
@@ -98,9 +102,18 @@ const tasks = {
     if (!first_read) engine.readReady(await fetchFirstBody());
     first_read = false;
     engine.openReady();
+    has_lumps = false;
+    return engine.body();
+  },
+  /// The trunk as it was made, with the lumps of the preset.
+  async openLumps() {
+    await tasks.openFirst();
+    engine.setLumps(true);
+    has_lumps = true;
     return engine.body();
   },
   openMesh({ bytes, name, unit_mm }) {
+    has_lumps = false;
     engine.openMesh(new Uint8Array(bytes), name, unit_mm);
     return engine.body();
   },

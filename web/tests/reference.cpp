@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lab/runs/contact_run.h"
@@ -15,6 +16,7 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/files/save.h"
+#include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
 #include "web/engine/frame_packer.h"
 #include "web/engine/live_body.h"
@@ -98,14 +100,33 @@ void runOnTrunk(const std::filesystem::path& folder, std::size_t triangles) {
   fmt::print("{{\"ticks_of_aim\":{},\"triangles\":{}}}\n", kTicksOfAim, body.world().body->skin.triangles.size());
 }
 
+/// Throws Error where the page's lumps are not those of the preset.
+void compareLumps() {
+  const auto preset = palpate::scene::load(PALPATE_SOURCE_DIR "/scenes/lumps.toml").lumps;
+  const auto page = palpate::web::presetLumps();
+  bool same = page.size() == preset.size();
+  for (std::size_t i = 0; same && i < page.size(); ++i) {
+    const palpate::scene::LumpSettings &one = page[i], &other = preset[i];
+    same = one.name == other.name && one.at == other.at && one.depth_mm == other.depth_mm &&
+           one.halfAxes() == other.halfAxes() && one.stiffness_ratio == other.stiffness_ratio &&
+           one.young_kpa == other.young_kpa && one.edge == other.edge && one.raise_mm == other.raise_mm &&
+           one.mobility_mm_per_n == other.mobility_mm_per_n && one.mobility_limit_mm == other.mobility_limit_mm;
+  }
+  if (!same) throw palpate::Error("the page's lumps (web/engine/live_body.cpp) are not those of scenes/lumps.toml");
+}
+
 }  // namespace
 
 int main(int count, char** words) {
   if (count != 2 && count != 3) {
-    std::fputs("usage: web_reference FOLDER [TRIANGLES]\n", stderr);
+    std::fputs("usage: web_reference FOLDER [TRIANGLES] | --lumps\n", stderr);
     return 2;
   }
   try {
+    if (std::string_view(words[1]) == "--lumps") {
+      compareLumps();
+      return 0;
+    }
     count == 2 ? run(words[1]) : runOnTrunk(words[1], std::stoul(words[2]));
   } catch (const palpate::Error& error) {
     fmt::print(stderr, "web_reference: {}\n", error.what());

@@ -17,7 +17,7 @@ const MIDDLE = [360, 300];
 let browser, other, server, address, tokens;
 
 async function started(port = 0, more = []) {
-  const token_file = join(drawn, `tokens-${process.pid}${more.length ? '-tls' : ''}.json`);
+  const token_file = join(drawn, `tokens-${process.pid}${more.length ? more[0].replace(/\W/g, '') : ''}.json`);
   const child = spawn(command, ['serve', '--port', String(port), '--json', '--site', site, '--token-file', token_file, ...more],
                       { stdio: ['ignore', 'pipe', 'ignore'] });
   const line = await new Promise((done, fail) => {
@@ -81,6 +81,30 @@ test('one page presses, another sees it, and who instructs halts it', { timeout:
   for (const tab of [hand, watcher, teacher]) assert.deepEqual(tab.complaints, []);
   await hand.release(...MIDDLE); // or it would have the finger again after the next start of the server
   await hand.close();
+});
+
+test('where the scene has a pad, its pressures are drawn beside the picture with their scale', { timeout: 240000 }, async () => {
+  const scene = join(drawn, `pad-${process.pid}.toml`);
+  writeFileSync(scene, '[[lump]]\nat = "T9 right 30 mm"\ndepth_mm = 5\nstiffness_ratio = 15\n[[finger]]\nname = "index"\nradius_mm = 8\npad = 8\nscript = [{ do = "press" }]\n');
+  const padded = await started(0, [scene]);
+  const own = await Browser.launch();
+  try {
+    const { control } = JSON.parse(readFileSync(padded.token_file, 'utf8'));
+    const hand = await own.open(`${padded.address}/#token=${control}`);
+    await hand.until("document.body.dataset.state === 'ready'");
+    await hand.press(...MIDDLE);
+    await pressing(hand);
+    await hand.until('palpate.newest.pads?.kpa[0]?.some((kpa) => kpa > 5)', 15);
+    assert.deepEqual(await hand.ask('palpate.newest.pads.kpa.map((kpa) => kpa?.length ?? null)'), [64, null]);
+    assert.match(await hand.ask("document.querySelector('#pads').innerText"), /Left finger: \d+ kPa[^]*0 kPa/);
+    assert.equal(await hand.ask("document.querySelector('#pads').hidden"), false);
+    writeFileSync(join(drawn, 'served_pad.png'), await hand.screenshot());
+    assert.deepEqual(hand.complaints, []);
+  } finally {
+    await own.close();
+    await ended(padded.child);
+    rmSync(scene);
+  }
 });
 
 test('a page says that the server is gone, and comes back when it does', { timeout: 240000 }, async () => {
