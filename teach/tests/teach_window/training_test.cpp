@@ -815,8 +815,8 @@ TEST_F(TrainingWindow, NothingOfTheWindowCanBeReachedThatWouldTellMoreThanTheFin
     using window::Action;
     if (binding.action == Action::cancel || binding.action == Action::quit ||
         binding.action == Action::emergency_stop || binding.action == Action::hold ||
-        binding.action == Action::show_planes || binding.action == Action::screenshot ||
-        binding.action == Action::screenshot_with_pop_ups) {
+        binding.action == Action::show_planes || binding.action == Action::show_pressure ||
+        binding.action == Action::screenshot || binding.action == Action::screenshot_with_pop_ups) {
       continue;  // leaving, answering, pausing, stopping: tested by themselves
     }
     stage.key(binding.chord.key, binding.chord.modifiers);
