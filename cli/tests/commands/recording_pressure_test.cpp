@@ -1,6 +1,7 @@
 // The pressure under the fingers of a recording: exported, and after a kill, a replay and a bundle still the same bits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
