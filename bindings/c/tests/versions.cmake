@@ -14,11 +14,12 @@ function(change text from to)
   set(${text} "${changed}" PARENT_SCOPE)
 endfunction()
 
-# Takes everything from `first` up to the end of the structure.
+# Takes everything from the structure's own `first` up to its end.
 function(cut text first end)
-  string(FIND "${${text}}" "${first}" from)
   string(FIND "${${text}}" "${end}" to)
-  if(from EQUAL -1 OR to LESS from)
+  string(SUBSTRING "${${text}}" 0 ${to} until)
+  string(FIND "${until}" "${first}" from REVERSE)
+  if(to EQUAL -1 OR from EQUAL -1)
     message(FATAL_ERROR "palpate.h has no '${first}' before '${end}': bindings/c/tests/versions.cmake must follow it")
   endif()
   string(SUBSTRING "${${text}}" 0 ${from} before)
