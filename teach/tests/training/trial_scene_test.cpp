@@ -47,6 +47,15 @@ std::pair<double, double> stiffnessAround(const scene::World& world, const Vec2&
   return {least, greatest};
 }
 
+TEST(TrialScene, WhatTheBaseSceneHidesIsGone) {
+  scene::Scene base;
+  base.dysfunctions.emplace_back();
+  base.lumps.emplace_back();
+  const scene::Scene scene = trialScene(base, builtInProtocol(), SessionKind::pre_test, flatTwelve(), std::nullopt);
+  EXPECT_TRUE(scene.dysfunctions.empty());
+  EXPECT_TRUE(scene.lumps.empty());
+}
+
 TEST(TrialScene, TheHiddenPlaceIsStifferByExactlyItsChangeAndNothingElseIs) {
   const SiteSet sites = flatTwelve();
   const Protocol protocol = builtInProtocol();

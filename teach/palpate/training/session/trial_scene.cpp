@@ -65,6 +65,7 @@ scene::Scene trialScene(const scene::Scene& base, const Protocol& protocol, Sess
   const SessionSettings& settings = settingsOf(protocol, kind);
   scene::Scene scene = base;
   scene.dysfunctions.clear();
+  scene.lumps.clear();  // what is hidden is the trial's alone
   if (!settings.natural_stiffness && !hidesLumps(kind)) makeEven(scene, protocol.base_n_per_mm);
   if (!hidden) return scene;
   const Site* site = sites.numbered(hidden->site);
