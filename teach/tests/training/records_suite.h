@@ -99,8 +99,8 @@ inline void refusesWhatDoesNotFit(RowTables& tables) {
   trial.block_id = "x";
   EXPECT_NE(refused(trial).find("'block_id' must be a UUID"), std::string::npos);
   trial.block_id = std::get<TrialRow>(history.rows[6]).block_id;
-  trial.change = 1.5;
-  EXPECT_NE(refused(trial).find("'change' is 1.5"), std::string::npos);
+  trial.change = -1.5;
+  EXPECT_NE(refused(trial).find("'change' is -1.5"), std::string::npos);
   auto session = std::get<SessionRow>(history.rows[4]);
   session.id = samples::id(9, 3);
   session.trainee_id = samples::trainee("nobody").id;

@@ -117,7 +117,7 @@ TEST(CutAway, ShowsHowFarAMobileLumpHasMoved) {
   finger.contact.lump_moved_mm = Vec2(3.0, 0.0);
   const CutAway cut = cutOf(*world, finger);
   EXPECT_NEAR(cut.lumps[0].moved_mm, 3.0, 1e-12);
-  EXPECT_GT(cut.lumps[0].middle.x(), 8.0) << "9 mm away now, not 6";
+  EXPECT_GT(cut.lumps[0].middle.x(), 7.0) << "9 mm away along the map now, not 6, on skin that slopes";
   ASSERT_FALSE(cut.lumps[0].placed.empty()) << "and where it was";
 }
 

@@ -235,7 +235,9 @@ TEST(Renderer, ShowsEveryOverlay) {
   scene.renderer.setPartition(nullptr, Vec3::Zero());
   const Image off = scene.draw();
   for (std::size_t i = 0; i < kOverlays; ++i) {
-    if (static_cast<Overlay>(i) == Overlay::names) continue;  // words, which lie over the picture
+    const auto overlay = static_cast<Overlay>(i);
+    if (overlay == Overlay::names) continue;                                  // words, which lie over the picture
+    if (overlay == Overlay::pressure || overlay == Overlay::lumps) continue;  // of worlds with lumps
     scene.look.overlays.reset();
     scene.look.overlays.set(i);
     EXPECT_GT(differing(scene.draw(), off), 20u) << kOverlayNames[i];

@@ -37,16 +37,19 @@ class Stage {
   explicit Stage(ViewState state = quiet()) : Stage(std::move(state), {}) {}
   /// With a mode of another product.
   explicit Stage(std::unique_ptr<Mode> mode) : Stage(quiet(), {}, false, std::move(mode)) {}
+  /// On another body than the sheet.
+  explicit Stage(const scene::Scene& scene) : Stage(quiet(), {}, false, nullptr, &scene) {}
   /// `records`: recordings by themselves, into the folder `recordings`.
-  Stage(ViewState state, ViewerHost host, bool records = false, std::unique_ptr<Mode> mode = nullptr) {
+  Stage(ViewState state, ViewerHost host, bool records = false, std::unique_ptr<Mode> mode = nullptr,
+        const scene::Scene* scene = nullptr) {
     ViewerSettings settings;
     settings.intro = false;
     settings.output_folder = folder.path();
     if (records) settings.recording_folder = folder / "sessions";
     settings.default_scene = sheetScene(folder);
     if (mode) settings.modes.push_back(std::move(mode));
-    viewer = std::make_unique<Viewer>(scene::build(sheetScene(folder)), std::move(state), std::move(settings),
-                                      std::move(host));
+    viewer = std::make_unique<Viewer>(scene::build(scene != nullptr ? *scene : sheetScene(folder)), std::move(state),
+                                      std::move(settings), std::move(host));
     frame();
   }
 

@@ -1,5 +1,5 @@
-// What sittings with lumps say: how many were found, of each size, depth and hardness, how many false alarms there were, and
-// how well bodies with a lump were told from those without.
+// What sittings with lumps say: how many were found, of each size, depth and hardness, how many false alarms there
+// were, and how well bodies with a lump were told from those without.
 //
 //   TraineeRecord ... ─ lumpGroups ─► LumpGroup: kind of sitting, protocol, rates with intervals, d', the cue's
 //   threshold
