@@ -1,5 +1,8 @@
 // Roots are found by Newton's method from the exponent: products and sums alone. The processor's one divider would
 // otherwise be what all lanes wait for.
+#ifdef __wasm__
+#define HWY_COMPILE_ONLY_SCALAR  // this Highway has no arithmetic of doubles in lanes there
+#endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "palpate/contact/pad_cells.cpp"
 #include <hwy/foreach_target.h>

@@ -130,8 +130,10 @@ void raiseSkin(const Scene& scene, BodyParts& body) {
 }
 
 bool raiseAlike(const Scene& one, const Scene& other) {
-  return std::ranges::equal(swellingsOf(one), swellingsOf(other),
-                            [](const LumpSettings* a, const LumpSettings* b) { return areAlike(*a, *b); });
+  const std::vector<const LumpSettings*> here = swellingsOf(one);
+  const std::vector<const LumpSettings*> there = swellingsOf(other);
+  return std::equal(here.begin(), here.end(), there.begin(), there.end(),
+                    [](const LumpSettings* a, const LumpSettings* b) { return areAlike(*a, *b); });
 }
 
 }  // namespace palpate::scene

@@ -110,9 +110,10 @@ FieldRow rowAt(const PressField& field, double depth_mm) noexcept {
   // Two rows are at a border: below it the deeper layer counts.
   const auto after = static_cast<std::size_t>(
       std::upper_bound(rows.begin() + 1, rows.end(), std::max(depth_mm, rows.front())) - rows.begin());
-  const auto in_layer = std::ranges::equal_range(field.row_layers, field.row_layers[after]);
-  const auto top = static_cast<std::size_t>(in_layer.begin() - field.row_layers.begin());
-  const auto end = static_cast<std::size_t>(in_layer.end() - field.row_layers.begin());
+  const auto& layers = field.row_layers;
+  const auto [first, last] = std::equal_range(layers.begin(), layers.end(), layers[after]);
+  const auto top = static_cast<std::size_t>(first - layers.begin());
+  const auto end = static_cast<std::size_t>(last - layers.begin());
   row.count = std::min(row.weight.size(), end - top);
   row.first = std::clamp(after < top + 2 ? top : after - 2, top, end - row.count);
   for (std::size_t i = 0; i < row.count; ++i) {
