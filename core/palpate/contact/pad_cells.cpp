@@ -93,7 +93,7 @@ struct PowerSeries {
 
 /// Rows above the middle: `lever`; into `plain` the covered share, into `force` (1 - r^2 / c^2), or where `whole` the
 /// product of the one and a power of the other into `plain`.
-void CoverUpper(const PadContact& contact, bool whole, PadCells& cells) {
+void coverUpper(const PadContact& contact, bool whole, PadCells& cells) {
   const double lever_most = 0.97 * contact.finger_mm;  // a lever ends before the equator of the tip
   const V radius = all(contact.radius_mm), half_cell = all(0.5 * contact.cell_mm), one = all(1.0), zero = all(0.0);
   const V per_cell = all(1.0 / contact.cell_mm), per_radius = all(1.0 / contact.radius_mm);
@@ -118,7 +118,7 @@ void CoverUpper(const PadContact& contact, bool whole, PadCells& cells) {
   });
 }
 
-void ScaleTo(double sum, const PadCells& cells, double* values) {
+void scaleTo(double sum, const PadCells& cells, double* values) {
   Lanes sums;
   overRows(cells, cells.last,
            [&](std::size_t cell, std::size_t, std::size_t lane, V) { sums.add(lane, load(values + cell)); });
@@ -136,7 +136,7 @@ HWY_INLINE V kernelOf(V wide) {
   return hn::Mul(hn::Mul(square, square), root);
 }
 
-PadKernel MakeKernel(const KernelShape& shape, PadCells& cells) {
+PadKernel makeKernel(const KernelShape& shape, PadCells& cells) {
   Lanes sums, circle;
   const V foot_x = all(shape.foot_x), foot_y = all(shape.foot_y), per_width2 = all(shape.per_width2);
   overRows(cells, cells.last, [&](std::size_t cell, std::size_t column, std::size_t lane, V y) {
@@ -155,7 +155,7 @@ PadKernel MakeKernel(const KernelShape& shape, PadCells& cells) {
   return {sums.sum(), circle.sum() / static_cast<double>(shape.arcs)};
 }
 
-void AddKernel(double strength, PadCells& cells) {
+void addKernel(double strength, PadCells& cells) {
   overRows(cells, cells.last, [&](std::size_t cell, std::size_t, std::size_t, V) {
     double* const bumps = cells.bumps.data() + cell;
     hn::Store(hn::Add(load(bumps), hn::Mul(all(strength), load(cells.kernel.data() + cell))), D(), bumps);
@@ -173,7 +173,7 @@ struct MomentLanes {
   PadMoments moments() const { return {normal.sum(), u.sum(), v.sum()}; }
 };
 
-PadMoments Moments(const PadCells& cells) {
+PadMoments moments(const PadCells& cells) {
   MomentLanes sums;
   overRows(cells, cells.last, [&](std::size_t cell, std::size_t column, std::size_t lane, V y) {
     sums.add(lane, load(cells.force.data() + cell), load(cells.lever.data() + cell), load(cells.x.data() + column), y);
@@ -181,7 +181,7 @@ PadMoments Moments(const PadCells& cells) {
   return sums.moments();
 }
 
-PadSlopes RaiseForces(double level, PadCells& cells) {
+PadSlopes raiseForces(double level, PadCells& cells) {
   MomentLanes sums;
   Lanes u, v;
   overRows(cells, cells.last, [&](std::size_t cell, std::size_t column, std::size_t lane, V y) {
@@ -199,7 +199,7 @@ PadSlopes RaiseForces(double level, PadCells& cells) {
 }
 
 /// Into `kernel`; whether all are 0 or more.
-bool Lean(double factor, double gain_u, double gain_v, PadCells& cells, PadMoments& moments) {
+bool lean(double factor, double gain_u, double gain_v, PadCells& cells, PadMoments& moments) {
   V least = all(0.0);
   MomentLanes sums;
   overRows(cells, cells.last, [&](std::size_t cell, std::size_t column, std::size_t lane, V y) {
@@ -221,13 +221,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace palpate::contact {
 
-HWY_EXPORT(CoverUpper);
-HWY_EXPORT(ScaleTo);
-HWY_EXPORT(MakeKernel);
-HWY_EXPORT(AddKernel);
-HWY_EXPORT(RaiseForces);
-HWY_EXPORT(Moments);
-HWY_EXPORT(Lean);
+HWY_EXPORT(coverUpper);
+HWY_EXPORT(scaleTo);
+HWY_EXPORT(makeKernel);
+HWY_EXPORT(addKernel);
+HWY_EXPORT(raiseForces);
+HWY_EXPORT(moments);
+HWY_EXPORT(lean);
 
 void layOut(std::size_t side, const PadContact& contact, PadCells& cells) noexcept {
   cells.side = side;
@@ -247,7 +247,7 @@ void layOut(std::size_t side, const PadContact& contact, PadCells& cells) noexce
 void coverCells(const PadContact& contact, PadCells& cells) noexcept {
   constexpr double kMaxSeries = 0.5;
   const bool whole = contact.exponent <= kMaxSeries;
-  HWY_DYNAMIC_DISPATCH(CoverUpper)(contact, whole, cells);
+  HWY_DYNAMIC_DISPATCH(coverUpper)(contact, whole, cells);
   const std::size_t middle = (cells.side + 1) / 2;
   for (std::size_t i = cells.begin(); !whole && i < middle * cells.across; ++i) {
     if (cells.plain[i] > 0.0) cells.plain[i] *= elementary::pow(cells.force[i], contact.exponent);
@@ -260,7 +260,7 @@ void coverCells(const PadContact& contact, PadCells& cells) noexcept {
 }
 
 void scaleTo(double sum, const PadCells& cells, PadCells::Values& values) noexcept {
-  HWY_DYNAMIC_DISPATCH(ScaleTo)(sum, cells, values.data());
+  HWY_DYNAMIC_DISPATCH(scaleTo)(sum, cells, values.data());
 }
 
 namespace {
@@ -290,19 +290,19 @@ PadKernel makeKernel(double foot_x, double foot_y, double width_mm, double circl
                           2.0 * circle_mm * std::sqrt(offset2) * per_width2,
                           wide ? kFewArcs.at.size() : kManyArcs.at.size(),
                           wide ? kFewArcs.at.data() : kManyArcs.at.data()};
-  return HWY_DYNAMIC_DISPATCH(MakeKernel)(shape, cells);
+  return HWY_DYNAMIC_DISPATCH(makeKernel)(shape, cells);
 }
 
-void addKernel(double strength, PadCells& cells) noexcept { HWY_DYNAMIC_DISPATCH(AddKernel)(strength, cells); }
+void addKernel(double strength, PadCells& cells) noexcept { HWY_DYNAMIC_DISPATCH(addKernel)(strength, cells); }
 
-PadMoments momentsOf(const PadCells& cells) noexcept { return HWY_DYNAMIC_DISPATCH(Moments)(cells); }
+PadMoments momentsOf(const PadCells& cells) noexcept { return HWY_DYNAMIC_DISPATCH(moments)(cells); }
 
 PadSlopes raiseForces(double level, PadCells& cells) noexcept {
-  return HWY_DYNAMIC_DISPATCH(RaiseForces)(level, cells);
+  return HWY_DYNAMIC_DISPATCH(raiseForces)(level, cells);
 }
 
 bool lean(double factor, double gain_u, double gain_v, PadCells& cells, PadMoments& moments) noexcept {
-  if (!HWY_DYNAMIC_DISPATCH(Lean)(factor, gain_u, gain_v, cells, moments)) return false;
+  if (!HWY_DYNAMIC_DISPATCH(lean)(factor, gain_u, gain_v, cells, moments)) return false;
   std::copy_n(&cells.kernel[cells.begin()], cells.end() - cells.begin(), &cells.force[cells.begin()]);
   return true;
 }

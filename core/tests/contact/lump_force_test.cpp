@@ -4,8 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 #include "core/tests/contact/finger_track.h"
 #include "palpate/base/random.h"
@@ -154,7 +155,9 @@ TEST(LumpForce, WithoutLumpsWithinReachNoBitChanges) {
       tip += Vec3(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.25));
       const FingerOutput a = step(bare, settings, one, tip);
       const FingerOutput b = step(*other, settings, two, tip);
-      ASSERT_EQ(std::memcmp(a.force.data(), b.force.data(), sizeof(a.force)), 0) << i;
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(a.force[k]), std::bit_cast<std::uint64_t>(b.force[k])) << i;
+      }
       ASSERT_EQ(a.hold, b.hold);
       ASSERT_TRUE(b.lump_force.isZero(0.0));
       ASSERT_EQ(b.lump_share, 0.0);

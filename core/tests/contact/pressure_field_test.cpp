@@ -64,7 +64,8 @@ Vec2 lateralOf(const Field& field, const PressurePad& pad) {
   for (int row = 0; row < n; ++row) {
     for (int column = 0; column < n; ++column) {
       const Vec2 at((column + 0.5) * side - 0.5 * pad.size_mm, 0.5 * pad.size_mm - (row + 0.5) * side);
-      const double kpa = field.kpa[static_cast<std::size_t>(row * n + column)];
+      const double kpa =
+          field.kpa[static_cast<std::size_t>(row) * static_cast<std::size_t>(n) + static_cast<std::size_t>(column)];
       if (kpa > 0.0) sum -= kNPerKpaMm2 * side * side * kpa / std::sqrt(std::max(1.0, 64.0 - at.squaredNorm())) * at;
     }
   }
@@ -103,7 +104,7 @@ TEST(PressureField, IsTheLayersPatternWhereThereIsNoLump) {
   for (int row = 0; row < 16; ++row) {
     for (int column = 0; column < 16; ++column) {
       const double r = std::hypot(column - 7.5, row - 7.5);
-      const double kpa = field.kpa[static_cast<std::size_t>(16 * row + column)];
+      const double kpa = field.kpa[16 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)];
       if (r < pattern.contact_radius_mm - 1.0) {
         EXPECT_NEAR(kpa, tissue::pressureAt(pattern, force_n, r), 0.04 * kpa) << r << " mm from the middle";
       }
@@ -234,7 +235,8 @@ PressureGround groundOf(const std::vector<tissue::PressurePattern>& at_2_5_8_mm)
 std::array<double, 9> ringsOf(std::span<const double> kpa) {
   std::array<double, 9> sum{}, count{};
   for (int i = 0; i < 256; ++i) {
-    const double r = std::hypot(i % 16 - 7.5, i / 16 - 7.5);
+    const int row = i / 16;
+    const double r = std::hypot(i % 16 - 7.5, row - 7.5);
     if (r >= 9.0) continue;
     sum[static_cast<std::size_t>(r)] += kpa[static_cast<std::size_t>(i)];
     count[static_cast<std::size_t>(r)] += 1.0;
