@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t kTriangles = 30000;
 constexpr double kSkinNPerMm = 0.5;
 constexpr std::size_t kWarmTicks = 20;
-constexpr std::size_t kBlockTicks = 100;
+constexpr std::size_t kTimedTicks = 100;
 
 /// Where the finger is in the block that is timed.
 struct Slide {
@@ -41,7 +41,7 @@ Slide slideOverBack() {
   const auto first = static_cast<std::ptrdiff_t>(lab::kSlideFromSeconds * 1e3);
   slide.approach.assign(path.tip_mm.begin(), path.tip_mm.begin() + first);
   slide.block.assign(path.tip_mm.begin() + first,
-                     path.tip_mm.begin() + first + static_cast<std::ptrdiff_t>(kBlockTicks));
+                     path.tip_mm.begin() + first + static_cast<std::ptrdiff_t>(kTimedTicks));
   return slide;
 }
 
@@ -52,7 +52,8 @@ contact::Surface withLumps(const Slide& slide, const tissue::LumpPlace& place, s
   const Vec3 middle = slide.block[slide.block.size() / 2];
   contact::Lumps lumps;
   for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 aside(kApartMm * (static_cast<double>(i / 2) - 1.0), kApartMm * static_cast<double>(i % 2), 0.0);
+    const std::size_t row = i / 2;
+    const Vec3 aside(kApartMm * (static_cast<double>(row) - 1.0), kApartMm * static_cast<double>(i % 2), 0.0);
     contact::Lump lump{
         .foot = count == 1 ? middle : Vec3(middle + aside), .energy = place.energyOf(shape), .shape = shape};
     contact::setPlane(lump);

@@ -30,6 +30,7 @@ namespace palpate::study {
 using FindingValues = nlohmann::json;
 
 /// A list of two: {x|rounded " to "}.
+// NOLINTNEXTLINE(readability-identifier-naming): the name that the JSON library looks for
 inline void to_json(FindingValues& json, const Extent& extent) { json = {extent.least, extent.most}; }
 
 /// A text as it is compiled in.

@@ -145,7 +145,7 @@ std::vector<std::pair<std::string, double>> lumpNumbers(const LumpMeasurement& f
   const auto add = [&](const std::string& name, double value) {
     if (std::isfinite(value)) numbers.emplace_back(name, value);
   };
-  const auto addInterval = [&](const std::string& name, double low, double high) {
+  const auto add_interval = [&](const std::string& name, double low, double high) {
     add("intervals." + name + ".low", low);
     add("intervals." + name + ".high", high);
   };
@@ -155,7 +155,7 @@ std::vector<std::pair<std::string, double>> lumpNumbers(const LumpMeasurement& f
       add("figures." + name, figure.found);
       add("printed." + name, figure.printed);
       add("expected." + name, figure.expected);
-      addInterval(name, figure.low, figure.high);
+      add_interval(name, figure.low, figure.high);
     }
     add("observers." + group.name + ".force_weber", group.observer.force_weber);
     add("observers." + group.name + ".pattern_weber", group.observer.pattern_weber);
@@ -170,7 +170,7 @@ std::vector<std::pair<std::string, double>> lumpNumbers(const LumpMeasurement& f
       add(name, row.found);
       add("printed." + name, row.printed);
       add("expected." + name, row.expected);
-      addInterval(name, row.low, row.high);
+      add_interval(name, row.low, row.high);
     }
   }
   add("people", static_cast<double>(found.plan.people));

@@ -76,7 +76,7 @@ void keepLump(std::uint64_t name, std::span<const SolvedPush> pushes) {
   }
 }
 
-const bool installed = [] {
+[[maybe_unused]] const bool kInstalled = [] {
   setLumpStore({findLump, keepLump});
   return true;
 }();

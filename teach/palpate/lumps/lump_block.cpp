@@ -295,9 +295,9 @@ CueThreshold cueThreshold(const std::vector<Sought>& sought) {
   constexpr std::array kSpreads = {0.5, 1.0, 1.7, 2.5, 3.4};
   if (sought.empty()) return {};
   std::vector<double> weights(kPoints, 0.0);
-  const auto placeOf = [](int i) { return kReach * (2.0 * i / (kPoints - 1) - 1.0); };
+  const auto place_of = [](int i) { return kReach * (2.0 * i / (kPoints - 1) - 1.0); };
   for (int i = 0; i < kPoints; ++i) {
-    const double place = placeOf(i);
+    const double place = place_of(i);
     for (const double spread : kSpreads) {
       double weight = elementary::exp(-0.5 * elementary::square(place / kPriorSd));
       for (const Sought& lump : sought) {
@@ -313,7 +313,7 @@ CueThreshold cueThreshold(const std::vector<Sought>& sought) {
     double below = 0.0;
     for (int i = 0; i < kPoints; ++i) {
       below += weights[static_cast<std::size_t>(i)];
-      if (below >= share * sum) return elementary::exp(placeOf(i));
+      if (below >= share * sum) return elementary::exp(place_of(i));
     }
     return elementary::exp(kReach);
   };

@@ -117,12 +117,12 @@ ComparedSkin::Press ComparedSkin::press(const Vec3& place, const Vec3& normal, d
   contact::FingerState alone;
   contact::FingerState over;
   Press press;
-  const auto tipAt = [&](double depth_mm) { return Vec3(place + (finger_.radius_mm - depth_mm) * normal); };
+  const auto tip_at = [&](double depth_mm) { return Vec3(place + (finger_.radius_mm - depth_mm) * normal); };
   double depth_mm = -kAboveMm;
   double before_n = 0.0;
   const auto both = [&](double to_mm) {
-    press.without = contact::step(without_, finger_, alone, tipAt(to_mm));
-    press.with = contact::step(with_, finger_, over, tipAt(to_mm));
+    press.without = contact::step(without_, finger_, alone, tip_at(to_mm));
+    press.with = contact::step(with_, finger_, over, tip_at(to_mm));
   };
   both(depth_mm);
   while (depth_mm < finger_.max_depth_mm && !press.reached) {

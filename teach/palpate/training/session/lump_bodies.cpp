@@ -111,7 +111,7 @@ scene::Scene lumpScene(const scene::Scene& base, const lumps::LumpTask& task,
   return scene;
 }
 
-LumpBodies::LumpBodies(std::shared_ptr<const scene::World> body, const Protocol& protocol, const SiteSet& sites)
+LumpBodies::LumpBodies(const std::shared_ptr<const scene::World>& body, const Protocol& protocol, const SiteSet& sites)
     : plain_(scene::rebuilt(*body, withoutAny(body->scene, protocol))),
       ground_(scene::pressureGround(*plain_)),
       task_(*protocol.lump),

@@ -25,7 +25,7 @@ class LumpBodies {
  public:
   /// Among the sites and a little beside them. Throws Error for a protocol without lumps, for a body without layers
   /// that were solved with a field, and where the largest lump has nowhere room at its greatest depth.
-  LumpBodies(std::shared_ptr<const scene::World> body, const Protocol& protocol, const SiteSet& sites);
+  LumpBodies(const std::shared_ptr<const scene::World>& body, const Protocol& protocol, const SiteSet& sites);
 
   const std::vector<Vec2>& places() const { return places_; }
   /// Any lump's world, and that without: felt with the same law and the same skin. Throws Error.

@@ -44,7 +44,8 @@ void drawTaxels(Drawing& page, const PadReading& reading, double top_kpa, const 
   const float cell = plate.side / static_cast<float>(n);
   const float half_line = 0.5f * page.measure("0", TextSize::small).y();
   for (std::size_t i = 0; i < reading.kpa.size(); ++i) {
-    const Vec2f corner = plate.square() + cell * Vec2f(static_cast<float>(i % n), static_cast<float>(i / n));
+    const std::size_t row = i / n;
+    const Vec2f corner = plate.square() + cell * Vec2f(static_cast<float>(i % n), static_cast<float>(row));
     const double share = reading.kpa[i] / top_kpa;
     page.box(corner, corner + Vec2f::Constant(cell), Ink{heatOf(share)});
     if (n > kMostNumbers || reading.kpa[i] < 0.5) continue;
