@@ -45,7 +45,7 @@ std::vector<Quote> quotesOf(const std::string& page) {
 }
 
 std::vector<fs::path> documents() {
-  std::vector<fs::path> files = {kSources / "README.md"};
+  std::vector<fs::path> files = {kSources / "README.md", kSources / "packaging/paper/paper.md"};
   for (const auto& entry : fs::recursive_directory_iterator(kSources / "docs")) {
     if (entry.path().extension() == ".md") files.push_back(entry.path());
   }
