@@ -3,6 +3,7 @@
 // it too.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +15,7 @@
 #include "lab/workloads/workload_meshes.h"
 #include "lab/workloads/workload_paths.h"
 #include "palpate/base/error.h"
+#include "palpate/body/places.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
@@ -70,11 +72,36 @@ void writeFelt(std::ostream& out, const palpate::contact::FingerOutput& felt) {
   out << static_cast<int>(felt.touch) << ',' << felt.status << '\n';
 }
 
-void runOnTrunk(const std::filesystem::path& folder, std::size_t triangles) {
+palpate::web::LiveBody trunk(std::size_t triangles) {
   palpate::scene::Scene scene;
   scene.body.kind = palpate::scene::BodyKind::trunk;
   scene.body.triangles = triangles;
-  palpate::web::LiveBody body(palpate::scene::build(scene));
+  return palpate::web::LiveBody(palpate::scene::build(scene));
+}
+
+/// What packaging/npm/examples/press.mjs does; prints its last line.
+void pressAsTheExample(std::size_t triangles) {
+  palpate::web::LiveBody body = trunk(triangles);
+  const auto& landmarks = body.world().body->anatomy.landmarks;
+  const auto t6 = std::ranges::find_if(
+      landmarks, [](const auto& landmark) { return palpate::body::spokenName(landmark.name) == "T6"; });
+  if (t6 == landmarks.end()) throw palpate::Error("the trunk has no T6");
+  palpate::device::FingerTarget target;
+  target.present = target.pressed = true;
+  target.place = t6->position;
+  target.normal = t6->normal;
+  target.depth_mm = 12.0;
+  body.aim(0, target);
+  body.run(600);
+  target.place.y() += 10.0;
+  body.aim(0, target);
+  body.run(200);
+  const palpate::Vec3 force = body.felt(0).force;
+  fmt::print("force {} {} {} N\n", force.x(), force.y(), force.z());
+}
+
+void runOnTrunk(const std::filesystem::path& folder, std::size_t triangles) {
+  palpate::web::LiveBody body = trunk(triangles);
   const auto& landmarks = body.world().body->anatomy.landmarks;
   std::ofstream aims(folder / "aims.csv");
   std::ofstream felt(folder / "felt.csv");
@@ -119,12 +146,16 @@ void compareLumps() {
 
 int main(int count, char** words) {
   if (count != 2 && count != 3) {
-    std::fputs("usage: web_reference FOLDER [TRIANGLES] | --lumps\n", stderr);
+    std::fputs("usage: web_reference FOLDER [TRIANGLES] | --lumps | --press TRIANGLES\n", stderr);
     return 2;
   }
   try {
     if (std::string_view(words[1]) == "--lumps") {
       compareLumps();
+      return 0;
+    }
+    if (count == 3 && std::string_view(words[1]) == "--press") {
+      pressAsTheExample(std::stoul(words[2]));
       return 0;
     }
     count == 2 ? run(words[1]) : runOnTrunk(words[1], std::stoul(words[2]));
