@@ -15,7 +15,9 @@ import sys
 from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
 
-SOURCE = pathlib.Path(__file__).resolve().parents[2]
+HERE = pathlib.Path(__file__).resolve().parent
+# In the repository this file lies in bindings/python, in a source distribution at the top.
+SOURCE = HERE if (HERE / "core").is_dir() else HERE.parents[1]
 BUILD = SOURCE / "build" / f"python-{sys.version_info.major}.{sys.version_info.minor}"
 
 
@@ -56,4 +58,4 @@ class Compiled(Distribution):
 
 
 VERSION = re.search(r"project\(palpate VERSION ([\d.]+)", (SOURCE / "CMakeLists.txt").read_text())[1]
-setup(version=VERSION, packages=["palpate"], cmdclass={"build_py": Build}, distclass=Compiled)
+setup(version=VERSION, packages=["palpate"], package_dir={"palpate": os.path.relpath(SOURCE / "bindings/python/palpate", HERE)}, cmdclass={"build_py": Build}, distclass=Compiled)

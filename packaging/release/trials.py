@@ -1,0 +1,244 @@
+"""What a stranger does with the files of a release: verify, install in an empty folder, run the first example. Forces are compared
+with those of first/kept.json."""
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tarfile
+import tempfile
+import time
+
+from release import shared_objects
+from release.artefacts import HERE, PYTHON, ROOT
+
+KEPT = json.loads((HERE / "first/kept.json").read_text())
+TEST_KEY = HERE / "test_key/test.pub"
+# Nothing of this machine's setup: neither its folders of modules nor its libraries.
+CLEAN = {"PATH": "/usr/local/bin:/usr/bin:/bin", "HOME": "/nonexistent", "LC_ALL": "C.UTF-8"}
+
+
+class Failed(Exception):
+    pass
+
+
+class Skipped(Exception):
+    pass
+
+
+def run(*command, **options) -> str:
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **({"env": CLEAN} | options))
+    if done.returncode != 0:
+        raise Failed(f"{' '.join(map(str, command[:5]))}: exit code {done.returncode}: {(done.stderr or done.stdout).strip()[-1200:]}")
+    return done.stdout
+
+
+def the(folder: pathlib.Path, pattern: str) -> pathlib.Path:
+    found = sorted(folder.glob(pattern))
+    if not found:
+        raise Skipped(f"there is no {pattern}")
+    return found[0]
+
+
+def felt(text: str, which: str) -> str:
+    """The line of forces must be the kept one."""
+    lines = [line for line in text.splitlines() if "force" in line]
+    if not lines or lines[-1] != KEPT[which]:
+        raise Failed(f"felt {lines[-1:]}; kept is {KEPT[which]}")
+    return "the kept forces"
+
+
+# ---- verify
+
+
+def key_of(folder: pathlib.Path):
+    """Signed by the tests' key, or by one that is not at hand here."""
+    done = subprocess.run([folder / "verify", TEST_KEY], capture_output=True, text=True)
+    return TEST_KEY if done.returncode == 0 else "--sums"
+
+
+def try_verify(files: pathlib.Path, work: pathlib.Path, _) -> str:
+    """What `verify` says of the files as they are, and after every kind of change."""
+    copy = work / "copy"
+    shutil.copytree(files, copy)
+    key = key_of(copy)
+    said = run(copy / "verify", key, cwd="/").strip()
+
+    def refused(what: str, change, undo) -> None:
+        change()
+        done = subprocess.run([copy / "verify", key], capture_output=True, text=True, env=CLEAN)
+        undo()
+        if done.returncode != 1:
+            raise Failed(f"verify takes {what}: {done.stdout}{done.stderr}")
+
+    for file in sorted(copy.iterdir()):
+        kept = file.read_bytes()
+        at = len(kept) // 2
+        if file.name in ("verify", "SHA256SUMS.minisig"):
+            continue  # the script runs, and the signature holds, or they do not
+        refused(f"{file.name} with one byte changed", lambda f=file, k=kept, i=at: f.write_bytes(k[:i] + bytes([k[i] ^ 1]) + k[i + 1:]),
+                lambda f=file, k=kept: f.write_bytes(k))
+    extra = copy / "extra.deb"
+    refused("a file too many", lambda: extra.write_bytes(b"x"), extra.unlink)
+    if key != "--sums":
+        notes = the(copy, "palpate-*.md")
+        kept, sums = notes.read_bytes(), (copy / "SHA256SUMS").read_text()
+
+        def forge() -> None:
+            notes.write_bytes(kept + b"!")
+            old, new = (hashlib.sha256(text).hexdigest() for text in (kept, kept + b"!"))
+            (copy / "SHA256SUMS").write_text(sums.replace(old, new))
+
+        def restore() -> None:
+            notes.write_bytes(kept)
+            (copy / "SHA256SUMS").write_text(sums)
+
+        refused("a changed file whose sum was changed, too", forge, restore)
+        other = "RWQf6LRCGA9i53mlYecO4IzT51TGPpvWucNSCh1CBM0QTaLn73Y7GFO3"  # minisign's own
+        if subprocess.run([copy / "verify", other], capture_output=True, env=CLEAN).returncode != 1:
+            raise Failed("verify takes another key")
+    return said.removeprefix("verify: ")
+
+
+# ---- one artefact each
+
+
+def try_npm(files: pathlib.Path, work: pathlib.Path, _) -> str:
+    package = the(files, "palpate-*.tgz")
+    if shutil.which("npm") is None:
+        raise Skipped("npm is not installed")
+    environment = CLEAN | {"HOME": str(work), "PATH": os.environ["PATH"]}
+    run("npm", "install", "--offline", "--no-audit", "--no-fund", package, cwd=work, env=environment)
+    said = felt(run("node", "node_modules/palpate/examples/press.mjs", cwd=work, env=environment), "press")
+    page = run("node", "--input-type=module", "-e", "import { pageFolder } from 'palpate/page'; console.log(pageFolder)", cwd=work, env=environment)
+    if not (pathlib.Path(page.strip()) / "index.html").exists():
+        raise Failed(f"palpate/page gives {page}")
+    if shutil.which("tsc"):
+        example = work / "typed.mts"
+        example.write_text((work / "node_modules/palpate/examples/press.mjs").read_text())
+        run("tsc", "--noEmit", "--strict", "--target", "es2022", "--module", "node16", "--moduleResolution", "node16", "--lib", "es2022,dom", example,
+            cwd=work, env=environment)
+        said += ", typed"
+    browser = subprocess.run(["node", HERE / "press_in_browser.mjs", work], capture_output=True, text=True)
+    if browser.returncode == 77:
+        return said + " in node (no chromium here)"
+    if browser.returncode != 0:
+        raise Failed(f"chromium: {browser.stderr.strip()[-800:]}")
+    felt(browser.stdout, "press")
+    return said + " in node and Chromium"
+
+
+def try_wheel(files: pathlib.Path, work: pathlib.Path, full) -> str:
+    wheel = the(files, "*.whl")
+    start = time.monotonic()
+    run(PYTHON, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--no-compile", "--target", work / "site", wheel)
+    took = time.monotonic() - start
+    environment = CLEAN | {"PYTHONPATH": str(work / "site"), "PYTHONDONTWRITEBYTECODE": "1"}
+    said = felt(run(PYTHON, HERE / "first/touch.py", cwd=work, env=environment), "touch")
+    run(PYTHON, "-c", "import palpate.view", cwd=work, env=environment)
+    only_the_system((work / "site").rglob("*.so*"), work)
+    return f"{said}, installed in {took:.1f} s"
+
+
+def try_sdist(files: pathlib.Path, work: pathlib.Path, full) -> str:
+    with tarfile.open(the(files, "palpate-[0-9]*[0-9].tar.gz")) as tar:
+        tar.extractall(work)
+    tree = the(work, "palpate-*")
+    for file in ("PKG-INFO", "setup.py", "pyproject.toml", "LICENSE"):
+        if not (tree / file).exists():
+            raise Failed(f"it has no {file}")
+    options = ["APPS", "TESTS", "EXAMPLES", "BENCHMARKS", "C"]
+    run("cmake", "-S", tree, "-B", work / "build", "-G", "Ninja", "-DPALPATE_BUILD_PYTHON=ON", "-DPALPATE_PEERS=OFF", f"-DPython3_EXECUTABLE={PYTHON}",
+        *[f"-DPALPATE_BUILD_{option}=OFF" for option in options])
+    plan = run("ninja", "-C", work / "build", "-n", "palpate_python")  # every file that it compiles is there
+    if "palpate_python_core" not in plan and "_core" not in plan:
+        raise Failed("it would not build the module")
+    if not full:
+        return "configures, every source is there (--full compiles it)"
+    run(PYTHON, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--no-build-isolation", "--target", work / "site", tree)
+    environment = CLEAN | {"PYTHONPATH": str(work / "site"), "PYTHONDONTWRITEBYTECODE": "1"}
+    return felt(run(PYTHON, HERE / "first/touch.py", cwd=work, env=environment), "touch") + ", compiled"
+
+
+def only_the_system(files, work: pathlib.Path) -> None:
+    """What the loader takes lies in `work`, or is glibc's or the compiler's."""
+    for file in files:
+        if file.is_symlink():
+            continue
+        for line in run("ldd", file).splitlines():
+            name = line.split()[0]
+            if "not found" in line or (str(work.resolve()) not in line and not shared_objects.OF_THE_SYSTEM.match(pathlib.Path(name).name)):
+                raise Failed(f"{file.name} loads {line.strip()}")
+
+
+def try_c(files: pathlib.Path, work: pathlib.Path, _) -> str:
+    with tarfile.open(the(files, "palpate-c-*.tar.gz")) as tar:
+        tar.extractall(work)
+    tree = the(work, "palpate-c-*")
+    only_the_system([*(tree / "lib").glob("*.so"), *tree.glob("lib/*.so.*")], work)
+    flags = run("pkg-config", "--cflags", "--libs", "palpate", env=CLEAN | {"PKG_CONFIG_PATH": str(tree / "lib/pkgconfig")}).split()
+    run("cc", "-Wall", "-Werror", "-std=c99", "-ffp-contract=off", tree / "examples/touch.c", *flags, f"-Wl,-rpath,{tree / 'lib'}", "-o", work / "touch")
+    said = felt(run(work / "touch", cwd="/"), "touch")
+    run("cmake", "-S", tree / "examples", "-B", work / "build", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={tree}")
+    run("cmake", "--build", work / "build")
+    felt(run(work / "build/touch", cwd="/"), "touch")
+    return said + " by pkg-config and by CMake"
+
+
+def try_deb(files: pathlib.Path, work: pathlib.Path, _) -> str:
+    packages = work / "packages"
+    packages.mkdir()
+    the(files, "*.deb")
+    for package in files.glob("*.deb"):
+        shutil.copyfile(package, packages / package.name)
+    run(ROOT / "tools/package", "--made", "--out", packages, "--keep", work / "root", env=os.environ | {})
+    root = work / "root/usr"
+    flags = run("pkg-config", "--cflags", "--libs", "palpate", env=CLEAN | {"PKG_CONFIG_PATH": str(root / "lib/pkgconfig")}).split()
+    run("cc", "-ffp-contract=off", HERE / "first/touch.c", *flags, f"-Wl,-rpath,{root / 'lib'}", "-o", work / "touch")
+    felt(run(work / "touch", cwd="/"), "touch")
+    environment = CLEAN | {"PYTHONPATH": str(root / "lib/python3/dist-packages"), "PYTHONDONTWRITEBYTECODE": "1"}
+    felt(run(PYTHON, HERE / "first/touch.py", cwd="/", env=environment), "touch")
+    for file in ("applications/org.palpate.palpate.desktop", "metainfo/org.palpate.palpate.metainfo.xml", "icons/hicolor/scalable/apps/palpate.svg",
+                 "man/man1/palpate.1", "bash-completion/completions/palpate"):
+        if not list((root / "share").glob(file + "*")):
+            raise Failed(f"no package has share/{file}")
+    return "the kept forces from C and Python; the command runs"
+
+
+def try_source(files: pathlib.Path, work: pathlib.Path, _) -> str:
+    with tarfile.open(the(files, "*-source.tar.gz")) as tar:
+        tar.extractall(work)
+    tree = the(work, "palpate-*")
+    run(sys.executable, tree / "packaging/check_papers.py", env=os.environ | {})
+    options = ["APPS", "TESTS", "EXAMPLES", "PYTHON"]
+    run("cmake", "-S", tree, "-B", work / "build", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", *[f"-DPALPATE_BUILD_{o}=OFF" for o in options])
+    run("ninja", "-C", work / "build", "-n", "palpate_c")
+    return "configures, every source of the C library is there (./test compiles everything)"
+
+
+def try_text(files: pathlib.Path, work: pathlib.Path, _) -> str:
+    run(ROOT / "tools/sbom", "--check", the(files, "*.spdx.json"))
+    rows = [json.loads(line) for line in the(files, "*-bits.jsonl").read_text().splitlines()]
+    if len(rows) < 5 or not all(row.get("forces") for row in rows):
+        raise Failed("the list of hashes is empty")
+    return f"bill of materials, hashes of {len(rows)} scenes, {len(the(files, 'palpate-*.md').read_text().splitlines())} lines of notes"
+
+
+TRIALS = {"verify": try_verify, "notes, bill, hashes": try_text, "C library": try_c, "npm": try_npm, "wheel": try_wheel, "Debian": try_deb,
+          "source": try_source, "sdist": try_sdist}
+
+
+def check(files: pathlib.Path, version: str, full: bool) -> int:
+    failed = 0
+    for name, trial in TRIALS.items():
+        with tempfile.TemporaryDirectory() as work:
+            try:
+                print(f"{name}: {trial(files, pathlib.Path(work), full)}", flush=True)
+            except Skipped as reason:
+                print(f"{name}: left out: {reason}", flush=True)
+            except Failed as reason:
+                failed += 1
+                print(f"{name}: FAILED: {reason}", flush=True)
+    return 1 if failed else 0
