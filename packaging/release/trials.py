@@ -227,8 +227,66 @@ def try_text(files: pathlib.Path, work: pathlib.Path, _) -> str:
     return f"bill of materials, hashes of {len(rows)} scenes, {len(the(files, 'palpate-*.md').read_text().splitlines())} lines of notes"
 
 
+# ---- the lines of the README, in a Debian root that holds nothing else
+
+
+def install_lines() -> list:
+    """The commands of README.md that install, without their comments."""
+    section = (ROOT / "README.md").read_text().split("## Install", 1)[1].split("```")[1]
+    return [line.split("#")[0].strip() for line in section.strip().splitlines() if line.strip()]
+
+
+def in_root(root: pathlib.Path, words: str) -> str:
+    """By a shell in the root, in /files, with /proc and without anything else of this machine."""
+    inside = f"mount -t proc proc {root}/proc && exec chroot {root} /bin/sh -ec 'cd /files; {words}'"
+    return run("unshare", "-m", "--propagation", "private", "sh", "-ec", inside, env=CLEAN | {"HOME": "/root", "DEBIAN_FRONTEND": "noninteractive",
+                                                                                         "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"})
+
+
+def fresh_root(files: pathlib.Path, work: pathlib.Path) -> pathlib.Path:
+    if shutil.which("debootstrap") is None or os.geteuid() != 0:
+        raise Skipped("it needs debootstrap and root")
+    root = work / "root"
+    run("debootstrap", "--variant=minbase", "--include=python3-venv,python3-numpy", "bookworm", root, env=os.environ | {})
+    shutil.copyfile("/etc/resolv.conf", root / "etc/resolv.conf")
+    shutil.copytree(files, root / "files")
+    shutil.copyfile(HERE / "first/touch.py", root / "files/touch.py")
+    return root
+
+
+def try_readme(files: pathlib.Path, work: pathlib.Path, full) -> str:
+    """Every line of the README that installs, as it stands there, then the first example."""
+    lines = install_lines()
+    tools = [line.split()[0] for line in lines]
+    if sorted(tools) != ["apt", "npm", "pip", "tar"]:
+        raise Failed(f"the lines of the README are {tools}; a new one needs its trial")
+    if not full:
+        raise Skipped("a fresh Debian root takes a network and minutes; --full")
+    root = fresh_root(files, work)
+    said = []
+    for tool, line in zip(tools, lines):
+        start = time.monotonic()
+        if tool == "apt":
+            in_root(root, f"apt-get -qq update; {line.replace('apt install', 'apt-get install -qq -y --no-install-recommends')}")
+            in_root(root, "palpate --version; palpate simulate --seconds 0.1 --no-pictures --no-plot --out /tmp/run")
+        elif tool == "pip":
+            in_root(root, "python3 -m venv --system-site-packages /venv")
+            start = time.monotonic()
+            in_root(root, f"/venv/bin/{line} --no-index --quiet")
+            felt(in_root(root, "/venv/bin/python touch.py"), "touch")
+        elif tool == "tar":
+            in_root(root, f"{line}; test -e palpate-c-*/lib/libpalpate.so")
+        else:
+            (work / "npm").mkdir()
+            for package in files.glob("palpate-*.tgz"):
+                shutil.copyfile(package, work / "npm" / package.name)
+            run("sh", "-ec", f"{line} --offline --no-audit --no-fund", cwd=work / "npm", env=CLEAN | {"HOME": str(work), "PATH": os.environ["PATH"]})
+        said.append(f"{tool} {time.monotonic() - start:.0f} s")
+    return f"installed and felt in a fresh Debian 12 root: {', '.join(said)}"
+
+
 TRIALS = {"verify": try_verify, "notes, bill, hashes": try_text, "C library": try_c, "npm": try_npm, "wheel": try_wheel, "Debian": try_deb,
-          "source": try_source, "sdist": try_sdist}
+          "source": try_source, "sdist": try_sdist, "README": try_readme}
 
 
 def check(files: pathlib.Path, version: str, full: bool) -> int:
