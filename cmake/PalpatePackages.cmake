@@ -21,6 +21,9 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/packaging/debian/compress_pages.cmake)
+configure_file(packaging/debian/changelog.in debian/changelog @ONLY)
+execute_process(COMMAND gzip -9nc ${CMAKE_BINARY_DIR}/debian/changelog OUTPUT_FILE ${CMAKE_BINARY_DIR}/debian/changelog.gz)
 
 # palpate_package(<group> <package> <components> <section> <description>): the first line of the description is its title.
 function(palpate_package group package components section description)
@@ -35,7 +38,7 @@ function(palpate_package group package components section description)
   set(CPACK_DEBIAN_${upper}_DESCRIPTION "${description}" PARENT_SCOPE)
   set(CPACK_DEBIAN_${upper}_PACKAGE_SHLIBDEPS ON PARENT_SCOPE)
   list(GET components 0 first)
-  install(FILES ${PROJECT_SOURCE_DIR}/packaging/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
+  install(FILES ${PROJECT_SOURCE_DIR}/packaging/debian/copyright ${CMAKE_BINARY_DIR}/debian/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
           COMPONENT ${first} EXCLUDE_FROM_ALL)
 endfunction()
 
@@ -44,12 +47,13 @@ set(CPACK_COMPONENTS_ALL)
 set(development Unspecified)
 if(TARGET palpate_c)
   palpate_package(lib libpalpate0 library libs
-                  "haptic palpation: the C library\nBodies that can be felt, fingers that feel them and skin that follows, for programs in C, C# and other languages.")
-  set(CPACK_DEBIAN_LIB_PACKAGE_GENERATE_SHLIBS ON)
+                  "haptic palpation: the C library\nBodies that can be felt, fingers that feel them and skin that follows,\nfor programs in C, C# and other languages.")
+  # Not CPack's own: it calls ldconfig by scripts, where a trigger is Debian's way, and writes no shlibs of a library that it strips.
+  set(CPACK_DEBIAN_LIB_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/debian/shlibs ${PROJECT_SOURCE_DIR}/packaging/debian/triggers)
   set(development development Unspecified)
 endif()
 palpate_package(dev libpalpate-dev "${development}" libdevel
-                "haptic palpation: files for developers\nThe header of the C library, Palpate.cs for C# and Unity, and the C++ library with its headers and CMake files.")
+                "haptic palpation: files for developers\nThe header of the C library, Palpate.cs for C# and Unity, and the C++ library\nwith its headers and CMake files.")
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libeigen3-dev, libfmt-dev, libhwy-dev, libtomlplusplus-dev, libsqlite3-dev, zlib1g-dev")
 if(PALPATE_ASSIMP)
   string(APPEND CPACK_DEBIAN_DEV_PACKAGE_DEPENDS ", libassimp-dev")
@@ -73,8 +77,8 @@ endmacro()
 palpate_family_package(serve "haptic palpation: in browsers\npalpate serve: feel here, with devices, and show it in browsers.")
 palpate_family_package(report "haptic palpation: plots, maps and reports\npalpate recording report, recording plot, body map.")
 palpate_family_package(measure "haptic palpation: measuring from photographs\npalpate measure: how far skin follows a finger, from photographs of dots.")
-palpate_family_package(teach "haptic palpation: training and classes\npalpate train, palpate class: training, examination, their records, a class over the network.")
-palpate_family_package(study "haptic palpation: studies\npalpate study, palpate tissue: the dissertation's numbers and figures, finite elements of tissue, benchmarks.")
+palpate_family_package(teach "haptic palpation: training and classes\npalpate train, palpate class: training, examination, their records,\na class over the network.")
+palpate_family_package(study "haptic palpation: studies\npalpate study, palpate tissue: the dissertation's numbers and figures,\nfinite elements of tissue, benchmarks.")
 if(TARGET palpate_python)
   # A module fits one minor version of Python.
   execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sys; print(sys.version_info.major, sys.version_info.minor, sys.version_info.minor + 1, sep=';')"
