@@ -17,7 +17,7 @@ namespace palpate::elements {
 
 namespace {
 
-const bool installed = [] {
+[[maybe_unused]] const bool kInstalled = [] {
   scene::setLumpSolver(solveLump);
   return true;
 }();
