@@ -21,6 +21,12 @@
 #define PALPATE_KERNEL_SHAPE
 namespace palpate::contact {
 
+/// Where the cells of a pad are, by its side; r is that of rows above the middle and of the middle one.
+struct alignas(64) PadGrid {
+  std::array<double, PadCells::kMostAcross> x;
+  std::array<double, PadCells::kMostAcross * PadCells::kMostAcross / 2> r, inverse_r;
+};
+
 /// Of a bump; 1 + s^2 / w^2 on the circle is circle + swing x cosine.
 struct KernelShape {
   double foot_x, foot_y, per_width2, circle, swing;
@@ -40,130 +46,171 @@ using D = hn::CappedTag<double, PadCells::kLanes>;
 using V = hn::Vec<D>;
 
 HWY_INLINE V all(double value) { return hn::Set(D(), value); }
+HWY_INLINE V load(const double* values) { return hn::Load(D(), values); }
 
-/// 1 / sqrt(v), within some roundings; for 0 a number so large that its product with 0 is 0.
+/// 1 / sqrt(v) to 6e-7 after two rounds and 5e-13 after three; for 0 a number so large that its product with 0 is 0.
+template <int kRounds>
 HWY_INLINE V rootInverse(V v) {
+  static_assert(kRounds == 2 || kRounds == 3);
   const hn::RebindToUnsigned<D> bits;
   // 1 / sqrt to 3.5 % (Lomont 2003, for doubles).
   const auto guess = hn::Sub(hn::Set(bits, std::uint64_t{0x5fe6eb50c7b537a9}), hn::ShiftRight<1>(hn::BitCast(bits, v)));
-  V root = hn::BitCast(D(), guess);
+  const V root = hn::BitCast(D(), guess);
   const V half = hn::Mul(all(0.5), v);
-  for (int round = 0; round < 4; ++round) {
-    root = hn::Mul(root, hn::Sub(all(1.5), hn::Mul(hn::Mul(half, root), root)));
-  }
-  return root;
+  const auto round = [half](V r, double from)
+                         HWY_ATTR { return hn::Mul(r, hn::Sub(all(from), hn::Mul(hn::Mul(half, r), r))); };
+  // Newton's rounds have 1.5 and end too low; a little more puts as much of the error above as below.
+  const V near = round(round(root, 1.50089081), 1.5000005954);
+  return kRounds == 2 ? near : round(near, 1.5);
 }
 
 /// Eight sums side by side.
-struct Lanes {
+struct Sums {
   alignas(64) double at[PadCells::kLanes] = {};
   HWY_INLINE void add(std::size_t lane, V v) { hn::Store(hn::Add(hn::Load(D(), at + lane), v), D(), at + lane); }
-  double sum() const { return ((at[0] + at[1]) + (at[2] + at[3])) + ((at[4] + at[5]) + (at[6] + at[7])); }
+  /// In halves, as the widest vectors do it in the fewest steps.
+  HWY_INLINE double sum() const {
+    const hn::CappedTag<double, PadCells::kLanes / 2> half;
+    alignas(64) std::array<double, PadCells::kLanes / 2> four;
+    for (std::size_t i = 0; i < four.size(); i += hn::MaxLanes(half)) {
+      hn::Store(hn::Add(hn::Load(half, at + i), hn::Load(half, at + four.size() + i)), half, four.data() + i);
+    }
+    return (four[0] + four[2]) + (four[1] + four[3]);
+  }
 };
 
-/// `each(cell, column, lane, y)` for every vector of cells.
+/// `each(column, lane)` for every vector of a row.
 template <class Each>
-HWY_INLINE void overRows(const PadCells& cells, std::size_t last, const Each& each) {
-  const std::size_t step = hn::Lanes(D());
-  for (std::size_t row = cells.first; row < last; ++row) {
-    const V y = all(-cells.x[row]);
-    for (std::size_t column = 0; column < cells.across; column += PadCells::kLanes) {
-      for (std::size_t lane = 0; lane < PadCells::kLanes; lane += step) {
-        each(row * cells.across + column + lane, column + lane, lane, y);
-      }
-    }
+HWY_INLINE void overColumns(const PadCells& cells, const Each& each) {
+  constexpr std::size_t kStep = hn::MaxLanes(D());
+  const std::size_t across = cells.across;
+  for (std::size_t column = 0; column < across; column += PadCells::kLanes) {
+    for (std::size_t lane = 0; lane < PadCells::kLanes; lane += kStep) each(column + lane, lane);
   }
 }
 
-HWY_INLINE V load(const double* values) { return hn::Load(D(), values); }
+/// `each(cell, column, lane, row)` for every vector of cells.
+template <class Each>
+HWY_INLINE void overRows(const PadCells& cells, const Each& each) {
+  const std::size_t across = cells.across, last = cells.last;
+  for (std::size_t row = cells.first; row < last; ++row) {
+    overColumns(cells,
+                [&](std::size_t column, std::size_t lane) HWY_ATTR { each(row * across + column, column, lane, row); });
+  }
+}
 
-/// t^q by the binomial series of the fourth root: to a third of a percent above 0.05, for q to 0.5.
-struct PowerSeries {
+/// The fourth root to 7e-6, as rootInverse finds its own; 0 for 0.
+HWY_INLINE V fourthRoot(V v) {
+  const hn::RebindToUnsigned<D> bits;
+  const auto guess = hn::Sub(hn::Set(bits, std::uint64_t{0x4feb100000000000}), hn::ShiftRight<2>(hn::BitCast(bits, v)));
+  const V quarter = hn::Mul(all(0.25), v);
+  const auto round = [quarter](V r, double from) HWY_ATTR {
+    const V square = hn::Mul(r, r);
+    return hn::Mul(r, hn::Sub(all(from), hn::Mul(hn::Mul(quarter, square), square)));
+  };
+  const V inverse = round(round(hn::BitCast(D(), guess), 1.251296385), 1.2500021027);
+  return hn::Mul(hn::Mul(v, inverse), hn::Mul(inverse, inverse));
+}
+
+/// t^q: half powers of t, and the rest by the binomial series of the fourth root, to a third of a percent above 0.05.
+struct Power {
+  std::size_t roots;
   double first, second, third;
-  explicit PowerSeries(double exponent)
-      : first(4.0 * exponent), second(0.5 * (first - 1.0)), third((first - 2.0) / 3.0) {}
+  explicit Power(double exponent)
+      : roots(exponent < 0.5 ? 0 : static_cast<std::size_t>(2.0 * exponent)),
+        first(4.0 * exponent - 2.0 * static_cast<double>(roots)),
+        second(0.5 * (first - 1.0)),
+        third((1.0 / 3.0) * (first - 2.0)) {}
   HWY_INLINE V of(V t) const {
     const V one = all(1.0);
-    const V root = hn::Mul(t, rootInverse(t));
-    const V s = hn::Sub(hn::Mul(root, rootInverse(root)), one);
+    const V fourth = fourthRoot(t);
+    const V s = hn::Sub(fourth, one);
     const V inner = hn::Add(one, hn::Mul(all(third), s));
-    return hn::Add(one, hn::Mul(hn::Mul(all(first), s), hn::Add(one, hn::Mul(hn::Mul(all(second), s), inner))));
+    V power = hn::Add(one, hn::Mul(hn::Mul(all(first), s), hn::Add(one, hn::Mul(hn::Mul(all(second), s), inner))));
+    for (std::size_t i = 0; i < roots; ++i) power = hn::Mul(power, hn::Mul(fourth, fourth));
+    return power;
   }
 };
 
-/// Rows above the middle: `lever`; into `plain` the covered share, into `force` (1 - r^2 / c^2), or where `whole` the
-/// product of the one and a power of the other into `plain`.
-void coverUpper(const PadContact& contact, bool whole, PadCells& cells) {
-  const double lever_most = 0.97 * contact.finger_mm;  // a lever ends before the equator of the tip
-  const V radius = all(contact.radius_mm), half_cell = all(0.5 * contact.cell_mm), one = all(1.0), zero = all(0.0);
-  const V per_cell = all(1.0 / contact.cell_mm), per_radius = all(1.0 / contact.radius_mm);
-  const V finger2 = all(contact.finger_mm * contact.finger_mm);
-  const PowerSeries series(contact.exponent);
-  overRows(cells, (cells.side + 1) / 2, [&](std::size_t cell, std::size_t column, std::size_t, V y) {
-    const V x = load(cells.x.data() + column);
-    const V r2 = hn::Add(hn::Mul(x, x), hn::Mul(y, y));
-    const V inverse = rootInverse(r2);
-    const V r = hn::Mul(r2, inverse);
-    const V covered = hn::Max(zero, hn::Min(one, hn::Add(hn::Mul(hn::Sub(radius, r), per_cell), all(0.5))));
-    const V rim = hn::Sub(radius, hn::Mul(half_cell, covered));
-    const V middle = hn::IfThenElse(hn::Lt(covered, one), rim, r);
-    const V lever = hn::Min(middle, all(lever_most));
-    const V height = rootInverse(hn::Sub(finger2, hn::Mul(lever, lever)));
-    const V share = hn::Mul(middle, per_radius);
-    const V inside = hn::Max(zero, hn::Sub(one, hn::Mul(share, share)));
-    hn::Store(whole ? hn::Mul(covered, series.of(inside)) : covered, D(), cells.plain.data() + cell);
-    hn::Store(hn::IfThenElseZero(hn::Gt(covered, zero), hn::Mul(hn::Mul(lever, inverse), height)), D(),
-              cells.lever.data() + cell);
-    hn::Store(inside, D(), cells.force.data() + cell);
-  });
-}
-
-void scaleTo(double sum, const PadCells& cells, double* values) {
-  Lanes sums;
-  overRows(cells, cells.last,
-           [&](std::size_t cell, std::size_t, std::size_t lane, V) { sums.add(lane, load(values + cell)); });
-  const double before = sums.sum();
-  const V factor = all(before > 0.0 ? sum / before : 0.0);
-  overRows(cells, cells.last, [&](std::size_t cell, std::size_t, std::size_t, V) {
-    hn::Store(hn::Mul(factor, load(values + cell)), D(), values + cell);
-  });
+PadCover cover(const PadGrid& grid, const PadContact& contact, PadCells& cells) {
+  Sums normal, slope;
+  const double lever_most = 0.97 * contact.finger;  // a lever ends before the equator of the tip
+  const V radius = all(contact.radius), one = all(1.0), half = all(0.5), outer = all(contact.radius + 0.5);
+  const V per_radius = all(1.0 / contact.radius), finger2 = all(contact.finger * contact.finger);
+  const Power power(contact.exponent);
+  for (std::size_t row = cells.first; 2 * row < cells.side; ++row) {
+    const std::size_t mirrored = cells.side - 1 - row;
+    overColumns(cells, [&](std::size_t column, std::size_t lane) HWY_ATTR {
+      const std::size_t cell = row * cells.across + column;
+      const V r = load(grid.r.data() + cell);
+      const V covered = hn::Max(all(0.0), hn::Min(one, hn::Sub(outer, r)));
+      const V middle = hn::Min(r, hn::Sub(radius, hn::Mul(half, covered)));
+      const V share = hn::Mul(middle, per_radius);
+      const V plain = hn::Mul(covered, power.of(hn::Max(all(0.0), hn::Sub(one, hn::Mul(share, share)))));
+      const V aside = hn::Min(middle, all(lever_most));
+      const V height = rootInverse<3>(hn::Sub(finger2, hn::Mul(aside, aside)));
+      const V lever = hn::Mul(hn::Mul(aside, load(grid.inverse_r.data() + cell)), height);
+      const V x = load(grid.x.data() + column);
+      const V steep = hn::Mul(hn::Mul(plain, lever), hn::Mul(x, x));
+      for (const std::size_t at : {row, mirrored}) {
+        hn::Store(plain, D(), cells.plain.data() + at * cells.across + column);
+        hn::Store(lever, D(), cells.lever.data() + at * cells.across + column);
+        normal.add(lane, plain);
+        slope.add(lane, steep);
+        if (row == mirrored) break;
+      }
+    });
+  }
+  return {normal.sum(), slope.sum()};
 }
 
 /// (1 + s^2 / w^2)^(-5/2)
 HWY_INLINE V kernelOf(V wide) {
-  const V root = rootInverse(wide);
+  const V root = rootInverse<2>(wide);
   const V square = hn::Mul(root, root);
   return hn::Mul(hn::Mul(square, square), root);
 }
 
 PadKernel makeKernel(const KernelShape& shape, PadCells& cells) {
-  Lanes sums, circle;
-  const V foot_x = all(shape.foot_x), foot_y = all(shape.foot_y), per_width2 = all(shape.per_width2);
-  overRows(cells, cells.last, [&](std::size_t cell, std::size_t column, std::size_t lane, V y) {
-    const V aside = hn::Sub(load(cells.x.data() + column), foot_x);
-    const V along = hn::Sub(y, foot_y);
-    const V away = hn::Add(hn::Mul(aside, aside), hn::Mul(along, along));
-    const V kernel = kernelOf(hn::Add(all(1.0), hn::Mul(away, per_width2)));
-    hn::Store(kernel, D(), cells.kernel.data() + cell);
+  Sums sums, circle;
+  // 1 + s^2 / w^2 is a sum of what the column gives and what the row gives.
+  alignas(64) std::array<double, PadCells::kMostAcross> across, down;
+  const V per_width2 = all(shape.per_width2);
+  overColumns(cells, [&](std::size_t column, std::size_t) HWY_ATTR {
+    const V x = load(cells.x + column);
+    const V aside = hn::Sub(x, all(shape.foot_x)), along = hn::Add(x, all(shape.foot_y));
+    hn::Store(hn::Add(all(1.0), hn::Mul(per_width2, hn::Mul(aside, aside))), D(), across.data() + column);
+    hn::Store(hn::Mul(per_width2, hn::Mul(along, along)), D(), down.data() + column);
+  });
+  double* const made = cells.kernels[cells.kernel_count].data();
+  overRows(cells, [&](std::size_t cell, std::size_t column, std::size_t lane, std::size_t row) HWY_ATTR {
+    const V kernel = kernelOf(hn::Add(load(across.data() + column), all(down[row])));
+    hn::Store(kernel, D(), made + cell);
     sums.add(lane, hn::Mul(load(cells.plain.data() + cell), kernel));
   });
-  const std::size_t step = hn::Lanes(D());
-  for (std::size_t arc = 0; arc < shape.arcs; arc += step) {
-    const V wide = hn::Add(all(shape.circle), hn::Mul(all(shape.swing), hn::Load(D(), shape.cosines + arc)));
+  for (std::size_t arc = 0; arc < shape.arcs; arc += hn::MaxLanes(D())) {
+    const V wide = hn::Add(all(shape.circle), hn::Mul(all(shape.swing), load(shape.cosines + arc)));
     circle.add(arc % PadCells::kLanes, kernelOf(wide));
   }
   return {sums.sum(), circle.sum() / static_cast<double>(shape.arcs)};
 }
 
-void addKernel(double strength, PadCells& cells) {
-  overRows(cells, cells.last, [&](std::size_t cell, std::size_t, std::size_t, V) {
-    double* const bumps = cells.bumps.data() + cell;
-    hn::Store(hn::Add(load(bumps), hn::Mul(all(strength), load(cells.kernel.data() + cell))), D(), bumps);
-  });
+/// What all kernels and the earlier bumps make of a plain force.
+HWY_INLINE V bumpsAt(const PadCells& cells, std::size_t cell, V level) {
+  V sum = cells.has_bumps ? hn::Add(level, load(cells.bumps.data() + cell)) : level;
+  for (std::size_t i = 0; i < cells.kernel_count; ++i) {
+    sum = hn::Add(sum, hn::Mul(all(cells.strengths[i]), load(cells.kernels[i].data() + cell)));
+  }
+  return sum;
 }
 
-struct MomentLanes {
-  Lanes normal, u, v;
+void gatherBumps(PadCells& cells) {
+  overRows(cells, [&](std::size_t cell, std::size_t, std::size_t, std::size_t)
+                      HWY_ATTR { hn::Store(bumpsAt(cells, cell, all(0.0)), D(), cells.bumps.data() + cell); });
+}
+
+struct MomentSums {
+  Sums normal, u, v;
   HWY_INLINE void add(std::size_t lane, V force, V lever, V x, V y) {
     const V turned = hn::Mul(force, lever);
     normal.add(lane, force);
@@ -174,45 +221,59 @@ struct MomentLanes {
 };
 
 PadMoments moments(const PadCells& cells) {
-  MomentLanes sums;
-  overRows(cells, cells.last, [&](std::size_t cell, std::size_t column, std::size_t lane, V y) {
-    sums.add(lane, load(cells.force.data() + cell), load(cells.lever.data() + cell), load(cells.x.data() + column), y);
+  MomentSums sums;
+  overRows(cells, [&](std::size_t cell, std::size_t column, std::size_t lane, std::size_t row) HWY_ATTR {
+    sums.add(lane, load(cells.force.data() + cell), load(cells.lever.data() + cell), load(cells.x + column),
+             all(-cells.x[row]));
   });
   return sums.moments();
 }
 
-PadSlopes raiseForces(double level, PadCells& cells) {
-  MomentLanes sums;
-  Lanes u, v;
-  overRows(cells, cells.last, [&](std::size_t cell, std::size_t column, std::size_t lane, V y) {
-    const V x = load(cells.x.data() + column);
-    const V plain = load(cells.plain.data() + cell), lever = load(cells.lever.data() + cell);
-    const V share = hn::Max(all(0.0), hn::Add(all(level), load(cells.bumps.data() + cell)));
-    const V force = hn::Mul(plain, share);
-    hn::Store(force, D(), cells.force.data() + cell);
-    sums.add(lane, force, lever, x, y);
-    const V turned = hn::Mul(plain, lever);
-    u.add(lane, hn::Mul(turned, hn::Mul(x, x)));
-    v.add(lane, hn::Mul(turned, hn::Mul(y, y)));
+PadMoments raiseForces(double level, PadCells& cells) {
+  MomentSums sums;
+  overRows(cells, [&](std::size_t cell, std::size_t column, std::size_t lane, std::size_t row) HWY_ATTR {
+    const V share = hn::Max(all(0.0), bumpsAt(cells, cell, all(level)));
+    const V force = hn::Mul(load(cells.plain.data() + cell), share);
+    hn::Store(force, D(), cells.raised.data() + cell);
+    sums.add(lane, force, load(cells.lever.data() + cell), load(cells.x + column), all(-cells.x[row]));
   });
-  return {sums.moments(), u.sum(), v.sum()};
+  return sums.moments();
 }
 
-/// Into `kernel`; whether all are 0 or more.
+/// Whether all are 0 or more.
 bool lean(double factor, double gain_u, double gain_v, PadCells& cells, PadMoments& moments) {
   V least = all(0.0);
-  MomentLanes sums;
-  overRows(cells, cells.last, [&](std::size_t cell, std::size_t column, std::size_t lane, V y) {
-    const V x = load(cells.x.data() + column);
+  MomentSums sums;
+  overRows(cells, [&](std::size_t cell, std::size_t column, std::size_t lane, std::size_t row) HWY_ATTR {
+    const V x = load(cells.x + column), y = all(-cells.x[row]);
     const V along = hn::Add(hn::Mul(all(gain_u), x), hn::Mul(all(gain_v), y));
-    const V force =
-        hn::Add(hn::Mul(all(factor), load(cells.force.data() + cell)), hn::Mul(load(cells.plain.data() + cell), along));
-    hn::Store(force, D(), cells.kernel.data() + cell);
+    const V force = hn::Add(hn::Mul(all(factor), load(cells.raised.data() + cell)),
+                            hn::Mul(load(cells.plain.data() + cell), along));
+    hn::Store(force, D(), cells.force.data() + cell);
     least = hn::Min(least, force);
     sums.add(lane, force, load(cells.lever.data() + cell), x, y);
   });
   moments = sums.moments();
   return hn::GetLane(hn::MinOfLanes(D(), least)) >= 0.0;
+}
+
+void scaleTo(double factor, const double* values, PadCells& cells) {
+  overRows(cells, [&](std::size_t cell, std::size_t, std::size_t, std::size_t) HWY_ATTR {
+    hn::Store(hn::Mul(all(factor), load(values + cell)), D(), cells.force.data() + cell);
+  });
+}
+
+void sumRows(const double* values, std::size_t split, const PadCells& cells, double* sums) {
+  const std::size_t across = cells.across;
+  for (std::size_t row = 0; row * split < cells.side; ++row) {
+    overColumns(cells, [&](std::size_t column, std::size_t) HWY_ATTR {
+      V sum = all(0.0);
+      for (std::size_t part = row * split; part < (row + 1) * split; ++part) {
+        if (part >= cells.first && part < cells.last) sum = hn::Add(sum, load(values + part * across + column));
+      }
+      hn::Store(sum, D(), sums + row * across + column);
+    });
+  }
 }
 
 }  // namespace palpate::contact::HWY_NAMESPACE
@@ -221,49 +282,44 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace palpate::contact {
 
-HWY_EXPORT(coverUpper);
-HWY_EXPORT(scaleTo);
+HWY_EXPORT(cover);
 HWY_EXPORT(makeKernel);
-HWY_EXPORT(addKernel);
+HWY_EXPORT(gatherBumps);
 HWY_EXPORT(raiseForces);
 HWY_EXPORT(moments);
 HWY_EXPORT(lean);
-
-void layOut(std::size_t side, const PadContact& contact, PadCells& cells) noexcept {
-  cells.side = side;
-  cells.across = side <= PadCells::kLanes ? PadCells::kLanes : PadCells::kMostAcross;
-  const double from = 0.5 * contact.cell_mm * (1.0 - static_cast<double>(side));
-  for (std::size_t i = 0; i < cells.across; ++i) {
-    // Columns beyond the pad are far off: no contact covers them.
-    constexpr double kFarMm = 1e6;
-    cells.x[i] = i < side ? from + static_cast<double>(i) * contact.cell_mm : kFarMm;
-  }
-  const double rim = contact.radius_mm + 0.5 * contact.cell_mm;
-  cells.first = 0;
-  while (2 * (cells.first + 1) < side && -cells.x[cells.first] >= rim) ++cells.first;
-  cells.last = side - cells.first;
-}
-
-void coverCells(const PadContact& contact, PadCells& cells) noexcept {
-  constexpr double kMaxSeries = 0.5;
-  const bool whole = contact.exponent <= kMaxSeries;
-  HWY_DYNAMIC_DISPATCH(coverUpper)(contact, whole, cells);
-  const std::size_t middle = (cells.side + 1) / 2;
-  for (std::size_t i = cells.begin(); !whole && i < middle * cells.across; ++i) {
-    if (cells.plain[i] > 0.0) cells.plain[i] *= elementary::pow(cells.force[i], contact.exponent);
-  }
-  for (std::size_t row = middle; row < cells.last; ++row) {
-    const std::size_t from = (cells.side - 1 - row) * cells.across;
-    std::copy_n(&cells.plain[from], cells.across, &cells.plain[row * cells.across]);
-    std::copy_n(&cells.lever[from], cells.across, &cells.lever[row * cells.across]);
-  }
-}
-
-void scaleTo(double sum, const PadCells& cells, PadCells::Values& values) noexcept {
-  HWY_DYNAMIC_DISPATCH(scaleTo)(sum, cells, values.data());
-}
+HWY_EXPORT(scaleTo);
+HWY_EXPORT(sumRows);
 
 namespace {
+
+std::size_t acrossOf(std::size_t side) noexcept {
+  return side <= PadCells::kLanes ? PadCells::kLanes : PadCells::kMostAcross;
+}
+
+PadGrid gridOf(std::size_t side) {
+  constexpr double kFar = 1e6;  // columns beyond the pad: no contact covers them
+  PadGrid grid{};
+  const std::size_t across = acrossOf(side);
+  for (std::size_t i = 0; i < across; ++i) {
+    grid.x[i] = i < side ? static_cast<double>(i) + 0.5 - 0.5 * static_cast<double>(side) : kFar;
+  }
+  for (std::size_t i = 0; i < (side + 1) / 2 * across; ++i) {
+    const double x = grid.x[i % across], y = grid.x[i / across];
+    grid.r[i] = std::sqrt(x * x + y * y);
+    grid.inverse_r[i] = grid.r[i] > 0.0 ? 1.0 / grid.r[i] : 0.0;
+  }
+  return grid;
+}
+
+struct PadGrids {
+  std::array<PadGrid, PadCells::kMostAcross - kMinSide + 1> of;
+  PadGrids() {
+    for (std::size_t i = 0; i < of.size(); ++i) of[i] = gridOf(kMinSide + i);
+  }
+};
+
+const PadGrids kGrids;
 
 template <std::size_t kArcs>
 struct ArcCosines {
@@ -279,32 +335,57 @@ const ArcCosines<16> kManyArcs;
 
 }  // namespace
 
-PadKernel makeKernel(double foot_x, double foot_y, double width_mm, double circle_mm, PadCells& cells) noexcept {
-  const double per_width2 = 1.0 / (width_mm * width_mm);
+PadCover coverCells(std::size_t side, const PadContact& contact, PadCells& cells) noexcept {
+  const PadGrid& grid = kGrids.of[side - kMinSide];
+  cells.x = grid.x.data();
+  cells.side = side;
+  cells.across = acrossOf(side);
+  const double rim = contact.radius + 0.5;
+  cells.first = 0;
+  while (2 * (cells.first + 1) < side && -cells.x[cells.first] >= rim) ++cells.first;
+  cells.last = side - cells.first;
+  return HWY_DYNAMIC_DISPATCH(cover)(grid, contact, cells);
+}
+
+PadKernel makeKernel(double foot_x, double foot_y, double width, double circle, PadCells& cells) noexcept {
+  const double per_width2 = 1.0 / (width * width);
   const double offset2 = foot_x * foot_x + foot_y * foot_y;
-  const bool wide = width_mm > 1.5 * circle_mm;  // eight arcs have such a bump to 1e-5
+  const bool wide = width > 1.5 * circle;  // eight arcs have such a bump to 1e-5
   const KernelShape shape{foot_x,
                           foot_y,
                           per_width2,
-                          1.0 + (circle_mm * circle_mm + offset2) * per_width2,
-                          2.0 * circle_mm * std::sqrt(offset2) * per_width2,
+                          1.0 + (circle * circle + offset2) * per_width2,
+                          2.0 * circle * std::sqrt(offset2) * per_width2,
                           wide ? kFewArcs.at.size() : kManyArcs.at.size(),
                           wide ? kFewArcs.at.data() : kManyArcs.at.data()};
   return HWY_DYNAMIC_DISPATCH(makeKernel)(shape, cells);
 }
 
-void addKernel(double strength, PadCells& cells) noexcept { HWY_DYNAMIC_DISPATCH(addKernel)(strength, cells); }
+void keepKernel(double strength, PadCells& cells) noexcept {
+  cells.strengths[cells.kernel_count++] = strength;
+  if (cells.kernel_count < PadCells::kKernels) return;
+  HWY_DYNAMIC_DISPATCH(gatherBumps)(cells);
+  cells.kernel_count = 0;
+  cells.has_bumps = true;
+}
 
 PadMoments momentsOf(const PadCells& cells) noexcept { return HWY_DYNAMIC_DISPATCH(moments)(cells); }
 
-PadSlopes raiseForces(double level, PadCells& cells) noexcept {
+PadMoments raiseForces(double level, PadCells& cells) noexcept {
   return HWY_DYNAMIC_DISPATCH(raiseForces)(level, cells);
 }
 
 bool lean(double factor, double gain_u, double gain_v, PadCells& cells, PadMoments& moments) noexcept {
-  if (!HWY_DYNAMIC_DISPATCH(lean)(factor, gain_u, gain_v, cells, moments)) return false;
-  std::copy_n(&cells.kernel[cells.begin()], cells.end() - cells.begin(), &cells.force[cells.begin()]);
-  return true;
+  return HWY_DYNAMIC_DISPATCH(lean)(factor, gain_u, gain_v, cells, moments);
+}
+
+void scaleTo(double factor, const PadCells::Values& values, PadCells& cells) noexcept {
+  HWY_DYNAMIC_DISPATCH(scaleTo)(factor, values.data(), cells);
+}
+
+void sumRows(const PadCells::Values& values, std::size_t split, const PadCells& cells,
+             PadCells::Values& sums) noexcept {
+  HWY_DYNAMIC_DISPATCH(sumRows)(values.data(), split, cells, sums.data());
 }
 
 }  // namespace palpate::contact

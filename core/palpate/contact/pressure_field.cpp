@@ -24,34 +24,33 @@ constexpr double kKpaMm2PerN = 1000.0;
 /// Cells along the side of a taxel.
 std::size_t splitOf(const PressurePad& pad) noexcept { return (kMinCells + pad.taxels - 1) / pad.taxels; }
 
-/// The cells that a contact of this pattern covers, the plain forces not yet to scale.
-void coverPad(const PressurePad& pad, const tissue::PressurePattern& pattern, double finger_mm, PadCells& cells) {
+/// The cells that a contact of this pattern covers.
+PadCover coverPad(const PressurePad& pad, const tissue::PressurePattern& pattern, double finger_mm, PadCells& cells) {
   // A touch that is smaller than the cells lies on the middle ones.
   constexpr double kMinContact = 1.1;
   const std::size_t side = pad.taxels * splitOf(pad);
-  const double cell_mm = pad.size_mm / static_cast<double>(side);
-  const PadContact contact{std::max(pattern.contact_radius_mm, kMinContact * cell_mm), finger_mm, pattern.exponent,
-                           cell_mm};
-  layOut(side, contact, cells);
-  coverCells(contact, cells);
+  const double per_mm = static_cast<double>(side) / pad.size_mm;
+  const PadContact contact{std::max(per_mm * pattern.contact_radius_mm, kMinContact), per_mm * finger_mm,
+                           pattern.exponent};
+  return coverCells(side, contact, cells);
 }
 
-/// A lump under the pad.
+/// A lump under the pad. Lengths are in cells.
 struct Bump {
   Vec2 foot = Vec2::Zero();  ///< from the tip, along u and v
-  double width_mm = 1.0;
+  double width = 1.0;
   double extra_n = 0.0;  ///< what it adds to the normal force
 };
 
-/// Adds one lump's bump to those of the cells, whose plain forces add up to `plain_n`; what it adds everywhere.
-double addBump(const Bump& bump, double contact_mm, double plain_n, PadCells& cells) {
+/// Adds one lump's bump to those of the cells, whose plain forces stand for `plain_n`; what it adds everywhere.
+double addBump(const Bump& bump, double circle, double plain, double plain_n, PadCells& cells) {
   constexpr double kFlat = 1e-3;  // of the bump: less is a pattern that the bump cannot carry its force in
-  const PadKernel kernel = makeKernel(bump.foot.x(), bump.foot.y(), bump.width_mm, 0.5 * contact_mm, cells);
+  const PadKernel kernel = makeKernel(bump.foot.x(), bump.foot.y(), bump.width, circle, cells);
   const double base = tissue::kBumpBase * kernel.mean;
-  const double carried = kernel.sum - base * plain_n;
+  const double carried = kernel.sum - base * plain;
   if (!(carried > kFlat * kernel.sum)) return 0.0;  // the last scaling spreads its force evenly
-  const double strength = bump.extra_n / carried;
-  addKernel(strength, cells);
+  const double strength = bump.extra_n / plain_n * plain / carried;
+  keepKernel(strength, cells);
   return -strength * base;
 }
 
@@ -88,19 +87,23 @@ void tilt(const Vec2& target, PadCells& cells) {
     for (std::size_t i = cells.begin(); i < cells.end(); ++i) {
       if (cells.force[i] > 0.0) cells.force[i] *= elementary::exp(step.dot(lever(i)));
     }
-    scaleTo(sum, cells, cells.force);
+    const double before = sum;
+    sum = momentsOf(cells).normal;
+    scaleTo(before / sum, cells.force, cells);
   }
 }
 
-/// Makes the forces, all >= 0 and with these sums, add up to `normal_n` and their moments to minus the lateral force:
-/// by a share of the plain pattern that grows along the pad, and where that would pull on the skin by a tilt.
-PadSums keepSums(const PadSlopes& before, double normal_n, const Vec2& lateral_n, PadCells& cells) {
-  const double factor = before.moments.normal > 0.0 ? normal_n / before.moments.normal : 0.0;
-  const double gain_u = before.u > 0.0 ? (-lateral_n.x() - factor * before.moments.u) / before.u : 0.0;
-  const double gain_v = before.v > 0.0 ? (-lateral_n.y() - factor * before.moments.v) / before.v : 0.0;
+/// Makes the raised forces, all >= 0 and with these moments, forces that add up to `normal_n` and whose moments are
+/// minus the lateral force: by a share of the plain pattern that grows along the pad, and where that would pull on the
+/// skin by a tilt.
+PadSums keepSums(const PadMoments& raised, double slope, double normal_n, const Vec2& lateral_n, PadCells& cells) {
+  const double factor = raised.normal > 0.0 ? normal_n / raised.normal : 0.0;
+  const double per_slope = slope > 0.0 ? 1.0 / slope : 0.0;
+  const double gain_u = (-lateral_n.x() - factor * raised.u) * per_slope;
+  const double gain_v = (-lateral_n.y() - factor * raised.v) * per_slope;
   PadMoments after;
   if (!lean(factor, gain_u, gain_v, cells, after)) {
-    scaleTo(normal_n, cells, cells.force);
+    scaleTo(factor, cells.raised, cells);
     tilt(-lateral_n / normal_n, cells);
     after = momentsOf(cells);
   }
@@ -135,48 +138,49 @@ void fillPushes(const Lumps& lumps, const FingerOutput& felt, double extra_n, Pu
   for (std::size_t i = 0; i < pushes.count; ++i) pushes.push[i] *= left;
 }
 
-/// For tissue::overLumps, where the lumps add to a force of `plain_n`.
-double wideningOf(const Lumps& lumps, const Pushes& pushes, double plain_n) {
+/// The pattern of the layers with these lumps in them, which add to a force of `plain_n`.
+tissue::PressurePattern overLumps(const Lumps& lumps, const Pushes& pushes, double plain_n,
+                                  const tissue::PressurePattern& pattern) {
   double sum = 0.0;
   for (std::size_t i = 0; i < pushes.count; ++i) {
-    if (pushes.push[i] != 0.0) sum += pushes.push[i] * tissue::wideningOf(lumps.all[i].shape, lumps.all[i].skin_mm);
+    const double widening = tissue::wideningOf(lumps.all[i].shape, lumps.all[i].skin_mm);
+    if (widening > 0.0) sum += pushes.push[i] * widening;
   }
-  return sum / plain_n;
+  // Of small lumps nothing waits for the pushes.
+  return sum != 0.0 ? tissue::overLumps(pattern, sum / plain_n) : pattern;
 }
 
-/// The bumps of all lumps into the cells' forces, which add up to `plain_n` without them.
-PadSlopes addBumps(const Lumps& lumps, const Pushes& pushes, const FingerOutput& felt,
-                   const tissue::PressurePattern& pattern, const PadPlane& plane, double plain_n, PadCells& cells) {
+/// The forces of the cells with the bumps of all lumps; the plain ones stand for `plain_n`.
+PadMoments addBumps(const Lumps& lumps, const Pushes& pushes, const FingerOutput& felt, const PadPlane& plane,
+                    double per_mm, double circle, double plain, double plain_n, PadCells& cells) {
   constexpr double kUnfelt = 1e-5;  // of the force: a bump that nobody would find among the taxels
   const double normal_n = felt.force.dot(felt.normal);
-  const auto from = static_cast<std::ptrdiff_t>(cells.begin());
-  std::fill(cells.bumps.begin() + from, cells.bumps.begin() + static_cast<std::ptrdiff_t>(cells.end()), 0.0);
   double level = 1.0;
   for (std::size_t i = 0; i < pushes.count; ++i) {
     if (!(std::abs(pushes.push[i]) > kUnfelt * normal_n)) continue;
     const Lump& lump = lumps.all[i];
-    Bump bump{.foot = footOf(lump, pushes.moved[i], felt, plane), .extra_n = pushes.push[i]};
-    bump.width_mm = tissue::bumpWidth(lump.shape, lump.skin_mm, felt.depth_mm);
-    level += addBump(bump, pattern.contact_radius_mm, plain_n, cells);
+    const Bump bump{.foot = per_mm * footOf(lump, pushes.moved[i], felt, plane),
+                    .width = per_mm * tissue::bumpWidth(lump.shape, lump.skin_mm, felt.depth_mm),
+                    .extra_n = pushes.push[i]};
+    level += addBump(bump, circle, plain, plain_n, cells);
   }
   return raiseForces(level, cells);
 }
 
-/// A taxel is the sum of its cells.
-void writeTaxels(const PadCells::Values& force, const PadCells& cells, const PressurePad& pad, const Vec2& shear,
-                 std::span<double> kpa, std::span<Vec2> shear_kpa) {
-  const double side_mm = pad.size_mm / static_cast<double>(pad.taxels);
-  const double kpa_per_n = kKpaMm2PerN / (side_mm * side_mm);
+/// A taxel is the sum of its cells, whose values stand for `kpa_each` where they are alone in it.
+void writeTaxels(const PadCells::Values& values, double kpa_each, const PadCells& cells, const PressurePad& pad,
+                 std::span<double> kpa) {
   const std::size_t split = splitOf(pad);
-  for (std::size_t row = cells.first; row < cells.last; ++row) {
-    const double* const cell = &force[row * cells.across];
-    double* const taxel = &kpa[row / split * pad.taxels];
-    for (std::size_t part = 0; part < split; ++part) {
-      for (std::size_t i = 0; i < pad.taxels; ++i) taxel[i] += kpa_per_n * cell[i * split + part];
+  alignas(64) PadCells::Values rows;
+  sumRows(values, split, cells, rows);
+  for (std::size_t row = 0; row < pad.taxels; ++row) {
+    const double* cell = &rows[row * cells.across];
+    for (std::size_t i = 0; i < pad.taxels; ++i, cell += split) {
+      double sum = cell[0];
+      for (std::size_t part = 1; part < split; ++part) sum += cell[part];
+      kpa[row * pad.taxels + i] = kpa_each * sum;
     }
   }
-  if (shear_kpa.empty()) return;
-  for (std::size_t i = 0; i < pad.taxels * pad.taxels; ++i) shear_kpa[i] = kpa[i] * shear;
 }
 
 }  // namespace
@@ -184,10 +188,9 @@ void writeTaxels(const PadCells::Values& force, const PadCells& cells, const Pre
 PadPlane padPlane(const Vec3& normal) noexcept {
   constexpr double kAlong = 0.9;  // a normal that points to the head leaves no direction towards it
   const Vec3 head = std::abs(normal.y()) < kAlong ? Vec3::UnitY() : Vec3::UnitZ();
-  PadPlane plane;
-  plane.v = (head - head.dot(normal) * normal).normalized();
-  plane.u = plane.v.cross(normal);
-  return plane;
+  const double lean = head.dot(normal);
+  const double inverse = 1.0 / std::sqrt(1.0 - lean * lean);
+  return {.u = inverse * head.cross(normal), .v = inverse * (head - lean * normal)};
 }
 
 PressureGround::PressureGround(std::vector<Place> places) : places_(std::move(places)) {
@@ -210,10 +213,12 @@ tissue::PressurePattern PressureGround::at(double tissue_mm, double depth_mm, do
 
 PadSums pressureField(const PressureGround& ground, const Lumps* lumps, const FingerOutput& felt,
                       const PressurePad& pad, std::span<double> kpa, std::span<Vec2> shear_kpa) noexcept {
-  std::fill(kpa.begin(), kpa.end(), 0.0);
-  std::fill(shear_kpa.begin(), shear_kpa.end(), Vec2(Vec2::Zero()));
   const double normal_n = felt.force.dot(felt.normal);
-  if (felt.touch == Touch::free || !(normal_n > 0.0)) return {};
+  if (felt.touch == Touch::free || !(normal_n > 0.0)) {
+    std::fill(kpa.begin(), kpa.end(), 0.0);
+    std::fill(shear_kpa.begin(), shear_kpa.end(), Vec2(Vec2::Zero()));
+    return {};
+  }
   const double finger_mm = felt.finger_mm > 0.0 ? felt.finger_mm : tissue::kFingertipMm;
   const PadPlane plane = padPlane(felt.normal);
   const double extra_n = felt.lump_force.dot(felt.normal);
@@ -223,19 +228,27 @@ PadSums pressureField(const PressureGround& ground, const Lumps* lumps, const Fi
   Pushes pushes;
   if (has_lumps) {
     fillPushes(*lumps, felt, extra_n, pushes);
-    pattern = tissue::overLumps(pattern, wideningOf(*lumps, pushes, plain_n));
+    pattern = overLumps(*lumps, pushes, plain_n, pattern);
   }
   PadCells cells;
-  coverPad(pad, pattern, finger_mm, cells);
-  scaleTo(plain_n, cells, cells.plain);
+  const PadCover cover = coverPad(pad, pattern, finger_mm, cells);
+  const double side_mm = pad.size_mm / static_cast<double>(pad.taxels);
+  const double kpa_per_n = kKpaMm2PerN / (side_mm * side_mm);
   PadSums sums{normal_n, Vec2::Zero()};
   if (has_lumps) {
-    const PadSlopes raised = addBumps(*lumps, pushes, felt, pattern, plane, plain_n, cells);
-    sums = keepSums(raised, normal_n, {felt.lump_force.dot(plane.u), felt.lump_force.dot(plane.v)}, cells);
+    const double per_mm = static_cast<double>(cells.side) / pad.size_mm;
+    const PadMoments raised = addBumps(*lumps, pushes, felt, plane, per_mm, 0.5 * per_mm * pattern.contact_radius_mm,
+                                       cover.normal, plain_n, cells);
+    sums = keepSums(raised, cover.slope, normal_n, {felt.lump_force.dot(plane.u), felt.lump_force.dot(plane.v)}, cells);
+    writeTaxels(cells.force, kpa_per_n, cells, pad, kpa);
+  } else {
+    writeTaxels(cells.plain, kpa_per_n * (plain_n / cover.normal), cells, pad, kpa);
   }
-  const Vec3 friction = felt.force - felt.lump_force;
-  writeTaxels(has_lumps ? cells.force : cells.plain, cells, pad,
-              Vec2(friction.dot(plane.u), friction.dot(plane.v)) / normal_n, kpa, shear_kpa);
+  if (!shear_kpa.empty()) {
+    const Vec3 friction = felt.force - felt.lump_force;
+    const Vec2 shear = Vec2(friction.dot(plane.u), friction.dot(plane.v)) / normal_n;
+    for (std::size_t i = 0; i < kpa.size(); ++i) shear_kpa[i] = kpa[i] * shear;
+  }
   return sums;
 }
 

@@ -161,21 +161,34 @@ std::vector<double> splineSlopes(std::span<const double> knots, std::span<const 
   return slopes;
 }
 
-/// Cubic on a cell by values and slopes at its ends, and its weights' first and second derivatives.
-struct HermiteWeights {
-  std::array<double, 4> value{};  ///< value and slope at the near end, value and slope at the far end
-  std::array<double, 4> first{};
-  std::array<double, 4> second{};
+/// A cell of knots; 1 / mm is a division that no tick need make.
+struct Step {
+  double mm = 0.0;
+  double inverse = 0.0;
 };
+constexpr Step stepOf(double mm) noexcept { return {mm, 1.0 / mm}; }
 
-HermiteWeights hermiteAt(double t, double step) noexcept {
+/// Of a cubic on a cell: of value and slope at its near end, value and slope at its far end.
+using Weights = std::array<double, 4>;
+
+inline Weights valueWeights(double t, const Step& step) noexcept {
   const double t2 = t * t;
   const double t3 = t2 * t;
-  const double inverse = 1.0 / step;
-  return {{1.0 - 3.0 * t2 + 2.0 * t3, step * (t - 2.0 * t2 + t3), 3.0 * t2 - 2.0 * t3, step * (t3 - t2)},
-          {6.0 * (t2 - t) * inverse, 1.0 - 4.0 * t + 3.0 * t2, 6.0 * (t - t2) * inverse, 3.0 * t2 - 2.0 * t},
-          {(12.0 * t - 6.0) * inverse * inverse, (6.0 * t - 4.0) * inverse, (6.0 - 12.0 * t) * inverse * inverse,
-           (6.0 * t - 2.0) * inverse}};
+  return {1.0 - 3.0 * t2 + 2.0 * t3, step.mm * (t - 2.0 * t2 + t3), 3.0 * t2 - 2.0 * t3, step.mm * (t3 - t2)};
+}
+
+inline Weights slopeWeights(double t, const Step& step) noexcept {
+  const double t2 = t * t;
+  return {6.0 * (t2 - t) * step.inverse, 1.0 - 4.0 * t + 3.0 * t2, 6.0 * (t - t2) * step.inverse, 3.0 * t2 - 2.0 * t};
+}
+
+inline Weights bendWeights(double t, const Step& step) noexcept {
+  return {(12.0 * t - 6.0) * step.inverse * step.inverse, (6.0 * t - 4.0) * step.inverse,
+          (6.0 - 12.0 * t) * step.inverse * step.inverse, (6.0 * t - 2.0) * step.inverse};
+}
+
+inline double weighted(const Weights& w, const Weights& v) noexcept {
+  return w[0] * v[0] + w[1] * v[1] + w[2] * v[2] + w[3] * v[3];
 }
 
 /// Value and slope at a depth.
@@ -212,14 +225,12 @@ class DepthCurve {
   EnergyAndForce within(double root) const {
     const auto above = std::upper_bound(roots_.begin() + 1, roots_.end() - 1, root);
     const auto i = static_cast<std::size_t>(above - roots_.begin()) - 1;
-    const double step = roots_[i + 1] - roots_[i];
-    const HermiteWeights weights = hermiteAt((root - roots_[i]) / step, step);
-    const auto sum = [&](const std::array<double, 4>& w) {
-      return w[0] * shares_[i] + w[1] * slopes_[i] + w[2] * shares_[i + 1] + w[3] * slopes_[i + 1];
-    };
-    const double share = sum(weights.value);
+    const Step step = stepOf(roots_[i + 1] - roots_[i]);
+    const double t = (root - roots_[i]) / step.mm;
+    const Weights ends = {shares_[i], slopes_[i], shares_[i + 1], slopes_[i + 1]};
+    const double share = weighted(valueWeights(t, step), ends);
     const double depth = root * root;
-    return {depth * depth * share, 2.0 * depth * share + 0.5 * depth * root * sum(weights.first)};
+    return {depth * depth * share, 2.0 * depth * share + 0.5 * depth * root * weighted(slopeWeights(t, step), ends)};
   }
 
   std::vector<double> roots_;
@@ -247,6 +258,7 @@ double factorAt(std::span<const ForceCorrection> correction, double depth_mm) {
 
 }  // namespace
 
+/// What a tick asks for stands in the class, small enough to be inlined.
 struct LumpEnergy::Table {
   struct Knot {
     double u = 0.0;
@@ -258,15 +270,14 @@ struct LumpEnergy::Table {
   double radius_mm = 0.0;
   double reach_mm = 0.0;
   double deepest_mm = 0.0;
-  double depth_step = 0.0;
-  double coarse_step = 0.0;
+  Step depth_step;
+  Step coarse_step;
   LumpSteepness steepest;
   std::array<std::array<Knot, kDepths>, kRhos> knots{};
 
   double rhoOf(std::size_t i) const {
-    constexpr double kFineStep = kFineToMm / kFineSteps;
-    return i <= kFineSteps ? kFineStep * static_cast<double>(i)
-                           : kFineToMm + coarse_step * static_cast<double>(i - kFineSteps);
+    return i <= kFineSteps ? kFineStep.mm * static_cast<double>(i)
+                           : kFineToMm + coarse_step.mm * static_cast<double>(i - kFineSteps);
   }
 
   struct Full {
@@ -274,99 +285,88 @@ struct LumpEnergy::Table {
     double d_depth_depth = 0.0;
   };
   Full at(double rho, double depth) const noexcept;
-  LumpSlopes slopesAt(double rho, double depth) const noexcept;
-  double forceAt(double rho, double depth) const noexcept;
+
+  LumpSlopes slopesAt(double rho, double depth) const noexcept {
+    const Patch patch = patchAt(rho, depth);
+    const Weights value = column(patch, valueWeights(patch.t, patch.rho_step));
+    const Weights first = column(patch, slopeWeights(patch.t, patch.rho_step));
+    const Weights d_value = valueWeights(patch.down, depth_step);
+    const Weights d_first = slopeWeights(patch.down, depth_step);
+    LumpSlopes slopes{weighted(d_value, first), weighted(d_first, value)};
+    if (const double beyond = patch.beyond; beyond > 0.0) {
+      const Weights d_second = bendWeights(patch.down, depth_step);
+      slopes.d_rho += beyond * (weighted(d_first, first) + 0.5 * beyond * weighted(d_second, first));
+      slopes.d_depth += beyond * weighted(d_second, value);
+    }
+    return slopes;
+  }
+
+  double forceAt(double rho, double depth) const noexcept {
+    const Patch patch = patchAt(rho, depth);
+    const Weights value = column(patch, valueWeights(patch.t, patch.rho_step));
+    const double force = weighted(slopeWeights(patch.down, depth_step), value);
+    if (!(patch.beyond > 0.0)) return force;
+    return force + patch.beyond * weighted(bendWeights(patch.down, depth_step), value);
+  }
 
  private:
+  static constexpr Step kFineStep = stepOf(kFineToMm / kFineSteps);
+
   /// Where a distance and a depth are among the knots.
   struct Patch {
     std::size_t i = 0, k = 0;
     double t = 0.0;  ///< from knot i on, in steps
-    double rho_step = 0.0;
+    Step rho_step;
     double down = 0.0;    ///< from knot k on, in steps
     double beyond = 0.0;  ///< the deepest, mm
   };
-  Patch patchAt(double rho, double depth) const noexcept;
+
+  Patch patchAt(double rho, double depth) const noexcept {
+    const bool fine = rho < kFineToMm;
+    const Step rho_step = fine ? kFineStep : coarse_step;
+    const double along = (fine ? rho : rho - kFineToMm) / rho_step.mm;
+    const auto i = std::min(static_cast<std::size_t>(along) + (fine ? 0 : kFineSteps), kRhos - 2);
+    const double inside = std::min(depth, deepest_mm);
+    const double down = inside / depth_step.mm;
+    const auto k = std::min(static_cast<std::size_t>(down), kDepths - 2);
+    return {.i = i,
+            .k = k,
+            .t = along - static_cast<double>(i - (fine ? 0 : kFineSteps)),
+            .rho_step = rho_step,
+            .down = down - static_cast<double>(k),
+            .beyond = depth - inside};
+  }
+
   /// The patch at a distance as values and depth's slopes at both depths, by the weights of the distance.
-  std::array<double, 4> column(const Patch& patch, const std::array<double, 4>& along_rho) const noexcept;
+  Weights column(const Patch& patch, const Weights& w) const noexcept {
+    const Knot* const a = &knots[patch.i][patch.k];
+    const Knot* const b = &knots[patch.i + 1][patch.k];
+    return {w[0] * a[0].u + w[1] * a[0].by_rho + w[2] * b[0].u + w[3] * b[0].by_rho,
+            w[0] * a[0].by_depth + w[1] * a[0].by_both + w[2] * b[0].by_depth + w[3] * b[0].by_both,
+            w[0] * a[1].u + w[1] * a[1].by_rho + w[2] * b[1].u + w[3] * b[1].by_rho,
+            w[0] * a[1].by_depth + w[1] * a[1].by_both + w[2] * b[1].by_depth + w[3] * b[1].by_both};
+  }
 };
-
-LumpEnergy::Table::Patch LumpEnergy::Table::patchAt(double rho, double depth) const noexcept {
-  constexpr double kFineStep = kFineToMm / kFineSteps;
-  const bool fine = rho < kFineToMm;
-  const double along = fine ? rho / kFineStep : (rho - kFineToMm) / coarse_step;
-  const auto i = std::min(static_cast<std::size_t>(along) + (fine ? 0 : kFineSteps), kRhos - 2);
-  const double inside = std::min(depth, deepest_mm);
-  const double down = inside / depth_step;
-  const auto k = std::min(static_cast<std::size_t>(down), kDepths - 2);
-  return {.i = i,
-          .k = k,
-          .t = along - static_cast<double>(i - (fine ? 0 : kFineSteps)),
-          .rho_step = fine ? kFineStep : coarse_step,
-          .down = down - static_cast<double>(k),
-          .beyond = depth - inside};
-}
-
-std::array<double, 4> LumpEnergy::Table::column(const Patch& patch, const std::array<double, 4>& w) const noexcept {
-  const auto row = [&](std::size_t at) {
-    const Knot& a = knots[patch.i][at];
-    const Knot& b = knots[patch.i + 1][at];
-    return std::array{w[0] * a.u + w[1] * a.by_rho + w[2] * b.u + w[3] * b.by_rho,
-                      w[0] * a.by_depth + w[1] * a.by_both + w[2] * b.by_depth + w[3] * b.by_both};
-  };
-  const auto near = row(patch.k);
-  const auto far = row(patch.k + 1);
-  return {near[0], near[1], far[0], far[1]};
-}
-
-namespace {
-
-double weighted(const std::array<double, 4>& w, const std::array<double, 4>& v) noexcept {
-  return w[0] * v[0] + w[1] * v[1] + w[2] * v[2] + w[3] * v[3];
-}
-
-}  // namespace
 
 LumpEnergy::Table::Full LumpEnergy::Table::at(double rho, double depth) const noexcept {
   const Patch patch = patchAt(rho, depth);
-  const HermiteWeights r = hermiteAt(patch.t, patch.rho_step);
-  const HermiteWeights d = hermiteAt(patch.down, depth_step);
-  const auto value = column(patch, r.value);
-  const auto first = column(patch, r.first);
-  const auto second = column(patch, r.second);
-  Full full{{weighted(d.value, value), weighted(d.value, first), weighted(d.first, value), weighted(d.value, second)},
-            weighted(d.second, value)};
+  const Weights value = column(patch, valueWeights(patch.t, patch.rho_step));
+  const Weights first = column(patch, slopeWeights(patch.t, patch.rho_step));
+  const Weights second = column(patch, bendWeights(patch.t, patch.rho_step));
+  const Weights d_value = valueWeights(patch.down, depth_step);
+  const Weights d_first = slopeWeights(patch.down, depth_step);
+  const Weights d_second = bendWeights(patch.down, depth_step);
+  Full full{{weighted(d_value, value), weighted(d_value, first), weighted(d_first, value), weighted(d_value, second)},
+            weighted(d_second, value)};
   const double beyond = patch.beyond;
   if (beyond > 0.0) {
     LumpAnswer& answer = full.answer;
     answer.energy_n_mm += beyond * (answer.d_depth + 0.5 * beyond * full.d_depth_depth);
-    answer.d_rho += beyond * (weighted(d.first, first) + 0.5 * beyond * weighted(d.second, first));
-    answer.d_rho_rho += beyond * (weighted(d.first, second) + 0.5 * beyond * weighted(d.second, second));
+    answer.d_rho += beyond * (weighted(d_first, first) + 0.5 * beyond * weighted(d_second, first));
+    answer.d_rho_rho += beyond * (weighted(d_first, second) + 0.5 * beyond * weighted(d_second, second));
     answer.d_depth += beyond * full.d_depth_depth;
   }
   return full;
-}
-
-LumpSlopes LumpEnergy::Table::slopesAt(double rho, double depth) const noexcept {
-  const Patch patch = patchAt(rho, depth);
-  const HermiteWeights r = hermiteAt(patch.t, patch.rho_step);
-  const HermiteWeights d = hermiteAt(patch.down, depth_step);
-  const auto value = column(patch, r.value);
-  const auto first = column(patch, r.first);
-  LumpSlopes slopes{weighted(d.value, first), weighted(d.first, value)};
-  if (const double beyond = patch.beyond; beyond > 0.0) {
-    slopes.d_rho += beyond * (weighted(d.first, first) + 0.5 * beyond * weighted(d.second, first));
-    slopes.d_depth += beyond * weighted(d.second, value);
-  }
-  return slopes;
-}
-
-double LumpEnergy::Table::forceAt(double rho, double depth) const noexcept {
-  const Patch patch = patchAt(rho, depth);
-  const auto value = column(patch, hermiteAt(patch.t, patch.rho_step).value);
-  const HermiteWeights d = hermiteAt(patch.down, depth_step);
-  const double force = weighted(d.first, value);
-  return patch.beyond > 0.0 ? force + patch.beyond * weighted(d.second, value) : force;
 }
 
 namespace {
@@ -375,7 +375,7 @@ namespace {
 using EnergyRows = std::vector<std::vector<EnergyAndForce>>;
 
 /// U <- the integral of c dU/dd, by three points between two depths.
-void correct(std::span<const ForceCorrection> correction, double step, std::vector<EnergyAndForce>& row) {
+void correct(std::span<const ForceCorrection> correction, const Step& step, std::vector<EnergyAndForce>& row) {
   constexpr std::array<double, 3> kAt = {0.1127016653792583, 0.5, 0.8872983346207417};
   constexpr std::array<double, 3> kWeight = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
   const std::vector<EnergyAndForce> before = row;
@@ -383,13 +383,12 @@ void correct(std::span<const ForceCorrection> correction, double step, std::vect
   for (std::size_t k = 0; k < row.size(); ++k) {
     if (k > 0) {
       for (std::size_t q = 0; q < kAt.size(); ++q) {
-        const HermiteWeights weights = hermiteAt(kAt[q], step);
-        const double slope = weights.first[0] * before[k - 1].energy + weights.first[1] * before[k - 1].force +
-                             weights.first[2] * before[k].energy + weights.first[3] * before[k].force;
-        energy += kWeight[q] * step * slope * factorAt(correction, step * (static_cast<double>(k - 1) + kAt[q]));
+        const Weights ends = {before[k - 1].energy, before[k - 1].force, before[k].energy, before[k].force};
+        const double slope = weighted(slopeWeights(kAt[q], step), ends);
+        energy += kWeight[q] * step.mm * slope * factorAt(correction, step.mm * (static_cast<double>(k - 1) + kAt[q]));
       }
     }
-    row[k] = {energy, before[k].force * factorAt(correction, step * static_cast<double>(k))};
+    row[k] = {energy, before[k].force * factorAt(correction, step.mm * static_cast<double>(k))};
   }
 }
 
@@ -402,11 +401,11 @@ LumpEnergy::LumpEnergy(const LumpShape& lump, const LayerStack& stack, std::span
   auto table = std::make_shared<Table>();
   table->radius_mm = lump.radiusMm();
   table->reach_mm = kReachMm + table->radius_mm;
-  table->coarse_step = (table->reach_mm - kFineToMm) / static_cast<double>(kRhos - 1 - kFineSteps);
+  table->coarse_step = stepOf((table->reach_mm - kFineToMm) / static_cast<double>(kRhos - 1 - kFineSteps));
   for (const WeightedField& one : fields) {
     table->deepest_mm = std::max(table->deepest_mm, one.field->depths_mm.back());
   }
-  table->depth_step = table->deepest_mm / static_cast<double>(kDepths - 1);
+  table->depth_step = stepOf(table->deepest_mm / static_cast<double>(kDepths - 1));
 
   const std::vector<LumpPoint> points = pointsOf(lump, stack);
   EnergyRows sums(kRhos, std::vector<EnergyAndForce>(kDepths));
@@ -420,7 +419,7 @@ LumpEnergy::LumpEnergy(const LumpShape& lump, const LayerStack& stack, std::span
       const double share = one.share * windowAt(rho / table->reach_mm);
       const DepthCurve curve(one.field->depths_mm, energiesOf(*one.field, points, rows, rho));
       for (std::size_t k = 0; k < kDepths; ++k) {
-        const EnergyAndForce at = curve.at(table->depth_step * static_cast<double>(k));
+        const EnergyAndForce at = curve.at(table->depth_step.mm * static_cast<double>(k));
         sums[i][k].energy += share * at.energy;
         sums[i][k].force += share * at.force;
       }
@@ -449,7 +448,7 @@ LumpEnergy::LumpEnergy(const LumpShape& lump, const LayerStack& stack, std::span
     for (int a = 0; a < kLooks; ++a) {
       const double rho = rhos[i] + (rhos[i + 1] - rhos[i]) * a / kLooks;
       for (std::size_t k = 0; k < kLooks * (kDepths - 1) + 1; ++k) {
-        const Table::Full full = table->at(rho, table->depth_step * static_cast<double>(k) / kLooks);
+        const Table::Full full = table->at(rho, table->depth_step.mm * static_cast<double>(k) / kLooks);
         LumpSteepness& steepest = table->steepest;
         steepest.depth = std::max(steepest.depth, std::abs(full.d_depth_depth));
         steepest.rho = std::max(steepest.rho, std::abs(full.answer.d_rho_rho));

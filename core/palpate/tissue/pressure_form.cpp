@@ -23,18 +23,22 @@ PressurePattern mixed(const PressurePattern& a, const PressurePattern& b, double
           a.exponent + share * (b.exponent - a.exponent)};
 }
 
-/// Patterns at increasing depths; from no radius at no depth, and constant beyond the last.
-PressurePattern patternAt(std::span<const double> depths, std::span<const PressurePattern> patterns,
+std::vector<double> rootsOf(std::span<const double> depths_mm) {
+  std::vector<double> roots;
+  for (const double depth : depths_mm) roots.push_back(std::sqrt(depth));
+  return roots;
+}
+
+/// Patterns at increasing depths, given by their roots; from no radius at no depth, and constant beyond the last.
+PressurePattern patternAt(std::span<const double> roots, std::span<const PressurePattern> patterns,
                           double depth_mm) noexcept {
   if (!(depth_mm > 0.0)) return {};
-  if (depth_mm >= depths.back()) return patterns.back();
-  const auto after =
-      static_cast<std::size_t>(std::upper_bound(depths.begin(), depths.end(), depth_mm) - depths.begin());
   const double root = std::sqrt(depth_mm);
-  const double to = std::sqrt(depths[after]);
-  if (after == 0) return mixed({0.0, patterns[0].exponent}, patterns[0], root / to);
-  const double from = std::sqrt(depths[after - 1]);
-  return mixed(patterns[after - 1], patterns[after], (root - from) / (to - from));
+  if (root >= roots.back()) return patterns.back();
+  const auto after = static_cast<std::size_t>(std::upper_bound(roots.begin(), roots.end(), root) - roots.begin());
+  if (after == 0) return mixed({0.0, patterns[0].exponent}, patterns[0], root / roots[0]);
+  const double from = roots[after - 1];
+  return mixed(patterns[after - 1], patterns[after], (root - from) / (roots[after] - from));
 }
 
 }  // namespace
@@ -44,11 +48,11 @@ PressureForm::PressureForm(std::span<const WeightedField> fields, double indente
   if (fields.empty()) throw Error("pressure: no field of a press is given");
   const auto longest =
       std::ranges::max_element(fields, {}, [](const WeightedField& one) { return one.field->depths_mm.back(); });
-  depths_mm_ = longest->field->depths_mm;
-  for (const double depth : depths_mm_) {
+  roots_ = rootsOf(longest->field->depths_mm);
+  for (const double depth : longest->field->depths_mm) {
     PressurePattern& sum = patterns_.emplace_back();
     for (const WeightedField& one : fields) {
-      const PressurePattern pattern = patternAt(one.field->depths_mm, one.field->patterns, depth);
+      const PressurePattern pattern = patternAt(rootsOf(one.field->depths_mm), one.field->patterns, depth);
       sum.contact_radius_mm += one.share * pattern.contact_radius_mm;
       sum.exponent += one.share * pattern.exponent;
     }
@@ -56,7 +60,7 @@ PressureForm::PressureForm(std::span<const WeightedField> fields, double indente
 }
 
 PressurePattern PressureForm::at(double depth_mm, double finger_mm) const noexcept {
-  PressurePattern pattern = patternAt(depths_mm_, patterns_, depth_mm);
+  PressurePattern pattern = patternAt(roots_, patterns_, depth_mm);
   pattern.contact_radius_mm =
       std::min(pattern.contact_radius_mm * std::sqrt(finger_mm / indenter_radius_mm_), kWidestShare * finger_mm);
   return pattern;

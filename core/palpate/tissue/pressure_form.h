@@ -24,7 +24,7 @@ class PressureForm {
   PressurePattern at(double depth_mm, double finger_mm = 8.0) const noexcept;
 
  private:
-  std::vector<double> depths_mm_;
+  std::vector<double> roots_;  ///< of the depths, mm
   std::vector<PressurePattern> patterns_;
   double indenter_radius_mm_;
 };
