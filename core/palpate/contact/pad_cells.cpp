@@ -30,7 +30,8 @@ struct alignas(64) PadGrid {
 /// Of a bump; 1 + s^2 / w^2 on the circle is circle + swing x cosine.
 struct KernelShape {
   double foot_x, foot_y, per_width2, circle, swing;
-  std::size_t arcs;       ///< of half the circle: a multiple of PadCells::kLanes
+  std::size_t arcs;  ///< of half the circle: a multiple of PadCells::kLanes and a power of 2
+  double per_arc;
   const double* cosines;  ///< of their middles
 };
 
@@ -192,7 +193,7 @@ PadKernel makeKernel(const KernelShape& shape, PadCells& cells) {
     const V wide = hn::Add(all(shape.circle), hn::Mul(all(shape.swing), load(shape.cosines + arc)));
     circle.add(arc % PadCells::kLanes, kernelOf(wide));
   }
-  return {sums.sum(), circle.sum() / static_cast<double>(shape.arcs)};
+  return {sums.sum(), circle.sum() * shape.per_arc};
 }
 
 /// What all kernels and the earlier bumps make of a plain force.
@@ -357,6 +358,7 @@ PadKernel makeKernel(double foot_x, double foot_y, double width, double circle, 
                           1.0 + (circle * circle + offset2) * per_width2,
                           2.0 * circle * std::sqrt(offset2) * per_width2,
                           wide ? kFewArcs.at.size() : kManyArcs.at.size(),
+                          wide ? 1.0 / 8.0 : 1.0 / 16.0,
                           wide ? kFewArcs.at.data() : kManyArcs.at.data()};
   return HWY_DYNAMIC_DISPATCH(makeKernel)(shape, cells);
 }

@@ -42,14 +42,15 @@ struct Bump {
   double extra_n = 0.0;  ///< what it adds to the normal force
 };
 
-/// Adds one lump's bump to those of the cells, whose plain forces stand for `plain_n`; what it adds everywhere.
-double addBump(const Bump& bump, double circle, double plain, double plain_n, PadCells& cells) {
+/// Adds one lump's bump to those of the cells, whose plain forces add up to `plain` and make `per_n` of 1 N; what it
+/// adds everywhere.
+double addBump(const Bump& bump, double circle, double plain, double per_n, PadCells& cells) {
   constexpr double kFlat = 1e-3;  // of the bump: less is a pattern that the bump cannot carry its force in
   const PadKernel kernel = makeKernel(bump.foot.x(), bump.foot.y(), bump.width, circle, cells);
   const double base = tissue::kBumpBase * kernel.mean;
   const double carried = kernel.sum - base * plain;
   if (!(carried > kFlat * kernel.sum)) return 0.0;  // the last scaling spreads its force evenly
-  const double strength = bump.extra_n / plain_n * plain / carried;
+  const double strength = bump.extra_n * per_n / carried;
   keepKernel(strength, cells);
   return -strength * base;
 }
@@ -155,6 +156,7 @@ PadMoments addBumps(const Lumps& lumps, const Pushes& pushes, const FingerOutput
                     double per_mm, double circle, double plain, double plain_n, PadCells& cells) {
   constexpr double kUnfelt = 1e-5;  // of the force: a bump that nobody would find among the taxels
   const double normal_n = felt.force.dot(felt.normal);
+  const double per_n = plain / plain_n;
   double level = 1.0;
   for (std::size_t i = 0; i < pushes.count; ++i) {
     if (!(std::abs(pushes.push[i]) > kUnfelt * normal_n)) continue;
@@ -162,7 +164,7 @@ PadMoments addBumps(const Lumps& lumps, const Pushes& pushes, const FingerOutput
     const Bump bump{.foot = per_mm * footOf(lump, pushes.moved[i], felt, plane),
                     .width = per_mm * tissue::bumpWidth(lump.shape, lump.skin_mm, felt.depth_mm),
                     .extra_n = pushes.push[i]};
-    level += addBump(bump, circle, plain, plain_n, cells);
+    level += addBump(bump, circle, plain, per_n, cells);
   }
   return raiseForces(level, cells);
 }

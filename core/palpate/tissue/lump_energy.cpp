@@ -187,6 +187,23 @@ inline Weights bendWeights(double t, const Step& step) noexcept {
           (6.0 - 12.0 * t) * step.inverse * step.inverse, (6.0 * t - 2.0) * step.inverse};
 }
 
+/// Of the first cell from the skin on, at whose near end there is neither energy nor force. Its force grows as the
+/// square of the depth, as that of layered tissue does there (force_law.h): a cubic's would grow as the depth, and over
+/// a touch that is light enough a lump would be all that is felt.
+inline Weights firstValueWeights(double t, const Step& step) noexcept {
+  const double t3 = t * t * t;
+  return {0.0, 0.0, t3 * (4.0 - 3.0 * t), step.mm * (t3 * (t - 1.0))};
+}
+
+inline Weights firstSlopeWeights(double t, const Step& step) noexcept {
+  const double t2 = t * t;
+  return {0.0, 0.0, 12.0 * (t2 * (1.0 - t)) * step.inverse, t2 * (4.0 * t - 3.0)};
+}
+
+inline Weights firstBendWeights(double t, const Step& step) noexcept {
+  return {0.0, 0.0, t * (24.0 - 36.0 * t) * step.inverse * step.inverse, t * (12.0 * t - 6.0) * step.inverse};
+}
+
 inline double weighted(const Weights& w, const Weights& v) noexcept {
   return w[0] * v[0] + w[1] * v[1] + w[2] * v[2] + w[3] * v[3];
 }
@@ -261,10 +278,8 @@ double factorAt(std::span<const ForceCorrection> correction, double depth_mm) {
 /// What a tick asks for stands in the class, small enough to be inlined.
 struct LumpEnergy::Table {
   struct Knot {
-    double u = 0.0;
-    double by_depth = 0.0;
-    double by_rho = 0.0;
-    double by_both = 0.0;
+    std::array<double, 2> value{};   ///< U and dU/dd
+    std::array<double, 2> by_rho{};  ///< of both
   };
 
   double radius_mm = 0.0;
@@ -290,11 +305,10 @@ struct LumpEnergy::Table {
     const Patch patch = patchAt(rho, depth);
     const Weights value = column(patch, valueWeights(patch.t, patch.rho_step));
     const Weights first = column(patch, slopeWeights(patch.t, patch.rho_step));
-    const Weights d_value = valueWeights(patch.down, depth_step);
-    const Weights d_first = slopeWeights(patch.down, depth_step);
-    LumpSlopes slopes{weighted(d_value, first), weighted(d_first, value)};
+    const Weights d_first = depthSlopes(patch);
+    LumpSlopes slopes{weighted(depthValues(patch), first), weighted(d_first, value)};
     if (const double beyond = patch.beyond; beyond > 0.0) {
-      const Weights d_second = bendWeights(patch.down, depth_step);
+      const Weights d_second = depthBends(patch);
       slopes.d_rho += beyond * (weighted(d_first, first) + 0.5 * beyond * weighted(d_second, first));
       slopes.d_depth += beyond * weighted(d_second, value);
     }
@@ -304,17 +318,18 @@ struct LumpEnergy::Table {
   double forceAt(double rho, double depth) const noexcept {
     const Patch patch = patchAt(rho, depth);
     const Weights value = column(patch, valueWeights(patch.t, patch.rho_step));
-    const double force = weighted(slopeWeights(patch.down, depth_step), value);
+    const double force = weighted(depthSlopes(patch), value);
     if (!(patch.beyond > 0.0)) return force;
-    return force + patch.beyond * weighted(bendWeights(patch.down, depth_step), value);
+    return force + patch.beyond * weighted(depthBends(patch), value);
   }
 
  private:
   static constexpr Step kFineStep = stepOf(kFineToMm / kFineSteps);
 
-  /// Where a distance and a depth are among the knots.
+  /// Where a distance and a depth are among the knots. Signed: a processor makes no unsigned number of a double at
+  /// once.
   struct Patch {
-    std::size_t i = 0, k = 0;
+    std::ptrdiff_t i = 0, k = 0;
     double t = 0.0;  ///< from knot i on, in steps
     Step rho_step;
     double down = 0.0;    ///< from knot k on, in steps
@@ -322,29 +337,45 @@ struct LumpEnergy::Table {
   };
 
   Patch patchAt(double rho, double depth) const noexcept {
+    constexpr auto kLastRho = static_cast<std::ptrdiff_t>(kRhos) - 2,
+                   kLastDepth = static_cast<std::ptrdiff_t>(kDepths) - 2;
     const bool fine = rho < kFineToMm;
+    const std::ptrdiff_t from = fine ? 0 : static_cast<std::ptrdiff_t>(kFineSteps);
     const Step rho_step = fine ? kFineStep : coarse_step;
     const double along = (fine ? rho : rho - kFineToMm) / rho_step.mm;
-    const auto i = std::min(static_cast<std::size_t>(along) + (fine ? 0 : kFineSteps), kRhos - 2);
+    const std::ptrdiff_t i = std::min(static_cast<std::ptrdiff_t>(along) + from, kLastRho);
     const double inside = std::min(depth, deepest_mm);
     const double down = inside / depth_step.mm;
-    const auto k = std::min(static_cast<std::size_t>(down), kDepths - 2);
+    const std::ptrdiff_t k = std::min(static_cast<std::ptrdiff_t>(down), kLastDepth);
     return {.i = i,
             .k = k,
-            .t = along - static_cast<double>(i - (fine ? 0 : kFineSteps)),
+            .t = along - static_cast<double>(i - from),
             .rho_step = rho_step,
             .down = down - static_cast<double>(k),
             .beyond = depth - inside};
   }
 
+  Weights depthValues(const Patch& patch) const noexcept {
+    return patch.k == 0 ? firstValueWeights(patch.down, depth_step) : valueWeights(patch.down, depth_step);
+  }
+  Weights depthSlopes(const Patch& patch) const noexcept {
+    return patch.k == 0 ? firstSlopeWeights(patch.down, depth_step) : slopeWeights(patch.down, depth_step);
+  }
+  Weights depthBends(const Patch& patch) const noexcept {
+    return patch.k == 0 ? firstBendWeights(patch.down, depth_step) : bendWeights(patch.down, depth_step);
+  }
+
   /// The patch at a distance as values and depth's slopes at both depths, by the weights of the distance.
   Weights column(const Patch& patch, const Weights& w) const noexcept {
-    const Knot* const a = &knots[patch.i][patch.k];
-    const Knot* const b = &knots[patch.i + 1][patch.k];
-    return {w[0] * a[0].u + w[1] * a[0].by_rho + w[2] * b[0].u + w[3] * b[0].by_rho,
-            w[0] * a[0].by_depth + w[1] * a[0].by_both + w[2] * b[0].by_depth + w[3] * b[0].by_both,
-            w[0] * a[1].u + w[1] * a[1].by_rho + w[2] * b[1].u + w[3] * b[1].by_rho,
-            w[0] * a[1].by_depth + w[1] * a[1].by_both + w[2] * b[1].by_depth + w[3] * b[1].by_both};
+    const Knot* const a = &knots[static_cast<std::size_t>(patch.i)][static_cast<std::size_t>(patch.k)];
+    const Knot* const b = a + kDepths;
+    Weights column;
+    for (std::size_t k = 0; k < 2; ++k) {
+      for (std::size_t j = 0; j < 2; ++j) {  // two numbers at once
+        column[2 * k + j] = w[0] * a[k].value[j] + w[1] * a[k].by_rho[j] + w[2] * b[k].value[j] + w[3] * b[k].by_rho[j];
+      }
+    }
+    return column;
   }
 };
 
@@ -353,9 +384,9 @@ LumpEnergy::Table::Full LumpEnergy::Table::at(double rho, double depth) const no
   const Weights value = column(patch, valueWeights(patch.t, patch.rho_step));
   const Weights first = column(patch, slopeWeights(patch.t, patch.rho_step));
   const Weights second = column(patch, bendWeights(patch.t, patch.rho_step));
-  const Weights d_value = valueWeights(patch.down, depth_step);
-  const Weights d_first = slopeWeights(patch.down, depth_step);
-  const Weights d_second = bendWeights(patch.down, depth_step);
+  const Weights d_value = depthValues(patch);
+  const Weights d_first = depthSlopes(patch);
+  const Weights d_second = depthBends(patch);
   Full full{{weighted(d_value, value), weighted(d_value, first), weighted(d_first, value), weighted(d_value, second)},
             weighted(d_second, value)};
   const double beyond = patch.beyond;
@@ -384,7 +415,7 @@ void correct(std::span<const ForceCorrection> correction, const Step& step, std:
     if (k > 0) {
       for (std::size_t q = 0; q < kAt.size(); ++q) {
         const Weights ends = {before[k - 1].energy, before[k - 1].force, before[k].energy, before[k].force};
-        const double slope = weighted(slopeWeights(kAt[q], step), ends);
+        const double slope = weighted(k == 1 ? firstSlopeWeights(kAt[q], step) : slopeWeights(kAt[q], step), ends);
         energy += kWeight[q] * step.mm * slope * factorAt(correction, step.mm * (static_cast<double>(k - 1) + kAt[q]));
       }
     }
@@ -440,7 +471,7 @@ LumpEnergy::LumpEnergy(const LumpShape& lump, const LayerStack& stack, std::span
     }
     const std::vector<double> by_rho = splineSlopes(rhos, energies, true);
     const std::vector<double> by_both = splineSlopes(rhos, forces, true);
-    for (std::size_t i = 0; i < kRhos; ++i) table->knots[i][k] = {energies[i], forces[i], by_rho[i], by_both[i]};
+    for (std::size_t i = 0; i < kRhos; ++i) table->knots[i][k] = {{energies[i], forces[i]}, {by_rho[i], by_both[i]}};
   }
 
   constexpr int kLooks = 4;  // per cell

@@ -84,7 +84,10 @@ PressurePattern overLumps(PressurePattern pattern, double widening) noexcept {
 }
 
 double wideningOf(const LumpShape& lump, double skin_mm) noexcept {
-  const double large = std::clamp((radiusOf(lump) - 5.0) / 3.0, 0.0, 1.0);
+  constexpr double kFromMm = 5.0;
+  const double radius_mm = radiusOf(lump);
+  if (!(radius_mm > kFromMm)) return 0.0;
+  const double large = std::min((radius_mm - kFromMm) / 3.0, 1.0);
   const double deep = std::clamp((lump.depth_mm - skin_mm - 1.0) / 3.0, 0.0, 1.0);
   return large * deep;
 }

@@ -231,6 +231,29 @@ PressureGround groundOf(const std::vector<tissue::PressurePattern>& at_2_5_8_mm)
   return PressureGround({{.thickness_mm = 40.0, .form = tissue::PressureForm(fields)}});
 }
 
+TEST(PressureField, FallsOffAsItsExponentSays) {
+  FingerOutput felt;
+  felt.touch = Touch::stick;
+  felt.normal = Vec3::UnitZ();
+  felt.depth_mm = 5.0;
+  felt.tissue_mm = 40.0;
+  felt.finger_mm = 8.0;
+  felt.force = 2.0 * felt.normal;
+  for (const double exponent : {0.0, 0.1, 0.3, 0.49, 0.5, 0.6, 0.99, 1.0, 1.7, 2.5}) {
+    const tissue::PressurePattern pattern{6.0, exponent};
+    const PressureGround ground = groundOf({pattern, pattern, pattern});
+    std::array<double, 256> kpa;
+    pressureField(ground, nullptr, felt, {.taxels = 16}, kpa);
+    const double peak = tissue::pressureAt(pattern, 2.0, 0.0);
+    for (std::size_t i = 0; i < kpa.size(); ++i) {
+      const double r = std::hypot(static_cast<double>(i % 16) - 7.5, static_cast<double>(i / 16) - 7.5);
+      if (r < 5.0) {
+        EXPECT_NEAR(kpa[i], tissue::pressureAt(pattern, 2.0, r), 0.03 * peak) << exponent << ", " << r << " mm";
+      }
+    }
+  }
+}
+
 /// Means over rings of 1 mm, kPa, of 16 x 16 taxels of 1 mm.
 std::array<double, 9> ringsOf(std::span<const double> kpa) {
   std::array<double, 9> sum{}, count{};

@@ -7,6 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/tissue/force_law.h"
+#include "palpate/tissue/layered_library.h"
+#include "palpate/tissue/layered_tissue.h"
 #include "palpate/tissue/library_fields.h"
 #include "palpate/tissue/lump_saturation.h"
 #include "support/counted.h"
@@ -84,6 +87,23 @@ TEST(LumpEnergy, EndsSmoothlyWhereItIsNoLongerFelt) {
   }
   EXPECT_EQ(energy.at(std::nan(""), 3.0).d_depth, 0.0);
   EXPECT_EQ(energy.at(1.0, std::nan("")).d_depth, 0.0);
+}
+
+TEST(LumpEnergy, OfTheLightestTouchStaysAShareOfWhatTheTissuePushesBack) {
+  const LayeredTissue tissue(libraryNodes(8.0));
+  const ForceLaw law{.kind = ForceLaw::Kind::layered, .layers = tissue.forceRows()};
+  const auto share = [&](const LumpEnergy& energy, double depth) {
+    const double plain = normalForce(law, tissue.secantAt(40.0, 8.0), depth, {.tissue_mm = 40.0, .finger_mm = 8.0});
+    return energy.forceAt(0.0, depth) / plain;
+  };
+  const LumpEnergy hard = energyOf(ball(10.0, 3.0, 20.0)), soft = energyOf(ball(16.0, 2.5, 0.2));
+  for (const double depth : {1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.5}) {
+    EXPECT_GT(share(hard, depth), 0.0) << depth;
+    EXPECT_LT(share(hard, depth), 2.0 * share(hard, 0.55)) << depth;
+    EXPECT_LT(share(soft, depth), 0.0) << depth;
+    EXPECT_GT(share(soft, depth), 2.0 * share(soft, 0.55)) << depth;
+    EXPECT_GT(share(soft, depth), -0.5) << "a soft lump would pull the finger in, " << depth;
+  }
 }
 
 TEST(LumpEnergy, GoesStraightOnBeyondTheLastSolvedDepth) {
