@@ -349,6 +349,11 @@ PadCover coverCells(std::size_t side, const PadContact& contact, PadCells& cells
 }
 
 PadKernel makeKernel(double foot_x, double foot_y, double width, double circle, PadCells& cells) noexcept {
+  if (cells.kernel_count == PadCells::kKernels) {
+    HWY_DYNAMIC_DISPATCH(gatherBumps)(cells);
+    cells.kernel_count = 0;
+    cells.has_bumps = true;
+  }
   const double per_width2 = 1.0 / (width * width);
   const double offset2 = foot_x * foot_x + foot_y * foot_y;
   const bool wide = width > 1.5 * circle;  // eight arcs have such a bump to 1e-5
@@ -363,13 +368,7 @@ PadKernel makeKernel(double foot_x, double foot_y, double width, double circle, 
   return HWY_DYNAMIC_DISPATCH(makeKernel)(shape, cells);
 }
 
-void keepKernel(double strength, PadCells& cells) noexcept {
-  cells.strengths[cells.kernel_count++] = strength;
-  if (cells.kernel_count < PadCells::kKernels) return;
-  HWY_DYNAMIC_DISPATCH(gatherBumps)(cells);
-  cells.kernel_count = 0;
-  cells.has_bumps = true;
-}
+void keepKernel(double strength, PadCells& cells) noexcept { cells.strengths[cells.kernel_count++] = strength; }
 
 PadMoments momentsOf(const PadCells& cells) noexcept { return HWY_DYNAMIC_DISPATCH(moments)(cells); }
 

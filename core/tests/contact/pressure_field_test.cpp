@@ -212,6 +212,17 @@ TEST(PressureField, HasTheSameBitsOnEveryInstructionSet) {
   }
 }
 
+TEST(PressureField, OfManyLumpsDoesNotDependOnTheirOrder) {
+  std::vector<Lump> lumps;
+  for (int i = 0; i < 20; ++i) lumps.push_back(test::inventedLump({40.0 + i, 45.0 + 7.0 * (i % 3), 0}));
+  const Felt felt = pressed({48, 51}, 5.0, lumps);
+  Felt other = felt;
+  std::reverse(lumps.begin(), lumps.end());
+  other.lumps = std::make_shared<const Lumps>(Lumps{.all = lumps});
+  const Field one = fieldOf(felt, {.taxels = 8}), reversed = fieldOf(other, {.taxels = 8});
+  for (std::size_t i = 0; i < one.kpa.size(); ++i) EXPECT_NEAR(one.kpa[i], reversed.kpa[i], 1e-9 * one.kpa[27]) << i;
+}
+
 TEST(PressureField, AsksForNoMemory) {
   const PressureGround ground = test::inventedGround();
   const Felt felt = pressed({47, 50}, 5.0, {test::inventedLump({50, 50, 0})});
