@@ -273,7 +273,7 @@ void Deformer::Pipeline<Displacement>::displaceRun(const Run& run, ThePlan& plan
   const Index blocks = run.end - run.first;
   if (blocks == 0) return;
   DeformedBlock out = surface.block(run.first);
-  out.least_area = &plan.least_area[run.first];
+  out.area = plan.areaOf(run.first);
   displacement_.displaceWholeBlocks(plan.movers[run.contact], blocks, skin_.restBlock(run.first), out);
   report.moved_vertices += blocks * kBlockVertices;
 }
@@ -289,7 +289,7 @@ Index Deformer::Pipeline<Displacement>::displaceShared(Index block, ThePlan& pla
     moved |= entry.region;
   });
   DeformedBlock out = surface.block(block);
-  out.least_area = &plan.least_area[block];
+  out.area = plan.areaOf(block);
   displacement_.displaceBlock(plan.on_block, skin_.restBlock(block), out);
   return static_cast<Index>(std::popcount(moved));
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "palpate/deform/kernels/kernels.h"
 #include "palpate/deform/skin.h"
 
 namespace palpate::deform {
@@ -69,20 +70,20 @@ void forEachTriangleAt(const Skin& skin, Index block, const Visit& visit) {
   }
 }
 
+void raise(float& most, double value) { most = std::max(most, static_cast<float>(value)); }
+
 FoldBound boundOf(const Skin& skin, const std::vector<TriangleShape>& shapes, Index block) {
   FoldBound bound;
   Vec3 sum = Vec3::Zero();
   forEachTriangleAt(skin, block, [&](Index t, Index) { sum += shapes[t].normal; });
   if (sum.norm() > 0.0) bound.axis = sum.normalized().cast<float>();
   double cos_cone = 1.0;
-  const auto raise = [](float& most, double value) { most = std::max(most, static_cast<float>(value)); };
-  forEachTriangleAt(skin, block, [&](Index t, Index v) {
+  forEachTriangleAt(skin, block, [&](Index t, Index) {
     raise(bound.longest_mm, shapes[t].longest_mm);
     if (shapes[t].spread == 0.0) return;
     cos_cone = std::min(cos_cone, shapes[t].normal.dot(bound.axis.cast<double>()));
     raise(bound.spread, shapes[t].spread);
     raise(bound.gradient_mm, shapes[t].gradient_mm);
-    raise(bound.crease, (shapes[t].normal - skin.restNormal(v).cast<double>()).norm());
   });
   bound.cos_cone = static_cast<float>(cos_cone) - 1e-6f;  // rounding
   return bound;
@@ -108,14 +109,21 @@ bool keepsItsArea(double press, double drag, bool is_one) noexcept {
 
 }  // namespace
 
-std::vector<FoldBound> foldBounds(const Skin& skin) {
+void setFoldBounds(Skin& skin) {
   std::vector<TriangleShape> shapes;
   shapes.reserve(skin.triangles.size());
   for (const Triangle& triangle : skin.triangles) shapes.push_back(shapeOf(skin, triangle));
-  std::vector<FoldBound> bounds;
-  bounds.reserve(skin.blocks);
-  for (Index block = 0; block < skin.blocks; ++block) bounds.push_back(boundOf(skin, shapes, block));
-  return bounds;
+  skin.fold_bounds.clear();
+  skin.fold_gradient_mm.assign(std::size_t{skin.blocks} * kBlockVertices, 0.0f);
+  skin.fold_crease.assign(std::size_t{skin.blocks} * kBlockVertices, 0.0f);
+  for (Index block = 0; block < skin.blocks; ++block) {
+    skin.fold_bounds.push_back(boundOf(skin, shapes, block));
+    forEachTriangleAt(skin, block, [&](Index t, Index v) {
+      if (shapes[t].spread == 0.0) return;
+      raise(skin.fold_gradient_mm[v], shapes[t].gradient_mm);
+      raise(skin.fold_crease[v], (shapes[t].normal - skin.restNormal(v).cast<double>()).norm());
+    });
+  }
 }
 
 double certainSpread(const ShearBound& shear) noexcept {
@@ -137,19 +145,19 @@ bool mayFold(const FoldBound& block, const ShearBound& shear) noexcept {
   return !keepsItsArea(press * largestSine(block, shear.towards), drag, shear.is_one);
 }
 
-bool mayFold(const FoldBound& block, const ShearBound& shear, double least_area) noexcept {
-  // The triangle's F is within `off` of that at the vertex. Of its area, the determinant of F in its plane, what moves
-  // along the press counts by its sine to the normal only.
-  const double sine = largestSine(block, shear.towards);
-  const double slope = shear.drag + sine * shear.press;
-  const double bend = shear.drag_bend + sine * shear.press_bend;
-  const double off = bend * block.gradient_mm + kSlopeAtRim * (1.0 + block.spread) * slope;
-  // Between the vertex's normal and the triangle's: cof(F) - I is at most the slopes and their products, and of a press
-  // no more than the sine is seen along either.
-  const double both = shear.press + shear.drag;
-  const double crease =
-      block.crease * (shear.drag + 0.5 * both * both) + std::min<double>(block.crease, sine) * shear.press;
-  return !(least_area - (1.0 + slope) * off - 0.5 * off * off - 2.0 * crease > 1.0 - kCertain);
+std::uint64_t doubtfulVertices(const Skin& skin, Index block, const ShearBound& shear, const float* area) noexcept {
+  // A triangle's F is within `off` of that at its corner. Of its area, the determinant of F in its plane, what moves
+  // along the press counts by its sine to the normal only. Between the vertex's normal and the triangle's, cof(F) - I
+  // is at most the slopes and their products, and of a press no more than the sine is seen along either.
+  ShearLanes lanes;
+  lanes.press = static_cast<float>(shear.press);
+  lanes.drag = static_cast<float>(shear.drag);
+  lanes.press_bend = static_cast<float>(shear.press_bend);
+  lanes.drag_bend = static_cast<float>(shear.drag_bend);
+  for (int i = 0; i < 3; ++i) lanes.towards[i] = static_cast<float>(shear.towards[i]);
+  lanes.jump = static_cast<float>(kSlopeAtRim * (1.0 + skin.fold_bounds[block].spread));
+  lanes.least_area = static_cast<float>(1.0 - kCertain);
+  return doubtfulVertices(lanes, skin.foldBlock(block, area));
 }
 
 AlignedVector<float> roomBesideStaying(const Skin& skin) {

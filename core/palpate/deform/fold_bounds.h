@@ -6,11 +6,12 @@
 // derivative of p and g = r + 2 a b / (a + b + c), r the radius through the corners and a, b the longer two sides. The
 // triangle turns over no sooner than that slope times the part of b in its plane reaches 1. A press has no part in the
 // plane of a triangle that it meets head on: hence the cone of normals. Where that does not settle it, what the
-// displacement leaves of the area at each vertex does (DeformedBlock::least_area), since the slope of a triangle is
-// within m g of that at its corners. Based on: Shewchuk, "What is a good linear finite element?", 2002, for g (1.0 r is
+// displacement leaves of the area at a vertex does (DeformedBlock::area), since the slope of a triangle is within m g
+// of that at each of its corners. Based on: Shewchuk, "What is a good linear finite element?", 2002, for g (1.0 r is
 // reached by every triangle and 2 r by needles); the rest own.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "palpate/base/aligned.h"
@@ -24,14 +25,14 @@ struct Skin;
 struct FoldBound {
   Vec3f axis = Vec3f::Zero();  ///< the mean of their normals; zero where there is none
   float cos_cone = -1.0f;      ///< of the angle that no normal leaves the axis by
-  float gradient_mm = 0.0f;    ///< how far a triangle's slope may be from the true one, over the second derivative
+  float gradient_mm = 0.0f;    ///< g: how far a triangle's slope may be from the true one, over the second derivative
   float spread = 0.0f;         ///< the largest 1 / cos(widest angle / 2): 1.15 for equal sides, 1.41 for a right angle
   float longest_mm = 0.0f;     ///< of their edges
-  float crease = 0.0f;         ///< how far the normal of a triangle is from that of one of its vertices, as vectors
 };
 
-/// A bound a block. Triangles without area do not count: they cannot fold.
-std::vector<FoldBound> foldBounds(const Skin& skin);
+/// A bound a block, and for each vertex (padded to whole blocks) the largest g of its triangles and how far the normal
+/// of one is from its own, as vectors. Triangles without area do not count: they cannot fold.
+void setFoldBounds(Skin& skin);
 
 /// What contacts may shear at most: sums over them of the largest displacement per mm of skin.
 struct ShearBound {
@@ -50,8 +51,9 @@ double certainSpread(const ShearBound& shear) noexcept;
 /// True unless it is certain that no triangle of the block folds.
 bool mayFold(const FoldBound& block, const ShearBound& shear) noexcept;
 
-/// The same, knowing what is left of the area at the block's vertices (DeformedBlock::least_area).
-bool mayFold(const FoldBound& block, const ShearBound& shear, double least_area) noexcept;
+/// Vertices of a block at which a triangle may fold, knowing what is left of the area at each (DeformedBlock::area).
+/// All that move of a triangle that folds are among them.
+std::uint64_t doubtfulVertices(const Skin& skin, Index block, const ShearBound& shear, const float* area) noexcept;
 
 /// For each vertex (padded to whole blocks), should it stay: what the vertices joined to it may move by at most, so
 /// that no triangle at it folds and none of them moves by more than 0.4 of the way to it. 0 where a triangle has no

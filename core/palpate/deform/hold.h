@@ -105,24 +105,21 @@ ShearBound Hold<Displacement>::shearNear(const Displacement& displacement, const
   return shear;
 }
 
-/// Blocks of which it is not certain that they keep all their triangles up. False if there is none.
+/// Vertices of which it is not certain that they keep all their triangles up. False if there is none.
 template <class Displacement>
 bool Hold<Displacement>::findDoubtful(const Displacement& displacement, ThePlan& plan) const noexcept {
   plan.doubtful.clear();
-  bool any = false;
   const double certain = certainSpread(bound_);
   const auto is_spread = [&](Index tile) { return !(skin_.spread_of_tiles[tile] < certain); };
   plan.moved.forEachIn(is_spread, [&](Index block) {
-    const auto may_fold = [&](const ShearBound& shear) {
-      const FoldBound& bound = skin_.fold_bounds[block];
-      return mayFold(bound, shear) && mayFold(bound, shear, plan.least_area[block]);
-    };
-    if (!may_fold(bound_)) return;
-    if (is_steep_near_fingers_ && !may_fold(shearNear(displacement, plan, block, 0.0))) return;
-    plan.doubtful.insert(block);
-    any = true;
+    const FoldBound& of_block = skin_.fold_bounds[block];
+    if (!mayFold(of_block, bound_)) return;
+    const ShearBound near = shearNear(displacement, plan, block, 0.0);
+    if (is_steep_near_fingers_ && !mayFold(of_block, near)) return;
+    const std::uint64_t vertices = doubtfulVertices(skin_, block, near, plan.areaOf(block));
+    if (vertices != 0) plan.doubtful.push_back({block, false, vertices});
   });
-  return any;
+  return !plan.doubtful.empty();
 }
 
 /// What all contacts move their centres by, mm: no vertex moves farther.

@@ -66,6 +66,9 @@ struct Plan {
     for (Index e = first_entry[block]; e != kNoIndex; e = entries[e].next) visit(entries[e]);
   }
 
+  float* areaOf(Index block) { return area.data() + std::size_t{block} * kBlockVertices; }
+  const float* areaOf(Index block) const { return area.data() + std::size_t{block} * kBlockVertices; }
+
   // 1. The contacts that want to move something.
   std::vector<Frame> frames;
   // 2. Their regions, contact after contact, and what contact j moves the anchor of contact i by (i n + j).
@@ -86,8 +89,8 @@ struct Plan {
   std::vector<Index> first_entry;        ///< a block of `moved` each
   std::vector<OnBlock<Mover>> on_block;  ///< room for the movers of one block
   BlockSet moved;                        ///< blocks with vertices of a region
-  std::vector<float> least_area;         ///< of those, DeformedBlock::least_area; room for every block
-  BlockSet doubtful;                     ///< of `moved`: triangles may fold there
+  AlignedVector<float> area;             ///< of those, DeformedBlock::area; room for every block
+  std::vector<BlockPart> doubtful;       ///< of `moved`, where triangles may fold: the vertices at which they may
   std::vector<Pull> pulls;               ///< the contacts that move something
   BlockSet affected;  ///< these, and where normals or strain come from neighbours the blocks beside them
 };
@@ -102,13 +105,13 @@ Plan<Displacement>::Plan(const Skin& skin, std::size_t n)
       shifts_mm(n, Vec3::Zero()),
       first_entry(skin.blocks, kNoIndex),
       moved(skin.blocks),
-      least_area(skin.blocks),
-      doubtful(skin.blocks),
+      area(std::size_t{skin.blocks} * kBlockVertices),
       affected(skin.blocks) {
   frames.reserve(n);
   parts.reserve(n * skin.blocks);
   first_part.reserve(n + 1);
   edges.reserve(n * skin.blocks);
+  doubtful.reserve(skin.blocks);
   first_edge.reserve(n + 1);
   pulls.reserve(n);
   movers.reserve(n);

@@ -126,6 +126,7 @@ ShearLimit::ShearLimit(const Skin& skin, std::size_t most_pulls)
       from_anchor_(skin),
       regions_(skin.blocks, 0),
       region_(skin.blocks, 0),
+      doubts_(skin.blocks, 0),
       room_(skin.vertices, 0.0f),
       is_pinning_(skin.blocks, 0),
       is_held_(skin.blocks, 0),
@@ -272,7 +273,7 @@ void ShearLimit::hold(Index vertex, float share, const DeformedBlock& surface) n
   noteHeld(vertex);
 }
 
-void ShearLimit::unfold(const DeformedBlock& surface, const BlockSet& doubtful) noexcept {
+void ShearLimit::unfold(const DeformedBlock& surface, std::span<const BlockPart> doubtful) noexcept {
   const bool is_few = findFolds(surface, doubtful);
   if (folds_.empty()) return;
   if (!is_few || !drawAllTogether(surface)) shorten(surface);
@@ -281,11 +282,12 @@ void ShearLimit::unfold(const DeformedBlock& surface, const BlockSet& doubtful) 
 }
 
 /// Lists the folded triangles. False if there is no room for all.
-bool ShearLimit::findFolds(const DeformedBlock& surface, const BlockSet& doubtful) noexcept {
-  const auto is_looked_at = [&](Index v) { return moves(v) && doubtful.contains(blockOf(v)); };
-  doubtful.forEach([&](Index block) {
-    forEachBit(regions_[block], [&](Index bit) {
-      const Index v = block * kBlockVertices + bit;
+bool ShearLimit::findFolds(const DeformedBlock& surface, std::span<const BlockPart> doubtful) noexcept {
+  for (const BlockPart& part : doubtful) doubts_[part.block] = part.vertices & regions_[part.block];
+  const auto is_looked_at = [&](Index v) { return (doubts_[blockOf(v)] & bitOf(v)) != 0; };
+  for (const BlockPart& part : doubtful) {
+    forEachBit(doubts_[part.block], [&](Index bit) {
+      const Index v = part.block * kBlockVertices + bit;
       for (const Index t : skin_.triangles_of_vertex[v]) {
         // Once a triangle, at the first of its corners.
         const Triangle& corners = skin_.triangles[t];
@@ -294,7 +296,8 @@ bool ShearLimit::findFolds(const DeformedBlock& surface, const BlockSet& doubtfu
         listIfFolded(t, surface);
       }
     });
-  });
+  }
+  for (const BlockPart& part : doubtful) doubts_[part.block] = 0;
   for (const Index v : pinning_) findFoldsAt(surface, v);
   for (const Index v : held_) findFoldsAt(surface, v);
   return folds_.size() < kMaxFolds;

@@ -191,8 +191,8 @@ class ShearLimit {
   /// Step 3. Nothing for one pull, and for pulls whose normals are less than a right angle apart.
   void joinSeams(const DeformedBlock& surface) noexcept;
 
-  /// Step 4, for the triangles at moved vertices of `doubtful` blocks, at vertices held back and at skin that stays.
-  void unfold(const DeformedBlock& surface, const BlockSet& doubtful) noexcept;
+  /// Step 4, for the triangles at moved vertices that are `doubtful`, at vertices held back and at skin that stays.
+  void unfold(const DeformedBlock& surface, std::span<const BlockPart> doubtful) noexcept;
 
   /// Vertices that were held back since `start`, in no particular order.
   std::span<const Index> held() const noexcept { return held_; }
@@ -251,7 +251,7 @@ class ShearLimit {
   void hold(Index vertex, float share, const DeformedBlock& surface) noexcept;
   void noteHeld(Index vertex) noexcept;
   void notePinning(Index vertex) noexcept;
-  bool findFolds(const DeformedBlock& surface, const BlockSet& blocks) noexcept;
+  bool findFolds(const DeformedBlock& surface, std::span<const BlockPart> doubtful) noexcept;
   void listFold(Index triangle) noexcept;
   void drawTogether(Index triangle, const DeformedBlock& surface) noexcept;
   bool drawAllTogether(const DeformedBlock& surface) noexcept;
@@ -274,6 +274,7 @@ class ShearLimit {
   std::vector<std::uint64_t> regions_;  // of all pulls; one bit a vertex
   std::vector<Index> blocks_;           // where that is not 0
   std::vector<std::uint64_t> region_;   // of one pull
+  std::vector<std::uint64_t> doubts_;   // moved vertices at which triangles are looked at, during findFolds
   std::vector<float> room_;             // how far a moved vertex may go along the surface, by all pulls
   std::vector<Torn> torn_;
   std::vector<Index> pinning_;  // vertices that stay beside some that move

@@ -112,7 +112,7 @@ Skin buildSkin(const mesh::TriangleMesh& mesh) {
   storeRestNormals(skin);
   joinBlocks(skin);
   skin.bounds = boundsOfBlocks(skin);
-  skin.fold_bounds = foldBounds(skin);
+  setFoldBounds(skin);
   skin.spread_of_tiles = spreadOfTiles(skin.fold_bounds);
   skin.room_beside_staying = roomBesideStaying(skin);
   return skin;

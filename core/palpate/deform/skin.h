@@ -79,6 +79,8 @@ struct Skin {
   FloatStreams bounds;
   std::vector<FoldBound> fold_bounds;        ///< per block
   std::vector<float> spread_of_tiles;        ///< the largest FoldBound::spread of each tile
+  AlignedVector<float> fold_gradient_mm;     ///< per vertex, padded to whole blocks (fold_bounds.h)
+  AlignedVector<float> fold_crease;          ///< likewise
   AlignedVector<float> room_beside_staying;  ///< per vertex, padded to whole blocks; mm (fold_bounds.h)
   /// Per vertex how thick the part is under it, mm, and the least of each block: no dent comes out of the far side.
   /// Empty: nobody has measured it, and nothing limits the dent but the caps.
@@ -94,6 +96,11 @@ struct Skin {
   RestBlock restBlock(Index block) const {
     const std::size_t first = std::size_t{block} * kBlockVertices;
     return {{rest[0] + first, rest[1] + first, rest[2] + first, rest[3] + first, rest[4] + first, rest[5] + first}};
+  }
+  /// `area`: DeformedBlock::area of the block.
+  FoldBlock foldBlock(Index block, const float* area) const {
+    const std::size_t first = std::size_t{block} * kBlockVertices;
+    return {restBlock(block), fold_gradient_mm.data() + first, fold_crease.data() + first, area};
   }
   EdgeBlock edgeBlock(Index block) const {
     const float* room = room_beside_staying.data() + std::size_t{block} * kBlockVertices;

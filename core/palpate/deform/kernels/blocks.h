@@ -54,6 +54,14 @@ struct EdgeBlock {
   float longest_mm;      ///< edge at its vertices
 };
 
+/// Skin of which a triangle may fold.
+struct FoldBlock {
+  RestBlock rest;
+  const float* gradient_mm;  ///< per vertex (Skin::fold_gradient_mm)
+  const float* crease;       ///< likewise (Skin::fold_crease)
+  const float* area;         ///< likewise (DeformedBlock::area)
+};
+
 /// The boxes of a tile's blocks (Skin::bounds) at its first block.
 struct TileBounds {
   const float* values[12];
@@ -62,13 +70,13 @@ struct TileBounds {
 /// Deformed positions, normals and displacements, x y z nx ny nz dx dy dz, at a block's first vertex.
 struct DeformedBlock {
   float* values[9];
-  /// A number a block, where it is wanted: what the displacement leaves of the skin's area as seen along its normal,
-  /// the least of the block's vertices; below 0 the skin is folded there.
-  float* least_area = nullptr;
+  /// A number a vertex, where it is wanted: what the displacement leaves of the skin's area as seen along its normal;
+  /// below 0 the skin is folded there.
+  float* area = nullptr;
   DeformedBlock after(Index blocks) const {
     DeformedBlock block = *this;
     for (float*& first : block.values) first += std::size_t{blocks} * kBlockVertices;
-    if (block.least_area != nullptr) block.least_area += blocks;
+    if (block.area != nullptr) block.area += std::size_t{blocks} * kBlockVertices;
     return block;
   }
 };

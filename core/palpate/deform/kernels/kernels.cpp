@@ -337,8 +337,8 @@ HWY_INLINE void storeRest(const V3& position, const V3& normal, const DeformedBl
   store({zero, zero, zero}, out.values + 6, lane);
 }
 
-HWY_INLINE void storeLeast(V area, float* least_area) {
-  if (least_area != nullptr) *least_area = hn::GetLane(hn::MinOfLanes(Lanes(), area));
+HWY_INLINE void storeArea(V area, const DeformedBlock& out, size_t lane) {
+  if (out.area != nullptr) hn::Store(area, Lanes(), out.area + lane);
 }
 
 /// Runs `move(position, lane, displacement, normal)` over the block and writes what it gives for the touched vertices;
@@ -347,24 +347,23 @@ HWY_INLINE void storeLeast(V area, float* least_area) {
 template <class Move>
 HWY_INLINE void overBlock(std::uint64_t touched, const RestBlock& rest, const DeformedBlock& out, const Move& move) {
   const V whole = hn::Set(Lanes(), 1.0f);
-  V area = whole;
   for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(Lanes())) {
     const V3 position = load(rest.values, lane);
     const V3 normal = load(rest.values + 3, lane);
     const M mask = maskAt(touched, lane);
     if (hn::AllFalse(Lanes(), mask)) {
       storeRest(position, normal, out, lane);
+      storeArea(whole, out, lane);
       continue;
     }
     V3 displacement = position;
     V3 turned = normal;
     move(position, lane, displacement, turned);
-    area = hn::Min(area, hn::IfThenElse(mask, dot(turned, normal), whole));
+    storeArea(hn::IfThenElse(mask, dot(turned, normal), whole), out, lane);
     store(select(mask, add(position, displacement), position), out.values, lane);
     store(select(mask, unitOr(turned, normal), normal), out.values + 3, lane);
     store(displacement, out.values + 6, lane);
   }
-  storeLeast(area, out.least_area);
 }
 
 template <bool kDrags>
@@ -428,19 +427,17 @@ template <class Move>
 HWY_INLINE void overWhole(Index blocks, const RestBlock& rest, const DeformedBlock& out, const Move& move) {
   for (Index block = 0; block < blocks; ++block) {
     const size_t first = size_t{block} * kBlockVertices;
-    V area = hn::Set(Lanes(), 1.0f);
     for (size_t lane = first; lane < first + kBlockVertices; lane += hn::Lanes(Lanes())) {
       const V3 position = load(rest.values, lane);
       const V3 normal = load(rest.values + 3, lane);
       V3 displacement = position;
       V3 turned = normal;
       move(position, displacement, turned);
-      area = hn::Min(area, dot(turned, normal));
+      storeArea(dot(turned, normal), out, lane);
       store(add(position, displacement), out.values, lane);
       store(unitOr(turned, normal), out.values + 3, lane);
       store(displacement, out.values + 6, lane);
     }
-    storeLeast(area, out.least_area == nullptr ? nullptr : out.least_area + block);
   }
 }
 
@@ -467,6 +464,34 @@ void displaceWholeBlocks(const ContactLanes& contact, Index blocks, const RestBl
                  : displaceWholeByOne<false>(contact, blocks, rest, out);
 }
 
+std::uint64_t doubtfulVertices(const ShearLanes& shear, const FoldBlock& block) {
+  const Lanes d;
+  const V one = hn::Set(d, 1.0f);
+  const V half = hn::Set(d, 0.5f);
+  const V press = hn::Set(d, shear.press);
+  const V drag = hn::Set(d, shear.drag);
+  const V both = hn::Add(press, drag);
+  const V turned = mulAdd(hn::Mul(half, both), both, drag);
+  std::uint64_t doubtful = 0;
+  for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(d)) {
+    const V gradient_mm = hn::Load(d, block.gradient_mm + lane);
+    const V crease = hn::Load(d, block.crease + lane);
+    // Of the normals there and the press, the largest sine.
+    const V cosine = hn::Max(dot(load(block.rest.values + 3, lane), broadcast(shear.towards)), hn::Zero(d));
+    const V at_vertex = hn::Sqrt(hn::Max(mulSub(cosine, cosine, one), hn::Zero(d)));
+    const V sine = hn::Min(hn::Add(at_vertex, crease), one);
+    const V slope = mulAdd(sine, press, drag);
+    const V bend = mulAdd(sine, hn::Set(d, shear.press_bend), hn::Set(d, shear.drag_bend));
+    const V off = mulAdd(bend, gradient_mm, hn::Mul(hn::Set(d, shear.jump), slope));
+    const V creased = mulAdd(crease, turned, hn::Mul(hn::Min(crease, sine), press));
+    const V lost = mulAdd(hn::Add(mulAdd(half, off, one), slope), off, hn::Add(creased, creased));
+    const V left = hn::Sub(hn::Load(d, block.area + lane), lost);
+    // Written so that what is no number is in doubt.
+    doubtful |= bitsOf(hn::Not(hn::Gt(left, hn::Set(d, shear.least_area))), lane);
+  }
+  return doubtful;
+}
+
 void restoreBlocks(Index blocks, const RestBlock& rest, const DeformedBlock& out) {
   const size_t vertices = size_t{blocks} * kBlockVertices;
   for (size_t lane = 0; lane < vertices; lane += hn::Lanes(Lanes())) {
@@ -484,6 +509,7 @@ namespace palpate::deform {
 HWY_EXPORT(insideBlocks);
 HWY_EXPORT(verticesInside);
 HWY_EXPORT(strainedVertices);
+HWY_EXPORT(doubtfulVertices);
 HWY_EXPORT(displaceBlock);
 HWY_EXPORT(displaceWholeBlocks);
 HWY_EXPORT(restoreBlocks);
@@ -499,6 +525,10 @@ VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest
 std::uint64_t strainedVertices(std::span<const ContactLanes> contacts, const EdgeBlock& edge, std::uint64_t of,
                                float most_mm) noexcept {
   return HWY_DYNAMIC_DISPATCH(strainedVertices)(contacts, edge, of, most_mm);
+}
+
+std::uint64_t doubtfulVertices(const ShearLanes& shear, const FoldBlock& block) noexcept {
+  return HWY_DYNAMIC_DISPATCH(doubtfulVertices)(shear, block);
 }
 
 void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) noexcept {

@@ -78,6 +78,21 @@ VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest
 std::uint64_t strainedVertices(std::span<const ContactLanes> contacts, const EdgeBlock& edge, std::uint64_t of,
                                float most_mm) noexcept;
 
+/// What contacts shear a block at most, ready to be broadcast (ShearBound).
+struct ShearLanes {
+  float press = 0.0f;
+  float drag = 0.0f;
+  float press_bend = 0.0f;
+  float drag_bend = 0.0f;
+  float towards[3] = {};    ///< the direction of the press; 0 for several
+  float jump = 0.0f;        ///< of a triangle's slope across the end of a region, over the largest slope
+  float least_area = 0.0f;  ///< of a triangle, as a share, that counts as up
+};
+
+/// Vertices at which it is not certain that every triangle keeps its area: those of a triangle that folds are all among
+/// them.
+std::uint64_t doubtfulVertices(const ShearLanes& shear, const FoldBlock& block) noexcept;
+
 /// Writes all 64 vertices: displacement as the sum over the contacts, the analytic normal of the sum. Vertices in no
 /// region get their rest values bit by bit.
 void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) noexcept;
