@@ -28,6 +28,7 @@
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/skin_channels.h"
+#include "palpate/view/overlays/muscle_marks.h"
 #include "palpate/view/scene_view.h"
 
 namespace palpate::app {
@@ -161,6 +162,12 @@ void requireScalar(const RenderOptions& options, const scene::World& world) {
                           scene::scalarNames(world.body->channels.get())));
 }
 
+void requireMuscles(const RenderOptions& options, const scene::World& world) {
+  if (options.muscles && !view::hasMuscles(world.body->anatomy.landmarks)) {
+    throw Error(fmt::format("--muscles: {}; the built-in trunk has them", view::kNoMuscles));
+  }
+}
+
 RenderReport render(const RenderOptions& options, const Progress& progress) {
   RenderReport result;
   result.size = options.size;
@@ -173,6 +180,7 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
       is_recorded ? inputOfRecording(options, endingWhenAsked(progress)) : inputOfScene(options, progress);
   std::shared_ptr<const scene::World> world = input.world_of(input.frames.front());
   requireScalar(options, *world);
+  requireMuscles(options, *world);
   result.notes = world->notes;
   if (!input.note().empty()) result.notes.push_back(input.note());
   result.build_s = secondsSince(started);
@@ -302,7 +310,8 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
 void addLookOptions(CLI::App& command, RenderOptions& options) {
   command.add_option("--show", options.show,
                      "Names with commas: overlays (wireframe, triangles, leaves, planes, box, ellipses, rings, arrows, "
-                     "contact, normals, section, names) and colours (plain, strain, stiffness, ellipse-map, scalar)");
+                     "contact, normals, section, names, pressure, lumps, cut, muscles) and colours (plain, strain, "
+                     "stiffness, ellipse-map, scalar)");
   command.add_option("--scalar", options.scalar, "Colour the skin by this number of the vertices of its PLY file");
   takesWord<ColourMap>(command.add_option("--scalar-map", options.scalar_map, "Its colours"));
   addNumber(command, "--scalar-range", options.scalar_range, between(-1e9, 1e9),
@@ -318,6 +327,8 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
   addNumber(command, "--dent-contrast", options.dent_contrast, between(0.0, 5.0),
             "How strongly dents are shaded; 1 is as it would be, above it is exaggerated");
   command.add_flag("--lens", options.lens, "A close view from beside the finger in the lower left corner");
+  command.add_flag("--muscles", options.muscles,
+                   "Draw trapezius, latissimus dorsi and erector spinae on the skin, with their names");
   command.add_flag("--white", options.white, "White background");
   command.add_flag_function(
       "--texture,!--no-texture", [&options](std::int64_t times) { options.texture = times > 0; },

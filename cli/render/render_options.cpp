@@ -87,6 +87,7 @@ scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettin
   if (options.look_at && options.look_at->words.empty()) settings.look_at_mm = options.look_at->point;
   if (options.head_mm) settings.head_mm = options.head_mm;
   if (options.show) useShow(*options.show, settings);
+  if (options.muscles) settings.show.push_back(scene::Overlay::muscles);
   useScalar(options, settings);
   settings.swap_eyes = settings.swap_eyes || options.swap_eyes;
   settings.white_background = settings.white_background || options.white;

@@ -36,6 +36,7 @@ struct RenderOptions {
   bool swap_eyes = false;
   bool white = false;
   bool lens = false;
+  bool muscles = false;  ///< with the overlays of `show`; refused on a body without
   std::optional<bool> texture;
   bool detail = true;
 };

@@ -8,6 +8,7 @@
 #include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "palpate/body/places.h"
+#include "palpate/scene/body_parts.h"
 #include "palpate/scene/presets.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/recording_reader.h"
@@ -65,7 +66,8 @@ void RequestHandler::fulfil(const Reload& /*request*/) {
   ViewerState& viewer = parts_.viewer;
   const scene::BodySettings& body = viewer.scene.body;
   if (!viewer.document.file.empty()) return parts_.world_swap.open(viewer.document.file.string(), viewer);
-  if (body.kind == scene::BodyKind::mesh) return parts_.world_swap.open(body.file.string(), viewer, body.unit);
+  if (body.kind == scene::BodyKind::mesh && !scene::isMadeScan(body))
+    return parts_.world_swap.open(body.file.string(), viewer, body.unit);
   parts_.world_swap.open(parts_.default_scene, viewer);
 }
 

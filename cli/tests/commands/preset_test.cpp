@@ -199,7 +199,8 @@ TEST(VirtualHapticBack, IsOneWordOfTheCommandAnywhere) {
   EXPECT_EQ(support::runPalpate("simulate --preset vbh", folder.path()).err,
             "palpate: --preset: 'vbh' is not one of "
             "vhb|trunk|dysfunctions|lumps|anatomy|thin|heavy|prone|sitting|two-fingers|"
-            "strain|oiled|relaxation|breathing|stereo|detecting-box|fine-mesh|vhb-literal; did you mean 'vhb'? (see "
+            "two-devices|scan|strain|oiled|relaxation|breathing|stereo|detecting-box|fine-mesh|vhb-literal; did you "
+            "mean 'vhb'? (see "
             "--help)\n");
   EXPECT_EQ(support::runPalpate("simulate a.toml --preset vhb", folder.path()).err,
             "palpate: a.toml and --preset vhb: one scene at a time\n");

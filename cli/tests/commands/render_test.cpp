@@ -214,6 +214,18 @@ TEST_F(RenderOfATorso, WearsItsTextureAsTheSceneSaysUnlessAFlagDoes) {
   EXPECT_EQ(image("on.png").pixels, image("worn.png").pixels);
 }
 
+TEST_F(RenderOfATorso, HasNoMusclesAndSaysSoInOneLine) {
+  const CommandResult refused = ofTorso("--muscles -o muscles.png");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.err,
+            "palpate: --muscles: this body lacks places that its muscles are drawn between; the built-in trunk has "
+            "them\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "muscles.png"));
+  const CommandResult noted = ofTorso("--show muscles -o noted.png");
+  EXPECT_EQ(noted.exit_code, 0);
+  EXPECT_NE(noted.out.find("note: this body lacks places that its muscles"), std::string::npos) << noted.out;
+}
+
 TEST_F(RenderOfATorso, TurnsToAPlaceByItsName) {
   ASSERT_EQ(ofTorso("--zoom 3 --look-at T6 -o a.png").exit_code, 0);
   ASSERT_EQ(ofTorso("--zoom 3 --look-at 't6 right 60 mm' -o b.png").exit_code, 0);

@@ -9,6 +9,7 @@
 #include "palpate/base/text.h"
 #include "palpate/body/fitting/body_fit.h"
 #include "palpate/body/fitting/fitted_body.h"
+#include "palpate/body/made_scan.h"
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"
@@ -117,7 +118,13 @@ Anatomy fittedAnatomy(const std::filesystem::path& file, const mesh::TriangleMes
 }
 
 BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) {
-  mesh::MeshWithChannels loaded = mesh::loadWithChannels(settings.file, loadOptionsOf(settings), progress);
+  mesh::MeshWithChannels loaded;
+  if (isMadeScan(settings)) {
+    report(progress, "making the scan", 0.0);
+    loaded.mesh = body::makeScan();
+  } else {
+    loaded = mesh::loadWithChannels(settings.file, loadOptionsOf(settings), progress);
+  }
   mesh::TriangleMesh& mesh = loaded.mesh;
   scale(mesh, settings.scale);
   BodyParts parts;
@@ -154,6 +161,10 @@ BodyParts mendedBody(mesh::TriangleMesh mesh, std::string name, const Progress& 
   source_vertex = permuted(repaired.source_vertex, mesh::reorderSpatially(parts.skin).source_vertex);
   noteDoubtfulUnit(parts.skin, parts.notes);
   return parts;
+}
+
+bool isMadeScan(const BodySettings& settings) {
+  return settings.kind == BodyKind::mesh && settings.file.filename() == "made:scan";
 }
 
 double millimetresOf(Unit unit) {

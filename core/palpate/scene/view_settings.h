@@ -42,6 +42,7 @@ enum class Overlay : std::uint8_t {
   pressure,  ///< under the fingertips, taxel by taxel, in kPa
   lumps,     ///< at their places under the skin, which becomes translucent
   cut,       ///< cut-away through a finger and the lump nearest to it: layers, bone, lump, pressed skin
+  muscles,   ///< the superficial ones of the back, as a drawing on the skin
 };
 
 /// `automatic`: the window draws hands where pictures then still come fast enough; everything else draws fingers.
@@ -153,7 +154,8 @@ struct WordsOf<scene::Overlay> {
                                       Word{"names", V::names},
                                       Word{"pressure", V::pressure},
                                       Word{"lumps", V::lumps},
-                                      Word{"cut", V::cut}};
+                                      Word{"cut", V::cut},
+                                      Word{"muscles", V::muscles}};
 };
 
 template <>

@@ -14,6 +14,7 @@
 #include "palpate/base/private_folder.h"
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/load.h"
+#include "palpate/scene/body_parts.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/scene_writer.h"
 #include "palpate/scene/skin_texture.h"
@@ -224,6 +225,7 @@ std::vector<NamedFile> namedFiles(scene::Scene& scene) {
                                   {&scene.deformation.tangential_profile_file},
                                   {&scene.tissue.force_table},
                                   {&scene.tissue.layer_table}};
+  if (scene::isMadeScan(scene.body)) files.erase(files.begin());
   if (!scene::madeSeed(scene.body.texture)) files.push_back({&scene.body.texture.file, true});
   files.push_back({&scene.body.fit});
   for (scene::PlaceProfile& place : scene.profiles) {

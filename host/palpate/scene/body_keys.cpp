@@ -83,7 +83,10 @@ Section bodySection() {
                 "Trunk, torso, back: the same for the shoulder blades."),
       number<S>("asymmetry", way(&S::shape, &Shape::asymmetry), between(0, 3),
                 "Trunk, torso, back: natural differences of left and right; 0 is a mirror image."),
-      file<S>("file", &S::file, "Mesh: OBJ, STL, PLY, OFF, glTF or GLB, relative to the scene file."),
+      file<S>("file", &S::file,
+              "Mesh: OBJ, STL, PLY, OFF, glTF or GLB, relative to the scene file; or \"made:scan\", a scanned back "
+              "with a hole "
+              "that the program makes."),
       choice<S, Unit>("unit", &S::unit, "Mesh: the unit of the file; auto is m for glTF and GLB, mm for the others."),
       number<S>("scale", &S::scale, above(0, 1e6), "Mesh: factor on its size, after the unit."),
       text<S>("group", &S::group, "Mesh: only this group or object of an OBJ file."),

@@ -13,7 +13,7 @@ namespace palpate::scene {
 namespace {
 
 // clang-format off
-constexpr std::array<Preset, 18> kPresets{{
+constexpr std::array<Preset, 20> kPresets{{
     {"vhb", toTranslate("Virtual Haptic Back"), toTranslate("The dissertation's model of 2008: 2,962 triangles over its bones."), "virtual_haptic_back"},
     {"trunk", toTranslate("Built-in body"), toTranslate("A trunk in layers of skin, fat and muscle, with a stiff place to find."), "default"},
     {"dysfunctions", toTranslate("Hidden dysfunctions"), toTranslate("Find two stiff places and a soft one; key M shows them."), "dysfunctions"},
@@ -24,6 +24,8 @@ constexpr std::array<Preset, 18> kPresets{{
     {"prone", toTranslate("Prone on a table"), toTranslate("As an examiner stands beside the patient."), "prone"},
     {"sitting", toTranslate("Sitting"), toTranslate("A rounded back."), "sitting"},
     {"two-fingers", toTranslate("Two fingers"), toTranslate("Both sides of the spine at once; F7 plays them."), "two_fingers"},
+    {"two-devices", toTranslate("Two devices"), toTranslate("Two simulated devices push with 1 N each; yours can take their place."), "two_devices"},
+    {"scan", toTranslate("Scan with a hole"), toTranslate("A scanned back as it comes: rough, open, a piece missing."), "scan"},
     {"strain", toTranslate("Strain colours"), toTranslate("Where the skin is stretched and where it is pushed together."), "strain_colours"},
     {"oiled", toTranslate("Oiled skin"), toTranslate("The finger slips where it would stick."), "oiled_skin"},
     {"relaxation", toTranslate("Relaxation"), toTranslate("Hold a press: the force falls with time."), "relaxation"},

@@ -838,7 +838,7 @@ TEST_F(TrainingWindow, NothingOfTheWindowCanBeReachedThatWouldTellMoreThanTheFin
   EXPECT_EQ(stage.session().screen(), Screen::trial);
 }
 
-TEST_F(TrainingWindow, ShowsNoLumpNoPressureAndNoCutAwayWhateverTheLookSays) {
+TEST_F(TrainingWindow, ShowsNoOverlayWhateverTheLookSaysNeitherLumpsNorMuscles) {
   TrainingSeat stage(records, SessionKind::pre_test);
   stage.comeIn();
   ASSERT_TRUE(stage.begin());
@@ -846,7 +846,7 @@ TEST_F(TrainingWindow, ShowsNoLumpNoPressureAndNoCutAwayWhateverTheLookSays) {
   picture.look.overlays.set();
   picture.look.skin_opacity = 0.3;
   stage.training->adjust(picture);
-  for (const view::Overlay overlay : view::kLumpOverlays) EXPECT_FALSE(picture.look.shows(overlay));
+  EXPECT_TRUE(picture.look.overlays.none());
   EXPECT_FALSE(picture.labels.beneath) << "nor a plate that says what lies there";
   EXPECT_EQ(picture.look.skin_opacity, 1.0);
 }

@@ -25,14 +25,15 @@ inline constexpr auto kColouringNames = allWords<Colouring>();
 inline constexpr auto kOverlayNames = allWords<Overlay>();
 inline constexpr auto kFingerShapeNames = allWords<FingerShape>();
 inline constexpr std::size_t kOverlays = kOverlayNames.size();
-/// In menus and panels: what a touch does, how the engine finds it, what lies under the skin. Names stand with the
-/// colours.
+/// In menus and panels: what the body is made of, what a touch does, how the engine finds it, what lies under the skin.
+inline constexpr std::array kBodyOverlays = {Overlay::names, Overlay::muscles};
 inline constexpr std::array kTouchOverlays = {Overlay::contact, Overlay::section, Overlay::arrows, Overlay::ellipses};
 inline constexpr std::array kEngineOverlays = {Overlay::wireframe,        Overlay::normals,    Overlay::rings,
                                                Overlay::haptic_triangles, Overlay::leaf_boxes, Overlay::planes,
                                                Overlay::detecting_box};
 inline constexpr std::array kLumpOverlays = {Overlay::pressure, Overlay::lumps, Overlay::cut};
-static_assert(kTouchOverlays.size() + kEngineOverlays.size() + kLumpOverlays.size() + 1 == kOverlays);
+static_assert(kBodyOverlays.size() + kTouchOverlays.size() + kEngineOverlays.size() + kLumpOverlays.size() ==
+              kOverlays);
 
 /// Each field has a colour map of its own, so that two pictures cannot be mistaken for each other. Strain: blue is
 /// compression, red tension.

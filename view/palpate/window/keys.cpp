@@ -64,6 +64,7 @@ constexpr KeyBinding kTable[] = {
     {A::show_pressure, G::overlays, shift('P'), kNone, false, toTranslate("Pressure"), toTranslate("Show the pressure under the fingertip, in kPa.")},
     {A::show_lumps, G::overlays, shift('L'), kNone, false, toTranslate("Lumps"), toTranslate("Show the lumps under translucent skin.")},
     {A::show_cut, G::overlays, shift('X'), kNone, false, toTranslate("Cut-away"), toTranslate("Show the tissue cut open under the finger.")},
+    {A::show_muscles, G::overlays, shift('I'), kNone, false, toTranslate("Muscles"), toTranslate("Draw superficial muscles of the back on the skin.")},
     {A::skin_opacity, G::overlays, plain('O'), kNone, false, toTranslate("Skin opacity"), toTranslate("Make the skin 100, 60, 30 and 0 % opaque in turn.")},
     {A::colour_strain, G::overlays, plain('S'), kNone, false, toTranslate("Strain"), toTranslate("Colour the skin by strain; again: off.")},
     {A::colour_stiffness, G::overlays, plain('M'), kNone, false, toTranslate("Stiffness"), toTranslate("Colour the skin by stiffness; again: off.")},
@@ -134,7 +135,7 @@ std::string nameOf(Key k) {
   return {static_cast<char>(k)};
 }
 
-bool isOverlay(Action action) { return action >= Action::show_wireframe && action <= Action::show_cut; }
+bool isOverlay(Action action) { return action >= Action::show_wireframe && action <= Action::show_muscles; }
 
 }  // namespace
 

@@ -91,6 +91,7 @@ enum class Action : std::uint8_t {
   show_pressure,
   show_lumps,
   show_cut,
+  show_muscles,
   skin_opacity,
   colour_strain,
   colour_stiffness,

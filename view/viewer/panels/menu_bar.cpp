@@ -166,8 +166,8 @@ void viewMenu(const Menus& menus) {
 }
 
 void showMenu(const Menus& menus) {
-  for (const Action action : {Action::show_names, Action::skin_opacity, Action::colour_strain, Action::colour_stiffness,
-                              Action::colour_ellipses}) {
+  for (const Action action : {Action::show_names, Action::show_muscles, Action::skin_opacity, Action::colour_strain,
+                              Action::colour_stiffness, Action::colour_ellipses}) {
     item(menus, action);
   }
   ImGui::Separator();

@@ -166,7 +166,7 @@ void showPanel(const ShowPanel& panel) {
   }
   rangeWidgets(panel.look, panel.world);
   ImGui::Separator();
-  overlayWidget(panel.look, view::Overlay::names);
+  for (const view::Overlay overlay : view::kBodyOverlays) overlayWidget(panel.look, overlay);
   for (const view::Overlay overlay : view::kTouchOverlays) overlayWidget(panel.look, overlay);
   for (const view::Overlay overlay : view::kLumpOverlays) overlayWidget(panel.look, overlay);
   const bool engine = ImGui::TreeNode(tr("Engine"));

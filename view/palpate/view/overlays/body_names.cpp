@@ -32,16 +32,16 @@ std::array<Vec3, 3> restCornersOf(const scene::World& world, Index triangle) {
   return {world.body->skin.positions[t[0]], world.body->skin.positions[t[1]], world.body->skin.positions[t[2]]};
 }
 
-BodyName nameAt(const scene::World& world, std::string words, NameKind kind, const SkinPlace& place) {
-  return {std::move(words), kind, place.triangle,
-          tree::barycentricWeights(restCornersOf(world, place.triangle), place.point)};
-}
-
 Vec3 restNormalOf(const std::array<Vec3, 3>& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
 }
 
 }  // namespace
+
+BodyName nameAt(const scene::World& world, std::string words, NameKind kind, const SkinPlace& place) {
+  return {std::move(words), kind, place.triangle,
+          tree::barycentricWeights(restCornersOf(world, place.triangle), place.point)};
+}
 
 std::vector<BodyName> bodyNames(const scene::World& world) {
   const auto& landmarks = world.body->anatomy.landmarks;

@@ -8,13 +8,14 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/skin_place.h"
 #include "palpate/deform/surface.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::view {
 
 /// Those that come first are the last to go where there is no room for all.
-enum class NameKind : std::uint8_t { spine, girdle, site, rib };
+enum class NameKind : std::uint8_t { muscle, spine, girdle, site, rib };
 
 struct BodyName {
   std::string words;  ///< as examiners say it (body/places.h)
@@ -22,6 +23,8 @@ struct BodyName {
   Index triangle = 0;  ///< of the skin; the place keeps these shares of its corners
   Vec3 shares = Vec3::Zero();
 };
+
+BodyName nameAt(const scene::World& world, std::string words, NameKind kind, const SkinPlace& place);
 
 /// Of the landmarks and the training sites; none on a body without. Load time: a question to the tree for each.
 std::vector<BodyName> bodyNames(const scene::World& world);

@@ -355,7 +355,7 @@ void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& set
   float left = drawLensFrame(page, scene, taken);
   if (settings.beneath) drawBeneath(page, scene, settings, left, taken);
   drawCut(page, scene, chartedFinger(scene, settings), left, taken);
-  if (scene.look.shows(Overlay::names)) drawNames(page, scene, taken);
+  if (!scene.names.empty()) drawNames(page, scene, taken);
   if (settings.numbers) drawFingers(page, scene, settings, taken);
 }
 

@@ -34,6 +34,9 @@ inline constexpr Paint kNamePaint{255, 214, 150, 255};
 inline constexpr Paint kPadPaint{229, 92, 48, 255};  ///< of the key: the middle of the pressure's colours
 inline constexpr Paint kLumpPaint{150, 110, 240, 255};
 inline constexpr Paint kCutPaint{90, 235, 255, 255};
+inline constexpr Paint kTrapeziusPaint{214, 70, 48, 255};
+inline constexpr Paint kLatissimusPaint{70, 130, 215, 255};
+inline constexpr Paint kErectorPaint{240, 205, 70, 255};
 
 // ---- of a finger (contact_marks.cpp)
 

@@ -48,6 +48,9 @@ constexpr KeyRow kOverlayKeyRows[] = {
     {Overlay::pressure, Sign::patch, kPadPaint, toTranslate("pressure under the fingertip")},
     {Overlay::lumps, Sign::patch, kLumpPaint, toTranslate("lump under the skin")},
     {Overlay::cut, Sign::line, kCutPaint, toTranslate("where the cut-away is")},
+    {Overlay::muscles, Sign::patch, kTrapeziusPaint, toTranslate("trapezius (drawing)")},
+    {Overlay::muscles, Sign::patch, kLatissimusPaint, toTranslate("latissimus dorsi (drawing)")},
+    {Overlay::muscles, Sign::patch, kErectorPaint, toTranslate("erector spinae (drawing)")},
 };
 // clang-format on
 static_assert(kForceMmPerN == 10.0, "the words say so");

@@ -5,6 +5,7 @@
 #include "palpate/view/overlays/cut_away.h"
 #include "palpate/view/overlays/lump_marks.h"
 #include "palpate/view/overlays/marks.h"
+#include "palpate/view/overlays/muscle_marks.h"
 #include "palpate/view/overlays/section.h"
 
 namespace palpate::view {
@@ -57,6 +58,10 @@ void Overlays::addPartition(const Look& look) {
 }
 
 void Overlays::addBody(const Look& look, const DrawnSkin& skin) {
+  if (look.shows(Overlay::muscles)) {
+    if (!muscles_) muscles_ = muscleSheets(world_);
+    for (const MuscleSheet& muscle : *muscles_) addMuscle(muscle, skin, shapes_.patches, shapes_.thin);
+  }
   if (look.shows(Overlay::arrows)) addDisplacements(world_, skin, kArrowSpacingMm, shapes_.thin);
   if (look.shows(Overlay::normals)) addNormals(skin, kMaxNormals, shapes_.thin);
   if (look.shows(Overlay::ellipses)) {

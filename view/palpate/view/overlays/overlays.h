@@ -75,6 +75,13 @@ std::vector<Outline> keyOutlines(const scene::World& world);
 
 void addOutline(const Outline& outline, const DrawnSkin& skin, Paint paint, Lines& lines);
 
+/// A muscle as a drawing: its fibres next to each other, from where they arise to where they insert, with as many
+/// spots in each.
+struct MuscleSheet {
+  Paint paint;
+  std::vector<std::vector<SkinSpot>> fibres;
+};
+
 /// The regions that a finger's normal and tangential part move.
 void addContactEllipses(const scene::World& world, const contact::FingerOutput& contact, const DrawnSkin& skin,
                         Lines& lines);
@@ -112,6 +119,7 @@ class Overlays {
   std::optional<ShownPartition> partition_;           // made when first shown
   std::optional<std::vector<Outline>> key_ellipses_;  // made when first shown
   std::optional<PadReader> pads_;                     // made when first shown
+  std::optional<std::vector<MuscleSheet>> muscles_;   // made when first shown
   OverlayShapes shapes_;
 };
 

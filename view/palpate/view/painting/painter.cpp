@@ -14,6 +14,7 @@
 #include "palpate/view/layers/stereo_composer.h"
 #include "palpate/view/overlays/labels.h"
 #include "palpate/view/overlays/lens.h"
+#include "palpate/view/overlays/muscle_marks.h"
 #include "palpate/view/support_shape.h"
 
 namespace palpate::view {
@@ -72,8 +73,9 @@ struct Painter::Impl {
   StereoComposer composer;
   Drawing page;
   std::optional<Target> smaller;  // where the body has fewer pixels than the picture
-  std::optional<std::vector<BodyName>> names;
-  std::optional<PadReader> pads;  // made when first shown, as names are
+  std::vector<BodyName> names;
+  bool named_places = false, named_muscles = false;  // what `names` are of
+  std::optional<PadReader> pads;                     // made when first shown, as names are
   std::optional<CutMaker> cutter;
 
   explicit Impl(std::shared_ptr<const scene::World> shown) : world(std::move(shown)), renderer(world) { measure(); }
@@ -83,11 +85,23 @@ struct Painter::Impl {
     if (const auto slab = supportSlab(*world)) with_support.extend(slab->box());
   }
 
+  void forgetNames() {
+    names.clear();
+    named_places = named_muscles = false;
+  }
+
   /// Made when first shown.
   std::span<const BodyName> namesFor(const Look& look) {
-    if (!look.shows(Overlay::names)) return {};
-    if (!names) names = bodyNames(*world);
-    return *names;
+    const bool places = look.shows(Overlay::names);
+    const bool muscles = look.shows(Overlay::muscles);
+    if (named_places == places && named_muscles == muscles) return names;
+    named_places = places;
+    named_muscles = muscles;
+    names = places ? bodyNames(*world) : std::vector<BodyName>();
+    if (muscles) {
+      for (BodyName& name : muscleNames(*world)) names.push_back(std::move(name));
+    }
+    return names;
   }
 
   /// What the look shows of the tissue below the fingers.
@@ -107,7 +121,11 @@ struct Painter::Impl {
 
   std::vector<std::string> notesOn(const Look& look) {
     std::vector<std::string> notes;
-    if (look.shows(Overlay::names) && namesFor(look).empty()) notes.emplace_back("this body has no named places");
+    const auto& landmarks = world->body->anatomy.landmarks;
+    const auto isPlace = [](const BodyName& name) { return name.kind != NameKind::muscle; };
+    if (look.shows(Overlay::names) && std::ranges::none_of(namesFor(look), isPlace))
+      notes.emplace_back("this body has no named places");
+    if (look.shows(Overlay::muscles) && !hasMuscles(landmarks)) notes.emplace_back(kNoMuscles);
     if (look.shows(Overlay::lumps) && world->lumps.empty()) notes.emplace_back("this body has no lumps");
     if (look.shows(Overlay::pressure) && pads && !pads->missing().empty()) notes.push_back(pads->missing());
     return notes;
@@ -186,7 +204,7 @@ struct Painter::Impl {
     const Canvas& canvas = job.canvas;
     if (isStereo(job.stereo.mode)) {
       for (const Eye eye : {Eye::left, Eye::right}) {
-        if (job.settings.look.shows(Overlay::names)) preparePage(job, job.eyes.of(eye));
+        if (!namesFor(job.settings.look).empty()) preparePage(job, job.eyes.of(eye));
         composer.eye(eye, job.picture).bind();
         paintBody(job, eye, job.picture);
         paintPage(job);
@@ -210,7 +228,7 @@ Renderer& Painter::renderer() { return impl_->renderer; }
 
 void Painter::setWorld(std::shared_ptr<const scene::World> world) {
   impl_->renderer.setWorld(world);
-  impl_->names.reset();
+  impl_->forgetNames();
   impl_->pads.reset();
   impl_->cutter.reset();
   impl_->world = std::move(world);
