@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "palpate/base/language.h"
+#include "palpate/view/overlays/muscle_marks.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -179,6 +180,9 @@ void showPanel(const ShowPanel& panel) {
     ImGui::TreePop();
   }
   if (panel.look.shows(view::Overlay::names) && panel.world.landmarks.empty()) remark("This body has no named places.");
+  if (panel.look.shows(view::Overlay::muscles) && !view::hasMuscles(panel.world.landmarks)) {
+    remark("This body lacks places that muscles are drawn between.");
+  }
 }
 
 }  // namespace palpate::viewer
