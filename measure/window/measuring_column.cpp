@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -25,9 +26,12 @@ void photoRow(MeasuringView& view, Photo which) {
           before ? "The photograph of the dots while nothing presses." : "The one while the stick drags the skin.")) {
     view.dialog = which;
   }
-  ImGui::SameLine(84.0f);
+  const float words = std::max(ImGui::CalcTextSize(tr("Before ...")).x, ImGui::CalcTextSize(tr("After ...")).x);
+  ImGui::SameLine(std::max(84.0f, words + 4.0f * ImGui::GetStyle().FramePadding.x));
   const std::string name = std::filesystem::path(view.photo(which).file).filename().string();
+  ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(name.empty() ? "-" : name.c_str());
+  ImGui::PopTextWrapPos();
   for (const std::string& note : view.photo(which).notes) remark(note);
 }
 
@@ -102,6 +106,7 @@ void textField(const char* path, const char* label, const char* hint, std::strin
 /// Two lines, whether there are words or not: what is below must not move while a place is typed.
 void placeRow(const std::string& words) {
   ImGui::BeginChild("place words", {0.0f, 2.0f * ImGui::GetTextLineHeight()});
+  ImGui::SetCursorPosX(2.0f);  // a T begins a little before its place
   if (!words.empty()) remark(words);
   ImGui::EndChild();
 }

@@ -36,7 +36,7 @@ void tabs(MeasuringView& view, std::size_t count) {
   }
 }
 
-/// At the right end of the same row.
+/// At the right end of the same row, or below it where there is no room for both.
 void tools(MeasuringView& view) {
   constexpr std::array<const char*, 3> kNames = {toTranslate("Look"), toTranslate("Contact"), toTranslate("Dots")};
   constexpr std::array<const char*, 3> kPaths = {"measuring/look", "measuring/contact", "measuring/dots"};
@@ -45,7 +45,9 @@ void tools(MeasuringView& view) {
   for (const char* name : kNames) {
     width += ImGui::CalcTextSize(tr(name)).x + ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + style.ItemSpacing.x;
   }
-  ImGui::SameLine(std::max(0.0f, ImGui::GetWindowContentRegionMax().x - width));
+  const float left = ImGui::GetWindowContentRegionMax().x - width;
+  const float end_of_tabs = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+  if (left > end_of_tabs + style.ItemSpacing.x) ImGui::SameLine(left);
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (i > 0) ImGui::SameLine();
     const auto tool = static_cast<MeasuringTool>(i);
@@ -98,7 +100,9 @@ float statusHeight(const Status& status, const ImVec2& room) {
 /// Below the photographs: the verdict, or how far the work is.
 void statusRow(const MeasuringView& view, const Status& status, MeasuringRequests& requests) {
   if (view.working) {
-    ImGui::ProgressBar(static_cast<float>(view.done), {-80.0f, 0.0f}, tr(view.stage.c_str()));
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float cancel = ImGui::CalcTextSize(tr("Cancel")).x + 2.0f * style.FramePadding.x + style.ItemSpacing.x;
+    ImGui::ProgressBar(static_cast<float>(view.done), {-cancel, 0.0f}, tr(view.stage.c_str()));
     ImGui::SameLine();
     if (buttonWidget("measuring/cancel", "Cancel")) requests.emplace_back(CancelMeasuring{});
     return;

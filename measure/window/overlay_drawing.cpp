@@ -163,10 +163,12 @@ void drawOverlay(ImDrawList& list, const measure::OverlayPanel& panel, const Pho
 void drawOverlayWords(ImDrawList& list, const measure::OverlayPanel& panel, const PhotoFrame& frame) {
   const auto left = static_cast<float>(frame.corner.x()) + 6.0f;
   const auto top = static_cast<float>(frame.corner.y()) + 4.0f;
-  const ImVec2 size = ImGui::CalcTextSize(panel.title.c_str());
+  const float wrap = static_cast<float>(frame.size.x()) - 12.0f;
+  const ImVec2 size = ImGui::CalcTextSize(panel.title.c_str(), nullptr, false, wrap);
   list.AddRectFilled({left - 3.0f, top - 1.0f}, {left + size.x + 3.0f, top + size.y + 2.0f},
                      IM_COL32(255, 255, 255, 215), 3.0f);
-  list.AddText({left, top}, IM_COL32(20, 20, 20, 255), panel.title.c_str());
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {left, top}, IM_COL32(20, 20, 20, 255), panel.title.c_str(),
+               nullptr, wrap);
   if (frame.zoom == 1.0) drawLegend(list, panel, frame, top + size.y + 6.0f);  // else it would lie over what is sought
   if (panel.scale_bar_px > 0.0) drawBar(list, panel.scale_bar_px, frame);
 }

@@ -92,8 +92,10 @@ void sayWhatIsMissing(ImDrawList& list, const MeasuringView& view, Photo which, 
   const std::string words = view.photo(which).file.empty() ? trf("No photograph {}", name)
                             : view.working                 ? trf("Reading {}", name)
                                                            : trf("Not read: {}", name);
-  const ImVec2 room = ImGui::CalcTextSize(words.c_str());
-  list.AddText(imVec(corner + 0.5 * (size - vec(room))), IM_COL32(220, 220, 220, 255), words.c_str());
+  const auto wrap = static_cast<float>(size.x());
+  const ImVec2 room = ImGui::CalcTextSize(words.c_str(), nullptr, false, wrap);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), imVec(corner + 0.5 * (size - vec(room))),
+               IM_COL32(220, 220, 220, 255), words.c_str(), nullptr, wrap);
 }
 
 }  // namespace

@@ -36,6 +36,38 @@ TrainingScreen cardFor(const training::LumpSession& session) {
   return screen;
 }
 
+/// The finger of the keyboard is there where no device holds it.
+std::string keysOf(const LumpView& view) {
+  const LumpScreen shown = view.session->screen();
+  std::string keys = tr("Enter presses the marked button, Tab marks the next.");
+  if (view.by_mouse && (shown == LumpScreen::trial || shown == LumpScreen::feedback)) {
+    keys += std::string(" ") + tr("Arrows move the finger, T presses and lifts.");
+  }
+  if (shown == LumpScreen::trial) return keys + " " + tr("P pauses, Esc leaves.");
+  return shown == LumpScreen::instruction || shown == LumpScreen::feedback ? keys + " " + tr("Esc leaves.") : keys;
+}
+
+void addButtons(const LumpView& view, TrainingScreen& screen) {
+  const training::LumpSession& session = *view.session;
+  if (session.screen() == LumpScreen::feedback) {
+    screen.buttons = {buttonFor(TrainingAct::next, tr("Next")), buttonFor(TrainingAct::leave, tr("Leave"))};
+    return;
+  }
+  if (session.question() == LumpQuestion::place) {
+    screen.buttons = {buttonFor(TrainingAct::answer, tr("Here"))};
+    screen.buttons.back().enabled = view.touched && !view.waiting;
+    if (session.isExam()) screen.buttons.push_back(buttonFor(TrainingAct::no, tr("No more lumps")));
+  } else {
+    int value = 0;
+    for (std::string& label : training::lumpChoices(session.question())) {
+      screen.buttons.push_back(buttonFor(TrainingAct::choose, std::move(label), value++));
+      screen.buttons.back().enabled = !view.waiting;
+    }
+  }
+  screen.buttons.push_back(buttonFor(TrainingAct::pause, tr("Pause")));
+  screen.buttons.push_back(buttonFor(TrainingAct::leave, tr("Leave")));
+}
+
 }  // namespace
 
 LumpSitting::LumpSitting(training::Store& store, LiveServo& servo, const training::LumpSessionPlan& plan,
@@ -51,7 +83,7 @@ std::string LumpSitting::finish(std::string_view ended_by, const training::Momen
 
 TrialWorld::Body LumpSitting::wanted() const {
   const bool felt = session_.screen() == LumpScreen::trial || session_.screen() == LumpScreen::feedback;
-  if (!felt) return {};
+  if (!felt || session_.paused()) return {};
   return {.hidden = training::HiddenNow{.site = session_.bodyNumber(), .change = 0.0}, .trial = session_.bodyNumber()};
 }
 
@@ -67,7 +99,8 @@ void LumpSitting::worldCame(const scene::World& world) {
 
 void LumpSitting::feel(const trace::Sample& sample, const training::Moment& now) {
   session_.feel(sample, now);
-  if (sample.contact.touch == contact::Touch::free || sample.device_force.norm() < kPointsN) return;
+  if (session_.paused() || sample.contact.touch == contact::Touch::free || sample.device_force.norm() < kPointsN)
+    return;
   touched_ = sample.contact.proxy;
   markPlaces();
 }
@@ -99,6 +132,12 @@ bool LumpSitting::act(TrainingAct act, int value, const training::Moment& now) {
     case TrainingAct::no:
       session_.noMore(now);
       break;
+    case TrainingAct::pause:
+      session_.pause(now);
+      break;
+    case TrainingAct::go_on:
+      session_.goOn(now);
+      break;
     default:
       break;
   }
@@ -121,41 +160,38 @@ void LumpSitting::markPlaces() {
   }
 }
 
-TrainingScreen LumpSitting::screen(const std::string& corner, bool waiting) const {
-  const LumpScreen shown = session_.screen();
+TrainingScreen LumpSitting::screen(const std::string& corner, bool waiting, bool by_mouse) const {
+  return lumpScreenOf({.session = &session_,
+                       .corner = corner,
+                       .waiting = waiting,
+                       .touched = touched_.has_value(),
+                       .by_mouse = by_mouse,
+                       .named = named_.size(),
+                       .marks = places_.size()});
+}
+
+TrainingScreen lumpScreenOf(const LumpView& view) {
+  const LumpScreen shown = view.session->screen();
   const bool on_body = shown == LumpScreen::trial || shown == LumpScreen::feedback;
-  TrainingScreen screen = on_body ? TrainingScreen() : cardFor(session_);
-  screen.corner = corner;
-  screen.title = session_.said().text;
-  screen.keys = tr("Enter presses the marked button, Tab marks the next, Esc leaves.");
+  TrainingScreen screen = on_body ? TrainingScreen() : cardFor(*view.session);
+  screen.corner = view.corner;
+  screen.title = view.session->said().text;
+  screen.keys = keysOf(view);
   if (!on_body) return screen;
   screen.place = TrainingPlace::body;
-  if (waiting) screen.notice = tr("One moment ...");
-  screen.done = static_cast<double>(session_.bodyNumber() - 1) / session_.bodiesAtMost();
-  for (std::size_t i = 0; i < places_.size(); ++i) {
+  if (view.waiting) screen.notice = tr("One moment ...");
+  screen.done = static_cast<double>(view.session->bodyNumber() - 1) / view.session->bodiesAtMost();
+  for (std::size_t i = 0; i < view.marks; ++i) {
     SiteMark mark{.number = static_cast<int>(i) + 1};
-    mark.is_true = shown == LumpScreen::feedback && i >= named_.size();
-    mark.is_own = shown == LumpScreen::feedback && i < named_.size();
-    mark.picked = shown == LumpScreen::trial && i >= named_.size();
-    mark.pressed = i < named_.size();
+    mark.is_true = shown == LumpScreen::feedback && i >= view.named;
+    mark.is_own = shown == LumpScreen::feedback && i < view.named;
+    mark.picked = shown == LumpScreen::trial && i >= view.named;
+    mark.pressed = i < view.named;
     if (mark.is_true) mark.word = tr("feel it here");
     if (mark.is_own) mark.word = tr("your answer");
     screen.sites.push_back(std::move(mark));
   }
-  if (shown == LumpScreen::feedback) {
-    screen.buttons = {buttonFor(TrainingAct::next, tr("Next"))};
-  } else if (session_.question() == LumpQuestion::place) {
-    screen.buttons = {buttonFor(TrainingAct::answer, tr("Here"))};
-    screen.buttons.back().enabled = touched_.has_value() && !waiting;
-    if (session_.isExam()) screen.buttons.push_back(buttonFor(TrainingAct::no, tr("No more lumps")));
-  } else {
-    int value = 0;
-    for (std::string& label : training::lumpChoices(session_.question())) {
-      screen.buttons.push_back(buttonFor(TrainingAct::choose, std::move(label), value++));
-      screen.buttons.back().enabled = !waiting;
-    }
-  }
-  screen.buttons.push_back(buttonFor(TrainingAct::leave, tr("Leave")));
+  addButtons(view, screen);
   return screen;
 }
 

@@ -4,7 +4,8 @@
 //   samples ─► LumpSitting ─ screen, marks ─► TrainingMode ─► painting          act ─► LumpSession ─► rows
 //                   └─ wanted ─► the body of a trial
 //
-// A place is named by touching it: the finger's last press is what Here means, whoever holds the finger.
+// A place is named by touching it: the finger's last press is what Here means, whoever holds the finger: a device, the
+// mouse or the keyboard (training_mode.h).
 #pragma once
 
 #include <optional>
@@ -16,6 +17,19 @@
 #include "teach/window/training_screen.h"
 
 namespace palpate::viewer {
+
+/// What a screen is made of.
+struct LumpView {
+  const training::LumpSession* session = nullptr;
+  std::string corner = {};  ///< who is signed in
+  bool waiting = false;     ///< for the body
+  bool touched = false;     ///< a place was, that Here would name
+  bool by_mouse = false;    ///< no device holds the finger
+  std::size_t named = 0;    ///< of the marks, those that were named, first
+  std::size_t marks = 0;
+};
+/// Pure: words, buttons and marks.
+TrainingScreen lumpScreenOf(const LumpView& view);
 
 class LumpSitting {
  public:
@@ -40,7 +54,7 @@ class LumpSitting {
   /// The button of a device: names the place that is touched, else goes on.
   bool deviceButton(const training::Moment& now);
 
-  TrainingScreen screen(const std::string& corner, bool waiting) const;
+  TrainingScreen screen(const std::string& corner, bool waiting, bool by_mouse) const;
   /// Points on the skin of the screen's marks, by their number from 1.
   const std::vector<Vec3>& places() const { return places_; }
 

@@ -22,6 +22,7 @@ constexpr float kSiteRadius = 9.0f;
 constexpr float kTagAway = 24.0f;
 constexpr float kTagRadius = 12.0f;
 constexpr int kRound = 28;
+constexpr float kEdge = 4.0f;  ///< between words and what ends the body's room
 
 void rimmedCircle(ImDrawList& list, const ImVec2& at, float radius, ImU32 ink, float width) {
   list.AddCircle(at, radius, kDarkInk, kRound, width + 2.5f);
@@ -59,9 +60,14 @@ void leadTo(ImDrawList& list, const ImVec2& at, bool from_left, bool arrow, cons
     if (arrow) rimmedLine(list, {tip.x + away * 11.0f, tip.y + side}, tip, kOrangeInk, 4.0f);
   }
   const ImVec2 size = ImGui::CalcTextSize(says.c_str());
-  const float left = from_left ? tail.x - size.x - 18.0f : tail.x + 6.0f;
-  const ImVec2 corner(left, at.y - 0.5f * size.y - 5.0f);
-  const ImVec2 opposite(left + size.x + 12.0f, at.y + 0.5f * size.y + 5.0f);
+  const float width = size.x + 12.0f;
+  const float wanted = from_left ? tail.x - width - 6.0f : tail.x + 6.0f;
+  const float room = ImGui::GetIO().DisplaySize.x - kTrainingColumn;
+  const float left = std::max(kEdge, std::min(wanted, room - width - kEdge));
+  // Where there is no room beside the arrow its words stand under it.
+  const float middle = at.y + (left == wanted ? 0.0f : size.y + 16.0f);
+  const ImVec2 corner(left, middle - 0.5f * size.y - 5.0f);
+  const ImVec2 opposite(left + width, middle + 0.5f * size.y + 5.0f);
   list.AddRectFilled(corner, opposite, kDarkInk, 4.0f);
   list.AddText({corner.x + 6.0f, corner.y + 5.0f}, kLightInk, says.c_str());
 }

@@ -30,6 +30,10 @@ TrainingStroke acting(const TrainingScreen& screen, TrainingAct act) {
   return pressed(screen, static_cast<std::size_t>(found - screen.buttons.begin()));
 }
 
+bool offers(const TrainingScreen& screen, TrainingAct act) {
+  return std::ranges::find(screen.buttons, act, &TrainingButton::act) != screen.buttons.end();
+}
+
 /// The next button that can be pressed, round the end.
 TrainingStroke focusMoved(const TrainingScreen& screen, bool forward) {
   const std::size_t count = screen.buttons.size();
@@ -70,6 +74,7 @@ TrainingStroke onCard(const window::InputEvent& event, const TrainingScreen& scr
     if (const Vec2 by = directionOf(event.key); by != Vec2::Zero()) return {.kind = StrokeKind::walk, .by = by};
     if (event.key == window::key('T') && !event.repeat) return {.kind = StrokeKind::touch};
     if (event.key == Key::backspace) return {.kind = StrokeKind::erase};
+    if (event.key == window::key('P') && offers(screen, TrainingAct::pause)) return acting(screen, TrainingAct::pause);
   }
   const bool back = event.key == Key::left || event.key == Key::up;
   const bool on = event.key == Key::right || event.key == Key::down || event.key == Key::tab;

@@ -29,6 +29,8 @@ constexpr std::int64_t kSameNumberMs = 1500;
 constexpr double kRoomAsideMm = 110.0;
 /// Bodies of familiarisation have numbers below those of trials and below TrialWorld's "none".
 constexpr int kFamiliarBodies = -2;
+/// A step of the keyboard's finger over the skin, points: about 5 mm where the whole back is seen.
+constexpr double kStepPoints = 6.0;
 /// Farther from its site than this, what the eye meets first is another side of the body, mm.
 constexpr double kSameSideMm = 25.0;
 
@@ -101,6 +103,10 @@ void TrainingMode::begin(ViewerState& viewer, const scene::World& world, window:
 
 training::Moment TrainingMode::now() const { return {clock_s_, training::utcMs(), tick_}; }
 
+bool TrainingMode::paused() const {
+  return (run_ && run_->session().paused()) || (lumps_ && lumps_->session().paused());
+}
+
 bool TrainingMode::clockRuns() const { return (run_ || lumps_) && !world_.waiting() && state_ == State::going_on; }
 
 // --- the body
@@ -156,11 +162,12 @@ void TrainingMode::feel(const trace::Sample& sample) {
   if (class_) class_->felt(sample);
   const bool came = world_.feel(sample.world);
   if (lumps_ && !world_.waiting() && state_ == State::going_on) {
-    if (came && lumps_->session().screen() == training::LumpScreen::trial && world_.begins()) lumps_->ready(now());
+    const bool of_trial = lumps_->session().screen() == training::LumpScreen::trial;
+    if (came && of_trial && !paused() && world_.begins()) lumps_->ready(now());
     return lumps_->feel(sample, now());
   }
   if (!run_ || world_.waiting() || state_ != State::going_on) return;
-  if (came && run_->session().screen() == Screen::trial && world_.begins()) run_->session().ready(now());
+  if (came && run_->session().screen() == Screen::trial && !paused() && world_.begins()) run_->session().ready(now());
   run_->session().feel(sample, now());
 }
 
@@ -183,16 +190,7 @@ void TrainingMode::takeButton(std::uint32_t buttons) {
 
 void TrainingMode::look(const Sight& sight, const ViewerState& viewer) {
   seen_.clear();
-  if (lumps_) {
-    for (const Vec3& place : lumps_->places()) {
-      const Vec2 share = view::seenAt(sight.frustum, place);
-      SeenSite seen;
-      if (share.allFinite()) seen.at = share.cwiseProduct(sight.size_points);
-      seen.tag_left = place.x() < 0.0;
-      seen_.push_back(seen);
-    }
-    return;
-  }
+  if (lumps_) return lookAtLumps(sight, viewer);
   for (const training::Site& site : sites_.sites) {
     SeenSite seen;
     const Vec2 share = view::seenAt(sight.frustum, site.point_mm);
@@ -211,6 +209,24 @@ void TrainingMode::look(const Sight& sight, const ViewerState& viewer) {
   }
 }
 
+/// Where the marks are, and the keyboard's finger: from the middle of the sites it goes over the skin as it is seen.
+void TrainingMode::lookAtLumps(const Sight& sight, const ViewerState& viewer) {
+  const auto seen_at = [&](const Vec3& point) -> std::optional<Vec2> {
+    const Vec2 share = view::seenAt(sight.frustum, point);
+    if (!share.allFinite()) return std::nullopt;
+    return Vec2(share.cwiseProduct(sight.size_points));
+  };
+  for (const Vec3& place : lumps_->places()) seen_.push_back({.at = seen_at(place), .tag_left = place.x() < 0.0});
+  if (!std::exchange(keyboard_.moved, false) || lumps_->session().paused()) return;
+  const Vec3 from = keyboard_.place ? keyboard_.place->point : homeBox()->center();
+  const Vec2 step = std::exchange(keyboard_.step, Vec2::Zero());
+  if (const auto at = seen_at(from)) {
+    const auto place = sight.pointer.skinAt((*at + Vec2(step.x(), -step.y())) * sight.pixels_per_point);
+    if (place) keyboard_.place = place;
+  }
+  if (keyboard_.place) sight.pointer.demonstrate(viewer.active_finger, *keyboard_.place, keyboard_.presses);
+}
+
 std::optional<Eigen::AlignedBox3d> TrainingMode::homeBox() const {
   Eigen::AlignedBox3d box;
   for (const training::Site& site : sites_.sites) box.extend(site.point_mm);
@@ -224,6 +240,10 @@ void TrainingMode::adjust(view::PictureSettings& picture) const {
   picture.look.skin_opacity = 1.0;
   picture.look.lens = screen_.shows_sink;
   picture.labels = view::LabelSettings::none();
+  // What the fingertip feels, where practice shows it: the pressures alone, never what lies below.
+  if (!lumps_ || state_ != State::going_on || !lumps_->session().padShown()) return;
+  picture.look.show(view::Overlay::pressure);
+  picture.labels.beneath = true;
 }
 
 std::vector<view::Lines> TrainingMode::marks(const scene::World& world, const ViewerState& viewer) const {
@@ -234,7 +254,7 @@ std::vector<view::Lines> TrainingMode::marks(const scene::World& world, const Vi
 TrainingOver TrainingMode::over() const {
   switch (state_) {
     case State::going_on:
-      return run_ && run_->session().paused() ? TrainingOver::paused : TrainingOver::none;
+      return paused() ? TrainingOver::paused : TrainingOver::none;
     case State::leaving:
     case State::quitting:
       return TrainingOver::leaving;
@@ -271,7 +291,7 @@ void TrainingMode::compose() {
   TrainingView shown = view();
   if (shown.stage == TrainingStage::session && !run_) shown.stage = TrainingStage::choice;
   const bool of_lumps = lumps_ && shown.over == TrainingOver::none;
-  screen_ = of_lumps ? lumps_->screen(shown.code, world_.waiting()) : screenOf(shown);
+  screen_ = of_lumps ? lumps_->screen(shown.code, world_.waiting(), holder_.mouse) : screenOf(shown);
   if (of_lumps) screen_.focus = screen_.buttons.empty() ? 0 : std::min(focus_, screen_.buttons.size() - 1);
   if (std::exchange(screen_title_, screen_.title) != screen_.title) {
     focus_ = 0;
@@ -324,7 +344,7 @@ bool TrainingMode::handle(const window::InputEvent& event, ViewerState& /*viewer
       walk(stroke.by);
       break;
     case Kind::touch:
-      keyboard_.press(!keyboard_.presses && picked_ != 0);
+      keyboard_.press(!keyboard_.presses && (picked_ != 0 || lumps_));
       digits_.clear();
       break;
   }
@@ -358,7 +378,11 @@ bool TrainingMode::canPick(int site) const {
 }
 
 void TrainingMode::walk(const Vec2& by) {
-  if (lumps_) return;
+  if (lumps_) {
+    keyboard_.step += kStepPoints * by;
+    keyboard_.moved = true;
+    return;
+  }
   const auto pair = run_ ? run_->session().familiarPlaces() : std::nullopt;
   picked_ = !pair ? siteTowards(sites_, picked_, by) : picked_ == pair->first ? pair->second : pair->first;
   digits_.clear();
@@ -476,11 +500,12 @@ void TrainingMode::actOnLumps(TrainingAct act, int value) {
   if (act == TrainingAct::leave) {
     state_ = asksBeforeLeaving() ? State::leaving : state_;
     if (state_ != State::leaving) leaveNow(false);
-  } else if (world_.waiting() && act != TrainingAct::next) {
+  } else if (world_.waiting() && act != TrainingAct::next && act != TrainingAct::pause && act != TrainingAct::go_on) {
     return;
   } else if (lumps_->act(act, value, now())) {
     return endSession();
   }
+  if (keyboard_.presses) keyboard_.press(false);
   keepRows();
 }
 
@@ -569,6 +594,7 @@ void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {
   }
   spoken_ = 0;
   picked_ = 0;
+  keyboard_ = {};
   keepRows();
 }
 
@@ -576,6 +602,7 @@ void TrainingMode::endSession() {
   const std::string words = lumps_ ? lumps_->finish("done", now()) : run_->finish("done", now());
   run_.reset();
   lumps_.reset();
+  if (keyboard_.presses) keyboard_.press(false);
   world_.clear();
   state_ = State::going_on;
   sign_in_.comeBack(words.empty() ? tr("Saved.") : words);
@@ -608,10 +635,10 @@ void TrainingMode::followClass() {
     if (command->kind == Kind::message) {
       message_ = command->text;
       if (state_ == State::going_on) state_ = State::message;
-    } else if (run_ && command->kind == Kind::pause) {
-      run_->session().pause(now());
-    } else if (run_ && command->kind == Kind::go_on) {
-      run_->session().goOn(now());
+    } else if (command->kind == Kind::pause || command->kind == Kind::go_on) {
+      const bool pauses = command->kind == Kind::pause;
+      if (run_) pauses ? run_->session().pause(now()) : run_->session().goOn(now());
+      if (lumps_) lumps_->act(pauses ? TrainingAct::pause : TrainingAct::go_on, 0, now());
     } else if (run_ && command->kind == Kind::next_block) {
       leaveNow(state_ == State::quitting);
     }

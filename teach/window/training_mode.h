@@ -78,11 +78,13 @@ class TrainingMode : public Mode {
  private:
   /// What has to be answered before anything else.
   enum class State : std::uint8_t { going_on, leaving, quitting, trouble, message };
-  /// A finger that no hand moves: it walks from site to site and presses by a key.
+  /// A finger that no hand moves: it walks from site to site, where lumps are sought step by step over the skin, and
+  /// presses by a key.
   struct KeyboardFinger {
     bool presses = false;
     bool moved = false;  ///< the pointer has not been told yet
     std::optional<SkinPlace> place = {};
+    Vec2 step = Vec2::Zero();  ///< lumps: how far it goes on the screen, points; y up
     void press(bool down) {
       presses = down;
       moved = true;
@@ -100,6 +102,7 @@ class TrainingMode : public Mode {
 
   bool mayQuit();
   training::Moment now() const;
+  bool paused() const;
   bool clockRuns() const;
   TrainingOver over() const;
   TrainingView view() const;
@@ -108,6 +111,7 @@ class TrainingMode : public Mode {
   void actOnSession(TrainingAct act, int value);
   void typed(const std::string& letters);
   void walk(const Vec2& by);
+  void lookAtLumps(const Sight& sight, const ViewerState& viewer);
   bool canPick(int site) const;
   void takeButton(std::uint32_t buttons);
   void beginSession(ViewerState& viewer, LiveServo& servo);

@@ -61,18 +61,34 @@ void frameOfButton(const ImVec2& corner, const ImVec2& opposite, bool focused) {
   list.AddRect(corner, opposite, line, 6.0f, 0, focused ? 2.5f : 1.0f);
 }
 
+constexpr float kButtonMargin = 16.0f;
+constexpr float kLineGap = 5.0f;
+
+ImVec2 sizeOfWords(const std::string& words, float width) {
+  return words.empty() ? ImVec2() : ImGui::CalcTextSize(words.c_str(), nullptr, false, width - 2.0f * kButtonMargin);
+}
+
+/// As high as it should be, or as its words need.
+float heightOfButton(const TrainingButton& button, float width, float wanted) {
+  const float words = sizeOfWords(button.label, width).y + sizeOfWords(button.line, width).y;
+  return std::max(wanted, words + (button.line.empty() ? 0.0f : kLineGap) + 12.0f);
+}
+
 void wordsOfButton(const TrainingButton& button, const ImVec2& corner, const ImVec2& opposite) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 ink = ImGui::GetColorU32(button.enabled ? ImGuiCol_Text : ImGuiCol_TextDisabled);
-  const float line_height = ImGui::GetFontSize();
-  const bool two = !button.line.empty();
-  const float middle = 0.5f * (corner.y + opposite.y);
-  const float top = two ? middle - line_height - 2.0f : middle - 0.5f * line_height;
+  const float width = opposite.x - corner.x;
+  const float wrap = width - 2.0f * kButtonMargin;
+  const ImVec2 label = sizeOfWords(button.label, width);
+  const ImVec2 line = sizeOfWords(button.line, width);
+  const float gap = button.line.empty() ? 0.0f : kLineGap;
+  const ImVec2 at(corner.x + kButtonMargin, 0.5f * (corner.y + opposite.y - label.y - gap - line.y));
   list.PushClipRect(corner, opposite, true);
-  list.AddText({corner.x + 16.0f, top}, ink, button.label.c_str());
-  if (two) {
+  ImFont* font = ImGui::GetFont();
+  list.AddText(font, ImGui::GetFontSize(), at, ink, button.label.c_str(), nullptr, wrap);
+  if (!button.line.empty()) {
     const ImU32 grey = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-    list.AddText({corner.x + 16.0f, middle + 3.0f}, grey, button.line.c_str());
+    list.AddText(font, ImGui::GetFontSize(), {at.x, at.y + label.y + gap}, grey, button.line.c_str(), nullptr, wrap);
   }
   if (!button.badge.empty()) {
     const ImVec2 size = ImGui::CalcTextSize(button.badge.c_str());
@@ -104,13 +120,17 @@ TrainingClick buttons(const TrainingScreen& screen, bool two_columns, float low_
   const ImGuiStyle& style = ImGui::GetStyle();
   const float room = ImGui::GetContentRegionAvail().x;
   const float width = two_columns ? 0.5f * (room - style.ItemSpacing.x) : room;
+  float height = 0.0f;  // of the row
   for (std::size_t i = 0; i < screen.buttons.size(); ++i) {
     const TrainingButton& button = screen.buttons[i];
-    const bool tall = two_columns || !button.line.empty();
-    if (two_columns && i % 2 == 1) ImGui::SameLine();
-    if (bigButton(button, i, {width, tall ? kTallButton : low_button}, i == screen.focus)) {
-      clicked = {button.act, button.value};
-    }
+    const bool second = two_columns && i % 2 == 1;
+    if (second) ImGui::SameLine();
+    const auto high = [&](const TrainingButton& one) {
+      return heightOfButton(one, width, two_columns || !one.line.empty() ? kTallButton : low_button);
+    };
+    if (!second) height = high(button);
+    if (two_columns && !second && i + 1 < screen.buttons.size()) height = std::max(height, high(screen.buttons[i + 1]));
+    if (bigButton(button, i, {width, height}, i == screen.focus)) clicked = {button.act, button.value};
   }
   return clicked;
 }
@@ -155,8 +175,10 @@ void backdrop(const TrainingScreen& screen, const ImVec2& room) {
   const ImU32 grey = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   const ImVec2 corner = ImGui::CalcTextSize(screen.corner.c_str());
   list.AddText({room.x - corner.x - 16.0f, 12.0f}, grey, screen.corner.c_str());
-  const ImVec2 keys = ImGui::CalcTextSize(screen.keys.c_str());
-  list.AddText({0.5f * (room.x - keys.x), room.y - keys.y - 12.0f}, grey, screen.keys.c_str());
+  const float wrap = room.x - 24.0f;
+  const ImVec2 keys = ImGui::CalcTextSize(screen.keys.c_str(), nullptr, false, wrap);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {0.5f * (room.x - keys.x), room.y - keys.y - 12.0f}, grey,
+               screen.keys.c_str(), nullptr, wrap);
 }
 
 /// How high the card was the last time it had these words: it is centred by that.
@@ -259,6 +281,7 @@ void ring(const TrainingScreen& screen, float radius) {
 
 void centredGrey(const std::string& text) {
   const float width = ImGui::CalcTextSize(text.c_str()).x;
+  if (width > ImGui::GetContentRegionAvail().x) return greyWords(text);
   ImGui::SetCursorPosX(std::max(0.0f, 0.5f * (ImGui::GetWindowWidth() - width)));
   ImGui::TextDisabled("%s", text.c_str());
 }

@@ -15,14 +15,15 @@
 #include "palpate/training/records/recording_files.h"
 #include "palpate/training/records/trainee_code.h"
 #include "palpate/view/offscreen.h"
+#include "session_words.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
-#include "teach/tests/training/twelve.h"
 #include "teach/window/sign_in.h"
 #include "teach/window/training_keys.h"
 #include "teach/window/training_mode.h"
 #include "teach/window/training_words.h"
 #include "teach/window/voice.h"
+#include "training_seat.h"
 #include "view/viewer/panels/widgets.h"
 #include "view/viewer/viewer.h"
 
@@ -36,50 +37,7 @@ using window::Key;
 constexpr std::array kTests = {SessionKind::pre_test, SessionKind::post_test, SessionKind::exam,
                                SessionKind::retention};
 
-std::string someCode(std::uint64_t bits = 0x1234567) { return training::codeOf(bits); }
-
 // --- words
-
-/// A session that somebody goes through who presses all and answers right or wrong in turn.
-class WordsOfSession {
- public:
-  explicit WordsOfSession(SessionKind kind, bool familiar = true)
-      : session({.protocol = training::builtInProtocol(),
-                 .kind = kind,
-                 .sites = training::flatTwelve(),
-                 .seed = 3,
-                 .row = {.id = "018f3c1e-0000-7000-8000-000000000001"},
-                 .familiar = familiar},
-                {}) {}
-
-  TrainingScreen screen(int picked = 0, double force_share = 1.0, double ratios_kept_to_n = 0.0) const {
-    TrainingView view;
-    view.force_share = force_share;
-    view.ratios_kept_to_n = ratios_kept_to_n;
-    view.stage = TrainingStage::session;
-    view.by_mouse = by_mouse;
-    view.session = &session;
-    view.picked = picked;
-    view.now = {.s = s};
-    return screenOf(view);
-  }
-  void pressAll(int but = 0) {
-    for (const training::Site& site : session.plan().sites.sites) {
-      for (int i = 0; i < 400 && site.number != but; ++i) {
-        s += 0.001;
-        session.feel(training::pressAt(site.point_mm, 1.0), {.s = s});
-      }
-    }
-  }
-  void answer(bool right) {
-    const int truth = session.hidden()->site;
-    session.answer(right ? truth : truth % 12 + 1, {.s = s});
-  }
-
-  training::Session session;
-  double s = 0.0;
-  bool by_mouse = true;
-};
 
 bool saysSomewhere(const TrainingScreen& screen, const std::string& what) {
   const std::vector<std::string> words = wordsOf(screen);
@@ -373,15 +331,6 @@ TEST_F(TrainingDoor, GoesStraightToWhatWasAskedFor) {
 
 // --- keys
 
-window::InputEvent pressOf(Key key, window::Modifiers modifiers = {}) {
-  window::InputEvent event;
-  event.kind = window::InputEvent::Kind::key;
-  event.key = key;
-  event.modifiers = modifiers;
-  event.down = true;
-  return event;
-}
-
 TEST(TrainingKeys, NoKeyOfTheWindowThatTellsSomethingGetsThrough) {
   WordsOfSession somebody(SessionKind::exam);
   somebody.session.next({});
@@ -502,167 +451,9 @@ TEST(TrainingSpeech, SaysSignsInWords) {
 
 // --- in the window
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 480;
-
-/// A torso that is soon built, the same for all tests.
-std::shared_ptr<const scene::World> smallTorso() {
-  static const auto world = [] {
-    scene::Scene scene = scene::parse("[body]\ntriangles = 8164\n", "training.toml");
-    scene.file.clear();
-    return scene::build(scene);
-  }();
-  return world;
-}
-
-/// A mode behind training, as the package that measures photographs brings one: counts what would open it.
-class ShutMode final : public Mode {
- public:
-  Claims claims() const override { return {}; }
-  bool handle(const window::Command& command, ViewerState& /*viewer*/) override {
-    reached += command.action == window::Action::measure_person ? 1 : 0;
-    return false;
-  }
-  bool handle(const Request& request, ViewerState& /*viewer*/) override {
-    reached += std::holds_alternative<OpenFile>(request) ? 1 : 0;
-    return false;
-  }
-
-  int reached = 0;
-};
-
-/// Somebody at a training window: keys, frames, and what is in the record.
-class TrainingSeat {
- public:
-  explicit TrainingSeat(const std::filesystem::path& records, std::optional<SessionKind> kind = {},
-                        const training::Protocol& protocol = training::builtInProtocol(),
-                        const std::optional<classroom::Member>& member = {}) {
-    ViewerSettings settings;
-    settings.intro = false;
-    settings.output_folder = records.parent_path();
-    TrainingSettings of_training;
-    of_training.records = records;
-    of_training.protocol = protocol;
-    of_training.seed = 5;
-    of_training.sign_in = {.class_id = member ? member->class_id : "", .code = someCode(), .kind = kind};
-    of_training.member = member;
-    auto training_mode = std::make_unique<TrainingMode>(of_training);
-    training = training_mode.get();
-    settings.modes.push_back(std::move(training_mode));
-    auto other_mode = std::make_unique<ShutMode>();
-    shut = other_mode.get();
-    settings.modes.push_back(std::move(other_mode));
-    ViewState state;
-    state.look.shading = view::Shading::gouraud;  // quick to draw
-    viewer = std::make_unique<Viewer>(smallTorso(), state, std::move(settings));
-    frames(3);
-  }
-
-  void frame(const std::vector<window::InputEvent>& events = {}) {
-    viewer->frame(kWidth, kHeight, 1.0, now_s += 1.0 / 60.0, events);
-  }
-  void frames(int count) {
-    for (int i = 0; i < count; ++i) frame();
-  }
-  void key(Key k, window::Modifiers modifiers = {}) {
-    window::InputEvent event = pressOf(k, modifiers);
-    frame({event});
-    event.down = false;
-    frame({event});
-    frame();
-  }
-  void text(const std::string& letters) {
-    window::InputEvent event;
-    event.kind = window::InputEvent::Kind::text;
-    event.text = letters;
-    frame({event});
-    frame();
-  }
-  template <class Ready>
-  bool until(const Ready& ready) {
-    return support::waitFor([&] {
-      frame();
-      return ready();
-    });
-  }
-  bool settled() {
-    frame();
-    return until([this] { return !training->waiting(); });
-  }
-  void comeIn() {
-    for (int i = 0; i < 3; ++i) key(Key::enter);  // new here, agrees, left hand
-  }
-  /// Into familiarisation.
-  bool checkDevice() {
-    if (!settled()) return false;
-    pick(4);
-    key(window::key('T'));
-    if (!until([this] { return words().find("Your device works") != std::string::npos; })) return false;
-    key(Key::space);
-    return settled() && session().screen() == Screen::familiarisation;
-  }
-  /// Past device check and familiarisation, into the first trial.
-  bool begin() {
-    if (!checkDevice() || !familiarise()) return false;
-    key(Key::space);
-    return settled() && session().screen() == Screen::trial;
-  }
-  /// Feels nothing and knows the answer: is told once to press, is asked, and names the place.
-  bool familiarise() {
-    key(Key::space);
-    key(Key::space);
-    if (!settled() || !session().asks()) return false;
-    pick(session().hidden()->site);
-    key(Key::enter);
-    return settled() && session().screen() == Screen::instruction;
-  }
-  void pick(int site) {
-    key(Key::backspace);
-    text(std::to_string(site));
-  }
-  /// Until its dot is filled.
-  bool press(int site) {
-    pick(site);
-    key(Key::space);
-    const bool filled = until([&] { return session().visited(site); });
-    key(Key::space);
-    return filled;
-  }
-  /// Taken at the second time, when nothing was pressed.
-  void answer(int site) {
-    const std::size_t before = session().trials().size();
-    for (int i = 0; i < 2 && session().trials().size() == before; ++i) {
-      pick(site);
-      key(Key::enter);
-    }
-  }
-
-  std::string words() const {
-    std::string all;
-    for (const std::string& part : wordsOf(training->screen())) all += part + "\n";
-    return all;
-  }
-  const training::Session& session() const { return *training->session(); }
-
-  const view::OffscreenContext context;
-  std::unique_ptr<Viewer> viewer;
-  const TrainingMode* training = nullptr;  ///< the viewer's
-  const ShutMode* shut = nullptr;          ///< and one that nothing may open
-  double now_s = 0.0;
-};
-
 class TrainingWindow : public testing::Test {
  protected:
-  std::vector<training::TrialRow> keptTrials() {
-    training::Store store(records, training::Store::Open::existing);
-    std::vector<training::TrialRow> trials;
-    for (const auto& session : store.sessions()) {
-      for (const auto& block : store.blocks(session.id)) {
-        for (auto& trial : store.trials(block.id)) trials.push_back(std::move(trial));
-      }
-    }
-    return trials;
-  }
+  std::vector<training::TrialRow> keptTrials() const { return trialsIn(records); }
 
   const support::TemporaryFolder folder;
   const std::filesystem::path records = folder / "class.results";
@@ -695,14 +486,14 @@ TEST_F(TrainingWindow, InASmallWindowEverySiteAndEveryWordAboutKeysIsInSight) {
   ASSERT_TRUE(stage.begin());
   stage.frame();
   const WidgetPlaces& places = widgetPlaces();
-  constexpr float kColumnLeft = kWidth - 300.0f;
+  constexpr float kColumnLeft = kSeatWidth - 300.0f;
   for (int site = 1; site <= 12; ++site) {
     const auto tag = places.at(fmt::format("training/tag/{}", site));
     EXPECT_GE(tag[0], 0.0f) << site;
     EXPECT_LE(tag[2], kColumnLeft) << site;
     EXPECT_GE(places.at(fmt::format("training/site/{}", site))[0], kColumnLeft) << site;
   }
-  EXPECT_LE(places.at("training/keys")[3], kHeight);
+  EXPECT_LE(places.at("training/keys")[3], kSeatHeight);
   EXPECT_LE(places.at("training/button/2")[3], places.at("training/keys")[1]);
 }
 
@@ -882,15 +673,16 @@ TEST_F(TrainingWindow, WhileItIsPausedThereIsNothingToBeFound) {
   TrainingSeat stage(records, SessionKind::pre_test);
   stage.comeIn();
   ASSERT_TRUE(stage.begin());
+  ASSERT_TRUE(stage.until([&] { return stage.training->screen().time_left.value_or(1.0) < 0.98; }));
+  const double left = *stage.training->screen().time_left;
   stage.key(window::key('P'));
   ASSERT_TRUE(stage.settled());
   EXPECT_TRUE(stage.viewer->world().scene.dysfunctions.empty());
-  const double left = stage.session().secondsLeft({.s = 0.0});
-  EXPECT_GT(left, 0.0);
   stage.key(window::key('P'));
   ASSERT_TRUE(stage.settled());
   EXPECT_EQ(stage.viewer->world().scene.dysfunctions.size(), 1u);
   EXPECT_FALSE(stage.session().paused());
+  EXPECT_LE(stage.training->screen().time_left.value_or(1.0), left) << "a pause gives no time back";
 }
 
 TEST_F(TrainingWindow, ClosingItInABlockAsksFirst) {
@@ -911,43 +703,6 @@ TEST_F(TrainingWindow, ClosingItInABlockAsksFirst) {
   stage.viewer->state().request(Quit{});
   stage.frames(2);
   EXPECT_TRUE(stage.viewer->wantsToQuit());
-}
-
-TEST_F(TrainingWindow, AnExaminationWithLumpsHidesThemAndKeepsEveryAnswer) {
-  TrainingSeat stage(records, SessionKind::lump_exam, training::builtInLumpProtocol());
-  stage.comeIn();
-  ASSERT_NE(stage.training->lumpSession(), nullptr) << stage.words();
-  const training::LumpSession& session = *stage.training->lumpSession();
-  stage.key(Key::enter);  // Start
-  ASSERT_TRUE(stage.settled());
-  ASSERT_EQ(session.screen(), training::LumpScreen::trial);
-  EXPECT_EQ(stage.viewer->world().scene.lumps.size(), 3U) << "in the body";
-  EXPECT_TRUE(stage.training->screen().sites.empty()) << "and on no screen";
-  EXPECT_FALSE(stage.training->screen().buttons.front().enabled) << "nothing was touched yet: Here means nothing";
-  stage.key(Key::tab);
-  stage.key(Key::enter);  // No more lumps
-  ASSERT_TRUE(stage.settled());
-  EXPECT_EQ(session.bodyNumber(), 2);
-  ASSERT_EQ(keptTrials().size(), 1U) << "before the next screen, not at the end";
-  EXPECT_FALSE(keptTrials().front().lumps.empty());
-  stage.viewer->finish();
-}
-
-TEST_F(TrainingWindow, PracticeWithLumpsShowsInItsFeedbackWhereTheLumpLies) {
-  training::Protocol protocol = training::builtInLumpProtocol();
-  protocol.lump->empty_share = 0.0;
-  TrainingSeat stage(records, SessionKind::lump, protocol);
-  stage.comeIn();
-  ASSERT_NE(stage.training->lumpSession(), nullptr) << stage.words();
-  stage.key(Key::enter);
-  ASSERT_TRUE(stage.settled());
-  EXPECT_TRUE(stage.training->screen().sites.empty());
-  stage.key(Key::enter);  // no lump
-  ASSERT_EQ(stage.training->lumpSession()->screen(), training::LumpScreen::feedback) << stage.words();
-  ASSERT_EQ(stage.training->screen().sites.size(), 1U);
-  EXPECT_TRUE(stage.training->screen().sites.front().is_true);
-  EXPECT_NE(stage.words().find("There was one"), std::string::npos) << stage.words();
-  stage.viewer->finish();
 }
 
 TEST_F(TrainingWindow, NeedsABodyThatHasThePlacesOfItsProtocol) {

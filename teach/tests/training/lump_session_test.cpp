@@ -98,6 +98,29 @@ TEST(LumpSession, AnExaminationNeverShowsALump) {
   EXPECT_EQ(session.counts().found, lumps::kExamLumps);
 }
 
+TEST(LumpSession, APauseHidesNothingTakesNoAnswerAndIsNoTimeOfTheBody) {
+  LumpSession session(planOfLumps(SessionKind::lump_exam), at(0));
+  session.pause(at(0));
+  EXPECT_FALSE(session.paused()) << "nothing is asked yet";
+  session.next(at(1));
+  session.ready(at(2));
+  session.pause(at(5));
+  EXPECT_TRUE(session.paused());
+  EXPECT_TRUE(session.hidden().empty());
+  EXPECT_FALSE(session.noMore(at(6)));
+  session.ready(at(7));  // the empty body is felt
+  session.goOn(at(105));
+  EXPECT_EQ(session.hidden().size(), 3U);
+  ASSERT_TRUE(session.noMore(at(106)));
+  ASSERT_EQ(session.trials().size(), 1U);
+  EXPECT_DOUBLE_EQ(session.trials().front().seconds, 4.0);
+  std::vector<std::string> events;
+  for (const Row& row : session.takeRows()) {
+    if (const auto* event = std::get_if<EventRow>(&row)) events.push_back(event->kind);
+  }
+  EXPECT_EQ(events, (std::vector<std::string>{"pause", "resume"}));
+}
+
 TEST(LumpSession, PracticeShowsTheLumpInItsFeedbackAlone) {
   LumpSession session(planOfLumps(SessionKind::lump), at(0));
   session.next(at(1));

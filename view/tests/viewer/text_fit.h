@@ -2,10 +2,12 @@
 // rectangle with a place in the font's picture, so a text that no test names is found too.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <iostream>
 #include <set>
 #include <string>
 #include <vector>
@@ -101,6 +103,13 @@ inline bool writtenOver(const DrawnText& a, const DrawnText& b) {
   return across > kTouch && along > kTouch && a.words != b.words;  // the same words again: a text with a shadow
 }
 
+/// Of a window that neither shows a scroll bar nor room for all that is in it: what is below is never seen.
+inline bool hidesItsEnd(const std::string& name) {
+  const ImGuiWindow* window = ImGui::FindWindowByName(name.c_str());
+  constexpr float kTouch = 2.0f;  // points: room that letters leave below
+  return window != nullptr && (window->Flags & ImGuiWindowFlags_NoScrollbar) != 0 && window->ScrollMax.y > kTouch;
+}
+
 struct TextsSeen {
   std::size_t texts = 0;
   std::set<std::string> faults;  ///< one line each: window, text and fault
@@ -115,6 +124,7 @@ inline TextsSeen textsSeen() {
     const std::string window = list._OwnerName == nullptr ? "picture" : list._OwnerName;
     const std::vector<DrawnText> texts = textsOf(list);
     seen.texts += texts.size();
+    if (hidesItsEnd(window)) seen.faults.insert(window + ": is too low for what is in it");
     for (std::size_t k = 0; k < texts.size(); ++k) {
       if (texts[k].cut) seen.faults.insert(window + ": \"" + texts[k].words + "\" is cut");
       for (std::size_t j = k + 1; j < texts.size(); ++j) {
@@ -124,6 +134,17 @@ inline TextsSeen textsSeen() {
     }
   }
   return seen;
+}
+
+/// Fails for each fault of the frame that was drawn last. tools/check-translations counts the lines "overflow: ...".
+inline void expectTextsFit(const std::string& language, const std::string& what) {
+  constexpr std::size_t kFew = 3;  // fewer are on no screen: letters are no longer found
+  const TextsSeen seen = textsSeen();
+  EXPECT_GE(seen.texts, kFew) << what << ": letters are no longer found in what is drawn";
+  for (const std::string& fault : seen.faults) {
+    std::cout << "overflow: " << language << ", " << what << ", " << fault << "\n";
+    ADD_FAILURE() << what << ": " << fault;
+  }
 }
 
 }  // namespace palpate::viewer

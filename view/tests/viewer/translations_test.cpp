@@ -1,7 +1,5 @@
 // Each panel, menu and dialog in each language in the smallest window that is promised, 640x480: no text is cut and
-// none lies over another. tools/check-translations counts the lines "overflow: ...".
-#include <iostream>
-
+// none lies over another. Training and the measuring window have tests of their own, of the same kind.
 #include "palpate/base/language.h"
 #include "stage.h"
 #include "text_fit.h"
@@ -18,12 +16,7 @@ class Translations : public testing::TestWithParam<const char*> {
   /// In the state in which it stands now.
   static void expectFits(Stage& stage, const std::string& what) {
     for (int i = 0; i < 3; ++i) stage.smallFrame();  // windows that fit their contents know them after a frame
-    const TextsSeen seen = textsSeen();
-    EXPECT_GT(seen.texts, 10u) << what << ": letters are no longer found in what is drawn";
-    for (const std::string& fault : seen.faults) {
-      std::cout << "overflow: " << GetParam() << ", " << what << ", " << fault << "\n";
-      ADD_FAILURE() << what << ": " << fault;
-    }
+    expectTextsFit(GetParam(), what);
   }
 };
 

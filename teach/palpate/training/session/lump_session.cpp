@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "palpate/base/error.h"
@@ -57,11 +58,14 @@ struct LumpSession::Impl {
   std::vector<TrialRow> trials;
   std::vector<Row> rows;
   Moment begun;  // the body at hand
+  std::optional<Moment> paused_since;
 
   Impl(const LumpSessionPlan& wanted, const Moment& now)
       : plan(wanted), ids(lumpSeed(wanted, wanted.row.id)), block(blockOf(wanted)), watch(wanted.tick_s), begun(now) {}
 
   bool exam() const { return block.settings().exam; }
+  /// A question that can be answered now.
+  bool asks() const { return screen == LumpScreen::trial && !paused_since; }
 
   void say(std::string text) { said = {.text = std::move(text), .number = said.number + 1}; }
 
@@ -197,7 +201,7 @@ LumpQuestion LumpSession::question() const {
 
 std::vector<lumps::HiddenLump> LumpSession::hidden() const {
   const bool felt = screen() == LumpScreen::trial || screen() == LumpScreen::feedback;
-  return felt ? impl_->block.trial().hidden : std::vector<lumps::HiddenLump>();
+  return felt && !paused() ? impl_->block.trial().hidden : std::vector<lumps::HiddenLump>();
 }
 
 std::vector<lumps::HiddenLump> LumpSession::shown() const {
@@ -211,8 +215,9 @@ std::vector<lumps::LumpFinding> LumpSession::named() const {
 }
 
 bool LumpSession::padShown() const {
-  if (isExam()) return false;
-  return screen() == LumpScreen::feedback || impl_->block.settings().task.pad_shown;
+  if (isExam() || paused()) return false;
+  if (screen() == LumpScreen::trial) return impl_->block.settings().task.pad_shown;
+  return screen() == LumpScreen::feedback;
 }
 
 int LumpSession::bodyNumber() const { return impl_->block.number(); }
@@ -220,16 +225,17 @@ int LumpSession::bodiesAtMost() const { return impl_->block.bodies(); }
 bool LumpSession::isExam() const { return impl_->exam(); }
 
 void LumpSession::ready(const Moment& now) {
-  if (screen() != LumpScreen::trial) return;
+  if (!impl_->asks()) return;
   impl_->begun = now;
   impl_->watch.restart();
 }
 
 void LumpSession::feel(const trace::Sample& sample, const Moment& /*now*/) {
-  if (screen() == LumpScreen::trial) impl_->watch.follow(sample);
+  if (screen() == LumpScreen::trial && !paused()) impl_->watch.follow(sample);
 }
 
 void LumpSession::next(const Moment& now) {
+  if (paused()) return goOn(now);
   switch (screen()) {
     case LumpScreen::instruction:
       // A body that was done before the sitting was interrupted is not asked about again.
@@ -245,19 +251,35 @@ void LumpSession::next(const Moment& now) {
 }
 
 bool LumpSession::answer(int choice, const Moment& now) {
-  return screen() == LumpScreen::trial && impl_->took(impl_->block.answer(choice), now);
+  return impl_->asks() && impl_->took(impl_->block.answer(choice), now);
 }
 
 bool LumpSession::answer(const Vec2& place_mm, const Moment& now) {
-  return screen() == LumpScreen::trial && impl_->took(impl_->block.answer(place_mm), now);
+  return impl_->asks() && impl_->took(impl_->block.answer(place_mm), now);
 }
 
-bool LumpSession::noMore(const Moment& now) {
-  return screen() == LumpScreen::trial && impl_->took(impl_->block.noMore(), now);
+bool LumpSession::noMore(const Moment& now) { return impl_->asks() && impl_->took(impl_->block.noMore(), now); }
+
+void LumpSession::pause(const Moment& now) {
+  if (!impl_->asks()) return;
+  impl_->paused_since = now;
+  impl_->note("pause", std::string(wordFor(screen())), now);
+  impl_->say(pausedWords());
 }
+
+void LumpSession::goOn(const Moment& now) {
+  if (!paused()) return;
+  impl_->begun.s += now.s - impl_->paused_since->s;
+  impl_->paused_since.reset();
+  impl_->note("resume", std::string(wordFor(screen())), now);
+  impl_->ask();
+}
+
+bool LumpSession::paused() const { return impl_->paused_since.has_value(); }
 
 void LumpSession::leave(const Moment& now) {
   if (screen() == LumpScreen::finished) return;
+  impl_->paused_since.reset();
   impl_->note("leave", std::string(wordFor(screen())), now);
   impl_->finish(now);
 }

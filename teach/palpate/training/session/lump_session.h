@@ -54,7 +54,8 @@ class LumpSession {
   std::vector<lumps::HiddenLump> shown() const;
   /// What was named in this body so far: the trainee's own places.
   std::vector<lumps::LumpFinding> named() const;
-  /// Whether the pressures under the finger may be shown now.
+  /// Whether the pressures under the finger may be shown now: in practice alone, before the answer if the protocol
+  /// says so.
   bool padShown() const;
   int bodyNumber() const;  ///< from 1
   int bodiesAtMost() const;
@@ -69,6 +70,10 @@ class LumpSession {
   bool answer(int choice, const Moment& now);
   bool answer(const Vec2& place_mm, const Moment& now);
   bool noMore(const Moment& now);
+  /// While a body is asked about: the clock stands still, nothing is hidden and nothing can be answered.
+  void pause(const Moment& now);
+  void goOn(const Moment& now);
+  bool paused() const;
   void leave(const Moment& now);
 
   const LumpSessionPlan& plan() const;
