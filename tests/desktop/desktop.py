@@ -115,8 +115,9 @@ class Window:
         elif line.startswith("start page after"):
             self.page_s = at - self.started
 
-    def until(self, ready, what, patience_s=PATIENCE_S):
+    def until(self, ready, what, patience_s=None):
         """Reads lines until it is so; returns the time since the start. Throws Gone."""
+        patience_s = PATIENCE_S if patience_s is None else patience_s
         end = time.monotonic() + patience_s
         while True:
             try:
