@@ -48,7 +48,7 @@ set(development Unspecified)
 if(TARGET palpate_c)
   palpate_package(lib libpalpate0 library libs
                   "haptic palpation: the C library\nBodies that can be felt, fingers that feel them and skin that follows,\nfor programs in C, C# and other languages.")
-  # Not CPack's own: it calls ldconfig by scripts, where a trigger is Debian's way, and writes no shlibs of a library that it strips.
+  # CPACK_..._GENERATE_SHLIBS writes none here; the trigger is Debian's way, beside the scripts that CPack adds by itself.
   set(CPACK_DEBIAN_LIB_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/debian/shlibs ${PROJECT_SOURCE_DIR}/packaging/debian/triggers)
   set(development development Unspecified)
 endif()
