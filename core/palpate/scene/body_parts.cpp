@@ -9,7 +9,7 @@
 #include "palpate/base/text.h"
 #include "palpate/body/fitting/body_fit.h"
 #include "palpate/body/fitting/fitted_body.h"
-#include "palpate/body/made_scan.h"
+#include "palpate/body/fitting/made_scan.h"
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"

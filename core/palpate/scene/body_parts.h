@@ -21,7 +21,7 @@ struct BodyParts {
   std::shared_ptr<const tissue::LayeredTissue> given_layers = nullptr;
 };
 
-/// Whether "made:scan" stands in the place of the mesh file: a scan that the program makes (body/made_scan.h).
+/// Whether "made:scan" stands in the place of the mesh file: a scan that the program makes (body/fitting/made_scan.h).
 bool isMadeScan(const BodySettings& settings);
 
 /// How the body's mesh file is read.

@@ -1,5 +1,5 @@
 // The scan that the program makes: what a scan with a hole is, and the same each time.
-#include "palpate/body/made_scan.h"
+#include "palpate/body/fitting/made_scan.h"
 
 #include <gtest/gtest.h>
 

@@ -202,7 +202,7 @@ TEST(Picture, ChangesWithEveryOverlay) {
     const auto overlay = static_cast<Overlay>(i);
     if (overlay == Overlay::pressure || overlay == Overlay::lumps)
       continue;                                 // of worlds with lumps: lump_pictures_test
-    if (overlay == Overlay::muscles) continue;  // of the trunk: muscle_marks_test
+    if (overlay == Overlay::muscles) continue;  // of the trunk: body_names_test
     settings.look.overlays.reset();
     settings.look.overlays.set(i);
     const Image with = studio.take(surface, {fingers, 0.0}, settings, kSize).image;

@@ -1,4 +1,4 @@
-#include "palpate/body/made_scan.h"
+#include "palpate/body/fitting/made_scan.h"
 
 #include <cmath>
 
