@@ -16,14 +16,14 @@ TEST(MadeScan, IsAnOpenBackWithAHoleThatRepairLeaves) {
   const Eigen::AlignedBox3d box = mesh::boundingBox(mended.mesh);
   EXPECT_GT(box.sizes().x(), 300.0);
   EXPECT_GT(box.sizes().y(), 340.0);
-  const auto hasSkinAt = [&](double x, double y) {
+  const auto has_skin_at = [&](double x, double y) {
     for (const Vec3& place : mended.mesh.positions) {
       if ((place.head<2>() - Vec2(x, y)).norm() < 12.0) return true;
     }
     return false;
   };
-  EXPECT_FALSE(hasSkinAt(62.0, -48.0)) << "the hole";
-  EXPECT_TRUE(hasSkinAt(-62.0, -48.0)) << "and none on the other side";
+  EXPECT_FALSE(has_skin_at(62.0, -48.0)) << "the hole";
+  EXPECT_TRUE(has_skin_at(-62.0, -48.0)) << "and none on the other side";
 }
 
 TEST(MadeScan, IsTheSameEachTime) {

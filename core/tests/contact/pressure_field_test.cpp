@@ -257,7 +257,8 @@ TEST(PressureField, FallsOffAsItsExponentSays) {
     pressureField(ground, nullptr, felt, {.taxels = 16}, kpa);
     const double peak = tissue::pressureAt(pattern, 2.0, 0.0);
     for (std::size_t i = 0; i < kpa.size(); ++i) {
-      const double r = std::hypot(static_cast<double>(i % 16) - 7.5, static_cast<double>(i / 16) - 7.5);
+      const std::size_t row = i / 16;
+      const double r = std::hypot(static_cast<double>(i % 16) - 7.5, static_cast<double>(row) - 7.5);
       if (r < 5.0) {
         EXPECT_NEAR(kpa[i], tissue::pressureAt(pattern, 2.0, r), 0.03 * peak) << exponent << ", " << r << " mm";
       }

@@ -122,8 +122,8 @@ struct Painter::Impl {
   std::vector<std::string> notesOn(const Look& look) {
     std::vector<std::string> notes;
     const auto& landmarks = world->body->anatomy.landmarks;
-    const auto isPlace = [](const BodyName& name) { return name.kind != NameKind::muscle; };
-    if (look.shows(Overlay::names) && std::ranges::none_of(namesFor(look), isPlace))
+    const auto is_place = [](const BodyName& name) { return name.kind != NameKind::muscle; };
+    if (look.shows(Overlay::names) && std::ranges::none_of(namesFor(look), is_place))
       notes.emplace_back("this body has no named places");
     if (look.shows(Overlay::muscles) && !hasMuscles(landmarks)) notes.emplace_back(kNoMuscles);
     if (look.shows(Overlay::lumps) && world->lumps.empty()) notes.emplace_back("this body has no lumps");
