@@ -217,9 +217,10 @@ TEST_F(RenderOfATorso, WearsItsTextureAsTheSceneSaysUnlessAFlagDoes) {
 TEST_F(RenderOfATorso, HasNoMusclesAndSaysSoInOneLine) {
   const CommandResult refused = ofTorso("--muscles -o muscles.png");
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_EQ(refused.err,
-            "palpate: --muscles: this body lacks places that its muscles are drawn between; the built-in trunk has "
-            "them\n");
+  // On a slow machine the body's progress stands before it.
+  EXPECT_TRUE(refused.err.ends_with(
+      "palpate: --muscles: this body lacks places that its muscles are drawn between; the built-in trunk has them\n"))
+      << refused.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "muscles.png"));
   const CommandResult noted = ofTorso("--show muscles -o noted.png");
   EXPECT_EQ(noted.exit_code, 0);

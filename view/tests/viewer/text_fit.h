@@ -103,11 +103,13 @@ inline bool writtenOver(const DrawnText& a, const DrawnText& b) {
   return across > kTouch && along > kTouch && a.words != b.words;  // the same words again: a text with a shadow
 }
 
-/// Of a window that neither shows a scroll bar nor room for all that is in it: what is below is never seen.
+/// Of a window that neither shows a scroll bar nor room for all that is in it: what is below is never seen. A menu bar
+/// stands above what its window counts as room.
 inline bool hidesItsEnd(const std::string& name) {
   const ImGuiWindow* window = ImGui::FindWindowByName(name.c_str());
   constexpr float kTouch = 2.0f;  // points: room that letters leave below
-  return window != nullptr && (window->Flags & ImGuiWindowFlags_NoScrollbar) != 0 && window->ScrollMax.y > kTouch;
+  if (window == nullptr || (window->Flags & ImGuiWindowFlags_MenuBar) != 0) return false;
+  return (window->Flags & ImGuiWindowFlags_NoScrollbar) != 0 && window->ScrollMax.y > kTouch;
 }
 
 struct TextsSeen {
