@@ -2,7 +2,7 @@
 //
 // Data flow: regions and amplitudes of the plan, displaced surface -> here, behind every displacement -> positions and
 // displacements of the surface; which vertices were held back -> their normals. Costs about 0.1 us a vertex of a region
-// with an edge, about 10 ns a triangle of a doubtful block, and nothing else.
+// with an edge, about 10 ns a triangle at a doubtful vertex, and nothing else.
 // The projection after Mueller, Heidelberger, Hennix, Ratcliff, "Position based dynamics", 2007.
 #include "palpate/deform/shear_limit.h"
 
