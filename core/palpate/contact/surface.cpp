@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "palpate/base/elementary.h"
@@ -19,6 +20,16 @@ namespace palpate::contact {
 using tree::TriangleRecord;
 
 namespace {
+
+constexpr std::string_view kSurfaceStage = "building the contact surface";
+/// So many triangles, or vertices and their fans, are looked at in less than 0.1 s.
+constexpr Index kReportedPart = 1 << 17;
+
+/// Of a step that takes this part of the time. `progress` must outlive it.
+Progress partOf(const Progress& progress, double from, double to) {
+  if (!progress) return {};
+  return [&progress, from, to](std::string_view, double done) { progress(kSurfaceStage, from + (to - from) * done); };
+}
 
 /// `what`: "stiffness", a vertex each.
 void checkEach(const std::vector<double>& values, std::size_t vertices, const std::string& what) {
@@ -40,10 +51,13 @@ double angleAt(const TriangleRecord& record, int corner) {
   return elementary::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-void fillVertices(SurfaceGeometry& geometry, std::size_t vertices) {
+void fillVertices(SurfaceGeometry& geometry, std::size_t vertices, const Progress& progress) {
   geometry.vertex_normals.assign(vertices, Vec3::Zero());
   geometry.vertex_on_border.assign(vertices, 0);
-  for (const TriangleRecord& record : geometry.tree.records) {
+  const std::size_t count = geometry.tree.records.size();
+  for (std::size_t r = 0; r < count; ++r) {
+    if (r % kReportedPart == 0) report(progress, kSurfaceStage, static_cast<double>(r) / static_cast<double>(count));
+    const TriangleRecord& record = geometry.tree.records[r];
     const Vec3 normal = mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
     for (int i = 0; i < 3; ++i) {
       geometry.vertex_normals[record.vertices[i]] += angleAt(record, i) * normal;
@@ -56,7 +70,7 @@ void fillVertices(SurfaceGeometry& geometry, std::size_t vertices) {
 }
 
 /// Every triangle of a vertex must be reached by turning around it; otherwise the walk would miss some.
-void checkFans(const Surface& surface) {
+void checkFans(const Surface& surface, const Progress& progress) {
   std::vector<Index> triangles(surface.geometry->vertex_normals.size(), 0);
   std::vector<Index> one_record(surface.geometry->vertex_normals.size(), kNoIndex);
   for (Index r = 0; r < surface.geometry->tree.records.size(); ++r) {
@@ -71,6 +85,7 @@ void checkFans(const Surface& surface) {
     }
   }
   for (Index v = 0; v < triangles.size(); ++v) {
+    if (v % kReportedPart == 0) report(progress, kSurfaceStage, static_cast<double>(v) / triangles.size());
     if (one_record[v] == kNoIndex) continue;
     const auto& vertices = surface.geometry->tree.records[one_record[v]].vertices;
     const auto corner = static_cast<int>(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());
@@ -92,10 +107,12 @@ void neighboursOf(const Surface& surface, Index record, int corner, std::vector<
 
 /// Whether a vertex is the middle that repair gave an edge to tell it from another between the same two vertices
 /// (mesh/repair_steps.h): it lies in the middle of two neighbours that have an edge of their own as well.
-bool anyEdgeTwice(const mesh::TriangleMesh& mesh, const Surface& surface) {
+bool anyEdgeTwice(const mesh::TriangleMesh& mesh, const Surface& surface, const Progress& progress) {
   std::vector<std::uint8_t> done(mesh.positions.size(), 0);
   std::vector<Index> around, beyond;
-  for (Index r = 0; r < surface.geometry->tree.records.size(); ++r) {
+  const std::size_t records = surface.geometry->tree.records.size();
+  for (Index r = 0; r < records; ++r) {
+    if (r % kReportedPart == 0) report(progress, kSurfaceStage, static_cast<double>(r) / records);
     for (int corner = 0; corner < 3; ++corner) {
       const Index v = surface.geometry->tree.records[r].vertices[corner];
       if (std::exchange(done[v], 1) != 0) continue;
@@ -119,18 +136,18 @@ bool anyEdgeTwice(const mesh::TriangleMesh& mesh, const Surface& surface) {
   return false;
 }
 
-bool touchesItself(const mesh::TriangleMesh& mesh, const Surface& surface) {
-  const std::vector<Index> same_as = mesh::equalVertices(mesh.positions);
+bool touchesItself(const mesh::TriangleMesh& mesh, const Surface& surface, const Progress& progress) {
+  const std::vector<Index> same_as = mesh::equalVertices(mesh.positions, partOf(progress, 0.0, 0.6));
   for (Index v = 0; v < same_as.size(); ++v) {
     if (same_as[v] != v) return true;
   }
-  return anyEdgeTwice(mesh, surface);
+  return anyEdgeTwice(mesh, surface, partOf(progress, 0.6, 1.0));
 }
 
 /// Marks what has a vertex in common with an edge that pierces or with a triangle that is pierced: a ring more than
 /// where sheets meet, so that a small sphere fits wherever a walk arrives there.
-void findEntangled(const mesh::TriangleMesh& mesh, SurfaceGeometry& geometry) {
-  const mesh::Intersections found = mesh::findIntersections(mesh);
+void findEntangled(const mesh::TriangleMesh& mesh, SurfaceGeometry& geometry, const Progress& progress) {
+  const mesh::Intersections found = mesh::findIntersections(mesh, progress);
   // What could not be searched to the end is dense with overlaps: everything counts.
   std::vector<std::uint8_t> at_crossing(mesh.positions.size(), found.complete ? 0 : 1);
   for (const mesh::Crossing& crossing : found.crossings) {
@@ -148,17 +165,21 @@ void findEntangled(const mesh::TriangleMesh& mesh, SurfaceGeometry& geometry) {
 }  // namespace
 
 std::shared_ptr<const SurfaceGeometry> buildGeometry(const mesh::TriangleMesh& mesh,
-                                                     std::optional<bool> self_intersecting) {
+                                                     std::optional<bool> self_intersecting, const Progress& progress) {
+  const bool is_known = self_intersecting.has_value();
+  const auto part = [&](double from, double to) {  // where self-intersections are sought, that is the other half
+    return is_known ? partOf(progress, from, to) : partOf(progress, 0.5 * from, 0.5 * to);
+  };
   const auto geometry = std::make_shared<SurfaceGeometry>();
-  geometry->tree = tree::buildTriangleTree(mesh);
-  fillVertices(*geometry, mesh.positions.size());
+  geometry->tree = tree::buildTriangleTree(mesh, part(0.0, 0.7));
+  fillVertices(*geometry, mesh.positions.size(), part(0.7, 0.75));
   const Surface surface{
       .geometry = geometry, .stiffness_n_per_mm = {}, .tissue_mm = {}, .force_law = {}};  // to walk on
-  checkFans(surface);
+  checkFans(surface, part(0.75, 0.8));
   const auto& on_border = geometry->vertex_on_border;
   geometry->closed = std::find(on_border.begin(), on_border.end(), 1) == on_border.end();
-  geometry->touches_itself = touchesItself(mesh, surface);
-  if (self_intersecting.value_or(true)) findEntangled(mesh, *geometry);
+  geometry->touches_itself = touchesItself(mesh, surface, part(0.8, 1.0));
+  if (self_intersecting.value_or(true)) findEntangled(mesh, *geometry, partOf(progress, 0.5, 1.0));
   geometry->self_intersecting = self_intersecting.value_or(!geometry->entangled.empty());
   return geometry;
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "palpate/base/progress.h"
 #include "palpate/mesh/triangle_mesh.h"
 #include "palpate/tissue/force_law.h"
 #include "palpate/tree/triangle_tree.h"
@@ -43,9 +44,11 @@ struct Surface {
 
 /// `mesh` must be fit for contact, as mesh::repair leaves it: an edge has at most one neighbour on each side and the
 /// triangles of a vertex form one fan. Throws Error otherwise. `self_intersecting`: false: no sheets of the surface
-/// pierce each other, as somebody knows already; else the mesh is asked, and where (about 1 us a triangle).
+/// pierce each other, as somebody knows already; else the mesh is asked, and where (about 1 us a triangle). `progress`
+/// is called every 0.2 s or so; what it throws ends the work.
 std::shared_ptr<const SurfaceGeometry> buildGeometry(const mesh::TriangleMesh& mesh,
-                                                     std::optional<bool> self_intersecting = {});
+                                                     std::optional<bool> self_intersecting = {},
+                                                     const Progress& progress = {});
 
 struct SurfaceOptions {
   tissue::ForceLaw force_law = {};

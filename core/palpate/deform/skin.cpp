@@ -100,21 +100,33 @@ std::vector<float> spreadOfTiles(const std::vector<FoldBound>& blocks) {
 
 }  // namespace
 
-Skin buildSkin(const mesh::TriangleMesh& mesh) {
+Skin buildSkin(const mesh::TriangleMesh& mesh, const Progress& progress) {
+  int step = 0;
+  const auto next = [&] { report(progress, "building the skin", step++ / 10.0); };
+  next();
   requireVerticesOfTriangles(mesh);
   Skin skin;
   skin.vertices = static_cast<Index>(mesh.positions.size());
   skin.blocks = blocksFor(skin.vertices);
   skin.triangles = mesh.triangles;
+  next();
   skin.triangles_of_vertex = mesh::trianglesOfVertices(mesh);
+  next();
   skin.neighbours = mesh::neighboursOfVertices(mesh, skin.triangles_of_vertex);
+  next();
   storeRestPositions(mesh, skin);
+  next();
   storeRestNormals(skin);
+  next();
   joinBlocks(skin);
+  next();
   skin.bounds = boundsOfBlocks(skin);
+  next();
   setFoldBounds(skin);
+  next();
   skin.spread_of_tiles = spreadOfTiles(skin.fold_bounds);
   skin.room_beside_staying = roomBesideStaying(skin);
+  next();
   return skin;
 }
 

@@ -8,6 +8,7 @@
 
 #include <span>
 
+#include "palpate/base/progress.h"
 #include "palpate/deform/fold_bounds.h"
 #include "palpate/deform/kernels/blocks.h"
 #include "palpate/mesh/topology.h"
@@ -120,7 +121,7 @@ struct Skin {
 
 /// Normals are area-weighted (computed from the positions as floats). Throws Error for a triangle that names a vertex
 /// that is not there. Positions that are not finite are carried along; such vertices never move.
-Skin buildSkin(const mesh::TriangleMesh& mesh);
+Skin buildSkin(const mesh::TriangleMesh& mesh, const Progress& progress = {});
 
 /// `thickness_mm`: one a vertex (tree/triangle_tree.h). Throws Error for another number of them.
 void setThickness(std::vector<float> thickness_mm, Skin& skin);

@@ -1,13 +1,18 @@
 #include "palpate/scene/body.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "palpate/base/background.h"
+#include "palpate/base/error.h"
 #include "palpate/scene/body_parts.h"
 
 namespace palpate::scene {
 
 namespace {
+
+/// Of the time that a body's build takes here, its contact surface.
+constexpr double kSurfaceShare = 0.8;
 
 template <class Extend>
 PlaneBlocks blocksOf(std::size_t count, const Extend& extend) {
@@ -40,10 +45,22 @@ std::shared_ptr<const Body> builtBody(BodyParts parts, const Progress& progress)
   body->given_stiffness_n_per_mm = std::move(parts.given_stiffness_n_per_mm);
   body->given_layers = std::move(parts.given_layers);
   const mesh::TriangleMesh& skin = body->skin;
-  // Made beside the surface, which takes four times as long.
-  Background making_deformable([&] { body->deformable = deform::buildSkin(skin); });
-  body->geometry = contact::buildGeometry(skin, parts.self_intersecting);
-  report(progress, "building the contact surface", 0.8);
+  // Made beside the surface, which takes four times as long. Given up with it: nobody waits for half of a body.
+  std::atomic<bool> given_up{false};
+  Background making_deformable([&] {
+    body->deformable = deform::buildSkin(skin, [&](std::string_view, double) {
+      if (given_up) throw Error("the skin was given up");
+    });
+  });
+  try {
+    body->geometry = contact::buildGeometry(skin, parts.self_intersecting, [&](std::string_view stage, double done) {
+      report(progress, stage, kSurfaceShare * done);
+    });
+  } catch (...) {
+    given_up = true;
+    throw;
+  }
+  report(progress, "building the contact surface", kSurfaceShare);
   body->box = mesh::boundingBox(skin);
   body->vertex_blocks = blocksOf(
       skin.positions.size(), [&](std::size_t v, Eigen::AlignedBox2d& box) { box.extend(skin.positions[v].head<2>()); });

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "palpate/base/aligned.h"
+#include "palpate/base/progress.h"
 #include "palpate/mesh/triangle_mesh.h"
 #include "palpate/tree/closest_on_triangle.h"
 #include "palpate/tree/wide_node.h"
@@ -47,8 +48,8 @@ struct TriangleTree {
 };
 
 /// Throws Error for a mesh without triangles, with more than ChildLink::kMaxTriangles, with an index out of range or a
-/// coordinate that is not finite. About 0.5 us and 150 bytes a triangle.
-TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh);
+/// coordinate that is not finite. About 0.5 us and 150 bytes a triangle; `progress` hears of every 0.1 s of that.
+TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh, const Progress& progress = {});
 
 /// The tree's nodes cannot nest deeper than this (the builder sees to it), which bounds the stack of every query.
 inline constexpr int kMaxTreeLevels = 64;
@@ -200,7 +201,7 @@ Crossing firstFrontCrossingIf(const TriangleTree& tree, const Vec3& from, const 
 // direction and how far its normals spread.
 
 /// Fills them from the tree's records; the last step of buildTriangleTree. About 0.1 us a triangle.
-void fillPlates(TriangleTree& tree);
+void fillPlates(TriangleTree& tree, const Progress& progress = {});
 
 // Inside or outside: how often a surface winds round a point.
 

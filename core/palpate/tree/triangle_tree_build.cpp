@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
@@ -20,6 +21,11 @@ namespace {
 
 constexpr std::size_t kLeafTriangles = 4;  // fewer cost nodes, more cost triangle tests
 constexpr int kBins = 16;
+constexpr std::string_view kTreeStage = "building the tree";
+/// Cutting fewer triangles, and all below them, takes less than 0.1 s.
+constexpr std::size_t kReportedCut = 50'000;
+/// Share of the time until records and plates are filled.
+constexpr double kBuilt = 0.7;
 /// Below this level ranges are halved by count, so that no input can nest deeper than kMaxTreeLevels: 28 bits of
 /// triangles are used up after 28 more levels.
 constexpr int kHeuristicLevels = 32;
@@ -65,7 +71,8 @@ float nextUp(double value) { return -nextDown(-value); }
 
 class Builder {
  public:
-  Builder(const mesh::TriangleMesh& mesh, TriangleTree& tree) : tree_(tree) {
+  Builder(const mesh::TriangleMesh& mesh, TriangleTree& tree, const Progress& progress)
+      : tree_(tree), progress_(progress) {
     items_.reserve(mesh.triangles.size());
     for (Index t = 0; t < mesh.triangles.size(); ++t) items_.push_back({unitBox(mesh, mesh.triangles[t]), t});
   }
@@ -137,6 +144,10 @@ class Builder {
   }
 
   void cut(const Range& range, int level, Range& left, Range& right) {
+    if (range.size() >= kReportedCut) {
+      done_ = std::max(done_, static_cast<double>(range.begin) / static_cast<double>(items_.size()));
+      report(progress_, kTreeStage, kBuilt * done_);
+    }
     const auto [axis, low, high] = widestAxis(range);
     std::size_t middle = range.begin;
     if (level < kHeuristicLevels && high > low) middle = partitionByHeuristic(range, axis, low, high, left, right);
@@ -234,6 +245,8 @@ class Builder {
   }
 
   TriangleTree& tree_;
+  const Progress& progress_;
+  double done_ = 0.0;
   std::vector<Item> items_;
 };
 
@@ -264,13 +277,18 @@ void setUnitFrame(const mesh::TriangleMesh& mesh, TriangleTree& tree) {
   tree.to_unit = longest > 0.0 ? elementary::exp2(-std::ceil(elementary::log2(longest))) : 1.0;
 }
 
-void fillRecords(const mesh::TriangleMesh& mesh, const std::vector<Item>& items, TriangleTree& tree) {
+void fillRecords(const mesh::TriangleMesh& mesh, const std::vector<Item>& items, TriangleTree& tree,
+                 const Progress& progress) {
   const auto neighbours = mesh::neighboursOfTriangles(mesh);
+  report(progress, kTreeStage, 0.8);
   std::vector<Index> record_of(items.size());
   for (Index r = 0; r < items.size(); ++r) record_of[items[r].triangle] = r;
   tree.records.resize(items.size());
   tree.source_triangle.resize(items.size());
   for (Index r = 0; r < items.size(); ++r) {
+    if (r % kReportedCut == 0) {
+      report(progress, kTreeStage, 0.8 + 0.05 * static_cast<double>(r) / static_cast<double>(items.size()));
+    }
     const Index t = items[r].triangle;
     tree.source_triangle[r] = t;
     TriangleRecord& record = tree.records[r];
@@ -285,16 +303,19 @@ void fillRecords(const mesh::TriangleMesh& mesh, const std::vector<Item>& items,
 
 }  // namespace
 
-TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh) {
+TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh, const Progress& progress) {
   check(mesh);
   TriangleTree tree;
   setUnitFrame(mesh, tree);
-  Builder builder(mesh, tree);
+  Builder builder(mesh, tree, progress);
   builder.build();
   tree.nodes.shrink_to_fit();
-  fillRecords(mesh, builder.items(), tree);
-  fillPlates(tree);
+  report(progress, kTreeStage, kBuilt);
+  fillRecords(mesh, builder.items(), tree, progress);
+  fillPlates(tree, [&](std::string_view, double done) { report(progress, kTreeStage, 0.85 + 0.1 * done); });
+  report(progress, kTreeStage, 0.95);
   fillFarPlates(tree);
+  report(progress, kTreeStage, 1.0);
   return tree;
 }
 

@@ -1,6 +1,7 @@
 #include "palpate/contact/surface.h"
 
 #include <cmath>
+#include <string_view>
 
 #include "core/tests/contact/finger_track.h"
 #include "palpate/base/error.h"
@@ -40,6 +41,29 @@ TEST(Surface, KnowsWhetherItsSheetsPierceEachOther) {
   const auto spheres = zoo::overlappingSpheres();
   EXPECT_TRUE(buildSurface(spheres, stiffnessFor(spheres)).geometry->self_intersecting)
       << "looked for when nobody says";
+}
+
+TEST(Surface, ItsMakingReportsOnwardsAndEndsWithWhatTheListenerThrows) {
+  const mesh::TriangleMesh sheet = zoo::wavyGrid(250, 200.0, 3.0);  // more than one report of each step
+  double latest = 0.0;
+  int reports = 0;
+  const auto listen = [&](std::string_view, double done) {
+    EXPECT_GE(done, latest);
+    EXPECT_LE(done, 1.0);
+    latest = done;
+    ++reports;
+  };
+  const auto heard = buildGeometry(sheet, false, listen);
+  EXPECT_GT(reports, 10);
+  EXPECT_EQ(heard->vertex_normals, buildGeometry(sheet)->vertex_normals);
+  for (int last = 1; last < reports; last += 2) {
+    int left = last;
+    const auto end = [&](std::string_view, double) {
+      if (--left == 0) throw Error("enough");
+    };
+    EXPECT_THROW(buildGeometry(sheet, false, end), Error) << last;
+    EXPECT_EQ(left, 0) << "nothing is reported afterwards";
+  }
 }
 
 TEST(SurfaceWalk, OnAConvexBodyItEndsAtTheNearestPoint) {
