@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "support/error_message.h"
+#include "support/temporary_folder.h"
 
 namespace palpate {
 
@@ -29,11 +30,11 @@ TEST(ReadFile, NamesTheFileThatIsMissing) {
 }
 
 TEST(WriteFile, IsReadBackAndNamesTheFileThatCannotBe) {
-  const auto file = std::filesystem::temp_directory_path() / "palpate_write_file_test.txt";
+  const support::TemporaryFolder folder;
+  const auto file = folder / "file.txt";
   writeFile(file, "one\ntwo");
   writeFile(file, "three");
   EXPECT_EQ(readFile(file, 100), "three");
-  std::filesystem::remove(file);
   EXPECT_THROW(writeFile("/nowhere/at-all.txt", "x"), Error);
 }
 

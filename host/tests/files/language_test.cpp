@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "palpate/base/error.h"
+#include "support/temporary_folder.h"
 
 namespace palpate {
 
@@ -43,7 +44,7 @@ std::string catalogueOf(const std::map<std::string, std::string>& texts) {
 class LanguageTest : public testing::Test {
  protected:
   void SetUp() override {
-    fs::create_directories(folder_ / "de/LC_MESSAGES");
+    fs::create_directories(folder_.path() / "de/LC_MESSAGES");
     std::ofstream(folder_ / "de/LC_MESSAGES/palpate.mo", std::ios::binary)
         << catalogueOf({{"", "Content-Type: text/plain; charset=UTF-8\nPlural-Forms: nplurals=2; plural=n != 1;\n"},
                         {"Open",
@@ -54,21 +55,20 @@ class LanguageTest : public testing::Test {
                         {std::string("one place\0{} places", 19), std::string("eine Stelle\0{} Stellen", 22)}});
   }
   void TearDown() override {
-    useLanguage("en", folder_);
-    fs::remove_all(folder_);
+    useLanguage("en", folder_.path());
   }
-  const fs::path folder_ = fs::temp_directory_path() / "palpate_language_test";
+  const support::TemporaryFolder folder_;
 };
 
 TEST_F(LanguageTest, ShowsTheCodesOwnWordsInEnglish) {
-  useLanguage("en", folder_);
+  useLanguage("en", folder_.path());
   EXPECT_STREQ(tr("Open"), "Open");
   EXPECT_EQ(trf("force {:.2f} N at {}", 0.5, "T6"), "force 0.50 N at T6");
   EXPECT_STREQ(trn("one place", "{} places", 2), "{} places");
 }
 
 TEST_F(LanguageTest, TakesWordsFromTheCatalogueAndWritesTheDecimalComma) {
-  useLanguage("de", folder_);
+  useLanguage("de", folder_.path());
   EXPECT_STREQ(tr("Open"),
                "\xc3\x96"
                "ffnen");
@@ -78,21 +78,21 @@ TEST_F(LanguageTest, TakesWordsFromTheCatalogueAndWritesTheDecimalComma) {
 }
 
 TEST_F(LanguageTest, StaysEnglishWhereTheCatalogueHasNothing) {
-  useLanguage("de", folder_);
+  useLanguage("de", folder_.path());
   EXPECT_STREQ(tr("Save"), "Save");
   EXPECT_STREQ(tr(""), "") << "not the catalogue's header";
-  useLanguage("es", folder_);
+  useLanguage("es", folder_.path());
   EXPECT_STREQ(tr("Open"), "Open") << "no catalogue at all";
 }
 
 TEST_F(LanguageTest, FallsBackToEnglishWhereATranslationDoesNotFitItsValues) {
-  useLanguage("de", folder_);
+  useLanguage("de", folder_.path());
   EXPECT_EQ(trf("depth {:.1f} mm", 6.0), "depth 6,0 mm") << "{:d} takes no fraction";
 }
 
 TEST_F(LanguageTest, RefusesALanguageWithoutACatalogueAndNamesTheOthers) {
   try {
-    useLanguage("xx", folder_);
+    useLanguage("xx", folder_.path());
     FAIL() << "taken";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("de"), std::string::npos) << error.what();
@@ -101,11 +101,11 @@ TEST_F(LanguageTest, RefusesALanguageWithoutACatalogueAndNamesTheOthers) {
 
 TEST_F(LanguageTest, FollowsTheSystemWhereNoneIsAskedFor) {
   setenv("LANGUAGE", "fr:de_AT.UTF-8", 1);
-  useLanguage("", folder_);
+  useLanguage("", folder_.path());
   EXPECT_EQ(language().code, "de");
   setenv("LANGUAGE", "", 1);
   setenv("LC_ALL", "es_ES.UTF-8", 1);
-  useLanguage("", folder_);
+  useLanguage("", folder_.path());
   EXPECT_EQ(language().code, "es");
   unsetenv("LC_ALL");
 }
