@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "palpate/base/language.h"
+#include "palpate/base/path_text.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -35,7 +36,21 @@ void photoRow(MeasuringView& view, Photo which) {
   for (const std::string& note : view.photo(which).notes) remark(note);
 }
 
+/// Both photographs by one click, where they lie ready.
+void pairRow(const PhotoPair& pair, MeasuringRequests& requests) {
+  const auto name = [](const std::string& file) { return pathOf(file).filename().string(); };
+  ImGui::PushTextWrapPos(0.0f);
+  remark(trf("In this folder: {} and {}", name(pair.before), name(pair.after)));
+  ImGui::PopTextWrapPos();
+  if (!buttonWidget("measuring/here", "Take both", "The photograph before and the one after of the same name.")) return;
+  requests.emplace_back(ShowPhoto{Photo::before, pair.before});
+  requests.emplace_back(ShowPhoto{Photo::after, pair.after});
+}
+
 void photoRows(MeasuringView& view, MeasuringRequests& requests) {
+  if (ImGui::IsWindowAppearing()) view.pair_here = pairAmong(photographsHere());
+  const bool none = view.photo(Photo::before).file.empty() && view.photo(Photo::after).file.empty();
+  if (none && view.pair_here) pairRow(*view.pair_here, requests);
   photoRow(view, Photo::before);
   photoRow(view, Photo::after);
   if (view.hasPair() && buttonWidget("measuring/swap", "Swap them", "They were named the wrong way round.")) {

@@ -105,6 +105,19 @@ void choosePhoto(MeasuringView& view, Photo which, std::string file) {
   view.dialog.reset();
 }
 
+std::optional<PhotoPair> pairAmong(std::span<const std::filesystem::path> files) {
+  constexpr std::string_view kBefore = "before";
+  for (const std::filesystem::path& file : files) {
+    std::string name = file.filename().string();
+    const std::size_t at = name.find(kBefore);
+    if (at == std::string::npos) continue;
+    name.replace(at, kBefore.size(), "after");
+    const std::filesystem::path after = file.parent_path() / name;
+    if (std::ranges::find(files, after) != files.end()) return PhotoPair{file.string(), after.string()};
+  }
+  return std::nullopt;
+}
+
 void swapPhotos(MeasuringView& view) {
   std::swap(view.photos[0], view.photos[1]);
   forgetMeasured(view);

@@ -7,8 +7,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -91,8 +93,17 @@ struct AcceptForm {
 };
 std::string acceptedName(const AcceptForm& form);
 
+/// A photograph before and one after.
+struct PhotoPair {
+  std::string before;
+  std::string after;
+};
+/// The first file that is called "before" somewhere, with the one of the same name but for "after" in its place.
+std::optional<PhotoPair> pairAmong(std::span<const std::filesystem::path> files);
+
 struct MeasuringView {
   bool open = false;
+  std::optional<PhotoPair> pair_here = {};  ///< in the folder that the dialogs look at, when the view appeared
   std::array<ShownPhoto, 2> photos = {};
   measure::MeasureSettings settings = {};
   measure::DotPair marks = {};

@@ -60,22 +60,25 @@ class Run:
         return window
 
 
+BALL_BELTS, BALL_SLICES = 24, 48
+BALL_TRIANGLES = 2 * BALL_SLICES * (BALL_BELTS - 1)
+
+
 def write_stl(file, size_mm):
     """A ball, binary."""
     def at(i, j):
-        theta, phi = math.pi * i / 24, 2 * math.pi * j / 48
+        theta, phi = math.pi * i / BALL_BELTS, 2 * math.pi * j / BALL_SLICES
         return tuple(size_mm / 2 * c for c in
                      (math.sin(theta) * math.cos(phi), math.cos(theta), math.sin(theta) * math.sin(phi)))
     triangles = []
-    for i in range(24):
-        for j in range(48):
+    for i in range(BALL_BELTS):
+        for j in range(BALL_SLICES):
             a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
-            triangles += [(a, c, b)] * (i < 23) + [(a, d, c)] * (i > 0)
+            triangles += [(a, c, b)] * (i < BALL_BELTS - 1) + [(a, d, c)] * (i > 0)
     with open(file, "wb") as out:
         out.write(b"ball".ljust(80) + struct.pack("<I", len(triangles)))
         for triangle in triangles:
             out.write(struct.pack("<12fH", 0, 0, 0, *[c for corner in triangle for c in corner], 0))
-    return len(triangles)
 
 
 def touch_t6(run, window):
@@ -91,11 +94,8 @@ def touch_t6(run, window):
 
 
 def open_stl(run, window):
-    triangles = write_stl(run.fresh.folder / "ball.stl", 300.0)
-    window.click("start/open")
-    window.click("open/files/ball.stl")
-    window.key("Return")
-    window.until(lambda: window.number("body") == triangles, "the body of my file")
+    window.click("start/here/ball.stl")
+    window.until(lambda: window.number("body") == BALL_TRIANGLES, "the body of my file")
 
 
 def make_dysfunction(run, window):
@@ -160,10 +160,7 @@ def practise(run, window):
 
 def measure_pair(run, window):
     window.click("start/measure")
-    window.click("measuring/open_before")
-    window.click("photograph/files/before.jpg")
-    window.click("measuring/open_after")
-    window.click("photograph/files/after.jpg")
+    window.click("measuring/here")
     window.until(lambda: window.has("measuring/result"), "the result", 60.0)
     window.click("measuring/place")
     window.pause(0.3)
@@ -175,9 +172,7 @@ def measure_pair(run, window):
 
 
 def replay(run, window):
-    window.click("start/open")
-    window.click("open/files/press.session")
-    window.key("Return")
+    window.click("start/here/press.session")
     window.until(lambda: window.has("replay/play"), "the bar of the replay", 60.0)
 
 
@@ -203,10 +198,8 @@ def join_class(run, window):
     window.until(lambda: window.has("class/folder"), "the dialog")
     window.key("Return")
     window.until(lambda: window.has("class/end"), "the class", 60.0)
-    window.click("class/station")
-    window.type("class/stations/s01")
     before = run.desktop.windows()
-    window.key("Return")
+    window.click("class/join")
     window.until(lambda: run.desktop.windows() > before, "the training of the station", 60.0)
 
 
@@ -226,6 +219,8 @@ def prepared(run, name):
     """Files that the user of a task brings."""
     import subprocess
     environment = run.desktop.environment(run.fresh.home)
+    if name == "open my STL":
+        write_stl(run.fresh.folder / "ball.stl", 300.0)
     if name == "measure a pair":
         subprocess.run([run.palpate, "measure", "synthesize", "-o", "photos"], cwd=run.fresh.folder, env=environment,
                        check=True, stdout=subprocess.DEVNULL)

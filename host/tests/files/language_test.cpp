@@ -54,9 +54,7 @@ class LanguageTest : public testing::Test {
                         {"depth {:.1f} mm", "{:d} mm tief"},
                         {std::string("one place\0{} places", 19), std::string("eine Stelle\0{} Stellen", 22)}});
   }
-  void TearDown() override {
-    useLanguage("en", folder_.path());
-  }
+  void TearDown() override { useLanguage("en", folder_.path()); }
   const support::TemporaryFolder folder_;
 };
 

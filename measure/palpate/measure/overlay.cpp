@@ -5,8 +5,6 @@
 // fitted is blue, what the contour says is vermilion, 2 mm solid and 4 mm dashed.
 #include "palpate/measure/overlay.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "palpate/measure/skin_chart.h"
 
 namespace palpate::measure {
@@ -56,28 +55,28 @@ class Layers {
   Layers(const Measurement& measurement, double arrow_scale) : m_(measurement), arrow_scale_(arrow_scale) {}
 
   OverlayPanel before() {
-    begin("before: dots ordered into the grid", PanelPicture::before);
+    begin(tr("before: dots ordered into the grid"), PanelPicture::before);
     addGrid();
-    addMarks(placesOf(m_.grid.strays), MarkForm::cross, kYellow, "stray mark, not used");
+    addMarks(placesOf(m_.grid.strays), MarkForm::cross, kYellow, tr("stray mark, not used"));
     addContacts();
     return std::move(panel_);
   }
 
   OverlayPanel after() {
-    begin("after: matched dots", PanelPicture::after);
+    begin(tr("after: matched dots"), PanelPicture::after);
     std::vector<Vec2> matched;
     std::vector<Vec2> hidden;
     for (const MeasuredDot& dot : m_.dots) {
       dot.after_px ? matched.push_back(*dot.after_px) : hidden.push_back(expectedPlace(m_, dot));
     }
-    addMarks(matched, MarkForm::ring, kGreen, "matched");
-    addMarks(hidden, MarkForm::square, kYellow, "hidden: reported, not guessed");
-    addMarks(unusedAfter(matched), MarkForm::cross, kVermilion, "mark without a matching dot");
+    addMarks(matched, MarkForm::ring, kGreen, tr("matched"));
+    addMarks(hidden, MarkForm::square, kYellow, tr("hidden: reported, not guessed"));
+    addMarks(unusedAfter(matched), MarkForm::cross, kVermilion, tr("mark without a matching dot"));
     return std::move(panel_);
   }
 
   OverlayPanel result() {
-    begin(fmt::format("displacement (arrows x{:g}) and key ellipse", arrow_scale_), PanelPicture::before_faded);
+    begin(trf("displacement (arrows x{:g}) and key ellipse", arrow_scale_), PanelPicture::before_faded);
     panel_.scale_bar_px = scaleBar();
     if (drawsEllipse()) addBand(m_.fit->at_2_mm);
     addArrows();
@@ -124,7 +123,9 @@ class Layers {
       }
     }
     if (!sites.empty()) {
-      panel_.legend.push_back({.words = fmt::format("grid of {} dots", sites.size()), .colour = kSky, .is_line = true});
+      panel_.legend.push_back({.words = trnf("grid of {} dot", "grid of {} dots", sites.size(), sites.size()),
+                               .colour = kSky,
+                               .is_line = true});
     }
   }
 
@@ -149,7 +150,7 @@ class Layers {
     for (const Vec2& place : seen) {
       panel_.marks.push_back({.place_px = place, .form = MarkForm::dot, .colour = kInk, .radius = 1.4f});
     }
-    const char* words = m_.fit ? "motion of the skin relative to the body" : "motion of the dots";
+    const char* words = m_.fit ? tr("motion of the skin relative to the body") : tr("motion of the dots");
     if (!seen.empty()) panel_.legend.push_back({.words = words, .colour = kInk, .is_line = true});
   }
 
@@ -198,21 +199,21 @@ class Layers {
          {std::tuple{&m_.contour->contour_2_mm, 2, false}, std::tuple{&m_.contour->contour_4_mm, 4, true}}) {
       OverlayLine line{.places_px = {}, .colour = kVermilion, .width = 1.0f, .dashed = dashed};
       for (const Vec2& place : *contour) line.places_px.push_back(pictureOf(place));
-      addLine(std::move(line), fmt::format("{} mm contour, interpolated", level));
+      addLine(std::move(line), trf("{} mm contour, interpolated", level));
     }
   }
 
   void addEllipses() {
     const FieldFit& fit = *m_.fit;
     addLine({.places_px = ellipsePlaces(fit.at_2_mm, 0.0), .colour = kBlue, .width = 3.2f, .closed = true},
-            "2 mm ellipse, fitted, with 2 sd");
+            tr("2 mm ellipse, fitted, with 2 sd"));
     if (fit.at_4_mm.half_major_mm.value > 0.0) {
       addLine({.places_px = ellipsePlaces(fit.at_4_mm, 0.0),
                .colour = kBlue,
                .width = 2.4f,
                .dashed = true,
                .closed = true},
-              "4 mm ellipse, fitted");
+              tr("4 mm ellipse, fitted"));
     }
     const Vec2 half = fit.at_2_mm.half_major_mm.value * directionOf(fit.at_2_mm.direction_deg.value * kRadPerDegree);
     const Vec2& centre = fit.field.contact_mm;
@@ -226,12 +227,12 @@ class Layers {
     if (drawsEllipse()) {
       panel_.marks.push_back(
           {.place_px = pictureOf(m_.fit->field.contact_mm), .form = MarkForm::star, .colour = kInk, .radius = 6.0f});
-      panel_.legend.push_back({.words = "contact, fitted", .colour = kInk, .form = MarkForm::star});
+      panel_.legend.push_back({.words = tr("contact, fitted"), .colour = kInk, .form = MarkForm::star});
     }
     if (m_.settings.contact_px) {
       panel_.marks.push_back(
           {.place_px = *m_.settings.contact_px, .form = MarkForm::ring, .colour = kVermilion, .radius = 5.0f});
-      panel_.legend.push_back({.words = "contact, marked", .colour = kVermilion, .form = MarkForm::ring});
+      panel_.legend.push_back({.words = tr("contact, marked"), .colour = kVermilion, .form = MarkForm::ring});
     }
   }
 
@@ -252,17 +253,16 @@ std::string verdictOf(const Measurement& m) {
   if (!m.accepted()) {
     const auto refusal = std::find_if(m.findings.begin(), m.findings.end(),
                                       [](const Finding& finding) { return finding.severity == Severity::refusal; });
-    return refusal == m.findings.end() ? "refused: nothing was measured" : fmt::format("refused: {}", refusal->text);
+    return refusal == m.findings.end() ? tr("refused: nothing was measured") : trf("refused: {}", refusal->text);
   }
   const KeyEllipse& key = m.fit->at_2_mm;
-  return fmt::format(
-      "accepted: half axes at 2 mm {:.1f} ± {:.1f} and {:.1f} ± {:.1f} mm, ratio {:.2f} ± {:.2f}, direction {:.1f} ± "
-      "{:.1f} "
-      "degrees; {}",
+  const std::string peak = m.fit->peak_mm ? trf("peak {:.1f} ± {:.1f} mm", m.fit->peak_mm->value, m.fit->peak_mm->sd)
+                                          : std::string(tr("peak not seen"));
+  return trf(
+      "accepted: half axes at 2 mm {:.1f} ± {:.1f} and {:.1f} ± {:.1f} mm, ratio {:.2f} ± {:.2f}, direction "
+      "{:.1f} ± {:.1f} degrees; {}",
       key.half_major_mm.value, key.half_major_mm.sd, key.half_minor_mm.value, key.half_minor_mm.sd,
-      key.major_over_minor.value, key.major_over_minor.sd, key.direction_deg.value, key.direction_deg.sd,
-      m.fit->peak_mm ? fmt::format("peak {:.1f} ± {:.1f} mm", m.fit->peak_mm->value, m.fit->peak_mm->sd)
-                     : std::string("peak not seen"));
+      key.major_over_minor.value, key.major_over_minor.sd, key.direction_deg.value, key.direction_deg.sd, peak);
 }
 
 }  // namespace
@@ -274,8 +274,8 @@ Overlay overlayOf(const Measurement& measurement, double arrow_scale) {
   overlay.accepted = measurement.accepted() && measurement.fit.has_value();
   overlay.verdict = verdictOf(measurement);
   for (const Finding& finding : measurement.findings) {
-    const char* kind = finding.severity == Severity::refusal ? "refused" : "warning";
-    overlay.findings.push_back(fmt::format("{}: {}", kind, finding.text));
+    overlay.findings.push_back(finding.severity == Severity::refusal ? trf("refused: {}", finding.text)
+                                                                     : trf("warning: {}", finding.text));
   }
   return overlay;
 }

@@ -251,6 +251,18 @@ TEST(MeasuringWindow, DroppedPhotographsAreMeasuredCorrectedAcceptedAndFelt) {
   EXPECT_TRUE(stage.state().history.changed()) << "the scene has to be saved";
 }
 
+TEST(MeasuringWindow, APairThatLiesInTheFolderIsTakenByOneClick) {
+  MeasuringStage stage;
+  const WrittenPair pair(stage.folder);
+  showFolder(stage.folder.path());
+  stage.key(window::key('M'), kCtrl);
+  stage.click("measuring/here");
+  const MeasuringView& view = stage.measuring().view();
+  EXPECT_EQ(view.photo(Photo::before).file, pair.before);
+  EXPECT_EQ(view.photo(Photo::after).file, pair.after);
+  EXPECT_TRUE(measuredIt(stage)) << view.failure;
+}
+
 TEST(MeasuringWindow, TheContactIsClickedAndThePhotographsCanBeSwapped) {
   MeasuringStage stage;
   const WrittenPair pair(stage.folder);

@@ -167,6 +167,16 @@ TEST(MeasuringView, PhotographsAreKnownByTheirNames) {
   EXPECT_FALSE(isPhotograph("scene.toml") || isPhotograph("jpg") || isPhotograph("") || isPhotograph("a.png.toml"));
 }
 
+TEST(MeasuringView, APairIsKnownByTheWordsBeforeAndAfterInOneName) {
+  const std::vector<std::filesystem::path> files = {"a/site-4 before.jpg", "a/anna_before.png", "a/anna_after.png",
+                                                    "a/after.jpg"};
+  const auto pair = pairAmong(files);
+  ASSERT_TRUE(pair);
+  EXPECT_EQ(pair->before, "a/anna_before.png") << "the first one has no photograph after";
+  EXPECT_EQ(pair->after, "a/anna_after.png");
+  EXPECT_FALSE(pairAmong(std::span(files).first(2)));
+}
+
 // ---- measured beside the display
 
 /// The true places of dots of a pair that nobody has to paint.

@@ -146,6 +146,23 @@ TEST(NamesInPictures, ANoteSaysWhenTheBodyHasNone) {
   }
 }
 
+TEST(NamesInPictures, TheKeyExplainsNothingThatTheBodyLacks) {
+  PictureSettings settings = namedView(StereoMode::mono);
+  settings.labels.legend = true;
+  const auto world = flatWorld();
+  Studio studio(world);
+  const auto take = [&] {
+    return studio.take(deform::DeformedSurface(*world->deformable), {}, settings, {160, 90, 1}).image.pixels;
+  };
+  settings.look.overlays.reset();
+  const auto bare = take();
+  for (const Overlay missing : {Overlay::names, Overlay::muscles, Overlay::lumps}) {
+    settings.look.overlays.reset();
+    settings.look.show(missing);
+    EXPECT_EQ(take(), bare) << static_cast<int>(missing);
+  }
+}
+
 // ---- the superficial muscles as a drawing: where they reach, that they go with the skin, and who has none
 
 const std::shared_ptr<const scene::World>& muscularTrunk() {

@@ -131,6 +131,21 @@ TEST(StartPage, LeadsToTheOpenDialogAndToRecentFiles) {
   EXPECT_TRUE(stage.until([&] { return stage.state().world.name == "ball.ply"; })) << stage.lastMessage();
 }
 
+TEST(StartPage, OffersWhatLiesInTheFolderByOneClick) {
+  Stage stage;
+  for (const char* name : {"ball.ply", "kept.ply"}) mesh::save(stage.folder / name, zoo::sphere(60.0, 3));
+  writeFile(stage.folder / "project.toml", "[tool]\n");
+  showFolder(stage.folder.path());
+  stage.state().state.recent = {(stage.folder / "kept.ply").string()};
+  stage.state().state.shown.start = true;
+  stage.frame();
+  EXPECT_FALSE(widgetPlaces().contains("start/here/kept.ply")) << "twice";
+  EXPECT_FALSE(widgetPlaces().contains("start/here/project.toml")) << "of another program";
+  stage.click("start/here/ball.ply");
+  EXPECT_TRUE(stage.until([&] { return stage.state().world.name == "ball.ply"; })) << stage.lastMessage();
+  EXPECT_FALSE(stage.state().state.shown.start);
+}
+
 TEST(StartPage, AsksBeforeAnExampleTakesThePlaceOfChanges) {
   Stage stage;
   stage.state().scene.contact.finger.mu_static = 0.9;

@@ -25,6 +25,7 @@ struct ClassFields {
   double stations = 2.0;
   std::string watched;
   std::string station;
+  std::string offered_of;  ///< the class whose first station stands in the line
 };
 
 std::filesystem::path inFolder(const std::filesystem::path& folder, const std::string& typed) {
@@ -90,6 +91,10 @@ void watchPart(const ClassShown& shown, const std::filesystem::path& folder, Cla
 
 void joinPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, Asks& asks) {
   ImGui::TextDisabled("%s", tr("Take part at this computer"));
+  if (shown.runs && fields.offered_of != shown.folder) {  // once: what is typed stays
+    fields.offered_of = shown.folder;
+    fields.station = shown.folder + "/stations/s01";
+  }
   const bool entered = textLine("class/station", "folder of the station", fields.station);
   ImGui::BeginDisabled(shown.joined || fields.station.empty());
   const bool pressed = buttonWidget("class/join", shown.joined ? "It is open" : "Open the training");
@@ -100,7 +105,7 @@ void joinPart(const ClassShown& shown, const std::filesystem::path& folder, Clas
 }  // namespace
 
 void classDialog(const ClassShown& shown, const std::filesystem::path& folder, bool& open, Asks& asks) {
-  static ClassFields fields{{"class", "class-1", 2, system::identity().computer}, 2.0, {}, {}};
+  static ClassFields fields{{"class", "class-1", 2, system::identity().computer}, 2.0, {}, {}, {}};
   if (!beginDialog("A class", open)) return;
   if (shown.offered) {
     runPart(shown, folder, fields, asks);

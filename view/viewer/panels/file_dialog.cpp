@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <functional>
+#include <utility>
 
 #include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
@@ -148,6 +150,32 @@ void troubleLine(const std::string& trouble) {
 }  // namespace
 
 void showFolder(const fs::path& folder) { shownListing() = listingOf(folder); }
+
+namespace {
+
+std::vector<fs::path> newestFirst(Kinds kinds) {
+  std::vector<std::pair<fs::file_time_type, fs::path>> dated;
+  for (const fs::path& file : listingOf(shownListing().folder, kinds).files) {
+    std::error_code gone;
+    if (const auto time = fs::last_write_time(file, gone); !gone) dated.emplace_back(time, file);
+  }
+  std::sort(dated.begin(), dated.end(), std::greater<>());
+  std::vector<fs::path> files;
+  for (auto& [time, file] : dated) files.push_back(std::move(file));
+  return files;
+}
+
+}  // namespace
+
+std::vector<fs::path> newestHere() {
+  constexpr std::array<std::string_view, 7> kKinds = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb", ".session"};
+  constexpr std::size_t kFew = 4;
+  std::vector<fs::path> files = newestFirst(kKinds);
+  files.resize(std::min(kFew, files.size()));
+  return files;
+}
+
+std::vector<fs::path> photographsHere() { return newestFirst(kPhotographKinds); }
 
 namespace {
 

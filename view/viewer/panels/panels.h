@@ -178,6 +178,11 @@ void manualDialog(ManualShown& manual, bool& open);
 std::string drawBlocks(const std::vector<Block>& blocks, const std::string& to_anchor);
 /// Where the dialogs look from now on; else where they looked last, in the beginning the working folder.
 void showFolder(const std::filesystem::path& folder);
+/// Bodies and recordings in that folder, the newest first, a few; the folder is read anew. A scene or a table is not
+/// among them: every second .toml and .csv of a computer is something else.
+std::vector<std::filesystem::path> newestHere();
+/// All photographs there, the newest first.
+std::vector<std::filesystem::path> photographsHere();
 /// A dialog is open in the current gui: it owns mouse and keyboard.
 bool dialogShown();
 /// What is asked before something is lost; the answer is a request.

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "palpate/base/language.h"
 #include "palpate/base/path_text.h"
 #include "palpate/scene/presets.h"
 #include "palpate/view/image.h"
+#include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
@@ -85,18 +87,36 @@ void choices(const StartPage& page, bool& open, Asks& asks) {
   }
 }
 
+/// A line that opens a file. True when it was pressed.
+bool fileLine(const std::string& path, const std::string& file, Asks& asks) {
+  const bool chosen = ImGui::Selectable(fmt::format("{}##{}", pathOf(file).filename().string(), path).c_str());
+  notePlace(path, file);
+  if (chosen) asks.request(OpenFile{file});
+  return chosen;
+}
+
 void recentFiles(const StartPage& page, bool& open, Asks& asks) {
   if (page.recent.empty()) return;
   ImGui::Spacing();
   ImGui::TextDisabled("%s", tr("Recent"));
   for (std::size_t i = 0; i < std::min(page.recent.size(), kRecentShown); ++i) {
-    const std::string& file = page.recent[i];
-    const std::string name = fmt::format("{}##recent{}", pathOf(file).filename().string(), i);
-    const bool chosen = ImGui::Selectable(name.c_str());
-    notePlace(fmt::format("start/recent/{}", i), file);
-    if (!chosen) continue;
-    asks.request(OpenFile{file});
-    open = false;
+    if (fileLine(fmt::format("start/recent/{}", i), page.recent[i], asks)) open = false;
+  }
+}
+
+/// What lies ready in the working folder, but for what is recent. Read when the page appears.
+void filesHere(const StartPage& page, bool& open, Asks& asks) {
+  static std::vector<std::filesystem::path> here;  // of the display's thread, like ImGui's own state
+  if (ImGui::IsWindowAppearing()) here = newestHere();
+  bool titled = false;
+  for (const std::filesystem::path& file : here) {
+    if (std::ranges::find(page.recent, file.string()) != page.recent.end()) continue;
+    if (!titled) {
+      ImGui::Spacing();
+      ImGui::TextDisabled("%s", tr("In this folder"));
+      titled = true;
+    }
+    if (fileLine(fmt::format("start/here/{}", file.filename().string()), file.string(), asks)) open = false;
   }
 }
 
@@ -179,6 +199,7 @@ void startPage(const StartPage& page, bool& open, Asks& asks) {
     heading();
     choices(page, open, asks);
     recentFiles(page, open, asks);
+    filesHere(page, open, asks);
     footer(page, open);
   }
   ImGui::EndChild();

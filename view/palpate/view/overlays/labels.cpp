@@ -224,6 +224,18 @@ const FingerMark* chartedFinger(const LabelScene& scene, const LabelSettings& se
   return finger == nullptr || finger->contact.touch == contact::Touch::free ? nullptr : finger;
 }
 
+/// What the look shows of this body: a key of what the body lacks would explain nothing.
+std::vector<KeyEntry> keyOf(const LabelScene& scene) {
+  const auto named = [&](bool muscle) {
+    return std::ranges::any_of(scene.names, [&](const BodyName& n) { return (n.kind == NameKind::muscle) == muscle; });
+  };
+  Look look = scene.look;
+  look.show(Overlay::names, look.shows(Overlay::names) && named(false));
+  look.show(Overlay::muscles, look.shows(Overlay::muscles) && named(true));
+  look.show(Overlay::lumps, look.shows(Overlay::lumps) && !scene.world.lumps.empty());
+  return overlayKey(look);
+}
+
 /// Below the title, down to the scale bar or the chart over it.
 void drawKey(Drawing& page, const LabelScene& scene, const LabelSettings& settings, Taken& taken) {
   const float above = settings.title.empty() ? 0.0f : page.measure(settings.title, TextSize::title).y();
@@ -233,7 +245,7 @@ void drawKey(Drawing& page, const LabelScene& scene, const LabelSettings& settin
   const float chart = chartedFinger(scene, settings) != nullptr ? sectionSize(page).y() : 0.0f;
   const float right = scaleOf(scene.look.colouring) ? kColours : kMargin;
   place.room = page.size() - place.corner - Vec2f(right, kScaleBarHeight + chart);
-  const LabelBox covered = drawOverlayKey(page, overlayKey(scene.look), place, inksFor(scene.look));
+  const LabelBox covered = drawOverlayKey(page, keyOf(scene), place, inksFor(scene.look));
   if (covered.opposite != covered.corner) taken.push_back(covered);
 }
 
