@@ -168,6 +168,19 @@ TEST_F(Signals, WhoStillBuildsItsBodyEndsAtOnce) {
   }
 }
 
+/// The same for what contact needs of a mesh file: tree, sides, deformable skin.
+TEST_F(Signals, WhoStillPreparesTheSkinOfALargeMeshEndsAtOnce) {
+  mesh::save(folder_ / "large.ply", zoo::grid(900, 300.0));
+  Clock::time_point asked;
+  const int end = ended({"simulate", "--mesh", "large.ply", "--out", "made"}, SIGINT, [&] {
+    asked = Clock::now();
+    return support::contentOf(folder_ / "err").find("building the contact surface") != std::string::npos;
+  });
+  EXPECT_EQ(end, 130) << support::contentOf(folder_ / "err");
+  EXPECT_LT(secondsSince(asked), 1.0);
+  EXPECT_FALSE(fs::exists(folder_ / "made"));
+}
+
 TEST_F(Signals, ARunThatWasKilledLeavesAPartThatIsExplainedAndNeverOverwritten) {
   const std::vector<std::string> run = {"simulate", "--mesh", "dome.ply", "--seconds", "2000", "--out", "results"};
   EXPECT_EQ(ended(run, SIGKILL, [&] { return hasBytes("results/forces.csv.partial"); }), -SIGKILL);
