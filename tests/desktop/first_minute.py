@@ -11,6 +11,8 @@ from desktop import HEIGHT, WIDTH, Fresh, Gone, Window
 
 # The middle of the back, beside the panel, as the first view of 1600 x 1000 shows it.
 OVER_BACK = (960, 430)
+# The same in the window of the training, which is 1280 x 800 and has its panel on the right.
+OVER_TRAINED_BACK = (500, 480)
 
 
 @dataclasses.dataclass
@@ -141,7 +143,7 @@ def practise(run, window):
         if "Welcome" in seen or "What would you like to do" in seen:
             window.click("training/button/1")
         elif "Touch the back" in seen:
-            window.press_at(WIDTH // 2, HEIGHT // 2)
+            window.press_at(*OVER_TRAINED_BACK)
             window.until(lambda: "Your device works" in window.screen, "the press")
             window.lift()
             window.key("space")

@@ -47,8 +47,15 @@ std::string verdictWords(Verdict verdict) {
 }
 
 std::string practiceWords(const BlockResult& result, SessionKind kind) {
-  const std::string words =
-      std::string(tr("Block finished.")) + " " + trf("{} of {} were right.", result.correct, result.trials);
+  std::string words = tr("Block finished.");
+  if (result.trials > 0 || result.excluded == 0) {
+    words += " " + trf("{} of {} were right.", result.correct, result.trials);
+  }
+  if (result.excluded > 0) {
+    const auto count = static_cast<std::size_t>(result.excluded);
+    words += " " + trnf("{} answer does not count: the place to find was never touched.",
+                        "{} answers do not count: the place to find was never touched.", count, count);
+  }
   if (kind != SessionKind::mastery) return words;
   if (!result.level) return words + " " + tr("No level was mastered yet.");
   return words + " " + trf("Smallest level mastered: {} %.", percent(*result.level));

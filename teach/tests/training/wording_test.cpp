@@ -114,5 +114,18 @@ TEST(Wording, PracticeTellsHowManyWereRight) {
             "Block finished. 13 of 20 were right. Smallest level mastered: 28 %.");
 }
 
+TEST(Wording, PracticeSaysWhyAnswersDoNotCount) {
+  BlockResult result;
+  result.trials = 3;
+  result.correct = 2;
+  result.excluded = 1;
+  EXPECT_EQ(blockSummary(result, SessionKind::practice, {}),
+            "Block finished. 2 of 3 were right. 1 answer does not count: the place to find was never touched.");
+  result.trials = result.correct = 0;
+  result.excluded = 12;
+  EXPECT_EQ(blockSummary(result, SessionKind::practice, {}),
+            "Block finished. 12 answers do not count: the place to find was never touched.");
+}
+
 }  // namespace
 }  // namespace palpate::training
