@@ -24,7 +24,7 @@ constexpr std::array<Preset, 20> kPresets{{
     {"prone", toTranslate("Prone on a table"), toTranslate("As an examiner stands beside the patient."), "prone"},
     {"sitting", toTranslate("Sitting"), toTranslate("A rounded back."), "sitting"},
     {"two-fingers", toTranslate("Two fingers"), toTranslate("Both sides of the spine at once; F7 plays them."), "two_fingers"},
-    {"two-devices", toTranslate("Two devices"), toTranslate("Two simulated devices push with 1 N each; yours can take their place."), "two_devices"},
+    {"two-devices", toTranslate("Two devices"), toTranslate("Two simulated devices, each pushed with 1 N; yours can take their place."), "two_devices"},
     {"scan", toTranslate("Scan with a hole"), toTranslate("A scanned back as it comes: rough, open, a piece missing."), "scan"},
     {"strain", toTranslate("Strain colours"), toTranslate("Where the skin is stretched and where it is pushed together."), "strain_colours"},
     {"oiled", toTranslate("Oiled skin"), toTranslate("The finger slips where it would stick."), "oiled_skin"},

@@ -71,6 +71,16 @@ TEST(HandDevice, WithoutAPathRestsWhereItWasOpened) {
   }
 }
 
+TEST(HandDevice, ItsTimeBeginsWithTheFirstForce) {
+  OpenOptions options;
+  options.which = "dead_load,omni";
+  const Device device = openHand(options);
+  (void)device.read_tip(0);  // whoever opens it looks whether it answers
+  EXPECT_EQ(device.read_tip(400).z(), 0.0) << "a window's loop begins much later";
+  device.write_force(Vec3::Zero());
+  EXPECT_LT(device.read_tip(420).z(), -0.5) << "then the load falls";
+}
+
 TEST(HandDevice, TicksThatWereSleptThroughPassWithoutAForceAfterTwo) {
   const auto moved = [](std::uint64_t after) {
     OpenOptions options;
