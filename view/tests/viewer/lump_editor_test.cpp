@@ -88,14 +88,8 @@ class LumpWindow : public testing::Test {
     stage.click("panel/Touch");
     stage.click("panel/Lumps");
   }
-  /// Small frames: where drawing takes all of the machine, the builder waits.
-  template <class Ready>
-  bool soon(const Ready& ready) {
-    for (int i = 0; i < 20000 && !ready(); ++i) stage.smallFrame();
-    return ready();
-  }
   bool hasLumps(std::size_t count) {
-    return soon([&] { return stage.viewer->world().lumps.size() == count; });
+    return stage.until([&] { return stage.viewer->world().lumps.size() == count; });
   }
 
   Stage stage{torsoScene()};
@@ -142,7 +136,7 @@ TEST_F(LumpWindow, OneThatReachesTheBoneIsRefusedAndTheBodyStays) {
   deep.depth_mm = 55.0;
   stage.state().scene.lumps = {deep};
   stage.state().asks.changed |= kMapChange;
-  EXPECT_TRUE(soon([&] { return stage.state().messages.toast(stage.now_s) != nullptr; }));
+  EXPECT_TRUE(stage.until([&] { return stage.state().messages.toast(stage.now_s) != nullptr; }));
   EXPECT_TRUE(stage.viewer->world().lumps.empty());
   stage.state().scene.lumps[0].depth_mm = 4.0;
   stage.state().asks.changed |= kMapChange;
@@ -165,7 +159,7 @@ TEST_F(LumpWindow, ASwellingRaisesTheSkinUnderTheEyeThatStays) {
   const double height = stage.viewer->world().lumps[0]->lump.foot.z();
   stage.state().scene.lumps[0].raise_mm = 8.0;
   stage.state().asks.changed |= kMapChange;
-  EXPECT_TRUE(soon([&] { return stage.viewer->world().lumps[0]->lump.foot.z() > height + 3.0; }))
+  EXPECT_TRUE(stage.until([&] { return stage.viewer->world().lumps[0]->lump.foot.z() > height + 3.0; }))
       << (stage.state().building ? stage.state().building->stage : "idle");
   EXPECT_EQ(stage.state().camera.distance_mm, distance);
 }

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <memory>
+#include <thread>
 
 #include "palpate/base/stopwatch.h"
 #include "palpate/mesh/files/save.h"
@@ -68,12 +69,14 @@ class Stage {
   }
   /// In the smallest window that panels are made for.
   void smallFrame() { viewer->frame(640, 480, 1.0, now_s += 1.0 / 60.0, {}); }
-  /// Frames until it is so, for at most twenty seconds.
+  /// Frames until it is so, for at most so many seconds. With pauses: drawn as fast as it goes, they would leave
+  /// little of the processor to what is waited for.
   template <class Ready>
-  bool until(const Ready& ready) {
-    const auto end = Clock::now() + std::chrono::seconds(20);
+  bool until(const Ready& ready, int patience_s = 60) {
+    const auto end = Clock::now() + std::chrono::seconds(patience_s);
     while (!ready()) {
       if (Clock::now() > end) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
       frame();
     }
     return true;

@@ -12,7 +12,7 @@
 namespace palpate::viewer {
 namespace {
 
-constexpr double kRowStep = 9.0;                                 ///< half a row, points
+constexpr double kRowStep = 13.0;                                ///< less than the lowest control is high, points
 constexpr std::array<double, 3> kColumns = {22.0, 90.0, 170.0};  ///< of the panel: labels stand further right
 
 struct Swept {
@@ -40,6 +40,7 @@ bool isScrollbar(ImGuiID id) {
 
 /// Leads the mouse down a column of points.
 void sweep(Stage& stage, const std::vector<double>& columns, double top, double below, Swept& swept) {
+  stage.state().camera.distance_mm *= 100.0;  // thousands of frames: none needs a body that fills them
   std::set<ImGuiID> seen;
   for (const double x : columns) {
     for (double y = top; y < below; y += kRowStep) {
