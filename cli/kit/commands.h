@@ -81,6 +81,7 @@ void addHuntCommand(CLI::App& study);
 void addBenchCommand(CLI::App& study);
 void addBenchContactCommand(CLI::App& bench);
 void addBenchDeformCommand(CLI::App& bench);
+void addBenchEditCommand(CLI::App& bench);
 void addBenchFrameCommand(CLI::App& bench);
 void addBenchLoadCommand(CLI::App& bench);
 void addBenchLumpCommand(CLI::App& bench);

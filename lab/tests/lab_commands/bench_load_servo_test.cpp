@@ -1,4 +1,4 @@
-// `palpate study bench load`, `palpate study bench servo` and `palpate study bench recording` from the outside.
+// `palpate study bench load`, `edit`, `servo` and `palpate study bench recording` from the outside.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -46,6 +46,18 @@ TEST(BenchLoadCommand, RefusesAnUnknownName) {
   const auto result = runPalpate("study bench load nonsense");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("nonsense"), std::string::npos) << result.err;
+}
+
+TEST(BenchEditCommand, TellsHowSoonAChangedDysfunctionIsFelt) {
+  const auto result = runPalpate("study bench edit back_2962 --edits 5 --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["triangles"], 2962);
+  EXPECT_GT(json["rebuild_ms"]["p50"].get<double>(), 0.0);
+  EXPECT_GE(json["felt_ms"]["p50"].get<double>(), json["rebuild_ms"]["p50"].get<double>());
+  EXPECT_GT(json["force_n"].get<double>(), 0.1) << "the finger presses";
+  EXPECT_GT(json["largest_step_n"].get<double>(), 0.0) << "another stiffness is felt";
+  EXPECT_LT(json["largest_step_n"].get<double>(), 0.1 * json["force_n"].get<double>()) << "2 % at a time";
 }
 
 TEST(BenchServoCommand, MeasuresLatenessAndComputeTimeApart) {

@@ -1,0 +1,211 @@
+// `palpate study bench edit`: a dysfunction is changed under a finger that presses, as by a slider, while the servo loop
+// runs. How long until it is felt, whether a tick was missed for it, and how far the force jumps.
+//
+// scene -> scene::rebuilt (shares the body, copies the stiffness) -> ServoThread::change -> the first sample that names
+// the new world
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cli/kit/cli11.h"
+#include "cli/kit/commands.h"
+#include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
+#include "lab/commands/bench_arguments.h"
+#include "lab/commands/bench_report.h"
+#include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/engine/fingers.h"
+#include "palpate/engine/servo_thread.h"
+#include "palpate/scene/world.h"
+
+namespace palpate::app {
+namespace {
+
+constexpr double kPressMm = 4.0;
+constexpr double kRadiusMm = 25.0;
+/// What a slider moves from one picture to the next.
+constexpr double kChangePercent = 2.0;
+/// Longer than this nobody calls it immediate.
+constexpr double kPatienceS = 5.0;
+
+struct EditArguments {
+  std::string mesh = "back_1000000";
+  double edits = 50.0;
+  bool json = false;
+};
+
+struct EditFigures {
+  std::size_t triangles = 0;
+  lab::Percentiles rebuild_ms;  ///< until there is another world
+  lab::Percentiles felt_ms;     ///< until a tick has felt it, the rebuilding included
+  std::uint64_t ticks = 0;
+  std::uint64_t missed_ticks = 0;
+  double force_n = 0.0;         ///< before the first edit
+  double largest_step_n = 0.0;  ///< between two ticks, from the first edit on
+};
+
+/// A finger that stays pressed where the body is highest along z.
+struct PressedPlace {
+  Vec3 skin = Vec3::Zero();
+  device::Device device() const {
+    device::Device device;
+    device.name = "pressed";
+    device.read_tip = [skin = skin](std::uint64_t tick) {
+      constexpr double kMmPerTick = 0.02;
+      return Vec3(skin - Vec3(0, 0, std::min(kPressMm, kMmPerTick * static_cast<double>(tick)) - 1.0));
+    };
+    return device;
+  }
+};
+
+/// Middle of the triangle that is nearest to the middle of the body and looks up.
+PressedPlace pressedPlace(const scene::World& world) {
+  const Vec3 middle = world.body->box.center();
+  PressedPlace place;
+  double nearest = 1e300;
+  for (const tree::TriangleRecord& record : world.surface.geometry->tree.records) {
+    const auto& [a, b, c] = record.corners;
+    const Vec3 at = (a + b + c) / 3.0;
+    const double aside = (at - middle).head<2>().squaredNorm();
+    if (mesh::areaVector2(a, b, c).z() <= 0.0 || aside >= nearest) continue;
+    nearest = aside;
+    place.skin = at;
+  }
+  return place;
+}
+
+scene::Scene edited(const scene::Scene& scene, const Vec3& at, int edit) {
+  scene::Scene next = scene;
+  next.dysfunctions = {
+      {.x_mm = at.x(), .y_mm = at.y(), .radius_mm = kRadiusMm, .change_percent = kChangePercent * (edit % 20)}};
+  return next;
+}
+
+/// The servo loop under edits, seen from the thread that edits.
+class EditedServo {
+ public:
+  EditedServo(std::shared_ptr<const scene::World> world, const PressedPlace& place)
+      : world_(std::move(world)), servo_(planOf(world_, true), {place.device()}) {
+    waitUntil([&] { return ticks_ > 1000; });  // it has come to rest
+    force_n_ = last_n_;
+    largest_step_n_ = 0.0;
+  }
+
+  void edit(const scene::Scene& scene, std::vector<double>& rebuild_ms, std::vector<double>& felt_ms) {
+    const Clock::time_point start = Clock::now();
+    world_ = scene::rebuilt(*world_, scene);
+    rebuild_ms.push_back(1e3 * secondsSince(start));
+    servo_.change(planOf(world_, false));
+    const std::uint32_t before = world_number_;
+    waitUntil([&] { return world_number_ != before; });
+    felt_ms.push_back(1e3 * secondsSince(start));
+  }
+
+  double forceN() const { return force_n_; }
+  double largestStepN() const { return largest_step_n_; }
+  servo::LoopReport stop() { return servo_.stop(); }
+
+ private:
+  static engine::ServoPlan planOf(const std::shared_ptr<const scene::World>& world, bool other_body) {
+    engine::ServoPlan plan = engine::servoPlan(world, engine::fingerSettings(world->scene, 1));
+    plan.other_body = other_body;
+    return plan;
+  }
+
+  template <class Ready>
+  void waitUntil(const Ready& ready) {
+    const Clock::time_point start = Clock::now();
+    while (!ready()) {
+      if (secondsSince(start) > kPatienceS) throw Error("the servo loop did not take the edit");
+      servo_.exchange();
+      readSamples();
+      std::this_thread::sleep_for(std::chrono::microseconds(50));
+    }
+  }
+
+  void readSamples() {
+    trace::Sample sample;
+    while (servo_.pop(sample)) {
+      const double force_n = sample.contact.force.norm();
+      largest_step_n_ = std::max(largest_step_n_, std::abs(force_n - last_n_));
+      last_n_ = force_n;
+      world_number_ = sample.world;
+      ++ticks_;
+    }
+  }
+
+  std::shared_ptr<const scene::World> world_;
+  engine::ServoThread servo_;
+  std::uint64_t ticks_ = 0;
+  std::uint32_t world_number_ = 0;
+  double last_n_ = 0.0, force_n_ = 0.0, largest_step_n_ = 0.0;
+};
+
+EditFigures measureEdits(const EditArguments& arguments, const Progress& progress) {
+  const WrittenMesh mesh(arguments.mesh);
+  scene::Scene scene;
+  scene.body.kind = scene::BodyKind::mesh;
+  scene.body.file = mesh.file();
+  const auto world = scene::build(scene, progress);
+  const PressedPlace place = pressedPlace(*world);
+  EditedServo servo(world, place);
+  std::vector<double> rebuild_ms, felt_ms;
+  const auto edits = static_cast<int>(arguments.edits);
+  for (int edit = 1; edit <= edits; ++edit) {
+    report(progress, "editing", static_cast<double>(edit) / edits);
+    servo.edit(edited(scene, place.skin, edit), rebuild_ms, felt_ms);
+    std::this_thread::sleep_for(std::chrono::milliseconds(16));  // a picture
+  }
+  const servo::LoopReport loop = servo.stop();
+  return {.triangles = world->body->skin.triangles.size(),
+          .rebuild_ms = lab::percentilesOf(rebuild_ms),
+          .felt_ms = lab::percentilesOf(felt_ms),
+          .ticks = loop.ticks,
+          .missed_ticks = loop.overruns,
+          .force_n = servo.forceN(),
+          .largest_step_n = servo.largestStepN()};
+}
+
+void runEditBench(const EditArguments& arguments) {
+  ProgressLine progress;
+  const EditFigures f = measureEdits(arguments, progress.callback());
+  progress.clear();
+  nlohmann::ordered_json json;
+  json["mesh"] = arguments.mesh;
+  json["triangles"] = f.triangles;
+  json["edits"] = static_cast<int>(arguments.edits);
+  json["rebuild_ms"] = percentilesJson(f.rebuild_ms);
+  json["felt_ms"] = percentilesJson(f.felt_ms);
+  json["ticks"] = f.ticks;
+  json["missed_ticks"] = f.missed_ticks;
+  json["force_n"] = f.force_n;
+  json["largest_step_n"] = f.largest_step_n;
+  std::string text = fmt::format("triangles     {}\n", f.triangles);
+  text += fmt::format("rebuilt       {}\n", percentilesText(f.rebuild_ms, "ms"));
+  text += fmt::format("felt          {}\n", percentilesText(f.felt_ms, "ms"));
+  text += fmt::format("ticks         {}, {} missed\n", f.ticks, f.missed_ticks);
+  text += fmt::format("force         {:.2f} N, largest step {:.3f} N\n", f.force_n, f.largest_step_n);
+  printReport(std::move(json), text, arguments.json);
+}
+
+}  // namespace
+
+void addBenchEditCommand(CLI::App& parent) {
+  auto arguments = std::make_shared<EditArguments>();
+  CLI::App& command =
+      *parent.add_subcommand("edit", "Change a dysfunction under a pressing finger: how soon it is felt");
+  command.add_option("FILE", arguments->mesh, kMeshNamesHelp)->capture_default_str();
+  addNumber(command, "--edits", arguments->edits, between(1.0, 10000.0), "How many, 2 % each")
+      ->capture_default_str();
+  command.add_flag("--json", arguments->json, "Print one JSON object");
+  command.callback([arguments] { runEditBench(*arguments); });
+}
+
+}  // namespace palpate::app
