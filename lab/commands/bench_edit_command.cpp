@@ -1,5 +1,5 @@
-// `palpate study bench edit`: a dysfunction is changed under a finger that presses, as by a slider, while the servo loop
-// runs. How long until it is felt, whether a tick was missed for it, and how far the force jumps.
+// `palpate study bench edit`: a dysfunction is changed under a finger that presses, as by a slider, while the servo
+// loop runs. How long until it is felt, whether a tick was missed for it, and how far the force jumps.
 //
 // scene -> scene::rebuilt (shares the body, copies the stiffness) -> ServoThread::change -> the first sample that names
 // the new world
@@ -202,8 +202,7 @@ void addBenchEditCommand(CLI::App& parent) {
   CLI::App& command =
       *parent.add_subcommand("edit", "Change a dysfunction under a pressing finger: how soon it is felt");
   command.add_option("FILE", arguments->mesh, kMeshNamesHelp)->capture_default_str();
-  addNumber(command, "--edits", arguments->edits, between(1.0, 10000.0), "How many, 2 % each")
-      ->capture_default_str();
+  addNumber(command, "--edits", arguments->edits, between(1.0, 10000.0), "How many, 2 % each")->capture_default_str();
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runEditBench(*arguments); });
 }

@@ -6,7 +6,7 @@ out of the back. docs/reference/python.md is the manual.
 
 from __future__ import annotations
 
-from palpate._core import Error, Finger, Fingers, FingerSettings, Lump, Session, Skin, Touch, World, __version__
+from palpate._core import Error, Finger, Fingers, FingerSettings, Lump, Session, Skin, Touch, World, __version__, _world_of
 
 TYPE_CHECKING = False  # typing itself takes two milliseconds to import
 if TYPE_CHECKING:
@@ -24,6 +24,11 @@ __all__ = ["Error", "Finger", "FingerSettings", "Fingers", "Lump", "Session", "S
 
 # Loaded when they are first asked for: `import palpate` is to cost nothing that is not used.
 _LAZY = ("devices", "env", "fit", "measure", "sessions", "tissue", "view")
+
+
+def _unpickled_world(toml: str, mesh: Any, hash: str) -> World:
+    """Pickles name a function of Python: one that is compiled belongs to no module of theirs."""
+    return _world_of(toml, mesh, hash)
 
 
 def __getattr__(name: str) -> Any:

@@ -346,6 +346,8 @@ class Lump:
     def __hash__(self) -> int:
         """Of all its numbers."""
 
+def _world_of(toml: str, mesh: Any, hash: str) -> World:
+    """What a pickled World is made of again."""
 def _native_rollout_seconds(world: World, tips: numpy.typing.ArrayLike) -> float:
     """Seconds that a loop of C++ takes for the path (T, 3) of one finger, its outputs kept; for tools/bench-python."""
 class Fingers:

@@ -326,6 +326,14 @@ void bindFingerClass(py::module_& module) {
 
 }  // namespace
 
+py::dict numbersOf(const FingerSettings& settings) {
+  FingerSettings copy = settings;
+  py::dict named;
+  for (const NumberSetting& number : kNumbers) named[number.name] = *number.of(copy);
+  named["force_shading"] = settings.force_shading;
+  return named;
+}
+
 void bindFinger(py::module_& module) {
   bindSettings(module);
   auto world = py::reinterpret_borrow<py::class_<WorldHandle, WorldPointer>>(module.attr("World"));

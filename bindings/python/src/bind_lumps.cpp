@@ -177,18 +177,13 @@ WorldPointer newWorld(const MaybeLumps& lumps, const std::string& body, std::siz
   }
   scene.body.triangles = triangles;
   scene.lumps = settingsOfLumps(lumps);
-  return unlocked([&](Interrupts& interrupts) {
-    return std::make_shared<WorldHandle>(WorldHandle{scene::build(scene, interrupts.progress())});
-  });
+  return worldOfScene(scene);
 }
 
 WorldPointer withLumps(const WorldHandle& self, const MaybeLumps& lumps) {
   scene::Scene scene = self.world->scene;
   scene.lumps = settingsOfLumps(lumps);
-  return unlocked([&](Interrupts& interrupts) {
-    return std::make_shared<WorldHandle>(
-        WorldHandle{scene::rebuilt(*self.world, scene, interrupts.progress()), self.maps});
-  });
+  return worldUnder(self, std::move(scene));
 }
 
 Facts factsOfLump(const scene::PlacedLump& placed) {
@@ -215,6 +210,28 @@ Facts factsOfLump(const scene::PlacedLump& placed) {
 }
 
 }  // namespace
+
+py::dict numbersOf(const scene::LumpSettings& lump) {
+  py::dict named;
+  named["at"] = lump.at.empty() ? py::object(py::make_tuple(lump.x_mm, lump.y_mm)) : py::str(lump.at);
+  named["depth_mm"] = lump.depth_mm;
+  if (const auto& half = lump.half_axes_mm) {
+    named["half_axes_mm"] = py::make_tuple(half->x(), half->y(), half->z());
+  } else {
+    named["diameter_mm"] = lump.diameter_mm;
+  }
+  if (lump.young_kpa > 0.0) {
+    named["young_kpa"] = lump.young_kpa;
+  } else {
+    named["stiffness_ratio"] = lump.stiffness_ratio;
+  }
+  named["edge"] = lump.edge;
+  named["mobility_mm_per_n"] = lump.mobility_mm_per_n;
+  named["mobility_limit_mm"] = lump.mobility_limit_mm;
+  named["raise_mm"] = lump.raise_mm;
+  named["name"] = lump.name;
+  return named;
+}
 
 void bindLumps(py::module_& module) {
   bindLump(module);

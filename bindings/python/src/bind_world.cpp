@@ -33,37 +33,26 @@ using ManyPlaces = Named<ManyPlacesName>;
 
 // ---- made
 
-WorldPointer built(const scene::Scene& scene) {
-  return unlocked([&](Interrupts& interrupts) {
-    return std::make_shared<WorldHandle>(WorldHandle{scene::build(scene, interrupts.progress())});
-  });
-}
+WorldPointer load(const std::filesystem::path& file) { return worldOfScene(scene::load(file)); }
 
-WorldPointer load(const std::filesystem::path& file) { return built(scene::load(file)); }
-
-WorldPointer parse(const std::string& toml, const std::string& name) { return built(scene::parse(toml, name)); }
+WorldPointer parse(const std::string& toml, const std::string& name) { return worldOfScene(scene::parse(toml, name)); }
 
 WorldPointer builtIn(scene::BodyKind kind, std::size_t triangles) {
   scene::Scene scene;
   scene.body.kind = kind;
   scene.body.triangles = triangles;
-  return built(scene);
+  return worldOfScene(scene);
 }
 
-/// What is given as stiffness: one number is the scene's, an array has one a vertex.
-struct GivenStiffness {
-  scene::Scene scene;
-  std::vector<double> each;
-};
-
-GivenStiffness stiffnessIn(const ArrayLike& given, const std::string& toml, const std::string& name) {
-  GivenStiffness result;
+/// Everything but the mesh. What is given as stiffness: one number is the scene's, an array has one a vertex.
+GivenMesh stiffnessIn(const ArrayLike& given, const std::string& toml, const std::string& name) {
+  GivenMesh result;
   result.scene = scene::parse(toml, name);
   const auto numbers = floatsOf(given, "stiffness");
   if (numbers.ndim() > 1) throw py::value_error("stiffness: one number, or one a vertex (V,)");
   if (numbers.ndim() == 1) {
-    result.each.assign(numbers.data(), numbers.data() + numbers.size());
-    if (result.each.empty()) throw py::value_error("stiffness: one number, or one a vertex (V,)");
+    result.stiffness.assign(numbers.data(), numbers.data() + numbers.size());
+    if (result.stiffness.empty()) throw py::value_error("stiffness: one number, or one a vertex (V,)");
     return result;
   }
   result.scene.stiffness.source = scene::StiffnessSource::constant;
@@ -81,19 +70,6 @@ void requireSound(const mesh::TriangleMesh& mesh, const Progress& progress) {
   std::string traits;
   for (const std::string& trait : mesh::describe(found)) traits += (traits.empty() ? "" : "; ") + trait;
   throw Error("arrays: not fit for contact and repair is off: " + traits);
-}
-
-WorldPointer fromMesh(const mesh::TriangleMesh& mesh, const GivenStiffness& stiffness, bool repair) {
-  return unlocked([&](Interrupts& interrupts) {
-    if (!repair) requireSound(mesh, interrupts.progress());
-    engine::WorldFromArrays made = engine::worldFromMesh(mesh, stiffness.each, stiffness.scene, interrupts.progress());
-    auto maps = std::make_shared<SourceMaps>();
-    maps->source_vertex = std::move(made.source_vertex);
-    maps->source_triangle = std::move(made.source_triangle);
-    maps->built_vertex = std::move(made.built_vertex);
-    maps->built_triangle = std::move(made.built_triangle);
-    return std::make_shared<WorldHandle>(WorldHandle{std::move(made.world), std::move(maps)});
-  });
 }
 
 /// (N, 3) of whole numbers as int64: unsigned ones would make 4,294,967,295 of -1, and mending would drop the triangle
@@ -115,34 +91,31 @@ WorldPointer fromArrays(const ArrayLike& vertices, const ArrayLike& faces, const
   const auto places = floatsOf(vertices, "vertices", 3);
   if (places.ndim() != 2) throw py::value_error("vertices: must be (V, 3)");
   const auto corners = facesOf(faces);
-  const GivenStiffness given = stiffnessIn(stiffness, scene, "scene");
-  const auto mesh =
+  GivenMesh given = stiffnessIn(stiffness, scene, "scene");
+  given.repair = repair;
+  given.mesh =
       engine::meshFromArrays(std::span<const double>(places.data(), static_cast<std::size_t>(places.size())),
                              std::span<const std::int64_t>(corners.data(), static_cast<std::size_t>(corners.size())));
-  return fromMesh(mesh, given, repair);
+  return worldOfMesh(std::move(given));
 }
 
 WorldPointer fromFile(const std::filesystem::path& file, double scale, const ArrayLike& stiffness, bool repair,
                       const std::string& scene) {
   if (!std::isfinite(scale) || scale <= 0.0) throw py::value_error("scale: a finite number > 0 is wanted");
-  const GivenStiffness given = stiffnessIn(stiffness, scene, "scene");
-  mesh::TriangleMesh mesh = unlocked(
+  GivenMesh given = stiffnessIn(stiffness, scene, "scene");
+  given.repair = repair;
+  given.mesh = unlocked(
       [&](Interrupts& interrupts) { return mesh::load(file, {.keep_wrong_indices = repair}, interrupts.progress()); });
-  for (Vec3& position : mesh.positions) position *= scale;
+  for (Vec3& position : given.mesh.positions) position *= scale;
   try {
-    return fromMesh(mesh, given, repair);
+    return worldOfMesh(std::move(given));
   } catch (const Error& error) {
     throw Error::inFile(file.string(), error.what());
   }
 }
 
 WorldPointer rebuiltFrom(const WorldHandle& self, const std::string& toml, const std::string& name) {
-  scene::Scene scene = scene::parse(toml, name);
-  scene.body = self.world->scene.body;  // which stiffness is meant goes by the kind of body
-  return unlocked([&](Interrupts& interrupts) {
-    return std::make_shared<WorldHandle>(
-        WorldHandle{scene::rebuilt(*self.world, scene, interrupts.progress()), self.maps});
-  });
+  return worldUnder(self, scene::parse(toml, name));
 }
 
 void bindMakers(py::class_<WorldHandle, WorldPointer>& world) {
@@ -360,6 +333,35 @@ std::string worldRepr(const WorldHandle& self) {
 }
 
 }  // namespace
+
+WorldPointer worldOfScene(const scene::Scene& scene) {
+  return unlocked([&](Interrupts& interrupts) {
+    return std::make_shared<WorldHandle>(WorldHandle{scene::build(scene, interrupts.progress())});
+  });
+}
+
+WorldPointer worldOfMesh(GivenMesh given) {
+  return unlocked([&](Interrupts& interrupts) {
+    if (!given.repair) requireSound(given.mesh, interrupts.progress());
+    engine::WorldFromArrays made =
+        engine::worldFromMesh(given.mesh, given.stiffness, given.scene, interrupts.progress());
+    auto maps = std::make_shared<SourceMaps>();
+    maps->given = std::move(given);
+    maps->source_vertex = std::move(made.source_vertex);
+    maps->source_triangle = std::move(made.source_triangle);
+    maps->built_vertex = std::move(made.built_vertex);
+    maps->built_triangle = std::move(made.built_triangle);
+    return std::make_shared<WorldHandle>(WorldHandle{std::move(made.world), std::move(maps)});
+  });
+}
+
+WorldPointer worldUnder(const WorldHandle& self, scene::Scene scene) {
+  scene.body = self.world->scene.body;  // which stiffness is meant goes by the kind of body
+  return unlocked([&](Interrupts& interrupts) {
+    return std::make_shared<WorldHandle>(
+        WorldHandle{scene::rebuilt(*self.world, scene, interrupts.progress()), self.maps});
+  });
+}
 
 void bindWorld(py::module_& module) {
   py::class_<WorldHandle, WorldPointer> world(module, "World",

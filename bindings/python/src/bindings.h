@@ -11,6 +11,7 @@ void bindWorld(pybind11::module_& module);     // World
 void bindFinger(pybind11::module_& module);    // FingerSettings, Touch, Finger
 void bindRollout(pybind11::module_& module);   // World.rollout
 void bindLumps(pybind11::module_& module);     // Lump, World(lumps=...), World.lumps
+void bindPickle(pybind11::module_& module);    // World, FingerSettings, Lump: pickled and copied
 void bindPressure(pybind11::module_& module);  // World.pressure
 void bindFingers(pybind11::module_& module);   // Fingers
 void bindSkin(pybind11::module_& module);      // Skin

@@ -12,6 +12,7 @@ PYBIND11_MODULE(_core, module) {
   bindWorld(module);
   bindFinger(module);
   bindLumps(module);
+  bindPickle(module);
   bindRollout(module);
   bindPressure(module);
   bindFingers(module);

@@ -15,8 +15,17 @@
 
 namespace palpate::python {
 
+/// A mesh as it was given, to be pickled.
+struct GivenMesh {
+  mesh::TriangleMesh mesh;
+  std::vector<double> stiffness;  ///< N/mm, one a vertex; empty: the scene says
+  scene::Scene scene;
+  bool repair = true;
+};
+
 /// As engine::WorldFromArrays has them.
 struct SourceMaps {
+  GivenMesh given;
   std::vector<Index> source_vertex;
   std::vector<Index> source_triangle;
   std::vector<Index> built_vertex;
@@ -30,6 +39,16 @@ struct WorldHandle {
   mutable std::shared_ptr<const engine::FeltPressure> pressure = nullptr;
 };
 using WorldPointer = std::shared_ptr<WorldHandle>;
+
+// What the makers of World share with the reader of pickles. All release the interpreter's lock, and throw Error.
+WorldPointer worldOfScene(const scene::Scene& scene);
+WorldPointer worldOfMesh(GivenMesh given);
+/// The same body under another scene, whose body is not looked at.
+WorldPointer worldUnder(const WorldHandle& self, scene::Scene scene);
+
+/// What the constructor takes, by name.
+py::dict numbersOf(const contact::FingerSettings& settings);
+py::dict numbersOf(const scene::LumpSettings& lump);
 
 struct MaybeSettingsName {
   static constexpr auto name =
