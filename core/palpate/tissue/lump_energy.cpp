@@ -276,6 +276,13 @@ double factorAt(std::span<const ForceCorrection> correction, double depth_mm) {
 }  // namespace
 
 /// What a tick asks for stands in the class, small enough to be inlined.
+namespace {
+
+/// By distance and depth, before the splines along rho.
+using EnergyRows = std::vector<std::vector<EnergyAndForce>>;
+
+}  // namespace
+
 struct LumpEnergy::Table {
   struct Knot {
     std::array<double, 2> value{};   ///< U and dU/dd
@@ -294,6 +301,12 @@ struct LumpEnergy::Table {
     return i <= kFineSteps ? kFineStep.mm * static_cast<double>(i)
                            : kFineToMm + coarse_step.mm * static_cast<double>(i - kFineSteps);
   }
+
+  // How it is filled, in this order.
+  void layOut(const LumpShape& lump, std::span<const WeightedField> fields);
+  EnergyRows rowsOf(const LumpShape& lump, const LayerStack& stack, std::span<const WeightedField> fields) const;
+  void setKnots(const EnergyRows& rows);
+  void findSteepest();
 
   struct Full {
     LumpAnswer answer;
@@ -402,9 +415,6 @@ LumpEnergy::Table::Full LumpEnergy::Table::at(double rho, double depth) const no
 
 namespace {
 
-/// By distance and depth, before the splines along rho.
-using EnergyRows = std::vector<std::vector<EnergyAndForce>>;
-
 /// U <- the integral of c dU/dd, by three points between two depths.
 void correct(std::span<const ForceCorrection> correction, const Step& step, std::vector<EnergyAndForce>& row) {
   constexpr std::array<double, 3> kAt = {0.1127016653792583, 0.5, 0.8872983346207417};
@@ -425,19 +435,16 @@ void correct(std::span<const ForceCorrection> correction, const Step& step, std:
 
 }  // namespace
 
-LumpEnergy::LumpEnergy(const LumpShape& lump, const LayerStack& stack, std::span<const WeightedField> fields,
-                       std::span<const ForceCorrection> correction) {
-  check(lump, stack);
-  if (fields.empty()) throw Error("lump: no field of a press is given");
-  auto table = std::make_shared<Table>();
-  table->radius_mm = lump.radiusMm();
-  table->reach_mm = kReachMm + table->radius_mm;
-  table->coarse_step = stepOf((table->reach_mm - kFineToMm) / static_cast<double>(kRhos - 1 - kFineSteps));
-  for (const WeightedField& one : fields) {
-    table->deepest_mm = std::max(table->deepest_mm, one.field->depths_mm.back());
-  }
-  table->depth_step = stepOf(table->deepest_mm / static_cast<double>(kDepths - 1));
+void LumpEnergy::Table::layOut(const LumpShape& lump, std::span<const WeightedField> fields) {
+  radius_mm = lump.radiusMm();
+  reach_mm = kReachMm + radius_mm;
+  coarse_step = stepOf((reach_mm - kFineToMm) / static_cast<double>(kRhos - 1 - kFineSteps));
+  for (const WeightedField& one : fields) deepest_mm = std::max(deepest_mm, one.field->depths_mm.back());
+  depth_step = stepOf(deepest_mm / static_cast<double>(kDepths - 1));
+}
 
+EnergyRows LumpEnergy::Table::rowsOf(const LumpShape& lump, const LayerStack& stack,
+                                     std::span<const WeightedField> fields) const {
   const std::vector<LumpPoint> points = pointsOf(lump, stack);
   EnergyRows sums(kRhos, std::vector<EnergyAndForce>(kDepths));
   for (const WeightedField& one : fields) {
@@ -446,47 +453,62 @@ LumpEnergy::LumpEnergy(const LumpShape& lump, const LayerStack& stack, std::span
       rows.push_back(rowAt(*one.field, depthIn(*one.stack, stack, point.layer, point.depth_mm)));
     }
     for (std::size_t i = 0; i < kRhos; ++i) {
-      const double rho = table->rhoOf(i);
-      const double share = one.share * windowAt(rho / table->reach_mm);
+      const double rho = rhoOf(i);
+      const double share = one.share * windowAt(rho / reach_mm);
       const DepthCurve curve(one.field->depths_mm, energiesOf(*one.field, points, rows, rho));
       for (std::size_t k = 0; k < kDepths; ++k) {
-        const EnergyAndForce at = curve.at(table->depth_step.mm * static_cast<double>(k));
+        const EnergyAndForce at = curve.at(depth_step.mm * static_cast<double>(k));
         sums[i][k].energy += share * at.energy;
         sums[i][k].force += share * at.force;
       }
     }
   }
-  if (!correction.empty()) {
-    for (auto& row : sums) correct(correction, table->depth_step, row);
-  }
+  return sums;
+}
 
+void LumpEnergy::Table::setKnots(const EnergyRows& rows) {
   std::vector<double> rhos(kRhos);
-  for (std::size_t i = 0; i < kRhos; ++i) rhos[i] = table->rhoOf(i);
+  for (std::size_t i = 0; i < kRhos; ++i) rhos[i] = rhoOf(i);
   std::vector<double> energies(kRhos);
   std::vector<double> forces(kRhos);
   for (std::size_t k = 0; k < kDepths; ++k) {
     for (std::size_t i = 0; i < kRhos; ++i) {
-      energies[i] = sums[i][k].energy;
-      forces[i] = sums[i][k].force;
+      energies[i] = rows[i][k].energy;
+      forces[i] = rows[i][k].force;
     }
     const std::vector<double> by_rho = splineSlopes(rhos, energies, true);
     const std::vector<double> by_both = splineSlopes(rhos, forces, true);
-    for (std::size_t i = 0; i < kRhos; ++i) table->knots[i][k] = {{energies[i], forces[i]}, {by_rho[i], by_both[i]}};
+    for (std::size_t i = 0; i < kRhos; ++i) knots[i][k] = {{energies[i], forces[i]}, {by_rho[i], by_both[i]}};
   }
+}
 
+void LumpEnergy::Table::findSteepest() {
   constexpr int kLooks = 4;  // per cell
   for (std::size_t i = 0; i + 1 < kRhos; ++i) {
     for (int a = 0; a < kLooks; ++a) {
-      const double rho = rhos[i] + (rhos[i + 1] - rhos[i]) * a / kLooks;
+      const double rho = rhoOf(i) + (rhoOf(i + 1) - rhoOf(i)) * a / kLooks;
       for (std::size_t k = 0; k < kLooks * (kDepths - 1) + 1; ++k) {
-        const Table::Full full = table->at(rho, table->depth_step.mm * static_cast<double>(k) / kLooks);
-        LumpSteepness& steepest = table->steepest;
+        const Full full = at(rho, depth_step.mm * static_cast<double>(k) / kLooks);
         steepest.depth = std::max(steepest.depth, std::abs(full.d_depth_depth));
         steepest.rho = std::max(steepest.rho, std::abs(full.answer.d_rho_rho));
         steepest.snapping = std::max(steepest.snapping, -full.answer.d_rho_rho);
       }
     }
   }
+}
+
+LumpEnergy::LumpEnergy(const LumpShape& lump, const LayerStack& stack, std::span<const WeightedField> fields,
+                       std::span<const ForceCorrection> correction) {
+  check(lump, stack);
+  if (fields.empty()) throw Error("lump: no field of a press is given");
+  auto table = std::make_shared<Table>();
+  table->layOut(lump, fields);
+  EnergyRows rows = table->rowsOf(lump, stack, fields);
+  if (!correction.empty()) {
+    for (auto& row : rows) correct(correction, table->depth_step, row);
+  }
+  table->setKnots(rows);
+  table->findSteepest();
   table_ = std::move(table);
 }
 
