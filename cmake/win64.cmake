@@ -14,3 +14,4 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(ENV{PKG_CONFIG_LIBDIR} ${libraries}/lib/pkgconfig)
 set(CMAKE_CROSSCOMPILING_EMULATOR /usr/lib/wine/wine64)
 set(Boost_NO_BOOST_CMAKE ON) # its headers alone
+set(OPENSSL_USE_STATIC_LIBS ON)

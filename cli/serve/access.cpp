@@ -1,14 +1,11 @@
 #include "cli/serve/access.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -34,10 +31,6 @@ bool isTokenLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
 }
 
-[[noreturn]] void failAt(const std::filesystem::path& file, int reason) {
-  throw Error::inFile(file.string(), std::generic_category().message(reason));
-}
-
 bool isHostLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == ':' || c == '[' || c == ']';
 }
@@ -50,10 +43,10 @@ std::string tokenOf(const nlohmann::json& json, const char* name) {
 bool isOfDeadServer(std::string_view name) {
   if (!name.starts_with(kTokenFileStem)) return false;
   name.remove_prefix(kTokenFileStem.size());
-  pid_t process = 0;
+  int process = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), process);
   if (error != std::errc() || process <= 0) return false;
-  return process == ::getpid() || (::kill(process, 0) != 0 && errno == ESRCH);
+  return process == system::ownProcess() || !system::isRunning(process);
 }
 
 }  // namespace
@@ -99,7 +92,9 @@ Role roleOf(const Tokens& tokens, std::string_view offered) noexcept {
 }
 
 void writeTokens(const std::filesystem::path& file, const Tokens& tokens) {
-  if (std::filesystem::exists(std::filesystem::symlink_status(file))) failAt(file, EEXIST);
+  if (std::filesystem::exists(std::filesystem::symlink_status(file))) {
+    throw Error::inFile(file.string(), std::generic_category().message(EEXIST));
+  }
   const nlohmann::ordered_json json = {
       {"look", tokens.look}, {"control", tokens.control}, {"instruct", tokens.instruct}};
   writePrivateFile(file, jsonDump(json, 2) + "\n");
@@ -111,15 +106,11 @@ std::filesystem::path freshTokenFile() {
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     if (isOfDeadServer(entry.path().filename().string())) std::filesystem::remove(entry.path(), error);
   }
-  return folder / pathOf(fmt::format("{}{}-{}.json", kTokenFileStem, ::getpid(), makeToken().substr(0, 8)));
+  return folder / pathOf(fmt::format("{}{}-{}.json", kTokenFileStem, system::ownProcess(), makeToken().substr(0, 8)));
 }
 
 Tokens readTokens(const std::filesystem::path& file) {
-  struct stat facts = {};
-  if (::stat(file.c_str(), &facts) != 0) failAt(file, errno);
-  if ((facts.st_mode & 0077) != 0) {
-    throw Error::inFile(file.string(), "others may read or write it: chmod 600 " + file.string());
-  }
+  requireClosedFile(file);
   const auto json = nlohmann::json::parse(readFile(file, kMaxTokenFile), nullptr, false);
   if (!json.is_object()) throw Error::inFile(file.string(), R"(is not {"look": ..., "control": ..., "instruct": ...})");
   try {

@@ -1,8 +1,4 @@
 // Requests by HTTP: the page's files, skin and forms for who has a token, and the way to the stream.
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
-
 #include <algorithm>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/string.hpp>
@@ -13,6 +9,7 @@
 #include <utility>
 
 #include "cli/serve/hall.h"
+#include "palpate/base/system/network.h"
 #include "palpate/base/text.h"
 
 namespace palpate::app::serving {
@@ -82,8 +79,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
   void begin() {
     // What a reader that reads nothing makes the system hold: without it some MB each, as much as a fast one is worth.
     constexpr int kUnsentOfAnAnswer = kPieceBytes;
-    ::setsockopt(line().socket().native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kUnsentOfAnAnswer,
-                 sizeof(kUnsentOfAnAnswer));
+    system::limitUnsent(numberOf(line().socket()), kUnsentOfAnAnswer);
     hall_.hang_up[id_] = [this] { line().close(); };
     hall_.makeRoom(hall_.book.enter(id_, clientOf(line().socket()), hall_.now()));
     if (!wire_.isTls()) return read();

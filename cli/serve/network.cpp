@@ -1,14 +1,9 @@
 // Boost.Asio, one thread and no lock: everything that comes from outside it is posted to it.
 #include "cli/serve/network.h"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
-#include <ifaddrs.h>
-#include <net/if.h>
-#include <netinet/in.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
@@ -24,6 +19,7 @@
 #include "cli/serve/hall.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
+#include "palpate/base/system/network.h"
 
 namespace palpate::app::serving {
 
@@ -37,31 +33,15 @@ std::string inBrackets(const std::string& host) {
   return host.find(':') == std::string::npos ? host : "[" + host + "]";
 }
 
-/// Empty for what is no IP address, or no use to a browser.
-std::string hostOf(const sockaddr* address, bool v6_too) {
-  std::array<char, INET6_ADDRSTRLEN> text{};
-  if (address != nullptr && address->sa_family == AF_INET) {
-    ::inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(address)->sin_addr, text.data(), text.size());
-  } else if (address != nullptr && address->sa_family == AF_INET6 && v6_too) {
-    const in6_addr& v6 = reinterpret_cast<const sockaddr_in6*>(address)->sin6_addr;
-    if (!IN6_IS_ADDR_LINKLOCAL(&v6)) ::inet_ntop(AF_INET6, &v6, text.data(), text.size());
-  }
-  return inBrackets(text.data());
-}
-
 /// The address itself; for 0.0.0.0 and :: those of this computer's interfaces that are up, loopback last. IPv6 in
-/// brackets, link-local ones left out: a browser cannot name their interface.
+/// brackets.
 std::vector<std::string> reachableHosts(const std::string& host) {
   const bool v6 = host == "::";
   if (!v6 && host != "0.0.0.0") return {inBrackets(host)};
-  ifaddrs* first = nullptr;
-  if (::getifaddrs(&first) != 0) return {inBrackets(host)};
-  const std::unique_ptr<ifaddrs, decltype(&::freeifaddrs)> all(first, &::freeifaddrs);
   std::vector<std::string> hosts;
-  for (const ifaddrs* at = first; at != nullptr; at = at->ifa_next) {
-    if ((at->ifa_flags & IFF_UP) == 0) continue;
-    const std::string found = hostOf(at->ifa_addr, v6);
-    if (!found.empty() && std::find(hosts.begin(), hosts.end(), found) == hosts.end()) hosts.push_back(found);
+  for (const std::string& address : system::ownAddresses(v6)) {
+    const std::string found = inBrackets(address);
+    if (std::find(hosts.begin(), hosts.end(), found) == hosts.end()) hosts.push_back(found);
   }
   std::stable_partition(hosts.begin(), hosts.end(), [](const std::string& found) { return !isLoopback(found); });
   return hosts.empty() ? std::vector<std::string>{inBrackets(host)} : hosts;
@@ -107,7 +87,8 @@ void Network::Impl::listen() {
   const asio::ip::tcp::endpoint at(addressOf(hall.settings.host), static_cast<std::uint16_t>(hall.settings.port));
   boost::system::error_code error;
   acceptor.open(at.protocol(), error);
-  if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
+  if (!error) system::claimPort(numberOf(acceptor));
+  if (!error && at.address().is_v6()) acceptor.set_option(asio::ip::v6_only(false), error);  // "::" is both
   if (!error) acceptor.bind(at, error);
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
   if (error) throw Error(fmt::format("{}:{}: {}", hall.settings.host, hall.settings.port, error.message()));

@@ -3,11 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "cli/kit/families.h"
@@ -22,6 +20,7 @@
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/system/process.h"
+#include "palpate/base/system/thread.h"
 #include "palpate/body/places.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/engine/contact_stream.h"
@@ -237,8 +236,8 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
   FrameMaker frames(world);
   const std::vector<device::Device> devices = devicesOf(servo);
   const Clock::time_point began = Clock::now();
-  const auto step = std::chrono::nanoseconds(1'000'000'000 / kFramesPerS);
-  Clock::time_point due = began;
+  constexpr std::int64_t step = 1'000'000'000 / kFramesPerS;
+  std::int64_t due = monotonicNs();
   for (int round = 1; endAskedBy() == 0; ++round) {
     const double now_s = secondsSince(began);
     if (options.input.seconds > 0.0 && now_s >= options.input.seconds) return;
@@ -254,8 +253,8 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
       network.tellVitals(vitalsJson(servo.thread().vitals()));
       for (const std::string& trouble : device::tendDevices(devices)) say(trouble + "\n");
     }
-    due = std::max(due + step, Clock::now());
-    std::this_thread::sleep_until(due);
+    due = std::max(due + step, monotonicNs());
+    system::sleepUntil(due);
   }
 }
 

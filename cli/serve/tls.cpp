@@ -2,32 +2,17 @@
 
 #include <fmt/format.h>
 #include <openssl/ssl.h>
-#include <sys/stat.h>
 
-#include <cerrno>
 #include <string>
-#include <system_error>
 
 #include "palpate/base/error.h"
+#include "palpate/base/private_folder.h"
 
 namespace palpate::app::serving {
 
 namespace {
 
 using TlsStatus = boost::system::error_code;
-
-/// Others than owner and group may read it: certificates' keys often belong to a group (Debian's ssl-cert).
-constexpr unsigned kOthers = 0007;
-
-void checkMode(const std::filesystem::path& file) {
-  struct stat facts = {};
-  if (::stat(file.c_str(), &facts) != 0) {
-    throw Error::inFile(file.string(), std::generic_category().message(errno));
-  }
-  if ((facts.st_mode & kOthers) != 0) {
-    throw Error::inFile(file.string(), "others may read or write it: chmod 600 " + file.string());
-  }
-}
 
 }  // namespace
 
@@ -38,7 +23,7 @@ std::shared_ptr<TlsContext> tlsFrom(const std::filesystem::path& certificate, co
   TlsStatus status;
   context->use_certificate_chain_file(certificate.string(), status);
   if (status) throw Error::inFile(certificate.string(), "must be a certificate, PEM: " + status.message());
-  checkMode(key);
+  requireClosedFile(key, OthersOfFile::group);  // keys often belong to one (Debian's ssl-cert)
   context->use_private_key_file(key.string(), TlsContext::pem, status);
   if (status || SSL_CTX_check_private_key(context->native_handle()) != 1) {
     throw Error::inFile(key.string(), fmt::format("must be the key of {}, PEM, without a password{}",

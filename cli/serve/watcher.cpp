@@ -1,9 +1,5 @@
 // One page that looks on, over a WebSocket: the newest frame whenever it is ready for one, words in between, and what
 // it requests. A frame that it was not ready for is gone: nothing ever queues up but a few words.
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
-
 #include <algorithm>
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>
@@ -14,6 +10,7 @@
 
 #include "cli/serve/hall.h"
 #include "palpate/base/json_text.h"
+#include "palpate/base/system/network.h"
 
 namespace palpate::app::serving {
 
@@ -88,12 +85,11 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
 
  private:
   void holdBackLittle() {
-    const int socket = beast::get_lowest_layer(stream_).socket().native_handle();
-    for (const auto& [level, option, value] :
-         {std::tuple(SOL_SOCKET, SO_SNDBUF, kSendBytes), std::tuple<int, int, int>(IPPROTO_TCP, TCP_NODELAY, 1),
-          std::tuple<int, int, int>(IPPROTO_TCP, TCP_NOTSENT_LOWAT, kUnsentBytes)}) {
-      ::setsockopt(socket, level, option, &value, sizeof(value));  // without them it is only less fresh
-    }
+    Socket& socket = beast::get_lowest_layer(stream_).socket();
+    Failure ignored;  // without them it is only less fresh
+    system::limitUnsent(numberOf(socket), kUnsentBytes);
+    socket.set_option(asio::socket_base::send_buffer_size(kSendBytes), ignored);
+    socket.set_option(asio::ip::tcp::no_delay(true), ignored);
   }
 
   void begin() {

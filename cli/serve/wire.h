@@ -9,6 +9,7 @@
 #include <boost/beast/ssl/ssl_stream.hpp>
 #include <boost/beast/websocket/ssl.hpp>
 #include <boost/beast/websocket/teardown.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <utility>
@@ -25,6 +26,12 @@ using TlsContext = boost::asio::ssl::context;
 std::shared_ptr<TlsContext> tlsFrom(const std::filesystem::path& certificate, const std::filesystem::path& key);
 
 using Socket = boost::asio::ip::tcp::socket;
+
+/// As the system names it (base/system/network.h).
+template <class OfAsio>
+std::intptr_t numberOf(OfAsio& socket) {
+  return static_cast<std::intptr_t>(socket.native_handle());
+}
 
 // The names are Beast's.
 // NOLINTBEGIN(readability-identifier-naming)

@@ -39,7 +39,8 @@ else()
 endif()
 
 add_test(NAME c.header COMMAND ${tests}/check_header.sh ${PROJECT_SOURCE_DIR}/bindings/c)
-add_test(NAME c.exports COMMAND ${tests}/check_exports.sh $<TARGET_FILE:palpate_c> ${PROJECT_SOURCE_DIR}/bindings/c/palpate.h)
+add_test(NAME c.exports COMMAND ${tests}/check_exports.sh $<TARGET_FILE:palpate_c> ${PROJECT_SOURCE_DIR}/bindings/c/palpate.h
+         ${PROJECT_SOURCE_DIR}/bindings/c/samples/Palpate.cs)
 add_test(NAME c.docs COMMAND ${tests}/check_docs.sh ${PROJECT_SOURCE_DIR} $<TARGET_FILE_DIR:palpate_c>)
 
 # Structures as they were and as they will be: three programs on two libraries.

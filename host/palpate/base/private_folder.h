@@ -1,4 +1,5 @@
-// Folders for their owner's eyes alone, and where temporary files go: never under a name that others can foresee.
+// Folders and files for their owner's eyes alone, and where temporary files go: never under a name that others can
+// foresee.
 #pragma once
 
 #include <filesystem>
@@ -15,6 +16,11 @@ void makePrivateFolder(const std::filesystem::path& folder, ExistingFolder exist
 
 /// Throws Error unless it is a folder, no link, that belongs to this user and is closed to all others.
 void requirePrivateFolder(const std::filesystem::path& folder);
+
+/// Who besides its owner may read and write a file.
+enum class OthersOfFile { nobody, group };
+/// Throws Error for a file that is not there, and for one that still others may read or write.
+void requireClosedFile(const std::filesystem::path& file, OthersOfFile others = OthersOfFile::nobody);
 
 /// A fresh folder of mode 0700, "<stem>-XXXXXX", where temporary files belong. Throws Error.
 std::filesystem::path newTemporaryFolder(std::string_view stem);

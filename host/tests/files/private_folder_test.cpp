@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "palpate/base/output_file.h"
 #include "palpate/base/text.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
@@ -49,6 +50,20 @@ TEST(PrivateFolder, OfSomebodyElseOrOpenOrALinkIsRefused) {
   EXPECT_THROW(requirePrivateFolder(folder / "link"), Error);
   ASSERT_EQ(::chmod((folder / "mine").c_str(), 0750), 0);
   EXPECT_THROW(requirePrivateFolder(folder / "mine"), Error);
+}
+
+TEST(PrivateFolder, AFileThatOthersMayReadIsRefusedAndOneOfAGroupWhereItMay) {
+  const support::TemporaryFolder folder;
+  const fs::path file = folder / "key";
+  EXPECT_EQ(support::messageOf([&] { requireClosedFile(file); }), file.string() + ": No such file or directory");
+  writePrivateFile(file, "secret");
+  requireClosedFile(file);
+  ASSERT_EQ(::chmod(file.c_str(), 0640), 0);
+  requireClosedFile(file, OthersOfFile::group);
+  const std::string words = file.string() + ": others may read or write it: chmod 600 " + file.string();
+  EXPECT_EQ(support::messageOf([&] { requireClosedFile(file); }), words);
+  ASSERT_EQ(::chmod(file.c_str(), 0602), 0);
+  EXPECT_EQ(support::messageOf([&] { requireClosedFile(file, OthersOfFile::group); }), words);
 }
 
 TEST(PrivateFolder, ForTemporaryFilesHasANameThatNobodyForesees) {

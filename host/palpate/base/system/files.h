@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace palpate::system {
@@ -37,6 +38,10 @@ bool mayRun(const std::filesystem::path& program);
 bool isOpenToAll(const std::filesystem::path& folder);
 /// Nobody but its owner (and who looks after the machine) may read or write it.
 bool isClosedToOthers(const std::filesystem::path& file);
+/// The same, but those of its group may, where the system has groups of files.
+bool isClosedToStrangers(const std::filesystem::path& file);
+/// The command that closes it to others, for messages.
+std::string howToClose(const std::filesystem::path& file);
 /// A folder, no link, that belongs to this user.
 bool isOwnFolder(const std::filesystem::path& folder);
 

@@ -21,6 +21,12 @@ constexpr mode_t kNewFile = 0666;  // less the umask
 constexpr mode_t kOwnersFile = 0600;
 constexpr mode_t kOwnersFolder = 0700;
 constexpr mode_t kOthers = 0077;
+constexpr mode_t kStrangers = 0007;
+
+bool isClosedTo(mode_t whom, const fs::path& file) {
+  struct stat facts = {};
+  return ::stat(file.c_str(), &facts) == 0 && (facts.st_mode & whom) == 0;
+}
 
 }  // namespace
 
@@ -77,10 +83,9 @@ bool isOpenToAll(const fs::path& folder) {
          (facts.st_mode & S_IWOTH) != 0;
 }
 
-bool isClosedToOthers(const fs::path& file) {
-  struct stat facts = {};
-  return ::stat(file.c_str(), &facts) == 0 && (facts.st_mode & kOthers) == 0;
-}
+bool isClosedToOthers(const fs::path& file) { return isClosedTo(kOthers, file); }
+bool isClosedToStrangers(const fs::path& file) { return isClosedTo(kStrangers, file); }
+std::string howToClose(const fs::path& file) { return "chmod 600 " + file.string(); }
 
 bool isOwnFolder(const fs::path& folder) {
   struct stat facts = {};

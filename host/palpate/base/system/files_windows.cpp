@@ -164,6 +164,12 @@ bool isClosedToOthers(const fs::path& file) {
   return rightsOf(file, rights) && isOneOfUs(rights.owner) && !opensToOthers(rights.list);
 }
 
+bool isClosedToStrangers(const fs::path& file) { return isClosedToOthers(file); }
+
+std::string howToClose(const fs::path& file) {
+  return "icacls \"" + file.string() + "\" /inheritance:r /grant:r \"%USERNAME%:F\"";
+}
+
 bool isOwnFolder(const fs::path& folder) {
   const DWORD facts = ::GetFileAttributesW(folder.c_str());
   Rights rights;

@@ -62,11 +62,16 @@ bool messagesGoToATerminal();
 /// the end of the input.
 std::optional<char> typedLetter(bool& open);
 
+/// The number of this process; whether one runs that has this number, ours or another's.
+int ownProcess();
+bool isRunning(int process);
+
 /// The words of the command line, without the program's own, in UTF-8.
 std::vector<std::string> commandLine(int argc, char** argv);
 
 /// The other program takes this one's place, under the name `called`. -1: it cannot be started, and errno says why.
-/// Where the system has no such thing (Windows), it runs below this one to its end, and its exit code is returned.
+/// Where the system has no such thing (Windows), it runs below this one to its end, hears Ctrl-C in its place and ends
+/// with it, and its exit code is returned.
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
                   const std::vector<std::string>& words);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <pwd.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/utsname.h>
 #include <sys/wait.h>
@@ -52,6 +53,9 @@ std::string variable(const char* name) {
   const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
   return value == nullptr ? std::string() : value;
 }
+
+int ownProcess() { return ::getpid(); }
+bool isRunning(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; }
 
 bool fillWithRandom(std::span<unsigned char> bytes) noexcept { return ::getentropy(bytes.data(), bytes.size()) == 0; }
 

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <io.h>
-#include <process.h>
 #include <windows.h>
 // After windows.h.
 #include <ntsecapi.h>
@@ -38,17 +37,47 @@ std::wstring quoted(const std::string& word) {
   return text + L"\"";
 }
 
-std::vector<std::wstring> quotedAll(const std::string& called, const std::vector<std::string>& words) {
-  std::vector<std::wstring> all = {quoted(called)};
-  for (const std::string& word : words) all.push_back(quoted(word));
-  return all;
+/// Ctrl-C goes to every program at the console: the other one ends in order, and this one waits for it. When a handler
+/// returns from what is more than that, the system ends its program.
+BOOL WINAPI leaveToTheOther(DWORD event) {
+  if (event != CTRL_C_EVENT && event != CTRL_BREAK_EVENT) ::Sleep(INFINITE);
+  return TRUE;
 }
 
-std::vector<const wchar_t*> pointersTo(const std::vector<std::wstring>& words) {
-  std::vector<const wchar_t*> pointers;
-  for (const std::wstring& word : words) pointers.push_back(word.c_str());
-  pointers.push_back(nullptr);
-  return pointers;
+/// Who ends this program ends those in the job, but not those that they have started.
+HANDLE jobThatEndsWithUs() {
+  const HANDLE job = ::CreateJobObjectW(nullptr, nullptr);
+  JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
+  limits.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE | JOB_OBJECT_LIMIT_SILENT_BREAKAWAY_OK;
+  ::SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits, sizeof(limits));
+  return job;
+}
+
+/// Without a window of its own (CREATE_NO_WINDOW) it has no input and no output either.
+bool begin(const std::filesystem::path& program, const std::string& called, const std::vector<std::string>& words,
+           DWORD flags, PROCESS_INFORMATION& child) {
+  std::vector<std::string> all = {called};
+  all.insert(all.end(), words.begin(), words.end());
+  std::wstring line = commandLineOf(all);
+  STARTUPINFOW start{};
+  start.cb = sizeof(start);
+  const bool quietly = flags == CREATE_NO_WINDOW;
+  if (quietly) start.dwFlags = STARTF_USESTDHANDLES;  // which are none
+  const BOOL begun = ::CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, quietly ? FALSE : TRUE, flags,
+                                      nullptr, nullptr, &start, &child);
+  if (begun == 0) errno = ::GetLastError() == ERROR_FILE_NOT_FOUND ? ENOENT : EACCES;
+  return begun != 0;
+}
+
+/// The exit code of one that ended by itself, else that of its fault, never below 0; -1 where there is none.
+int endOf(const PROCESS_INFORMATION& child) {
+  ::WaitForSingleObject(child.hProcess, INFINITE);
+  DWORD answer = 0;
+  const bool ended = ::GetExitCodeProcess(child.hProcess, &answer) != 0;
+  ::CloseHandle(child.hThread);
+  ::CloseHandle(child.hProcess);
+  constexpr DWORD kMost = 0x7fffffff;
+  return ended ? static_cast<int>(answer & kMost) : -1;
 }
 
 }  // namespace
@@ -66,6 +95,16 @@ std::string variable(const char* name) {
   if (length >= kLongestPath) return {};
   value.resize(length);
   return inUtf8(value);
+}
+
+int ownProcess() { return static_cast<int>(::GetCurrentProcessId()); }
+
+bool isRunning(int process) {
+  const HANDLE handle = ::OpenProcess(SYNCHRONIZE, FALSE, static_cast<DWORD>(process));
+  if (handle == nullptr) return ::GetLastError() == ERROR_ACCESS_DENIED;
+  const bool runs = ::WaitForSingleObject(handle, 0) == WAIT_TIMEOUT;
+  ::CloseHandle(handle);
+  return runs;
 }
 
 bool fillWithRandom(std::span<unsigned char> bytes) noexcept {
@@ -145,29 +184,21 @@ std::vector<std::string> commandLine(int, char**) {
 
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
                   const std::vector<std::string>& words) {
-  const std::vector<std::wstring> all = quotedAll(called, words);
-  const intptr_t answer = ::_wspawnv(_P_WAIT, program.c_str(), pointersTo(all).data());
-  return static_cast<int>(answer);
+  const HANDLE job = jobThatEndsWithUs();
+  PROCESS_INFORMATION child{};
+  if (!begin(program, called, words, CREATE_SUSPENDED, child)) return -1;
+  ::SetConsoleCtrlHandler(leaveToTheOther, TRUE);
+  ::AssignProcessToJobObject(job, child.hProcess);
+  ::ResumeThread(child.hThread);
+  const int answer = endOf(child);
+  ::SetConsoleCtrlHandler(leaveToTheOther, FALSE);
+  ::CloseHandle(job);
+  return answer;
 }
 
 int runQuietly(const std::filesystem::path& program, const std::string& called, const std::vector<std::string>& words) {
-  std::vector<std::string> all = {called};
-  all.insert(all.end(), words.begin(), words.end());
-  std::wstring line = commandLineOf(all);
-  STARTUPINFOW start{};
-  start.cb = sizeof(start);
-  start.dwFlags = STARTF_USESTDHANDLES;  // which are none
   PROCESS_INFORMATION child{};
-  if (::CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, FALSE, CREATE_NO_WINDOW, nullptr, nullptr,
-                       &start, &child) == 0) {
-    return -1;
-  }
-  ::WaitForSingleObject(child.hProcess, INFINITE);
-  DWORD answer = 0;
-  const bool ended = ::GetExitCodeProcess(child.hProcess, &answer) != 0;
-  ::CloseHandle(child.hThread);
-  ::CloseHandle(child.hProcess);
-  return ended ? static_cast<int>(answer) : -1;
+  return begin(program, called, words, CREATE_NO_WINDOW, child) ? endOf(child) : -1;
 }
 
 }  // namespace palpate::system

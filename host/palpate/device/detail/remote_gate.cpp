@@ -4,13 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <system_error>
 
 #include "palpate/base/error.h"
-#include "palpate/base/system/files.h"
+#include "palpate/base/private_folder.h"
 #include "palpate/base/text.h"
 #include "palpate/device/trajectory.h"
 
@@ -82,13 +80,7 @@ std::optional<RemotePose> parsePose(std::string_view message) noexcept {
 }
 
 std::string readRemoteKey(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) {
-    throw Error::inFile(file.string(), std::generic_category().message(error ? error.value() : ENOENT));
-  }
-  if (!system::isClosedToOthers(file)) {
-    throw Error::inFile(file.string(), "others may read or write it: chmod 600 " + file.string());
-  }
+  requireClosedFile(file);
   const std::string content = readFile(file, kMaxKeyFileBytes);
   const std::string_view key = trimmed(content);
   if (key.size() < kMinKeyBytes || key.size() > kMaxKeyBytes || !std::all_of(key.begin(), key.end(), isLetterOrDigit)) {
