@@ -41,7 +41,6 @@ std::vector<std::string> ownAddresses(bool v6_too) {
   return addresses;
 }
 
-// A second socket at the port is refused in any case; this only frees it from connections that ended.
 void claimPort(std::intptr_t socket) {
   const int on = 1;
   ::setsockopt(static_cast<int>(socket), SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));

@@ -60,10 +60,8 @@ std::vector<std::string> ownAddresses(bool v6_too) {
   return addresses;
 }
 
-// SO_REUSEADDR would let any program listen at the same port here, and take half of the connections.
 void claimPort(std::intptr_t socket) { setOption(socket, SO_EXCLUSIVEADDRUSE, 1); }
 
-// Nothing here tells what is unsent from what nobody has acknowledged: both together.
 void limitUnsent(std::intptr_t socket, int bytes) { setOption(socket, SO_SNDBUF, bytes); }
 
 }  // namespace palpate::system
