@@ -13,13 +13,13 @@ std::vector<std::string> ownAddresses(bool v6_too);
 
 /// Before the socket is bound: its port is nobody else's, and one that ended a moment ago does not keep it.
 ///
-/// POSIX refuses a second socket at the port in any case, and SO_REUSEADDR only frees it from connections that ended. On
-/// Windows the option of that name would let any program listen there, too, and take half of the connections;
+/// POSIX refuses a second socket at the port in any case, and SO_REUSEADDR only frees it from connections that ended.
+/// On Windows the option of that name would let any program listen there, too, and take half of the connections;
 /// SO_EXCLUSIVEADDRUSE is what is meant.
 void claimPort(std::intptr_t socket);
 
-/// How much of what was sent may wait in the system for a reader that is slow; where it cannot be set, more does. Windows
-/// does not tell what is unsent from what nobody has acknowledged: there it is both together (SO_SNDBUF).
+/// How much of what was sent may wait in the system for a reader that is slow; where it cannot be set, more does.
+/// Windows does not tell what is unsent from what nobody has acknowledged: there it is both together (SO_SNDBUF).
 void limitUnsent(std::intptr_t socket, int bytes);
 
 }  // namespace palpate::system
