@@ -7,8 +7,9 @@
 
 namespace palpate::system {
 
-/// The IP addresses of those of this computer's interfaces that are up, loopback among them. Link-local ones of IPv6
-/// are left out: nobody can name their interface in a browser.
+/// The IP addresses of those of this computer's interfaces that are up, loopback among them, in the order in which the
+/// system has them; none where it does not say. Link-local ones of IPv6 are left out: nobody can name their interface
+/// in a browser.
 std::vector<std::string> ownAddresses(bool v6_too);
 
 /// Before the socket is bound: its port is nobody else's, and one that ended a moment ago does not keep it.
