@@ -1,4 +1,6 @@
 // Requests by HTTP: the page's files, skin and forms for who has a token, and the way to the stream.
+#include "cli/serve/wire.h"
+
 #include <algorithm>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/string.hpp>

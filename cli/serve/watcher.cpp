@@ -1,5 +1,7 @@
 // One page that looks on, over a WebSocket: the newest frame whenever it is ready for one, words in between, and what
 // it requests. A frame that it was not ready for is gone: nothing ever queues up but a few words.
+#include "cli/serve/wire.h"
+
 #include <algorithm>
 #include <boost/beast/core.hpp>
 #include <boost/beast/websocket.hpp>

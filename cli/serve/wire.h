@@ -14,6 +14,10 @@
 #include <memory>
 #include <utility>
 
+// On Windows Asio brings the system's headers, where a macro has the name of a function of ours. Files that include
+// more of Boost than this include this first.
+#undef near
+
 namespace palpate::app::serving {
 
 // A certificate and its key out of two files, for `palpate serve` over TLS.

@@ -58,6 +58,7 @@ int descriptorOf(HANDLE handle) {
   return -1;
 }
 
+/// A TOKEN_USER, which points into itself: moved, but never copied.
 std::vector<unsigned char> ownUser() {
   HANDLE token = nullptr;
   std::vector<unsigned char> user(512);
@@ -65,7 +66,8 @@ std::vector<unsigned char> ownUser() {
   if (::OpenProcessToken(::GetCurrentProcess(), TOKEN_QUERY, &token) == 0) return {};
   const bool known = ::GetTokenInformation(token, TokenUser, user.data(), static_cast<DWORD>(user.size()), &size) != 0;
   ::CloseHandle(token);
-  return known ? user : std::vector<unsigned char>();
+  if (!known) user.clear();
+  return user;
 }
 
 bool isOwnUser(PSID who) {

@@ -42,9 +42,33 @@ class Timer {
   bool exact_ = false;
 };
 
+/// A thread's own object, made when it is first asked for, gone with the thread. Not thread_local: mingw-w64 frees the
+/// memory of those before their destructors use it.
+template <class Kind>
+class OfThread {
+ public:
+  OfThread() : slot_(::FlsAlloc(remove)) {}
+  ~OfThread() { ::FlsFree(slot_); }
+  OfThread(const OfThread&) = delete;
+  OfThread& operator=(const OfThread&) = delete;
+
+  Kind& get() const {
+    auto* object = static_cast<Kind*>(::FlsGetValue(slot_));
+    if (object != nullptr) return *object;
+    object = new Kind;
+    ::FlsSetValue(slot_, object);
+    return *object;
+  }
+
+ private:
+  static void WINAPI remove(void* object) { delete static_cast<Kind*>(object); }
+
+  DWORD slot_;
+};
+
 const Timer& timerOfThread() {
-  thread_local const Timer timer;
-  return timer;
+  static const OfThread<Timer> timer;
+  return timer.get();
 }
 
 /// Ends with the thread.
@@ -73,8 +97,8 @@ class ProAudio {
 };
 
 bool askForProAudio() {
-  thread_local const ProAudio task;
-  return task.granted();
+  static const OfThread<ProAudio> task;
+  return task.get().granted();
 }
 
 }  // namespace
