@@ -15,6 +15,7 @@
 #include "cli/kit/number_option.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
+#include "lab/commands/bench_tool.h"
 #include "lab/commands/peers_report.h"
 #include "lab/peers/judge.h"
 #include "lab/peers/peer.h"
@@ -100,6 +101,7 @@ struct BenchContactArguments {
   bool by_hdb = false;
   bench::HdbRunSettings hdb;
   PeersOption peers;
+  std::string tool;  ///< empty: one finger
   bool json = false;
 };
 
@@ -118,6 +120,14 @@ void runHdb(const BenchContactArguments& arguments) {
                                      arguments.window));
 }
 
+void runTool(const BenchContactArguments& arguments) {
+  if (arguments.scale != 1.0 || arguments.by_hdb || arguments.peers.wanted || arguments.finger.force_shading) {
+    throw Error("--tool touches the whole surface, without scale, shading and peers");
+  }
+  runToolBench({arguments.mesh, arguments.trajectory, arguments.tool, arguments.stiffness_n_per_mm, arguments.finger,
+                arguments.window, arguments.json});
+}
+
 void runWithPeers(const BenchContactArguments& arguments, bench::ContactWorld& world) {
   const bench::ContactComparison comparison =
       bench::compareContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window,
@@ -131,6 +141,7 @@ void runWithPeers(const BenchContactArguments& arguments, bench::ContactWorld& w
 }
 
 void runContact(const BenchContactArguments& arguments) {
+  if (!arguments.tool.empty()) return runTool(arguments);
   if (arguments.peers.wanted) handOverToPeersProgram(arguments.peers);
   if (arguments.by_hdb) return runHdb(arguments);
   bench::ContactWorld world =
@@ -184,6 +195,8 @@ void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
   addFingerOptions(command, *arguments);
   addHdbOptions(command, *arguments);
   addPeersOption(command, arguments->peers);
+  takesOneOf(benchToolNames(), command.add_option("--tool", arguments->tool,
+                                                   "Touch with a tool of several pads instead of one finger"));
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runContact(*arguments); });
 }

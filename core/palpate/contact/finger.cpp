@@ -8,10 +8,7 @@
 #include <string>
 
 #include "palpate/base/error.h"
-#include "palpate/contact/felt_force.h"
-#include "palpate/contact/press.h"
-#include "palpate/contact/sides.h"
-#include "palpate/contact/surface_walk.h"
+#include "palpate/contact/finger_tick.h"
 
 namespace palpate::contact {
 
@@ -58,21 +55,7 @@ void check(const FingerSettings& settings) {
 
 FingerOutput step(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip,
                   const LumpPlaces* lumps) noexcept {
-  if (!usableTip(surface, tip)) return lostOutput(state);
-  if (!state.knows_tip) {
-    state.tip = tip;
-    state.from_inside = isBuried(surface, tip);
-  }
-  const Index triangle_before = state.proxy.triangle;
-  const Press press = pressOf(surface, settings, state, tip);
-  const double tip_moved_mm = (tip - state.tip).norm();
-  state.knows_tip = true;
-  state.tip = tip;
-  if (press.touching) {
-    state.from_inside = false;
-    prefetchNeighbours(surface, state.proxy.triangle, state.proxy.triangle != triangle_before);
-  }
-  return feltOutput(surface, settings, press, tip, tip_moved_mm, state, lumps);
+  return tickBy(surface, settings, state, tip, lumps, [&] { return pressOf(surface, settings, state, tip); });
 }
 
 void stepAll(const Surface& surface, std::span<const FingerSettings> settings, std::span<FingerState> states,

@@ -105,13 +105,13 @@ bool nextGoal(const SphereTask& task, const HalfSpaces& planes, Vec3& goal) {
 
 /// Adds the planes of what is in the way from `from` to `to`. False when nothing is; `feet` are then those at `to`.
 bool addObstacles(const SphereTask& task, const Vec3& from, const Vec3& to, HalfSpaces& planes, Feet& feet) {
-  const tree::Crossing crossing = tree::firstFrontCrossing(task.surface.geometry->tree, from, to);
+  const tree::Crossing crossing = firstCrossing(task.surface, task.nearby, from, to);
   if (crossing.triangle != kNoIndex) {
     const Vec3 normal = normalAt(task.surface, {crossing.point, crossing.triangle, tree::Feature::face});
     planes.add({normal, normal.dot(crossing.point) + task.radius});
     return true;
   }
-  findFeet(task.surface, to, task.radius * (1.0 + kOutlook), feet);
+  findFeet(task.surface, to, task.radius * (1.0 + kOutlook), feet, task.nearby);
   bool any = false;
   for (int i = 0; i < feet.count; ++i) {
     if (feet.feet[i].height >= task.radius * (1.0 - kFit)) continue;
@@ -167,7 +167,7 @@ Vec3 lookAhead(const SphereTask& task, const Feet& feet, Vec3 place) {
 /// The feet at `centre` that the next step has to respect.
 void feetAt(const SphereTask& task, const Vec3& centre, const StandingPlaces& standing, Feet& feet) {
   if (standing.count < 0) {
-    findFeet(task.surface, centre, task.radius * (1.0 + kOutlook), feet);
+    findFeet(task.surface, centre, task.radius * (1.0 + kOutlook), feet, task.nearby);
     return;
   }
   feet.count = standing.count;
@@ -182,13 +182,13 @@ void remember(const Feet& feet, StandingPlaces& standing) {
 }  // namespace
 
 bool isFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) noexcept {
-  return tree::firstFrontCrossing(task.surface.geometry->tree, from, to).triangle == kNoIndex;
+  return firstCrossing(task.surface, task.nearby, from, to).triangle == kNoIndex;
 }
 
 bool pushOut(const SphereTask& task, Vec3& centre) noexcept {
   Feet feet;
   for (int i = 0; i < kMaxPushes; ++i) {
-    findFeet(task.surface, centre, task.radius, feet);
+    findFeet(task.surface, centre, task.radius, feet, task.nearby);
     if (feet.count == 0) break;
     const Foot& foot = feet.feet[feet.lowest()];
     if (foot.height >= task.radius * (1.0 - kFit)) return true;
@@ -196,7 +196,7 @@ bool pushOut(const SphereTask& task, Vec3& centre) noexcept {
     if (!isFreeWay(task, centre, next)) return false;
     centre = next;
   }
-  return !anyFootLower(task.surface, centre, task.radius * (1.0 - kFit));
+  return !anyFootLower(task.surface, centre, task.radius * (1.0 - kFit), task.nearby);
 }
 
 bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot, StandingPlaces& standing) noexcept {

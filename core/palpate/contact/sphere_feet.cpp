@@ -82,6 +82,50 @@ void keep(const Foot& foot, Feet& feet) {
   if (foot.height < highest->height) *highest = foot;
 }
 
+/// Adds the foot at a local minimum, unless it is there already or seen from behind.
+void addFoot(const Surface& surface, Index triangle, const ClosestOnTriangle& closest, const Vec3& centre, Feet& feet) {
+  const SurfacePoint place = placeOf(triangle, closest);
+  Foot foot;
+  const bool stands =
+      !isKnown(feet, place, std::sqrt(closest.squared_distance)) && standsOn(surface, place, centre, foot);
+  if (stands) keep(foot, feet);
+}
+
+/// A local minimum of the distance, found in one triangle.
+struct Minimum {
+  ClosestOnTriangle closest;
+  std::uint16_t place;  ///< in the NearbySkin
+};
+
+/// The minima nearer than `reach` in the order in which the tree's search comes to them: the first of those that are
+/// one foot names its triangle, and the order of feet is that of the planes that a centre is kept off by. False when
+/// they are not known here.
+bool minimaNearby(const Surface& surface, const NearbySkin* nearby, const Vec3& centre, double reach,
+                  std::array<Minimum, Feet::kMax>& minima, int& count) {
+  SkinList list;
+  if (!listNearer(nearby, centre, reach, list)) return false;
+  const tree::TriangleTree& tree = surface.geometry->tree;
+  count = 0;
+  for (int i = 0; i < list.count; ++i) {
+    const Index t = recordAt(*nearby, list.places[i]);
+    const ClosestOnTriangle closest = tree::closestOnTriangle(tree.records[t].corners, centre);
+    if (!(closest.squared_distance < reach * reach) || !isLocalMinimum(surface, t, closest, centre)) continue;
+    if (count == Feet::kMax) return false;
+    minima[count++] = {closest, list.places[i]};
+  }
+  if (count < 2) return true;
+  const tree::PointQuery query = tree::detail::pointQuery(tree, centre);
+  for (int i = 1; i < count; ++i) {
+    const Minimum moved = minima[i];
+    int place = i;
+    for (; place > 0 && visitedBefore(tree, *nearby, query, moved.place, minima[place - 1].place); --place) {
+      minima[place] = minima[place - 1];
+    }
+    minima[place] = moved;
+  }
+  return true;
+}
+
 }  // namespace
 
 Feet& Feet::operator=(const Feet& other) {
@@ -114,16 +158,20 @@ bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& cen
   return isInFront(surface, place, to_centre);
 }
 
-void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet) noexcept {
+void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet,
+              const NearbySkin* nearby) noexcept {
   feet.count = 0;
+  std::array<Minimum, Feet::kMax> minima;
+  int count = 0;
+  if (minimaNearby(surface, nearby, centre, reach, minima, count)) {
+    for (int i = 0; i < count; ++i) {
+      addFoot(surface, recordAt(*nearby, minima[i].place), minima[i].closest, centre, feet);
+    }
+    return;
+  }
   const double limit = reach * reach;
   visitNearMinima(surface.geometry->tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
-    if (!isLocalMinimum(surface, triangle, closest, centre)) return limit;
-    const SurfacePoint place = placeOf(triangle, closest);
-    Foot foot;
-    const bool stands =
-        !isKnown(feet, place, std::sqrt(closest.squared_distance)) && standsOn(surface, place, centre, foot);
-    if (stands) keep(foot, feet);
+    if (isLocalMinimum(surface, triangle, closest, centre)) addFoot(surface, triangle, closest, centre, feet);
     return limit;
   });
 }
@@ -133,12 +181,24 @@ bool followFoot(const Surface& surface, const Vec3& centre, Foot& foot) noexcept
   return standsOn(surface, walk.at, centre, foot) && walk.finished;
 }
 
-bool anyFootLower(const Surface& surface, const Vec3& centre, double height) noexcept {
-  bool any = false;
+bool anyFootLower(const Surface& surface, const Vec3& centre, double height, const NearbySkin* nearby) noexcept {
   const double limit = height * height;
-  visitNearTriangles(surface.geometry->tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
+  const auto is_lower = [&](Index triangle, const ClosestOnTriangle& closest) {
     Foot foot;
-    any = standsOn(surface, placeOf(triangle, closest), centre, foot) && foot.height < height;
+    return standsOn(surface, placeOf(triangle, closest), centre, foot) && foot.height < height;
+  };
+  SkinList list;
+  if (listNearer(nearby, centre, height, list)) {
+    return std::any_of(list.places.begin(), list.places.begin() + list.count, [&](std::uint16_t place) {
+      const Index triangle = recordAt(*nearby, place);
+      const ClosestOnTriangle closest =
+          tree::closestOnTriangle(surface.geometry->tree.records[triangle].corners, centre);
+      return closest.squared_distance < limit && is_lower(triangle, closest);
+    });
+  }
+  bool any = false;
+  visitNearTriangles(surface.geometry->tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
+    any = is_lower(triangle, closest);
     return any ? 0.0 : limit;
   });
   return any;

@@ -9,6 +9,7 @@
 
 #include "palpate/contact/finger.h"
 #include "palpate/contact/half_spaces.h"
+#include "palpate/contact/nearby_skin.h"
 #include "palpate/contact/surface.h"
 
 namespace palpate::contact {
@@ -38,14 +39,17 @@ struct Feet {
 /// counts as in front, as it does in the crossing test.
 bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& centre, Foot& foot) noexcept;
 
-/// Fills `feet` with those nearer to the centre than `reach`.
-void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet) noexcept;
+/// Fills `feet` with those nearer to the centre than `reach`. `nearby`, here and below: what is near, gathered before,
+/// or null; it saves time and changes nothing.
+void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet,
+              const NearbySkin* nearby = nullptr) noexcept;
 
 /// Moves a foot on the skin to the local minimum for a centre nearby. False when the centre is behind the skin there.
 bool followFoot(const Surface& surface, const Vec3& centre, Foot& foot) noexcept;
 
 /// Whether the sphere sinks into the skin: any foot lower than `height`. Stops at the first.
-bool anyFootLower(const Surface& surface, const Vec3& centre, double height) noexcept;
+bool anyFootLower(const Surface& surface, const Vec3& centre, double height,
+                  const NearbySkin* nearby = nullptr) noexcept;
 
 /// The nearest place of the skin with the centre in front, nearer than `reach`; triangle kNoIndex when there is none.
 SurfacePoint nearestFront(const Surface& surface, const Vec3& centre, double reach) noexcept;
@@ -68,6 +72,7 @@ struct SphereTask {
   Vec3 start;         ///< the centre when the tick began
   double path;        ///< how far from `start` the centre may go, mm
   SurfacePoint last;  ///< where the sphere stood on the skin in the last tick
+  const NearbySkin* nearby = nullptr;
 };
 
 /// Shares of the radius.

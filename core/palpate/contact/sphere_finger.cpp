@@ -51,9 +51,9 @@ bool reachesIntoEdge(const Surface& surface, const Vec3& centre, double radius) 
   return beyondBorder(surface, edge, centre) > 0.0 || (centre - edge.position).dot(normalAt(surface, edge)) < 0.0;
 }
 
-bool overlapsFront(const Surface& surface, const Vec3& centre, double radius) {
+bool overlapsFront(const Surface& surface, const Vec3& centre, double radius, const NearbySkin* nearby) {
   Feet feet;
-  findFeet(surface, centre, radius, feet);
+  findFeet(surface, centre, radius, feet, nearby);
   for (int i = 0; i < feet.count; ++i) {
     const Foot& foot = feet.feet[i];
     // From beyond a border the sheet is not felt: passing beside it must not catch.
@@ -81,10 +81,10 @@ Vec3 advance(const Surface& surface, const Vec3& from, const Vec3& to, double ra
 /// Decides whether a free sphere touches in this tick: when its centre's way crosses the skin, or when it overlaps the
 /// front of the skin at the end. If so, starts the contact in `state` with the centre where it first touched; a sphere
 /// that overlaps from the beginning starts with its centre at the tip, to be pushed out.
-bool landSphere(const Surface& surface, double radius, FingerState& state, const Vec3& tip) {
-  const tree::Crossing entry = tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip);
+bool landSphere(const Surface& surface, double radius, FingerState& state, const Vec3& tip, const NearbySkin* nearby) {
+  const tree::Crossing entry = firstCrossing(surface, nearby, state.tip, tip);
   const bool enters = entry.triangle != kNoIndex;
-  if (!enters && !overlapsFront(surface, tip, radius)) return false;
+  if (!enters && !overlapsFront(surface, tip, radius, nearby)) return false;
   // A tip that was inside comes out first: then the contact starts where it is out.
   const tree::Crossing exit = tree::firstFrontCrossing(surface.geometry->tree, enters ? entry.point : tip, state.tip);
   const Vec3 outside = exit.triangle == kNoIndex ? state.tip : (enters ? exit.point : tip);
@@ -129,14 +129,23 @@ Vec3 centreOver(const SphereTask& task, const SurfacePoint& foot) {
   return foot.position + ((above > 0.0 ? task.radius : -task.radius) / distance) * to_tip;
 }
 
+/// Whether the sphere fits tightly at `to` and its centre's way there from `from` is free. Where no skin is nearer to
+/// the end than the radius, none is in the way of a shorter step either.
+bool fitsByFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) {
+  const double height = task.radius * (1.0 - kTight);
+  SkinList list;
+  const bool listed = (to - from).squaredNorm() < height * height && listNearer(task.nearby, to, height, list);
+  if (listed && list.count == 0) return true;
+  return !anyFootLower(task.surface, to, height, task.nearby) && isFreeWay(task, from, to);
+}
+
 /// Whether the sphere stands on the one place that a point finger would press. If so, moves it there.
 bool standsOnOnePlace(const SphereTask& task, Move& move) {
   const WalkResult walk = walkToNearest(task.surface, task.last, task.tip, kUnbounded);
   move.under_tip = walk.at;
   const Vec3 centre = centreOver(task, walk.at);
   const bool stands = walk.finished && (centre - task.start).norm() <= task.path &&
-                      !anyFootLower(task.surface, centre, task.radius * (1.0 - kTight)) &&
-                      isFreeWay(task, move.centre, centre);
+                      fitsByFreeWay(task, move.centre, centre);
   if (!stands) return false;
   move.centre = centre;
   move.foot = walk.at;
@@ -223,9 +232,9 @@ enum class Ending { none, reached, at_border, in_air };
 
 /// Moves the sphere in contact, and says whether the contact ends with that.
 Ending pressOnce(const Surface& surface, const FingerSettings& settings, double radius, const Vec3& tip,
-                 FingerState& state, Press& press) {
+                 FingerState& state, Press& press, const NearbySkin* nearby) {
   const double path = pathBound(settings, (tip - state.tip).norm());
-  const SphereTask task{surface, radius, tip, state.centre, path, state.proxy};
+  const SphereTask task{surface, radius, tip, state.centre, path, state.proxy, nearby};
   Move move = moveCentre(task, state.fits, state.standing);
   const double lag = (move.centre - tip).norm();
   const bool too_deep = lag - radius > settings.max_depth_mm;
@@ -240,22 +249,22 @@ Ending pressOnce(const Surface& surface, const FingerSettings& settings, double 
   press = pressWith(settings, task, move, state);
   if ((press.status & kAtBorder) != 0 && press.felt_depth_mm <= 0.0) return Ending::at_border;
   const bool away = too_deep ? isOutside(surface, tip, lag) : state.fits && isHeldInAir(task, move, press.proxy);
-  return away && !overlapsFront(surface, tip, radius) ? Ending::in_air : Ending::none;
+  return away && !overlapsFront(surface, tip, radius, nearby) ? Ending::in_air : Ending::none;
 }
 
 }  // namespace
 
 Press pressSphere(const Surface& surface, const FingerSettings& settings, double radius, FingerState& state,
-                  const Vec3& tip) noexcept {
-  if (!state.touching && !landSphere(surface, radius, state, tip)) return {};
+                  const Vec3& tip, const NearbySkin* nearby) noexcept {
+  if (!state.touching && !landSphere(surface, radius, state, tip, nearby)) return {};
   Press press;
-  Ending ending = pressOnce(surface, settings, radius, tip, state, press);
+  Ending ending = pressOnce(surface, settings, radius, tip, state, press, nearby);
   // What a border lets go may have come through the skin elsewhere on the way of this tick.
   const auto came_through = [&] {
     return tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip).triangle != kNoIndex;
   };
-  if (ending == Ending::at_border && came_through() && landSphere(surface, radius, state, tip)) {
-    ending = pressOnce(surface, settings, radius, tip, state, press);
+  if (ending == Ending::at_border && came_through() && landSphere(surface, radius, state, tip, nearby)) {
+    ending = pressOnce(surface, settings, radius, tip, state, press, nearby);
   }
   state.touching = ending == Ending::none;
   return state.touching ? press : Press{};

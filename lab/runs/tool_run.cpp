@@ -1,0 +1,200 @@
+// Tool and fingers run in passes of their own, each timed tick by tick with nothing else in the loop.
+#include "lab/runs/tool_run.h"
+
+#include <algorithm>
+#include <functional>
+#include <span>
+#include <utility>
+
+#include "lab/runs/timed_run.h"
+#include "palpate/base/error.h"
+#include "palpate/contact/surface_walk.h"
+#include "palpate/contact/tool_shapes.h"
+
+namespace palpate::bench {
+
+namespace {
+
+/// From part to part along the path: far enough on a slide that parts do not lie on each other.
+constexpr double kBetweenPartsSeconds = 0.35;
+/// How far the facing of the skin is averaged, against the noise of single triangles.
+constexpr int kFacingTicks = 25;
+
+using Shapes = std::vector<std::pair<std::string, contact::ToolShape>>;
+
+Shapes shapes() {
+  return {{"fingertip", contact::fingertipTool()},   {"knuckle", contact::knuckleTool()},
+          {"palm", contact::palmTool()},             {"head", contact::headTool()},
+          {"fingertips", contact::fingertipsTool()}, {"hand", contact::handTool()}};
+}
+
+/// Out of the skin at every tip.
+std::vector<Vec3> facingsOf(const contact::Surface& surface, std::span<const Vec3> tips) {
+  std::vector<Vec3> normals;
+  for (const Vec3& tip : tips) {
+    const tree::NearestPoint nearest = nearestPoint(surface.geometry->tree, tip, contact::kUnbounded);
+    normals.push_back(
+        contact::normalAt(surface, {nearest.closest.point, nearest.triangle, nearest.closest.feature}));
+  }
+  std::vector<Vec3> smooth;
+  const auto count = static_cast<int>(normals.size());
+  for (int k = 0; k < count; ++k) {
+    Vec3 sum = Vec3::Zero();
+    for (int i = std::max(0, k - kFacingTicks); i <= std::min(count - 1, k + kFacingTicks); ++i) sum += normals[i];
+    smooth.push_back(sum.normalized());
+  }
+  return smooth;
+}
+
+/// Poses of all parts, tick by tick.
+class Poses {
+ public:
+  Poses(const ContactWorld& world, std::span<const Vec3> tips, double tick_s, std::size_t parts) : parts_(parts) {
+    const std::vector<Vec3> facings = facingsOf(world.surface, tips);
+    const auto lag = static_cast<std::size_t>(kBetweenPartsSeconds / tick_s);
+    for (std::size_t k = 0; k < tips.size(); ++k) {
+      for (std::size_t part = 0; part < parts; ++part) {
+        const std::size_t at = k < part * lag ? 0 : k - part * lag;
+        const Mat3 turn = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), facings[at]).toRotationMatrix();
+        poses_.push_back({tips[at], turn});
+      }
+    }
+  }
+  std::size_t ticks() const { return poses_.size() / parts_; }
+  std::span<const contact::ToolPose> at(std::size_t tick) const {
+    return std::span(poses_).subspan(tick * parts_, parts_);
+  }
+  void lift(double height_mm) {
+    for (contact::ToolPose& pose : poses_) pose.position.z() += height_mm;
+  }
+
+ private:
+  std::size_t parts_;
+  std::vector<contact::ToolPose> poses_;
+};
+
+/// One call a tick, timed.
+template <class Tick>
+std::vector<double> timedTicks(std::size_t ticks, Tick&& tick) {
+  const double empty_us = detail::emptyTimerMicroseconds();
+  std::vector<double> us(ticks);
+  for (std::size_t k = 0; k < ticks; ++k) {
+    const Clock::time_point start = Clock::now();
+    tick(k);
+    us[k] = std::max(0.0, microsecondsSince(start) - empty_us);
+  }
+  return us;
+}
+
+/// What a pass of the tool gave. Forces are kept as a sum of bits: outputs of every pad in every tick are too many.
+struct ToolPass {
+  std::vector<double> us;
+  std::vector<std::size_t> touching;
+  std::vector<contact::Wrench> wrenches;
+  lab::ThreadCounts counts;
+};
+
+ToolPass passOf(const ContactWorld& world, const contact::ToolShape& shape, const contact::FingerSettings& finger,
+                const Poses& poses) {
+  ToolPass pass;
+  pass.touching.resize(poses.ticks());
+  pass.wrenches.resize(poses.ticks());
+  contact::ToolState state = contact::makeToolState(shape, world.surface);
+  const lab::ThreadCounts before = lab::countsOfThisThread();
+  pass.us = timedTicks(poses.ticks(), [&](std::size_t k) {
+    pass.wrenches[k] = contact::stepTool(world.surface, shape, finger, state, poses.at(k));
+    pass.touching[k] = state.touching;
+  });
+  pass.counts = lab::countsSince(before);
+  return pass;
+}
+
+contact::FingerOutput stepAlone(const ContactWorld& world, const contact::Pad& pad, contact::FingerSettings finger,
+                                contact::FingerState& state, const contact::ToolPose& pose) {
+  finger.radius_mm = pad.radius_mm;
+  return contact::step(world.surface, finger, state, pose.position + pose.rotation * pad.offset);
+}
+
+/// A finger alone for every pad, all of them in a tick.
+std::vector<double> apartOf(const ContactWorld& world, const contact::ToolShape& shape,
+                            const contact::FingerSettings& finger, const Poses& poses) {
+  std::vector<contact::FingerState> states(shape.pads.size());
+  std::vector<contact::FingerOutput> felt(shape.pads.size());
+  return timedTicks(poses.ticks(), [&](std::size_t k) {
+    for (std::size_t i = 0; i < felt.size(); ++i) {
+      felt[i] = stepAlone(world, shape.pads[i], finger, states[i], poses.at(k)[shape.pads[i].part]);
+    }
+  });
+}
+
+std::size_t differencesOf(const ContactWorld& world, const contact::ToolShape& shape,
+                          const contact::FingerSettings& finger, const Poses& poses) {
+  contact::ToolState state = contact::makeToolState(shape, world.surface);
+  std::vector<contact::FingerState> states(shape.pads.size());
+  std::size_t different = 0;
+  for (std::size_t k = 0; k < poses.ticks(); ++k) {
+    (void)contact::stepTool(world.surface, shape, finger, state, poses.at(k));
+    for (std::size_t i = 0; i < shape.pads.size(); ++i) {
+      const contact::FingerOutput alone =
+          stepAlone(world, shape.pads[i], finger, states[i], poses.at(k)[shape.pads[i].part]);
+      const contact::FingerOutput& pad = state.felt[i];
+      const bool same = alone.force == pad.force && alone.proxy == pad.proxy && alone.hold == pad.hold &&
+                        alone.depth_mm == pad.depth_mm && alone.triangle == pad.triangle && alone.status == pad.status;
+      different += same ? 0 : 1;
+    }
+  }
+  return different;
+}
+
+}  // namespace
+
+std::vector<std::string> toolNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, shape] : shapes()) names.push_back(name);
+  return names;
+}
+
+contact::ToolShape toolNamed(std::string_view name) {
+  for (auto& [known, shape] : shapes()) {
+    if (known == name) return shape;
+  }
+  throw Error("no tool is called '" + std::string(name) + "'");
+}
+
+ToolFigures measureTool(const ContactWorld& world, const device::Trajectory& trajectory,
+                        const contact::ToolShape& shape, const contact::FingerSettings& finger, const Window& window) {
+  contact::check(finger);
+  const device::Trajectory ticks = device::resampled(trajectory, finger.tick_s);
+  Poses poses(world, ticks.tip_mm, finger.tick_s, shape.rest.size());
+  (void)passOf(world, shape, finger, poses);  // warm-up: finds every page of code and surface
+  const ToolPass pass = passOf(world, shape, finger, poses);
+  const std::vector<double> apart = apartOf(world, shape, finger, poses);
+  ToolFigures figures;
+  figures.triangles = world.triangles;
+  figures.pads = shape.pads.size();
+  figures.parts = shape.rest.size();
+  figures.groups = contact::makeToolState(shape, world.surface).groups.size();
+  figures.counts = pass.counts;
+  figures.different = differencesOf(world, shape, finger, poses);
+  std::vector<double> all_us, any_us, apart_us;
+  for (std::size_t k = 0; k < poses.ticks(); ++k) {
+    if (ticks.time_s[k] < window.from_s || ticks.time_s[k] >= window.until_s) continue;
+    ++figures.ticks;
+    any_us.push_back(pass.us[k]);
+    const contact::Wrench& wrench = pass.wrenches[k];
+    if (wrench.force_n.norm() > figures.wrench.force_n.norm()) figures.wrench = wrench;
+    figures.peak_moment_n_mm = std::max(figures.peak_moment_n_mm, wrench.moment_n_mm.norm());
+    if (pass.touching[k] < shape.pads.size()) continue;
+    ++figures.all_touch;
+    all_us.push_back(pass.us[k]);
+    apart_us.push_back(apart[k]);
+  }
+  figures.tick_us = lab::percentilesOf(all_us.empty() ? any_us : all_us);
+  figures.apart_tick_us = lab::percentilesOf(all_us.empty() ? apart : apart_us);
+  figures.any_tick_us = lab::percentilesOf(std::move(any_us));
+  poses.lift(world.surface.geometry->tree.diagonal);
+  figures.air_tick_us = lab::percentilesOf(passOf(world, shape, finger, poses).us);
+  return figures;
+}
+
+}  // namespace palpate::bench
