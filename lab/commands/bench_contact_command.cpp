@@ -195,8 +195,8 @@ void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
   addFingerOptions(command, *arguments);
   addHdbOptions(command, *arguments);
   addPeersOption(command, arguments->peers);
-  takesOneOf(benchToolNames(), command.add_option("--tool", arguments->tool,
-                                                   "Touch with a tool of several pads instead of one finger"));
+  takesOneOf(benchToolNames(),
+             command.add_option("--tool", arguments->tool, "Touch with a tool of several pads instead of one finger"));
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runContact(*arguments); });
 }

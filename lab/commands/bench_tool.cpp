@@ -41,8 +41,8 @@ nlohmann::ordered_json toolJson(const BenchToolArguments& arguments, const bench
 }
 
 std::string toolText(const BenchToolArguments& arguments, const bench::ToolFigures& f) {
-  std::string text = fmt::format("tool                     {}: {} pads in {} parts, {} groups\n", arguments.tool, f.pads,
-                                 f.parts, f.groups);
+  std::string text = fmt::format("tool                     {}: {} pads in {} parts, {} groups\n", arguments.tool,
+                                 f.pads, f.parts, f.groups);
   text += fmt::format("triangles                {}\n", f.triangles);
   text += fmt::format("ticks                    {} ({} with every pad in contact)\n", f.ticks, f.all_touch);
   text += fmt::format("tick time                {}\n", percentilesText(f.tick_us));
@@ -61,9 +61,9 @@ std::string toolText(const BenchToolArguments& arguments, const bench::ToolFigur
 void runToolBench(const BenchToolArguments& arguments) {
   const bench::ContactWorld world =
       bench::buildContactWorld(meshFrom(arguments.mesh), 1.0, arguments.stiffness_n_per_mm);
-  const bench::ToolFigures figures = bench::measureTool(world, trajectoryFrom(arguments.trajectory),
-                                                        bench::toolNamed(arguments.tool), arguments.finger,
-                                                        arguments.window);
+  const bench::ToolFigures figures =
+      bench::measureTool(world, trajectoryFrom(arguments.trajectory), bench::toolNamed(arguments.tool),
+                         arguments.finger, arguments.window);
   printReport(toolJson(arguments, figures), toolText(arguments, figures), arguments.json);
 }
 

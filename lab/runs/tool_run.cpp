@@ -23,9 +23,12 @@ constexpr int kFacingTicks = 25;
 using Shapes = std::vector<std::pair<std::string, contact::ToolShape>>;
 
 Shapes shapes() {
-  return {{"fingertip", contact::fingertipTool()},   {"knuckle", contact::knuckleTool()},
-          {"palm", contact::palmTool()},             {"head", contact::headTool()},
-          {"fingertips", contact::fingertipsTool()}, {"hand", contact::handTool()}};
+  return {{"fingertip", contact::fingertipTool()},
+          {"knuckle", contact::knuckleTool()},
+          {"palm", contact::palmTool()},
+          {"head", contact::headTool()},
+          {"fingertips", contact::fingertipsTool()},
+          {"hand", contact::handTool()}};
 }
 
 /// Out of the skin at every tip.
@@ -33,8 +36,7 @@ std::vector<Vec3> facingsOf(const contact::Surface& surface, std::span<const Vec
   std::vector<Vec3> normals;
   for (const Vec3& tip : tips) {
     const tree::NearestPoint nearest = nearestPoint(surface.geometry->tree, tip, contact::kUnbounded);
-    normals.push_back(
-        contact::normalAt(surface, {nearest.closest.point, nearest.triangle, nearest.closest.feature}));
+    normals.push_back(contact::normalAt(surface, {nearest.closest.point, nearest.triangle, nearest.closest.feature}));
   }
   std::vector<Vec3> smooth;
   const auto count = static_cast<int>(normals.size());
@@ -75,18 +77,18 @@ class Poses {
 
 /// One call a tick, timed.
 template <class Tick>
-std::vector<double> timedTicks(std::size_t ticks, Tick&& tick) {
+lab::ThreadCounts timeTicks(std::vector<double>& us, Tick&& tick) {
   const double empty_us = detail::emptyTimerMicroseconds();
-  std::vector<double> us(ticks);
-  for (std::size_t k = 0; k < ticks; ++k) {
+  const lab::ThreadCounts before = lab::countsOfThisThread();
+  for (std::size_t k = 0; k < us.size(); ++k) {
     const Clock::time_point start = Clock::now();
     tick(k);
     us[k] = std::max(0.0, microsecondsSince(start) - empty_us);
   }
-  return us;
+  return lab::countsSince(before);
 }
 
-/// What a pass of the tool gave. Forces are kept as a sum of bits: outputs of every pad in every tick are too many.
+/// What a pass of the tool gave. Outputs of every pad in every tick would be too many.
 struct ToolPass {
   std::vector<double> us;
   std::vector<std::size_t> touching;
@@ -97,15 +99,14 @@ struct ToolPass {
 ToolPass passOf(const ContactWorld& world, const contact::ToolShape& shape, const contact::FingerSettings& finger,
                 const Poses& poses) {
   ToolPass pass;
+  pass.us.resize(poses.ticks());
   pass.touching.resize(poses.ticks());
   pass.wrenches.resize(poses.ticks());
   contact::ToolState state = contact::makeToolState(shape, world.surface);
-  const lab::ThreadCounts before = lab::countsOfThisThread();
-  pass.us = timedTicks(poses.ticks(), [&](std::size_t k) {
+  pass.counts = timeTicks(pass.us, [&](std::size_t k) {
     pass.wrenches[k] = contact::stepTool(world.surface, shape, finger, state, poses.at(k));
     pass.touching[k] = state.touching;
   });
-  pass.counts = lab::countsSince(before);
   return pass;
 }
 
@@ -120,11 +121,13 @@ std::vector<double> apartOf(const ContactWorld& world, const contact::ToolShape&
                             const contact::FingerSettings& finger, const Poses& poses) {
   std::vector<contact::FingerState> states(shape.pads.size());
   std::vector<contact::FingerOutput> felt(shape.pads.size());
-  return timedTicks(poses.ticks(), [&](std::size_t k) {
+  std::vector<double> us(poses.ticks());
+  (void)timeTicks(us, [&](std::size_t k) {
     for (std::size_t i = 0; i < felt.size(); ++i) {
       felt[i] = stepAlone(world, shape.pads[i], finger, states[i], poses.at(k)[shape.pads[i].part]);
     }
   });
+  return us;
 }
 
 std::size_t differencesOf(const ContactWorld& world, const contact::ToolShape& shape,

@@ -1,5 +1,5 @@
-// Runs a tool of several pads along a trajectory and, on the same tips, a finger alone for each pad: what the tool costs
-// beside what its pads would cost, and whether they feel the same.
+// Runs a tool of several pads along a trajectory and, on the same tips, a finger alone for each pad: what the tool
+// costs beside what its pads would cost, and whether they feel the same.
 //
 // Every part follows the trajectory of one finger, a stretch of time after the part before it, so that parts lie apart
 // and all are pressed as deep as that finger; each is turned so that its z points out of the skin under it.
@@ -22,12 +22,12 @@ struct ToolFigures {
   std::size_t all_touch = 0;  ///< of these, with every pad in contact
   lab::Percentiles tick_us;   ///< over the ticks in which every pad touches; over all where there are none
   lab::Percentiles any_tick_us;
-  lab::Percentiles air_tick_us;       ///< the same path, lifted clear of the skin
-  lab::Percentiles apart_tick_us;     ///< a finger alone for each pad, one after the other; the same ticks as tick_us
-  std::size_t different = 0;          ///< pads and ticks in which a pad did not feel what its finger did, to the bit
-  contact::Wrench wrench;             ///< with the largest force, about the first part's origin
+  lab::Percentiles air_tick_us;    ///< the same path, lifted clear of the skin
+  lab::Percentiles apart_tick_us;  ///< a finger alone for each pad, one after the other; the same ticks as tick_us
+  std::size_t different = 0;       ///< pads and ticks in which a pad did not feel what its finger did, to the bit
+  contact::Wrench wrench;          ///< with the largest force, about the first part's origin
   double peak_moment_n_mm = 0.0;
-  lab::ThreadCounts counts;           ///< of all ticks of the tool
+  lab::ThreadCounts counts;  ///< of all ticks of the tool
 };
 
 /// The tools that can be measured.

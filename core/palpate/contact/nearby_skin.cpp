@@ -1,9 +1,9 @@
-// A distance to a triangle without a branch: to the plane where the point is over the triangle, else to the nearest of
-// its edges.
+// How far a point is from a triangle, at least, without a branch and without a corner: as far as from its plane and, in
+// that plane, as far as beyond the farthest of its edges. That is the distance but for places beyond a corner.
 //
-// Floats count from the middle of what is near, so that kFloatSlack of its size covers every rounding: of the corners,
-// of the point, of the sums. That is 20 nm under a fingertip, less than the share of a radius (kTight) by which a sphere
-// that stands on one place clears the limit it is asked for; so hardly any triangle is listed in vain.
+// Floats count from the middle of a block, so that kFloatSlack of the block and of the reach covers every rounding: of
+// the planes, of the point, of the sums. That is 20 nm under a fingertip, less than the share of a radius (kTight) by
+// which a sphere that stands on one place clears the limit it is asked for; so hardly any triangle is listed in vain.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "palpate/contact/nearby_skin.cpp"
 #include <hwy/foreach_target.h>
@@ -14,8 +14,18 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "palpate/contact/nearby_skin.h"
+
+#ifndef PALPATE_FLOAT_SLACK
+#define PALPATE_FLOAT_SLACK
+namespace palpate::contact {
+/// Of the farthest coordinate: more than all roundings of a distance between floats.
+inline constexpr float kFloatSlack = 1e-6f;
+}  // namespace palpate::contact
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace palpate::contact::HWY_NAMESPACE {
@@ -25,10 +35,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 using F = hn::CappedTag<float, kSkinLanes>;
 using V = hn::Vec<F>;
 
-HWY_INLINE V dot(V ax, V ay, V az, V bx, V by, V bz) {
-  return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
-}
-
 template <class Mask>
 HWY_INLINE std::uint32_t bitsOf(F d, Mask mask) {
   std::uint8_t bits[8] = {};
@@ -36,78 +42,69 @@ HWY_INLINE std::uint32_t bitsOf(F d, Mask mask) {
   return bits[0];
 }
 
+/// Of the point above the planes of the lanes from `lane` on.
+HWY_INLINE V heightOver(const SkinBlock::Plane& plane, V x, V y, V z, int lane) {
+  const F d;
+  const V sum =
+      hn::Add(hn::Add(hn::Mul(hn::Load(d, plane.normal[0] + lane), x), hn::Mul(hn::Load(d, plane.normal[1] + lane), y)),
+              hn::Mul(hn::Load(d, plane.normal[2] + lane), z));
+  return hn::Sub(sum, hn::Load(d, plane.offset + lane));
+}
+
 /// Lanes of the block that may be nearer than the square root of `limit2`.
-HWY_INLINE std::uint32_t nearLanes(const SkinBlock& block, const float* point, float limit2, int lane) {
+HWY_INLINE std::uint32_t nearLanes(const SkinBlock& block, V x, V y, V z, float limit2, int lane) {
   const F d;
-  const auto zero = hn::Zero(d);
-  const auto at = [&](int corner, int axis) {
-    return hn::Sub(hn::Set(d, point[axis]), hn::Load(d, block.corners[corner][axis] + lane));
-  };
-  const V nx = hn::Load(d, block.normal[0] + lane);
-  const V ny = hn::Load(d, block.normal[1] + lane);
-  const V nz = hn::Load(d, block.normal[2] + lane);
-  const V ax = at(0, 0), ay = at(0, 1), az = at(0, 2);
-  const V bx = at(1, 0), by = at(1, 1), bz = at(1, 2);
-  const V cx = at(2, 0), cy = at(2, 1), cz = at(2, 2);
-  const V height = dot(ax, ay, az, nx, ny, nz);
-  const V limit = hn::Set(d, limit2);
-  // If the plane is far enough, so is the triangle.
-  const V height2 = hn::Mul(height, height);
-  const auto plane_far = hn::Ge(height2, limit);
-  if (hn::AllTrue(d, plane_far)) return 0u;
-  V nearest = hn::Set(d, std::numeric_limits<float>::infinity());
-  auto over = hn::Eq(zero, zero);
-  // p: from the edge's start to the point; q: from its end.
-  const auto along = [&](V px, V py, V pz, V qx, V qy, V qz) {
-    const V ex = hn::Sub(px, qx), ey = hn::Sub(py, qy), ez = hn::Sub(pz, qz);
-    const V length2 = hn::Max(dot(ex, ey, ez, ex, ey, ez), hn::Set(d, std::numeric_limits<float>::min()));
-    const V share = hn::Min(hn::Max(hn::Div(dot(px, py, pz, ex, ey, ez), length2), zero), hn::Set(d, 1.0f));
-    const V wx = hn::Sub(px, hn::Mul(share, ex));
-    const V wy = hn::Sub(py, hn::Mul(share, ey));
-    const V wz = hn::Sub(pz, hn::Mul(share, ez));
-    nearest = hn::Min(nearest, dot(wx, wy, wz, wx, wy, wz));
-    // n . (e x p)
-    const V side = dot(nx, ny, nz, hn::Sub(hn::Mul(ey, pz), hn::Mul(ez, py)),
-                       hn::Sub(hn::Mul(ez, px), hn::Mul(ex, pz)), hn::Sub(hn::Mul(ex, py), hn::Mul(ey, px)));
-    over = hn::And(over, hn::Ge(side, zero));
-  };
-  along(ax, ay, az, bx, by, bz);
-  along(bx, by, bz, cx, cy, cz);
-  along(cx, cy, cz, ax, ay, az);
-  const auto far = hn::Or(plane_far, hn::And(hn::Ge(nearest, limit), hn::Not(over)));
-  return ~bitsOf(d, far) & ((1u << hn::Lanes(d)) - 1u);
+  const V height = heightOver(block.face, x, y, z, lane);
+  V beyond = hn::Zero(d);
+  for (const SkinBlock::Plane& edge : block.edges) beyond = hn::Max(beyond, heightOver(edge, x, y, z, lane));
+  const V distance2 = hn::Add(hn::Mul(height, height), hn::Mul(beyond, beyond));
+  return bitsOf(d, hn::Lt(distance2, hn::Set(d, limit2))) << lane;
 }
 
-/// Blocks from `first` on whose boxes may be nearer than `reach`.
-HWY_INLINE std::uint32_t nearBlocks(const NearbySkin& skin, const float* point, float reach, int first) {
+/// Blocks from `first` on whose boxes may be nearer than the square root of `limit2`.
+HWY_INLINE std::uint32_t nearBlocks(const NearbySkin& skin, const float* point, float limit2, int first) {
   const F d;
-  V distance2 = hn::Zero(d);
+  const V zero = hn::Zero(d);
+  V distance2 = zero;
   for (int axis = 0; axis < 3; ++axis) {
-    const V at = hn::Set(d, point[axis]);
-    const V below = hn::Sub(hn::Load(d, skin.low[axis] + first), at);
-    const V above = hn::Sub(at, hn::Load(d, skin.high[axis] + first));
-    const V gap = hn::Max(hn::Max(below, above), hn::Zero(d));
-    distance2 = hn::Add(distance2, hn::Mul(gap, gap));
+    V along = hn::Neg(hn::Load(d, skin.centre[axis] + first));
+    for (int i = 0; i < 3; ++i) {
+      along = hn::Add(along, hn::Mul(hn::Load(d, skin.axes[axis][i] + first), hn::Set(d, point[i])));
+    }
+    // Above the one, beside the others.
+    const V gap = axis == 0 ? along : hn::Sub(hn::Abs(along), hn::Load(d, skin.half[axis] + first));
+    const V outside = hn::Max(gap, zero);
+    distance2 = hn::Add(distance2, hn::Mul(outside, outside));
   }
-  const V limit = hn::Add(hn::Set(d, reach), hn::Load(d, skin.slack + first));
-  return bitsOf(d, hn::Lt(distance2, hn::Mul(limit, limit)));
+  return bitsOf(d, hn::Lt(distance2, hn::Set(d, limit2)));
 }
 
-/// How many triangles may be nearer; -1 when the list is too short for them.
-int nearTriangles(const NearbySkin& skin, const float* point, float reach, SkinList& list) {
+/// How many triangles may be nearer to the point, which is given from the skin's middle too; -1 when the list is too
+/// short for them.
+int nearTriangles(const NearbySkin& skin, const Vec3& point, const float* from_middle, float reach, SkinList& list) {
   const F d;
   const int lanes = static_cast<int>(hn::Lanes(d));
+  const float limit = reach * (1.0f + kFloatSlack);
+  // Boxes count from the middle of all: their coordinates are as large as the reach and a block more.
+  const float limit_of_boxes = limit + 4.0f * kFloatSlack * static_cast<float>(skin.reach) + skin.slack;
   list.count = 0;
   for (int first = 0; first < skin.blocks; first += lanes) {
-    for (std::uint32_t near = nearBlocks(skin, point, reach, first); near != 0; near &= near - 1) {
-      const int b = first + std::countr_zero(near);
-      const float limit = reach + skin.slack[b];
+    for (std::uint32_t near = nearBlocks(skin, from_middle, limit_of_boxes * limit_of_boxes, first); near != 0;
+         near &= near - 1) {
+      const std::uint32_t b = skin.block[static_cast<std::size_t>(first + std::countr_zero(near))];
+      const SkinBlock& block = skin.planes->blocks[b];
+      const V x = hn::Set(d, static_cast<float>(point.x() - block.middle.x()));
+      const V y = hn::Set(d, static_cast<float>(point.y() - block.middle.y()));
+      const V z = hn::Set(d, static_cast<float>(point.z() - block.middle.z()));
+      const float limit_here = limit + block.slack;
+      std::uint32_t bits = 0;
       for (int lane = 0; lane < kSkinLanes; lane += lanes) {
-        std::uint32_t bits = nearLanes(skin.block[b], point, limit * limit, lane);
-        for (; bits != 0; bits &= bits - 1) {
-          if (list.count == SkinList::kMax) return -1;
-          list.places[list.count++] = static_cast<std::uint16_t>(b * kSkinLanes + lane + std::countr_zero(bits));
-        }
+        bits |= nearLanes(block, x, y, z, limit_here * limit_here, lane);
+      }
+      for (; bits != 0; bits &= bits - 1) {
+        if (list.count == SkinList::kMax) return -1;
+        list.records[static_cast<std::size_t>(list.count++)] =
+            b * kSkinLanes + static_cast<Index>(std::countr_zero(bits));
       }
     }
   }
@@ -124,175 +121,243 @@ HWY_EXPORT(nearTriangles);
 
 namespace {
 
-/// Of the farthest coordinate: more than all roundings of a distance between floats.
-constexpr double kFloatSlack = 1.5e-6;
 /// Squared sine below which a triangle's normal is not trusted.
 constexpr double kNoArea = 1e-12;
-/// A box that no point is near to.
-constexpr float kNowhere = 1e18f;
+/// How far lanes are that hold no triangle, mm: their squares are still floats.
+constexpr double kNowhere = 1e18;
+/// A surface or a device farther out than this is not gathered, mm.
+constexpr double kFarthest = 1e15;
 
-/// Fills a NearbySkin block by block.
-class Gatherer {
- public:
-  Gatherer(const tree::TriangleTree& tree, NearbySkin& skin) : tree_(tree), skin_(skin) {}
+void setPlane(SkinBlock::Plane& plane, std::size_t lane, const Vec3& normal, double offset) {
+  for (int axis = 0; axis < 3; ++axis) plane.normal[axis][lane] = static_cast<float>(normal[axis]);
+  plane.offset[lane] = static_cast<float>(offset);
+}
 
-  /// False when it does not fit.
-  bool addLeaf(const tree::ChildLink& link, std::uint16_t parent, std::uint8_t slot) {
-    if (skin_.leaf_count == NearbySkin::kMaxLeaves) return false;
-    const auto leaf = static_cast<std::uint16_t>(skin_.leaf_count++);
-    skin_.leaves[leaf] = {0, parent, slot, static_cast<std::uint8_t>(skin_.nodes[parent].level + 1)};
-    const Index end = link.firstTriangle() + link.triangleCount();
-    for (Index t = link.firstTriangle(); t < end; ++t) {
-      if (!addTriangle(t, leaf)) return false;
-    }
-    return true;
+/// Corners from the block's middle.
+void setPlanes(const std::array<Vec3, 3>& at, SkinBlock& block, std::size_t lane) {
+  const std::array<Vec3, 3> along = {at[1] - at[0], at[2] - at[1], at[0] - at[2]};
+  const Vec3 normal = along[0].cross(along[1]);
+  const double area2 = normal.squaredNorm();
+  const bool has_area = area2 > kNoArea * along[0].squaredNorm() * along[1].squaredNorm();
+  const Vec3 unit = has_area ? Vec3(normal / std::sqrt(area2)) : Vec3::Zero();
+  setPlane(block.face, lane, unit, unit.dot(at[0]));
+  for (int edge = 0; edge < 3; ++edge) {
+    const Vec3 outwards = has_area ? Vec3(along[edge].cross(unit) / along[edge].norm()) : Vec3::Zero();
+    setPlane(block.edges[edge], lane, outwards, outwards.dot(at[edge]));
   }
+}
 
-  /// Lanes that are left over count as far away.
-  void finish() {
-    const int used = skin_.triangles % kSkinLanes;
-    if (used != 0) {
-      for (int lane = used; lane < kSkinLanes; ++lane) putAway(skin_.block[skin_.blocks - 1], lane);
-    }
-    for (int b = skin_.blocks; b < NearbySkin::kMaxBlocks && b % kSkinLanes != 0; ++b) {
-      for (int axis = 0; axis < 3; ++axis) skin_.low[axis][b] = skin_.high[axis][b] = kNowhere;
-      skin_.slack[b] = 0.0f;
-    }
-  }
+/// The records of a block.
+std::span<const tree::TriangleRecord> recordsOf(const tree::TriangleTree& tree, std::size_t block) {
+  const std::size_t first = block * kSkinLanes;
+  return std::span(tree.records).subspan(first, std::min<std::size_t>(kSkinLanes, tree.records.size() - first));
+}
 
- private:
-  static void putAway(SkinBlock& block, int lane) {
-    for (auto& corner : block.corners) {
-      for (auto& axis : corner) axis[lane] = kNowhere;
-    }
-    for (int axis = 0; axis < 3; ++axis) block.normal[axis][lane] = axis == 2 ? 1.0f : 0.0f;
-    block.records[lane] = kNoIndex;
-    block.leaves[lane] = 0;
-  }
-
-  bool addTriangle(Index t, std::uint16_t leaf) {
-    const int lane = skin_.triangles % kSkinLanes;
-    if (lane == 0) {
-      if (skin_.blocks == NearbySkin::kMaxBlocks) return false;
-      startBlock(skin_.blocks++);
-    }
-    ++skin_.triangles;
-    const int b = skin_.blocks - 1;
-    SkinBlock& block = skin_.block[b];
-    block.records[lane] = t;
-    block.leaves[lane] = leaf;
-    const auto& corners = tree_.records[t].corners;
-    const Vec3 ab = corners[1] - corners[0];
-    const Vec3 ac = corners[2] - corners[0];
-    const Vec3 normal = ab.cross(ac);
-    const double area2 = normal.squaredNorm();
-    const bool has_area = area2 > kNoArea * ab.squaredNorm() * ac.squaredNorm();
-    const double per_length = has_area ? 1.0 / std::sqrt(area2) : 0.0;
-    float farthest = 0.0f;
-    for (int axis = 0; axis < 3; ++axis) {
-      float& low = skin_.low[axis][b];
-      float& high = skin_.high[axis][b];
-      for (int c = 0; c < 3; ++c) {
-        const auto value = static_cast<float>(corners[c][axis] - skin_.middle[axis]);
-        block.corners[c][axis][lane] = value;
-        low = std::min(low, value);
-        high = std::max(high, value);
-        farthest = std::max(farthest, std::abs(value));
-      }
-      block.normal[axis][lane] = static_cast<float>(per_length * normal[axis]);
-    }
-    skin_.slack[b] = std::max(skin_.slack[b], static_cast<float>(kFloatSlack) * farthest);
-    return true;
-  }
-
-  void startBlock(int b) {
-    for (int axis = 0; axis < 3; ++axis) {
-      skin_.low[axis][b] = std::numeric_limits<float>::infinity();
-      skin_.high[axis][b] = -std::numeric_limits<float>::infinity();
-    }
-    skin_.slack[b] = static_cast<float>(kFloatSlack * skin_.reach);
-  }
-
-  const tree::TriangleTree& tree_;
-  NearbySkin& skin_;
+/// How far corners reach along a direction, from the block's middle.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
 };
 
-/// Triangles beyond this many are not counted in floats any more.
-constexpr double kFarthestFloat = 1e15;
+Extent extentAlong(std::span<const tree::TriangleRecord> records, const Vec3& middle, const Vec3& direction) {
+  Extent extent;
+  for (const tree::TriangleRecord& record : records) {
+    for (const Vec3& corner : record.corners) {
+      const double at = direction.dot(corner - middle);
+      extent.low = std::min(extent.low, at);
+      extent.high = std::max(extent.high, at);
+    }
+  }
+  return extent;
+}
+
+/// How the triangles face on the whole, a unit vector.
+Vec3 facingOf(std::span<const tree::TriangleRecord> records) {
+  Vec3 sum = Vec3::Zero();
+  for (const tree::TriangleRecord& r : records) sum += mesh::areaVector2(r.corners[0], r.corners[1], r.corners[2]);
+  sum.stableNormalize();
+  return sum.squaredNorm() > 0.5 ? sum : Vec3::UnitZ();
+}
+
+/// Of some boxes across the facing the one of the smallest area.
+void setBox(std::span<const tree::TriangleRecord> records, SkinBlock& block) {
+  // Within a right angle; a box turned by a right angle is the same.
+  constexpr std::array<std::array<double, 2>, 6> kTurns = {{{1, 0}, {3, 1}, {2, 1}, {1, 1}, {1, 2}, {1, 3}}};
+  const Vec3 facing = facingOf(records);
+  const Vec3 across = facing.unitOrthogonal();
+  const Vec3 along = facing.cross(across);
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const auto& [c, s] : kTurns) {
+    const Vec3 one = (c * across + s * along).normalized();
+    const Vec3 other = facing.cross(one);
+    const Extent x = extentAlong(records, block.middle, one);
+    const Extent y = extentAlong(records, block.middle, other);
+    const double area = (x.high - x.low) * (y.high - y.low);
+    if (!(area < smallest)) continue;
+    smallest = area;
+    block.axes = {facing, one, other};
+    block.centre = {extentAlong(records, block.middle, facing).high, 0.5 * (x.low + x.high), 0.5 * (y.low + y.high)};
+    block.half = {0.0, 0.5 * (x.high - x.low), 0.5 * (y.high - y.low)};
+  }
+}
+
+void fillBlock(std::span<const tree::TriangleRecord> records, SkinBlock& block) {
+  Box3 box;
+  for (const tree::TriangleRecord& record : records) {
+    for (const Vec3& corner : record.corners) box.extend(corner);
+  }
+  block.middle = box.center();
+  block.slack = kFloatSlack * static_cast<float>(box.diagonal().norm());
+  setBox(records, block);
+  for (std::size_t lane = 0; lane < kSkinLanes; ++lane) {
+    if (lane >= records.size()) {
+      setPlane(block.face, lane, Vec3::Zero(), kNowhere);
+      for (SkinBlock::Plane& edge : block.edges) setPlane(edge, lane, Vec3::Zero(), 0.0);
+      continue;
+    }
+    const auto& corners = records[lane].corners;
+    setPlanes({corners[0] - block.middle, corners[1] - block.middle, corners[2] - block.middle}, block, lane);
+  }
+}
+
+/// False when there is no room.
+bool addBlock(std::uint32_t b, NearbySkin& skin) {
+  if (skin.blocks > 0 && skin.block[static_cast<std::size_t>(skin.blocks - 1)] == b) return true;
+  if (skin.blocks == NearbySkin::kMaxBlocks) return false;
+  const SkinBlock& block = skin.planes->blocks[b];
+  const Vec3 middle = block.middle - skin.middle;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < 3; ++i) skin.axes[axis][i][skin.blocks] = static_cast<float>(block.axes[axis][i]);
+    skin.centre[axis][skin.blocks] = static_cast<float>(block.axes[axis].dot(middle) + block.centre[axis]);
+    skin.half[axis][skin.blocks] = static_cast<float>(block.half[axis]);
+  }
+  skin.slack = std::max(skin.slack, 4.0f * block.slack);
+  skin.block[static_cast<std::size_t>(skin.blocks++)] = b;
+  return true;
+}
+
+bool addLeaf(const tree::ChildLink& link, SkinBranch branch, NearbySkin& skin) {
+  if (skin.leaf_count == NearbySkin::kMaxLeaves) return false;
+  branch.node = link.firstTriangle();
+  skin.leaves[static_cast<std::size_t>(skin.leaf_count++)] = branch;
+  const std::uint32_t last = (link.firstTriangle() + link.triangleCount() - 1) / kSkinLanes;
+  for (std::uint32_t b = link.firstTriangle() / kSkinLanes; b <= last; ++b) {
+    if (!addBlock(b, skin)) return false;
+  }
+  return true;
+}
+
+/// A child that is still to be looked into.
+struct OpenBranch {
+  tree::ChildLink link;
+  SkinBranch branch;
+};
+
+/// In the order of records.
+bool gatherBelow(const tree::TriangleTree& tree, const tree::PointQuery& query, float limit, NearbySkin& skin) {
+  std::array<OpenBranch, tree::detail::kMaxPending> open;
+  open[0] = {tree::ChildLink::toNode(0), {}};
+  for (std::size_t size = 1; size > 0;) {
+    OpenBranch here = open[--size];
+    if (here.link.isLeaf()) {
+      if (!addLeaf(here.link, here.branch, skin)) return false;
+      continue;
+    }
+    if (skin.node_count == NearbySkin::kMaxNodes) return false;
+    const auto index = static_cast<std::uint16_t>(skin.node_count++);
+    here.branch.node = here.link.node();
+    skin.nodes[index] = here.branch;
+    const tree::WideNode& node = tree.nodes[here.link.node()];
+    float bounds[tree::kNodeWidth];
+    tree::squaredDistanceBounds(node, query, bounds);
+    for (int slot = tree::kNodeWidth - 1; slot >= 0; --slot) {
+      if (!(bounds[slot] <= limit)) continue;
+      const auto level = static_cast<std::uint8_t>(here.branch.level + 1);
+      open[size++] = {node.children[slot], {0, index, static_cast<std::uint8_t>(slot), level}};
+    }
+  }
+  return true;
+}
+
+/// The leaf that holds the record: the last that does not begin after it.
+const SkinBranch& leafOf(const NearbySkin& skin, Index record) {
+  const auto* end = skin.leaves.data() + skin.leaf_count;
+  return *(std::upper_bound(skin.leaves.data() + 1, end, record,
+                            [](Index wanted, const SkinBranch& leaf) { return wanted < leaf.node; }) -
+           1);
+}
 
 }  // namespace
 
-bool gatherSkin(const tree::TriangleTree& tree, const Vec3& middle, double reach, NearbySkin& skin) noexcept {
-  skin.known = false;
+std::shared_ptr<const SkinPlanes> planesOf(std::shared_ptr<const SurfaceGeometry> geometry) {
+  auto planes = std::make_shared<SkinPlanes>();
+  const tree::TriangleTree& tree = geometry->tree;
+  planes->blocks.resize((tree.records.size() + kSkinLanes - 1) / kSkinLanes);
+  for (std::size_t b = 0; b < planes->blocks.size(); ++b) fillBlock(recordsOf(tree, b), planes->blocks[b]);
+  planes->geometry = std::move(geometry);
+  return planes;
+}
+
+bool gatherSkin(const SkinPlanes& planes, const Vec3& middle, double reach, NearbySkin& skin) noexcept {
+  const tree::TriangleTree& tree = planes.geometry->tree;
+  skin.planes = nullptr;
   skin.middle = middle;
   skin.reach = reach;
-  skin.blocks = skin.triangles = skin.leaf_count = skin.node_count = 0;
-  if (!((middle - tree.center).norm() + reach + tree.diagonal < kFarthestFloat)) return false;
-  const tree::PointQuery query = tree::detail::pointQuery(tree, middle);
+  skin.blocks = skin.leaf_count = skin.node_count = 0;
+  skin.slack = 0.0f;
+  if (!((middle - tree.center).norm() + reach + tree.diagonal < kFarthest)) return false;
+  skin.planes = &planes;
   const float limit = tree::detail::unitSquaredDistance(tree, reach * reach);
-  Gatherer gatherer(tree, skin);
-  std::array<std::uint16_t, NearbySkin::kMaxNodes> open;  // of skin.nodes, still to be looked into
-  skin.nodes[skin.node_count++] = {};
-  open[0] = 0;
-  for (int size = 1; size > 0;) {
-    const std::uint16_t here = open[--size];
-    const tree::WideNode& node = tree.nodes[skin.nodes[here].node];
-    float bounds[tree::kNodeWidth];
-    tree::squaredDistanceBounds(node, query, bounds);
-    for (std::uint8_t slot = 0; slot < tree::kNodeWidth; ++slot) {
-      if (!(bounds[slot] <= limit)) continue;
-      const tree::ChildLink child = node.children[slot];
-      if (child.isLeaf()) {
-        if (!gatherer.addLeaf(child, here, slot)) return false;
-        continue;
-      }
-      if (skin.node_count == NearbySkin::kMaxNodes) return false;
-      const auto level = static_cast<std::uint8_t>(skin.nodes[here].level + 1);
-      skin.nodes[skin.node_count] = {child.node(), here, slot, level};
-      open[size++] = static_cast<std::uint16_t>(skin.node_count++);
-    }
+  if (!gatherBelow(tree, tree::detail::pointQuery(tree, middle), limit, skin)) {
+    skin.planes = nullptr;
+    return false;
   }
-  gatherer.finish();
-  skin.known = true;
+  for (int b = skin.blocks; b < NearbySkin::kMaxBlocks && b % kSkinLanes != 0; ++b) {  // the lanes that are left over
+    for (auto& axis : skin.axes) axis[0][b] = axis[1][b] = axis[2][b] = 0.0f;
+    for (auto& half : skin.half) half[b] = 0.0f;
+    for (auto& centre : skin.centre) centre[b] = static_cast<float>(-kNowhere);
+  }
   return true;
 }
 
 bool listNearer(const NearbySkin* skin, const Vec3& point, double reach, SkinList& list) noexcept {
   if (skin == nullptr || !covers(*skin, point, reach)) return false;
-  const Vec3 from_middle = point - skin->middle;
-  const float at[3] = {static_cast<float>(from_middle.x()), static_cast<float>(from_middle.y()),
-                       static_cast<float>(from_middle.z())};
-  return HWY_DYNAMIC_DISPATCH(nearTriangles)(*skin, at, static_cast<float>(reach), list) >= 0;
+  const Vec3 way = point - skin->middle;
+  const float from_middle[3] = {static_cast<float>(way.x()), static_cast<float>(way.y()), static_cast<float>(way.z())};
+  return HWY_DYNAMIC_DISPATCH(nearTriangles)(*skin, point, from_middle, static_cast<float>(reach), list) >= 0;
 }
 
-bool visitedBefore(const tree::TriangleTree& tree, const NearbySkin& skin, const tree::PointQuery& query,
-                   std::uint16_t one, std::uint16_t other) noexcept {
-  const std::uint16_t leaf = skin.block[one / kSkinLanes].leaves[one % kSkinLanes];
-  const std::uint16_t other_leaf = skin.block[other / kSkinLanes].leaves[other % kSkinLanes];
-  if (leaf == other_leaf) return recordAt(skin, one) < recordAt(skin, other);
-  SkinBranch a = skin.leaves[leaf];
-  SkinBranch b = skin.leaves[other_leaf];
-  while (a.level > b.level) a = skin.nodes[a.parent];
-  while (b.level > a.level) b = skin.nodes[b.parent];
-  while (a.parent != b.parent) {
-    a = skin.nodes[a.parent];
-    b = skin.nodes[b.parent];
+bool visitedBefore(const NearbySkin& skin, const tree::PointQuery& query, Index one, Index other) noexcept {
+  const SkinBranch* a = &leafOf(skin, one);
+  const SkinBranch* b = &leafOf(skin, other);
+  if (a == b) return one < other;
+  while (a->level > b->level) a = &skin.nodes[a->parent];
+  while (b->level > a->level) b = &skin.nodes[b->parent];
+  while (a->parent != b->parent) {
+    a = &skin.nodes[a->parent];
+    b = &skin.nodes[b->parent];
   }
   float bounds[tree::kNodeWidth];
-  tree::squaredDistanceBoundsOfMinima(tree.nodes[skin.nodes[a.parent].node], query, bounds);
+  const tree::TriangleTree& tree = skin.planes->geometry->tree;
+  tree::squaredDistanceBoundsOfMinima(tree.nodes[skin.nodes[a->parent].node], query, bounds);
   // Of children equally near the last one lies on top (tree::detail::pushNearestLast).
-  return bounds[a.slot] < bounds[b.slot] || (bounds[a.slot] == bounds[b.slot] && a.slot > b.slot);
+  return bounds[a->slot] < bounds[b->slot] || (bounds[a->slot] == bounds[b->slot] && a->slot > b->slot);
 }
 
 tree::Crossing firstCrossing(const Surface& surface, const NearbySkin* skin, const Vec3& from,
                              const Vec3& to) noexcept {
-  const tree::TriangleTree& tree = surface.geometry->tree;
   constexpr double kRounding = 1.0 + 1e-9;
   SkinList list;
-  if (!listNearer(skin, to, kRounding * (to - from).norm(), list)) return tree::firstFrontCrossing(tree, from, to);
+  if (listNearer(skin, to, kRounding * (to - from).norm(), list)) return firstCrossingAmong(surface, list, from, to);
+  return tree::firstFrontCrossing(surface.geometry->tree, from, to);
+}
+
+tree::Crossing firstCrossingAmong(const Surface& surface, const SkinList& list, const Vec3& from,
+                                  const Vec3& to) noexcept {
+  const tree::TriangleTree& tree = surface.geometry->tree;
   tree::Crossing first;
   for (int i = 0; i < list.count; ++i) {
-    const Index t = recordAt(*skin, list.places[i]);
+    const Index t = list.records[static_cast<std::size_t>(i)];
     tree::Crossing crossing;
     if (!tree::detail::crossingOf(tree.records[t], from, to, crossing)) continue;
     crossing.triangle = t;

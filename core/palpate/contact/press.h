@@ -58,7 +58,8 @@ Press pressGuardedPoint(const Surface& surface, const FingerSettings& settings, 
 // The finger with a radius: a sphere that rests on the skin with its centre as near to the tip as it can get.
 
 /// Moves the centre in `state` (whose tip is still the last tick's) for a new tip, for a sphere of `radius` > 0.
-/// `nearby`: the skin near it, where a tool has gathered that (nearby_skin.h), or null; it changes nothing but the time.
+/// `nearby`: the skin near it, where a tool has gathered that (nearby_skin.h), or null; it changes nothing but the
+/// time.
 Press pressSphere(const Surface& surface, const FingerSettings& settings, double radius, FingerState& state,
                   const Vec3& tip, const NearbySkin* nearby = nullptr) noexcept;
 

@@ -128,9 +128,9 @@ bool isNearer(const SphereTask& task, const Vec3& place, const Vec3& than) {
 /// Lets the feet follow to `place`. False when one is lost or the sphere sinks in at one: its plane is then added.
 bool followFeet(const SphereTask& task, const Vec3& place, const Feet& feet, Feet& followed, HalfSpaces& planes) {
   bool stands = true;
-  followed.count = feet.count;
+  followed.count = 0;
   for (int i = 0; i < feet.count; ++i) {
-    Foot& foot = followed.feet[i] = feet.feet[i];
+    Foot& foot = followed.add() = feet.feet[i];
     if (!followFoot(task.surface, place, foot)) return false;
     if (foot.height >= task.radius * (1.0 - kFit)) continue;
     planes.add(keepOff(foot, task.radius));
@@ -170,8 +170,8 @@ void feetAt(const SphereTask& task, const Vec3& centre, const StandingPlaces& st
     findFeet(task.surface, centre, task.radius * (1.0 + kOutlook), feet, task.nearby);
     return;
   }
-  feet.count = standing.count;
-  for (int i = 0; i < feet.count; ++i) standsOn(task.surface, standing.places[i], centre, feet.feet[i]);
+  feet.count = 0;
+  for (int i = 0; i < standing.count; ++i) standsOn(task.surface, standing.places[i], centre, feet.add());
 }
 
 void remember(const Feet& feet, StandingPlaces& standing) {

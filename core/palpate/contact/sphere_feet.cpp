@@ -74,7 +74,7 @@ bool isKnown(const Feet& feet, const SurfacePoint& place, double distance) {
 
 void keep(const Foot& foot, Feet& feet) {
   if (feet.count < Feet::kMax) {
-    feet.feet[feet.count++] = foot;
+    feet.add() = foot;
     return;
   }
   const auto highest = std::max_element(feet.feet.begin(), feet.feet.end(),
@@ -91,10 +91,16 @@ void addFoot(const Surface& surface, Index triangle, const ClosestOnTriangle& cl
   if (stands) keep(foot, feet);
 }
 
+bool isLower(const Surface& surface, Index triangle, const ClosestOnTriangle& closest, const Vec3& centre,
+             double height) {
+  Foot foot;
+  return standsOn(surface, placeOf(triangle, closest), centre, foot) && foot.height < height;
+}
+
 /// A local minimum of the distance, found in one triangle.
 struct Minimum {
   ClosestOnTriangle closest;
-  std::uint16_t place;  ///< in the NearbySkin
+  Index triangle;
 };
 
 /// The minima nearer than `reach` in the order in which the tree's search comes to them: the first of those that are
@@ -107,18 +113,18 @@ bool minimaNearby(const Surface& surface, const NearbySkin* nearby, const Vec3& 
   const tree::TriangleTree& tree = surface.geometry->tree;
   count = 0;
   for (int i = 0; i < list.count; ++i) {
-    const Index t = recordAt(*nearby, list.places[i]);
+    const Index t = list.records[i];
     const ClosestOnTriangle closest = tree::closestOnTriangle(tree.records[t].corners, centre);
     if (!(closest.squared_distance < reach * reach) || !isLocalMinimum(surface, t, closest, centre)) continue;
     if (count == Feet::kMax) return false;
-    minima[count++] = {closest, list.places[i]};
+    minima[count++] = {closest, t};
   }
   if (count < 2) return true;
   const tree::PointQuery query = tree::detail::pointQuery(tree, centre);
   for (int i = 1; i < count; ++i) {
     const Minimum moved = minima[i];
     int place = i;
-    for (; place > 0 && visitedBefore(tree, *nearby, query, moved.place, minima[place - 1].place); --place) {
+    for (; place > 0 && visitedBefore(*nearby, query, moved.triangle, minima[place - 1].triangle); --place) {
       minima[place] = minima[place - 1];
     }
     minima[place] = moved;
@@ -129,8 +135,9 @@ bool minimaNearby(const Surface& surface, const NearbySkin* nearby, const Vec3& 
 }  // namespace
 
 Feet& Feet::operator=(const Feet& other) {
-  count = other.count;
-  std::copy_n(other.feet.begin(), count, feet.begin());
+  if (this == &other) return *this;
+  count = 0;
+  for (int i = 0; i < other.count; ++i) add() = other.feet[i];
   return *this;
 }
 
@@ -158,14 +165,13 @@ bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& cen
   return isInFront(surface, place, to_centre);
 }
 
-void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet,
-              const NearbySkin* nearby) noexcept {
+void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& feet, const NearbySkin* nearby) noexcept {
   feet.count = 0;
   std::array<Minimum, Feet::kMax> minima;
   int count = 0;
   if (minimaNearby(surface, nearby, centre, reach, minima, count)) {
     for (int i = 0; i < count; ++i) {
-      addFoot(surface, recordAt(*nearby, minima[i].place), minima[i].closest, centre, feet);
+      addFoot(surface, minima[i].triangle, minima[i].closest, centre, feet);
     }
     return;
   }
@@ -182,26 +188,24 @@ bool followFoot(const Surface& surface, const Vec3& centre, Foot& foot) noexcept
 }
 
 bool anyFootLower(const Surface& surface, const Vec3& centre, double height, const NearbySkin* nearby) noexcept {
-  const double limit = height * height;
-  const auto is_lower = [&](Index triangle, const ClosestOnTriangle& closest) {
-    Foot foot;
-    return standsOn(surface, placeOf(triangle, closest), centre, foot) && foot.height < height;
-  };
   SkinList list;
-  if (listNearer(nearby, centre, height, list)) {
-    return std::any_of(list.places.begin(), list.places.begin() + list.count, [&](std::uint16_t place) {
-      const Index triangle = recordAt(*nearby, place);
-      const ClosestOnTriangle closest =
-          tree::closestOnTriangle(surface.geometry->tree.records[triangle].corners, centre);
-      return closest.squared_distance < limit && is_lower(triangle, closest);
-    });
-  }
+  if (listNearer(nearby, centre, height, list)) return anyFootLowerAmong(surface, list, centre, height);
   bool any = false;
+  const double limit = height * height;
   visitNearTriangles(surface.geometry->tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
-    any = is_lower(triangle, closest);
+    any = isLower(surface, triangle, closest, centre, height);
     return any ? 0.0 : limit;
   });
   return any;
+}
+
+bool anyFootLowerAmong(const Surface& surface, const SkinList& list, const Vec3& centre, double height) noexcept {
+  for (int i = 0; i < list.count; ++i) {
+    const Index triangle = list.records[i];
+    const ClosestOnTriangle closest = tree::closestOnTriangle(surface.geometry->tree.records[triangle].corners, centre);
+    if (closest.squared_distance < height * height && isLower(surface, triangle, closest, centre, height)) return true;
+  }
+  return false;
 }
 
 SurfacePoint nearestFront(const Surface& surface, const Vec3& centre, double reach) noexcept {

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <memory>
 
 #include "palpate/contact/finger.h"
 #include "palpate/contact/half_spaces.h"
@@ -20,16 +22,21 @@ struct Foot {
   double height = 0.0;         ///< of the centre above the foot along `normal`, mm: where it fits, at least the radius
 };
 
-/// The lowest feet; when there are more than kMost, the highest are left out. A copy copies those that are there: a
-/// few, where the array is 2.5 kB.
+/// The lowest feet; when there are more than kMax, the highest are left out. Making and copying one touches those that
+/// are there: a few, where the array is 2.5 kB.
 struct Feet {
   static constexpr int kMax = 32;
-  std::array<Foot, kMax> feet;
+  union {
+    std::array<Foot, kMax> feet;  ///< only the first `count` are there
+  };
   int count = 0;
 
-  Feet() = default;
+  Feet() {}
   Feet(const Feet& other) { *this = other; }
   Feet& operator=(const Feet& other);
+
+  /// One more, to be filled in; only if count < kMax.
+  Foot& add() { return *std::construct_at(&feet[static_cast<std::size_t>(count++)]); }
 
   /// Index of the one with the smallest height; only if count > 0.
   int lowest() const;
@@ -50,6 +57,9 @@ bool followFoot(const Surface& surface, const Vec3& centre, Foot& foot) noexcept
 /// Whether the sphere sinks into the skin: any foot lower than `height`. Stops at the first.
 bool anyFootLower(const Surface& surface, const Vec3& centre, double height,
                   const NearbySkin* nearby = nullptr) noexcept;
+
+/// The same, asked of the listed triangles alone.
+bool anyFootLowerAmong(const Surface& surface, const SkinList& list, const Vec3& centre, double height) noexcept;
 
 /// The nearest place of the skin with the centre in front, nearer than `reach`; triangle kNoIndex when there is none.
 SurfacePoint nearestFront(const Surface& surface, const Vec3& centre, double reach) noexcept;

@@ -129,13 +129,15 @@ Vec3 centreOver(const SphereTask& task, const SurfacePoint& foot) {
   return foot.position + ((above > 0.0 ? task.radius : -task.radius) / distance) * to_tip;
 }
 
-/// Whether the sphere fits tightly at `to` and its centre's way there from `from` is free. Where no skin is nearer to
-/// the end than the radius, none is in the way of a shorter step either.
+/// Whether the sphere fits tightly at `to` and its centre's way there from `from` is free. What may be in the way of a
+/// step shorter than the radius is within the radius of its end.
 bool fitsByFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) {
   const double height = task.radius * (1.0 - kTight);
   SkinList list;
-  const bool listed = (to - from).squaredNorm() < height * height && listNearer(task.nearby, to, height, list);
-  if (listed && list.count == 0) return true;
+  if ((to - from).squaredNorm() < height * height && listNearer(task.nearby, to, height, list)) {
+    return !anyFootLowerAmong(task.surface, list, to, height) &&
+           (list.count == 0 || firstCrossingAmong(task.surface, list, from, to).triangle == kNoIndex);
+  }
   return !anyFootLower(task.surface, to, height, task.nearby) && isFreeWay(task, from, to);
 }
 
@@ -144,8 +146,8 @@ bool standsOnOnePlace(const SphereTask& task, Move& move) {
   const WalkResult walk = walkToNearest(task.surface, task.last, task.tip, kUnbounded);
   move.under_tip = walk.at;
   const Vec3 centre = centreOver(task, walk.at);
-  const bool stands = walk.finished && (centre - task.start).norm() <= task.path &&
-                      fitsByFreeWay(task, move.centre, centre);
+  const bool stands =
+      walk.finished && (centre - task.start).norm() <= task.path && fitsByFreeWay(task, move.centre, centre);
   if (!stands) return false;
   move.centre = centre;
   move.foot = walk.at;

@@ -1,13 +1,19 @@
 // A group gathers the skin round its pads' centres with a margin, and uses that until one of its pads comes near the
-// end of it. Groups gather in different ticks where they can: the one that has used most of its margin goes first, one a
-// tick, before it has to. In the air a group knows how far the skin is and does not look until it has gone that far.
+// end of it. Groups gather in different ticks where they can: the one that has used most of its margin goes first, one
+// a tick, before it has to. In the air a group knows how far the skin is and does not look until it has gone that far.
 #include "palpate/contact/tool.h"
+
+#include <hwy/cache_control.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <new>
 #include <numbers>
 #include <string>
+#include <utility>
 
+#include "palpate/base/aligned.h"
 #include "palpate/base/error.h"
 #include "palpate/contact/finger_tick.h"
 
@@ -27,8 +33,8 @@ constexpr double kLargestMargin = 1.0;
 constexpr double kSmallestMargin = 0.02;
 constexpr int kTicksOfRest = 64;
 /// A margin grows when less was gathered than the first share of kGathered, and shrinks beyond the second.
-constexpr double kFewGathered = 0.75;
-constexpr double kManyGathered = 1.5;
+constexpr double kFewGathered = 1.5;
+constexpr double kManyGathered = 3.0;
 constexpr double kGrow = 1.25;
 constexpr double kShrink = 0.75;
 
@@ -136,13 +142,31 @@ Vec3 sphereOf(const FingerState& pad, const Vec3& tip) noexcept {
 }
 
 void adaptMargin(const NearbySkin& skin, double circle_mm, PadGroup& group) noexcept {
-  if (skin.triangles > 0 && skin.triangles < kFewGathered * kGathered) group.margin_mm *= kGrow;
-  if (skin.triangles > kManyGathered * kGathered) group.margin_mm *= kShrink;
+  const double triangles = kSkinLanes * skin.blocks;
+  if (skin.blocks > 0 && triangles < kFewGathered * kGathered) group.margin_mm *= kGrow;
+  if (triangles > kManyGathered * kGathered) group.margin_mm *= kShrink;
   group.margin_mm = std::min(group.margin_mm, kLargestMargin * circle_mm);
+}
+
+/// How far the skin that is gathered may lie ahead, for a group that moves as it does.
+Vec3 lookAhead(const Vec3& motion, double margin_mm) noexcept {
+  constexpr double kShareAhead = 0.5, kTicksAhead = 20.0;
+  const double ahead = kTicksAhead * motion.norm();
+  const double most = kShareAhead * margin_mm;
+  return ahead > most ? Vec3(motion * (kTicksAhead * most / ahead)) : Vec3(kTicksAhead * motion);
+}
+
+/// What a group knows of another surface means nothing.
+void forgetSkin(PadGroup& group) noexcept {
+  group.idle = false;
+  group.clear_mm = 0.0;
+  group.gather = true;
 }
 
 /// Gathers the skin for a group's next ticks.
 void gatherFor(const ToolTask& task, PadGroup& group, NearbySkin& skin, const ToolState& state) noexcept {
+  skin.planes = nullptr;
+  if (task.surface.geometry != state.planes->geometry) return;
   if (group.rest_ticks > 0) {
     --group.rest_ticks;
     return;
@@ -151,7 +175,7 @@ void gatherFor(const ToolTask& task, PadGroup& group, NearbySkin& skin, const To
   for (std::size_t i = group.first; i < group.end; ++i) {
     box.extend(sphereOf(state.pads[state.order[i]], tipOf(task, task.shape.pads[state.order[i]])));
   }
-  const Vec3 middle = box.center();
+  Vec3 middle = box.center();
   double reach = 0.0;
   for (std::size_t i = group.first; i < group.end; ++i) {
     const Pad& pad = task.shape.pads[state.order[i]];
@@ -159,9 +183,10 @@ void gatherFor(const ToolTask& task, PadGroup& group, NearbySkin& skin, const To
     reach = std::max(reach, (place - middle).norm() + pad.radius_mm);
   }
   if (!middle.allFinite() || !std::isfinite(reach)) return;
+  middle += lookAhead(placeIn(task.poses[group.part], group.offset) - group.middle, group.margin_mm);
   group.gather = false;
   if (group.idle) lookForSkin(task.surface, placeIn(task.poses[group.part], group.offset), group);
-  if (gatherSkin(task.surface.geometry->tree, middle, reach + group.margin_mm, skin)) {
+  if (gatherSkin(*state.planes, middle, reach + group.margin_mm, skin)) {
     adaptMargin(skin, reach, group);
     return;
   }
@@ -184,9 +209,28 @@ void stepPad(const ToolTask& task, FingerSettings& settings, const NearbySkin* n
   FingerState& finger = state.pads[index];
   settings.radius_mm = pad.radius_mm;
   const Vec3 tip = tipOf(task, pad);
-  state.felt[index] = tickBy(task.surface, settings, finger, tip, task.lumps, [&] {
+  // In place: what a pad felt is 350 bytes, which an assignment would copy.
+  ::new (&state.felt[index]) FingerOutput(tickBy(task.surface, settings, finger, tip, task.lumps, [&] {
     return pressSphere(task.surface, settings, pad.radius_mm, finger, tip, nearby);
-  });
+  }));
+}
+
+template <class Item>
+void prefetchLines(const Item& item) noexcept {
+  const auto* bytes = reinterpret_cast<const std::byte*>(&item);
+  for (std::size_t i = 0; i < sizeof(Item); i += kCacheLineBytes) hwy::Prefetch(bytes + i);
+}
+
+/// Asks for what the next pad's tick reads.
+void prefetchPad(const ToolTask& task, std::size_t index, const ToolState& state) noexcept {
+  const FingerState& pad = state.pads[index];
+  prefetchLines(pad);
+  prefetchLines(state.felt[index]);
+  if (!pad.touching) return;
+  prefetchLines(task.surface.geometry->tree.records[pad.proxy.triangle]);
+  const std::size_t block = pad.proxy.triangle / kSkinLanes;
+  if (block < state.planes->blocks.size()) prefetchLines(state.planes->blocks[block]);
+  prefetchLines(task.surface.geometry->tree.records[pad.anchor.triangle]);
 }
 
 GroupTick stepGroup(const ToolTask& task, FingerSettings& settings, const PadGroup& group, const NearbySkin& skin,
@@ -195,6 +239,7 @@ GroupTick stepGroup(const ToolTask& task, FingerSettings& settings, const PadGro
   GroupTick tick;
   for (std::size_t i = group.first; i < group.end; ++i) {
     const std::size_t index = state.order[i];
+    if (i + 1 < state.order.size()) prefetchPad(task, state.order[i + 1], state);
     FingerState& pad = state.pads[index];
     const Vec3 before = pad.tip;
     stepPad(task, settings, &skin, index, state);
@@ -204,7 +249,7 @@ GroupTick stepGroup(const ToolTask& task, FingerSettings& settings, const PadGro
     const double needs = (place - skin.middle).norm() + task.shape.pads[index].radius_mm + 2.0 * step;
     tick.used = std::max(tick.used, 1.0 - (skin.reach - needs) / group.margin_mm);
   }
-  if (!skin.known) tick.used = 1.0;
+  if (skin.planes == nullptr) tick.used = 1.0;
   return tick;
 }
 
@@ -271,9 +316,11 @@ Wrench about(const Wrench& wrench, const Vec3& point) noexcept {
   return {point, wrench.force_n, wrench.moment_n_mm + (wrench.point - point).cross(wrench.force_n)};
 }
 
-ToolState makeToolState(const ToolShape& shape, const Surface& surface) {
+ToolState makeToolState(const ToolShape& shape, const Surface& surface, std::shared_ptr<const SkinPlanes> planes) {
   check(shape);
+  require(!planes || planes->geometry == surface.geometry, "its planes are those of another surface");
   ToolState state;
+  state.planes = planes ? std::move(planes) : planesOf(surface.geometry);
   const std::size_t pads = shape.pads.size();
   state.pads.resize(pads);
   state.felt.resize(pads);
@@ -294,21 +341,16 @@ ToolState makeToolState(const ToolShape& shape, const Surface& surface) {
 
 Wrench stepTool(const Surface& surface, const ToolShape& shape, const FingerSettings& settings, ToolState& state,
                 std::span<const ToolPose> poses, const LumpPlaces* lumps) noexcept {
-  constexpr double kNearlyUsed = 0.5;
+  constexpr double kNearlyUsed = 0.8;
   const ToolTask task{surface, shape, poses, lumps};
   FingerSettings of_pad = settings;
-  const bool new_skin = state.geometry != surface.geometry.get();
-  state.geometry = surface.geometry.get();
+  const bool of_others = surface.geometry != state.planes->geometry;
   std::size_t next = state.groups.size();  // the group that gathers in the next tick, before it has to
   double most_used = kNearlyUsed;
   for (std::size_t g = 0; g < state.groups.size(); ++g) {
     PadGroup& group = state.groups[g];
     NearbySkin& skin = state.nearby[g];
-    if (new_skin) {
-      group.idle = skin.known = false;
-      group.clear_mm = 0.0;
-      group.gather = true;
-    }
+    if (of_others) forgetSkin(group);
     const GroupTick tick = moveGroup(task, of_pad, group, skin, state);
     if (group.gather || !(tick.used > most_used)) continue;
     most_used = tick.used;

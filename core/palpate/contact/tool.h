@@ -12,14 +12,15 @@
 // pads are: k share |arm|^2 for a turn.
 //
 // Pads share the load. Skin pushed in by one pad is already in under its neighbour, so N pads side by side are not N
-// times as stiff as one. Pad::share weighs each pad's force in the wrench (never in FingerOutput); a stiffness in N/mm is
-// that of a whole finger. See tool_shapes.h for how shares are chosen.
+// times as stiff as one. Pad::share weighs each pad's force in the wrench (never in FingerOutput); a stiffness in N/mm
+// is that of a whole finger. See tool_shapes.h for how shares are chosen.
 //
 // What this is not. Proxies move independently: on a limb thinner than the tool two pads may rest on different sides,
 // and a ridge may lie between two pads unfelt by either. The skin does not carry a dent from one pad to the next, so
 // pressure is no better spread than the shares say. Between pads there is nothing: spacing decides what is missed.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -83,25 +84,26 @@ struct PadGroup {
 /// All that a tool remembers between two ticks. Pads are in the shape's order.
 struct ToolState {
   std::vector<FingerState> pads;
-  std::vector<FingerOutput> felt;   ///< what each pad felt in the last tick, before shares
-  std::vector<Wrench> of_part;      ///< about the part's origin
-  std::size_t touching = 0;         ///< pads
-  const void* geometry = nullptr;   ///< that groups know
-  std::vector<std::size_t> order;   ///< pads, group by group
+  std::vector<FingerOutput> felt;  ///< what each pad felt in the last tick, before shares
+  std::vector<Wrench> of_part;     ///< about the part's origin
+  std::size_t touching = 0;        ///< pads
+  std::shared_ptr<const SkinPlanes> planes;
+  std::vector<std::size_t> order;  ///< pads, group by group
   std::vector<PadGroup> groups;
-  std::vector<NearbySkin> nearby;   ///< of each group
+  std::vector<NearbySkin> nearby;  ///< of each group
 };
 
-/// A tool that has touched nothing. Allocates. The surface says how large groups may be; the tool may touch another one
-/// too, and gathers anew there. Throws Error as check() does.
-ToolState makeToolState(const ToolShape& shape, const Surface& surface);
+/// A tool that has touched nothing. Allocates. `planes`: of the surface's geometry, for many tools on one surface;
+/// null: makes its own. Throws Error as check() does.
+ToolState makeToolState(const ToolShape& shape, const Surface& surface,
+                        std::shared_ptr<const SkinPlanes> planes = nullptr);
 
 /// One tick of a tool: moves every pad as contact::step moves a finger. Of `settings` the radius is not looked at.
 /// Returns the wrench of all parts about the origin of the first one; ToolState has what each part and each pad felt.
 /// One pose for each part. Any thread, but one at a time per state; no lock, no allocation. `lumps` as in step().
 ///
-/// About 0.25 us for a pad of a group that touches skin of some millimetres between vertices, 10 ns in the air. Where
-/// more than NearbySkin::kMaxBlocks blocks of skin are under a single pad, each asks the tree as a finger alone does.
+/// On a surface of another geometry than the state was made for, and where more than NearbySkin::kMaxBlocks blocks of
+/// skin are under a single pad, pads ask the tree as a finger alone does: slower, the same.
 Wrench stepTool(const Surface& surface, const ToolShape& shape, const FingerSettings& settings, ToolState& state,
                 std::span<const ToolPose> poses, const LumpPlaces* lumps = nullptr) noexcept;
 

@@ -56,7 +56,8 @@ void addPart(const ToolShape& part, const Vec3& rest, ToolShape& tool) {
 /// Adds a fingertip ten times.
 void addFingers(const ToolShape& fingertip, ToolShape& tool) {
   for (const double y : {-kRowsFromPalmMm, kRowsFromPalmMm}) {
-    for (int i = 0; i < kFingers; ++i) addPart(fingertip, {(i - 0.5 * (kFingers - 1)) * kBetweenFingersMm, y, 0.0}, tool);
+    for (int i = 0; i < kFingers; ++i)
+      addPart(fingertip, {(i - 0.5 * (kFingers - 1)) * kBetweenFingersMm, y, 0.0}, tool);
   }
 }
 

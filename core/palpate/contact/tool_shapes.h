@@ -6,8 +6,8 @@
 //
 // Shares. On an elastic half-space a flat punch is as stiff as the root of its area (k = 2 E* a, a the radius of a
 // circle of that area; Sneddon 1965, within a few per cent for other outlines that are not much longer than wide). So
-// the shares of a tool add up to the radius of such a circle over that of a fingertip of 8 mm, whose stiffness the law of
-// the skin has, and are alike for all pads. That is an assumption about even pressing: one pad alone on the skin is
+// the shares of a tool add up to the radius of such a circle over that of a fingertip of 8 mm, whose stiffness the law
+// of the skin has, and are alike for all pads. That is an assumption about even pressing: one pad alone on the skin is
 // softer than a finger of its radius would be.
 #pragma once
 

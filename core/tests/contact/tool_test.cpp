@@ -1,5 +1,5 @@
-// A tool feels with every pad what a finger alone feels there, to the last bit; what it adds is one search for all and a
-// wrench.
+// A tool feels with every pad what a finger alone feels there, to the last bit; what it adds is one search for all and
+// a wrench.
 #include "palpate/contact/tool.h"
 
 #include <cstring>
@@ -198,7 +198,8 @@ TEST(Tool, EachPadRelaxesAndFeelsLumpsAsAFingerAloneDoes) {
   ToolTrack tool(surface, fingertipTool(), settings);
   for (int i = 0; i < 3000; ++i) {
     const double t = 0.001 * i;
-    tool.to({Vec3(60 + 15 * std::sin(2 * t), 60 + 10 * std::sin(3 * t), 4.0 - 6.0 * std::sin(5 * t)), Mat3::Identity()});
+    tool.to(
+        {Vec3(60 + 15 * std::sin(2 * t), 60 + 10 * std::sin(3 * t), 4.0 - 6.0 * std::sin(5 * t)), Mat3::Identity()});
   }
   EXPECT_EQ(tool.differences(), 0u);
   EXPECT_GT(tool.touching(), 1000u);
@@ -261,8 +262,8 @@ TEST(Tool, PressedAtOneEndIsTurned) {
   EXPECT_NEAR((about(at_end, wrench.point).moment_n_mm - wrench.moment_n_mm).norm(), 0.0, 1e-9);
 }
 
-// What the wrench does on a way of motion and turning is what the pads do there, and on a plate without friction a round
-// trip gives back what it took.
+// What the wrench does on a way of motion and turning is what the pads do there, and on a plate without friction a
+// round trip gives back what it took.
 TEST(Tool, DoesTheWorkOfItsPadsAndNoneOnARoundTrip) {
   for (const bool flat : {true, false}) {
     const Surface surface = surfaceOf(flat ? zoo::grid(40, 200.0) : zoo::wavyGrid(80, 200.0, 3.0));
