@@ -15,7 +15,6 @@
 #include "cli/kit/number_option.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
-#include "lab/commands/bench_tool.h"
 #include "lab/commands/peers_report.h"
 #include "lab/peers/judge.h"
 #include "lab/peers/peer.h"
@@ -195,7 +194,7 @@ void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
   addFingerOptions(command, *arguments);
   addHdbOptions(command, *arguments);
   addPeersOption(command, arguments->peers);
-  takesOneOf(benchToolNames(),
+  takesOneOf(bench::toolNames(),
              command.add_option("--tool", arguments->tool, "Touch with a tool of several pads instead of one finger"));
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] { runContact(*arguments); });

@@ -1,5 +1,4 @@
-#include "lab/commands/bench_tool.h"
-
+// A tool along a trajectory, beside a finger for each of its pads: what is printed of it.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -29,14 +29,17 @@ constexpr double kGathered = 160.0;
 constexpr double kOfPads = 0.55;
 /// The first margin, as a share of the same; it is adapted to the skin that is met.
 constexpr double kFirstMargin = 0.25;
-constexpr double kLargestMargin = 1.0;
-constexpr double kSmallestMargin = 0.02;
+constexpr double kLargestMargin = 1.0;  // of all that is gathered
+/// Of the margin, how far ahead of a moving group the skin is gathered.
+constexpr double kShareAhead = 0.5;
 constexpr int kTicksOfRest = 64;
-/// A margin grows when less was gathered than the first share of kGathered, and shrinks beyond the second.
-constexpr double kFewGathered = 1.5;
-constexpr double kManyGathered = 3.0;
+/// Blocks that a group gathers where it can choose: of fewer it takes more, of more less.
+constexpr int kFewBlocks = 30;
+constexpr int kManyBlocks = 60;
 constexpr double kGrow = 1.25;
 constexpr double kShrink = 0.75;
+/// To gather costs about as much as so many pads that ask the tree in one tick, and has to last for as many.
+constexpr double kGatheringCost = 8.0;
 
 double meanTriangle(const SurfaceGeometry& geometry) {
   double area2 = 0.0;
@@ -141,16 +144,21 @@ Vec3 sphereOf(const FingerState& pad, const Vec3& tip) noexcept {
   return pad.touching ? Vec3(pad.centre + (tip - pad.tip)) : tip;
 }
 
-void adaptMargin(const NearbySkin& skin, double circle_mm, PadGroup& group) noexcept {
-  const double triangles = kSkinLanes * skin.blocks;
-  if (skin.blocks > 0 && triangles < kFewGathered * kGathered) group.margin_mm *= kGrow;
-  if (triangles > kManyGathered * kGathered) group.margin_mm *= kShrink;
-  group.margin_mm = std::min(group.margin_mm, kLargestMargin * circle_mm);
+/// The margin that makes gathering worth its while for a group whose pads' centres go so far in a tick. What is left of
+/// it must hold for the next tick, too (stepGroup).
+double worthyMargin(const PadGroup& group, double step_mm) noexcept {
+  const double ticks = kGatheringCost / static_cast<double>(group.end - group.first) + 2.0;
+  return ticks * step_mm / (1.0 + kShareAhead);
+}
+
+void adaptMargin(int blocks, PadGroup& group) noexcept {
+  if (blocks > 0 && blocks < kFewBlocks) group.margin_mm *= kGrow;
+  if (blocks > kManyBlocks) group.margin_mm *= kShrink;
 }
 
 /// How far the skin that is gathered may lie ahead, for a group that moves as it does.
 Vec3 lookAhead(const Vec3& motion, double margin_mm) noexcept {
-  constexpr double kShareAhead = 0.5, kTicksAhead = 20.0;
+  constexpr double kTicksAhead = 20.0;
   const double ahead = kTicksAhead * motion.norm();
   const double most = kShareAhead * margin_mm;
   return ahead > most ? Vec3(motion * (kTicksAhead * most / ahead)) : Vec3(kTicksAhead * motion);
@@ -163,8 +171,9 @@ void forgetSkin(PadGroup& group) noexcept {
   group.gather = true;
 }
 
-/// Gathers the skin for a group's next ticks.
-void gatherFor(const ToolTask& task, PadGroup& group, NearbySkin& skin, const ToolState& state) noexcept {
+/// Gathers the skin for a group's next ticks. `slack_mm`: how far a centre may go in a tick beside its tip.
+void gatherFor(const ToolTask& task, double slack_mm, PadGroup& group, NearbySkin& skin,
+               const ToolState& state) noexcept {
   skin.planes = nullptr;
   if (task.surface.geometry != state.planes->geometry) return;
   if (group.rest_ticks > 0) {
@@ -183,17 +192,20 @@ void gatherFor(const ToolTask& task, PadGroup& group, NearbySkin& skin, const To
     reach = std::max(reach, (place - middle).norm() + pad.radius_mm);
   }
   if (!middle.allFinite() || !std::isfinite(reach)) return;
-  middle += lookAhead(placeIn(task.poses[group.part], group.offset) - group.middle, group.margin_mm);
+  const bool has_moved = state.pads[state.order[group.first]].knows_tip;
+  const Vec3 motion = has_moved ? Vec3(placeIn(task.poses[group.part], group.offset) - group.middle) : Vec3::Zero();
+  group.margin_mm = std::max(group.margin_mm, worthyMargin(group, motion.norm() + slack_mm));
+  group.margin_mm = std::min(group.margin_mm, kLargestMargin * reach);
+  middle += lookAhead(motion, group.margin_mm);
   group.gather = false;
   if (group.idle) lookForSkin(task.surface, placeIn(task.poses[group.part], group.offset), group);
   if (gatherSkin(*state.planes, middle, reach + group.margin_mm, skin)) {
-    adaptMargin(skin, reach, group);
+    adaptMargin(skin.blocks, group);
     return;
   }
-  group.margin_mm *= 0.5 * kShrink;
+  // Too much skin, as under a large pad on a fine mesh: the tree is asked for a while.
+  group.margin_mm *= 0.5;
   group.gather = true;
-  if (group.margin_mm > kSmallestMargin * group.radius_mm) return;
-  group.margin_mm = kSmallestMargin * group.radius_mm;
   group.rest_ticks = kTicksOfRest;
 }
 
@@ -261,7 +273,7 @@ GroupTick moveGroup(const ToolTask& task, FingerSettings& settings, PadGroup& gr
   bool in_air = group.idle && isClear(group, middle);
   if (!in_air) {
     if (group.idle && !covers(skin, middle, group.radius_mm)) group.gather = true;
-    if (group.gather) gatherFor(task, group, skin, state);
+    if (group.gather) gatherFor(task, settings.catch_up_mm_per_s * settings.tick_s, group, skin, state);
     in_air = group.idle && isClear(group, middle);
   }
   if (in_air) {

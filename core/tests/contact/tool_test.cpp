@@ -205,6 +205,15 @@ TEST(Tool, EachPadRelaxesAndFeelsLumpsAsAFingerAloneDoes) {
   EXPECT_GT(tool.touching(), 1000u);
 }
 
+TEST(Tool, EachPadFollowsOtherForceLawsAsAFingerAloneDoes) {
+  Surface surface = surfaceOf(zoo::wavyGrid(40, 120.0, 3.0));
+  surface.force_law.kind = tissue::ForceLaw::Kind::power;
+  ToolTrack tool(surface, headTool());
+  wander(tool, surface, 3000, 5);
+  EXPECT_EQ(tool.differences(), 0u);
+  EXPECT_GT(tool.touching(), 1000u);
+}
+
 TEST(Tool, WhoseTipsAreLostFeelsNothingAndGoesOn) {
   const Surface plate = surfaceOf(zoo::grid());
   ToolTrack tool(plate, fingertipTool());
