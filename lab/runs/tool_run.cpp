@@ -18,10 +18,6 @@ constexpr double kBetweenPartsSeconds = 0.35;
 /// How far the facing of the skin is averaged, against the noise of single triangles.
 constexpr int kFacingTicks = 25;
 
-/// Passes of the tool and of the fingers, in turn. They do the same to the last bit, so that of each tick the least
-/// time is what it takes, and the rest the machine's.
-constexpr int kPasses = 3;
-
 using Shapes = std::vector<std::pair<std::string, contact::ToolShape>>;
 
 Shapes shapes() {
@@ -132,10 +128,6 @@ std::vector<double> apartOf(const ContactWorld& world, const contact::ToolShape&
   return us;
 }
 
-void keepLeast(const std::vector<double>& again, std::vector<double>& us) {
-  for (std::size_t k = 0; k < us.size(); ++k) us[k] = std::min(us[k], again[k]);
-}
-
 std::size_t differencesOf(const ContactWorld& world, const contact::ToolShape& shape,
                           const contact::FingerSettings& finger, const Poses& poses) {
   contact::ToolState state = contact::makeToolState(shape, world.surface);
@@ -176,12 +168,8 @@ ToolFigures measureTool(const ContactWorld& world, const device::Trajectory& tra
   const device::Trajectory ticks = device::resampled(trajectory, finger.tick_s);
   Poses poses(world, ticks.tip_mm, finger.tick_s, shape.rest.size());
   (void)passOf(world, shape, finger, poses);  // warm-up: finds every page of code and surface
-  ToolPass pass = passOf(world, shape, finger, poses);
-  std::vector<double> apart = apartOf(world, shape, finger, poses);
-  for (int i = 1; i < kPasses; ++i) {
-    keepLeast(passOf(world, shape, finger, poses).us, pass.us);
-    keepLeast(apartOf(world, shape, finger, poses), apart);
-  }
+  const ToolPass pass = passOf(world, shape, finger, poses);
+  const std::vector<double> apart = apartOf(world, shape, finger, poses);
   ToolFigures figures;
   figures.triangles = world.triangles;
   figures.pads = shape.pads.size();

@@ -1,4 +1,4 @@
-// `palpate study bench load`, `edit`, `servo` and `palpate study bench recording` from the outside.
+// `palpate study bench load`, `edit`, `servo`, `contact --tool` and `palpate study bench recording` from the outside.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -46,6 +46,21 @@ TEST(BenchLoadCommand, RefusesAnUnknownName) {
   const auto result = runPalpate("study bench load nonsense");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_NE(result.err.find("nonsense"), std::string::npos) << result.err;
+}
+
+TEST(BenchContactCommand, TouchesWithATool) {
+  const std::string slide = "study bench contact --mesh back_2962 --trajectory back_slide --from 2 --to 3 ";
+  const auto result = runPalpate(slide + "--tool head --json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["pads"], 33);
+  EXPECT_GT(json["ticks"].get<int>(), 500);
+  EXPECT_GT(json["tick_us"]["p50"].get<double>(), 0.0);
+  EXPECT_EQ(json["different"], 0) << "each pad feels what a finger alone would";
+  EXPECT_EQ(json["wrench"]["force_n"].size(), 3u);
+  const auto unknown = runPalpate(slide + "--tool hoof");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("hoof"), std::string::npos) << unknown.err;
 }
 
 TEST(BenchEditCommand, TellsHowSoonAChangedDysfunctionIsFelt) {
