@@ -236,7 +236,7 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
   FrameMaker frames(world);
   const std::vector<device::Device> devices = devicesOf(servo);
   const Clock::time_point began = Clock::now();
-  constexpr std::int64_t step = 1'000'000'000 / kFramesPerS;
+  constexpr std::int64_t kStepNs = 1'000'000'000 / kFramesPerS;
   std::int64_t due = monotonicNs();
   for (int round = 1; endAskedBy() == 0; ++round) {
     const double now_s = secondsSince(began);
@@ -253,7 +253,7 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
       network.tellVitals(vitalsJson(servo.thread().vitals()));
       for (const std::string& trouble : device::tendDevices(devices)) say(trouble + "\n");
     }
-    due = std::max(due + step, monotonicNs());
+    due = std::max(due + kStepNs, monotonicNs());
     system::sleepUntil(due);
   }
 }

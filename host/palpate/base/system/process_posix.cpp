@@ -16,7 +16,8 @@
 #include <cstdlib>
 #ifdef __GLIBC__
 #include <libintl.h>
-extern "C" int _nl_msg_cat_cntr;  // libintl's own: from its next value on a changed LANGUAGE counts
+// libintl's own: from its next value on a changed LANGUAGE counts. NOLINTNEXTLINE(readability-identifier-naming)
+extern "C" int _nl_msg_cat_cntr;
 #endif
 #ifdef __APPLE__
 #include <crt_externs.h>
