@@ -137,7 +137,7 @@ def open_address(room):
     return lab.judged(refused, f"exit code {result.returncode}: {words.strip().splitlines()[-1][:120] if words.strip() else 'no word'}")
 
 
-@lab.attack("remote-readable-key", "network", [lab.Mend(GATE, "if (!system::isClosedToOthers(file)) {", "if (false) {")], seconds=30)
+@lab.attack("remote-readable-key", "network", [lab.Mend(GATE, "requireClosedFile(file);", "")], seconds=30)
 def readable_key(room):
     """A key file that other users of the computer may read."""
     file = room.folder / "open.key"
