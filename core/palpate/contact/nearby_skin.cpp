@@ -91,8 +91,8 @@ int nearTriangles(const NearbySkin& skin, const Vec3& point, const float* from_m
   for (int first = 0; first < skin.blocks; first += lanes) {
     for (std::uint32_t near = nearBlocks(skin, from_middle, limit_of_boxes * limit_of_boxes, first); near != 0;
          near &= near - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(near));
-      const std::uint32_t b = skin.block[static_cast<std::size_t>(first) + lane];
+      const auto after_first = static_cast<std::size_t>(std::countr_zero(near));
+      const std::uint32_t b = skin.block[static_cast<std::size_t>(first) + after_first];
       const SkinBlock& block = skin.planes->blocks[b];
       const V x = hn::Set(d, static_cast<float>(point.x() - block.middle.x()));
       const V y = hn::Set(d, static_cast<float>(point.y() - block.middle.y()));
