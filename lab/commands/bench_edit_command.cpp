@@ -51,7 +51,7 @@ struct EditFigures {
   double largest_step_n = 0.0;  ///< between two ticks, from the first edit on
 };
 
-/// A finger that stays pressed where the body is highest along z.
+/// A finger that stays pressed along z.
 struct PressedPlace {
   Vec3 skin = Vec3::Zero();
   device::Device device() const {

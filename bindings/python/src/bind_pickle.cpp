@@ -98,7 +98,8 @@ WorldPointer worldOfPickle(const std::string& toml, const py::object& mesh, cons
   const std::string key = hash + toml;
   std::deque<KeptWorld>& kept = keptWorlds();
   for (const KeptWorld& one : kept) {
-    if (one.key == key) return one.world;
+    // One skin may have been given in several orders: the hash does not tell who became whom.
+    if (one.key == key && packed(one.world->maps).equal(mesh)) return one.world;
   }
   WorldPointer world = builtAgain(toml, mesh);
   if (const std::string now = fmt::format("{:016x}", engine::hashOf(*world->world)); now != hash) {

@@ -56,6 +56,16 @@ def test_who_became_whom_is_known_again():
     assert np.array_equal(pickle.loads(pickle.dumps(world)).source_vertex, world.source_vertex)
 
 
+def test_the_same_skin_given_in_another_order_keeps_its_own_maps():
+    vertices, faces = dome(20)
+    last = len(vertices) - 1
+    worlds = [palpate.World.from_arrays(vertices, faces), palpate.World.from_arrays(vertices[::-1], last - faces)]
+    read = [pickle.loads(pickle.dumps(world)) for world in worlds]
+    for world, again in zip(worlds, read):
+        assert np.array_equal(again.source_vertex, world.source_vertex)
+    assert not np.array_equal(worlds[0].source_vertex, worlds[1].source_vertex)
+
+
 def test_a_file_that_has_changed_is_told(tmp_path):
     vertices, faces = dome(20)
     lines = [f"v {x} {y} {z}" for x, y, z in vertices] + ["f {} {} {}".format(*(face + 1)) for face in faces]
