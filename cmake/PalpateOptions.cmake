@@ -1,8 +1,18 @@
+# A compiler's launcher that somebody chose stays; Emscripten keeps its own cache.
+find_program(PALPATE_CCACHE_PROGRAM ccache)
+mark_as_advanced(PALPATE_CCACHE_PROGRAM)
+if(PALPATE_CCACHE AND PALPATE_CCACHE_PROGRAM AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER AND NOT EMSCRIPTEN)
+  # Precompiled headers are kept as well; they need what ccache's manual names under "Precompiled headers".
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+                                  ${PALPATE_CCACHE_PROGRAM})
+  set(PALPATE_CACHED_PRECOMPILED $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+endif()
+
 # Compiler settings shared by every target of this project, as interface targets that are never exported.
 add_library(palpate_options INTERFACE)
 # Bit-identical forces: a fused multiply-add rounds once instead of twice, which breaks both reproducibility and the exact
 # predicates (docs/explanation/contact.md). Never -ffast-math, never -march=native in a released build.
-target_compile_options(palpate_options INTERFACE -ffp-contract=off -Wall -Wextra -Wnon-virtual-dtor)
+target_compile_options(palpate_options INTERFACE -ffp-contract=off -Wall -Wextra -Wnon-virtual-dtor ${PALPATE_CACHED_PRECOMPILED})
 # Tests of boxes join comparisons by & on purpose, to have no branch between them.
 target_compile_options(palpate_options INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 # Not where files are compiled together: a local may bear the name of a neighbour's helper. tools/check-alone, which compiles
