@@ -70,6 +70,9 @@ export class Browser {
 
 export const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
+// What a driver of software GL says of its own speed, on a busy computer: nothing that the page did wrong.
+const ADVICE = /GL Driver Message \(OpenGL, Performance,/;
+
 class Tab {
   constructor(browser, session, target) {
     Object.assign(this, { browser, session, target });
@@ -82,7 +85,9 @@ class Tab {
     if (method === 'Runtime.consoleAPICalled' && ['error', 'warning', 'assert'].includes(params.type)) {
       this.complaints.push(params.args.map((a) => a.value ?? a.description).join(' '));
     }
-    if (method === 'Log.entryAdded' && ['error', 'warning'].includes(params.entry.level)) this.complaints.push(`${params.entry.text} ${params.entry.url ?? ''}`);
+    if (method === 'Log.entryAdded' && ['error', 'warning'].includes(params.entry.level) && !ADVICE.test(params.entry.text)) {
+      this.complaints.push(`${params.entry.text} ${params.entry.url ?? ''}`);
+    }
     if (method === 'Network.requestWillBeSent') this.requests.push(params.request.url);
   }
   send(method, params) {
