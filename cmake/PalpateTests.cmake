@@ -1,7 +1,6 @@
-# How a house adds its tests: <house>/tests/<folder>/*.cpp becomes the program test_<folder>, whose tests are <folder>.Suite.Name.
+# How a house adds its tests: <house>/tests/<folder>/*.cpp becomes the program test_<folder>, whose suites are <folder>.Suite.
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
-include(GoogleTest)
 set(PALPATE_TEST_FOLDER ${CMAKE_BINARY_DIR}/tests) # where the programs lie
 
 add_library(palpate_test_build INTERFACE)
@@ -31,8 +30,13 @@ function(palpate_add_test folder)
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PALPATE_TEST_FOLDER})
   palpate_precompile(${target} palpate_test_support)
   palpate_unite(${target})
-  gtest_discover_tests(${target} TEST_PREFIX "${folder}." DISCOVERY_MODE PRE_TEST WORKING_DIRECTORY ${PALPATE_TEST_FOLDER}
-                       PROPERTIES TIMEOUT 600)
+  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}.cmake CONTENT "set(folder ${folder})
+set(program $<TARGET_FILE:${target}>)
+set(list ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
+set(where ${PALPATE_TEST_FOLDER})
+include(${PROJECT_SOURCE_DIR}/cmake/PalpateSuites.cmake)
+")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${CMAKE_CURRENT_BINARY_DIR}/${target}.cmake)
 endfunction()
 
 # The test starts the built command.

@@ -467,7 +467,9 @@ double p99Of(int port) {
   return state.is_object() && state.contains("servo") ? state["servo"]["compute_us"]["p99"].get<double>() : 0.0;
 }
 
-// Loose on a machine that does other things: tools/check-serve measures with care.
+// Of the 1000 us that a tick has. Loose, for a machine that does other things: tools/check-serve measures with care.
+constexpr double kHardlyFeltUs = 50;
+
 TEST(Serve, FiftyWatchersGetTheirFramesAndTheServoDoesNotFeelThem) {
   ServedCommand server;
   const MovingHand hand(server.port());
@@ -486,7 +488,7 @@ TEST(Serve, FiftyWatchersGetTheirFramesAndTheServoDoesNotFeelThem) {
   std::sort(alone.begin(), alone.end());
   std::sort(watched.begin(), watched.end());
   EXPECT_GT(alone[1], 0.0);
-  EXPECT_LT(watched[1], 2.0 * alone[1] + 5.0) << "the second best of four, us";
+  EXPECT_LT(watched[1], 2.0 * alone[1] + kHardlyFeltUs) << "the second best of four, us";
   server.end(SIGINT);
   EXPECT_EQ(server.report()["most_onlookers"], 51);
   EXPECT_GT(server.report()["frames_sent"], 50 * 100);
