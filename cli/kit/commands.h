@@ -76,6 +76,7 @@ void addMeasureSynthesizeCommand(CLI::App& measure);
 void addResultsCommand(CLI::App& train);
 
 // Of `palpate study`.
+void addCredibilityCommand(CLI::App& study);
 void addPartitionCommand(CLI::App& study);
 void addHuntCommand(CLI::App& study);
 void addBenchCommand(CLI::App& study);

@@ -264,6 +264,7 @@ void addStudyCommand(CLI::App& app) {
   addErrata(study);
   addStudyPages(study);
   addStudyAll(study);
+  addCredibilityCommand(study);
   addPartitionCommand(study);
   addBenchCommand(study);
   addHuntCommand(study);

@@ -162,6 +162,7 @@ LeftOutErrors leftOutErrors(const std::vector<TensorSet>& sets, Interpolator int
       errors.rms_mm += boundary * boundary;
       errors.size_rms_mm += size * size;
       errors.most_mm = std::max(errors.most_mm, boundary);
+      errors.each_mm.push_back(boundary);
       ++errors.predicted;
     }
   }

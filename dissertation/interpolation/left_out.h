@@ -54,7 +54,8 @@ struct LeftOutErrors {
   double most_mm = 0.0;      ///< the worst point
   double size_rms_mm = 0.0;  ///< of the half major axis
   int predicted = 0;
-  int undetermined = 0;  ///< points that the rest does not determine
+  int undetermined = 0;           ///< points that the rest does not determine
+  std::vector<double> each_mm{};  ///< of the boundary, one a point predicted
 };
 
 /// Each point of each set predicted from the rest of its set; its mirror image is left out with it.

@@ -35,11 +35,11 @@ FindingValues heldSkin(const RelaxationMeasurement& found) {
 FindingValues againstBeef(const RelaxationMeasurement& found) {
   double worst = 0.0;
   std::vector<double> losses;
-  for (const Recorded& recorded : kBeef) {
-    losses.push_back(lostAfter(found.skins.at(2), recorded.seconds));
-    worst = std::max(worst, std::abs(losses.back() - recorded.lost));
+  for (const BeefLoss& loss : beefLosses(found)) {
+    losses.push_back(loss.lost);
+    worst = std::max(worst, std::abs(loss.lost - loss.recorded));
   }
-  return {{"lost", losses}, {"near", worst < 0.02}, {"worst", worst}};
+  return {{"lost", losses}, {"near", worst < kBeefBar}, {"worst", worst}};
 }
 
 FindingValues pressedAndLetGo(const RelaxationMeasurement& found) {
@@ -69,6 +69,14 @@ double lostAfter(const RelaxingSkin& skin, double seconds) {
   const auto nearest = std::min_element(
       times.begin(), times.end(), [&](double a, double b) { return std::abs(a - seconds) < std::abs(b - seconds); });
   return 1.0 - skin.held_n.at(static_cast<std::size_t>(nearest - times.begin())) / skin.held_n.front();
+}
+
+std::vector<BeefLoss> beefLosses(const RelaxationMeasurement& found) {
+  std::vector<BeefLoss> losses;
+  for (const Recorded& recorded : kBeef) {
+    losses.push_back({recorded.seconds, recorded.lost, lostAfter(found.skins.at(2), recorded.seconds)});
+  }
+  return losses;
 }
 
 std::vector<std::string> relaxationFindings(const RelaxationMeasurement& found) {

@@ -44,6 +44,18 @@ RelaxationMeasurement measureRelaxation(bool quick, const Progress& progress);
 /// Of the force at once, what is lost after so many seconds of holding; of the time of heldTimes() nearest to it.
 double lostAfter(const RelaxingSkin& skin, double seconds);
 
+/// What dead beef lost where it was recorded and what the skin that stands for it loses, at 0.2, 0.5, 1 and 10 s:
+/// shares of the force (docs/explanation/relaxation.md).
+struct BeefLoss {
+  double seconds = 0.0;
+  double recorded = 0.0;
+  double lost = 0.0;
+};
+std::vector<BeefLoss> beefLosses(const RelaxationMeasurement& found);
+
+/// How near they must be.
+inline constexpr double kBeefBar = 0.02;
+
 std::vector<std::string> relaxationFindings(const RelaxationMeasurement& found);
 
 }  // namespace palpate::study

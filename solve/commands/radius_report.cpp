@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "palpate/elements/finger_solver.h"
-#include "solve/commands/realism_stacks.h"
 #include "solve/realism/realism.h"
+#include "solve/realism/realism_stacks.h"
 
 namespace palpate::app {
 
@@ -28,7 +28,7 @@ std::optional<double> solvedForce(const tissue::LayeredTable& table, double dept
   return found == table.shapes.end() ? std::nullopt : std::optional(found->force_n);
 }
 
-void judge(const JudgedPlace& place, const scene::World& world, const JudgedRadius& judged, RadiusReport& report) {
+void judge(const lab::JudgedPlace& place, const scene::World& world, const JudgedRadius& judged, RadiusReport& report) {
   const double radius = judged.radius_mm;
   const elements::PressSolution truth =
       elements::solvePress(place.stack, elements::settingsOf(radius, judged.depths_mm));
@@ -55,9 +55,9 @@ double RadiusReport::worst(double radius_mm) const {
 
 RadiusReport judgeRadius(const Progress& progress) {
   RadiusReport result;
-  const std::vector<JudgedPlace> places = placesOfBody();
+  const std::vector<lab::JudgedPlace> places = lab::placesOfBody();
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const JudgedPlace& place = places[i];
+    const lab::JudgedPlace& place = places[i];
     const double secant = place.tissue->secantAt(place.thickness_mm, tissue::kReferenceDepthMm);
     const auto world = lab::flatWorld(scene::TissueModel::layered, place.tissue, place.thickness_mm, secant);
     for (std::size_t j = 0; j < kJudged.size(); ++j) {

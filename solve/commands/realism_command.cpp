@@ -11,7 +11,7 @@
 #include "cli/kit/progress_line.h"
 #include "report/charts/picture_file.h"
 #include "solve/commands/realism_reports.h"
-#include "solve/commands/realism_stacks.h"
+#include "solve/realism/realism_stacks.h"
 
 namespace palpate::app {
 
@@ -165,8 +165,8 @@ void runRealism(const RealismArguments& arguments) {
   RealismFigures figures;
   {
     ProgressLine progress;
-    const auto stacks = arguments.cases.empty() ? stacksOfBody(progress.callback())
-                                                : stacksOfFile(arguments.cases, progress.callback());
+    const auto stacks = arguments.cases.empty() ? lab::stacksOfBody(progress.callback())
+                                                : lab::stacksOfFile(arguments.cases, progress.callback());
     figures = lab::judgeRealism(stacks, progress.callback());
   }
   if (!arguments.plot.empty()) writePicture(figuresPicture(figures), arguments.plot, arguments.png_scale);

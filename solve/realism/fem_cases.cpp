@@ -78,10 +78,12 @@ bool isLayered(const tissue::LayerStack& stack) {
       stack.layers, [&](const tissue::Layer& layer) { return layer.young_kpa != stack.layers.front().young_kpa; });
 }
 
-FemCases readFemCases(const std::filesystem::path& file) {
+FemCases readFemCases(const std::filesystem::path& file) { return parseFemCases(readFile(file, kMaxCaseBytes), file); }
+
+FemCases parseFemCases(std::string_view text, const std::filesystem::path& file) {
   Json json;
   try {
-    json = Json::parse(readFile(file, kMaxCaseBytes));
+    json = Json::parse(text);
   } catch (const Json::exception& error) {
     fail(file, fmt::format("not JSON: {}", error.what()));
   }

@@ -160,7 +160,10 @@ LumpCase solvedCase(const tissue::LumpShape& lump, const tissue::LayerStack& sta
 }  // namespace
 
 LumpCases readLumpCases(const std::filesystem::path& file) {
-  const std::string text = readFile(file, kMaxLumpBytes);
+  return parseLumpCases(readFile(file, kMaxLumpBytes), file);
+}
+
+LumpCases parseLumpCases(std::string_view text, const std::filesystem::path& file) {
   LumpCases cases;
   cases.surface_radii_mm = {0, 2, 4, 6, 8, 10, 12, 15, 20, 25, 30, 40};
   try {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "palpate/base/progress.h"
@@ -70,6 +71,8 @@ struct LumpCases {
 
 /// Throws Error naming the file and what is wrong with it.
 LumpCases readLumpCases(const std::filesystem::path& file);
+/// The text of such a file; `file` stands for it in messages.
+LumpCases parseLumpCases(std::string_view text, const std::filesystem::path& file);
 
 /// Draws stacks and lumps and solves them (some 10 s a lump): what was never fitted.
 LumpCases solveLumpCases(std::uint64_t seed, std::size_t lumps, const Progress& progress);

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "palpate/base/progress.h"
@@ -43,6 +44,8 @@ bool isLayered(const tissue::LayerStack& stack);
 
 /// Throws Error naming the file, the case and the key.
 FemCases readFemCases(const std::filesystem::path& file);
+/// The text of such a file; `file` stands for it in messages.
+FemCases parseFemCases(std::string_view text, const std::filesystem::path& file);
 
 /// The cases that a table holds, one a depth.
 FemCases casesOf(const tissue::LayeredTable& table, const std::string& name);

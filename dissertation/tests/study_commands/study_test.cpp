@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "support/run_command.h"
@@ -52,9 +53,22 @@ TEST_F(StudyCommand, APageGoesIntoTheFolderAndItsNumbersToPrograms) {
   EXPECT_TRUE(fs::exists(folder.path() / "page/complexity.md"));
 }
 
+TEST_F(StudyCommand, TheCredibilityFileIsWrittenAsHtmlAndJson) {
+  const auto run = study("credibility --quick --json --consequence high -o it.html -o it.json");
+  EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_TRUE(json.at("holds").get<bool>());
+  EXPECT_EQ(json.at("model_risk").at("risk"), "high");
+  EXPECT_EQ(json.at("code_verification").at("evidence").at(0).at("name"), "numbers");
+  EXPECT_TRUE(fs::exists(folder.path() / "it.html"));
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(folder.path() / "it.json")), json);
+}
+
 TEST_F(StudyCommand, WrongUseIsOneLineAndExitCodeTwo) {
-  for (const std::string wrong : {"figures --only 9.9 --out x", "figures", "", "numbers --out /proc/nowhere", "all",
-                                  "all --quick --out /proc/nowhere", "profile --quick --out /proc/nowhere"}) {
+  for (const std::string wrong :
+       {"figures --only 9.9 --out x", "figures", "", "numbers --out /proc/nowhere", "all",
+        "all --quick --out /proc/nowhere", "profile --quick --out /proc/nowhere", "credibility -o it.txt",
+        "credibility -o /proc/nowhere.json", "credibility --influence none", "credibility --quick --living nowhere"}) {
     const auto run = study(wrong);
     EXPECT_EQ(run.exit_code, 2) << wrong;
     EXPECT_EQ(run.err.substr(0, 9), "palpate: ") << wrong;

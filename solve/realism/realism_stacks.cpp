@@ -1,5 +1,5 @@
 // Solves stacks one after the other: a press to every depth of a table, and a drag.
-#include "solve/commands/realism_stacks.h"
+#include "solve/realism/realism_stacks.h"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,9 @@
 #include "palpate/elements/press_solver.h"
 #include "palpate/tissue/layered_library.h"
 
-namespace palpate::app {
+namespace palpate::lab {
 
 namespace {
-
-using lab::FemCase;
-using lab::JudgedStack;
 
 struct SolvedPlace {
   const char* name;
@@ -69,7 +66,7 @@ std::vector<JudgedPlace> placesOfBody() {
   std::vector<JudgedPlace> places;
   for (const SolvedPlace& place : kPlaces) {
     const double share = tissue::libraryFatShare(place.thickness_mm, place.fat_mm);
-    places.push_back({place.name, place.thickness_mm, tissue::libraryStack(place.thickness_mm, share),
+    places.push_back({place.name, place.thickness_mm, place.fat_mm, tissue::libraryStack(place.thickness_mm, share),
                       std::make_shared<const tissue::LayeredTissue>(tissue::libraryNodes(place.fat_mm))});
   }
   return places;
@@ -82,7 +79,7 @@ std::vector<JudgedStack> stacksOfBody(const Progress& progress) {
     const JudgedPlace& place = places[i];
     const auto [table, drag] =
         solved(place.stack, {2.0, 5.0, 7.5, 10.0}, place.name, part(progress, i, places.size(), place.name));
-    JudgedStack judged{.name = place.name, .truth = lab::casesOf(table, place.name), .drag = drag};
+    JudgedStack judged{.name = place.name, .truth = casesOf(table, place.name), .drag = drag};
     judged.tissue = place.tissue;
     judged.thickness_mm = place.thickness_mm;
     stacks.push_back(std::move(judged));
@@ -90,8 +87,7 @@ std::vector<JudgedStack> stacksOfBody(const Progress& progress) {
   return stacks;
 }
 
-std::vector<JudgedStack> stacksOfFile(const std::filesystem::path& file, const Progress& progress) {
-  const lab::FemCases cases = lab::readFemCases(file);
+std::vector<JudgedStack> stacksOfCases(const FemCases& cases, const Progress& progress) {
   std::vector<JudgedStack> stacks;
   for (const FemCase& one : cases.cases) {
     auto found = std::ranges::find_if(
@@ -117,4 +113,8 @@ std::vector<JudgedStack> stacksOfFile(const std::filesystem::path& file, const P
   return stacks;
 }
 
-}  // namespace palpate::app
+std::vector<JudgedStack> stacksOfFile(const std::filesystem::path& file, const Progress& progress) {
+  return stacksOfCases(readFemCases(file), progress);
+}
+
+}  // namespace palpate::lab
