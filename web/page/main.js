@@ -14,6 +14,7 @@ import { Headset } from './headset.js';
 import { Hint } from './hint.js';
 import { Legend } from './legend.js';
 import { Names } from './names.js';
+import { Notebook, notebookToken } from './notebook.js';
 import { Pads } from './pads.js';
 import { Picture } from './picture.js';
 import { Plot } from './plot.js';
@@ -174,6 +175,7 @@ class Page {
       this.plot.add(frame.fingers.map(({ force }) => Math.hypot(...force)), frame.tick);
     }
     const newest = frames.at(-1);
+    this.notebook?.take(frames);
     if (newest) this.felt(newest.fingers, now);
     this.picture.draw(now);
     this.names.draw(this.camera);
@@ -414,6 +416,11 @@ async function begin() {
   const page = new Page(await chooseSource());
   globalThis.palpate = page; // for the browser's console, and the tests
   await page.start();
+  const token = notebookToken();
+  if (token) {
+    page.notebook = new Notebook(page, token);
+    page.notebook.run();
+  }
 }
 
 begin().catch((error) => {

@@ -16,7 +16,7 @@ import os
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,7 +24,10 @@ from numpy.typing import ArrayLike, NDArray
 from palpate import _view
 from palpate._core import Skin, Touch, World
 
-__all__ = ["Camera", "render", "save"]
+if TYPE_CHECKING:
+    from palpate.notebook import Widget
+
+__all__ = ["Camera", "render", "save", "widget"]
 
 
 @dataclass(frozen=True)
@@ -118,3 +121,14 @@ def render(
 def save(file: str | os.PathLike[str], picture: NDArray[np.uint8]) -> None:
     """Writes a picture (H, W, 3) of uint8 as a PNG file. Raises ValueError, palpate.Error."""
     _view.save(file, picture)
+
+
+def widget(*, height: int = 640, site: str | os.PathLike[str] | None = None) -> Widget:
+    """The page of `tools/build-web` for a cell of a notebook: press there, and have what was felt here.
+
+    height: of the cell, pixels. site: the page's folder; None: $PALPATE_SITE, the installed one, or that of a build.
+    See palpate.notebook.Widget. Raises FileNotFoundError where no page is built.
+    """
+    from palpate.notebook import Widget
+
+    return Widget(height=height, site=site)
