@@ -113,8 +113,7 @@ void addDevicesCommand(CLI::App& app) {
   command->add_flag("--identify", options->identify,
                     "Swing one device that is let go, by a soft spring, and say its mass, damping, friction and delay");
   command->add_flag("--realtime", options->realtime, "With --identify: a simulated device by the clock, as a real one");
-  addNumber(*command, "--seconds", options->seconds, between(0.1, 60.0, "s"), "How long --doctor measures a device")
-      ->capture_default_str();
+  addSetting(*command, "--seconds", options->seconds, between(0.1, 60.0, "s"), "How long --doctor measures a device");
   command->add_flag("--json", options->json, "Print a list of objects instead of the text");
   command->callback([=] { options->identify ? runIdentify(*options) : runDevices(*options); });
 }

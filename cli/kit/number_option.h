@@ -137,6 +137,13 @@ CLI::Option* addNumber(CLI::App& command, const std::string& name, T& value, con
   return option;
 }
 
+/// The same; the value that it has now stands in the help as its default.
+template <class T>
+CLI::Option* addSetting(CLI::App& command, const std::string& name, T& value, const Limits& limits,
+                        const std::string& help) {
+  return addNumber(command, name, value, limits, help)->capture_default_str();
+}
+
 /// Adds an option x,y,z in mm.
 CLI::Option* addPlace(CLI::App& command, const std::string& name, std::optional<Vec3>& value, const std::string& help);
 

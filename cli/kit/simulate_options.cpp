@@ -101,8 +101,7 @@ void addInputOptions(CLI::App& command, SimulateOptions& options) {
   command.add_option("--mesh", options.mesh,
                      "Palpate this mesh (OBJ, STL, PLY, OFF, glTF, GLB) instead of the scene's body");
   addUnit(command, options.mesh_unit_mm);
-  addNumber(command, "--mesh-scale", options.mesh_scale, above(0.0, 1e6), "Factor on the mesh's size, after the unit")
-      ->capture_default_str();
+  addSetting(command, "--mesh-scale", options.mesh_scale, above(0.0, 1e6), "Factor on the mesh's size, after the unit");
   command.add_option("--group", options.mesh_group, "Only this group or object of an OBJ file");
   command.add_option("--trajectory", options.trajectories,
                      "Path of a finger, rows of t_s,x_mm,y_mm,z_mm in the body's coordinates; once for each finger");

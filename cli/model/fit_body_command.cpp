@@ -220,23 +220,21 @@ void runFitBody(const FitBodyArguments& arguments) {
 }  // namespace
 
 void addFitBodyCommand(CLI::App& body) {
-  auto arguments = std::make_shared<FitBodyArguments>();
-  CLI::App& command = *body.add_subcommand(
-      "fit", "Find spine, landmarks and bones of a scanned back or trunk, and write a scene of it");
-  addMeshArguments(command, arguments->scan);
+  const auto [command, arguments] = addCommand(
+      body, "fit", "Find spine, landmarks and bones of a scanned back or trunk, and write a scene of it", runFitBody);
+  addMeshArguments(command, arguments.scan);
   command
-      .add_option("--at", arguments->at,
+      .add_option("--at", arguments.at,
                   "A landmark and its place x,y,z on the scan, in the file's unit: \"left PSIS=-48,-300,105\"; four or "
                   "more say where the body is, fewer help its shape, none leave it to the shape")
       ->type_name("NAME=PLACE");
-  command.add_option("--points", arguments->points, "Table name,x,y,z of the same");
+  command.add_option("--points", arguments.points, "Table name,x,y,z of the same");
   namesFileToWrite(
-      command.add_option("-o,--out", arguments->output, "Scene file to write; NAME.fit.json is written beside it"))
+      command.add_option("-o,--out", arguments.output, "Scene file to write; NAME.fit.json is written beside it"))
       ->required();
-  command.add_flag("--keep-frame", arguments->keep_frame,
+  command.add_flag("--keep-frame", arguments.keep_frame,
                    "Use the scan as it lies, however it is turned: fingers press along its z");
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runFitBody(*arguments); });
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 }  // namespace palpate::app

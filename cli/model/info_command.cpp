@@ -320,15 +320,14 @@ void runInfo(const InfoArguments& arguments) {
 }  // namespace
 
 void addInfoCommand(CLI::App& group) {
-  auto arguments = std::make_shared<InfoArguments>();
-  CLI::App& command = *group.add_subcommand(
-      "info", "Report what a mesh file holds and what is wrong with it, or a recorded table of forces or recording");
-  addMeshArguments(command, arguments->mesh);
-  command.add_flag("--no-self-intersections", arguments->quick,
+  const auto [command, arguments] = addCommand(
+      group, "info",
+      "Report what a mesh file holds and what is wrong with it, or a recorded table of forces or recording", runInfo);
+  addMeshArguments(command, arguments.mesh);
+  command.add_flag("--no-self-intersections", arguments.quick,
                    "Do not look for self-intersections (the slowest check)");
-  command.add_flag("--shape", arguments->shape, "Also tell how even a mesh's triangles are: folds, angles, areas");
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runInfo(*arguments); });
+  command.add_flag("--shape", arguments.shape, "Also tell how even a mesh's triangles are: folds, angles, areas");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 }  // namespace palpate::app

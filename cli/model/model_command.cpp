@@ -232,16 +232,15 @@ ModelCommand addModel(CLI::App& parent, const char* name, const char* what, std:
   CLI::App* command = parent.add_subcommand(name, what);
   namesFileToWrite(command->add_option("-o,--out", options->output, "Mesh file to write: .obj, .stl or .ply"))
       ->required();
-  addNumber(*command, "--triangles", options->triangles, triangle_limits, "Triangles, exactly")->capture_default_str();
+  addSetting(*command, "--triangles", options->triangles, triangle_limits, "Triangles, exactly");
   command->add_flag("--json", options->json, "Print the summary as one JSON object");
   command->callback([make, options] { make(*options); });
   return {command, options};
 }
 
 void addStature(CLI::App& command, ModelOptions& options) {
-  addNumber(command, "--stature-mm", options.shape.stature_mm, between(300.0, 3000.0, "mm"),
-            "Height of the person; everything scales with it")
-      ->capture_default_str();
+  addSetting(command, "--stature-mm", options.shape.stature_mm, between(300.0, 3000.0, "mm"),
+             "Height of the person; everything scales with it");
 }
 
 void addShape(CLI::App& command, ModelOptions& options) {
@@ -249,7 +248,7 @@ void addShape(CLI::App& command, ModelOptions& options) {
   body::SkinSettings& shape = options.shape;
   constexpr const char* kGroup = "Shape of the skin";
   const auto add = [&](const char* name, double& value, const char* help) {
-    addNumber(command, name, value, between(0.0, 5.0), help)->capture_default_str()->group(kGroup);
+    addSetting(command, name, value, between(0.0, 5.0), help)->group(kGroup);
   };
   add("--spine-relief", shape.relief.spine, "Spinous processes: 0 none, 1 a lean man, 2 emaciated");
   add("--rib-relief", shape.relief.ribs, "Ribs: 0 none, 1 a lean man, 2 emaciated");
@@ -267,9 +266,8 @@ void addShape(CLI::App& command, ModelOptions& options) {
 }
 
 void addOutputs(CLI::App& command, ModelOptions& options) {
-  addNumber(command, "--bone-triangles", options.bone_triangles, between(0, 2e7),
-            "Triangles of the bones among them; 0 chooses")
-      ->capture_default_str();
+  addSetting(command, "--bone-triangles", options.bone_triangles, between(0, 2e7),
+             "Triangles of the bones among them; 0 chooses");
   command.add_option("--skin-out", options.skin_output, "Also write the skin alone to this file");
   command.add_option("--bones-out", options.bones_output, "Also write the bones alone to this file");
 }
@@ -277,7 +275,7 @@ void addOutputs(CLI::App& command, ModelOptions& options) {
 void addBuild(CLI::App& command, body::TrunkShape& build) {
   constexpr const char* kGroup = "Build";
   const auto add = [&](const char* name, double& value, const Limits& limits, const char* help) {
-    addNumber(command, name, value, limits, help)->capture_default_str()->group(kGroup);
+    addSetting(command, name, value, limits, help)->group(kGroup);
   };
   add("--girth", build.girth, between(0.8, 1.3), "Factor on breadth and depth of the frame, bones and all");
   add("--body-mass-index", build.body_mass_index, between(16, 45, "kg/m2"), "Fat under the skin");
@@ -294,9 +292,8 @@ void addTrunk(CLI::App& model) {
   const auto [command, options] = addModel(
       model, "trunk", "The whole trunk, closed, from the neck to below the gluteal fold, over 74 bones",
       body::TrunkSettings{}.triangles, between(static_cast<double>(body::kFewestTrunkTriangles), 2e7), makeTrunkModel);
-  addNumber(*command, "--stature-mm", options->shape.stature_mm, between(500.0, 2500.0, "mm"),
-            "Height of the person; everything scales with it")
-      ->capture_default_str();
+  addSetting(*command, "--stature-mm", options->shape.stature_mm, between(500.0, 2500.0, "mm"),
+             "Height of the person; everything scales with it");
   takesOneOf(wordList<body::Posture>(),
              command->add_option("--posture", options->posture, "How it lies or sits")->capture_default_str());
   addBuild(*command, options->build);
@@ -328,9 +325,8 @@ void addHand(CLI::App& model) {
   const auto [command, options] = addModel(model, "hand", "An open hand with the index finger stretched out",
                                            body::HandSettings{}.triangles, between(200, 4e6), makeHandModel);
   takesOneOf(wordList<body::Side>(), command->add_option("--side", options->side, "Which hand")->capture_default_str());
-  addNumber(*command, "--length-mm", options->hand_length_mm, between(20.0, 1000.0, "mm"),
-            "From the wrist's cut to the tip of the index finger")
-      ->capture_default_str();
+  addSetting(*command, "--length-mm", options->hand_length_mm, between(20.0, 1000.0, "mm"),
+             "From the wrist's cut to the tip of the index finger");
 }
 
 }  // namespace

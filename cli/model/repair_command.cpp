@@ -227,9 +227,8 @@ void addRepairCommand(CLI::App& group) {
           "recording, a recording"))
       ->required();
   command.add_flag("--no-weld", arguments->no_weld, "Leave vertices at the same place apart");
-  addNumber(command, "--weld-distance-mm", arguments->weld_distance_mm, between(0.0, 1e9, "mm"),
-            "Weld also vertices nearer than this; 0: the same place only")
-      ->capture_default_str();
+  addSetting(command, "--weld-distance-mm", arguments->weld_distance_mm, between(0.0, 1e9, "mm"),
+             "Weld also vertices nearer than this; 0: the same place only");
   command.add_flag("--keep-orientation", arguments->keep_orientation,
                    "Do not turn closed parts outside out that face inwards");
   command.add_flag("--keep-holes", arguments->keep_holes, "Leave the small holes of nearly closed parts open");

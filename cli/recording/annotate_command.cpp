@@ -109,10 +109,9 @@ void runAnnotate(const AnnotateArguments& arguments) {
 }  // namespace
 
 void addAnnotateCommand(CLI::App& recording) {
-  const auto arguments = std::make_shared<AnnotateArguments>();
-  AnnotateArguments& a = *arguments;
-  CLI::App& command = *recording.add_subcommand(
-      "annotate", "Write a recording with notes, tags, marks, pictures and sound notes of your own");
+  const auto [command, a] =
+      addCommand(recording, "annotate",
+                 "Write a recording with notes, tags, marks, pictures and sound notes of your own", runAnnotate);
   command.add_option("RECORDING", a.file, "Recording file")->required();
   command.add_option("--notes", a.notes, "What it is about, in place of its notes");
   command.add_option("--tags", a.tags, "Words to find it by, with blanks between, in place of its tags");
@@ -123,7 +122,6 @@ void addAnnotateCommand(CLI::App& recording) {
                   "number of times")
       ->allow_extra_args(false);
   namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
-  command.callback([=] { runAnnotate(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -127,10 +127,9 @@ void runBundle(const BundleArguments& arguments) {
 }  // namespace
 
 void addBundleCommand(CLI::App& recording) {
-  const auto arguments = std::make_shared<BundleArguments>();
-  BundleArguments& a = *arguments;
-  CLI::App& command = *recording.add_subcommand(
-      "bundle", "Write a recording with all files that its scene names, and without names of people or folders");
+  const auto [command, a] = addCommand(
+      recording, "bundle",
+      "Write a recording with all files that its scene names, and without names of people or folders", runBundle);
   command.add_option("RECORDING", a.file, "Recording file")->required();
   namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
   command.add_option("--folder", a.folder, "Where the files that the scene names lie now (default: where they lay)");
@@ -141,7 +140,6 @@ void addBundleCommand(CLI::App& recording) {
       ->type_name("PATH")
       ->allow_extra_args(false);
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([=] { runBundle(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -176,9 +176,8 @@ void runExport(const ExportArguments& arguments) {
 }  // namespace
 
 void addExportCommand(CLI::App& recording) {
-  const auto arguments = std::make_shared<ExportArguments>();
-  ExportArguments& a = *arguments;
-  CLI::App& command = *recording.add_subcommand("export", "Write a recording as files that other programs read");
+  const auto [command, a] =
+      addCommand(recording, "export", "Write a recording as files that other programs read", runExport);
   command.add_option("RECORDING", a.file, "Recording file")->required();
   command.add_option("--csv", a.csv, "Every tick, as forces.csv has it");
   command.add_flag("--raw", a.raw,
@@ -198,7 +197,6 @@ void addExportCommand(CLI::App& recording) {
   command.add_option("--attachments", a.attachments, "Folder for pictures and sound notes that were kept with it");
   command.add_option("--folder", a.folder, "Where the files that the scene names lie now (default: where they lay)");
   addTimeSpan(command, a.span);
-  command.callback([=] { runExport(*arguments); });
 }
 
 }  // namespace palpate::app

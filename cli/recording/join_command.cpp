@@ -46,13 +46,11 @@ void runJoin(const JoinArguments& arguments) {
 }  // namespace
 
 void addJoinCommand(CLI::App& recording) {
-  const auto arguments = std::make_shared<JoinArguments>();
-  JoinArguments& a = *arguments;
-  CLI::App& command = *recording.add_subcommand("join", "Write recordings of the same fingers one after another");
+  const auto [command, a] =
+      addCommand(recording, "join", "Write recordings of the same fingers one after another", runJoin);
   command.add_option("RECORDING", a.files, "Recording files, in their order")->required()->expected(2, 1000);
   namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([=] { runJoin(*arguments); });
 }
 
 }  // namespace palpate::app

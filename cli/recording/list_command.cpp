@@ -60,12 +60,11 @@ void runRecordings(const RecordingsArguments& arguments) {
 }  // namespace
 
 void addRecordingsCommand(CLI::App& recording) {
-  const auto arguments = std::make_shared<RecordingsArguments>();
-  CLI::App& command = *recording.add_subcommand("list", "List the recordings of a folder and what is in them");
-  command.add_option("FOLDER", arguments->folder, "With all folders in it")->capture_default_str();
-  command.add_flag("--window", arguments->window, "Those that the window recorded by itself, wherever they are");
-  command.add_flag("--json", arguments->json, "Print a list of objects");
-  command.callback([=] { runRecordings(*arguments); });
+  const auto [command, arguments] =
+      addCommand(recording, "list", "List the recordings of a folder and what is in them", runRecordings);
+  command.add_option("FOLDER", arguments.folder, "With all folders in it")->capture_default_str();
+  command.add_flag("--window", arguments.window, "Those that the window recorded by itself, wherever they are");
+  command.add_flag("--json", arguments.json, "Print a list of objects");
 }
 
 }  // namespace palpate::app

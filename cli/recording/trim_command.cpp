@@ -69,16 +69,13 @@ void runTrim(const TrimArguments& arguments) {
 }  // namespace
 
 void addTrimCommand(CLI::App& recording) {
-  const auto arguments = std::make_shared<TrimArguments>();
-  TrimArguments& a = *arguments;
-  CLI::App& command = *recording.add_subcommand("trim", "Write a part of a recording as a recording");
+  const auto [command, a] = addCommand(recording, "trim", "Write a part of a recording as a recording", runTrim);
   command.add_option("RECORDING", a.file, "Recording file")->required();
   addTimeSpan(command, a.span);
   namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
   command.add_flag("--exact", a.exact,
                    "Begin just there, also in the middle of a contact (default: where every finger was last at rest)");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([=] { runTrim(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -281,9 +281,8 @@ void addMomentOptions(CLI::App& command, RenderOptions& options) {
   addNumber(command, "--at", options.at_s, between(0.0, kLongestRunS, "s"),
             "Moment of the scene's run (default, without --pose: the body at rest)");
   addPoses(command, options);
-  addNumber(command, "--frames", options.frames, between(1, 9999), "Number of pictures")->capture_default_str();
-  addNumber(command, "--fps", options.frames_per_s, between(0.1, 1000.0), "Pictures a second of the run")
-      ->capture_default_str();
+  addSetting(command, "--frames", options.frames, between(1, 9999), "Number of pictures");
+  addSetting(command, "--fps", options.frames_per_s, between(0.1, 1000.0), "Pictures a second of the run");
 }
 
 /// Words of earlier versions are taken too, but not listed.
@@ -372,9 +371,8 @@ void addOutputOptions(CLI::App& command, RenderOptions& options) {
                          ".mp4 if ffmpeg is installed"))
       ->capture_default_str();
   addSize(command, options.size);
-  addNumber(command, "--supersampling", options.size.supersampling, between(1, 4),
-            "Each pixel is the mean of this many squared")
-      ->capture_default_str();
+  addSetting(command, "--supersampling", options.size.supersampling, between(1, 4),
+             "Each pixel is the mean of this many squared");
   command.add_flag("--json", options.json, "Print a report as JSON");
 }
 

@@ -134,10 +134,9 @@ void runReplay(const ReplayArguments& arguments) {
 }  // namespace
 
 void addReplayCommand(CLI::App& recording) {
-  const auto arguments = std::make_shared<ReplayArguments>();
-  ReplayArguments& a = *arguments;
-  CLI::App& command = *recording.add_subcommand(
-      "replay", "Feel a recording again, through its own scene, and compare every bit with what was felt");
+  const auto [command, a] =
+      addCommand(recording, "replay",
+                 "Feel a recording again, through its own scene, and compare every bit with what was felt", runReplay);
   command.add_option("RECORDING", a.file, "Recording file")->required();
   command.add_flag("--verify", a.verify, "Exit code 1 unless every bit is the same");
   addTimeSpan(command, a.span);
@@ -148,7 +147,6 @@ void addReplayCommand(CLI::App& recording) {
       "Also draw it, 25 pictures a second: a film (FILE.webm, FILE.gif, FILE.mp4) or numbered pictures (FILE.png); "
       "palpate render has more to choose");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([=] { runReplay(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -21,8 +21,7 @@ void addAccess(CLI::App& command, serving::ServeOptions& options) {
       .add_option("--host", options.host,
                   "Address of this computer to listen at; another than loopback needs a token that you give")
       ->capture_default_str();
-  addNumber(command, "--port", options.port, between(0, 65535), "Port to listen at; 0: any that is free")
-      ->capture_default_str();
+  addSetting(command, "--port", options.port, between(0, 65535), "Port to listen at; 0: any that is free");
   addToken(command, "--token", options.tokens.control,
            "Who has it may move the finger, one at a time (default: one is made and printed)");
   addToken(command, "--look-token", options.tokens.look, "Who has it looks on; likewise");
@@ -45,8 +44,7 @@ void addAccess(CLI::App& command, serving::ServeOptions& options) {
                   "A page from there may look too, for a proxy: https://place.example; once for each")
       ->type_name("URL")
       ->allow_extra_args(false);
-  addNumber(command, "--onlookers", options.watchers, between(1, 1000), "How many may look on at once")
-      ->capture_default_str();
+  addSetting(command, "--onlookers", options.watchers, between(1, 1000), "How many may look on at once");
 }
 
 }  // namespace

@@ -73,34 +73,33 @@ void run(const study::Study& study, const StudyArguments& arguments) {
 }
 
 void addPage(CLI::App& parent, const study::Study& study) {
-  auto arguments = std::make_shared<StudyArguments>();
-  CLI::App& command = *parent.add_subcommand(study.name, study.what);
+  const auto [command, arguments] =
+      addCommand<StudyArguments>(parent, study.name, study.what, [study](const StudyArguments& a) { run(study, a); });
   namesFolderToWrite(
-      command.add_option("-o,--out", arguments->folder,
+      command.add_option("-o,--out", arguments.folder,
                          "Write the page (" + study.name +
                              ".md) with its figures (PNG, SVG) and tables (CSV) into this folder; made when missing"));
-  command.add_flag("--quick", arguments->quick,
+  command.add_flag("--quick", arguments.quick,
                    "Small models and few repetitions: a look at the page, not a measurement");
-  command.add_flag("--json", arguments->json, "Print the findings and main numbers as one JSON object");
+  command.add_flag("--json", arguments.json, "Print the findings and main numbers as one JSON object");
   if (study.draws) {
-    addNumber(command, "--seed", arguments->seed, between(0, 1e15), "Other cases for each");
-    addNumber(command, "--cases", arguments->cases, between(2, 100000), "How many good ones are drawn");
+    addNumber(command, "--seed", arguments.seed, between(0, 1e15), "Other cases for each");
+    addNumber(command, "--cases", arguments.cases, between(2, 100000), "How many good ones are drawn");
   }
   if (study.maps) {
     command.add_flag(
-        "--map", arguments->map,
+        "--map", arguments.map,
         "Only the map of what is allowed: random systems at every rate and delay, some minutes on two cores");
-    addNumber(command, "--seed", arguments->seed, between(0, 1e15), "Other systems for the map")->needs("--map");
+    addNumber(command, "--seed", arguments.seed, between(0, 1e15), "Other systems for the map")->needs("--map");
   }
   if (!study.families.empty()) {
     command
-        .add_option(study.name == "training" ? "--observer" : "--family", arguments->family,
+        .add_option(study.name == "training" ? "--observer" : "--family", arguments.family,
                     fmt::format("Only cases of this {} ({} unless --cases says otherwise): {}",
                                 study.name == "training" ? "simulated observer" : "family", study.family_cases,
                                 fmt::join(study.families, ", ")))
         ->check(CLI::IsMember(study.families));
   }
-  command.callback([arguments, study] { run(study, *arguments); });
 }
 
 }  // namespace
@@ -146,14 +145,13 @@ void runAll(const AllArguments& arguments) {
 }  // namespace
 
 void addStudyAll(CLI::App& parent) {
-  auto arguments = std::make_shared<AllArguments>();
-  CLI::App& command = *parent.add_subcommand(
-      "all", "Every study, a page each, and one readable report.html with all figures; some minutes on two cores");
-  namesFolderToWrite(command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing"))
+  const auto [command, arguments] = addCommand(
+      parent, "all",
+      "Every study, a page each, and one readable report.html with all figures; some minutes on two cores", runAll);
+  namesFolderToWrite(command.add_option("-o,--out", arguments.folder, "Folder to write into; made when missing"))
       ->required();
-  command.add_flag("--quick", arguments->quick,
+  command.add_flag("--quick", arguments.quick,
                    "Small models and few repetitions: a look at the report, not a measurement");
-  command.callback([arguments] { runAll(*arguments); });
 }
 
 namespace {
@@ -175,16 +173,15 @@ void runNumbers(const NumbersArguments& arguments) {
 }
 
 void addNumbers(CLI::App& study) {
-  auto arguments = std::make_shared<NumbersArguments>();
-  CLI::App& command = *study.add_subcommand(
-      "numbers",
+  const auto [command, arguments] = addCommand(
+      study, "numbers",
       "Printed numbers of the dissertation beside ours, counted apart: from the engine, arithmetic of printed numbers, "
       "misprints, inconsistent, not computable. Exit code 0 when none differs without an erratum that names ours, 1 "
-      "otherwise");
-  namesFolderToWrite(command.add_option("-o,--out", arguments->folder,
+      "otherwise",
+      runNumbers);
+  namesFolderToWrite(command.add_option("-o,--out", arguments.folder,
                                         "Also write numbers.md, numbers.csv and numbers.json into this folder"));
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runNumbers(*arguments); });
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 struct FiguresArguments {
@@ -211,17 +208,15 @@ void runFigures(const FiguresArguments& arguments) {
 }
 
 void addFigures(CLI::App& study) {
-  auto arguments = std::make_shared<FiguresArguments>();
-  CLI::App& command = *study.add_subcommand("figures",
-                                            "Draw figures of the dissertation: PNG, SVG, the curves as CSV, and "
-                                            "index.md with captions and what each is drawn "
-                                            "from");
-  namesFolderToWrite(command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing"));
-  command.add_option("--only", arguments->only, "Only these, for example 4.8,5.11")->delimiter(',');
-  addNumber(command, "--scale", arguments->scale, between(0.25, 8.0), "Pixels of the PNG for 1/96 inch")
-      ->capture_default_str();
-  command.add_flag("--list", arguments->list, "Only list what can be drawn");
-  command.callback([arguments] { runFigures(*arguments); });
+  const auto [command, arguments] = addCommand(study, "figures",
+                                               "Draw figures of the dissertation: PNG, SVG, the curves as CSV, and "
+                                               "index.md with captions and what each is drawn "
+                                               "from",
+                                               runFigures);
+  namesFolderToWrite(command.add_option("-o,--out", arguments.folder, "Folder to write into; made when missing"));
+  command.add_option("--only", arguments.only, "Only these, for example 4.8,5.11")->delimiter(',');
+  addSetting(command, "--scale", arguments.scale, between(0.25, 8.0), "Pixels of the PNG for 1/96 inch");
+  command.add_flag("--list", arguments.list, "Only list what can be drawn");
 }
 
 struct ErrataArguments {
@@ -242,16 +237,15 @@ void runErrata(const ErrataArguments& arguments) {
 }
 
 void addErrata(CLI::App& study) {
-  auto arguments = std::make_shared<ErrataArguments>();
-  CLI::App& command = *study.add_subcommand("errata",
-                                            "What each erratum of the dissertation changes on a scene: forces (N), "
-                                            "proxies (mm), skin (mm), strain (%), against "
-                                            "the corrected engine");
-  command.add_option("scene", arguments->scene, "Scene file (TOML); the built-in scene when left out");
-  namesFolderToWrite(command.add_option("-o,--out", arguments->folder,
+  const auto [command, arguments] = addCommand(study, "errata",
+                                               "What each erratum of the dissertation changes on a scene: forces (N), "
+                                               "proxies (mm), skin (mm), strain (%), against "
+                                               "the corrected engine",
+                                               runErrata);
+  command.add_option("scene", arguments.scene, "Scene file (TOML); the built-in scene when left out");
+  namesFolderToWrite(command.add_option("-o,--out", arguments.folder,
                                         "Also write errata.md, errata.csv and errata.json into this folder"));
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runErrata(*arguments); });
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 }  // namespace

@@ -184,30 +184,27 @@ void addBoxOptions(CLI::App& command, PartitionArguments& arguments) {
 }  // namespace
 
 void addPartitionCommand(CLI::App& study) {
-  auto arguments = std::make_shared<PartitionArguments>();
-  CLI::App& command =
-      *study.add_subcommand("partition", "Divide a mesh by a BSP tree or an octree and ask for the triangles in a box");
-  addMeshArguments(command, arguments->mesh);
+  const auto [command, arguments] = addCommand(
+      study, "partition", "Divide a mesh by a BSP tree or an octree and ask for the triangles in a box", runPartition);
+  addMeshArguments(command, arguments.mesh);
   command.get_option("mesh")->description(kMeshNamesHelp);
-  addPartitionSettings(command, arguments->settings);
-  addChoice<bool>(command, "--octree-rule", arguments->two_of_three, {{"majority", false}, {"two-of-three", true}},
+  addPartitionSettings(command, arguments.settings);
+  addChoice<bool>(command, "--octree-rule", arguments.two_of_three, {{"majority", false}, {"two-of-three", true}},
                   "Assignment C in the octree: majority by axes, or two of three vertices in an octant as printed, "
                   "which loses triangles (E6)");
-  addBoxOptions(command, *arguments);
+  addBoxOptions(command, arguments);
   namesFileToWrite(
       command.add_option(
-          "-o,--out", arguments->pictures,
+          "-o,--out", arguments.pictures,
           "Picture, .png or .svg, repeatable: each leaf in a colour of its own, the leaves' boxes; with --box "
           "beside it what the box finds"))
       ->allow_extra_args(false);
-  takesOneOf(
-      namesOf(sights()),
-      command.add_option("--view", arguments->side, "Side that the picture is seen from")->capture_default_str());
-  command.add_option("--leaf-colours", arguments->leaves_file, "Write a PLY with each leaf in a colour of its own");
-  command.add_option("--selection", arguments->selection_file,
+  takesOneOf(namesOf(sights()),
+             command.add_option("--view", arguments.side, "Side that the picture is seen from")->capture_default_str());
+  command.add_option("--leaf-colours", arguments.leaves_file, "Write a PLY with each leaf in a colour of its own");
+  command.add_option("--selection", arguments.selection_file,
                      "Write a PLY with the box's leaves in green and its exact triangles in orange");
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runPartition(*arguments); });
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 }  // namespace palpate::app

@@ -175,9 +175,7 @@ void addBenchBaseline(CLI::App& bench) {
          "kernel got slower");
   option("--write-baseline", arguments->write, "Measure and write such a file");
   const auto number = [&](const char* name, auto& value, const Limits& limits, const char* help) {
-    addNumber(bench, name, value, limits, help)
-        ->capture_default_str()
-        ->group("Regression guard (without a subcommand)");
+    addSetting(bench, name, value, limits, help)->group("Regression guard (without a subcommand)");
   };
   number("--tolerance", arguments->tolerance, between(0.0, 100.0), "How much a ratio may grow: 0.3 is 30 %");
   number("--guard-seconds", arguments->seconds, between(0.0, 600.0, "s"), "How long to measure all kernels together");

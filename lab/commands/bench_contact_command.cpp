@@ -152,7 +152,7 @@ void runContact(const BenchContactArguments& arguments) {
 
 void addFingerOptions(CLI::App& command, BenchContactArguments& arguments) {
   const auto number = [&](const char* name, double& value, const char* help, double low) {
-    addNumber(command, name, value, between(low, 1e9), help)->capture_default_str();
+    addSetting(command, name, value, between(low, 1e9), help);
   };
   number("--scale", arguments.scale, "Multiplies mesh, trajectory and finger lengths; results stay in mm", 1e-9);
   number("--radius-mm", arguments.finger.radius_mm, "Radius of the fingertip (mm); 0 is a point", 0.0);
@@ -174,30 +174,27 @@ void addHdbOptions(CLI::App& command, BenchContactArguments& arguments) {
   addPartitionSettings(command, settings.build);
   addChoice(command, "--query", settings.hdb.query, "HDB: what the box gives");
   addChoice(command, "--traversal", settings.hdb.literal, "HDB: how leaves are found; all but the first as printed");
-  addNumber(command, "--hdb-edge-mm", settings.edge_mm, between(0.0, 1e9, "mm"),
-            "HDB: edge of the box; 0 is a quarter of the longest edge")
-      ->capture_default_str();
-  addNumber(command, "--refresh-ticks", settings.hdb.ticks_per_refresh, between(1, 1e6),
-            "HDB: the box follows the proxy every so many ticks")
-      ->capture_default_str();
+  addSetting(command, "--hdb-edge-mm", settings.edge_mm, between(0.0, 1e9, "mm"),
+             "HDB: edge of the box; 0 is a quarter of the longest edge");
+  addSetting(command, "--refresh-ticks", settings.hdb.ticks_per_refresh, between(1, 1e6),
+             "HDB: the box follows the proxy every so many ticks");
 }
 
 }  // namespace
 
 void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
-  auto arguments = std::make_shared<BenchContactArguments>();
-  arguments->peers.peers = std::move(peers);
-  CLI::App& command = *parent.add_subcommand("contact", "Run one finger along a trajectory and report what it felt");
-  command.add_option("--mesh", arguments->mesh, kMeshNamesHelp)->required();
-  command.add_option("--trajectory", arguments->trajectory, "CSV file t_s,x_mm,y_mm,z_mm, or a benchmark's name")
+  const auto [command, arguments] =
+      addCommand(parent, "contact", "Run one finger along a trajectory and report what it felt", runContact);
+  arguments.peers.peers = std::move(peers);
+  command.add_option("--mesh", arguments.mesh, kMeshNamesHelp)->required();
+  command.add_option("--trajectory", arguments.trajectory, "CSV file t_s,x_mm,y_mm,z_mm, or a benchmark's name")
       ->required();
-  addFingerOptions(command, *arguments);
-  addHdbOptions(command, *arguments);
-  addPeersOption(command, arguments->peers);
+  addFingerOptions(command, arguments);
+  addHdbOptions(command, arguments);
+  addPeersOption(command, arguments.peers);
   takesOneOf(bench::toolNames(),
-             command.add_option("--tool", arguments->tool, "Touch with a tool of several pads instead of one finger"));
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runContact(*arguments); });
+             command.add_option("--tool", arguments.tool, "Touch with a tool of several pads instead of one finger"));
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 void addBenchContactCommand(CLI::App& parent) { addBenchContactCommand(parent, bench::peersWithoutLibraries()); }

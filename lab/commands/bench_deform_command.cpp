@@ -59,10 +59,10 @@ std::string textOf(const bench::DeformFigures& f, const bench::DeformRun& run, b
 
 void addNumbers(CLI::App& command, bench::DeformRun& run) {
   const auto number = [&](const char* name, double& value, const char* help, double low, double high) {
-    addNumber(command, name, value, between(low, high), help)->capture_default_str();
+    addSetting(command, name, value, between(low, high), help);
   };
-  addNumber(command, "--triangles", run.triangles, between(8, 2e7), "Triangles of the back")->capture_default_str();
-  addNumber(command, "--fingers", run.fingers, between(1, 8), "Fingers, 40 mm apart")->capture_default_str();
+  addSetting(command, "--triangles", run.triangles, between(8, 2e7), "Triangles of the back");
+  addSetting(command, "--fingers", run.fingers, between(1, 8), "Fingers, 40 mm apart");
   number("--half-major-mm", run.half_major_mm, "Half major axis of the regions (mm)", 0.001, 1000.0);
   number("--aspect", run.aspect, "Minor over major axis", 0.01, 1.0);
   number("--depth-mm", run.depth_mm, "Depth of the fingers (mm)", 0.0, 100.0);

@@ -198,13 +198,11 @@ void runEditBench(const EditArguments& arguments) {
 }  // namespace
 
 void addBenchEditCommand(CLI::App& parent) {
-  auto arguments = std::make_shared<EditArguments>();
-  CLI::App& command =
-      *parent.add_subcommand("edit", "Change a dysfunction under a pressing finger: how soon it is felt");
-  command.add_option("FILE", arguments->mesh, kMeshNamesHelp)->capture_default_str();
-  addNumber(command, "--edits", arguments->edits, between(1.0, 10000.0), "How many, 2 % each")->capture_default_str();
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runEditBench(*arguments); });
+  const auto [command, arguments] =
+      addCommand(parent, "edit", "Change a dysfunction under a pressing finger: how soon it is felt", runEditBench);
+  command.add_option("FILE", arguments.mesh, kMeshNamesHelp)->capture_default_str();
+  addSetting(command, "--edits", arguments.edits, between(1.0, 10000.0), "How many, 2 % each");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 }  // namespace palpate::app

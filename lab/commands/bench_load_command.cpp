@@ -266,12 +266,11 @@ void runLoadBench(const LoadArguments& arguments) {
 }  // namespace
 
 void addBenchLoadCommand(CLI::App& parent) {
-  auto arguments = std::make_shared<LoadArguments>();
-  CLI::App& command = *parent.add_subcommand("load", "Time everything from a mesh file to the first force felt");
-  command.add_option("FILE", arguments->file, kMeshNamesHelp)->required();
-  command.add_flag("--peers", arguments->peers, "Also how long assimp reads the same file");
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runLoadBench(*arguments); });
+  const auto [command, arguments] =
+      addCommand(parent, "load", "Time everything from a mesh file to the first force felt", runLoadBench);
+  command.add_option("FILE", arguments.file, kMeshNamesHelp)->required();
+  command.add_flag("--peers", arguments.peers, "Also how long assimp reads the same file");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 }  // namespace palpate::app

@@ -59,12 +59,10 @@ void runLumpBench(const BenchLumpArguments& arguments) {
 }  // namespace
 
 void addBenchLumpCommand(CLI::App& parent) {
-  auto arguments = std::make_shared<BenchLumpArguments>();
-  CLI::App& command = *parent.add_subcommand("lump", "Time lumps under a finger and the pressure on its pad");
-  addNumber(command, "--seconds", arguments->seconds, between(0.01, 600.0, "s"), "How long to measure")
-      ->capture_default_str();
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runLumpBench(*arguments); });
+  const auto [command, arguments] =
+      addCommand(parent, "lump", "Time lumps under a finger and the pressure on its pad", runLumpBench);
+  addSetting(command, "--seconds", arguments.seconds, between(0.01, 600.0, "s"), "How long to measure");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 }  // namespace palpate::app

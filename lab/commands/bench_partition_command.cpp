@@ -97,21 +97,18 @@ void runPartitionBench(const BenchPartitionArguments& arguments) {
 }  // namespace
 
 void addBenchPartitionCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
-  auto arguments = std::make_shared<BenchPartitionArguments>();
-  arguments->peers.peers = std::move(peers);
-  bench::PartitionRun& run = arguments->run;
-  CLI::App& command = *parent.add_subcommand("partition", "Time the haptic detecting box of a finger that slides");
-  command.add_option("--mesh", arguments->mesh, kMeshNamesHelp)->required();
+  const auto [command, arguments] =
+      addCommand(parent, "partition", "Time the haptic detecting box of a finger that slides", runPartitionBench);
+  arguments.peers.peers = std::move(peers);
+  bench::PartitionRun& run = arguments.run;
+  command.add_option("--mesh", arguments.mesh, kMeshNamesHelp)->required();
   addPartitionSettings(command, run.settings);
-  addNumber(command, "--speed-mm-s", run.speed_mm_s, between(0.0, 1e6, "mm/s"), "Speed of the finger")
-      ->capture_default_str();
-  addNumber(command, "--margin", run.margin, between(0.0, 10.0),
-            "Margin of the coherent list, as a share of the box's edge")
-      ->capture_default_str();
-  addNumber(command, "--ticks", run.ticks, between(1, 1e6), "Ticks of 1 ms to slide")->capture_default_str();
-  addPeersOption(command, arguments->peers);
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runPartitionBench(*arguments); });
+  addSetting(command, "--speed-mm-s", run.speed_mm_s, between(0.0, 1e6, "mm/s"), "Speed of the finger");
+  addSetting(command, "--margin", run.margin, between(0.0, 10.0),
+             "Margin of the coherent list, as a share of the box's edge");
+  addSetting(command, "--ticks", run.ticks, between(1, 1e6), "Ticks of 1 ms to slide");
+  addPeersOption(command, arguments.peers);
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 void addBenchPartitionCommand(CLI::App& parent) { addBenchPartitionCommand(parent, bench::peersWithoutLibraries()); }

@@ -96,11 +96,9 @@ void addBenchRecordingCommand(CLI::App& parent) {
   CLI::App& command =
       *parent.add_subcommand("recording", "Record, replay and search recordings: cost a tick, bytes, speed");
   addInputOptions(command, arguments->input);
-  addNumber(command, "--seconds", arguments->run.seconds, between(1.0, 36000.0, "s"), "How much to record and replay")
-      ->capture_default_str();
-  addNumber(command, "--hours", arguments->run.long_hours, between(0.01, 100.0, "h"),
-            "Length of the recording that is searched; about 0.1 GB an hour of two fingers")
-      ->capture_default_str();
+  addSetting(command, "--seconds", arguments->run.seconds, between(1.0, 36000.0, "s"), "How much to record and replay");
+  addSetting(command, "--hours", arguments->run.long_hours, between(0.01, 100.0, "h"),
+             "Length of the recording that is searched; about 0.1 GB an hour of two fingers");
   command.add_option("--folder", arguments->run.folder,
                      "Where the files are written for a while (default: the system's temporary folder)");
   command.add_flag("--json", arguments->json, "Print one JSON object");

@@ -112,9 +112,8 @@ void addBenchServoCommand(CLI::App& parent) {
   arguments->input.seconds = 20.0;
   CLI::App& command = *parent.add_subcommand("servo", "Run the servo loop in real time: lateness and compute time");
   addInputOptions(command, arguments->input);
-  addNumber(command, "--seconds", arguments->input.seconds, between(0.01, 3600.0, "s"),
-            "How long to measure; paths repeat")
-      ->capture_default_str();
+  addSetting(command, "--seconds", arguments->input.seconds, between(0.01, 3600.0, "s"),
+             "How long to measure; paths repeat");
   command.add_flag("--peers", arguments->peers, "Also the naive loop: sleep_until, default scheduling");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &command] {

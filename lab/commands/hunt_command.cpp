@@ -85,35 +85,29 @@ void addBodyOptions(CLI::App& command, HuntArguments& a) {
             "Scale each file's body to this diagonal; 0: never (default: to 400 mm where it is below 20 mm or "
             "above 10 m)");
   command.add_flag("--generated", a.generated, "Generated bodies too, beside --mesh");
-  addNumber(command, "--bodies", a.bodies, between(0, 1e9), "Generated bodies; 0: one for every 20,000 ticks")
-      ->capture_default_str();
-  addNumber(command, "--scale", a.scale, between(1e-6, 1e6),
-            "Everything so many times as large: bodies, paths and fingers")
-      ->capture_default_str();
-  addNumber(command, "--lumps", a.lumps, between(0, 64),
-            "Lumps under the skin of each body, every second one mobile; a second finger follows the first")
-      ->capture_default_str();
+  addSetting(command, "--bodies", a.bodies, between(0, 1e9), "Generated bodies; 0: one for every 20,000 ticks");
+  addSetting(command, "--scale", a.scale, between(1e-6, 1e6),
+             "Everything so many times as large: bodies, paths and fingers");
+  addSetting(command, "--lumps", a.lumps, between(0, 64),
+             "Lumps under the skin of each body, every second one mobile; a second finger follows the first");
 }
 
 /// `arguments` must outlive the command.
 void addHuntOptions(CLI::App& command, HuntArguments& a) {
-  CLI::Option* ticks =
-      addNumber(command, "--ticks", a.ticks, between(1, 1e12), "Ticks (of 1 ms) to hunt for")->capture_default_str();
+  CLI::Option* ticks = addSetting(command, "--ticks", a.ticks, between(1, 1e12), "Ticks (of 1 ms) to hunt for");
   addNumber(command, "--seconds", a.seconds, between(1e-3, 1e7, "s"),
             "Hunt for so long, by the clock, instead of --ticks")
       ->excludes(ticks);
-  addNumber(command, "--seed", a.seed, {{0.0}}, "Of bodies and paths: the same seed gives the same hunt")
-      ->capture_default_str();
+  addSetting(command, "--seed", a.seed, {{0.0}}, "Of bodies and paths: the same seed gives the same hunt");
   addNumber(command, "--radius-mm", a.radii_mm, between(0.0, 1000.0, "mm"),
             "Radius of the finger, repeatable (default: 0, 0.5, 2, 5 and 8)");
   addBodyOptions(command, a);
-  addNumber(command, "--threads", a.threads, between(0, 1024), "Threads; 0: as many as there are processors")
-      ->capture_default_str();
+  addSetting(command, "--threads", a.threads, between(0, 1024), "Threads; 0: as many as there are processors");
   namesFolderToWrite(command.add_option(
       "-o,--out", a.out,
       "Folder for failing cases, made short: body.ply, path.csv, scene.toml (palpate simulate runs it), "
       "note.txt"));
-  addNumber(command, "--keep", a.keep, between(0, 1e6), "Cases that are written of each fault")->capture_default_str();
+  addSetting(command, "--keep", a.keep, between(0, 1e6), "Cases that are written of each fault");
   command.add_option("--replay", a.replay, "Judge a written case again instead of hunting, repeatable")
       ->excludes("--mesh");
   command.add_flag("--json", a.json, "Print one JSON object");
@@ -323,11 +317,11 @@ void runHunt(const HuntArguments& arguments) {
 }  // namespace
 
 void addHuntCommand(CLI::App& study) {
-  auto arguments = std::make_shared<HuntArguments>();
-  CLI::App& command = *study.add_subcommand(
-      "hunt", "Look for faults of the finger on random bodies and paths (exit code 0: none, 1: some, 2: wrong usage)");
-  addHuntOptions(command, *arguments);
-  command.callback([arguments] { arguments->replay.empty() ? runHunt(*arguments) : runReplay(*arguments); });
+  const auto [command, arguments] = addCommand<HuntArguments>(
+      study, "hunt",
+      "Look for faults of the finger on random bodies and paths (exit code 0: none, 1: some, 2: wrong usage)",
+      [](const HuntArguments& a) { a.replay.empty() ? runHunt(a) : runReplay(a); });
+  addHuntOptions(command, arguments);
 }
 
 }  // namespace palpate::app

@@ -122,30 +122,21 @@ void runLumpLoops(LumpLoopsArguments arguments) {
 }  // namespace
 
 void addLumpLoopsCommand(CLI::App& lump) {
-  const auto arguments = std::make_shared<LumpLoopsArguments>();
-  LumpLoopsArguments& a = *arguments;
-  CLI::App& command = *lump.add_subcommand(
-      "loops", "Check that lumps give no energy away on random paths (exit code 0: they do not, 1: they do)");
-  addNumber(command, "--paths", a.closed.paths, between(1, 1e7), "Closed paths without friction over fixed lumps")
-      ->capture_default_str();
-  addNumber(command, "--step-mm", a.closed.step_mm, between(0.001, 1.0, "mm"),
-            "Step of a closed path, on average; twice and four times as long ones are taken too")
-      ->capture_default_str();
-  addNumber(command, "--hands", a.held.paths, between(1, 1e6),
-            "Paths of simulated hands over a mobile lump, every second one with two fingers")
-      ->capture_default_str();
-  addNumber(command, "--seconds", a.held.seconds, between(0.5, 60.0, "s"), "How long a hand's path lasts")
-      ->capture_default_str();
-  addNumber(command, "--systems", a.stiffest.systems, between(1, 1e5),
-            "Random devices and hands that are kicked over the stiffest lump")
-      ->capture_default_str();
-  addNumber(command, "--seed", a.seed, between(0, 1e15),
-            "Of lumps, paths and hands: the same seed gives the same result")
-      ->capture_default_str();
-  addNumber(command, "--threads", a.threads, between(0, 1024), "Threads; 0: as many as there are processors")
-      ->capture_default_str();
+  const auto [command, a] = addCommand<LumpLoopsArguments>(
+      lump, "loops", "Check that lumps give no energy away on random paths (exit code 0: they do not, 1: they do)",
+      runLumpLoops);
+  addSetting(command, "--paths", a.closed.paths, between(1, 1e7), "Closed paths without friction over fixed lumps");
+  addSetting(command, "--step-mm", a.closed.step_mm, between(0.001, 1.0, "mm"),
+             "Step of a closed path, on average; twice and four times as long ones are taken too");
+  addSetting(command, "--hands", a.held.paths, between(1, 1e6),
+             "Paths of simulated hands over a mobile lump, every second one with two fingers");
+  addSetting(command, "--seconds", a.held.seconds, between(0.5, 60.0, "s"), "How long a hand's path lasts");
+  addSetting(command, "--systems", a.stiffest.systems, between(1, 1e5),
+             "Random devices and hands that are kicked over the stiffest lump");
+  addSetting(command, "--seed", a.seed, between(0, 1e15),
+             "Of lumps, paths and hands: the same seed gives the same result");
+  addSetting(command, "--threads", a.threads, between(0, 1024), "Threads; 0: as many as there are processors");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { runLumpLoops(*arguments); });
 }
 
 }  // namespace palpate::app

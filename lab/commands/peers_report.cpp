@@ -48,9 +48,8 @@ bool lacksPeersProgram(const PeerFigures& figures) {
 void addPeersOption(CLI::App& command, PeersOption& option) {
   command.add_flag("--peers", option.wanted,
                    "Put the same queries to Embree, CGAL, FCL and the literal dissertation, in the same run");
-  addNumber(command, "--peer-seconds", option.seconds, between(0.01, 3600.0, "s"),
-            "Time for the queries of each peer; building not counted")
-      ->capture_default_str();
+  addSetting(command, "--peer-seconds", option.seconds, between(0.01, 3600.0, "s"),
+             "Time for the queries of each peer; building not counted");
 }
 
 void handOverToPeersProgram(const PeersOption& option) {

@@ -253,9 +253,8 @@ void run(const DotsArguments& arguments) {
 }
 
 void addMeasureOptions(CLI::App& command, DotsArguments& a) {
-  addNumber(command, "--spacing-mm", a.settings.spacing_mm, between(5.0, 100.0, "mm"),
-            "Of the stencil: from dot to dot; nothing in the pictures says it")
-      ->capture_default_str();
+  addSetting(command, "--spacing-mm", a.settings.spacing_mm, between(5.0, 100.0, "mm"),
+             "Of the stencil: from dot to dot; nothing in the pictures says it");
   command.add_option("--null", a.again, "A second picture before the press: how far the body moves by itself");
   addNumber(command, "--drift-mm", a.drift_mm, between(0.01, 20.0, "mm"),
             "How far the body may have moved between the pictures (sd) (default: 0.4, or what --null found)");
@@ -281,8 +280,7 @@ void addOutputOptions(CLI::App& command, DotsArguments& a) {
                      "Folder for key_points.csv, measurement.json, overlay.png and dots.csv; or one file: .csv (key "
                      "points), .json, .png, .svg (overlay). Left out: only printed");
   command.add_option("--overlay", a.overlay, "Where the overlay goes: .png, .svg (default: as --out says)");
-  addNumber(command, "--overlay-width", a.overlay_width_px, between(600.0, 8000.0, "px"), "Of the overlay as PNG")
-      ->capture_default_str();
+  addSetting(command, "--overlay-width", a.overlay_width_px, between(600.0, 8000.0, "px"), "Of the overlay as PNG");
   command.add_flag("--overwrite", a.overwrite, "Replace an earlier measurement in the folder");
   command.add_flag("--json", a.json, "Print everything as one JSON object");
 }
@@ -290,18 +288,17 @@ void addOutputOptions(CLI::App& command, DotsArguments& a) {
 }  // namespace
 
 void addMeasureDotsCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<DotsArguments>();
-  CLI::App& command = *parent.add_subcommand(
-      "dots", "The key ellipse of one press, from photographs of dots before and after; 1: refused, with the reason");
+  const auto [command, arguments] = addCommand(
+      parent, "dots",
+      "The key ellipse of one press, from photographs of dots before and after; 1: refused, with the reason", run);
   command
-      .add_option("input", arguments->input,
+      .add_option("input", arguments.input,
                   "Photographs BEFORE and AFTER (JPEG, PNG, TIFF), or one table of dots (.csv: "
                   "picture,x_px,y_px[,area_px])")
       ->required()
       ->expected(1, 2);
-  addMeasureOptions(command, *arguments);
-  addOutputOptions(command, *arguments);
-  command.callback([arguments] { run(*arguments); });
+  addMeasureOptions(command, arguments);
+  addOutputOptions(command, arguments);
 }
 
 }  // namespace palpate::app

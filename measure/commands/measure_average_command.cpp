@@ -255,9 +255,8 @@ std::string faultOfDrag(const std::string& words) {
 }  // namespace
 
 void addMeasureAverageCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<MeasureAverageArguments>();
-  MeasureAverageArguments& a = *arguments;
-  CLI::App& command = *parent.add_subcommand("average", "Average presses over drags and people into key points");
+  const auto [command, a] =
+      addCommand(parent, "average", "Average presses over drags and people into key points", runMeasureAverage);
   command.add_option("rows", a.files, "Tables of presses (docs/howto/measure-a-person.md); several: one a person")
       ->required();
   addChoice(command, "--mean", a.settings.averaging,
@@ -276,7 +275,6 @@ void addMeasureAverageCommand(CLI::App& parent) {
       command.add_option("-o,--out", a.output, "Table of key points to write, as scenes and palpate body map read it"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { runMeasureAverage(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -256,21 +256,17 @@ void addInitOptions(CLI::App& command, MeasureSessionArguments& a) {
               ->delimiter(',')
               ->allow_extra_args(false)
               ->capture_default_str());
-  of_init(addNumber(command, "--presses", a.protocol.presses, between(1, 99), "Of each drag at each point")
-              ->capture_default_str());
-  of_init(addNumber(command, "--enough", a.protocol.enough, between(1, 99), "Of them that must count")
-              ->capture_default_str());
-  of_init(addNumber(command, "--spacing-mm", a.protocol.spacing_mm, between(5.0, 100.0, "mm"), "Of the stencil")
-              ->capture_default_str());
+  of_init(addSetting(command, "--presses", a.protocol.presses, between(1, 99), "Of each drag at each point"));
+  of_init(addSetting(command, "--enough", a.protocol.enough, between(1, 99), "Of them that must count"));
+  of_init(addSetting(command, "--spacing-mm", a.protocol.spacing_mm, between(5.0, 100.0, "mm"), "Of the stencil"));
 }
 
 }  // namespace
 
 void addMeasureSessionCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<MeasureSessionArguments>();
-  MeasureSessionArguments& a = *arguments;
-  CLI::App& command = *parent.add_subcommand(
-      "session", "Walk a person's folder: measure what is new, and at the end write their map and scene");
+  const auto [command, a] = addCommand<MeasureSessionArguments>(
+      parent, "session", "Walk a person's folder: measure what is new, and at the end write their map and scene",
+      [](const MeasureSessionArguments& given) { given.init ? runInit(given) : runWalk(given); });
   command.add_option("folder", a.folder, "With protocol.toml and the pictures (docs/howto/measure-a-person.md)")
       ->required();
   addInitOptions(command, a);
@@ -283,7 +279,6 @@ void addMeasureSessionCommand(CLI::App& parent) {
       ->allow_extra_args(false)
       ->type_name("PRESS");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { arguments->init ? runInit(*arguments) : runWalk(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -37,15 +37,13 @@ void runMeasureStencil(const MeasureStencilArguments& arguments) {
 
 void addMeasureStencilCommand(CLI::App& parent) {
   using measure::StencilPage;
-  const auto arguments = std::make_shared<MeasureStencilArguments>();
-  measure::StencilSettings& s = arguments->settings;
-  CLI::App& command = *parent.add_subcommand("stencil", "Draw the sheet to punch for the dots, at true size");
-  addNumber(command, "--spacing-mm", s.spacing_mm, between(5.0, 100.0, "mm"), "Between neighbouring dots")
-      ->capture_default_str();
-  addNumber(command, "--columns", s.columns, between(2, 60), "Dots across")->capture_default_str();
-  addNumber(command, "--rows", s.rows, between(2, 60), "Dots along the spine")->capture_default_str();
-  addNumber(command, "--hole-mm", s.hole_mm, between(1.0, 50.0, "mm"), "Across a hole; at most half the spacing")
-      ->capture_default_str();
+  const auto [command, arguments] =
+      addCommand(parent, "stencil", "Draw the sheet to punch for the dots, at true size", runMeasureStencil);
+  measure::StencilSettings& s = arguments.settings;
+  addSetting(command, "--spacing-mm", s.spacing_mm, between(5.0, 100.0, "mm"), "Between neighbouring dots");
+  addSetting(command, "--columns", s.columns, between(2, 60), "Dots across");
+  addSetting(command, "--rows", s.rows, between(2, 60), "Dots along the spine");
+  addSetting(command, "--hole-mm", s.hole_mm, between(1.0, 50.0, "mm"), "Across a hole; at most half the spacing");
   addChoice(command, "--page", s.page,
             Choices<StencilPage>{{"auto", StencilPage::fitting},
                                  {"a4", StencilPage::a4},
@@ -54,8 +52,7 @@ void addMeasureStencilCommand(CLI::App& parent) {
                                  {"tiled-a4", StencilPage::tiled_a4}},
             "Paper; tiled-a4: a file a sheet, to be glued");
   command.add_flag("--scale-target", s.scale_target, "With a ruler of 100 mm to tape onto the skin");
-  namesFileToWrite(command.add_option("-o,--out", arguments->output, "Drawing to write: .svg"))->required();
-  command.callback([arguments] { runMeasureStencil(*arguments); });
+  namesFileToWrite(command.add_option("-o,--out", arguments.output, "Drawing to write: .svg"))->required();
 }
 
 }  // namespace palpate::app

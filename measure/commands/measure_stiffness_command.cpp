@@ -199,9 +199,8 @@ void runMeasureStiffness(const MeasureStiffnessArguments& arguments) {
 }  // namespace
 
 void addMeasureStiffnessCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<MeasureStiffnessArguments>();
-  MeasureStiffnessArguments& a = *arguments;
-  CLI::App& command = *parent.add_subcommand("stiffness", "Find how stiff places are from force by depth");
+  const auto [command, a] =
+      addCommand(parent, "stiffness", "Find how stiff places are from force by depth", runMeasureStiffness);
   command.add_option("forces", a.file, "Table place,x_mm,y_mm,depth_mm,force_n and, wanted or not, subject, press")
       ->required();
   addChoice(command, "--form", a.form,
@@ -215,7 +214,6 @@ void addMeasureStiffnessCommand(CLI::App& parent) {
       command.add_option("-o,--out", a.output, "Table of key points to write, as scenes and palpate body map read it"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { runMeasureStiffness(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -167,9 +167,8 @@ void addPressOptions(CLI::App& command, SynthesizeArguments& arguments) {
 }
 
 void addPictureOptions(CLI::App& command, SynthesizeArguments& arguments) {
-  addNumber(command, "--drift-mm", arguments.drift_mm, between(0.0, 20.0, "mm"),
-            "How far the body moves between the pictures, sd: 0.3 with the breath held, 1.5 breathing")
-      ->capture_default_str();
+  addSetting(command, "--drift-mm", arguments.drift_mm, between(0.0, 20.0, "mm"),
+             "How far the body moves between the pictures, sd: 0.3 with the breath held, 1.5 breathing");
   addNumber(command, "--tilt-deg", arguments.tilt_deg, between(0.0, 45.0, "degrees"),
             "Of the camera against the upright over the back");
   addNumber(command, "--roll-deg", arguments.roll_deg, between(-180.0, 180.0, "degrees"),
@@ -185,21 +184,18 @@ void addPictureOptions(CLI::App& command, SynthesizeArguments& arguments) {
 }  // namespace
 
 void addMeasureSynthesizeCommand(CLI::App& parent) {
-  auto arguments = std::make_shared<SynthesizeArguments>();
-  CLI::App& command = *parent.add_subcommand(
-      "synthesize",
+  const auto [command, arguments] = addCommand(
+      parent, "synthesize",
       "Paint photographs of a dotted back before and after a press (before.jpg, before2.jpg, after.jpg) with the truth "
-      "beside them (truth.json); what is not asked for is drawn from the seed");
-  namesFolderToWrite(command.add_option("-o,--out", arguments->folder, "Folder to write into; made when missing"))
+      "beside them (truth.json); what is not asked for is drawn from the seed",
+      runSynthesize);
+  namesFolderToWrite(command.add_option("-o,--out", arguments.folder, "Folder to write into; made when missing"))
       ->required();
-  addNumber(command, "--seed", arguments->seed, between(0, 1e15), "Another body, grid, press, camera for each")
-      ->capture_default_str();
-  addNumber(command, "--megapixels", arguments->megapixels, between(0.5, 48.0), "Size of the pictures, 3 to 4")
-      ->capture_default_str();
-  addPressOptions(command, *arguments);
-  addPictureOptions(command, *arguments);
-  command.add_flag("--json", arguments->json, "Print the files and the truth, without its dots, as one JSON object");
-  command.callback([arguments] { runSynthesize(*arguments); });
+  addSetting(command, "--seed", arguments.seed, between(0, 1e15), "Another body, grid, press, camera for each");
+  addSetting(command, "--megapixels", arguments.megapixels, between(0.5, 48.0), "Size of the pictures, 3 to 4");
+  addPressOptions(command, arguments);
+  addPictureOptions(command, arguments);
+  command.add_flag("--json", arguments.json, "Print the files and the truth, without its dots, as one JSON object");
 }
 
 }  // namespace palpate::app

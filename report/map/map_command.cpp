@@ -122,12 +122,10 @@ void addFileOptions(CLI::App& command, MapArguments& a) {
       ->delimiter(',')
       ->expected(2)
       ->allow_extra_args(false);
-  addNumber(command, "--grid-mm", a.output.grid_mm, between(0.0, 1e6, "mm"),
-            "CSV: a row every so many mm of the map plane; 0: a row a vertex")
-      ->capture_default_str();
-  addNumber(command, "--png-scale", a.output.png_scale, between(0.2, 8.0),
-            "PNG: pixels a CSS pixel; 2 suits screens and paper")
-      ->capture_default_str();
+  addSetting(command, "--grid-mm", a.output.grid_mm, between(0.0, 1e6, "mm"),
+             "CSV: a row every so many mm of the map plane; 0: a row a vertex");
+  addSetting(command, "--png-scale", a.output.png_scale, between(0.2, 8.0),
+             "PNG: pixels a CSS pixel; 2 suits screens and paper");
   command.add_flag("--json", a.json, "Print the summary as one JSON object, with fit errors at the key points");
 }
 
@@ -136,9 +134,8 @@ void addSkinOptions(CLI::App& command, MapArguments& a) {
   command.get_option("mesh")->required(false);
   takesOneOf({"torso", "back"},
              command.add_option("--body", a.body, "Without a mesh: the built-in skin")->capture_default_str());
-  addNumber(command, "--triangles", a.triangles, between(0, 2e7),
-            "Of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)")
-      ->capture_default_str();
+  addSetting(command, "--triangles", a.triangles, between(0, 2e7),
+             "Of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)");
 }
 
 void addKeyOption(CLI::App& command, MapArguments& a) {
@@ -161,18 +158,19 @@ void addBoundaryOptions(CLI::App& command, MapArguments& a) {
   addChoice(command, "--data", a.source.measured.force, "Built-in key points: the skin was dragged up or down");
   addChoice(command, "--averaging", a.source.measured.averaging,
             "Built-in key points: means as printed, or of the ellipses");
-  addNumber(command, "--effect-radius-mm", a.source.ellipses.effect_radius_mm, above(0.0, kFarthestMm, "mm"),
-            "How far a key point reaches")
-      ->capture_default_str();
-  addNumber(command, "--basic-radius-mm", a.source.ellipses.basic_radius_mm, above(0.0, kFarthestMm, "mm"),
-            "Circle where none reaches")
-      ->capture_default_str();
+  addSetting(command, "--effect-radius-mm", a.source.ellipses.effect_radius_mm, above(0.0, kFarthestMm, "mm"),
+             "How far a key point reaches");
+  addSetting(command, "--basic-radius-mm", a.source.ellipses.basic_radius_mm, above(0.0, kFarthestMm, "mm"),
+             "Circle where none reaches");
 }
 
 void addEllipses(CLI::App& parent) {
-  auto arguments = std::make_shared<MapArguments>();
-  MapArguments& a = *arguments;
-  CLI::App& command = *parent.add_subcommand("ellipses", "The deformation ellipse of every place");
+  constexpr Maker kMaker{[](const MapSkin& skin, const MapSource& source) { return ellipsesOver(skin, source); },
+                         [](const MapSkin& skin, const scene::World& world, const MapSource& source) {
+                           return ellipsesOfScene(skin, world, source.quantity);
+                         }};
+  const auto [command, a] = addCommand<MapArguments>(parent, "ellipses", "The deformation ellipse of every place",
+                                                     [kMaker](const MapArguments& given) { run(given, kMaker); });
   addFileOptions(command, a);
   addSkinOptions(command, a);
   addKeyOption(command, a);
@@ -189,70 +187,60 @@ void addEllipses(CLI::App& parent) {
   command.add_option("--fidelity", a.fidelity, "Errata taken literally: corrected, literal, or a list such as E28,E29")
       ->capture_default_str();
   addSceneOption(command, a, {"--quantity"});
-  constexpr Maker kMaker{[](const MapSkin& skin, const MapSource& source) { return ellipsesOver(skin, source); },
-                         [](const MapSkin& skin, const scene::World& world, const MapSource& source) {
-                           return ellipsesOfScene(skin, world, source.quantity);
-                         }};
-  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
 }
 
 void addContours(CLI::App& parent) {
-  auto arguments = std::make_shared<MapArguments>();
-  CLI::App& command = *parent.add_subcommand(
-      "contours", "Irregular boundaries: n radii a key point, from a table or the built-in ellipses; or a scene's");
-  addFileOptions(command, *arguments);
-  addSkinOptions(command, *arguments);
-  addKeyOption(command, *arguments);
-  addBoundaryOptions(command, *arguments);
-  addNumber(command, "--radii", arguments->source.contour_radii,
-            between(maps::kMinContourRadii, maps::kMaxContourRadii), "Built-in ellipses: radii a contour")
-      ->capture_default_str();
-  addSceneOption(command, *arguments, {});
   constexpr Maker kMaker{contoursOver, [](const MapSkin& skin, const scene::World& world, const MapSource&) {
                            return contoursOfScene(skin, world);
                          }};
-  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
+  const auto [command, arguments] = addCommand<MapArguments>(
+      parent, "contours",
+      "Irregular boundaries: n radii a key point, from a table or the built-in ellipses; or a scene's",
+      [kMaker](const MapArguments& given) { run(given, kMaker); });
+  addFileOptions(command, arguments);
+  addSkinOptions(command, arguments);
+  addKeyOption(command, arguments);
+  addBoundaryOptions(command, arguments);
+  addSetting(command, "--radii", arguments.source.contour_radii,
+             between(maps::kMinContourRadii, maps::kMaxContourRadii), "Built-in ellipses: radii a contour");
+  addSceneOption(command, arguments, {});
 }
 
 void addStiffness(CLI::App& parent) {
-  auto arguments = std::make_shared<MapArguments>();
-  maps::MeasuredStiffness& s = arguments->source.stiffness;
-  CLI::App& command = *parent.add_subcommand(
-      "stiffness", "How hard the body pushes back: from key points with a stiffness, else from the torso's bones");
-  addFileOptions(command, *arguments);
-  addSkinOptions(command, *arguments);
-  addKeyOption(command, *arguments);
-  takesOneOf(choiceNames<maps::StiffnessInterpolation>(),
-             command.add_option("--interpolation", arguments->interpolation,
-                                "Between key points: gri (default), thin-plate or polynomial. Without --keys: the "
-                                "torso measured at the seven places"));
-  addNumber(command, "--degree", s.polynomial_degree, between(0, maps::kMaxPolynomialDegree), "Of the polynomial")
-      ->capture_default_str();
-  addNumber(command, "--effect-radius-mm", s.effect_radius_mm, above(0.0, kFarthestMm, "mm"),
-            "gri: how far a key point reaches")
-      ->capture_default_str();
-  addNumber(command, "--basic-n-per-mm", s.basic_n_per_mm, above(0.0, 100.0, "N/mm"),
-            "gri: stiffness where none reaches")
-      ->capture_default_str();
-  addSceneOption(command, *arguments, {});
   constexpr Maker kMaker{
       [](const MapSkin& skin, const MapSource& source) { return stiffnessOver(skin, source); },
       [](const MapSkin& skin, const scene::World& world, const MapSource&) { return stiffnessOfScene(skin, world); }};
-  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
+  const auto [command, arguments] = addCommand<MapArguments>(
+      parent, "stiffness",
+      "How hard the body pushes back: from key points with a stiffness, else from the torso's bones",
+      [kMaker](const MapArguments& given) { run(given, kMaker); });
+  maps::MeasuredStiffness& s = arguments.source.stiffness;
+  addFileOptions(command, arguments);
+  addSkinOptions(command, arguments);
+  addKeyOption(command, arguments);
+  takesOneOf(choiceNames<maps::StiffnessInterpolation>(),
+             command.add_option("--interpolation", arguments.interpolation,
+                                "Between key points: gri (default), thin-plate or polynomial. Without --keys: the "
+                                "torso measured at the seven places"));
+  addSetting(command, "--degree", s.polynomial_degree, between(0, maps::kMaxPolynomialDegree), "Of the polynomial");
+  addSetting(command, "--effect-radius-mm", s.effect_radius_mm, above(0.0, kFarthestMm, "mm"),
+             "gri: how far a key point reaches");
+  addSetting(command, "--basic-n-per-mm", s.basic_n_per_mm, above(0.0, 100.0, "N/mm"),
+             "gri: stiffness where none reaches");
+  addSceneOption(command, arguments, {});
 }
 
 void addDepth(CLI::App& parent) {
-  auto arguments = std::make_shared<MapArguments>();
-  CLI::App& command = *parent.add_subcommand("depth", "How far the bones of the torso lie under the skin");
-  addFileOptions(command, *arguments);
-  addNumber(command, "--triangles", arguments->triangles, between(0, 2e7),
-            "Of the built-in torso; 0: 20389, with bones")
-      ->capture_default_str();
-  addSceneOption(command, *arguments, {});
   constexpr Maker kMaker{
       [](const MapSkin& skin, const MapSource&) { return depthOver(skin); },
       [](const MapSkin& skin, const scene::World& world, const MapSource&) { return depthOfScene(skin, world); }};
-  command.callback([arguments, kMaker] { run(*arguments, kMaker); });
+  const auto [command, arguments] =
+      addCommand<MapArguments>(parent, "depth", "How far the bones of the torso lie under the skin",
+                               [kMaker](const MapArguments& given) { run(given, kMaker); });
+  addFileOptions(command, arguments);
+  addSetting(command, "--triangles", arguments.triangles, between(0, 2e7),
+             "Of the built-in torso; 0: 20389, with bones");
+  addSceneOption(command, arguments, {});
 }
 
 }  // namespace

@@ -110,9 +110,8 @@ std::vector<std::string> columnWords() {
 }  // namespace
 
 void addPlotCommand(CLI::App& recording) {
-  const auto arguments = std::make_shared<PlotArguments>();
-  PlotArguments& a = *arguments;
-  CLI::App& command = *recording.add_subcommand("plot", "Draw a table of forces over time: force, depth, lag, states");
+  const auto [command, a] =
+      addCommand(recording, "plot", "Draw a table of forces over time: force, depth, lag, states", runPlot);
   command.add_option("TABLE", a.table, "forces.csv of `palpate simulate` or of the window")->required();
   namesFileToWrite(command.add_option("-o,--out", a.output, "Picture to write: .png or .svg"))->capture_default_str();
   addNumber(command, "--from", a.from_s, between(-1e9, 1e9, "s"), "Begin at this time (default: with the first row)");
@@ -129,8 +128,7 @@ void addPlotCommand(CLI::App& recording) {
           ->allow_extra_args(false)
           ->capture_default_str());
   command.add_option("--title", a.title, "Above it (default: the table's name)");
-  addNumber(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel")->capture_default_str();
-  command.callback([arguments] { runPlot(*arguments); });
+  addSetting(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel");
 }
 
 }  // namespace palpate::app

@@ -60,10 +60,9 @@ void runReport(const ReportArguments& arguments) {
 }  // namespace
 
 void addReportCommand(CLI::App& recording) {
-  const auto arguments = std::make_shared<ReportArguments>();
-  ReportArguments& a = *arguments;
-  CLI::App& command = *recording.add_subcommand(
-      "report", "Tell what a recording was (forces, contacts, phases, maps of the body) as one HTML page");
+  const auto [command, a] =
+      addCommand(recording, "report",
+                 "Tell what a recording was (forces, contacts, phases, maps of the body) as one HTML page", runReport);
   command.add_option("FILE", a.request.file, "Recording file")->required();
   namesFileToWrite(command.add_option("-o,--out", a.request.out,
                                       "Page to write (default: the file's name with .html, in this folder)"));
@@ -73,7 +72,6 @@ void addReportCommand(CLI::App& recording) {
   command.add_flag("--json", a.request.json,
                    "Print all numbers as one JSON object; a page is written then only with --out");
   addLanguage(command, a.language);
-  command.callback([=] { runReport(*arguments); });
 }
 
 void addReportFamily(CLI::App& app) {

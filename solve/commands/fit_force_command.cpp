@@ -252,9 +252,7 @@ std::vector<std::string> formWords() {
 }  // namespace
 
 void addFitForceCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<FitForceArguments>();
-  FitForceArguments& a = *arguments;
-  CLI::App& command = *parent.add_subcommand("force", "Find the force law of measured force by depth");
+  const auto [command, a] = addCommand(parent, "force", "Find the force law of measured force by depth", runFitForce);
   command.add_option("--data,CURVES", a.file, "Table depth_mm,force_n and, where there are several, curve or place")
       ->required();
   command.add_option("--curve", a.curves, "Only this curve, by its name; repeatable")->allow_extra_args(false);
@@ -263,13 +261,11 @@ void addFitForceCommand(CLI::App& parent) {
       ->capture_default_str();
   command.add_flag("--free-offset", a.settings.free_offset,
                    "Look for the depth at which each curve meets the skin, instead of at 0");
-  addNumber(command, "--most-offset-mm", a.settings.most_offset_mm, above(0.0, 100.0, "mm"),
-            "No deeper than this; with --free-offset")
-      ->capture_default_str();
+  addSetting(command, "--most-offset-mm", a.settings.most_offset_mm, above(0.0, 100.0, "mm"),
+             "No deeper than this; with --free-offset");
   namesFileToWrite(command.add_option("-o,--out", a.output, "Table to write, as force_table of a scene reads it"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { runFitForce(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -134,9 +134,8 @@ std::vector<std::string> profileFormWords() {
 }  // namespace
 
 void addFitProfileCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<FitProfileArguments>();
-  FitProfileArguments& a = *arguments;
-  CLI::App& command = *parent.add_subcommand("profile", "Find the shape of pressed skin from measured places");
+  const auto [command, a] =
+      addCommand(parent, "profile", "Find the shape of pressed skin from measured places", runFitProfile);
   command.add_option("--data,CURVES", a.data, "Table depth_mm,r_mm,down_mm and, where it was measured, outward_mm")
       ->required();
   command.add_option("--forces", a.forces, "Table depth_mm,force_n of the same place (default: forces are 0, unknown)");
@@ -151,7 +150,6 @@ void addFitProfileCommand(CLI::App& parent) {
   command.add_option("--profile", a.profile, "Table q,value to write, as profile_file of a scene reads it");
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { runFitProfile(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -265,13 +265,13 @@ void listLibrary(const LibraryArguments& arguments) {
 }  // namespace
 
 void addTissueLibraryCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<LibraryArguments>();
-  LibraryArguments& a = *arguments;
-  CLI::App& command = *parent.add_subcommand("library", "The solved stacks that a body's places are blended from");
-  addNumber(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Fat between skin and muscle")
-      ->capture_default_str();
-  addNumber(command, "--finger-radius-mm", a.finger_mm, between(1.0, 24.0, "mm"), "Finger that presses")
-      ->capture_default_str();
+  const auto [command, a] = addCommand<LibraryArguments>(
+      parent, "library", "The solved stacks that a body's places are blended from", [](const LibraryArguments& given) {
+        if (given.drag) return solveDrags(given);
+        given.solve ? solveLibrary(given) : listLibrary(given);
+      });
+  addSetting(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Fat between skin and muscle");
+  addSetting(command, "--finger-radius-mm", a.finger_mm, between(1.0, 24.0, "mm"), "Finger that presses");
   CLI::Option& solve = *command.add_flag("--solve", a.solve,
                                          "Solve all of them again (minutes) and write the source file that is shipped");
   CLI::Option& fingers = *command
@@ -292,10 +292,6 @@ void addTissueLibraryCommand(CLI::App& parent) {
       ->excludes(&fingers);
   namesFileToWrite(command.add_option("-o,--out", a.output, "With --solve: the file"));
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] {
-    if (arguments->drag) return solveDrags(*arguments);
-    arguments->solve ? solveLibrary(*arguments) : listLibrary(*arguments);
-  });
 }
 
 }  // namespace palpate::app

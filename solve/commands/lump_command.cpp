@@ -187,39 +187,29 @@ void runLumpShow(const LumpShowArguments& arguments) {
 }
 
 void addLumpCheckCommand(CLI::App& lump) {
-  const auto arguments = std::make_shared<LumpCheckArguments>();
-  LumpCheckArguments& a = *arguments;
-  CLI::App& command =
-      *lump.add_subcommand("check", "Compare lumps with finite elements that have the lump in their mesh");
+  const auto [command, a] =
+      addCommand(lump, "check", "Compare lumps with finite elements that have the lump in their mesh", runLumpCheck);
   CLI::Option& cases = *command.add_option("--cases", a.cases, "Solved presses over lumps (JSON)");
   addNumber(command, "--solve", a.seed, between(0.0, 1e9),
             "Draw stacks and lumps with this seed and solve them instead")
       ->excludes(&cases);
-  addNumber(command, "--lumps", a.lumps, between(1.0, 200.0), "With --solve: lumps, four to a stack, some 10 s each")
-      ->capture_default_str();
+  addSetting(command, "--lumps", a.lumps, between(1.0, 200.0), "With --solve: lumps, four to a stack, some 10 s each");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { runLumpCheck(*arguments); });
 }
 
 void addLumpShowCommand(CLI::App& lump) {
-  const auto arguments = std::make_shared<LumpShowArguments>();
-  LumpShowArguments& a = *arguments;
-  CLI::App& command =
-      *lump.add_subcommand("show", "Show what a lump adds to a press: kPa, share of the force at 3, 5 and 8 mm");
-  addNumber(command, "--diameter-mm", a.diameter_mm, between(2.0, 40.0, "mm"), "Diameter")->capture_default_str();
-  addNumber(command, "--depth-mm", a.depth_mm, between(0.5, 200.0, "mm"), "Depth of its top under the skin")
-      ->capture_default_str();
+  const auto [command, a] = addCommand(
+      lump, "show", "Show what a lump adds to a press: kPa, share of the force at 3, 5 and 8 mm", runLumpShow);
+  addSetting(command, "--diameter-mm", a.diameter_mm, between(2.0, 40.0, "mm"), "Diameter");
+  addSetting(command, "--depth-mm", a.depth_mm, between(0.5, 200.0, "mm"), "Depth of its top under the skin");
   addNumber(command, "--ratio", a.ratio, between(0.2, 1000.0),
             "Stiffness over that of the layer at its centre (default: 5)");
   addNumber(command, "--young-kpa", a.young_kpa, between(0.1, 1e6, "kPa"), "Stiffness in kPa instead");
-  addNumber(command, "--edge", a.edge, between(0.0, 1.0), "0: sharp, to 1: soft all through")->capture_default_str();
-  addNumber(command, "--thickness-mm", a.thickness_mm, between(9.0, 62.0, "mm"), "Depth of the bone at the place")
-      ->capture_default_str();
-  addNumber(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Fat between skin and muscle")
-      ->capture_default_str();
+  addSetting(command, "--edge", a.edge, between(0.0, 1.0), "0: sharp, to 1: soft all through");
+  addSetting(command, "--thickness-mm", a.thickness_mm, between(9.0, 62.0, "mm"), "Depth of the bone at the place");
+  addSetting(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Fat between skin and muscle");
   command.add_option("--table", a.table, "Layers of a table instead, solved with --field");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { runLumpShow(*arguments); });
 }
 
 }  // namespace

@@ -83,12 +83,11 @@ void runLumpSolve(const LumpSolveArguments& arguments) {
 }  // namespace
 
 void addLumpSolveCommand(CLI::App& lump) {
-  const auto arguments = std::make_shared<LumpSolveArguments>();
-  CLI::App& command = *lump.add_subcommand(
-      "solve", "Solve the lumps of a scene and keep the result for [tissue] lumps = \"solved\"; some 10 s a lump");
-  command.add_option("SCENE", arguments->scene, "Scene file (TOML) with [[lump]]")->required();
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runLumpSolve(*arguments); });
+  const auto [command, arguments] = addCommand(
+      lump, "solve", "Solve the lumps of a scene and keep the result for [tissue] lumps = \"solved\"; some 10 s a lump",
+      runLumpSolve);
+  command.add_option("SCENE", arguments.scene, "Scene file (TOML) with [[lump]]")->required();
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 }  // namespace palpate::app

@@ -177,11 +177,10 @@ void runRealism(const RealismArguments& arguments) {
 }  // namespace
 
 void addRealismCommand(CLI::App& tissue) {
-  const auto arguments = std::make_shared<RealismArguments>();
-  RealismArguments& a = *arguments;
-  CLI::App& command = *tissue.add_subcommand(
-      "realism",
-      "How far the skin and the force are from finite elements of layered tissue (docs/explanation/realism.md)");
+  const auto [command, a] = addCommand(
+      tissue, "realism",
+      "How far the skin and the force are from finite elements of layered tissue (docs/explanation/realism.md)",
+      runRealism);
   command.add_option("--cases", a.cases,
                      "JSON of solved presses to judge by (default: six places of a body, solved now (some 30 s))");
   CLI::Option& living =
@@ -195,9 +194,8 @@ void addRealismCommand(CLI::App& tissue) {
   radius.excludes("--cases");
   radius.excludes(&living);
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg")->excludes(&living)->excludes(&radius);
-  addNumber(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel")->capture_default_str();
+  addSetting(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { runRealism(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -154,18 +154,16 @@ void runShow(const ShowArguments& arguments) {
 }  // namespace
 
 void addTissueShowCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<ShowArguments>();
-  ShowArguments& a = *arguments;
-  CLI::App& command = *parent.add_subcommand("show", "Show tables of layered tissue: the pressed skin, force, stacks");
+  const auto [command, a] =
+      addCommand(parent, "show", "Show tables of layered tissue: the pressed skin, force, stacks", runShow);
   command.add_option("TABLE", a.files, "Tables of `palpate tissue solve` or `palpate tissue fit profile`")->required();
   namesFileToWrite(command.add_option("-o,--out", a.output, "Picture to write: .png or .svg"));
   addNumber(command, "--depth", a.depth_mm, above(0.0, 500.0, "mm"),
             "Draw the skin at this depth (default: at every depth of one table, at the deepest that several share)");
   addNumber(command, "--radius-mm", a.radius_mm, between(1.0, 10'000.0, "mm"), "Draw the skin as far as this");
   command.add_option("--title", a.title, "Above the picture");
-  addNumber(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel")->capture_default_str();
+  addSetting(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { runShow(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -156,8 +156,7 @@ std::string textOf(const elements::StackSolution& solution) {
     const tissue::DragShape& drag = *press.table.drag;
     text += fmt::format(
         "drag      (1 + q^2)^-{:.3f}, {:.1f} mm along and {:.1f} mm across, {:.1f} % RMS from what was solved; {:.2f} "
-        "of "
-        "the stiffness of a press\n",
+        "of the stiffness of a press\n",
         drag.exponent, drag.along_mm, drag.across_mm, 100.0 * solution.drag_rms, drag.tangential_over_normal);
   }
   for (const tissue::FingerForces& finger : press.table.fingers) {
@@ -215,32 +214,26 @@ void runSolve(const SolveArguments& arguments) {
 }  // namespace
 
 void addTissueSolveCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<SolveArguments>();
-  SolveArguments& a = *arguments;
-  CLI::App& command = *parent.add_subcommand(
-      "solve",
+  const auto [command, a] = addCommand(
+      parent, "solve",
       "Press a sphere into layers over bone and drag their skin (finite elements); exit code 1: not as deep as asked, "
-      "what was reached is written");
+      "what was reached is written",
+      runSolve);
   command
       .add_option("--layer", a.layers,
                   "NAME:THICKNESS:MODULUS, as in skin:2mm:150kPa; repeat it from the skin down to the bone")
       ->required()
       ->allow_extra_args(false);
-  addNumber(command, "--poisson", a.poisson, between(0.0, 0.499), "Poisson's ratio of every layer")
-      ->capture_default_str();
-  addNumber(command, "--indenter-radius-mm", a.indenter_radius_mm, between(0.5, 100.0, "mm"),
-            "Radius of the rigid sphere")
-      ->capture_default_str();
+  addSetting(command, "--poisson", a.poisson, between(0.0, 0.499), "Poisson's ratio of every layer");
+  addSetting(command, "--indenter-radius-mm", a.indenter_radius_mm, between(0.5, 100.0, "mm"),
+             "Radius of the rigid sphere");
   command.add_option("--depths", a.depths, "Depths to tell, in mm: FROM:TO:STEP or a list with commas")
       ->capture_default_str();
-  addNumber(command, "--fineness", a.fineness, between(0.5, 4.0), "Of the mesh: 2 makes elements half as large")
-      ->capture_default_str();
-  addNumber(command, "--bone-radius-mm", a.bone_radius_mm, between(0.0, 100.0, "mm"),
-            "0: the bone is a plane; otherwise a post with a round top, and the deepest layer goes on around it")
-      ->capture_default_str();
-  addNumber(command, "--contact-kpa-per-mm", a.contact_kpa_per_mm, between(100.0, 1e6),
-            "Of the springs that stand for a rigid sphere")
-      ->capture_default_str();
+  addSetting(command, "--fineness", a.fineness, between(0.5, 4.0), "Of the mesh: 2 makes elements half as large");
+  addSetting(command, "--bone-radius-mm", a.bone_radius_mm, between(0.0, 100.0, "mm"),
+             "0: the bone is a plane; otherwise a post with a round top, and the deepest layer goes on around it");
+  addSetting(command, "--contact-kpa-per-mm", a.contact_kpa_per_mm, between(100.0, 1e6),
+             "Of the springs that stand for a rigid sphere");
   command.add_flag("--no-drag", a.no_drag, "Only the press");
   command.add_flag("--fingers", a.fingers,
                    "Press spheres of 1 to 24 mm too (some 20 s): a scene then takes the table's own forces for a "
@@ -256,7 +249,6 @@ void addTissueSolveCommand(CLI::App& parent) {
   namesFileToWrite(command.add_option("-o,--out", a.output, "Table to write (JSON)"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
-  command.callback([arguments] { runSolve(*arguments); });
 }
 
 }  // namespace palpate::app

@@ -185,12 +185,11 @@ void addClassCheckCommand(CLI::App& parent) {
     std::string folder;
     bool json = false;
   };
-  const auto arguments = std::make_shared<CheckArguments>();
-  CLI::App& command =
-      *parent.add_subcommand("check", "Whether a class works: certificates, broker, collector, database");
-  command.add_option("DIR", arguments->folder, "Folder of the class, or of one station")->required();
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runClassCheck(arguments->folder, arguments->json); });
+  const auto [command, arguments] =
+      addCommand<CheckArguments>(parent, "check", "Whether a class works: certificates, broker, collector, database",
+                                 [](const CheckArguments& a) { runClassCheck(a.folder, a.json); });
+  command.add_option("DIR", arguments.folder, "Folder of the class, or of one station")->required();
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 }  // namespace palpate::app

@@ -92,65 +92,56 @@ void runClassRenew(const RenewArguments& arguments) {
 }  // namespace
 
 void addClassRenewCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<RenewArguments>();
-  CLI::App& command = *parent.add_subcommand("renew", "Make new certificates, and what an older class lacks");
-  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
-  command.add_option("NAME", arguments->names,
+  const auto [command, arguments] =
+      addCommand(parent, "renew", "Make new certificates, and what an older class lacks", runClassRenew);
+  command.add_option("DIR", arguments.folder, "Folder of the class")->required();
+  command.add_option("NAME", arguments.names,
                      "Which: broker, instructor, instructor-2, ingest, checker, s01 (default: all)");
-  addNumber(command, "--days", arguments->days, between(1, 3650, "days"), "Validity")->capture_default_str();
-  command.callback([arguments] { runClassRenew(*arguments); });
+  addSetting(command, "--days", arguments.days, between(1, 3650, "days"), "Validity");
 }
 
 void addClassAddInstructorCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<StationArguments>();
-  CLI::App& command =
-      *parent.add_subcommand("add-instructor", "Make a certificate for one more window; the broker need not be told");
-  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
-  command.callback([arguments] {
-    fmt::print("{}\n", classroom::addInstructor(classroom::readClassFolder(arguments->folder)).string());
-  });
+  const auto [command, arguments] = addCommand<StationArguments>(
+      parent, "add-instructor", "Make a certificate for one more window; the broker need not be told",
+      [](const StationArguments& a) {
+        fmt::print("{}\n", classroom::addInstructor(classroom::readClassFolder(a.folder)).string());
+      });
+  command.add_option("DIR", arguments.folder, "Folder of the class")->required();
 }
 
 void addClassInitCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<ClassInitArguments>();
-  CLI::App& command = *parent.add_subcommand("init", "Make certificates and configuration of a class");
-  command.add_option("DIR", arguments->folder, "Folder to make: the teacher's, with the keys")->required();
-  command.add_option("--class", arguments->plan.class_id, "What the class is called in messages: osteo-1")->required();
-  addNumber(command, "--stations", arguments->plan.stations, between(1, 999), "So many stations, s01 and on")
-      ->capture_default_str();
-  command.add_option("--host", arguments->hosts,
+  const auto [command, arguments] =
+      addCommand(parent, "init", "Make certificates and configuration of a class", runClassInit);
+  command.add_option("DIR", arguments.folder, "Folder to make: the teacher's, with the keys")->required();
+  command.add_option("--class", arguments.plan.class_id, "What the class is called in messages: osteo-1")->required();
+  addSetting(command, "--stations", arguments.plan.stations, between(1, 999), "So many stations, s01 and on");
+  command.add_option("--host", arguments.hosts,
                      "Name or address under which stations reach this computer, several: the first is used");
-  addNumber(command, "--port", arguments->plan.port, between(1, 65535), "Of the broker")->capture_default_str();
-  addNumber(command, "--retain-days", arguments->plan.retention.days, between(1, 36500, "days"),
-            "Rows are kept so many days after a session")
-      ->capture_default_str();
-  addNumber(command, "--retain-samples-days", arguments->plan.retention.samples_days, between(1, 36500, "days"),
-            "Session files, at the stations, so many")
-      ->capture_default_str();
-  command.add_option("--label", arguments->plan.label, "What the class is called by people");
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] { runClassInit(*arguments); });
+  addSetting(command, "--port", arguments.plan.port, between(1, 65535), "Of the broker");
+  addSetting(command, "--retain-days", arguments.plan.retention.days, between(1, 36500, "days"),
+             "Rows are kept so many days after a session");
+  addSetting(command, "--retain-samples-days", arguments.plan.retention.samples_days, between(1, 36500, "days"),
+             "Session files, at the stations, so many");
+  command.add_option("--label", arguments.plan.label, "What the class is called by people");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 void addClassAddStationCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<StationArguments>();
-  CLI::App& command = *parent.add_subcommand("add-station", "One more station; the broker need not be told");
-  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
-  command.add_option("NAME", arguments->name, "What it is called; without a name the next number");
-  command.callback([arguments] {
-    const classroom::ClassFolder folder = classroom::readClassFolder(arguments->folder);
-    const std::string name = classroom::addStation(folder, arguments->name);
-    fmt::print("{}\n", folder.station(name).string());
-  });
+  const auto [command, arguments] = addCommand<StationArguments>(
+      parent, "add-station", "One more station; the broker need not be told", [](const StationArguments& a) {
+        const classroom::ClassFolder folder = classroom::readClassFolder(a.folder);
+        fmt::print("{}\n", folder.station(classroom::addStation(folder, a.name)).string());
+      });
+  command.add_option("DIR", arguments.folder, "Folder of the class")->required();
+  command.add_option("NAME", arguments.name, "What it is called; without a name the next number");
 }
 
 void addClassRemoveStationCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<StationArguments>();
-  CLI::App& command = *parent.add_subcommand("remove-station", "Let a station in no longer: its folder was lost");
-  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
-  command.add_option("NAME", arguments->name, "Which station: s01")->required();
-  command.add_flag("--yes", arguments->yes, "Do not ask");
-  command.callback([arguments] { runRemoveStation(*arguments); });
+  const auto [command, arguments] =
+      addCommand(parent, "remove-station", "Let a station in no longer: its folder was lost", runRemoveStation);
+  command.add_option("DIR", arguments.folder, "Folder of the class")->required();
+  command.add_option("NAME", arguments.name, "Which station: s01")->required();
+  command.add_flag("--yes", arguments.yes, "Do not ask");
 }
 
 void addClassCommand(CLI::App& app) {

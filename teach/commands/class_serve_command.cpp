@@ -176,19 +176,18 @@ void runClassServe(const ClassServeArguments& arguments) {
 }  // namespace
 
 void addClassServeCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<ClassServeArguments>();
-  CLI::App& command = *parent.add_subcommand("serve", "Collect what the stations of a class record");
-  command.add_option("DIR", arguments->folder, "Folder of the class")->required();
-  CLI::Option* records = command.add_option("--records", arguments->records,
+  const auto [command, arguments] =
+      addCommand(parent, "serve", "Collect what the stations of a class record", runClassServe);
+  command.add_option("DIR", arguments.folder, "Folder of the class")->required();
+  CLI::Option* records = command.add_option("--records", arguments.records,
                                             "Into this SQLite file; without it and --database DIR/class.results");
   command
-      .add_option("--database", arguments->database,
+      .add_option("--database", arguments.database,
                   "Into PostgreSQL: \"host=/run/postgresql dbname=class\" or postgresql://...")
       ->excludes(records);
-  command.add_flag("--broker", arguments->broker, "Run mosquitto too, with the class's configuration");
-  addNumber(command, "--seconds", arguments->seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");
-  command.add_flag("--json", arguments->json, "Print a JSON object each second");
-  command.callback([arguments] { runClassServe(*arguments); });
+  command.add_flag("--broker", arguments.broker, "Run mosquitto too, with the class's configuration");
+  addNumber(command, "--seconds", arguments.seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");
+  command.add_flag("--json", arguments.json, "Print a JSON object each second");
 }
 
 }  // namespace palpate::app

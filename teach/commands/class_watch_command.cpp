@@ -131,17 +131,16 @@ nlohmann::ordered_json tileJson(const classroom::Tile& tile) {
 }
 
 void addClassWatchCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<ClassWatchArguments>();
-  CLI::App& command = *parent.add_subcommand("watch", "The instructor's view: every station, who needs help first");
-  command.add_option("DIR", arguments->folder, "Folder of the class, or of its instructor")->required();
-  command.add_option("--records", arguments->records,
+  const auto [command, arguments] =
+      addCommand(parent, "watch", "The instructor's view: every station, who needs help first", runClassWatch);
+  command.add_option("DIR", arguments.folder, "Folder of the class, or of its instructor")->required();
+  command.add_option("--records", arguments.records,
                      "Records (a file, or the address of PostgreSQL) whose results the learning curve begins with");
-  command.add_option("--station", arguments->opened, "Open this station at first");
-  command.add_option("--picture", arguments->picture, "Write the last picture to this PNG file");
-  addNumber(command, "--seconds", arguments->seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");
-  command.add_flag("--json", arguments->json, "No window: print a JSON object each second");
-  addLanguage(command, arguments->language);
-  command.callback([arguments] { runClassWatch(*arguments); });
+  command.add_option("--station", arguments.opened, "Open this station at first");
+  command.add_option("--picture", arguments.picture, "Write the last picture to this PNG file");
+  addNumber(command, "--seconds", arguments.seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");
+  command.add_flag("--json", arguments.json, "No window: print a JSON object each second");
+  addLanguage(command, arguments.language);
 }
 
 }  // namespace palpate::app

@@ -58,24 +58,23 @@ void runResultsCodes(const CodesArguments& arguments) {
 }  // namespace
 
 void addResultsCodesCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<CodesArguments>();
-  CLI::App& command = *parent.add_subcommand("codes", "New codes to sign in with, as cards to print");
-  addNumber(command, "--count", arguments->count, between(1, 10000), "So many")->capture_default_str();
+  const auto [command, arguments] = addCommand<CodesArguments>(
+      parent, "codes", "New codes to sign in with, as cards to print", [](CodesArguments& a) {
+        if (!a.class_id.empty() && std::filesystem::is_directory(a.class_id)) {
+          ClassSecret secret = secretIn(a.class_id);
+          a.class_id = secret.class_id;
+          a.key = secret.key;
+        }
+        runResultsCodes(a);
+      });
+  addSetting(command, "--count", arguments.count, between(1, 10000), "So many");
   command
       .add_option(
-          "--class", arguments->class_id,
+          "--class", arguments.class_id,
           "The class that they are for, whose pseudonyms are printed: its folder; its id where the class has no secret")
       ->type_name("DIR");
-  CLI::Option* csv = command.add_flag("--csv", arguments->csv, "A table to write names beside, instead of cards");
-  command.add_flag("--json", arguments->json, "Print one JSON object")->excludes(csv);
-  command.callback([arguments] {
-    if (!arguments->class_id.empty() && std::filesystem::is_directory(arguments->class_id)) {
-      ClassSecret secret = secretIn(arguments->class_id);
-      arguments->class_id = secret.class_id;
-      arguments->key = secret.key;
-    }
-    runResultsCodes(*arguments);
-  });
+  CLI::Option* csv = command.add_flag("--csv", arguments.csv, "A table to write names beside, instead of cards");
+  command.add_flag("--json", arguments.json, "Print one JSON object")->excludes(csv);
 }
 
 }  // namespace palpate::app

@@ -127,21 +127,19 @@ void runResultsPurge(const DeleteArguments& arguments) {
 }  // namespace
 
 void addResultsDeleteCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<DeleteArguments>();
-  CLI::App& command = *parent.add_subcommand("delete", "Forget one trainee: rows, recordings, key; the class too");
-  addResultsFile(command, arguments->results);
-  addClassFolder(command, arguments->results);
-  command.add_option("--trainee", arguments->trainee, kTraineeHelp)->required()->type_name("CODE");
-  command.add_flag("--yes", arguments->yes, "Do not ask");
-  command.callback([arguments] { runResultsDelete(*arguments); });
+  const auto [command, arguments] =
+      addCommand(parent, "delete", "Forget one trainee: rows, recordings, key; the class too", runResultsDelete);
+  addResultsFile(command, arguments.results);
+  addClassFolder(command, arguments.results);
+  command.add_option("--trainee", arguments.trainee, kTraineeHelp)->required()->type_name("CODE");
+  command.add_flag("--yes", arguments.yes, "Do not ask");
 }
 
 void addResultsPurgeCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<DeleteArguments>();
-  CLI::App& command = *parent.add_subcommand("purge", "Forget what the classes have kept for as long as they said");
-  addResultsFile(command, arguments->results);
-  command.add_flag("--dry-run", arguments->dry_run, "Only count");
-  command.callback([arguments] { runResultsPurge(*arguments); });
+  const auto [command, arguments] =
+      addCommand(parent, "purge", "Forget what the classes have kept for as long as they said", runResultsPurge);
+  addResultsFile(command, arguments.results);
+  command.add_flag("--dry-run", arguments.dry_run, "Only count");
 }
 
 }  // namespace palpate::app

@@ -73,22 +73,21 @@ void runResultsExport(const ExportArguments& arguments) {
 }  // namespace
 
 void addResultsExportCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<ExportArguments>();
-  CLI::App& command = *parent.add_subcommand("export", "For statistics (CSV, JSON) or a learning record store (xAPI)");
-  command.add_option("FILE", arguments->results.file, "Records of training (default: your own, palpate.results)");
-  command.add_option("--csv", arguments->csv, "A table a file, with a dictionary of what the columns mean")
+  const auto [command, arguments] =
+      addCommand(parent, "export", "For statistics (CSV, JSON) or a learning record store (xAPI)", runResultsExport);
+  command.add_option("FILE", arguments.results.file, "Records of training (default: your own, palpate.results)");
+  command.add_option("--csv", arguments.csv, "A table a file, with a dictionary of what the columns mean")
       ->type_name("DIR");
-  command.add_option("--json", arguments->json, "All of it in one file")->type_name("FILE");
-  command.add_option("--xapi", arguments->xapi, "Statements of xAPI 1.0.3")->type_name("FILE");
-  command.add_option("--home-page", arguments->settings.home_page, "Of the accounts in xAPI: a page of your own")
+  command.add_option("--json", arguments.json, "All of it in one file")->type_name("FILE");
+  command.add_option("--xapi", arguments.xapi, "Statements of xAPI 1.0.3")->type_name("FILE");
+  command.add_option("--home-page", arguments.settings.home_page, "Of the accounts in xAPI: a page of your own")
       ->capture_default_str()
       ->type_name("URL");
   command.add_flag(
-      "--raw", arguments->raw,
+      "--raw", arguments.raw,
       "Write texts that begin like a formula (= + - @) as they are, for programs; without it an apostrophe "
       "stands before them");
-  command.add_flag("--force", arguments->force, "Replace files that are there");
-  command.callback([arguments] { runResultsExport(*arguments); });
+  command.add_flag("--force", arguments.force, "Replace files that are there");
 }
 
 }  // namespace palpate::app

@@ -153,43 +153,32 @@ void runResultsVerify(const ReadingArguments& arguments) {
   if (!found.ok()) throw CLI::RuntimeError(1);
 }
 
-CLI::App& addReading(CLI::App& parent, const std::string& name, const std::string& help,
-                     void (*run)(const ReadingArguments&), const std::shared_ptr<ReadingArguments>& arguments) {
-  CLI::App& command = *parent.add_subcommand(name, help);
-  command.callback([arguments, run] { run(*arguments); });
-  return command;
-}
-
 }  // namespace
 
 void addResultsListCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<ReadingArguments>();
-  CLI::App& command = addReading(parent, "list", "The sessions, oldest first", runResultsList, arguments);
-  addResultsFile(command, arguments->results);
-  addClassFolder(command, arguments->results);
-  command.add_option("--trainee", arguments->trainee, kTraineeHelp)->type_name("CODE");
+  const auto [command, arguments] = addCommand(parent, "list", "The sessions, oldest first", runResultsList);
+  addResultsFile(command, arguments.results);
+  addClassFolder(command, arguments.results);
+  command.add_option("--trainee", arguments.trainee, kTraineeHelp)->type_name("CODE");
 }
 
 void addResultsTraineeCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<ReadingArguments>();
-  CLI::App& command = addReading(parent, "trainee", "One trainee", runResultsTrainee, arguments);
-  command.add_option("CODE", arguments->trainee, kTraineeHelp)->required();
-  addResultsFile(command, arguments->results);
-  addClassFolder(command, arguments->results);
-  addLanguage(command, arguments->language);
+  const auto [command, arguments] = addCommand(parent, "trainee", "One trainee", runResultsTrainee);
+  command.add_option("CODE", arguments.trainee, kTraineeHelp)->required();
+  addResultsFile(command, arguments.results);
+  addClassFolder(command, arguments.results);
+  addLanguage(command, arguments.language);
 }
 
 void addResultsClassCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<ReadingArguments>();
-  CLI::App& command = addReading(parent, "class", "Everybody, a line each", runResultsClass, arguments);
-  addResultsFile(command, arguments->results);
+  const auto [command, arguments] = addCommand(parent, "class", "Everybody, a line each", runResultsClass);
+  addResultsFile(command, arguments.results);
 }
 
 void addResultsVerifyCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<ReadingArguments>();
-  CLI::App& command = addReading(parent, "verify", "Whether rows, recordings and results are whole and agree",
-                                 runResultsVerify, arguments);
-  addResultsFile(command, arguments->results);
+  const auto [command, arguments] =
+      addCommand(parent, "verify", "Whether rows, recordings and results are whole and agree", runResultsVerify);
+  addResultsFile(command, arguments.results);
 }
 
 }  // namespace palpate::app

@@ -71,15 +71,14 @@ void runTrialReplay(const TrialReplayArguments& arguments) {
 }  // namespace
 
 void addResultsReplayCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<TrialReplayArguments>();
-  CLI::App& command = *parent.add_subcommand(
-      "replay", "One trial as a recording, for palpate recording replay, run, render and report");
-  command.add_option("TRIAL", arguments->trial, "Its id, or the end of it")->required();
-  addResultsFile(command, arguments->results);
-  namesFileToWrite(command.add_option("-o,--out", arguments->out, "The recording to write"))
+  const auto [command, arguments] =
+      addCommand(parent, "replay", "One trial as a recording, for palpate recording replay, run, render and report",
+                 runTrialReplay);
+  command.add_option("TRIAL", arguments.trial, "Its id, or the end of it")->required();
+  addResultsFile(command, arguments.results);
+  namesFileToWrite(command.add_option("-o,--out", arguments.out, "The recording to write"))
       ->required()
       ->type_name("OUT.session");
-  command.callback([arguments] { runTrialReplay(*arguments); });
 }
 
 }  // namespace palpate::app

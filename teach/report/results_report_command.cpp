@@ -40,11 +40,10 @@ void runResultsReport(ResultsReportArguments arguments) {
 }  // namespace
 
 void addResultsReportCommand(CLI::App& parent) {
-  const auto arguments = std::make_shared<ResultsReportArguments>();
-  ResultsReportArguments& a = *arguments;
-  CLI::App& command = *parent.add_subcommand(
-      "report",
-      "Tell how training went (learning curve, accuracy, what was felt; of a trainee or a class) as one HTML page");
+  const auto [command, a] = addCommand<ResultsReportArguments>(
+      parent, "report",
+      "Tell how training went (learning curve, accuracy, what was felt; of a trainee or a class) as one HTML page",
+      runResultsReport);
   command
       .add_option("FILE", a.request.file, "Record of training (.results), or a class's PostgreSQL: postgresql://...")
       ->required();
@@ -59,7 +58,6 @@ void addResultsReportCommand(CLI::App& parent) {
   command.add_flag("--json", a.request.json,
                    "Print all numbers as one JSON object; a page is written then only with --out");
   addLanguage(command, a.language);
-  command.callback([=] { runResultsReport(*arguments); });
 }
 
 }  // namespace palpate::app
