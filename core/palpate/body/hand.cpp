@@ -130,9 +130,7 @@ mesh::TriangleMesh rightHand() {
   box.low = {-92.0, kWristCutY - 6.0, -92.0};
   box.high = {66.0, 204.0, 34.0};
   box.cell_mm = kCellMm;
-  mesh::TriangleMesh mesh = meshZeroSurface(field, box);
-  relaxOnSurface(mesh, field, kHandRelaxRounds);
-  return mesh;
+  return relaxedZeroSurface(field, box, kHandRelaxRounds);
 }
 
 // ---- the hand that palpates
@@ -265,9 +263,7 @@ mesh::TriangleMesh palpatingShape() {
   box.low = {-72.0, -270.0, -72.0};
   box.high = {72.0, 204.0, 146.0};
   box.cell_mm = kPalpatingCellMm;
-  mesh::TriangleMesh mesh = meshZeroSurface(field, box);
-  relaxOnSurface(mesh, field, kHandRelaxRounds);
-  return mesh::decimate(std::move(mesh), kPalpatingTriangles);
+  return mesh::decimate(relaxedZeroSurface(field, box, kHandRelaxRounds), kPalpatingTriangles);
 }
 
 /// Places where skin is redder, and how far that reaches.

@@ -168,8 +168,7 @@ mesh::TriangleMesh makeRightScapula(double cell_mm, const ScapulaPlace& place) {
   box.high = {140.0, 62.0, 44.0};
   box.cell_mm = cell_mm;
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  mesh::TriangleMesh mesh = meshZeroSurface(field, box);
-  relaxOnSurface(mesh, field, kScapulaRelaxRounds);
+  mesh::TriangleMesh mesh = relaxedZeroSurface(field, box, kScapulaRelaxRounds);
   const Eigen::Isometry3d frame = scapulaFrame(place);
   for (Vec3& p : mesh.positions) p = frame * p;
   return mesh;

@@ -264,6 +264,12 @@ void relaxOnSurface(mesh::TriangleMesh& mesh, const Field& field, int rounds) {
   }
 }
 
+mesh::TriangleMesh relaxedZeroSurface(const Field& field, const MesherSettings& settings, int rounds) {
+  mesh::TriangleMesh mesh = meshZeroSurface(field, settings);
+  relaxOnSurface(mesh, field, rounds);
+  return mesh;
+}
+
 mesh::TriangleMesh mirrored(mesh::TriangleMesh mesh) {
   for (Vec3& p : mesh.positions) p.x() = -p.x();
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);

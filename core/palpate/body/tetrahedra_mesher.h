@@ -31,6 +31,8 @@ mesh::TriangleMesh meshZeroSurface(const Field& field, const MesherSettings& set
 /// `rounds` times: the lattice's slivers and the steps they draw along round edges disappear. Vertices with x == 0
 /// exactly stay in that plane, as the border of a half that will be mirrored must.
 void relaxOnSurface(mesh::TriangleMesh& mesh, const Field& field, int rounds);
+/// Both: the zero of the field, relaxed on it.
+mesh::TriangleMesh relaxedZeroSurface(const Field& field, const MesherSettings& settings, int rounds);
 
 /// The same mesh with x negated and the winding turned, so that it still faces outwards.
 mesh::TriangleMesh mirrored(mesh::TriangleMesh mesh);

@@ -179,11 +179,9 @@ struct VertebraParts {
   MesherSettings box(double cell_mm) const {
     const Vec3 tip = spinousTip(row);
     const double reach = transverseTip(row).x() + row.transverse_radius + 4.0;
-    MesherSettings settings;
-    settings.low = {0.0, std::min(-0.62 * row.height - 8.0, tip.y() - 10.0), -arch.half_depth - 4.0};
-    settings.high = {std::max(reach, arch.half_width + 4.0), row.height / 2 + 10.0, tip.z() + 6.0};
-    settings.cell_mm = cell_mm;
-    return settings;
+    return {.low = {0.0, std::min(-0.62 * row.height - 8.0, tip.y() - 10.0), -arch.half_depth - 4.0},
+            .high = {std::max(reach, arch.half_width + 4.0), row.height / 2 + 10.0, tip.z() + 6.0},
+            .cell_mm = cell_mm};
   }
 };
 
@@ -205,9 +203,7 @@ Vec3 spinousTip(const VertebraRow& row) {
 mesh::TriangleMesh makeVertebraHalf(const VertebraRow& row, double cell_mm) {
   const VertebraParts parts(row);
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  mesh::TriangleMesh half = meshZeroSurface(field, parts.box(cell_mm));
-  relaxOnSurface(half, field, kVertebraRelaxRounds);
-  return half;
+  return relaxedZeroSurface(field, parts.box(cell_mm), kVertebraRelaxRounds);
 }
 
 }  // namespace palpate::body

@@ -34,6 +34,19 @@ Anatomy anatomyOf(Body body, const std::vector<Index>& source) {
           std::move(body.landmarks), std::nullopt};
 }
 
+/// What was made, with its skin in the order that is near in memory and the picture on it.
+template <class Made>
+BodyParts partsOf(std::string name, mesh::TriangleMesh& skin, Made& made, const BodySettings& body,
+                  const Progress& progress) {
+  BodyParts parts;
+  parts.name = std::move(name);
+  parts.skin = std::move(skin);
+  const auto order = mesh::reorderSpatially(parts.skin);
+  parts.anatomy = anatomyOf(std::move(made), order.source_vertex);
+  parts.texture = loadSkinTexture(body, parts.skin, parts.anatomy.landmarks, progress);
+  return parts;
+}
+
 BodyParts makeTorsoParts(const BodySettings& body, const Progress& progress) {
   report(progress, "building the torso", 0.0);
   body::TorsoSettings settings;
@@ -41,13 +54,8 @@ BodyParts makeTorsoParts(const BodySettings& body, const Progress& progress) {
   settings.bone_triangles = body.bone_triangles;
   settings.shape = {body.shape.stature_mm, body.shape.relief, body.shape.asymmetry};
   body::Torso torso = body::makeTorso(settings);
-  BodyParts parts;
-  parts.name = fmt::format("built-in torso, {} triangles with bones", settings.triangles);
-  parts.skin = std::move(torso.skin.mesh);
-  const auto order = mesh::reorderSpatially(parts.skin);
-  parts.anatomy = anatomyOf(std::move(torso), order.source_vertex);
-  parts.texture = loadSkinTexture(body, parts.skin, parts.anatomy.landmarks, progress);
-  return parts;
+  return partsOf(fmt::format("built-in torso, {} triangles with bones", settings.triangles), torso.skin.mesh, torso,
+                 body, progress);
 }
 
 BodyParts makeBackParts(const BodySettings& body, const Progress& progress) {
@@ -56,13 +64,8 @@ BodyParts makeBackParts(const BodySettings& body, const Progress& progress) {
   settings.triangles = body.triangles != 0 ? body.triangles : body::kDissertationBackTriangles;
   settings.shape = {body.shape.stature_mm, body.shape.relief, body.shape.asymmetry};
   body::Torso back = body::makeBackOverBones(settings);
-  BodyParts parts;
-  parts.name = fmt::format("built-in back, {} triangles over {} bones", settings.triangles, back.bones.size());
-  parts.skin = std::move(back.skin.mesh);
-  const auto order = mesh::reorderSpatially(parts.skin);
-  parts.anatomy = anatomyOf(std::move(back), order.source_vertex);
-  parts.texture = loadSkinTexture(body, parts.skin, parts.anatomy.landmarks, progress);
-  return parts;
+  return partsOf(fmt::format("built-in back, {} triangles over {} bones", settings.triangles, back.bones.size()),
+                 back.skin.mesh, back, body, progress);
 }
 
 BodyParts makeTrunkParts(const BodySettings& body, const Progress& progress) {
@@ -72,15 +75,11 @@ BodyParts makeTrunkParts(const BodySettings& body, const Progress& progress) {
   settings.bone_triangles = body.bone_triangles;
   settings.shape = body.shape;
   body::Trunk trunk = body::makeTrunk(settings);
-  BodyParts parts;
-  parts.name = fmt::format("built-in trunk, {} triangles with bones", settings.triangles);
-  parts.closed = true;
-  parts.skin = std::move(trunk.skin);
-  const auto order = mesh::reorderSpatially(parts.skin);
   const std::optional<body::Support> support = trunk.support;
-  parts.anatomy = anatomyOf(std::move(trunk), order.source_vertex);
+  BodyParts parts = partsOf(fmt::format("built-in trunk, {} triangles with bones", settings.triangles), trunk.skin,
+                            trunk, body, progress);
+  parts.closed = true;
   parts.anatomy.support = support;
-  parts.texture = loadSkinTexture(body, parts.skin, parts.anatomy.landmarks, progress);
   return parts;
 }
 
@@ -186,11 +185,7 @@ double millimetresOf(Unit unit) {
 }
 
 mesh::LoadOptions loadOptionsOf(const BodySettings& settings) {
-  mesh::LoadOptions options;
-  options.unit_mm = millimetresOf(settings.unit);
-  options.group = settings.group;
-  options.keep_wrong_indices = settings.repair;
-  return options;
+  return {.unit_mm = millimetresOf(settings.unit), .group = settings.group, .keep_wrong_indices = settings.repair};
 }
 
 BodyParts makeBody(const BodySettings& settings, const Progress& progress) {

@@ -15,12 +15,7 @@ constexpr std::size_t kTemplateSkinTriangles = 8000;
 constexpr std::size_t kTemplateBoneTriangles = 24000;
 
 /// The fitted body itself: no unevenness and no relief, which a scan shows at other places.
-TrunkShape plainShape() {
-  TrunkShape shape;
-  shape.relief = ReliefSettings{.spine = 0, .ribs = 0, .scapulae = 0};
-  shape.asymmetry = 0;
-  return shape;
-}
+TrunkShape plainShape() { return {.relief = ReliefSettings{.spine = 0, .ribs = 0, .scapulae = 0}, .asymmetry = 0}; }
 
 // Stumps of a man of 1750 mm.
 constexpr double kNeckStumpY = 215;

@@ -122,11 +122,9 @@ struct CervicalParts {
 
   MesherSettings box(double cell_mm) const {
     const Vec3 end = cervicalSpinousEnd(row);
-    MesherSettings settings;
-    settings.low = {0.0, std::min(-0.5 * row.height - 8.0, end.y() - 10.0), -half_depth - 4.0};
-    settings.high = {row.transverse_span / 2 + 4.0, 0.5 * row.height + 8.0, end.z() + 7.0};
-    settings.cell_mm = cell_mm;
-    return settings;
+    return {.low = {0.0, std::min(-0.5 * row.height - 8.0, end.y() - 10.0), -half_depth - 4.0},
+            .high = {row.transverse_span / 2 + 4.0, 0.5 * row.height + 8.0, end.z() + 7.0},
+            .cell_mm = cell_mm};
   }
 };
 
@@ -137,9 +135,7 @@ std::span<const VertebraRow, kCervicalCount> cervicalRows() { return kCervicalRo
 mesh::TriangleMesh makeCervicalHalf(const VertebraRow& row, double cell_mm) {
   const CervicalParts parts(row);
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  mesh::TriangleMesh half = meshZeroSurface(field, parts.box(cell_mm));
-  relaxOnSurface(half, field, kSkeletonRelaxRounds);
-  return half;
+  return relaxedZeroSurface(field, parts.box(cell_mm), kSkeletonRelaxRounds);
 }
 
 Vec3 cervicalSpinousTip(const VertebraRow& row) {

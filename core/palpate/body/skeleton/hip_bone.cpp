@@ -184,9 +184,7 @@ mesh::TriangleMesh makeRightHip(double cell_mm) {
   box.high = {146.0, -226.0, 112.0};
   box.cell_mm = cell_mm;
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  mesh::TriangleMesh mesh = meshZeroSurface(field, box);
-  relaxOnSurface(mesh, field, kSkeletonRelaxRounds);
-  return mesh;
+  return relaxedZeroSurface(field, box, kSkeletonRelaxRounds);
 }
 
 HipPoints rightHipPoints() {

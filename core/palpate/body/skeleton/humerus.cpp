@@ -55,8 +55,7 @@ mesh::TriangleMesh makeRightHumerus(double cell_mm) {
   box.high = {36.0, 30.0, 34.0};
   box.cell_mm = cell_mm;
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  mesh::TriangleMesh mesh = meshZeroSurface(field, box);
-  relaxOnSurface(mesh, field, kSkeletonRelaxRounds);
+  mesh::TriangleMesh mesh = relaxedZeroSurface(field, box, kSkeletonRelaxRounds);
   const Eigen::Isometry3d placed = humerusFrame();
   for (Vec3& p : mesh.positions) p = placed * p;
   return mesh;

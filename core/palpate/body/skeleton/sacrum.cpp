@@ -153,8 +153,7 @@ mesh::TriangleMesh makeSacrumHalf(double cell_mm) {
   box.high = {64.0, 24.0, 54.0};
   box.cell_mm = cell_mm;
   const Field field = [](const Vec3& p) { return sacrumParts().distance(p); };
-  mesh::TriangleMesh half = meshZeroSurface(field, box);
-  relaxOnSurface(half, field, kSkeletonRelaxRounds);
+  mesh::TriangleMesh half = relaxedZeroSurface(field, box, kSkeletonRelaxRounds);
   const Eigen::Isometry3d placed = sacralFrame();
   for (Vec3& p : half.positions) {
     const double x = p.x();  // the turn is about x: the border stays in the plane to the last bit

@@ -104,9 +104,7 @@ mesh::TriangleMesh makeSternumHalf(double cell_mm) {
   box.high = {36.0, 150.0, -14.0};
   box.cell_mm = cell_mm;
   const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  mesh::TriangleMesh half = meshZeroSurface(field, box);
-  relaxOnSurface(half, field, kSkeletonRelaxRounds);
-  return half;
+  return relaxedZeroSurface(field, box, kSkeletonRelaxRounds);
 }
 
 SternumPoints sternumPoints() {
