@@ -34,6 +34,10 @@ constexpr std::array kBackEnds = {
 
 }  // namespace
 
+DeviceFrame frameOf(const OpenOptions& options, std::string_view usual_axes, double unit_mm) {
+  return {axesNamed(options.axes.empty() ? usual_axes : options.axes), unit_mm * options.scale, options.origin_mm};
+}
+
 std::span<const BackEnd> backEnds() { return kBackEnds; }
 
 std::vector<std::string> backEndNames() {

@@ -9,6 +9,8 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
+#include <string>
 
 #include "palpate/base/triple_buffer.h"
 #include "palpate/base/vec.h"
@@ -29,6 +31,14 @@ struct DriverLinkSettings {
   double tick_s = 0.001;         ///< of the servo
   double driver_rate_hz = 1000;  ///< of the driver's loop
   double max_force_n = 0.0;      ///< no longer force goes out; 0: as it comes
+};
+
+/// A device that a driver took, or why there is none.
+template <class Slot>
+struct SlotOrReason {
+  std::shared_ptr<Slot> slot;
+  std::string reason;
+  std::string remedy;
 };
 
 class DriverLink {

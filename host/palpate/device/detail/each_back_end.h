@@ -2,9 +2,17 @@
 // docs/reference/devices.md.
 #pragma once
 
+#include <string_view>
+
 #include "palpate/device/back_ends.h"
+#include "palpate/device/device_frame.h"
 
 namespace palpate::device {
+
+/// Where the options put a device whose unit is `unit_mm` long; `usual_axes` where they name none, of themselves right,
+/// up and towards the user: the body frame of somebody who stands behind a patient. Throws Error for axes that are
+/// none.
+DeviceFrame frameOf(const OpenOptions& options, std::string_view usual_axes = "x,y,z", double unit_mm = 1.0);
 
 // Those that need nothing but this program (plain_back_ends.cpp).
 

@@ -14,6 +14,7 @@
 
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
+#include "palpate/device/detail/each_back_end.h"
 
 namespace palpate::device::forcedimension {
 
@@ -47,14 +48,6 @@ bool take(int index) {
 void giveBack(int index) {
   const std::lock_guard lock(holdings().mutex);
   holdings().held[static_cast<std::size_t>(index)] = false;
-}
-
-DeviceFrame frameFor(const OpenOptions& options) {
-  DeviceFrame frame;
-  frame.axes = axesNamed(options.axes.empty() ? "y,z,x" : options.axes);
-  frame.mm = kMmPerM * options.scale;
-  frame.origin_mm = options.origin_mm;
-  return frame;
 }
 
 std::string libraryWords(const Api& api) {
@@ -189,7 +182,7 @@ int devicesFound(const Api& api) { return std::max(0, api.device_count()); }
 
 Opened openDriver(const Api& api, const OpenOptions& options) {
   Opened opened;
-  const DeviceFrame frame = frameFor(options);
+  const DeviceFrame frame = frameOf(options, "y,z,x", kMmPerM);
   const int count = std::min(devicesFound(api), static_cast<int>(kMaxDevices));
   opened.remedy = "plug the device and its power supply in, and end other programs that use it";
   if (count == 0) {

@@ -12,6 +12,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/device/detail/each_back_end.h"
 
 namespace palpate::device::haply {
 
@@ -23,14 +24,6 @@ constexpr double kMmPerM = 1000.0;
 constexpr double kTutorialWallNPerMm = 1.0;
 constexpr double kReachMm = 100.0;
 constexpr double kSmallReachMm = 40.0;
-
-DeviceFrame frameFor(const OpenOptions& options) {
-  DeviceFrame frame;
-  frame.axes = axesNamed(options.axes.empty() ? "x,z,-y" : options.axes);
-  frame.mm = kMmPerM * options.scale;
-  frame.origin_mm = options.origin_mm;
-  return frame;
-}
 
 Capabilities capabilitiesOf(const DeviceReply& device, const Service& service, double most_force_n,
                             const OpenOptions& options) {
@@ -93,7 +86,7 @@ Added Session::choose(const Service& service, const OpenOptions& options) {
     if (!is_meant(device) || isHeld(device.id)) continue;
     Added added;
     added.slot = std::make_shared<Slot>(DriverLinkSettings{options.tick_s, kExchangesPerS, settings_.most_force_n},
-                                        frameFor(options));
+                                        frameOf(options, "x,z,-y", kMmPerM));
     added.slot->id = device.id;
     added.slot->capabilities = capabilitiesOf(device, service, settings_.most_force_n, options);
     return added;

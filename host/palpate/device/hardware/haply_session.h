@@ -102,12 +102,7 @@ struct Slot {
   std::string trouble;  ///< guarded by the session's words_mutex_
 };
 
-/// A device, or why there is none.
-struct Added {
-  std::shared_ptr<Slot> slot;
-  std::string reason;
-  std::string remedy;
-};
+using Added = SlotOrReason<Slot>;
 
 class Session {
  public:

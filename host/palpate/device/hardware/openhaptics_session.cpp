@@ -17,6 +17,7 @@
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
+#include "palpate/device/detail/each_back_end.h"
 
 namespace palpate::device::openhaptics {
 
@@ -57,14 +58,6 @@ Box3 boxInBody(const double (&low_and_high)[6], const DeviceFrame& frame) {
     box.extend(frame.placeInBody(place));
   }
   return box;
-}
-
-DeviceFrame frameOf(const OpenOptions& options) {
-  DeviceFrame frame;  // right, up, towards the user: the body frame of somebody who stands behind a patient
-  if (!options.axes.empty()) frame.axes = axesNamed(options.axes);
-  frame.mm = options.scale;
-  frame.origin_mm = options.origin_mm;
-  return frame;
 }
 
 /// Parts of a model's name; the first row that fits counts.

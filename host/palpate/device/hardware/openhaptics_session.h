@@ -130,12 +130,7 @@ struct Slot {
   bool held = false;  ///< by a Device; guarded by the session's mutex
 };
 
-/// A device, or why there is none.
-struct Added {
-  std::shared_ptr<Slot> slot;
-  std::string reason;
-  std::string remedy;
-};
+using Added = SlotOrReason<Slot>;
 
 class Session {
  public:

@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "palpate/device/detail/each_back_end.h"
 #include "palpate/device/hardware/plugin_checks.h"
 
 namespace palpate::device::plugin {
@@ -149,10 +150,7 @@ std::string Driver::explain() {
 }
 
 Opened openDriver(const palpate_device_table& table, const std::string& which, const OpenOptions& options) {
-  DeviceFrame frame;
-  if (!options.axes.empty()) frame.axes = axesNamed(options.axes);
-  frame.mm = options.scale;
-  frame.origin_mm = options.origin_mm;
+  const DeviceFrame frame = frameOf(options);
   Opened opened;
   palpate_device_handle device = openHandle(table, which, opened.reason);
   if (device == nullptr) return opened;
