@@ -24,8 +24,8 @@ std::string inLowerCase(std::string_view text) {
   return lower;
 }
 
-ManualPage readPage(const ManualFile& file) {
-  ManualPage page{std::string(file.file), std::string(file.file), readMarkdown(file.text)};
+ManualPage readPage(const view::EmbeddedFile& file) {
+  ManualPage page{std::string(file.name), std::string(file.name), readMarkdown(file.bytes)};
   const auto heading = std::find_if(page.blocks.begin(), page.blocks.end(),
                                     [](const Block& block) { return block.kind == Block::Kind::heading; });
   if (heading != page.blocks.end()) page.title = plainText(heading->words);
@@ -144,7 +144,7 @@ std::optional<ManualResult> resultOf(const Indexed& page, const SoughtWords& wor
 std::span<const ManualPage> manualPages() {
   static const std::vector<ManualPage> pages = [] {
     std::vector<ManualPage> read;
-    for (const ManualFile& file : manualFiles()) read.push_back(readPage(file));
+    for (const view::EmbeddedFile& file : manualFiles()) read.push_back(readPage(file));
     return read;
   }();
   return pages;

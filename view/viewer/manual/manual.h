@@ -7,16 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "palpate/view/layers/embedded_file.h"
 #include "view/viewer/manual/markdown.h"
 
 namespace palpate::viewer {
 
-/// As it was built in.
-struct ManualFile {
-  std::string_view file;  ///< below docs/: "howto/class.md"
-  std::string_view text;
-};
-std::span<const ManualFile> manualFiles();
+/// As they were built in, named by their place below docs/: "howto/class.md".
+std::span<const view::EmbeddedFile> manualFiles();
 
 struct ManualPage {
   std::string file;

@@ -7,13 +7,19 @@
 
 namespace palpate::viewer {
 
-bool beginDialog(const char* english, bool& open) {
-  const char* title = tr(english);
+bool placeModal(const char* title, bool open) {
   const bool shown = ImGui::IsPopupOpen(title);
   if (!open && !shown) return false;
   if (!shown) ImGui::OpenPopup(title);
+  const ImVec2 room = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  return true;
+}
+
+bool beginDialog(const char* english, bool& open) {
+  const char* title = tr(english);
+  if (!placeModal(title, open)) return false;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(560.0f, size.x - 40.0f), 0.0f});
   ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {size.x, size.y - 30.0f});
   constexpr auto kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings;

@@ -86,11 +86,8 @@ void pageShown(ManualShown& manual) {
 
 void manualDialog(ManualShown& manual, bool& open) {
   const char* const title = tr("Manual");
-  const bool shown = ImGui::IsPopupOpen(title);
-  if (!open && !shown) return;
-  if (!shown) ImGui::OpenPopup(title);
+  if (!placeModal(title, open)) return;
   const ImVec2 room = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(kWidestManual, room.x - kManualMargin), room.y - kManualMargin});
   constexpr auto kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                           ImGuiWindowFlags_NoSavedSettings;
@@ -103,9 +100,7 @@ void manualDialog(ManualShown& manual, bool& open) {
     searches ? results(manual, entered) : pageShown(manual);
   }
   ImGui::EndChild();
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) open = false;
-  if (!open) ImGui::CloseCurrentPopup();
-  ImGui::EndPopup();
+  endDialog(open);
 }
 
 }  // namespace palpate::viewer

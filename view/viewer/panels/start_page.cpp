@@ -174,24 +174,27 @@ void footer(const StartPage& page, bool& open) {
 
 }  // namespace
 
+std::string_view pictureBytes(std::string_view preset) {
+  for (const view::EmbeddedFile& picture : startPictures()) {
+    if (picture.name == std::string(preset) + ".jpg") return picture.bytes;
+  }
+  return {};
+}
+
 view::GlId ExamplePictures::of(std::string_view preset) {
   auto shown = shown_.find(preset);
   if (shown == shown_.end()) {
-    const std::span<const unsigned char> bytes = pictureBytes(preset);
+    const std::string_view bytes = pictureBytes(preset);
     if (bytes.empty()) return 0;
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    shown = shown_.try_emplace(preset, view::decodeImage(text)).first;
+    shown = shown_.try_emplace(preset, view::decodeImage(bytes)).first;
   }
   return shown->second.texture();
 }
 
 void startPage(const StartPage& page, bool& open, Asks& asks) {
   constexpr const char* kName = "start";
-  const bool shown = ImGui::IsPopupOpen(kName);
-  if (!open && !shown) return;
-  if (!shown) ImGui::OpenPopup(kName);
+  if (!placeModal(kName, open)) return;
   const ImVec2 room = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5f * room.x, 0.5f * room.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(kMaxWidth, room.x - kMargin), std::min(kMaxHeight, room.y - kMargin)});
   if (!ImGui::BeginPopupModal(kName, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) return;
   const bool two = ImGui::GetWindowWidth() >= kMinForTwo;

@@ -9,13 +9,16 @@
 #include <string_view>
 
 #include "palpate/engine/world_builder.h"
+#include "palpate/view/layers/embedded_file.h"
 #include "palpate/view/offscreen.h"
 #include "view/viewer/state/requests.h"
 
 namespace palpate::viewer {
 
-/// A small picture of the preset as a JPEG file that is part of the program; empty if there is none.
-std::span<const unsigned char> pictureBytes(std::string_view preset);
+/// Small pictures of presets, as JPEG files that are part of the program: "back.jpg".
+std::span<const view::EmbeddedFile> startPictures();
+/// That of one preset; empty if there is none.
+std::string_view pictureBytes(std::string_view preset);
 
 /// On the graphics card, from the first call on. Belongs to the thread of its context.
 class ExamplePictures {

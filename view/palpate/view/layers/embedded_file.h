@@ -2,6 +2,10 @@
 // name_begin and name_end. Once a file, outside any namespace.
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <string_view>
+
 #if defined(_WIN32)
 #define PALPATE_READ_ONLY ".section .rdata,\"dr\"\n"
 #define PALPATE_SYMBOL ""
@@ -28,3 +32,14 @@
   }                                      \
   static_assert(true, "takes the semicolon")
 // clang-format on
+
+namespace palpate::view {
+
+/// Such a file, by its name.
+struct EmbeddedFile {
+  EmbeddedFile(std::string_view its_name, const unsigned char* begin, const unsigned char* end)
+      : name(its_name), bytes(reinterpret_cast<const char*>(begin), static_cast<std::size_t>(end - begin)) {}
+  std::string_view name, bytes;
+};
+
+}  // namespace palpate::view

@@ -28,6 +28,17 @@ GLuint compiled(GLenum stage, std::string_view name, std::string_view shared, st
 
 }  // namespace
 
+void fillTexture(GLuint texture, const Image& image, GLint format, GLint beyond_its_edge) {
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, format, image.width, image.height, 0, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, beyond_its_edge);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, beyond_its_edge);
+}
+
 Program::Program(std::string_view name, std::string_view shared, std::string_view vertex, std::string_view fragment,
                  std::string_view geometry) {
   const auto attach = [&](GLenum stage, std::string_view source) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "palpate/base/vec.h"
+#include "palpate/view/image.h"
 
 namespace palpate::view {
 
@@ -58,6 +59,9 @@ void fillBuffer(GLenum kind, GLuint buffer, std::span<const T> values, GLenum us
   glBindBuffer(kind, buffer);
   glBufferData(kind, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), usage);
 }
+
+/// Binds a texture and gives it this picture, with smaller copies for where it is shown small.
+void fillTexture(GLuint texture, const Image& image, GLint format, GLint beyond_its_edge);
 
 /// Offsets into a bound buffer are handed to OpenGL as if they were pointers.
 inline const void* bufferOffset(std::size_t bytes) {

@@ -90,4 +90,20 @@ std::string rendererName() {
   return renderer.substr(0, renderer.find(' ')) + "-" + number.substr(0, number.find('.'));
 }
 
+// Uploaded as it is, first row on top. At a change of picture.
+struct FlatPicture::Objects {
+  GlTexture picture;
+};
+
+FlatPicture::FlatPicture(const Image& image) : objects_(std::make_unique<Objects>()) {
+  fillTexture(objects_->picture.get(), image, GL_RGB8, GL_CLAMP_TO_EDGE);
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+FlatPicture::~FlatPicture() = default;
+FlatPicture::FlatPicture(FlatPicture&&) noexcept = default;
+FlatPicture& FlatPicture::operator=(FlatPicture&&) noexcept = default;
+
+GlId FlatPicture::texture() const { return objects_->picture.get(); }
+
 }  // namespace palpate::view
