@@ -45,3 +45,5 @@ int32_t answerToException(palpate_error* error) noexcept {
 }
 
 }  // namespace palpate::c_api
+
+const char* palpate_version() noexcept { return PALPATE_VERSION; }

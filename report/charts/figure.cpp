@@ -5,10 +5,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
 #include "report/charts/canvas.h"
 #include "report/charts/drawing.h"
 #include "report/charts/lettering.h"
+#include "report/charts/picture_file.h"
 
 namespace palpate::figures {
 
@@ -120,3 +122,17 @@ std::vector<DrawnText> textsOf(const Figure& figure) {
 }
 
 }  // namespace palpate::figures
+
+namespace palpate::app {
+
+void checkPictureName(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  if (extension != ".png" && extension != ".svg") throw Error::inFile(file.string(), "a plot is written as .png, .svg");
+}
+
+void writePicture(const figures::Figure& figure, const std::filesystem::path& file, double png_scale) {
+  checkPictureName(file);
+  file.extension() == ".svg" ? figures::writeSvg(figure, file) : figures::writePng(figure, file, png_scale);
+}
+
+}  // namespace palpate::app

@@ -1,4 +1,0 @@
-// Which library was loaded.
-#include "palpate.h"
-
-const char* palpate_version() noexcept { return PALPATE_VERSION; }
