@@ -13,14 +13,12 @@ constexpr double kFingertipMm = 8.0;
 view::FingerMark markOf(const scene::World& world, const trace::Sample& sample) {
   const Vec3f colours[] = {view::kLeftFinger, view::kRightFinger, view::kOtherFinger};
   const double radius_mm = world.scene.fingers[sample.finger].radius_mm;
-  view::FingerMark mark;
-  mark.contact = sample.contact;
-  mark.radius_mm = radius_mm > 0.0 ? radius_mm : kFingertipMm;
-  mark.colour = colours[std::min<std::size_t>(sample.finger, std::size(colours) - 1)];
-  mark.haptic_radius_mm = radius_mm;
-  mark.left = sample.finger % 2 == 0;
-  mark.pad = view::padOf(world.scene, sample.finger);
-  return mark;
+  return {.contact = sample.contact,
+          .radius_mm = radius_mm > 0.0 ? radius_mm : kFingertipMm,
+          .colour = colours[std::min<std::size_t>(sample.finger, std::size(colours) - 1)],
+          .haptic_radius_mm = radius_mm,
+          .left = sample.finger % 2 == 0,
+          .pad = view::padOf(world.scene, sample.finger)};
 }
 
 }  // namespace

@@ -35,11 +35,8 @@ maps::Ellipse trueEllipse(double direction_deg) {
 
 maps::MeasuredEllipse rowOf(const maps::Ellipse& ellipse) {
   const double major_cm = ellipse.half_major_mm / kMmPerHalfCm;
-  maps::MeasuredEllipse row;
-  row.major_cm = major_cm;
-  row.minor_cm = major_cm * ellipse.aspect;
-  row.direction_deg = ellipse.direction_rad * kDegPerRad;
-  return row;
+  return {
+      .major_cm = major_cm, .minor_cm = major_cm * ellipse.aspect, .direction_deg = ellipse.direction_rad * kDegPerRad};
 }
 
 }  // namespace

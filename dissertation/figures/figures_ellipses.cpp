@@ -58,9 +58,7 @@ struct EllipseExample {
 };
 
 EllipseExample example() {
-  EllipseExample made;
-  made.keys = {{"A", Vec2(-55.0, 32.0), {75.0, 0.6, 2.1}, {}}, {"B", Vec2(225.0, -30.0), {60.0, 0.55, 0.5}, {}}};
-  return made;
+  return {.keys = {{"A", Vec2(-55.0, 32.0), {75.0, 0.6, 2.1}, {}}, {"B", Vec2(225.0, -30.0), {60.0, 0.55, 0.5}, {}}}};
 }
 
 Plot keyPlot(const std::string& title, const EllipseExample& shown) {

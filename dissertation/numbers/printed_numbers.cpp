@@ -99,16 +99,14 @@ std::vector<PrintedKey> keys() {
 }  // namespace
 
 PrintedNumbers printedNumbers() {
-  PrintedNumbers printed;
-  printed.table_3_1 = {{2915, 104, 198}, {6261, 51, 92}, {8163, 34, 65}, {20389, 12, 25}, {41582, 6, 11}};
-  printed.table_3_2 = table32();
-  printed.appendix_b = appendixB();
-  printed.table_3_3 = table33();
-  printed.table_3_4 = table34();
-  printed.appendix_c_ratios = appendixCRatios();
-  printed.appendix_c_means = appendixCMeans();
-  printed.keys = keys();
-  return printed;
+  return {.table_3_1 = {{2915, 104, 198}, {6261, 51, 92}, {8163, 34, 65}, {20389, 12, 25}, {41582, 6, 11}},
+          .table_3_2 = table32(),
+          .appendix_b = appendixB(),
+          .table_3_3 = table33(),
+          .table_3_4 = table34(),
+          .appendix_c_ratios = appendixCRatios(),
+          .appendix_c_means = appendixCMeans(),
+          .keys = keys()};
 }
 
 double timeAt(const std::vector<PrintedTiming>& timings, double triangles) {

@@ -11,10 +11,7 @@ namespace {
 constexpr std::size_t kMaxSteps = 2048;
 
 FeltTick feltOf(const Vec3& force, const Vec3& device, double depth_mm, const Vec3& anchor, const Vec3& tip) {
-  FeltTick tick;
-  tick.values = {force.norm(), device.norm(), depth_mm, (anchor - tip).norm(), 0.0};
-  tick.tip = tip;
-  return tick;
+  return {.values = {force.norm(), device.norm(), depth_mm, (anchor - tip).norm(), 0.0}, .tip = tip};
 }
 
 StripStep stepOf(const FeltTick& tick) {

@@ -18,11 +18,7 @@ using training::LumpScreen;
 constexpr double kPointsN = 0.1;
 
 TrainingButton buttonFor(TrainingAct act, std::string label, int value = 0) {
-  TrainingButton button;
-  button.act = act;
-  button.value = value;
-  button.label = std::move(label);
-  return button;
+  return {.act = act, .value = value, .label = std::move(label)};
 }
 
 TrainingScreen cardFor(const training::LumpSession& session) {

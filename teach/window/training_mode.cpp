@@ -557,16 +557,14 @@ training::SessionPlan TrainingMode::planOf(training::SessionKind kind, const Vie
 
 training::LumpSessionPlan TrainingMode::lumpPlanOf(const training::SessionPlan& plan) {
   if (!lump_bodies_) lump_bodies_ = std::make_shared<const training::LumpBodies>(body_, settings_.protocol, sites_);
-  training::LumpSessionPlan of_lumps;
-  of_lumps.protocol = settings_.protocol;
-  of_lumps.kind = plan.kind;
-  of_lumps.bodies = lump_bodies_;
-  of_lumps.sites = sites_;
-  of_lumps.seed = plan.seed;
-  of_lumps.tick_s = plan.tick_s;
-  of_lumps.row = plan.row;
-  of_lumps.resumed = plan.resumed;
-  return of_lumps;
+  return {.protocol = settings_.protocol,
+          .kind = plan.kind,
+          .bodies = lump_bodies_,
+          .sites = sites_,
+          .seed = plan.seed,
+          .tick_s = plan.tick_s,
+          .row = plan.row,
+          .resumed = plan.resumed};
 }
 
 void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {

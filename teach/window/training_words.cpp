@@ -30,47 +30,39 @@ std::string withCapitalLetter(std::string text) {
 // --- the front desk
 
 TrainingScreen signInScreen(const TrainingView& view) {
-  TrainingScreen screen;
-  screen.title = tr("Welcome");
-  screen.lines = {tr("Type the code on your card, then press Enter.")};
-  screen.entry = TrainingScreen::Entry{tr("Code"), view.typed};
-  screen.buttons = {button(TrainingAct::sign_in, tr("Sign in")),
-                    button(TrainingAct::make_code, tr("I have no code"), tr("Makes one for you to write down."))};
-  screen.keys = tr("Letters and digits type, Enter signs in.");
-  return screen;
+  return {.title = tr("Welcome"),
+          .lines = {tr("Type the code on your card, then press Enter.")},
+          .entry = TrainingScreen::Entry{tr("Code"), view.typed},
+          .buttons = {button(TrainingAct::sign_in, tr("Sign in")),
+                      button(TrainingAct::make_code, tr("I have no code"), tr("Makes one for you to write down."))},
+          .keys = tr("Letters and digits type, Enter signs in.")};
 }
 
 TrainingScreen newCodeScreen(const TrainingView& view) {
-  TrainingScreen screen;
-  screen.title = tr("This code is new here. Continue?");
-  screen.entry = TrainingScreen::Entry{tr("Code"), view.code};
-  screen.lines = {tr("Is it the one on your card?")};
-  screen.buttons = {button(TrainingAct::yes, tr("Yes, continue")), button(TrainingAct::no, tr("No, type it again"))};
-  screen.keys = tr(kCardKeys);
-  return screen;
+  return {.title = tr("This code is new here. Continue?"),
+          .lines = {tr("Is it the one on your card?")},
+          .entry = TrainingScreen::Entry{tr("Code"), view.code},
+          .buttons = {button(TrainingAct::yes, tr("Yes, continue")), button(TrainingAct::no, tr("No, type it again"))},
+          .keys = tr(kCardKeys)};
 }
 
 TrainingScreen ownCodeScreen(const TrainingView& view) {
-  TrainingScreen screen;
-  screen.title = tr("This is your code");
-  screen.entry = TrainingScreen::Entry{tr("Code"), view.code};
-  screen.lines = {tr("Write it down and keep it. It is the only way back to your results.")};
-  screen.buttons = {button(TrainingAct::yes, tr("I have written it down")), button(TrainingAct::no, tr("Back"))};
-  screen.keys = tr(kCardKeys);
-  return screen;
+  return {.title = tr("This is your code"),
+          .lines = {tr("Write it down and keep it. It is the only way back to your results.")},
+          .entry = TrainingScreen::Entry{tr("Code"), view.code},
+          .buttons = {button(TrainingAct::yes, tr("I have written it down")), button(TrainingAct::no, tr("Back"))},
+          .keys = tr(kCardKeys)};
 }
 
 TrainingScreen consentScreen(const TrainingView& view) {
-  TrainingScreen screen;
-  screen.title = tr("What is kept");
-  screen.lines = {tr("Kept: your answers, their times, and how the finger moved and pressed."),
-                  tr("Not kept: your name, email address or date of birth. You are known only by your code."),
-                  tr("Your teacher sees the results of your code. You may have all of it deleted at any time.")};
-  screen.buttons = {button(TrainingAct::yes, tr("I agree")),
-                    button(TrainingAct::no, tr("I do not agree"), tr("Nothing is kept."))};
-  screen.corner = view.code;
-  screen.keys = tr(kCardKeys);
-  return screen;
+  return {.title = tr("What is kept"),
+          .lines = {tr("Kept: your answers, their times, and how the finger moved and pressed."),
+                    tr("Not kept: your name, email address or date of birth. You are known only by your code."),
+                    tr("Your teacher sees the results of your code. You may have all of it deleted at any time.")},
+          .buttons = {button(TrainingAct::yes, tr("I agree")),
+                      button(TrainingAct::no, tr("I do not agree"), tr("Nothing is kept."))},
+          .keys = tr(kCardKeys),
+          .corner = view.code};
 }
 
 TrainingScreen handScreen(const TrainingView& view) {

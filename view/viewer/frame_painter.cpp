@@ -82,12 +82,10 @@ std::vector<view::Lines> rings(const FrameParts& frame) {
 }
 
 view::Canvas canvasOn(const view::Target& target, double pixels_per_point) {
-  view::Canvas canvas;
-  canvas.framebuffer = target.framebuffer();
-  canvas.width = target.width();
-  canvas.height = target.height();
-  canvas.pixels_per_point = pixels_per_point;
-  return canvas;
+  return {.framebuffer = target.framebuffer(),
+          .width = target.width(),
+          .height = target.height(),
+          .pixels_per_point = pixels_per_point};
 }
 
 }  // namespace

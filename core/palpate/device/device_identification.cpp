@@ -199,10 +199,8 @@ double bestDelay(const SwingRecord& record, const std::vector<HalfSwing>& swings
 }  // namespace
 
 SwingPlan swingPlan(const Capabilities& able, double tick_s) {
-  SwingPlan plan;
-  plan.tick_s = tick_s;
-  plan.most_force_n = able.max_force_n > 0.0 ? std::min(kMaxForce, kForceShare * able.max_force_n) : kUnknownForce;
-  return plan;
+  return {.tick_s = tick_s,
+          .most_force_n = able.max_force_n > 0.0 ? std::min(kMaxForce, kForceShare * able.max_force_n) : kUnknownForce};
 }
 
 Swings::Swings(const SwingPlan& plan) : plan_(plan), force_n_(plan.first_force_n) {

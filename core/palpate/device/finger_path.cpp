@@ -286,12 +286,7 @@ Ground roomiestGround(const scene::World& world) {
   return best;
 }
 
-scene::Step stepOf(scene::Move move, double seconds) {
-  scene::Step step;
-  step.move = move;
-  step.seconds = seconds;
-  return step;
-}
+scene::Step stepOf(scene::Move move, double seconds) { return {.move = move, .seconds = seconds}; }
 
 /// Ten seconds: press, drag away, circle there, drag back, lift.
 scene::Finger automaticFinger(const PathSize& size, double radius_mm) {

@@ -174,16 +174,14 @@ PassivitySettings passivityOf(const scene::SafetySettings& safety, const device:
                               double tick_s) {
   const bool identified = isIdentified(safety);
   const Trust trust = identified ? kIdentified : kAssumed;
-  PassivitySettings settings;
-  settings.on = safety.passivity && stableStiffness(tick_s, safety.delay_ticks, profile) > 0.0;
-  settings.delay_ticks = safety.delay_ticks + (identified ? kIdentifiedMarginTicks : assumedMarginTicks(tick_s));
-  settings.damping_n_s_per_mm = trust.damping * (identified ? safety.device_damping_n_s_per_mm / profile.motion_scale
-                                                            : profile.damping_n_s_per_mm);
-  settings.friction_n = trust.friction * (identified ? safety.device_friction_n : profile.friction_n);
-  settings.mass_kg = profile.mass_kg;
-  settings.encoder_mm = profile.encoder_mm;
-  settings.most_n = std::min(kMaxPassivityForce, kPassivityShare * force_n);
-  return settings;
+  return {.on = safety.passivity && stableStiffness(tick_s, safety.delay_ticks, profile) > 0.0,
+          .delay_ticks = safety.delay_ticks + (identified ? kIdentifiedMarginTicks : assumedMarginTicks(tick_s)),
+          .damping_n_s_per_mm = trust.damping * (identified ? safety.device_damping_n_s_per_mm / profile.motion_scale
+                                                            : profile.damping_n_s_per_mm),
+          .friction_n = trust.friction * (identified ? safety.device_friction_n : profile.friction_n),
+          .mass_kg = profile.mass_kg,
+          .encoder_mm = profile.encoder_mm,
+          .most_n = std::min(kMaxPassivityForce, kPassivityShare * force_n)};
 }
 
 /// A number of [safety] that a scene may make stricter at will, and looser within bounds where a hand is on a device.

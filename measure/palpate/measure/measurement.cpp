@@ -46,11 +46,9 @@ PictureScale pictureScaleOf(const DotGrid& grid, double spacing_mm) {
 
 /// A place of the first picture as the fit sees it, nothing moved yet.
 FieldDatum datumAt(const SkinChart& chart, const PictureScale& scale, const Vec2& place_px) {
-  FieldDatum datum;
-  datum.skin_mm = chart.skinAt(place_px);
-  datum.picture_mm = (place_px - scale.centre_px) / scale.px_per_mm;
-  datum.to_skin = chart.jacobianAt(place_px) * scale.px_per_mm;
-  return datum;
+  return {.skin_mm = chart.skinAt(place_px),
+          .picture_mm = (place_px - scale.centre_px) / scale.px_per_mm,
+          .to_skin = chart.jacobianAt(place_px) * scale.px_per_mm};
 }
 
 /// The pipeline from marks to findings, over one Measurement.

@@ -166,16 +166,14 @@ std::vector<double> fieldDepths(double deepest_mm) {
 
 MeshFineness finenessFor(const PressSettings& settings) {
   const double radius = settings.indenter_radius_mm;
-  MeshFineness mesh;
-  mesh.columns = {.first_mm = 0.0875 * radius / settings.fineness,
-                  .uniform_to_mm = 1.75 * radius,
-                  .growth = 1.0 + 0.12 / settings.fineness,
-                  .widest_mm = 8.0 / settings.fineness,
-                  .to_mm = settings.radius_mm};
-  mesh.rows = {.first_mm = 0.125 * radius / settings.fineness,
-               .fewest = static_cast<int>(std::ceil(2.0 * settings.fineness)),
-               .most = static_cast<int>(std::ceil(14.0 * settings.fineness))};
-  return mesh;
+  return {.columns = {.first_mm = 0.0875 * radius / settings.fineness,
+                      .uniform_to_mm = 1.75 * radius,
+                      .growth = 1.0 + 0.12 / settings.fineness,
+                      .widest_mm = 8.0 / settings.fineness,
+                      .to_mm = settings.radius_mm},
+          .rows = {.first_mm = 0.125 * radius / settings.fineness,
+                   .fewest = static_cast<int>(std::ceil(2.0 * settings.fineness)),
+                   .most = static_cast<int>(std::ceil(14.0 * settings.fineness))}};
 }
 
 void check(const tissue::LayerStack& stack, const PressSettings& settings) {

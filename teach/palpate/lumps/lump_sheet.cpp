@@ -13,11 +13,7 @@ namespace palpate::lumps {
 
 namespace {
 
-contact::FingerSettings fingertip() {
-  contact::FingerSettings finger;
-  finger.radius_mm = tissue::kFingertipMm;
-  return finger;
-}
+contact::FingerSettings fingertip() { return {.radius_mm = tissue::kFingertipMm}; }
 
 contact::Surface plainSheet(tissue::LayeredTable table) {
   constexpr double kHalfMm = 200.0;  // far beyond what a finger feels

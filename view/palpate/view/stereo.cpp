@@ -132,10 +132,8 @@ Comfort comfortOf(const Eyes& eyes, double eye_distance_mm, const Eigen::Aligned
   const Span span = spanOf(eyes, box);
   const double nearest = std::max(span.nearest, kNearShare * eyes.distance_mm);
   const double screen = 1.0 / eyes.distance_mm;
-  Comfort comfort;
-  comfort.front_deg = kDegPerRad * eye_distance_mm * std::max(0.0, 1.0 / nearest - screen);
-  comfort.behind_deg = kDegPerRad * eye_distance_mm * std::max(0.0, screen - 1.0 / std::max(span.farthest, nearest));
-  return comfort;
+  return {.front_deg = kDegPerRad * eye_distance_mm * std::max(0.0, 1.0 / nearest - screen),
+          .behind_deg = kDegPerRad * eye_distance_mm * std::max(0.0, screen - 1.0 / std::max(span.farthest, nearest))};
 }
 
 ComfortableStereo comfortable(const Camera& camera, const StereoSettings& settings, double aspect,

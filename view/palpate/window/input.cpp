@@ -13,12 +13,7 @@ constexpr double kDoubleClickPixels = 5.0;
 /// With Shift a notch of depth is a fifth: 0.1 mm instead of 0.5.
 constexpr double kFineNotch = 0.2;
 
-Command at(Command::Kind kind, const Vec2& place) {
-  Command command;
-  command.kind = kind;
-  command.at = place;
-  return command;
-}
+Command at(Command::Kind kind, const Vec2& place) { return {.kind = kind, .at = place}; }
 
 Command by(Command::Kind kind, const Vec2& place, double amount) {
   Command command = at(kind, place);

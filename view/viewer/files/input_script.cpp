@@ -72,12 +72,7 @@ window::Chord chordFrom(const CsvRow& row) {
   fail(row, fmt::format("there is no key '{}' (the F1 page lists them)", name));
 }
 
-InputEvent inputOf(InputEvent::Kind kind, const Vec2& cursor) {
-  InputEvent event;
-  event.kind = kind;
-  event.at = cursor;
-  return event;
-}
+InputEvent inputOf(InputEvent::Kind kind, const Vec2& cursor) { return {.kind = kind, .at = cursor}; }
 
 /// Reads row by row; the cursor stays where the last move put it.
 class Reader {

@@ -34,13 +34,11 @@ std::optional<view::Camera> viewFromText(std::string_view text) {
     v.push_back(*number);
   }
   if (!(v[5] > 0.0) || !(v[6] > 0.0 && v[6] < 170.0) || !(std::abs(v[4]) < 90.0)) return std::nullopt;
-  view::Camera camera;
-  camera.centre = Vec3(v[0], v[1], v[2]);
-  camera.yaw_rad = v[3] * kRadPerDeg;
-  camera.pitch_rad = v[4] * kRadPerDeg;
-  camera.distance_mm = v[5];
-  camera.height_rad = v[6] * kRadPerDeg;
-  return camera;
+  return view::Camera{.centre = Vec3(v[0], v[1], v[2]),
+                      .yaw_rad = v[3] * kRadPerDeg,
+                      .pitch_rad = v[4] * kRadPerDeg,
+                      .distance_mm = v[5],
+                      .height_rad = v[6] * kRadPerDeg};
 }
 
 }  // namespace palpate::viewer

@@ -39,12 +39,10 @@ Counts readCounts(TextReader& text) {
   if (rest == "BINARY") text.fail("binary OFF cannot be read");
   if (rest.empty() || rest.front() == '#') toNextRow(text, "counts", 2);
   const auto most = static_cast<long long>(text.bytesLeft());
-  Counts counts;
-  counts.vertices = static_cast<std::size_t>(
-      text.whole(text.word(), "the number of vertices", 0, most / static_cast<long long>(kMinVertexBytes)));
-  counts.faces = static_cast<std::size_t>(
-      text.whole(text.word(), "the number of faces", 0, most / static_cast<long long>(kMinFaceBytes)));
-  return counts;
+  return {.vertices = static_cast<std::size_t>(
+              text.whole(text.word(), "the number of vertices", 0, most / static_cast<long long>(kMinVertexBytes))),
+          .faces = static_cast<std::size_t>(
+              text.whole(text.word(), "the number of faces", 0, most / static_cast<long long>(kMinFaceBytes)))};
 }
 
 void readPolygon(TextReader& text, PolygonList& polygons) {

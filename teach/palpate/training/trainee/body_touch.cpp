@@ -28,13 +28,11 @@ std::string utcWords(std::int64_t ms) {
 }
 
 device::SimulatedHandSettings handSettings(const device::HandChoice& choice, double tick_s, const Vec3& start) {
-  device::SimulatedHandSettings settings;
-  settings.device = device::profileOf(choice.device);
-  settings.hand = device::handModel(choice.hand);
-  settings.tick_s = tick_s;
-  settings.delay_ticks = device::kHandDelayTicks;
-  settings.start = start;
-  return settings;
+  return {.device = device::profileOf(choice.device),
+          .hand = device::handModel(choice.hand),
+          .tick_s = tick_s,
+          .delay_ticks = device::kHandDelayTicks,
+          .start = start};
 }
 
 device::Device handDevice(const device::HandChoice& choice, const device::SimulatedHandSettings& settings,
@@ -119,13 +117,11 @@ PressRequest BodyTouch::requestAt(const Vec2& place, const MeantPress& meant) co
   const auto at = [&](double dx, double dy) { return heightAt(place + Vec2(dx, dy)).value_or(*height); };
   const double slope_x = (at(kSlopeMm, 0) - at(-kSlopeMm, 0)) / (2.0 * kSlopeMm);
   const double slope_y = (at(0, kSlopeMm) - at(0, -kSlopeMm)) / (2.0 * kSlopeMm);
-  PressRequest request;
-  request.skin = Vec3(place.x(), place.y(), *height);
-  request.normal = Vec3(-slope_x, -slope_y, 1.0).normalized();
-  request.pad_mm = engine::fingerSettings(world_->scene, 1).front().radius_mm;
-  request.force_n = meant.force_n;
-  request.hold_s = meant.hold_s;
-  return request;
+  return {.skin = Vec3(place.x(), place.y(), *height),
+          .normal = Vec3(-slope_x, -slope_y, 1.0).normalized(),
+          .pad_mm = engine::fingerSettings(world_->scene, 1).front().radius_mm,
+          .force_n = meant.force_n,
+          .hold_s = meant.hold_s};
 }
 
 void BodyTouch::runTick(const EachTick& each_tick) {
