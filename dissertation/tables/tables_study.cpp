@@ -190,8 +190,7 @@ std::vector<std::string> methodOf(const RatesMeasurement& found) {
       "Untouched adds finding the leaves and testing every triangle rendered against the tip's way; touched adds the "
       "nearest point of every triangle, spring and friction (`lab/measured/literal_process.h`). What the haptic "
       "library of 2008 did inside is not known; this is the least that it had to do, so times in the dissertation's "
-      "way are lower "
-      "bounds.",
+      "way are lower bounds.",
       fmt::format(
           "Models: the benchmark's back in the sizes of Appendix A, because none of the author's was published. Table "
           "3.2 and Appendix B: {} triangles, case C, threshold 1024; for each printed number of triangles the place "

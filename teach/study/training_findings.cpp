@@ -47,10 +47,8 @@ std::optional<std::string> methodsFinding(const TrainingMeasurement& found) {
   const double ratio = extremesOf(walk.cells).sd_ln / extremesOf(best.cells).sd_ln;
   return fmt::format(
       "The fit matters more than the rule: 2-down-1-up with the same fit has an SD {:.2f} times that of marginal "
-      "psi{}. "
-      "Until the error of ln T stays below 15 % it takes {} trials by marginal psi, {} by 2-down-1-up and {} at "
-      "constant "
-      "levels.",
+      "psi{}. Until the error of ln T stays below 15 % it takes {} trials by marginal psi, {} by 2-down-1-up and {} at "
+      "constant levels.",
       ratio, ratio < 1.2 ? ", which few would notice" : "", trials(best), trials(walk), trials(constant));
 }
 
@@ -119,9 +117,8 @@ std::string examinationFinding(const TrainingMeasurement& found) {
   const ExamRow& other = found.exam.back();
   std::string text = fmt::format(
       "Examined at a mark of 20 %, 40 trials pass {:.1f} % of those at 14 % and {:.1f} % of those at 28 %. One that "
-      "stops "
-      "when it is sure takes {:.0f} and {:.0f} trials on average, gives the wrong verdict to {:.1f} and {:.1f} %, and "
-      "asks {:.0f} and {:.0f} % to repeat.",
+      "stops when it is sure takes {:.0f} and {:.0f} trials on average, gives the wrong verdict to {:.1f} and {:.1f} "
+      "%, and asks {:.0f} and {:.0f} % to repeat.",
       100.0 * able.fixed_pass, 100.0 * other.fixed_pass, able.mean_trials, other.mean_trials, 100.0 * able.not_yet,
       100.0 * other.pass, 100.0 * able.repeat, 100.0 * other.repeat);
   double most_repeat = 0.0;
@@ -150,11 +147,9 @@ std::optional<std::string> learnersFinding(const TrainingMeasurement& found) {
   const ChangeRow& change = found.changes.back();
   return fmt::format(
       "Over six sessions of {} trials the filtered curve is off by {:.3f} (rms of ln T, sessions 2 to 6) where "
-      "separate "
-      "sessions are off by {:.3f}; bands of the fitted exponential hold {:.0f} % of the true values. One person's "
-      "change "
-      "between two tests of {} is called real beyond a factor of {:.2f}: that happens to {:.1f} % of unchanged people, "
-      "and sees {:.0f} % of those who halve their threshold.",
+      "separate sessions are off by {:.3f}; bands of the fitted exponential hold {:.0f} % of the true values. One "
+      "person's change between two tests of {} is called real beyond a factor of {:.2f}: that happens to {:.1f} % of "
+      "unchanged people, and sees {:.0f} % of those who halve their threshold.",
       row.trials, row.filtered_error, row.separate_error, 100.0 * found.band_coverage, change.trials, change.factor,
       100.0 * change.false_alarm, 100.0 * change.seen);
 }
@@ -164,8 +159,7 @@ std::string exampleFinding(const TrainingMeasurement& found) {
   std::string text = fmt::format(
       "89 simulated trainees who go from 28 to 14 %, as published, are reported as {:.1f} % (SD {:.1f}) and {:.1f} % "
       "(SD {:.1f}); fitted together, {:.1f} % ({:.1f} to {:.1f}) and {:.1f} % ({:.1f} to {:.1f}), smaller by a factor "
-      "of "
-      "{:.2f} ({:.2f} to {:.2f}).",
+      "of {:.2f} ({:.2f} to {:.2f}).",
       100.0 * example.mean_before, 100.0 * example.sd_before, 100.0 * example.mean_after, 100.0 * example.sd_after,
       100.0 * example.group_before.mean, 100.0 * example.group_before.low, 100.0 * example.group_before.high,
       100.0 * example.group_after.mean, 100.0 * example.group_after.low, 100.0 * example.group_after.high,
@@ -192,8 +186,7 @@ std::string timesFinding(const TrainingMeasurement& found) {
 std::string simulatedFinding() {
   return "All of this is simulated: trainees who are a psychometric function, do not tire and do not learn within a "
          "test. What a finger, a device and a motor habit add is not in it, and nothing here says that a small "
-         "threshold "
-         "is skill on patients.";
+         "threshold is skill on patients.";
 }
 
 }  // namespace

@@ -200,8 +200,7 @@ TEST(VirtualHapticBack, IsOneWordOfTheCommandAnywhere) {
             "palpate: --preset: 'vbh' is not one of "
             "vhb|trunk|dysfunctions|lumps|anatomy|thin|heavy|prone|sitting|two-fingers|"
             "two-devices|scan|strain|oiled|relaxation|breathing|stereo|detecting-box|fine-mesh|vhb-literal; did you "
-            "mean 'vhb'? (see "
-            "--help)\n");
+            "mean 'vhb'? (see --help)\n");
   EXPECT_EQ(support::runPalpate("simulate a.toml --preset vhb", folder.path()).err,
             "palpate: a.toml and --preset vhb: one scene at a time\n");
   EXPECT_NE(support::messageOf([] { scene::presetScene("back"); }).find("unknown preset 'back'"), std::string::npos);

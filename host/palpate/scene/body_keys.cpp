@@ -18,8 +18,7 @@ Key<BodySettings> textureKey() {
   Key<S> key = file<S>(
       "texture", way(&S::texture, &TextureSource::file),
       "A PNG or JPEG picture on the skin, or a glTF or GLB file for its base colour picture. Mesh: it lies there by "
-      "the "
-      "file's texture coordinates (OBJ, glTF, GLB). Trunk, torso, back: left half from behind, right half from the "
+      "the file's texture coordinates (OBJ, glTF, GLB). Trunk, torso, back: left half from behind, right half from the "
       "front (docs/explanation/trunk.md), or \"made\" or \"made:SEED\": a skin that the program paints "
       "(docs/explanation/rendering.md).");
   key.read = [read = std::move(key.read)](S& s, const Entry& entry) {
@@ -85,8 +84,7 @@ Section bodySection() {
                 "Trunk, torso, back: natural differences of left and right; 0 is a mirror image."),
       file<S>("file", &S::file,
               "Mesh: OBJ, STL, PLY, OFF, glTF or GLB, relative to the scene file; or \"made:scan\", a scanned back "
-              "with a hole "
-              "that the program makes."),
+              "with a hole that the program makes."),
       choice<S, Unit>("unit", &S::unit, "Mesh: the unit of the file; auto is m for glTF and GLB, mm for the others."),
       number<S>("scale", &S::scale, above(0, 1e6), "Mesh: factor on its size, after the unit."),
       text<S>("group", &S::group, "Mesh: only this group or object of an OBJ file."),

@@ -51,8 +51,7 @@ Section frictionSection() {
       number<S>("dynamic", &S::mu_dynamic, between(0, 5), "Coefficient while the finger slips; not above static."),
       number<S>("stiffness_ratio", &S::stiffness_ratio, above(0, 100),
                 "Tangential over normal stiffness. Tissue has 0.6 to 1.1; 0.23 lets half-Gaussian tissue follow 20 mm "
-                "at 10 mm "
-                "depth, as the dissertation has it (E2)."),
+                "at 10 mm depth, as the dissertation has it (E2)."),
   };
   return section<S>("friction", "How the skin holds the finger.", way(&Scene::contact, &ContactSettings::finger),
                     std::move(keys), [](const S& friction, const Entry& entry) {
@@ -135,9 +134,8 @@ Section tissueSection() {
       choice<S, L::Kind>(
           "force_law", law(&L::kind),
           "Normal force by depth (docs/explanation/force-laws.md): stiffness times depth; a power of the depth; a "
-          "stiffness that "
-          "grows along a Gaussian; measured; by the layers of the place, linear where there are none. All agree with "
-          "the stiffness map at reference_depth_mm."),
+          "stiffness that grows along a Gaussian; measured; by the layers of the place, linear where there are none. "
+          "All agree with the stiffness map at reference_depth_mm."),
       number<S>("exponent", law(&L::exponent), between(1, 3), "Power: of the depth; layered tissue has 1.5 to 1.8."),
       number<S>(
           "reference_depth_mm", law(&L::reference_depth_mm), above(0, 1000),

@@ -134,8 +134,7 @@ void readRetention(const scene::TomlTable& table, Retention& retention) {
 std::string retentionText(const Retention& retention) {
   return fmt::format(
       "# Days after a session for which rows, and recordings, are kept; `palpate train results purge` forgets what "
-      "is "
-      "older.\nretain_days = {}\nretain_samples_days = {}\n",
+      "is older.\nretain_days = {}\nretain_samples_days = {}\n",
       retention.days, retention.samples_days);
 }
 

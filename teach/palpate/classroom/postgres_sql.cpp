@@ -103,8 +103,7 @@ void refusePassword(const std::string& connection) {
   if (has_password) {
     throw Error(
         "the database's address must not hold a password, which every user of this computer could read (ps); put it "
-        "into "
-        "~/.pgpass, a service file or PGPASSWORD");
+        "into ~/.pgpass, a service file or PGPASSWORD");
   }
 }
 

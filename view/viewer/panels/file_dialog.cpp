@@ -226,8 +226,7 @@ void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& pr
   troubleLine(trouble);
   remark(
       "Scenes (TOML), meshes (OBJ, STL, PLY, OFF, glTF, GLB), recordings, tables of forces (CSV). A click shows a "
-      "file, "
-      "Enter or a double click opens it. You can also drop a file on the window.");
+      "file, Enter or a double click opens it. You can also drop a file on the window.");
   if (!chosen.empty()) {
     asks.request(OpenFile{chosen});
     open = false;
