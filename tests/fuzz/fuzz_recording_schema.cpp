@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "../support/sound_recording.h"
 #include "palpate/base/error.h"
 #include "palpate/base/private_folder.h"
 #include "palpate/trace/recording_reader.h"
@@ -23,16 +24,7 @@ const std::filesystem::path& soundSession() {
   static const palpate::TemporaryFolder folder("palpate-fuzz");
   static const std::filesystem::path file = [] {
     const std::filesystem::path made = folder.path() / "sound.session";
-    RecordingWriter writer(
-        made, {.started_utc = "2026-11-21T12:00:00Z", .software = {}, .machine = {}, .notes = {}, .tags = {}},
-        {{"index", "mouse"}});
-    writer.add(RecordingWorld{"[body]\n", "/", "torso", 1, 1, {{"", ""}}});
-    for (std::uint64_t tick = 0; tick < 400; ++tick) {
-      Sample sample;
-      sample.tick = tick;
-      writer.add(sample);
-    }
-    writer.finish("done");
+    palpate::support::writeSoundRecording(made);
     return made;
   }();
   return file;

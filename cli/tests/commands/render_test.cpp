@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pictures/read_png.h"
+#include "support/expect_each.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -291,12 +292,13 @@ TEST_F(Render, RefusesWithOneLine) {
   EXPECT_EQ(
       errorOf("-o picture.jpg"),
       "palpate: picture.jpg: must be named *.png: pictures are written as PNG, films as *.webm, *.gif or *.mp4\n");
-  EXPECT_EQ(errorOf("-o film.mp4"), "palpate: film.mp4: a film needs --frames above 1\n");
-  EXPECT_EQ(errorOf("--at 7"), "palpate: there is no moment 7 s: the run lasts from 0 to 1.000 s\n");
-  EXPECT_EQ(errorOf("--pose 1,2"), "palpate: --pose: needs x,y,z, or several of them (see --help)\n");
-  EXPECT_EQ(errorOf("--pose 1,2,x"), "palpate: --pose: 'x' is not a number (-100,000 to 100,000 mm) (see --help)\n");
-  EXPECT_EQ(errorOf("--look-at 1,2"), "palpate: --look-at: '1,2' must be three numbers x,y,z in mm (see --help)\n");
-  EXPECT_EQ(errorOf("--show wirefame"), "palpate: --show: unknown word 'wirefame'; did you mean 'wireframe'?\n");
+  support::expectEach([&](const std::string& options) { return errorOf(options); },
+                      {{"-o film.mp4", "palpate: film.mp4: a film needs --frames above 1\n"},
+                       {"--at 7", "palpate: there is no moment 7 s: the run lasts from 0 to 1.000 s\n"},
+                       {"--pose 1,2", "palpate: --pose: needs x,y,z, or several of them (see --help)\n"},
+                       {"--pose 1,2,x", "palpate: --pose: 'x' is not a number (-100,000 to 100,000 mm) (see --help)\n"},
+                       {"--look-at 1,2", "palpate: --look-at: '1,2' must be three numbers x,y,z in mm (see --help)\n"},
+                       {"--show wirefame", "palpate: --show: unknown word 'wirefame'; did you mean 'wireframe'?\n"}});
   EXPECT_NE(errorOf("--stereo 3d").find("--stereo"), std::string::npos);
   EXPECT_EQ(errorOf("--at nan"), "palpate: --at: 'nan' is not a finite number (0 to 10,800 s) (see --help)\n");
   EXPECT_EQ(errorOf("--at -5"), "palpate: --at: -5 is out of range: 0 to 10,800 s (see --help)\n");

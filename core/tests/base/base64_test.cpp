@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/expect_each.h"
+
 namespace palpate {
 
 TEST(Base64, IsWrittenAsTheStandardHasIt) {  // RFC 4648, section 10
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xff\xfe"), "//4=");
+  support::expectEach(
+      base64, {{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foobar", "Zm9vYmFy"}, {"\xff\xfe", "//4="}});
 }
 
 TEST(Base64, IsReadWithOrWithoutPadding) {

@@ -2,18 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include "support/expect_each.h"
+
 namespace palpate {
 namespace {
 
 TEST(CsvTextCell, IsNoFormula) {
-  EXPECT_EQ(csvTextCell("=1+1"), "'=1+1");
-  EXPECT_EQ(csvTextCell("=cmd|'/c calc'!A1"), "'=cmd|'/c calc'!A1");
-  EXPECT_EQ(csvTextCell("@SUM(1)"), "'@SUM(1)");
-  EXPECT_EQ(csvTextCell("-2+3"), "'-2+3");
-  EXPECT_EQ(csvTextCell("+49 30 1"), "'+49 30 1");
-  EXPECT_EQ(csvTextCell("\t=1"), "'\t=1");
-  EXPECT_EQ(csvTextCell("\r=1"), "\"'\r=1\"");
-  EXPECT_EQ(csvTextCell("-inf"), "'-inf");
+  support::expectEach([](const std::string& text) { return csvTextCell(text); },
+                      {{"=1+1", "'=1+1"},
+                       {"=cmd|'/c calc'!A1", "'=cmd|'/c calc'!A1"},
+                       {"@SUM(1)", "'@SUM(1)"},
+                       {"-2+3", "'-2+3"},
+                       {"+49 30 1", "'+49 30 1"},
+                       {"\t=1", "'\t=1"},
+                       {"\r=1", "\"'\r=1\""},
+                       {"-inf", "'-inf"}});
   EXPECT_EQ(csvTextCell("\xef\xbc\x9d"
                         "1"),
             "'\xef\xbc\x9d"

@@ -14,6 +14,7 @@
 #include "palpate/body/skin_surface.h"
 #include "palpate/mesh/nearest.h"
 #include "palpate/mesh/validate.h"
+#include "support/sound_mesh.h"
 #include "support/timed.h"
 #include "support/winding_number.h"
 
@@ -104,12 +105,7 @@ TEST(Bones, AreFortyThreeInAFixedOrder) {
 TEST(Bones, AreClosedManifoldOutwardInOnePieceAndDoNotPierceThemselves) {
   for (const Bone& b : defaultBones()) {
     SCOPED_TRACE(b.name);
-    const mesh::ValidationReport report = mesh::validate(b.mesh);
-    EXPECT_TRUE(report.closed);
-    EXPECT_TRUE(report.fit()) << (report.fit() ? "" : mesh::describe(report).front());
-    EXPECT_EQ(report.components, 1u);
-    EXPECT_EQ(report.self_intersections.count, 0u);
-    EXPECT_GT(report.volume_mm3, 3000.0);  // the twelfth rib has about 4 cm^3
+    EXPECT_GT(support::expectOnePiece(b.mesh).volume_mm3, 3000.0);  // the twelfth rib has about 4 cm^3
   }
 }
 

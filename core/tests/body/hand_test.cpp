@@ -9,6 +9,7 @@
 #include "palpate/base/error.h"
 #include "palpate/mesh/nearest.h"
 #include "palpate/mesh/validate.h"
+#include "support/sound_mesh.h"
 
 namespace palpate::body {
 namespace {
@@ -19,11 +20,7 @@ const mesh::TriangleMesh& defaultHand() {
 }
 
 TEST(Hand, IsAClosedManifoldInOnePiece) {
-  const mesh::ValidationReport report = mesh::validate(defaultHand());
-  EXPECT_TRUE(report.closed);
-  EXPECT_TRUE(report.fit());
-  EXPECT_EQ(report.components, 1u);
-  EXPECT_EQ(report.self_intersections.count, 0u);
+  const mesh::ValidationReport report = support::expectOnePiece(defaultHand());
   EXPECT_TRUE(report.volume_mm3 > 300e3 && report.volume_mm3 < 550e3) << report.volume_mm3;  // about 0.4 litre
 }
 
@@ -88,20 +85,12 @@ const PalpatingHand& palpatingHand() {
 }
 
 TEST(PalpatingHand, IsAClosedManifoldInOnePiece) {
-  const mesh::ValidationReport report = mesh::validate(palpatingHand().mesh);
-  EXPECT_TRUE(report.closed);
-  EXPECT_TRUE(report.fit());
-  EXPECT_EQ(report.components, 1u);
-  EXPECT_EQ(report.self_intersections.count, 0u);
+  support::expectOnePiece(palpatingHand().mesh);
   EXPECT_EQ(palpatingHand().redness.size(), palpatingHand().mesh.positions.size());
 }
 
 TEST(PalpatingFinger, IsAClosedManifoldInOnePieceAndSmall) {
-  const mesh::ValidationReport report = mesh::validate(makePalpatingFinger().mesh);
-  EXPECT_TRUE(report.closed);
-  EXPECT_TRUE(report.fit());
-  EXPECT_EQ(report.components, 1u);
-  EXPECT_EQ(report.self_intersections.count, 0u);
+  support::expectOnePiece(makePalpatingFinger().mesh);
   EXPECT_EQ(makePalpatingFinger().redness.size(), makePalpatingFinger().mesh.positions.size());
   EXPECT_LE(makePalpatingFinger().mesh.triangles.size(), 1000u) << "it is drawn where a hand is too much";
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "support/error_message.h"
+#include "support/expect_each.h"
 
 namespace palpate::maps {
 
@@ -37,20 +38,21 @@ TEST(KeyPoints, RatioBelowOneSwapsTheAxes) {
 TEST(KeyPoints, EmptyTableHasNoKeyPoints) { EXPECT_TRUE(parseKeyPoints("# nothing measured\n", "keys.csv").empty()); }
 
 TEST(KeyPoints, ErrorsNameTheLineAndTheCause) {
-  EXPECT_EQ(messageForTable("P1,0,0,100,1.2,90\nP2,0,0,100,1.2\n"),
-            "keys.csv:2: expected 6 or 7 fields "
-            "(name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]), found 5");
-  EXPECT_EQ(messageForTable("P1,0,abc,100,1.2,90\n"), "keys.csv:1: y_mm is not a number: 'abc'");
-  EXPECT_EQ(messageForTable("P1,0,0,-3,1.2,90\n"), "keys.csv:1: half_major_mm = -3 is out of range: 0.001 to 10,000");
-  EXPECT_EQ(messageForTable("P1,0,0,100,0,90\n"), "keys.csv:1: major_over_minor = 0 is out of range: 0.001 to 1,000");
-  EXPECT_EQ(messageForTable("P1,0,0,100,1,nan\n"), "keys.csv:1: direction_deg is nan");
-  EXPECT_EQ(messageForTable("P1,0,0,100,1,0,-1\n"), "keys.csv:1: stiffness_n_per_mm = -1 is out of range: 0 to 1,000");
-  EXPECT_EQ(messageForTable("P1,1e300,0,100,1,0\n"), "keys.csv:1: x_mm = 1e+300 is out of range: -100,000 to 100,000");
-  EXPECT_EQ(messageForTable("P1,0,0,100,1,1e12\n"),
-            "keys.csv:1: direction_deg = 1000000000000 is out of range: -360 to 360");
-  EXPECT_EQ(messageForTable("name,x_cm,y_mm,half_major_mm,major_over_minor,direction_deg\n"),
-            "keys.csv:1: expected the header "
-            "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]");
+  support::expectEach(
+      messageForTable,
+      {{"P1,0,0,100,1.2,90\nP2,0,0,100,1.2\n",
+        "keys.csv:2: expected 6 or 7 fields "
+        "(name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]), found 5"},
+       {"P1,0,abc,100,1.2,90\n", "keys.csv:1: y_mm is not a number: 'abc'"},
+       {"P1,0,0,-3,1.2,90\n", "keys.csv:1: half_major_mm = -3 is out of range: 0.001 to 10,000"},
+       {"P1,0,0,100,0,90\n", "keys.csv:1: major_over_minor = 0 is out of range: 0.001 to 1,000"},
+       {"P1,0,0,100,1,nan\n", "keys.csv:1: direction_deg is nan"},
+       {"P1,0,0,100,1,0,-1\n", "keys.csv:1: stiffness_n_per_mm = -1 is out of range: 0 to 1,000"},
+       {"P1,1e300,0,100,1,0\n", "keys.csv:1: x_mm = 1e+300 is out of range: -100,000 to 100,000"},
+       {"P1,0,0,100,1,1e12\n", "keys.csv:1: direction_deg = 1000000000000 is out of range: -360 to 360"},
+       {"name,x_cm,y_mm,half_major_mm,major_over_minor,direction_deg\n",
+        "keys.csv:1: expected the header "
+        "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]"}});
 }
 
 TEST(KeyPoints, ATableOfMeasurementsIsReadByItsHeader) {

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "support/error_message.h"
+#include "support/expect_each.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::tissue {
@@ -31,14 +32,14 @@ TEST(ForceTable, IsReadFromAFile) {
 }
 
 TEST(ForceTable, NamesTheLineThatIsWrong) {
-  EXPECT_EQ(messageFor("2,1\n2,3\n"), "f.csv:2: depth_mm must increase, but 2 follows 2");
-  EXPECT_EQ(messageFor("2,1\n3,0.5\n"), "f.csv:2: force_n must not decrease, but 0.5 follows 1");
-  EXPECT_EQ(messageFor("\n2\n"), "f.csv:2: needs depth_mm,force_n but has 1 fields");
-  EXPECT_EQ(messageFor("0,1\n"), "f.csv:1: force_n must be 0 at depth 0");
-  EXPECT_EQ(messageFor("-2,1\n"), "f.csv:1: depth_mm = -2 is out of range: 0 to 1,000,000");
-  EXPECT_EQ(messageFor("2,x\n"), "f.csv:1: force_n is not a number: 'x'");
-  EXPECT_EQ(messageFor("2,inf\n"), "f.csv:1: force_n is inf");
-  EXPECT_EQ(messageFor("depth_mm,force_n\n"), "f.csv: has no row with a depth above 0");
+  support::expectEach(messageFor, {{"2,1\n2,3\n", "f.csv:2: depth_mm must increase, but 2 follows 2"},
+                                   {"2,1\n3,0.5\n", "f.csv:2: force_n must not decrease, but 0.5 follows 1"},
+                                   {"\n2\n", "f.csv:2: needs depth_mm,force_n but has 1 fields"},
+                                   {"0,1\n", "f.csv:1: force_n must be 0 at depth 0"},
+                                   {"-2,1\n", "f.csv:1: depth_mm = -2 is out of range: 0 to 1,000,000"},
+                                   {"2,x\n", "f.csv:1: force_n is not a number: 'x'"},
+                                   {"2,inf\n", "f.csv:1: force_n is inf"},
+                                   {"depth_mm,force_n\n", "f.csv: has no row with a depth above 0"}});
 }
 
 TEST(ForceTable, HoldsADeclaredNumberOfRows) {

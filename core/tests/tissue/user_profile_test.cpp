@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "support/error_message.h"
+#include "support/expect_each.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::tissue {
@@ -21,15 +22,15 @@ TEST(UserProfile, ReadsRowsWithHeaderAndComments) {
 }
 
 TEST(UserProfile, NamesTheLineOfEveryMistake) {
-  EXPECT_EQ(messageForKnots("0,1\n0.5,0.2\n0.5,0.1\n1,0\n"), "p.csv:3: q must ascend: 0.5 after 0.5");
-  EXPECT_EQ(messageForKnots("0.1,1\n1,0\n"), "p.csv:1: the first q must be 0, not 0.1");
-  EXPECT_EQ(messageForKnots("0,0.9\n1,0\n"), "p.csv:1: the value at q = 0 must be 1, not 0.9");
-  EXPECT_EQ(messageForKnots("0,1\n0.9,0\n"), "p.csv:2: the last q must be 1, not 0.9");
-  EXPECT_EQ(messageForKnots("0,1\n1,0.01\n"), "p.csv:2: the value at q = 1 must be 0, not 0.01");
-  EXPECT_EQ(messageForKnots("0,1\n1.5,0\n"), "p.csv:2: q must not go beyond 1, the rim; it is 1.5");
-  EXPECT_EQ(messageForKnots("0,1\n0.5,0.2,7\n1,0\n"), "p.csv:2: a row is q,value");
-  EXPECT_EQ(messageForKnots("0,1\n"), "p.csv: a profile needs at least two rows q,value");
-  EXPECT_EQ(messageForKnots(""), "p.csv: a profile needs at least two rows q,value");
+  support::expectEach(messageForKnots, {{"0,1\n0.5,0.2\n0.5,0.1\n1,0\n", "p.csv:3: q must ascend: 0.5 after 0.5"},
+                                        {"0.1,1\n1,0\n", "p.csv:1: the first q must be 0, not 0.1"},
+                                        {"0,0.9\n1,0\n", "p.csv:1: the value at q = 0 must be 1, not 0.9"},
+                                        {"0,1\n0.9,0\n", "p.csv:2: the last q must be 1, not 0.9"},
+                                        {"0,1\n1,0.01\n", "p.csv:2: the value at q = 1 must be 0, not 0.01"},
+                                        {"0,1\n1.5,0\n", "p.csv:2: q must not go beyond 1, the rim; it is 1.5"},
+                                        {"0,1\n0.5,0.2,7\n1,0\n", "p.csv:2: a row is q,value"},
+                                        {"0,1\n", "p.csv: a profile needs at least two rows q,value"},
+                                        {"", "p.csv: a profile needs at least two rows q,value"}});
   EXPECT_EQ(messageForKnots("0,1\n0.5,many\n1,0\n").substr(0, 8), "p.csv:2:");
   EXPECT_EQ(messageForKnots("0,1\nq,value\n1,0\n").substr(0, 8), "p.csv:2:") << "a header stands in front only";
   EXPECT_EQ(messageForKnots("0,1\n0.5,nan\n1,0\n").substr(0, 8), "p.csv:2:");

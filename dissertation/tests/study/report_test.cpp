@@ -12,6 +12,7 @@
 #include "report/page/report_html.h"
 #include "report/tests/report/texts_apart.h"
 #include "support/error_message.h"
+#include "support/expect_each.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::study {
@@ -99,10 +100,10 @@ void expectTablesWithoutHoles(const StudyPage& page) {
 }  // namespace
 
 TEST(ReportHtml, EscapesTextAndShowsCode) {
-  EXPECT_EQ(htmlText("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
-  EXPECT_EQ(htmlText("run `palpate x` now"), "run <code>palpate x</code> now");
-  EXPECT_EQ(htmlText("a single ` stays"), "a single ` stays");
-  EXPECT_EQ(htmlText("**a** and **b**, **c"), "<strong>a</strong> and <strong>b</strong>, **c");
+  support::expectEach(htmlText, {{"a < b & \"c\"", "a &lt; b &amp; &quot;c&quot;"},
+                                 {"run `palpate x` now", "run <code>palpate x</code> now"},
+                                 {"a single ` stays", "a single ` stays"},
+                                 {"**a** and **b**, **c", "<strong>a</strong> and <strong>b</strong>, **c"}});
 }
 
 TEST(Report, IsWellFormedAndHoldsEveryFigure) {

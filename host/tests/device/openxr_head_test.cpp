@@ -23,14 +23,8 @@ namespace palpate::device {
 namespace {
 
 // Numbers of the specification, not those of the code that is tested.
-constexpr int kStateStopping = 6;
-constexpr int kStateLossPending = 7;
-constexpr int kStateExiting = 8;
-constexpr int kStateIdle = 1;
-constexpr int kStateReady = 2;
-constexpr int kErrorInstanceLost = -13;
-constexpr int kErrorSessionLost = -17;
-constexpr int kErrorTimeInvalid = -30;
+enum SpecifiedState { kStateIdle = 1, kStateReady = 2, kStateStopping = 6, kStateLossPending = 7, kStateExiting = 8 };
+enum SpecifiedError { kErrorInstanceLost = -13, kErrorSessionLost = -17, kErrorTimeInvalid = -30 };
 
 /// The double as it was when it was loaded; at the end no call broke the specification and no instance is left.
 class OpenXrHeadset : public testing::Test {

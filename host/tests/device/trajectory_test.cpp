@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/error_message.h"
+#include "support/expect_each.h"
 
 namespace palpate::device {
 namespace {
@@ -20,17 +21,18 @@ TEST(Trajectory, ReadsRowsWithAndWithoutHeader) {
 }
 
 TEST(Trajectory, NamesTheLineAndTheCause) {
-  EXPECT_EQ(messageOf("0,1,2,3\n1,1,2\n"), "path.csv:2: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 3");
-  EXPECT_EQ(messageOf("0,1,2,3,4\n"), "path.csv:1: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 5");
-  EXPECT_EQ(messageOf("0,1,2,3\n1,1,two,3\n"), "path.csv:2: y_mm is not a number: 'two'");
-  EXPECT_EQ(messageOf("0,1,2,3\n1,,2,3\n"), "path.csv:2: x_mm is not a number: ''");
-  EXPECT_EQ(messageOf("0,1,2,nan\n"), "path.csv:1: z_mm is nan");
-  EXPECT_EQ(messageOf("0,1,2,inf\n"), "path.csv:1: z_mm is inf");
-  EXPECT_EQ(messageOf("0,1,2,3\n\n0,1,2,3\n"), "path.csv:3: time does not increase: 0 s after 0 s");
-  EXPECT_EQ(messageOf("t_ms,x,y,z\n0,1,2,3\n"), "path.csv:1: expected the header t_s,x_mm,y_mm,z_mm or numbers");
-  EXPECT_EQ(messageOf("0,1,2,2e9\n"), "path.csv:1: z_mm = 2000000000 is out of range: -1,000,000,000 to 1,000,000,000");
-  EXPECT_EQ(messageOf("5,1,2,3\n60005,1,2,3\n"),
-            "path.csv:2: t_s = 60005 is 60000 s after the first row: a trajectory lasts at most 50,000 s");
+  support::expectEach(
+      messageOf, {{"0,1,2,3\n1,1,2\n", "path.csv:2: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 3"},
+                  {"0,1,2,3,4\n", "path.csv:1: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 5"},
+                  {"0,1,2,3\n1,1,two,3\n", "path.csv:2: y_mm is not a number: 'two'"},
+                  {"0,1,2,3\n1,,2,3\n", "path.csv:2: x_mm is not a number: ''"},
+                  {"0,1,2,nan\n", "path.csv:1: z_mm is nan"},
+                  {"0,1,2,inf\n", "path.csv:1: z_mm is inf"},
+                  {"0,1,2,3\n\n0,1,2,3\n", "path.csv:3: time does not increase: 0 s after 0 s"},
+                  {"t_ms,x,y,z\n0,1,2,3\n", "path.csv:1: expected the header t_s,x_mm,y_mm,z_mm or numbers"},
+                  {"0,1,2,2e9\n", "path.csv:1: z_mm = 2000000000 is out of range: -1,000,000,000 to 1,000,000,000"},
+                  {"5,1,2,3\n60005,1,2,3\n",
+                   "path.csv:2: t_s = 60005 is 60000 s after the first row: a trajectory lasts at most 50,000 s"}});
   EXPECT_EQ(messageOf(std::string_view("0,1,2,3\n\0\1\2,,,\n", 15)), "path.csv:2: not a text table (byte 0x00)");
   EXPECT_EQ(messageOf("t_s,x_mm,y_mm,z_mm\n"), "path.csv: empty trajectory: no rows");
   EXPECT_EQ(messageOf(""), "path.csv: empty trajectory: no rows");

@@ -8,13 +8,12 @@
 #include <cmath>
 #include <csignal>
 
+#include "host/tests/engine/small_worlds.h"
 #include "lab/counters/thread_counts.h"
 #include "palpate/base/error.h"
 #include "palpate/engine/fingers.h"
 #include "palpate/engine/recording_replay.h"
-#include "palpate/mesh/files/save.h"
 #include "support/error_message.h"
-#include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
 
@@ -47,16 +46,9 @@ device::Device strokingDevice(double rhythm) {
 
 class RecorderOf : public testing::Test {
  protected:
-  RecorderOf() { mesh::save(folder_ / "sheet.ply", zoo::grid(20, 200.0)); }
-
   ServoPlan plan(double stiffness) const {
-    scene::Scene scene;
-    scene.file = folder_ / "scene.toml";
-    scene.body.kind = scene::BodyKind::mesh;
-    scene.body.file = folder_ / "sheet.ply";
+    scene::Scene scene = sheetOfTwo(folder_);
     scene.stiffness.constant_n_per_mm = stiffness;
-    scene.fingers.resize(2);
-    scene.fingers[1].radius_mm = 8.0;
     const auto world = scene::build(scene);
     ServoPlan plan = servoPlan(world, fingerSettings(world->scene, 2));
     plan.other_body = false;

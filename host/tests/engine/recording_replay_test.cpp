@@ -8,13 +8,12 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "host/tests/engine/small_worlds.h"
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
 #include "palpate/engine/fingers.h"
 #include "palpate/engine/recording_settings.h"
 #include "palpate/engine/servo_thread.h"
-#include "palpate/mesh/files/save.h"
-#include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
 
@@ -26,8 +25,7 @@ device::Device troubledDevice(std::uint64_t seed) {
   device::Device device;
   device.name = "troubled";
   device.read_tip = [random = Random(seed)](std::uint64_t tick) mutable {
-    const double t = 0.001 * static_cast<double>(tick);
-    const Vec3 tip(100.0 + 30.0 * std::sin(3.0 * t), 100.0 + 20.0 * std::cos(2.0 * t), -4.0 + 7.0 * std::sin(9.0 * t));
+    const Vec3 tip = slidingTip(0.001 * static_cast<double>(tick), -4.0);
     if (random.below(200) == 0) return device::kNoPlace;
     if (random.below(300) == 0) return Vec3(tip + Vec3(0, 0, 25));
     return random.below(400) == 0 ? Vec3(Vec3::Constant(1e9)) : tip;
@@ -38,18 +36,9 @@ device::Device troubledDevice(std::uint64_t seed) {
 
 class RecordingReplay : public testing::Test {
  protected:
-  RecordingReplay() { mesh::save(folder_ / "sheet.ply", zoo::grid(20, 200.0)); }
-
   std::shared_ptr<const scene::World> worldOf(double stiffness) const {
-    scene::Scene scene;
-    scene.file = folder_ / "scene.toml";
-    scene.body.kind = scene::BodyKind::mesh;
-    scene.body.file = folder_ / "sheet.ply";
+    scene::Scene scene = sheetOfTwo(folder_);
     scene.stiffness.constant_n_per_mm = stiffness;
-    scene.fingers.resize(2);
-    scene.fingers[0].name = "left";
-    scene.fingers[1].name = "right";
-    scene.fingers[1].radius_mm = 8.0;
     return scene::build(scene);
   }
 

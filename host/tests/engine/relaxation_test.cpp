@@ -17,23 +17,12 @@
 namespace palpate::engine {
 namespace {
 
-scene::Scene relaxingScene() {
-  scene::Scene scene;
-  scene.tissue.relaxation = {0.3, 0.2, 0.2, 1.0};
-  scene.fingers.resize(2);
-  scene.fingers[0].name = "left";
-  scene.fingers[1].name = "right";
-  scene.fingers[1].radius_mm = 8.0;
-  return scene;
-}
-
 /// Presses, slides, leaves faster than the skin follows, comes back, and fails now and then.
 device::Device restlessDevice(std::uint64_t seed) {
   device::Device device;
   device.name = "restless";
   device.read_tip = [random = Random(seed)](std::uint64_t tick) mutable {
-    const double t = 0.001 * static_cast<double>(tick);
-    const Vec3 tip(100.0 + 30.0 * std::sin(3.0 * t), 100.0 + 20.0 * std::cos(2.0 * t), -2.0 + 7.0 * std::sin(9.0 * t));
+    const Vec3 tip = slidingTip(0.001 * static_cast<double>(tick), -2.0);
     return random.below(300) == 0 ? device::kNoPlace : tip;
   };
   device.write_force = [](const Vec3&) {};
@@ -53,11 +42,8 @@ class Relaxation : public testing::Test {
  protected:
   std::filesystem::path file() const { return folder_ / "run.session"; }
   std::shared_ptr<const scene::World> world() const {
-    mesh::save(folder_ / "sheet.ply", zoo::grid(20, 200.0));
-    scene::Scene scene = relaxingScene();
-    scene.file = folder_ / "scene.toml";
-    scene.body.kind = scene::BodyKind::mesh;
-    scene.body.file = folder_ / "sheet.ply";
+    scene::Scene scene = sheetOfTwo(folder_);
+    scene.tissue.relaxation = {0.3, 0.2, 0.2, 1.0};
     return scene::build(scene);
   }
   /// How much the force was relaxed at most, mm.

@@ -6,6 +6,7 @@
 #include "palpate/base/error.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
+#include "support/expect_each.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::scene {
@@ -69,12 +70,13 @@ TEST(DeformationKeys, FidelityReachesTheForms) {
 }
 
 TEST(DeformationKeys, NamesWhatDoesNotGoTogether) {
-  EXPECT_EQ(messageFor("[deformation]\nprofile = \"user\"\n" + kFinger),
-            "s.toml:1: [deformation] profile = \"user\" needs profile_file");
-  EXPECT_EQ(messageFor("[deformation]\ntangential_profile_file = \"mine.csv\"\n" + kFinger),
-            "s.toml:1: [deformation] tangential_profile_file is read only with tangential_profile = \"user\"");
-  EXPECT_EQ(messageFor("[deformation]\ncontours = \"c.csv\"\n" + kFinger),
-            "s.toml:1: [deformation] contours is read only with shape = \"contour\"");
+  support::expectEach(
+      messageWithFinger,
+      {{"[deformation]\nprofile = \"user\"\n", "s.toml:1: [deformation] profile = \"user\" needs profile_file"},
+       {"[deformation]\ntangential_profile_file = \"mine.csv\"\n",
+        "s.toml:1: [deformation] tangential_profile_file is read only with tangential_profile = \"user\""},
+       {"[deformation]\ncontours = \"c.csv\"\n",
+        "s.toml:1: [deformation] contours is read only with shape = \"contour\""}});
   EXPECT_TRUE(messageFor("[deformation]\nprofile = \"gauss\"\n" + kFinger)
                   .starts_with("s.toml:2: [deformation] profile must be \"half_gaussian\" or"));
   EXPECT_EQ(messageFor("[deformation]\nprofile_entries = 1\n" + kFinger),

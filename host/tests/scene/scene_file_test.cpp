@@ -9,6 +9,7 @@
 #include "host/tests/scene/scene_text.h"
 #include "palpate/base/error.h"
 #include "support/error_message.h"
+#include "support/expect_each.h"
 
 namespace palpate::scene {
 namespace {
@@ -108,37 +109,32 @@ refresh_s = 0.03
 }
 
 TEST(SceneFile, SuggestsTheNearestKey) {
-  EXPECT_EQ(messageFor("[friction]\nstatik = 0.5\n" + kFinger),
-            "s.toml:2: unknown key 'statik' in [friction]; did you mean 'static'?");
-  EXPECT_EQ(messageFor("[[dysfunction]]\nradius_cm = 2\n" + kFinger),
-            "s.toml:2: unknown key 'radius_cm' in [[dysfunction]]; did you mean 'radius_mm'?");
-  EXPECT_EQ(messageFor("[fricton]\nstatic = 0.5\n" + kFinger),
-            "s.toml:1: unknown key 'fricton'; did you mean 'friction'?");
-  EXPECT_EQ(messageFor("[output]\nbanana = 1\n" + kFinger),
-            "s.toml:2: unknown key 'banana' in [output]; known: surfaces_at_s, forces");
+  support::expectEach(
+      messageWithFinger,
+      {{"[friction]\nstatik = 0.5\n", "s.toml:2: unknown key 'statik' in [friction]; did you mean 'static'?"},
+       {"[[dysfunction]]\nradius_cm = 2\n",
+        "s.toml:2: unknown key 'radius_cm' in [[dysfunction]]; did you mean 'radius_mm'?"},
+       {"[fricton]\nstatic = 0.5\n", "s.toml:1: unknown key 'fricton'; did you mean 'friction'?"},
+       {"[output]\nbanana = 1\n", "s.toml:2: unknown key 'banana' in [output]; known: surfaces_at_s, forces"}});
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a\"\nscript = [{ do = \"press\", by_mm = [1, 2] }]\n"),
             "s.toml:3: unknown key 'by_mm' in [[finger]] script press; known: do, seconds, depth_mm");
 }
 
 TEST(SceneFile, NamesWrongTypesAndRanges) {
-  EXPECT_EQ(messageFor("[friction]\nstatic = \"0.46\"\n" + kFinger),
-            "s.toml:2: [friction] static must be a number, not a text");
-  EXPECT_EQ(messageFor("[friction]\nstatic = -1\n" + kFinger),
-            "s.toml:2: [friction] static = -1 is out of range: 0 to 5");
-  EXPECT_EQ(messageFor("[stiffness]\nconstant_n_per_mm = 0\n" + kFinger),
-            "s.toml:2: [stiffness] constant_n_per_mm = 0 is out of range: above 0 and at most 100");
-  EXPECT_EQ(messageFor("[stiffness]\nconstant_n_per_mm = nan\n" + kFinger),
-            "s.toml:2: [stiffness] constant_n_per_mm must be finite");
-  EXPECT_EQ(messageFor("[contact]\nforce_shading = 1\n" + kFinger),
-            "s.toml:2: [contact] force_shading must be true or false, not a number");
-  EXPECT_EQ(messageFor("[body]\nkind = \"tors\"\n" + kFinger),
-            "s.toml:2: [body] kind must be \"trunk\" or \"torso\" or \"back\" or \"mesh\", not \"tors\"; did you mean "
-            "\"torso\"?");
-  EXPECT_EQ(messageFor("title = 5\n" + kFinger), "s.toml:1: title must be a text in quotes, not a number");
-  EXPECT_EQ(messageFor("[output]\nsurfaces_at_s = 3\n" + kFinger),
-            "s.toml:2: [output] surfaces_at_s must be a list of numbers, not a number");
-  EXPECT_EQ(messageFor("[output]\nsurfaces_at_s = [1, \"2\"]\n" + kFinger),
-            "s.toml:2: [output] surfaces_at_s must be a number, not a text");
+  support::expectEach(
+      messageWithFinger,
+      {{"[friction]\nstatic = \"0.46\"\n", "s.toml:2: [friction] static must be a number, not a text"},
+       {"[friction]\nstatic = -1\n", "s.toml:2: [friction] static = -1 is out of range: 0 to 5"},
+       {"[stiffness]\nconstant_n_per_mm = 0\n",
+        "s.toml:2: [stiffness] constant_n_per_mm = 0 is out of range: above 0 and at most 100"},
+       {"[stiffness]\nconstant_n_per_mm = nan\n", "s.toml:2: [stiffness] constant_n_per_mm must be finite"},
+       {"[contact]\nforce_shading = 1\n", "s.toml:2: [contact] force_shading must be true or false, not a number"},
+       {"[body]\nkind = \"tors\"\n",
+        "s.toml:2: [body] kind must be \"trunk\" or \"torso\" or \"back\" or \"mesh\", not \"tors\"; did you mean "
+        "\"torso\"?"},
+       {"title = 5\n", "s.toml:1: title must be a text in quotes, not a number"},
+       {"[output]\nsurfaces_at_s = 3\n", "s.toml:2: [output] surfaces_at_s must be a list of numbers, not a number"},
+       {"[output]\nsurfaces_at_s = [1, \"2\"]\n", "s.toml:2: [output] surfaces_at_s must be a number, not a text"}});
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a\"\nat_mm = [1, 2, 3]\nscript = [{ do = \"hold\" }]\n"),
             "s.toml:3: [[finger]] at_mm must be 2 numbers, not 3");
   EXPECT_EQ(messageFor("[dysfunction]\nx_mm = 1\n" + kFinger),
@@ -154,11 +150,10 @@ TEST(SceneFile, NeedsNoFingersForAWorldButForARun) {
 }
 
 TEST(SceneFile, NamesWhatIsMissingOrContradicts) {
-  EXPECT_EQ(messageFor("[body]\nkind = \"mesh\"\n" + kFinger), "s.toml:1: [body] of kind \"mesh\" needs a file");
-  EXPECT_EQ(messageFor("[body]\nfile = \"a.obj\"\n" + kFinger),
-            "s.toml:1: [body] has a file but is not of kind \"mesh\"");
-  EXPECT_EQ(messageFor("[friction]\nstatic = 0.3\n" + kFinger),
-            "s.toml:1: [friction] dynamic must not be above static");
+  support::expectEach(messageWithFinger,
+                      {{"[body]\nkind = \"mesh\"\n", "s.toml:1: [body] of kind \"mesh\" needs a file"},
+                       {"[body]\nfile = \"a.obj\"\n", "s.toml:1: [body] has a file but is not of kind \"mesh\""},
+                       {"[friction]\nstatic = 0.3\n", "s.toml:1: [friction] dynamic must not be above static"}});
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a\"\n"), "s.toml:1: [[finger]] needs either a trajectory or a script");
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a,b\"\nscript = [{ do = \"hold\" }]\n"),
             "s.toml:1: [[finger]] name may hold letters, digits, '-' and '_' only");

@@ -15,5 +15,7 @@ inline const std::string kFinger = "[[finger]]\nname = \"index\"\nscript = [{ do
 inline std::string messageFor(const std::string& toml) {
   return support::messageOf([&] { parse(toml, "s.toml"); });
 }
+/// The same of a scene with that finger.
+inline std::string messageWithFinger(const std::string& toml) { return messageFor(toml + kFinger); }
 
 }  // namespace palpate::scene

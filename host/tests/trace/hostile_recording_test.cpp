@@ -9,6 +9,7 @@
 #include "palpate/trace/recording_reader.h"
 #include "palpate/trace/recording_schema.h"
 #include "support/error_message.h"
+#include "support/sound_recording.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::trace {
@@ -16,23 +17,11 @@ namespace {
 
 constexpr const char* kNeverEnds =
     "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i AS position, 'tick' AS name, 'u64' AS "
-    "type "
-    "FROM n WHERE i < 0";
+    "type FROM n WHERE i < 0";
 
 class HostileRecording : public testing::Test {
  protected:
-  HostileRecording() {
-    RecordingWriter writer(file_,
-                           {.started_utc = utcNow(), .software = "test", .machine = "bench", .notes = {}, .tags = {}},
-                           {{"index", "mouse"}});
-    writer.add(RecordingWorld{"[body]\n", "/", "torso", 1, 1, {{"", ""}}});
-    for (std::uint64_t tick = 0; tick < 400; ++tick) {
-      Sample sample;
-      sample.tick = tick;
-      writer.add(sample);
-    }
-    writer.finish("done");
-  }
+  HostileRecording() { support::writeSoundRecording(file_); }
   /// As somebody else's program would: with all that SQLite can.
   void change(const std::string& sql) const {
     sqlite3* database = nullptr;
@@ -88,8 +77,7 @@ TEST_F(HostileRecording, OtherBlanksAndCommentsAreTheSameTable) {
   EXPECT_NE(refusal().find(kRest), std::string::npos);
   change(
       "DROP TABLE fingers; CREATE TABLE fingers( -- of \"mine\"\n  id INTEGER PRIMARY KEY,\n name TEXT NOT NULL, "
-      "device "
-      "TEXT NOT NULL, capabilities TEXT NOT NULL DEFAULT '', placed TEXT NOT NULL DEFAULT ''\n) STRICT");
+      "device TEXT NOT NULL, capabilities TEXT NOT NULL DEFAULT '', placed TEXT NOT NULL DEFAULT ''\n) STRICT");
   EXPECT_EQ(refusal().find("holds the"), std::string::npos) << refusal();
 }
 

@@ -1,6 +1,5 @@
 // The measuring view against pictures that a person has looked at. Photograph, dots and numbers are made up, so that
 // no measuring has a say in it.
-#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -8,8 +7,7 @@
 #include "measure/window/measuring_window.h"
 #include "palpate/view/offscreen.h"
 #include "palpate/window/gui.h"
-#include "pictures/image_compare.h"
-#include "view/viewer/panels/widgets.h"
+#include "view/tests/viewer/gui_picture.h"
 
 namespace palpate::viewer {
 namespace {
@@ -19,20 +17,9 @@ class MeasuringPictures : public testing::Test {
   MeasuringPictures() { fillView(view, pictures_); }
 
   void expect(const std::string& name, int width, int height) {
-    const view::Target target(width, height);
-    for (int frame = 0; frame < 3; ++frame) {
-      gui_.begin(Vec2(width, height), 1.0, 1.0 / 60.0, {});
-      widgetPlaces().clear();
+    expectGuiPicture(gui_, name, Vec2(width, height), 1.0, [&] {
       measuringWindow(view, {0.0f, 0.0f, static_cast<float>(width), static_cast<float>(height)}, requests);
-      gui_.end();
-    }
-    target.bind();
-    glClearColor(0.35f, 0.35f, 0.35f, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
-    gui_.present(target.width(), target.height());
-    support::Tolerance tolerance;
-    tolerance.bad_in_block = 0.03;
-    support::expectPicture(name, target.read(), view::rendererName(), tolerance);
+    });
   }
 
   MeasuringView view;

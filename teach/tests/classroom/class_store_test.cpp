@@ -250,8 +250,7 @@ TEST_F(ClassStoreTest, ARoleThatDoesNotOwnTheTablesIsNotToldDeleted) {
     EXPECT_EQ(owner.notErased(), "");
     owner.rows().sql().run(
         "DROP ROLE IF EXISTS helper; CREATE ROLE helper LOGIN; GRANT SELECT, INSERT, UPDATE, DELETE ON ALL TABLES IN "
-        "SCHEMA "
-        "public TO helper; DROP ROLE IF EXISTS stranger; CREATE ROLE stranger LOGIN");
+        "SCHEMA public TO helper; DROP ROLE IF EXISTS stranger; CREATE ROLE stranger LOGIN");
   }
   const auto as = [&](const std::string& role) {
     std::string connection = connection_;

@@ -26,8 +26,7 @@ std::vector<std::string> shapeOf(Store& store) {
   std::vector<std::string> shape;
   for (const SqlValues& row : store.rows().sql().ask(
            "SELECT t.name || '.' || c.name || ' ' || c.type || ' ' || c.\"notnull\" || ' ' || coalesce(c.dflt_value, "
-           "'') "
-           "|| ' ' || c.pk FROM sqlite_schema t, pragma_table_info(t.name) c WHERE t.type = 'table' ORDER BY 1")) {
+           "'') || ' ' || c.pk FROM sqlite_schema t, pragma_table_info(t.name) c WHERE t.type = 'table' ORDER BY 1")) {
     shape.push_back(std::get<std::string>(row[0]));
   }
   for (const SqlValues& row :

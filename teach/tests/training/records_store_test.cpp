@@ -116,14 +116,22 @@ TEST(RecordsStore, OutboxHoldsWhatAClassHasNotAcknowledged) {
   EXPECT_EQ(again.waitingCount(), waiting.size() - 2);
 }
 
+/// One trial in a new file, of which every row waits for a class.
+struct WaitingRecords {
+  WaitingRecords() {
+    store.fillOutbox(true);
+    store.keepAny(history.rows);
+  }
+  support::TemporaryFolder folder;
+  samples::History history = samples::history(1, 1, 1);
+  Store store{folder / "a.results", Store::Open::create_too};
+};
+
 TEST(RecordsStore, AcknowledgingAnOldStateLeavesTheNewOneWaiting) {
-  const support::TemporaryFolder folder;
-  const samples::History history = samples::history(1, 1, 1);
-  Store store(folder / "a.results", Store::Open::create_too);
-  store.fillOutbox(true);
-  store.keepAny(history.rows);
+  WaitingRecords records;
+  Store& store = records.store;
   const std::vector<std::string> first = waitingKeys(store);
-  auto block = std::get<BlockRow>(history.rows[5]);
+  auto block = std::get<BlockRow>(records.history.rows[5]);
   const Uuid old_key = outboxKey(AnyRow(block));
   block.state_json = R"({"seed":"7","outcomes":[1,2]})";
   const Row newer = block;
@@ -174,11 +182,8 @@ TEST(RecordsStore, TwoProgramsKeepAtOnce) {
 }
 
 TEST(RecordsStore, WhatAClassRefusedStaysAndIsTriedAgainWhenAsked) {
-  const support::TemporaryFolder folder;
-  const samples::History history = samples::history(1, 1, 1);
-  Store store(folder / "a.results", Store::Open::create_too);
-  store.fillOutbox(true);
-  store.keepAny(history.rows);
+  WaitingRecords records;
+  Store& store = records.store;
   const std::vector<std::string> keys = waitingKeys(store);
   store.refused(std::span(keys).first(2), "not yours");
   EXPECT_EQ(waitingKeys(store).size(), keys.size() - 2);
@@ -189,12 +194,9 @@ TEST(RecordsStore, WhatAClassRefusedStaysAndIsTriedAgainWhenAsked) {
 }
 
 TEST(RecordsStore, ADeletionThatWasHeardOfStandsBetweenWhatWasAndWhatComes) {
-  const support::TemporaryFolder folder;
-  const samples::History history = samples::history(1, 1, 1);
-  Store store(folder / "a.results", Store::Open::create_too);
-  store.fillOutbox(true);
-  store.keepAny(history.rows);
-  const TraineeRow who = history.trainees[0];
+  WaitingRecords records;
+  Store& store = records.store;
+  const TraineeRow who = records.history.trainees[0];
   const std::vector<std::string> marks = {deletedMark(who.id)};
   store.hearDeleted(marks);
   store.hearDeleted(marks);

@@ -11,7 +11,6 @@
 
 #include "palpate/engine/recording_replay.h"
 #include "palpate/engine/recording_settings.h"
-#include "palpate/mesh/files/save.h"
 #include "palpate/trace/recording_reader.h"
 #include "palpate/training/records/trainee_code.h"
 #include "palpate/training/session/trial_scene.h"
@@ -19,6 +18,7 @@
 #include "palpate/training/trainee/imagined_touch.h"
 #include "palpate/training/trainee/trainee_course.h"
 #include "support/error_message.h"
+#include "support/mesh_scene.h"
 #include "support/temporary_folder.h"
 #include "teach/tests/training/twelve.h"
 
@@ -63,13 +63,7 @@ scene::Scene fingertipScene() {
 
 class Trainee : public testing::Test {
  protected:
-  Trainee() {
-    mesh::save(folder_ / "back.ply", backPatch());
-    scene::Scene scene = fingertipScene();
-    scene.body.kind = scene::BodyKind::mesh;
-    scene.body.file = folder_ / "back.ply";
-    body_ = scene::build(scene);
-  }
+  Trainee() { body_ = scene::build(support::meshScene(folder_ / "back.ply", backPatch(), fingertipScene())); }
 
   TrialWorlds worlds() const { return {*body_, protocol_, SessionKind::pre_test, sites_}; }
 

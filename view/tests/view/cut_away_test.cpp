@@ -109,13 +109,8 @@ TEST(CutAway, LaysTheFingerOnTheSkinThatGaveWay) {
 }
 
 TEST(CutAway, ShowsHowFarAMobileLumpHasMoved) {
-  scene::LumpSettings mobile = lumpAt(kLumpX, kLumpY);
-  mobile.mobility_mm_per_n = 20.0;
-  const auto world = lumpyTorso({mobile});
-  FingerMark finger = fingertipAt(*world, kLumpX - 6.0, kLumpY, 4.0);
-  finger.contact.lump = 0;
-  finger.contact.lump_moved_mm = Vec2(3.0, 0.0);
-  const CutAway cut = cutOf(*world, finger);
+  const MovedLump made = movedLump(4.0, 3.0);
+  const CutAway cut = cutOf(*made.world, made.finger);
   EXPECT_NEAR(cut.lumps[0].moved_mm, 3.0, 1e-12);
   EXPECT_GT(cut.lumps[0].middle.x(), 7.0) << "9 mm away along the map now, not 6, on skin that slopes";
   ASSERT_FALSE(cut.lumps[0].placed.empty()) << "and where it was";

@@ -40,14 +40,9 @@ TEST(LumpPictures, OfThePressureOverALumpOfFiveMillimetres) {
 }
 
 TEST(LumpPictures, OfACutAwayThroughAMobileLump) {
-  scene::LumpSettings mobile = lumpAt(kLumpX, kLumpY);
-  mobile.mobility_mm_per_n = 20.0;
-  const auto world = lumpyTorso({mobile});
-  FingerMark finger = fingertipAt(*world, kLumpX - 6.0, kLumpY, 6.0);
-  finger.contact.lump = 0;
-  finger.contact.lump_moved_mm = Vec2(2.5, 0.0);
-  expectTaken("lump_cut", world, &finger,
-              closeTo(*world, kLumpX, kLumpY, {Overlay::cut, Overlay::pressure, Overlay::lumps}));
+  const MovedLump made = movedLump(6.0, 2.5);
+  expectTaken("lump_cut", made.world, &made.finger,
+              closeTo(*made.world, kLumpX, kLumpY, {Overlay::cut, Overlay::pressure, Overlay::lumps}));
 }
 
 TEST(LumpPictures, OfLumpsUnderTranslucentSkin) {

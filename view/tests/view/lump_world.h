@@ -58,4 +58,19 @@ inline FingerMark fingertipAt(const scene::World& world, double x_mm, double y_m
   return mark;
 }
 
+/// A lump that slides, and the finger beside it that has moved it to the right.
+struct MovedLump {
+  std::shared_ptr<const scene::World> world;
+  FingerMark finger;
+};
+inline MovedLump movedLump(double depth_mm, double moved_mm) {
+  scene::LumpSettings mobile = lumpAt(kLumpX, kLumpY);
+  mobile.mobility_mm_per_n = 20.0;
+  MovedLump made{lumpyTorso({mobile}), {}};
+  made.finger = fingertipAt(*made.world, kLumpX - 6.0, kLumpY, depth_mm);
+  made.finger.contact.lump = 0;
+  made.finger.contact.lump_moved_mm = Vec2(moved_mm, 0.0);
+  return made;
+}
+
 }  // namespace palpate::view

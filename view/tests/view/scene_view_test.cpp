@@ -73,8 +73,7 @@ TEST(SceneView, RefusesWhatItDoesNotKnow) {
   EXPECT_NE(support::messageOf([] { parsed("show = [\"wirefame\"]"); }).find("\"wireframe\""), std::string::npos);
   EXPECT_EQ(support::messageOf([] { parsed("side = \"inside\""); }),
             "test.toml:2: [view] side must be \"back\" or \"left\" or \"right\" or \"above\" or \"front\" or \"table\" "
-            "or \"below\", not "
-            "\"inside\"");
+            "or \"below\", not \"inside\"");
 }
 
 }  // namespace

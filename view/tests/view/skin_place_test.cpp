@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "palpate/base/error.h"
-#include "palpate/mesh/files/save.h"
 #include "support/changed_body.h"
+#include "support/mesh_scene.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
@@ -16,11 +16,7 @@ namespace {
 class SkinPlaceOnABall : public testing::Test {
  protected:
   void SetUp() override {
-    mesh::save(folder_ / "ball.ply", zoo::sphere(100.0, 5));
-    scene::Scene scene;
-    scene.body.kind = scene::BodyKind::mesh;
-    scene.body.file = folder_ / "ball.ply";
-    world_ = *scene::build(scene);
+    world_ = *scene::build(support::meshScene(folder_ / "ball.ply", zoo::sphere(100.0, 5)));
     support::changeBody(*world_, [](scene::Body& body) {
       body.anatomy.landmarks = {{"spinous_T6", "T6", {0, 0, 103}, Vec3::UnitZ(), {0, 0, 80}},
                                 {"xiphoid_tip", "sternum", {0, 10, -98}, -Vec3::UnitZ(), {0, 10, -80}}};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/error_message.h"
+#include "support/expect_each.h"
 
 namespace palpate::viewer {
 namespace {
@@ -39,13 +40,15 @@ TEST(InputScript, KnowsEveryKeyOfTheTableByItsName) {
 }
 
 TEST(InputScript, NamesTheLineOfWhatItDoesNotUnderstand) {
-  const auto error = [](const char* text) { return support::messageOf([&] { parseInputScript(text, "s.csv"); }); };
-  EXPECT_EQ(error("0, wave\n"), "s.csv:1: there is no event 'wave'");
-  EXPECT_EQ(error("0, move, 1, 2\n1, down\n"), "s.csv:2: 'down' needs a button: left, right or middle");
-  EXPECT_EQ(error("0, down, thumb\n"), "s.csv:1: 'thumb' is not a button: left, right or middle");
-  EXPECT_EQ(error("0, key, F77\n"), "s.csv:1: there is no key 'F77' (the F1 page lists them)");
-  EXPECT_EQ(error("1, close\n0, close\n"), "s.csv:2: times must not go back");
-  EXPECT_EQ(error("0, size, 3, 3\n"), "s.csv:1: pixels = 3 is out of range: 16 to 16,384");
+  const auto error = [](const std::string& text) {
+    return support::messageOf([&] { parseInputScript(text, "s.csv"); });
+  };
+  support::expectEach(error, {{"0, wave\n", "s.csv:1: there is no event 'wave'"},
+                              {"0, move, 1, 2\n1, down\n", "s.csv:2: 'down' needs a button: left, right or middle"},
+                              {"0, down, thumb\n", "s.csv:1: 'thumb' is not a button: left, right or middle"},
+                              {"0, key, F77\n", "s.csv:1: there is no key 'F77' (the F1 page lists them)"},
+                              {"1, close\n0, close\n", "s.csv:2: times must not go back"},
+                              {"0, size, 3, 3\n", "s.csv:1: pixels = 3 is out of range: 16 to 16,384"}});
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "palpate/base/stopwatch.h"
-#include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
+#include "support/mesh_scene.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
@@ -17,11 +17,8 @@ namespace palpate::viewer {
 namespace {
 
 std::shared_ptr<const scene::World> sheet(const support::TemporaryFolder& folder, double stiffness) {
-  scene::Scene scene;
-  scene.body.kind = scene::BodyKind::mesh;
-  scene.body.file = folder / "sheet.ply";
+  scene::Scene scene = support::meshScene(folder / "sheet.ply", zoo::grid(20, 200.0));
   scene.stiffness.constant_n_per_mm = stiffness;
-  if (!std::filesystem::exists(scene.body.file)) mesh::save(scene.body.file, zoo::grid(20, 200.0));
   return scene::build(scene);
 }
 

@@ -1,6 +1,5 @@
 // Every panel, the plots, the pages and the notices against pictures that a person has looked at (image_compare.h).
 // What they show is made up, so that no clock and no thread has a say in it.
-#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -12,7 +11,7 @@
 
 #include "palpate/base/text.h"
 #include "palpate/view/offscreen.h"
-#include "pictures/image_compare.h"
+#include "view/tests/viewer/gui_picture.h"
 #include "view/viewer/panels/gui_layout.h"
 #include "view/viewer/panels/hints.h"
 #include "view/viewer/panels/preview_pane.h"
@@ -85,20 +84,7 @@ class PanelPictures : public testing::Test {
   /// Width and height in points; over the grey that stands for the body.
   void expect(const std::string& name, int width, int height, const std::function<void()>& draw) {
     gui_.setTheme(theme);
-    const view::Target target(static_cast<int>(width * pixels_per_point), static_cast<int>(height * pixels_per_point));
-    for (int frame = 0; frame < kFramesToSettle; ++frame) {
-      gui_.begin(Vec2(width, height), pixels_per_point, 1.0 / 60.0, {});
-      widgetPlaces().clear();
-      draw();
-      gui_.end();
-    }
-    target.bind();
-    glClearColor(0.35f, 0.35f, 0.35f, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
-    gui_.present(target.width(), target.height());
-    support::Tolerance tolerance;
-    tolerance.bad_in_block = kLetter;
-    support::expectPicture(name, target.read(), view::rendererName(), tolerance);
+    expectGuiPicture(gui_, name, Vec2(width, height), pixels_per_point, draw);
   }
 
   void pressTwice() {
@@ -124,8 +110,6 @@ class PanelPictures : public testing::Test {
                  21.25);
   }
 
-  static constexpr int kFramesToSettle = 3;  // windows that fit their contents know them after a frame
-  static constexpr double kLetter = 0.03;    ///< of a block: what a lost letter leaves, also in a large picture
   scene::Scene scene;
   WorldFacts world{.name = "torso",
                    .triangles = 20389,

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "palpate/base/random.h"
-#include "palpate/mesh/files/save.h"
+#include "support/mesh_scene.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
@@ -16,11 +16,7 @@ const Vec2 kSize(1000, 800);
 class PointerOn : public testing::Test {
  protected:
   void SetUp() override {
-    mesh::save(folder / "ball.ply", zoo::sphere(80.0, 4));
-    scene::Scene scene;
-    scene.body.kind = scene::BodyKind::mesh;
-    scene.body.file = folder / "ball.ply";
-    world = scene::build(scene);
+    world = scene::build(support::meshScene(folder / "ball.ply", zoo::sphere(80.0, 4)));
     viewer.camera.distance_mm = 400.0;
     look();
   }

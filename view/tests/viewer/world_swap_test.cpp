@@ -6,9 +6,10 @@
 #include <fstream>
 #include <thread>
 
-#include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/mesh/files/save.h"
+#include "support/error_message.h"
+#include "support/mesh_scene.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
@@ -30,20 +31,12 @@ TEST(SceneFromFile, PutsTheFingersOfTheSceneBeforeOnAMesh) {
 }
 
 TEST(SceneFromFile, NamesAFileThatCannotBeRead) {
-  try {
-    sceneFromFile("/no/such/thing.toml", {});
-    FAIL() << "no such file";
-  } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("/no/such/thing.toml"), std::string::npos) << error.what();
-  }
+  const std::string message = support::messageOf([] { sceneFromFile("/no/such/thing.toml", {}); });
+  EXPECT_NE(message.find("/no/such/thing.toml"), std::string::npos) << message;
 }
 
 scene::Scene ballScene(const support::TemporaryFolder& folder, double radius_mm) {
-  scene::Scene scene;
-  scene.body.kind = scene::BodyKind::mesh;
-  scene.body.file = folder / (radius_mm > 50.0 ? "large.ply" : "small.ply");
-  mesh::save(scene.body.file, zoo::sphere(radius_mm, 3));
-  return scene;
+  return support::meshScene(folder / (radius_mm > 50.0 ? "large.ply" : "small.ply"), zoo::sphere(radius_mm, 3));
 }
 
 /// A window's session and servo, without the window.
