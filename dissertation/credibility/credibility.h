@@ -59,8 +59,8 @@ enum class RiskLevel : std::uint8_t { low, medium, high };
 /// What the model is used for: the user's to say, the defaults are what the product is made for.
 struct ContextOfUse {
   std::string question =
-      "Does a finger feel, and the eye see, of a soft body what layered tissue over bone gives, well enough to teach "
-      "and examine palpation?";
+      "Are the force under a finger and the dent that is seen close enough to those of layered tissue over bone to "
+      "teach and examine palpation?";
   std::string context =
       "Force and skin under one fingertip, pressed and dragged at 1 kHz, shown to people who learn or examine "
       "palpation. No patient is examined or treated by it.";

@@ -175,7 +175,7 @@ std::string htmlOf(const CredibilityFile& file) {
   head.about = file.holds() ? "Every number of this file comes from the run that wrote it, and every bar holds."
                             : "Every number of this file comes from the run that wrote it. A bar is BROKEN.";
   if (file.quick) head.about += " This was a quick run: for a look at the file, not for its numbers.";
-  head.about += fmt::format(" In the shape of {}.", kStandard);
+  head.about += fmt::format(" Standard: {}.", kStandard);
   head.command = file.command;
   head.machine = file.machine;
   head.seconds = file.seconds;

@@ -233,17 +233,19 @@ TEST(Devices, TheClutchKeyLeavesTheFingerWhereItIs) {
   held.open();
   held.press();
   const Vec3 tip = held.settledTip();
+  // There is no tip while the double's clock is late, as it is at times on a busy machine.
+  const auto is_there = [&] { return (held.devices().fingers[0].reading.tip - tip).norm() < 1e-9; };
   window::InputEvent u{.kind = window::InputEvent::Kind::key, .down = true, .key = window::key('U')};
   held.stage.frame({u});
   ASSERT_TRUE(held.stage.until([&] { return held.devices().fingers[0].reading.state.clutched; }));
   EXPECT_TRUE(held.stage.until([&] { return held.force() == 0.0; }));
   held.moveTo({0, 0, 20});
-  EXPECT_LT((held.devices().fingers[0].reading.tip - tip).norm(), 1e-9);
+  EXPECT_TRUE(held.stage.until(is_there));
   EXPECT_GT(held.stage.finger(0).depth_mm, 1.0) << "it is still seen to press";
   u.down = false;
   held.stage.frame({u});
   ASSERT_TRUE(held.stage.until([&] { return !held.devices().fingers[0].reading.state.clutched; }));
-  EXPECT_LT((held.devices().fingers[0].reading.tip - tip).norm(), 1e-9);
+  EXPECT_TRUE(held.stage.until(is_there));
   EXPECT_EQ(held.force(), 0.0) << "inside: nothing before it has been outside";
   held.moveTo({0, 0, 50});
   EXPECT_NEAR(held.settledTip().z() - tip.z(), 30.0, 1e-6);
