@@ -23,7 +23,7 @@ if("${program}" IS_NEWER_THAN "${list}")
   foreach(suite IN LISTS suites)
     # Suites of many tests begin first, so that none is left over for one core in the end.
     string(APPEND text "add_test(\"${folder}.${suite}\" \"${program}\" --gtest_brief=1 \"--gtest_filter=${suite}.*\")\n"
-                       "set_tests_properties(\"${folder}.${suite}\" PROPERTIES WORKING_DIRECTORY \"${where}\" TIMEOUT 1800 COST ${tests_of_${suite}})\n")
+                       "set_tests_properties(\"${folder}.${suite}\" PROPERTIES WORKING_DIRECTORY \"${where}\" COST ${tests_of_${suite}})\n")
   endforeach()
   file(WRITE "${list}" "${text}")
 endif()
