@@ -7,47 +7,11 @@ import pathlib
 import re
 import shutil
 import subprocess
-import sys
 import tarfile
 import tempfile
-from dataclasses import dataclass
 
-from release import archives, notes, shared_objects
-
-HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-PYTHON = "/usr/bin/python3" if os.path.exists("/usr/bin/python3") else sys.executable  # the one that the module is built for
-
-
-@dataclass
-class Release:
-    out: pathlib.Path
-    build: pathlib.Path
-    site: pathlib.Path
-    version: str
-    epoch: int
-    key: pathlib.Path | None
-
-
-class Missing(Exception):
-    """Something is not built or not installed; said in one line."""
-
-
-def run(*command, **options) -> str:
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **options)
-    if done.returncode != 0:
-        raise Missing(f"{' '.join(map(str, command[:4]))}: {(done.stderr or done.stdout).strip()[-1500:]}")
-    return done.stdout
-
-
-def wanted(file: pathlib.Path, how: str) -> pathlib.Path:
-    if not file.exists():
-        raise Missing(f"{file} is not there: {how}")
-    return file
-
-
-def stripped(file: pathlib.Path) -> None:
-    run("strip", "--strip-unneeded", file)
+from release import archives, c_library, licences, notes, portable, shared_objects, unity
+from release.basics import HERE, PYTHON, ROOT, Missing, Release, run, wanted
 
 
 # ---- text
@@ -132,67 +96,6 @@ def make_deb(release: Release) -> None:
     shutil.rmtree(folder)
 
 
-# ---- the C library
-
-
-CONFIG = """# palpate::c, the C interface of Palpate, with everything that it loads beside it.
-get_filename_component(palpate_prefix "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
-if(NOT TARGET palpate::c)
-  add_library(palpate::c SHARED IMPORTED)
-  set_target_properties(palpate::c PROPERTIES IMPORTED_LOCATION "${palpate_prefix}/lib/libpalpate.so.0"
-                        IMPORTED_SONAME libpalpate.so.0 INTERFACE_INCLUDE_DIRECTORIES "${palpate_prefix}/include")
-endif()
-unset(palpate_prefix)
-"""
-CONFIG_VERSION = """set(PACKAGE_VERSION "@VERSION@")
-string(REGEX MATCH "^[0-9]+\\\\.[0-9]+" palpate_own "${PACKAGE_VERSION}")
-string(REGEX MATCH "^[0-9]+\\\\.[0-9]+" palpate_asked "${PACKAGE_FIND_VERSION}")
-if(palpate_own STREQUAL palpate_asked AND NOT PACKAGE_FIND_VERSION VERSION_GREATER PACKAGE_VERSION)
-  set(PACKAGE_VERSION_COMPATIBLE TRUE)
-endif()
-"""
-C_README = """Palpate {version}: the C library for Linux on x86-64, glibc {glibc} or later (Debian 12, Ubuntu 22.04, ...)
-
-  export PKG_CONFIG_PATH=$PWD/lib/pkgconfig
-  cc -ffp-contract=off examples/touch.c $(pkg-config --cflags --libs palpate) -Wl,-rpath,$PWD/lib -o touch && ./touch
-
-With CMake: find_package(palpate_c {version}), target palpate::c, CMAKE_PREFIX_PATH=$PWD. C# and Unity: share/palpate/csharp.
-The folder may lie anywhere. lib/palpate holds what the library loads, under names of its own; licences are in share/licenses.
-"""
-
-
-def make_c(release: Release) -> None:
-    built = release.build / "bindings/c"
-    name = f"palpate-c-{release.version}-linux-x86_64"
-    with tempfile.TemporaryDirectory() as folder:
-        tree = pathlib.Path(folder) / name
-        for part in ("include", "lib/pkgconfig", "lib/cmake/palpate_c", "share/palpate/csharp", "share/licenses", "examples"):
-            (tree / part).mkdir(parents=True)
-        library = tree / "lib" / f"libpalpate.so.{release.version}"
-        shutil.copyfile(wanted(built / library.name, "ninja -C build/release palpate_c"), library)
-        library.chmod(0o755)
-        stripped(library)
-        brought = shared_objects.self_contained([library], tree / "lib/palpate")
-        shared_objects.licences(brought, tree / "share/licenses")
-        (tree / "lib/libpalpate.so.0").symlink_to(library.name)
-        (tree / "lib/libpalpate.so").symlink_to("libpalpate.so.0")
-        shutil.copyfile(ROOT / "LICENSE", tree / "share/licenses/palpate")
-        shutil.copyfile(ROOT / "bindings/c/palpate.h", tree / "include/palpate.h")
-        shutil.copyfile(ROOT / "bindings/c/samples/Palpate.cs", tree / "share/palpate/csharp/Palpate.cs")
-        pc = (ROOT / "bindings/c/palpate.pc.in").read_text()
-        for key, value in (("CMAKE_INSTALL_LIBDIR", "lib"), ("CMAKE_INSTALL_INCLUDEDIR", "include"), ("PROJECT_VERSION", release.version),
-                           ("PROJECT_DESCRIPTION", "Haptic palpation: feel, see and measure touch on a soft body")):
-            pc = pc.replace(f"@{key}@", value)
-        (tree / "lib/pkgconfig/palpate.pc").write_text(pc)
-        (tree / "lib/cmake/palpate_c/palpate_c-config.cmake").write_text(CONFIG)
-        (tree / "lib/cmake/palpate_c/palpate_c-config-version.cmake").write_text(CONFIG_VERSION.replace("@VERSION@", release.version))
-        for example in ("touch.c", "CMakeLists.txt"):
-            shutil.copyfile(HERE / "first" / example, tree / "examples" / example)
-        glibc = shared_objects.newest_symbol([library, *(tree / "lib/palpate").glob("*.so*")], "GLIBC")
-        (tree / "README").write_text(C_README.format(version=release.version, glibc=".".join(map(str, glibc))))
-        archives.tar_gz(release.out / f"{name}.tar.gz", tree, name, release.epoch)
-
-
 # ---- the wheel
 
 
@@ -218,7 +121,8 @@ def make_wheel(release: Release) -> None:
         modules = sorted(package.glob("*.so"))
         brought = shared_objects.self_contained(modules, unpacked / "palpate.libs")
         info = next(unpacked.glob("*.dist-info"))
-        shared_objects.licences(brought, info / "licenses")
+        (info / "licenses").mkdir(exist_ok=True)
+        licences.of_this_machine(info / "licenses", brought, release.build, ["palpate_python_core", "palpate_python_view"])
         shutil.copyfile(ROOT / "LICENSE", info / "licenses/LICENSE")
         files = [*modules, *(unpacked / "palpate.libs").iterdir()]
         glibc = shared_objects.newest_symbol(files, "GLIBC")
@@ -236,7 +140,8 @@ def make_wheel(release: Release) -> None:
 
 
 MAKERS = {"notes": make_notes, "source": make_source, "npm": make_npm, "deb": make_deb, "sdist": make_sdist, "wheel": make_wheel,
-          "c": make_c, "sbom": make_sbom, "bits": make_bits}
+          "c": c_library.make_c, "c-arm64": c_library.make_c_arm64, "c-windows": c_library.make_c_windows, "unity": unity.make_unity,
+          "portable": portable.make_portable, "sbom": make_sbom, "bits": make_bits}
 
 
 def bind(release: Release) -> None:

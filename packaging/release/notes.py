@@ -14,7 +14,10 @@ HOW = """
 | `*.whl` | Python 3.11 on Linux: `pip install ./palpate-*.whl` | `import palpate` |
 | `palpate-{version}.tar.gz` | Python from source: compiles for a quarter of an hour | `pip install ./palpate-{version}.tar.gz` |
 | `palpate-{version}.tgz` | node and browsers: `npm install ./palpate-{version}.tgz` | `import {{ load }} from 'palpate'` |
-| `palpate-c-*.tar.gz` | C library for Linux on x86-64, self-contained | its README |
+| `palpate-c-*-linux-*.tar.gz` | C library for Linux on x86-64 and ARM64, self-contained | its README |
+| `palpate-c-*-windows-x86_64.zip` | C library for Windows; not tried on Windows itself | its README |
+| `org.palpate.unity-{version}.tgz` | Unity: *Package Manager > Add package from tarball*; not tried in Unity itself | its README |
+| `palpate-{version}-linux-x86_64.tar.gz` | the command in a folder for Linux with glibc 2.35 | `bin/palpate` |
 | `palpate-{version}-source.tar.gz` | everything | `./run`, `./test` |
 | `*.spdx.json`, `*-bits.jsonl` | bill of materials; hashes of forces that every platform gives | |
 """
@@ -30,14 +33,24 @@ def section(changelog: str, name: str) -> str:
     return found[1].strip() + "\n" if found and found[1].strip() else ""
 
 
+def found_brief(entries: str) -> re.Match:
+    brief = re.match(r"### In short\n+(.*?)(?=^### )", entries, re.S | re.M)
+    if not brief:
+        raise NoNotes("the section of CHANGELOG.md must begin with '### In short': what a user wants to know, one page at most")
+    return brief
+
+
+def brief(changelog: str, version: str) -> str:
+    """What is in short, of what is unreleased, while there is something; then of the version."""
+    return found_brief(section(changelog, "Unreleased") or section(changelog, version))[1].strip()
+
+
 def cut(changelog: str, version: str) -> str:
     """Of what is unreleased, while there is something; then of the version."""
     unreleased = section(changelog, "Unreleased")
     title = f"{version}, and what came after it" if unreleased else version
     entries = unreleased or section(changelog, version)
-    brief = re.match(r"### In short\n+(.*?)(?=^### )", entries, re.S | re.M)
-    if not brief:
-        raise NoNotes("the section of CHANGELOG.md must begin with '### In short': what a user wants to know, one page at most")
+    brief = found_brief(entries)
     page = f"# Palpate {title}\n\n{brief[1].strip()}\n{HOW.format(version=version)}"
     lines = page.splitlines()
     if len(lines) > MAX_LINES or max(map(len, lines)) > MAX_LETTERS:

@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -11,43 +12,9 @@ import tarfile
 import tempfile
 import time
 
-from release import shared_objects
-from release.artefacts import HERE, PYTHON, ROOT
-
-KEPT = json.loads((HERE / "first/kept.json").read_text())
-TEST_KEY = HERE / "test_key/test.pub"
-# Nothing of this machine's setup: neither its folders of modules nor its libraries.
-CLEAN = {"PATH": "/usr/local/bin:/usr/bin:/bin", "HOME": "/nonexistent", "LC_ALL": "C.UTF-8"}
-
-
-class Failed(Exception):
-    pass
-
-
-class Skipped(Exception):
-    pass
-
-
-def run(*command, **options) -> str:
-    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, **({"env": CLEAN} | options))
-    if done.returncode != 0:
-        raise Failed(f"{' '.join(map(str, command[:5]))}: exit code {done.returncode}: {(done.stderr or done.stdout).strip()[-1200:]}")
-    return done.stdout
-
-
-def the(folder: pathlib.Path, pattern: str) -> pathlib.Path:
-    found = sorted(folder.glob(pattern))
-    if not found:
-        raise Skipped(f"there is no {pattern}")
-    return found[0]
-
-
-def felt(text: str, which: str) -> str:
-    """The line of forces must be the kept one."""
-    lines = [line for line in text.splitlines() if "force" in line]
-    if not lines or lines[-1] != KEPT[which]:
-        raise Failed(f"felt {lines[-1:]}; kept is {KEPT[which]}")
-    return "the kept forces"
+from release import trials_of_systems
+from release.basics import HERE, PYTHON, ROOT
+from release.trial import CLEAN, TEST_KEY, Failed, Skipped, felt, only_the_system, run, the, unpacked
 
 
 # ---- verify
@@ -143,9 +110,10 @@ def try_wheel(files: pathlib.Path, work: pathlib.Path, full) -> str:
 
 
 def try_sdist(files: pathlib.Path, work: pathlib.Path, full) -> str:
-    with tarfile.open(the(files, "palpate-[0-9]*[0-9].tar.gz")) as tar:
-        tar.extractall(work)
-    tree = the(work, "palpate-*")
+    sdist = [file for file in files.iterdir() if re.fullmatch(r"palpate-[\d.]+\.tar\.gz", file.name)]
+    if not sdist:
+        raise Skipped("there is no palpate-VERSION.tar.gz")
+    tree = unpacked(sdist[0], work)
     for file in ("PKG-INFO", "setup.py", "pyproject.toml", "LICENSE"):
         if not (tree / file).exists():
             raise Failed(f"it has no {file}")
@@ -162,22 +130,9 @@ def try_sdist(files: pathlib.Path, work: pathlib.Path, full) -> str:
     return felt(run(PYTHON, HERE / "first/touch.py", cwd=work, env=environment), "touch") + ", compiled"
 
 
-def only_the_system(files, work: pathlib.Path) -> None:
-    """What the loader takes lies in `work`, or is glibc's or the compiler's."""
-    for file in files:
-        if file.is_symlink():
-            continue
-        for line in run("ldd", file).splitlines():
-            name = line.split()[0]
-            if "not found" in line or (str(work.resolve()) not in line and not shared_objects.OF_THE_SYSTEM.match(pathlib.Path(name).name)):
-                raise Failed(f"{file.name} loads {line.strip()}")
-
-
 def try_c(files: pathlib.Path, work: pathlib.Path, _) -> str:
-    with tarfile.open(the(files, "palpate-c-*.tar.gz")) as tar:
-        tar.extractall(work)
-    tree = the(work, "palpate-c-*")
-    only_the_system([*(tree / "lib").glob("*.so"), *tree.glob("lib/*.so.*")], work)
+    tree = unpacked(the(files, "palpate-c-*-linux-x86_64.tar.gz"), work)
+    only_the_system(tree.rglob("*.so*"), work)
     flags = run("pkg-config", "--cflags", "--libs", "palpate", env=CLEAN | {"PKG_CONFIG_PATH": str(tree / "lib/pkgconfig")}).split()
     run("cc", "-Wall", "-Werror", "-std=c99", "-ffp-contract=off", tree / "examples/touch.c", *flags, f"-Wl,-rpath,{tree / 'lib'}", "-o", work / "touch")
     said = felt(run(work / "touch", cwd="/"), "touch")
@@ -285,8 +240,10 @@ def try_readme(files: pathlib.Path, work: pathlib.Path, full) -> str:
     return f"installed and felt in a fresh Debian 12 root: {', '.join(said)}"
 
 
-TRIALS = {"verify": try_verify, "notes, bill, hashes": try_text, "C library": try_c, "npm": try_npm, "wheel": try_wheel, "Debian": try_deb,
-          "source": try_source, "sdist": try_sdist, "README": try_readme}
+TRIALS = {"verify": try_verify, "notes, bill, hashes": try_text, "C library": try_c, "C library for ARM64": trials_of_systems.try_c_arm64,
+          "C library for Windows": trials_of_systems.try_c_windows, "Unity": trials_of_systems.try_unity,
+          "portable command": trials_of_systems.try_portable, "npm": try_npm, "wheel": try_wheel, "Debian": try_deb, "source": try_source,
+          "sdist": try_sdist, "README": try_readme}
 
 
 def check(files: pathlib.Path, version: str, full: bool) -> int:
