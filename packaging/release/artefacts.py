@@ -105,8 +105,9 @@ def record_row(file: pathlib.Path, name: str) -> str:
 
 
 def make_wheel(release: Release) -> None:
-    """The staged package, with what it loads beside it. palpate.measure is left out: OpenCV's codecs load 130 libraries."""
+    """The staged package, with the page and what it loads beside it. palpate.measure is left out: OpenCV's codecs load 130 libraries."""
     staged = wanted(release.build / "python", "ninja -C build/release palpate_python")
+    wanted(release.site / "palpate.wasm", "tools/build-web makes it")
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
         tree = sdist_tree(release, folder)
@@ -118,6 +119,7 @@ def make_wheel(release: Release) -> None:
         package = unpacked / "palpate"
         for file in package.glob("_measure.*.so"):
             file.unlink()
+        shutil.copytree(release.site, package / "web")
         modules = sorted(package.glob("*.so"))
         brought = shared_objects.self_contained(modules, unpacked / "palpate.libs")
         info = next(unpacked.glob("*.dist-info"))

@@ -28,6 +28,7 @@ def key_of(folder: pathlib.Path):
 
 def try_verify(files: pathlib.Path, work: pathlib.Path, _) -> str:
     """What `verify` says of the files as they are, and after every kind of change."""
+    the(files, "verify")
     copy = work / "copy"
     shutil.copytree(files, copy)
     key = key_of(copy)
@@ -97,6 +98,17 @@ def try_npm(files: pathlib.Path, work: pathlib.Path, _) -> str:
     return said + " in node and Chromium"
 
 
+# A cell's page, asked as a browser asks: where it lies, and how the engine begins.
+WIDGET = """
+import urllib.request, palpate.view
+from palpate.notebook import page_folder
+with palpate.view.widget() as page:
+    address = page.url.split("/#")[0]
+    assert b"<html" in urllib.request.urlopen(address + "/").read()
+    print(page_folder(), urllib.request.urlopen(address + "/palpate.wasm").read(4).hex(), sep="\\n")
+"""
+
+
 def try_wheel(files: pathlib.Path, work: pathlib.Path, full) -> str:
     wheel = the(files, "*.whl")
     start = time.monotonic()
@@ -104,9 +116,11 @@ def try_wheel(files: pathlib.Path, work: pathlib.Path, full) -> str:
     took = time.monotonic() - start
     environment = CLEAN | {"PYTHONPATH": str(work / "site"), "PYTHONDONTWRITEBYTECODE": "1"}
     said = felt(run(PYTHON, HERE / "first/touch.py", cwd=work, env=environment), "touch")
-    run(PYTHON, "-c", "import palpate.view", cwd=work, env=environment)
+    page = run(PYTHON, "-c", WIDGET, cwd=work, env=environment).splitlines()
+    if pathlib.Path(page[0]) != work.resolve() / "site/palpate/web" or page[1] != "0061736d":
+        raise Failed(f"palpate.view.widget() serves {page}")
     only_the_system((work / "site").rglob("*.so*"), work)
-    return f"{said}, installed in {took:.1f} s"
+    return f"{said}, a widget with its page, installed in {took:.1f} s"
 
 
 def try_sdist(files: pathlib.Path, work: pathlib.Path, full) -> str:

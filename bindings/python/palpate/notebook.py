@@ -60,7 +60,7 @@ _FRAMES = "frame-ancestors 'self' http://localhost:* http://127.0.0.1:* https://
 
 
 def page_folder(site: str | os.PathLike[str] | None = None) -> pathlib.Path:
-    """The folder of the built page: `site`, else $PALPATE_SITE, else the installed one, else that of a build.
+    """The folder of the built page: `site`, else $PALPATE_SITE, else the wheel's, the installed one, that of a build.
 
     Raises FileNotFoundError, which names what was looked at.
     """
@@ -72,7 +72,8 @@ def page_folder(site: str | os.PathLike[str] | None = None) -> pathlib.Path:
         here = pathlib.Path(__file__).resolve().parent
         # PREFIX/lib/python3/dist-packages/palpate, or build/release/python/palpate
         prefixes = [*list(here.parents)[3:4], pathlib.Path(sys.prefix), pathlib.Path("/usr/local"), pathlib.Path("/usr")]
-        candidates = [*(prefix / "share/palpate/web" for prefix in prefixes), *(build / "web/site" for build in list(here.parents)[2:3])]
+        installed = [prefix / "share/palpate/web" for prefix in prefixes]
+        candidates = [here / "web", *installed, *(build / "web/site" for build in list(here.parents)[2:3])]
     for folder in candidates:
         if (folder / "index.html").is_file() and (folder / "notebook.js").is_file():
             return folder

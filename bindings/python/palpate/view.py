@@ -126,7 +126,8 @@ def save(file: str | os.PathLike[str], picture: NDArray[np.uint8]) -> None:
 def widget(*, height: int = 640, site: str | os.PathLike[str] | None = None) -> Widget:
     """The page of `tools/build-web` for a cell of a notebook: press there, and have what was felt here.
 
-    height: of the cell, pixels. site: the page's folder; None: $PALPATE_SITE, the installed one, or that of a build.
+    height: of the cell, pixels. site: the page's folder; None: $PALPATE_SITE, the wheel's, the installed one, or that
+    of a build.
     See palpate.notebook.Widget. Raises FileNotFoundError where no page is built.
     """
     from palpate.notebook import Widget

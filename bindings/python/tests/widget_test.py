@@ -213,6 +213,16 @@ def test_a_page_that_is_not_built_is_said(tmp_path, monkeypatch):
         page_folder()
 
 
+def test_the_page_of_a_wheel_comes_before_that_of_the_system(site, tmp_path, monkeypatch):
+    monkeypatch.delenv("PALPATE_SITE", raising=False)
+    package = tmp_path / "lib/python3/dist-packages/palpate"
+    shutil.copytree(site, tmp_path / "share/palpate/web")
+    monkeypatch.setattr("palpate.notebook.__file__", str(package / "notebook.py"))
+    assert page_folder() == (tmp_path / "share/palpate/web").resolve()
+    shutil.copytree(site, package / "web")
+    assert page_folder() == (package / "web").resolve()
+
+
 # In place of the engine: a plane with one place, where a pressed finger feels 0.1 N. The rest is the page's own.
 STAND_IN = """
 import { Fingers } from './fingers.js';
