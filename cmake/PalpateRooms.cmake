@@ -54,7 +54,12 @@ function(palpate_add_rooms house prefix)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_link_libraries(${target} PRIVATE palpate_build Eigen3::Eigen fmt::fmt hwy::hwy)
     if(house STREQUAL host)
-      target_link_libraries(${target} PRIVATE ${PALPATE_ASSIMP_LIBRARY} tomlplusplus::tomlplusplus Threads::Threads)
+      target_link_libraries(${target} PRIVATE tomlplusplus::tomlplusplus Threads::Threads)
+      if(room STREQUAL mesh AND PALPATE_ASSIMP)
+        target_include_directories(${target} SYSTEM PRIVATE $<TARGET_PROPERTY:assimp::assimp,INTERFACE_INCLUDE_DIRECTORIES>)
+        set_property(SOURCE ${folder}/mesh/files/read_foreign.cpp PROPERTY COMPILE_DEFINITIONS
+                     PALPATE_ASSIMP_FILE="${PALPATE_ASSIMP_FILE}")
+      endif()
       if(room STREQUAL device) # what speaks to a maker's service
         target_link_libraries(${target} PRIVATE Boost::headers nlohmann_json::nlohmann_json)
       endif()

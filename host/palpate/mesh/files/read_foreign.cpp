@@ -1,13 +1,19 @@
 // Every other format (3mf, dae, fbx, ...) through assimp. Off by default: its readers are not hardened against hostile
 // files the way ours are, and an error of theirs names no place. The only file that knows assimp; it installs itself
 // while the program starts (as base/host_environment.cpp does) and is not compiled without assimp (PALPATE_ASSIMP=OFF).
+//
+// The library is opened when the first such file is read. Loaded with the program it would cost each start some 7 ms.
+#include <assimp/cimport.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
+#include <limits>
+#include <memory>
+#include <mutex>
 
 #include "palpate/base/error.h"
+#include "palpate/base/system/library.h"
 #include "palpate/mesh/files/detail/readers.h"
 
 // A name for the linker. NOLINTBEGIN(readability-identifier-naming)
@@ -42,10 +48,55 @@ void addTriangles(const aiMesh& part, TriangleMesh& mesh) {
   }
 }
 
+/// What is called of the library.
+struct Assimp {
+  decltype(&aiImportFileFromMemory) import = nullptr;
+  decltype(&aiReleaseImport) release = nullptr;
+  decltype(&aiGetErrorString) error = nullptr;  ///< of the last import, whichever thread's
+};
+
+template <class Function>
+void find(void* library, const char* name, Function& function) {
+  function = reinterpret_cast<Function>(system::symbolOf(library, name));
+  if (function == nullptr) throw Error(std::string(PALPATE_ASSIMP_FILE) + " has no " + name);
+}
+
+/// Throws Error where the library is not installed; the next call looks again.
+const Assimp& assimp() {
+  static const Assimp opened = [] {
+    const system::OpenedLibrary library = system::openLibrary(PALPATE_ASSIMP_FILE);
+    if (library.handle == nullptr) throw Error("this format needs assimp: " + library.words);
+    Assimp found;
+    find(library.handle, "aiImportFileFromMemory", found.import);
+    find(library.handle, "aiReleaseImport", found.release);
+    find(library.handle, "aiGetErrorString", found.error);
+    return found;
+  }();
+  return opened;
+}
+
+using Scene = std::unique_ptr<const aiScene, decltype(&aiReleaseImport)>;
+
+Scene imported(const MeshFile& file, const std::string& extension) {
+  if (file.bytes.size() > std::numeric_limits<unsigned>::max()) throw Error("assimp reads files up to 4 GB");
+  static std::mutex one_at_a_time;  // for the words of an error
+  const std::lock_guard lock(one_at_a_time);
+  Scene scene(assimp().import(file.bytes.data(), static_cast<unsigned>(file.bytes.size()), kSteps, extension.c_str()),
+              assimp().release);
+  if (scene == nullptr) throw Error(oneLine(assimp().error()));
+  return scene;
+}
+
+Scene importedOrNamed(const MeshFile& file, const std::string& extension) {
+  try {
+    return imported(file, extension);
+  } catch (const Error& error) {
+    throw Error::inFile(file.name, error.what());
+  }
+}
+
 TriangleMesh readByAssimp(const MeshFile& file, const std::string& extension) {
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(), kSteps, extension.c_str());
-  if (scene == nullptr) throw Error::inFile(file.name, oneLine(importer.GetErrorString()));
+  const Scene scene = importedOrNamed(file, extension);
   TriangleMesh mesh;
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) addTriangles(*scene->mMeshes[m], mesh);
   checkTriangleCount(mesh.triangles.size(), file.name);

@@ -1,0 +1,12 @@
+# assimp's headers and the name of the library, which is opened when a file is first read through it (mesh/files/read_foreign.cpp).
+find_package(assimp REQUIRED)
+get_target_property(configurations assimp::assimp IMPORTED_CONFIGURATIONS)
+foreach(configuration ${configurations})
+  get_target_property(name assimp::assimp IMPORTED_SONAME_${configuration})
+  if(name)
+    set(PALPATE_ASSIMP_FILE ${name})
+  endif()
+endforeach()
+if(NOT PALPATE_ASSIMP_FILE)
+  message(FATAL_ERROR "PALPATE_ASSIMP needs assimp as a shared library, whose name it asks for; -DPALPATE_ASSIMP=OFF does without")
+endif()
