@@ -31,4 +31,8 @@ class Background {
 /// How many pieces of work are worth starting at once, the caller's own among them; at least 1.
 std::size_t processors();
 
+/// Calls work(begin, end) for ranges that make up [0, count), on as many threads as there are processors, but on one
+/// for fewer than `least` items each. Returns when all are done and throws what the first of them threw.
+void shareOut(std::size_t count, std::size_t least, const std::function<void(std::size_t, std::size_t)>& work);
+
 }  // namespace palpate

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "palpate/base/background.h"
 #include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/contact/surface_walk.h"
@@ -51,13 +52,10 @@ double angleAt(const TriangleRecord& record, int corner) {
   return elementary::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-void fillVertices(SurfaceGeometry& geometry, std::size_t vertices, const Progress& progress) {
+void fillVertices(SurfaceGeometry& geometry, std::size_t vertices) {
   geometry.vertex_normals.assign(vertices, Vec3::Zero());
   geometry.vertex_on_border.assign(vertices, 0);
-  const std::size_t count = geometry.tree.records.size();
-  for (std::size_t r = 0; r < count; ++r) {
-    if (r % kReportedPart == 0) report(progress, kSurfaceStage, static_cast<double>(r) / static_cast<double>(count));
-    const TriangleRecord& record = geometry.tree.records[r];
+  for (const TriangleRecord& record : geometry.tree.records) {
     const Vec3 normal = mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
     for (int i = 0; i < 3; ++i) {
       geometry.vertex_normals[record.vertices[i]] += angleAt(record, i) * normal;
@@ -70,9 +68,9 @@ void fillVertices(SurfaceGeometry& geometry, std::size_t vertices, const Progres
 }
 
 /// Every triangle of a vertex must be reached by turning around it; otherwise the walk would miss some.
-void checkFans(const Surface& surface, const Progress& progress) {
-  std::vector<Index> triangles(surface.geometry->vertex_normals.size(), 0);
-  std::vector<Index> one_record(surface.geometry->vertex_normals.size(), kNoIndex);
+void checkFans(const Surface& surface, std::size_t vertex_count, const Progress& progress) {
+  std::vector<Index> triangles(vertex_count, 0);
+  std::vector<Index> one_record(vertex_count, kNoIndex);
   for (Index r = 0; r < surface.geometry->tree.records.size(); ++r) {
     const auto& vertices = surface.geometry->tree.records[r].vertices;
     if (vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0]) {
@@ -136,12 +134,12 @@ bool anyEdgeTwice(const mesh::TriangleMesh& mesh, const Surface& surface, const 
   return false;
 }
 
-bool touchesItself(const mesh::TriangleMesh& mesh, const Surface& surface, const Progress& progress) {
-  const std::vector<Index> same_as = mesh::equalVertices(mesh.positions, partOf(progress, 0.0, 0.6));
+bool anyPlaceTwice(const mesh::TriangleMesh& mesh) {
+  const std::vector<Index> same_as = mesh::equalVertices(mesh.positions);
   for (Index v = 0; v < same_as.size(); ++v) {
     if (same_as[v] != v) return true;
   }
-  return anyEdgeTwice(mesh, surface, partOf(progress, 0.6, 1.0));
+  return false;
 }
 
 /// Marks what has a vertex in common with an edge that pierces or with a triangle that is pierced: a ring more than
@@ -170,15 +168,21 @@ std::shared_ptr<const SurfaceGeometry> buildGeometry(const mesh::TriangleMesh& m
   const auto part = [&](double from, double to) {  // where self-intersections are sought, that is the other half
     return is_known ? partOf(progress, from, to) : partOf(progress, 0.5 * from, 0.5 * to);
   };
+  // What does not need each other goes on beside the caller; what is below lives until that has ended.
   const auto geometry = std::make_shared<SurfaceGeometry>();
-  geometry->tree = tree::buildTriangleTree(mesh, part(0.0, 0.7));
-  fillVertices(*geometry, mesh.positions.size(), part(0.7, 0.75));
+  bool place_twice = false;
+  Background comparing_places([&] { place_twice = anyPlaceTwice(mesh); });
+  geometry->tree = tree::buildTriangleTree(mesh, part(0.0, 0.8));
   const Surface surface{
       .geometry = geometry, .stiffness_n_per_mm = {}, .tissue_mm = {}, .force_law = {}};  // to walk on
-  checkFans(surface, part(0.75, 0.8));
+  Background filling_vertices([&] { fillVertices(*geometry, mesh.positions.size()); });
+  checkFans(surface, mesh.positions.size(), part(0.8, 0.85));
+  const bool edge_twice = anyEdgeTwice(mesh, surface, part(0.85, 1.0));
+  filling_vertices.join();
+  comparing_places.join();
   const auto& on_border = geometry->vertex_on_border;
   geometry->closed = std::find(on_border.begin(), on_border.end(), 1) == on_border.end();
-  geometry->touches_itself = touchesItself(mesh, surface, part(0.8, 1.0));
+  geometry->touches_itself = place_twice || edge_twice;
   if (self_intersecting.value_or(true)) findEntangled(mesh, *geometry, partOf(progress, 0.5, 1.0));
   geometry->self_intersecting = self_intersecting.value_or(!geometry->entangled.empty());
   return geometry;

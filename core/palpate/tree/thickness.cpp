@@ -1,9 +1,10 @@
 // One short segment a vertex, asked from its far end: what it enters there is the side where the part ends.
 // Data flow: tree and vertices of a body at load -> here -> deform::Skin::thickness_mm.
-#include "palpate/tree/triangle_tree.h"
-
 #include <cmath>
 #include <limits>
+
+#include "palpate/base/background.h"
+#include "palpate/tree/triangle_tree.h"
 
 namespace palpate::tree {
 
@@ -13,6 +14,8 @@ namespace {
 constexpr int kMaxSides = 8;
 /// The segment ends this share of it before the vertex, so that the vertex's own triangles are not met.
 constexpr double kBeforeTheVertex = 1e-3;
+/// To ask for as many takes 1 ms.
+constexpr std::size_t kSharedVertices = 4096;
 
 }  // namespace
 
@@ -34,10 +37,12 @@ double wayThrough(const TriangleTree& tree, const Vec3& at, const Vec3& inwards,
 std::vector<float> thicknessUpTo(const TriangleTree& tree, const std::vector<Vec3>& positions,
                                  const std::vector<Vec3>& normals, double most_mm) {
   std::vector<float> thickness(positions.size(), std::numeric_limits<float>::infinity());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    if (!positions[v].allFinite() || !(normals[v].squaredNorm() > 0.5)) continue;
-    thickness[v] = static_cast<float>(wayThrough(tree, positions[v], -normals[v], most_mm));
-  }
+  shareOut(positions.size(), kSharedVertices, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      if (!positions[v].allFinite() || !(normals[v].squaredNorm() > 0.5)) continue;
+      thickness[v] = static_cast<float>(wayThrough(tree, positions[v], -normals[v], most_mm));
+    }
+  });
   return thickness;
 }
 

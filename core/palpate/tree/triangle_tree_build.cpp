@@ -1,15 +1,19 @@
 // Builds the triangle tree: ranges of triangles are cut by the surface area heuristic until eight of them fill a node.
 //
 // Instead of a binary tree that is collapsed afterwards, each node cuts its own range: of the parts so far, the one
-// with the largest surface is cut next. A leaf is a part of at most kLeafTriangles.
+// with the largest surface is cut next. A leaf is a part of at most kLeafTriangles. What is below the root's children
+// is cut by several threads, each child by one, and put together in the order of the children: the same tree however
+// many there are. Neighbours of triangles and far plates are made beside that.
 //
 // Based on: Wald, "On fast construction of SAH-based bounding volume hierarchies" (2007) for the binned heuristic.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
 
+#include "palpate/base/background.h"
 #include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/topology.h"
@@ -21,6 +25,8 @@ namespace {
 
 constexpr std::size_t kLeafTriangles = 4;  // fewer cost nodes, more cost triangle tests
 constexpr int kBins = 16;
+/// Starting a thread costs as much as cutting a tenth of these.
+constexpr std::size_t kSharedTriangles = 20'000;
 constexpr std::string_view kTreeStage = "building the tree";
 /// Cutting fewer triangles, and all below them, takes less than 0.1 s.
 constexpr std::size_t kReportedCut = 50'000;
@@ -73,15 +79,27 @@ class Builder {
  public:
   Builder(const mesh::TriangleMesh& mesh, TriangleTree& tree, const Progress& progress)
       : tree_(tree), progress_(progress) {
-    items_.reserve(mesh.triangles.size());
-    for (Index t = 0; t < mesh.triangles.size(); ++t) items_.push_back({unitBox(mesh, mesh.triangles[t]), t});
+    items_.resize(mesh.triangles.size());
+    shareOut(items_.size(), kSharedTriangles, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) items_[t] = {unitBox(mesh, mesh.triangles[t]), static_cast<Index>(t)};
+    });
   }
 
   void build() {
     Range all{0, items_.size(), {}};
     for (const Item& item : items_) all.box.extend(item.box);
-    tree_.nodes.reserve(items_.size() / 12 + 1);  // about one node for 16 triangles
-    buildNode(all, 0);
+    std::array<Range, kNodeWidth> parts;
+    const int count = cutIntoParts(all, 0, parts, progress_);
+    addNode(parts, count, tree_.nodes);
+    const std::array<Nodes, kNodeWidth> below = cutBelow(parts, count);
+    std::size_t nodes = 1;
+    for (const Nodes& part : below) nodes += part.size();
+    tree_.nodes.reserve(nodes);
+    for (int i = 0; i < count; ++i) {
+      tree_.nodes[0].children[i] =
+          isLeaf(parts[i]) ? leafOf(parts[i]) : ChildLink::toNode(static_cast<std::uint32_t>(tree_.nodes.size()));
+      append(below[i]);
+    }
   }
 
   const std::vector<Item>& items() const { return items_; }
@@ -99,32 +117,77 @@ class Builder {
     return box;
   }
 
-  std::uint32_t buildNode(const Range& range, int level) {
+  using Nodes = AlignedVector<WideNode>;
+
+  /// The nodes below each part, which count from its own first.
+  std::array<Nodes, kNodeWidth> cutBelow(const std::array<Range, kNodeWidth>& parts, int count) {
+    std::array<Nodes, kNodeWidth> below;
+    std::atomic<int> next{0};
+    const auto work = [&](const Progress& progress) {
+      for (int i = next++; i < count; i = next++) {
+        if (!isLeaf(parts[i])) buildNode(parts[i], 1, below[i], progress);
+      }
+    };
+    const std::size_t workers = items_.size() < kSharedTriangles ? 1 : std::min<std::size_t>(processors(), count);
+    std::vector<Background> helpers;
+    for (std::size_t i = 1; i < workers; ++i) helpers.emplace_back([&] { work({}); });
+    try {
+      work(progress_);
+    } catch (...) {  // given up: the helpers end with the part that they are at
+      next = count;
+      throw;
+    }
+    for (Background& helper : helpers) helper.join();
+    return below;
+  }
+
+  void append(const Nodes& nodes) {
+    const auto first = static_cast<std::uint32_t>(tree_.nodes.size());
+    for (WideNode node : nodes) {
+      for (int i = 0; i < kNodeWidth; ++i) {
+        const bool is_used = node.low[0][i] <= node.high[0][i];
+        if (is_used && !node.children[i].isLeaf())
+          node.children[i] = ChildLink::toNode(first + node.children[i].node());
+      }
+      tree_.nodes.push_back(node);
+    }
+  }
+
+  /// Returns its index. Children are not linked yet.
+  static std::uint32_t addNode(const std::array<Range, kNodeWidth>& parts, int count, Nodes& nodes) {
+    const auto index = static_cast<std::uint32_t>(nodes.size());
+    nodes.emplace_back();
+    for (int i = 0; i < kNodeWidth; ++i) setBox(nodes[index], i, i < count ? parts[i].box : Box{});
+    return index;
+  }
+
+  std::uint32_t buildNode(const Range& range, int level, Nodes& nodes, const Progress& progress) {
     std::array<Range, kNodeWidth> parts;
-    const int count = cutIntoParts(range, level, parts);
-    const auto index = static_cast<std::uint32_t>(tree_.nodes.size());
-    tree_.nodes.emplace_back();
-    for (int i = 0; i < kNodeWidth; ++i) setBox(index, i, i < count ? parts[i].box : Box{});
+    const int count = cutIntoParts(range, level, parts, progress);
+    const std::uint32_t index = addNode(parts, count, nodes);
     for (int i = 0; i < count; ++i) {
       const ChildLink link =
-          isLeaf(parts[i]) ? ChildLink::toLeaf(static_cast<Index>(parts[i].begin), static_cast<Index>(parts[i].size()))
-                           : ChildLink::toNode(buildNode(parts[i], level + 1));
-      tree_.nodes[index].children[i] = link;
+          isLeaf(parts[i]) ? leafOf(parts[i]) : ChildLink::toNode(buildNode(parts[i], level + 1, nodes, progress));
+      nodes[index].children[i] = link;
     }
     return index;
   }
 
+  static ChildLink leafOf(const Range& range) {
+    return ChildLink::toLeaf(static_cast<Index>(range.begin), static_cast<Index>(range.size()));
+  }
+
   static bool isLeaf(const Range& range) { return range.size() <= kLeafTriangles; }
 
-  void setBox(std::uint32_t node, int slot, const Box& box) {
+  static void setBox(WideNode& node, int slot, const Box& box) {
     for (int axis = 0; axis < 3; ++axis) {
-      tree_.nodes[node].low[axis][slot] = box.low[axis];
-      tree_.nodes[node].high[axis][slot] = box.high[axis];
+      node.low[axis][slot] = box.low[axis];
+      node.high[axis][slot] = box.high[axis];
     }
   }
 
   /// Cuts the range into up to eight parts, the one with the largest surface first. Returns how many.
-  int cutIntoParts(const Range& range, int level, std::array<Range, kNodeWidth>& parts) {
+  int cutIntoParts(const Range& range, int level, std::array<Range, kNodeWidth>& parts, const Progress& progress) {
     parts[0] = range;
     int count = 1;
     while (count < kNodeWidth) {
@@ -137,17 +200,20 @@ class Builder {
       // Keep the parts in the order of their triangles: neighbours in space stay neighbours in memory.
       for (int i = count; i > largest + 1; --i) parts[i] = parts[i - 1];
       const Range whole = parts[largest];
+      if (whole.size() >= kReportedCut) reportFrom(whole.begin, progress);
       cut(whole, level, parts[largest], parts[largest + 1]);
       ++count;
     }
     return count;
   }
 
+  void reportFrom(std::size_t triangle, const Progress& progress) {
+    if (!progress) return;  // a helper's
+    done_ = std::max(done_, static_cast<double>(triangle) / static_cast<double>(items_.size()));
+    report(progress, kTreeStage, kBuilt * done_);
+  }
+
   void cut(const Range& range, int level, Range& left, Range& right) {
-    if (range.size() >= kReportedCut) {
-      done_ = std::max(done_, static_cast<double>(range.begin) / static_cast<double>(items_.size()));
-      report(progress_, kTreeStage, kBuilt * done_);
-    }
     const auto [axis, low, high] = widestAxis(range);
     std::size_t middle = range.begin;
     if (level < kHeuristicLevels && high > low) middle = partitionByHeuristic(range, axis, low, high, left, right);
@@ -246,7 +312,7 @@ class Builder {
 
   TriangleTree& tree_;
   const Progress& progress_;
-  double done_ = 0.0;
+  double done_ = 0.0;  // of what the caller has cut
   std::vector<Item> items_;
 };
 
@@ -277,28 +343,41 @@ void setUnitFrame(const mesh::TriangleMesh& mesh, TriangleTree& tree) {
   tree.to_unit = longest > 0.0 ? elementary::exp2(-std::ceil(elementary::log2(longest))) : 1.0;
 }
 
-void fillRecords(const mesh::TriangleMesh& mesh, const std::vector<Item>& items, TriangleTree& tree,
-                 const Progress& progress) {
-  const auto neighbours = mesh::neighboursOfTriangles(mesh);
-  report(progress, kTreeStage, 0.8);
+using Neighbours = std::vector<std::array<Index, 3>>;
+
+void fillRecords(const mesh::TriangleMesh& mesh, const std::vector<Item>& items, const Neighbours& neighbours,
+                 TriangleTree& tree, const Progress& progress) {
   std::vector<Index> record_of(items.size());
   for (Index r = 0; r < items.size(); ++r) record_of[items[r].triangle] = r;
   tree.records.resize(items.size());
   tree.source_triangle.resize(items.size());
-  for (Index r = 0; r < items.size(); ++r) {
-    if (r % kReportedCut == 0) {
-      report(progress, kTreeStage, 0.8 + 0.05 * static_cast<double>(r) / static_cast<double>(items.size()));
+  report(progress, kTreeStage, 0.82);
+  shareOut(items.size(), kSharedTriangles, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const Index t = items[r].triangle;
+      tree.source_triangle[r] = t;
+      TriangleRecord& record = tree.records[r];
+      record.vertices = mesh.triangles[t];
+      for (int i = 0; i < 3; ++i) {
+        record.corners[i] = mesh.positions[record.vertices[i]];
+        const Index neighbour = neighbours[t][i];
+        record.neighbours[i] = neighbour == kNoIndex ? kNoIndex : record_of[neighbour];
+      }
     }
-    const Index t = items[r].triangle;
-    tree.source_triangle[r] = t;
-    TriangleRecord& record = tree.records[r];
-    record.vertices = mesh.triangles[t];
-    for (int i = 0; i < 3; ++i) {
-      record.corners[i] = mesh.positions[record.vertices[i]];
-      const Index neighbour = neighbours[t][i];
-      record.neighbours[i] = neighbour == kNoIndex ? kNoIndex : record_of[neighbour];
-    }
-  }
+  });
+}
+
+/// Nodes with their boxes, and records. What only that needs, 44 bytes a triangle, is gone afterwards.
+void buildBoxes(const mesh::TriangleMesh& mesh, TriangleTree& tree, const Progress& progress) {
+  Neighbours neighbours;
+  Background finding_neighbours([&] { neighbours = mesh::neighboursOfTriangles(mesh); });
+  Builder builder(mesh, tree, progress);
+  builder.build();
+  tree.nodes.shrink_to_fit();
+  report(progress, kTreeStage, kBuilt);
+  finding_neighbours.join();
+  report(progress, kTreeStage, 0.8);
+  fillRecords(mesh, builder.items(), neighbours, tree, progress);
 }
 
 }  // namespace
@@ -307,14 +386,12 @@ TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh, const Progress& p
   check(mesh);
   TriangleTree tree;
   setUnitFrame(mesh, tree);
-  Builder builder(mesh, tree, progress);
-  builder.build();
-  tree.nodes.shrink_to_fit();
-  report(progress, kTreeStage, kBuilt);
-  fillRecords(mesh, builder.items(), tree, progress);
+  buildBoxes(mesh, tree, progress);
+  // One writes the plates in the nodes, the other reads only boxes and children there.
+  Background filling_far_plates([&] { fillFarPlates(tree); });
   fillPlates(tree, [&](std::string_view, double done) { report(progress, kTreeStage, 0.85 + 0.1 * done); });
   report(progress, kTreeStage, 0.95);
-  fillFarPlates(tree);
+  filling_far_plates.join();
   report(progress, kTreeStage, 1.0);
   return tree;
 }

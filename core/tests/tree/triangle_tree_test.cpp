@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <set>
 
 #include "lab/workloads/workload_meshes.h"
+#include "palpate/base/environment.h"
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
 #include "palpate/tree/exact_predicates.h"
@@ -46,6 +48,21 @@ double bruteDistance2(const mesh::TriangleMesh& mesh, const Vec3& point) {
 
 void scale(mesh::TriangleMesh& mesh, double factor, const Vec3& shift) {
   for (Vec3& p : mesh.positions) p = p * factor + shift;
+}
+
+TriangleTree builtBy(const mesh::TriangleMesh& mesh, std::size_t (*threads)()) {
+  const Environment before = environment();
+  Environment own = before;
+  own.processors = threads;
+  useEnvironment(own);
+  TriangleTree tree = buildTriangleTree(mesh);
+  useEnvironment(before);
+  return tree;
+}
+
+template <class Items>
+bool sameBytes(const Items& a, const Items& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
 
 }  // namespace
@@ -194,6 +211,16 @@ TEST(TriangleTree, OneTriangleAndOnePointWork) {
   EXPECT_EQ(nearestPoint(buildTriangleTree(one), {0.2, 0.2, 1}, 2.0).closest.point, Vec3(0.2, 0.2, 0));
   const mesh::TriangleMesh dot{{{3, 0, 0}}, {{0, 0, 0}}};
   EXPECT_EQ(nearestPoint(buildTriangleTree(dot), {4, 0, 0}, 2.0).closest.point, Vec3(3, 0, 0));
+}
+
+TEST(TriangleTree, IsTheSameHoweverManyThreadsBuildIt) {
+  const mesh::TriangleMesh back = lab::backMesh(100'000);
+  const TriangleTree by_one = builtBy(back, [] { return std::size_t{1}; });
+  const TriangleTree by_five = builtBy(back, [] { return std::size_t{5}; });
+  EXPECT_TRUE(sameBytes(by_one.nodes, by_five.nodes));
+  EXPECT_TRUE(sameBytes(by_one.records, by_five.records));
+  EXPECT_TRUE(sameBytes(by_one.source_triangle, by_five.source_triangle));
+  EXPECT_TRUE(sameBytes(by_one.far_plates, by_five.far_plates));
 }
 
 TEST(TriangleTree, RefusesWhatItCannotHold) {
