@@ -200,16 +200,16 @@ def try_text(files: pathlib.Path, work: pathlib.Path, _) -> str:
 
 
 def install_lines() -> list:
-    """The commands of README.md that install, without their comments."""
+    """The commands of README.md that install, without their comments and as they are asked for."""
     section = (ROOT / "README.md").read_text().split("## Install", 1)[1].split("```")[1]
     return [line.split("#")[0].strip() for line in section.strip().splitlines() if line.strip()]
 
 
-def in_root(root: pathlib.Path, words: str) -> str:
+def in_root(root: pathlib.Path, words: str, **environment) -> str:
     """By a shell in the root, in /files, with /proc and without anything else of this machine."""
     inside = f"mount -t proc proc {root}/proc && exec chroot {root} /bin/sh -ec 'cd /files; {words}'"
-    return run("unshare", "-m", "--propagation", "private", "sh", "-ec", inside, env=CLEAN | {"HOME": "/root", "DEBIAN_FRONTEND": "noninteractive",
-                                                                                         "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"})
+    return run("unshare", "-m", "--propagation", "private", "sh", "-ec", inside, env=CLEAN | environment | {
+        "HOME": "/root", "DEBIAN_FRONTEND": "noninteractive", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"})
 
 
 def fresh_root(files: pathlib.Path, work: pathlib.Path) -> pathlib.Path:
@@ -219,38 +219,84 @@ def fresh_root(files: pathlib.Path, work: pathlib.Path) -> pathlib.Path:
     run("debootstrap", "--variant=minbase", "--include=python3-venv,python3-numpy", "bookworm", root, env=os.environ | {})
     shutil.copyfile("/etc/resolv.conf", root / "etc/resolv.conf")
     shutil.copytree(files, root / "files")
-    shutil.copyfile(HERE / "first/touch.py", root / "files/touch.py")
+    for example in ("touch.py", "simulate.py"):
+        shutil.copyfile(HERE / "first" / example, root / "files" / example)
+    in_root(root, "apt-get -qq update")
     return root
+
+
+def quiet_apt(line: str) -> str:
+    return line.replace("apt install", "apt-get install -qq -y --no-install-recommends")
+
+
+def portable_in_root(root: pathlib.Path, line: str) -> None:
+    in_root(root, f"{quiet_apt('apt install libx11-6')}; {line}")
+    felt(in_root(root, "python3 simulate.py palpate-[0-9]*-linux-x86_64/bin/palpate"), "simulate")
+
+
+def page_in_root(root: pathlib.Path, line: str) -> None:
+    """The page is served by Python, and the engine comes along."""
+    asked = "import urllib.request as r; a = \"http://127.0.0.1:8000/\"; print(r.urlopen(a).read()[:15], r.urlopen(a + \"palpate.wasm\").read(4))"
+    said = in_root(root, f"{line} & trap \"kill $!\" EXIT; sleep 3; python3 -c \"$ASKED\"", ASKED=asked)
+    if "b'<!doctype html>'" not in said.lower() or "asm" not in said:
+        raise Failed(f"{line} serves {said}")
+
+
+def wheel_in_root(root: pathlib.Path, line: str) -> None:
+    in_root(root, f"python3 -m venv --system-site-packages /venv; /venv/bin/{line} --no-index --quiet")
+    felt(in_root(root, "/venv/bin/python touch.py"), "touch")
+
+
+def deb_in_root(root: pathlib.Path, line: str) -> None:
+    in_root(root, quiet_apt(line))
+    felt(in_root(root, "palpate --version; python3 simulate.py palpate"), "simulate")
+
+
+def npm_in_folder(root: pathlib.Path, line: str) -> None:
+    """Node is this machine's: Debian's npm would bring 400 packages."""
+    folder = root.parent / "npm"
+    folder.mkdir()
+    for package in (root / "files").glob("palpate-*.tgz"):
+        shutil.copyfile(package, folder / package.name)
+    environment = CLEAN | {"HOME": str(root.parent), "PATH": os.environ["PATH"]}
+    run("sh", "-ec", f"{line} --offline --no-audit --no-fund", cwd=folder, env=environment)
+    felt(run("node", "node_modules/palpate/examples/press.mjs", cwd=folder, env=environment), "press")
+
+
+def c_in_root(root: pathlib.Path, line: str) -> None:
+    in_root(root, f"{line}; {quiet_apt('apt install gcc libc6-dev')}; cd palpate-c-*-linux-x86_64; "
+            "cc -ffp-contract=off examples/touch.c -Iinclude -Llib -lpalpate -Wl,-rpath,$PWD/lib -o touch")
+    felt(in_root(root, "palpate-c-*-linux-x86_64/touch"), "touch")
+
+
+def source_in_root(root: pathlib.Path, line: str) -> None:
+    """Unpacked, with what it asks for installed, configured; compiling is ./test's affair."""
+    in_root(root, f"{line}; mv palpate-[0-9]*.[0-9]*.[0-9] /source; /source/tools/install-dependencies --bare")
+    in_root(root, "cd /source; cmake --preset release -DPALPATE_MEASURE=OFF -DPALPATE_TEACH=OFF -DPALPATE_STUDIES=OFF -DPALPATE_BUILD_TESTS=OFF; "
+            "ninja -C build/release -n palpate_command")
+
+
+# Each line of the README by the file that it takes, and what shows that it did.
+README_LINES = {"tar xf palpate-[0-9]*-linux-x86_64.tar.gz": portable_in_root,
+                "python3 -m http.server -d palpate-[0-9]*-linux-x86_64/share/palpate/web": page_in_root,
+                "pip install ./palpate-*.whl": wheel_in_root, "apt install ./palpate_*.deb": deb_in_root,
+                "npm install ./palpate-*.tgz": npm_in_folder, "tar xf palpate-c-*-linux-x86_64.tar.gz": c_in_root,
+                "tar xf palpate-*-source.tar.gz": source_in_root}
 
 
 def try_readme(files: pathlib.Path, work: pathlib.Path, full) -> str:
     """Every line of the README that installs, as it stands there, then the first example."""
     lines = install_lines()
-    tools = [line.split()[0] for line in lines]
-    if sorted(tools) != ["apt", "npm", "pip", "tar"]:
-        raise Failed(f"the lines of the README are {tools}; a new one needs its trial")
+    if set(lines) != set(README_LINES):
+        raise Failed(f"the README has {sorted(set(lines) ^ set(README_LINES))}; each of its lines needs its trial, and each trial its line")
     if not full:
         raise Skipped("a fresh Debian root takes a network and minutes; --full")
     root = fresh_root(files, work)
     said = []
-    for tool, line in zip(tools, lines):
+    for line in lines:
         start = time.monotonic()
-        if tool == "apt":
-            in_root(root, f"apt-get -qq update; {line.replace('apt install', 'apt-get install -qq -y --no-install-recommends')}")
-            in_root(root, "palpate --version; palpate simulate --seconds 0.1 --no-pictures --no-plot --out /tmp/run")
-        elif tool == "pip":
-            in_root(root, "python3 -m venv --system-site-packages /venv")
-            start = time.monotonic()
-            in_root(root, f"/venv/bin/{line} --no-index --quiet")
-            felt(in_root(root, "/venv/bin/python touch.py"), "touch")
-        elif tool == "tar":
-            in_root(root, f"{line}; test -e palpate-c-*/lib/libpalpate.so")
-        else:
-            (work / "npm").mkdir()
-            for package in files.glob("palpate-*.tgz"):
-                shutil.copyfile(package, work / "npm" / package.name)
-            run("sh", "-ec", f"{line} --offline --no-audit --no-fund", cwd=work / "npm", env=CLEAN | {"HOME": str(work), "PATH": os.environ["PATH"]})
-        said.append(f"{tool} {time.monotonic() - start:.0f} s")
+        README_LINES[line](root, line)
+        said.append(f"{line.split()[0]} {time.monotonic() - start:.0f} s")
     return f"installed and felt in a fresh Debian 12 root: {', '.join(said)}"
 
 
