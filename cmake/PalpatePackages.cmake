@@ -1,4 +1,5 @@
-# Debian packages by CPack (tools/package makes and tries them). Included last: it looks at which parts are built.
+# Debian packages by CPack (tools/package makes and tries them), of what is built and tested, for Debian 12. debian/ makes the
+# same ones the way that Debian does (docs/howto/release.md). Included last: it looks at which parts are built.
 #
 #   libpalpate0      libpalpate.so.0, the C interface
 #   libpalpate-dev   palpate.h, Palpate.cs, the C++ library with its headers and CMake files
@@ -38,7 +39,7 @@ function(palpate_package group package components section description)
   set(CPACK_DEBIAN_${upper}_DESCRIPTION "${description}" PARENT_SCOPE)
   set(CPACK_DEBIAN_${upper}_PACKAGE_SHLIBDEPS ON PARENT_SCOPE)
   list(GET components 0 first)
-  install(FILES ${PROJECT_SOURCE_DIR}/packaging/debian/copyright ${CMAKE_BINARY_DIR}/debian/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
+  install(FILES ${PROJECT_SOURCE_DIR}/debian/copyright ${CMAKE_BINARY_DIR}/debian/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
           COMPONENT ${first} EXCLUDE_FROM_ALL)
 endfunction()
 
@@ -63,6 +64,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF) # archives need nothing to run
 if(TARGET palpate_command)
   palpate_package(cmd palpate command science
                   "haptic palpation: feel, see and measure touch on a soft body\nThe command palpate: simulate, run with devices, record and replay palpation.")
+  set(CPACK_DEBIAN_CMD_PACKAGE_DEPENDS "libegl1, libgl1") # opened at run time; libepoxy aborts without
 endif()
 macro(palpate_family_package family what) # no scope of its own: palpate_package sets what is read at the end
   if(TARGET palpate_${family}_family)
@@ -85,6 +87,7 @@ if(TARGET palpate_python)
   list(GET python 2 next)
   palpate_package(py python3-palpate python python
                   "haptic palpation: the Python package\nWorlds, fingers, skin, pictures and sessions of Palpate for numpy.")
+  set(CPACK_DEBIAN_PY_PACKAGE_RECOMMENDS "libegl1") # pictures
   set(CPACK_DEBIAN_PY_PACKAGE_DEPENDS "python3 (>= ${major}.${minor}), python3 (<< ${major}.${next}), python3-numpy")
 endif()
 if(PALPATE_ASSIMP) # opened when it is asked for, so that nothing tells of it

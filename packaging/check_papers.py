@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks what others read of the project: citation, codemeta, the paper, the menu entry, versions, community pages, forms.
+"""Checks what others read of the project: citation, codemeta, the paper, the menu entry, versions, community pages, forms, debian/.
 
   packaging/check_papers.py               exit code 1 and one line for each fault
   packaging/check_papers.py --self-test   breaks a copy in every way that is looked for, and expects each to be seen
@@ -47,6 +47,7 @@ def same_version(root):
     named = {
         "CITATION.cff": r"(?m)^version: (\S+)", "codemeta.json": r'"version": "([^"]+)"',
         "packaging/vcpkg/vcpkg.json": r'"version-semver": "([^"]+)"', "packaging/conan/conanfile.py": r'version = "([^"]+)"',
+        "debian/changelog": r"^palpate \(([^-]+)-",
     }
     for file, pattern in named.items():
         found = re.search(pattern, (root / file).read_text())
@@ -204,9 +205,31 @@ def community(root):
         yield "SUPPORT.md does not lead to SECURITY.md"
 
 
-CHECKS = (same_version, citation, codemeta, paper, desktop, community)
+# Of what tools/install-dependencies lists: what every Debian build has, and what only drawing at run time needs.
+NOT_TO_BUILD = {"g++", "cmake", "pkg-config", "libgl1-mesa-dri"}
+
+
+def debian(root):
+    """Each family has its package, each package its list of files, and what building needs is asked for."""
+    control = (root / "debian/control").read_text()
+    packages = set(re.findall(r"(?m)^Package: (\S+)", control))
+    for package in sorted(packages ^ {file.stem for file in (root / "debian").glob("*.install")}):
+        yield f"debian: {package} must be in control and have a list of files"
+    rows = [line.split("\t") for line in (root / "cli/kit/families.tsv").read_text().splitlines() if line and not line.startswith("#")]
+    for family in sorted({row[2] for row in rows}):
+        if f"palpate-{family}" not in packages:
+            yield f"debian/control: the family {family} has no package"
+    asked = set(re.findall(r"^ *(?:Build-Depends: )?([a-z0-9.+-]+)", control.split("\n\n")[0].split("Build-Depends:")[1], re.M))
+    lists = re.sub(r"#.*", "", (root / "tools/install-dependencies").read_text())
+    for words in re.findall(r"(?ms)^(?:bare|families)=\((.*?)\)", lists):
+        for package in words.split():
+            if package not in asked and package not in NOT_TO_BUILD:
+                yield f"debian/control: building needs {package}"
+
+
+CHECKS = (same_version, citation, codemeta, paper, desktop, community, debian)
 FILES = ("CMakeLists.txt", "CITATION.cff", "codemeta.json", *COMMUNITY_PAGES, "SECURITY.md", "docs/quoted/store.json", "packaging/vcpkg",
-         "packaging/conan", "packaging/paper", "packaging/desktop", ".github")
+         "packaging/conan", "packaging/paper", "packaging/desktop", ".github", "debian", "cli/kit/families.tsv", "tools/install-dependencies")
 
 
 def faults(root):
@@ -220,6 +243,10 @@ BREAKS = (
     ("CITATION.cff", "doi: 10.1186/", "doi: 1186/", "is not a DOI"),
     ("codemeta.json", '"license"', '"licence"', "license is missing"),
     ("packaging/conan/conanfile.py", 'version = "', 'version = "1', "CMakeLists.txt says"),
+    ("debian/changelog", "palpate (", "palpate (9", "CMakeLists.txt says"),
+    ("debian/control", "Package: palpate-teach", "Package: palpate-learn", "the family teach"),
+    ("debian/control", "Package: palpate-teach", "Package: palpate-learn", "palpate-learn must be in control"),
+    ("debian/control", "               libvpx-dev,\n", "", "building needs libvpx-dev"),
     ("packaging/paper/paper.md", "@ji2008", "@jo2008", "is not in paper.bib"),
     ("packaging/paper/paper.md", "@ho1999", "@zilles1995", "is not cited"),
     ("packaging/paper/paper.md", "# Statement of need", "# Need", "no section Statement of need"),

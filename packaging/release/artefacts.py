@@ -42,7 +42,7 @@ def make_source(release: Release) -> None:
 
 
 # What building the Python package does not read.
-NOT_IN_SDIST = re.compile(r"^(docs|tests|dissertation|lab|teach|report|web|examples|results|\.ci|\.github|cli)/|/(tests|pictures)/")
+NOT_IN_SDIST = re.compile(r"^(docs|debian|tests|dissertation|lab|teach|report|web|examples|results|\.ci|\.github|cli)/|/(tests|pictures)/")
 
 
 def sdist_tree(release: Release, folder: pathlib.Path) -> pathlib.Path:

@@ -94,7 +94,7 @@ def with_everything_else(tree: pathlib.Path, release: Release, config: str) -> N
     shutil.copyfile(ROOT / "bindings/c/palpate.h", tree / "include/palpate.h")
     shutil.copyfile(ROOT / "bindings/c/samples/Palpate.cs", tree / "share/palpate/csharp/Palpate.cs")
     pc = (ROOT / "bindings/c/palpate.pc.in").read_text()
-    for key, value in (("CMAKE_INSTALL_LIBDIR", "lib"), ("CMAKE_INSTALL_INCLUDEDIR", "include"), ("PROJECT_VERSION", release.version),
+    for key, value in (("CMAKE_INSTALL_LIBDIR", "lib"), ("PALPATE_PC_UP", "../.."), ("CMAKE_INSTALL_INCLUDEDIR", "include"), ("PROJECT_VERSION", release.version),
                        ("PROJECT_DESCRIPTION", "Haptic palpation: feel, see and measure touch on a soft body")):
         pc = pc.replace(f"@{key}@", value)
     (tree / "lib/pkgconfig/palpate.pc").write_text(pc)
