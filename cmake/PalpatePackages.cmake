@@ -87,13 +87,13 @@ if(TARGET palpate_python)
   list(GET python 2 next)
   palpate_package(py python3-palpate python python
                   "haptic palpation: the Python package\nWorlds, fingers, skin, pictures and sessions of Palpate for numpy.")
-  set(CPACK_DEBIAN_PY_PACKAGE_RECOMMENDS "libegl1") # pictures
+  set(CPACK_DEBIAN_PY_PACKAGE_RECOMMENDS libegl1) # pictures
   set(CPACK_DEBIAN_PY_PACKAGE_DEPENDS "python3 (>= ${major}.${minor}), python3 (<< ${major}.${next}), python3-numpy")
 endif()
 if(PALPATE_ASSIMP) # opened when it is asked for, so that nothing tells of it
   string(REGEX REPLACE "^(lib[a-z]+)\\.so\\.([0-9]+)$" "\\1\\2" assimp_package ${PALPATE_ASSIMP_FILE})
-  foreach(group LIB CMD PY)
-    set(CPACK_DEBIAN_${group}_PACKAGE_RECOMMENDS ${assimp_package})
-  endforeach()
+  set(CPACK_DEBIAN_LIB_PACKAGE_RECOMMENDS ${assimp_package})
+  set(CPACK_DEBIAN_CMD_PACKAGE_RECOMMENDS ${assimp_package})
+  set(CPACK_DEBIAN_PY_PACKAGE_RECOMMENDS "${assimp_package}, libegl1") # pictures
 endif()
 include(CPack)
