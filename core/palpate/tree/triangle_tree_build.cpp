@@ -7,7 +7,6 @@
 //
 // Based on: Wald, "On fast construction of SAH-based bounding volume hierarchies" (2007) for the binned heuristic.
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -122,22 +121,13 @@ class Builder {
   /// The nodes below each part, which count from its own first.
   std::array<Nodes, kNodeWidth> cutBelow(const std::array<Range, kNodeWidth>& parts, int count) {
     std::array<Nodes, kNodeWidth> below;
-    std::atomic<int> next{0};
-    const auto work = [&](const Progress& progress) {
-      for (int i = next++; i < count; i = next++) {
-        if (!isLeaf(parts[i])) buildNode(parts[i], 1, below[i], progress);
+    const auto all = static_cast<std::size_t>(count);
+    shareOut(all, items_.size() < kSharedTriangles ? all : 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        // The caller, who alone may report, begins with the first part.
+        if (!isLeaf(parts[i])) buildNode(parts[i], 1, below[i], begin == 0 ? progress_ : Progress());
       }
-    };
-    const std::size_t workers = items_.size() < kSharedTriangles ? 1 : std::min<std::size_t>(processors(), count);
-    std::vector<Background> helpers;
-    for (std::size_t i = 1; i < workers; ++i) helpers.emplace_back([&] { work({}); });
-    try {
-      work(progress_);
-    } catch (...) {  // given up: the helpers end with the part that they are at
-      next = count;
-      throw;
-    }
-    for (Background& helper : helpers) helper.join();
+    });
     return below;
   }
 
