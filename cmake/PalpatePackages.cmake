@@ -94,6 +94,6 @@ if(PALPATE_ASSIMP) # opened when it is asked for, so that nothing tells of it
   string(REGEX REPLACE "^(lib[a-z]+)\\.so\\.([0-9]+)$" "\\1\\2" assimp_package ${PALPATE_ASSIMP_FILE})
   set(CPACK_DEBIAN_LIB_PACKAGE_RECOMMENDS ${assimp_package})
   set(CPACK_DEBIAN_CMD_PACKAGE_RECOMMENDS ${assimp_package})
-  set(CPACK_DEBIAN_PY_PACKAGE_RECOMMENDS "${assimp_package}, libegl1") # pictures
+  string(APPEND CPACK_DEBIAN_PY_PACKAGE_RECOMMENDS ", ${assimp_package}")
 endif()
 include(CPack)

@@ -168,7 +168,7 @@ std::shared_ptr<const SurfaceGeometry> buildGeometry(const mesh::TriangleMesh& m
   const auto part = [&](double from, double to) {  // where self-intersections are sought, that is the other half
     return is_known ? partOf(progress, from, to) : partOf(progress, 0.5 * from, 0.5 * to);
   };
-  // What does not need each other goes on beside the caller; what is below lives until that has ended.
+  // Steps that do not need each other run side by side. Leaving by an exception waits for those that were started.
   const auto geometry = std::make_shared<SurfaceGeometry>();
   bool place_twice = false;
   Background comparing_places([&] { place_twice = anyPlaceTwice(mesh); });

@@ -92,13 +92,11 @@ std::size_t ExactWelder::slotOf(const Vec3& position) const {
   return slot;
 }
 
-std::vector<Index> equalVertices(const std::vector<Vec3>& positions, const Progress& progress) {
-  constexpr Index kReported = 1 << 17;  // vertices: less than 0.1 s
+std::vector<Index> equalVertices(const std::vector<Vec3>& positions) {
   ExactWelder welder(positions.size());
   std::vector<Index> first_of_place;
   std::vector<Index> same_as(positions.size());
   for (Index v = 0; v < positions.size(); ++v) {
-    if (v % kReported == 0) report(progress, "comparing vertices", static_cast<double>(v) / positions.size());
     const Index place = welder.add(positions[v]);
     if (place == first_of_place.size()) first_of_place.push_back(v);
     same_as[v] = first_of_place[place];

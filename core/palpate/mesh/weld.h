@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "palpate/base/progress.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::mesh {
@@ -30,7 +29,7 @@ class ExactWelder {
 };
 
 /// For each vertex the vertex that takes its place: itself, or an earlier one at the same coordinates.
-std::vector<Index> equalVertices(const std::vector<Vec3>& positions, const Progress& progress = {});
+std::vector<Index> equalVertices(const std::vector<Vec3>& positions);
 
 /// The same for vertices nearer than `distance_mm` > 0 to an earlier one that stays: no vertex moves by more.
 std::vector<Index> nearVertices(const std::vector<Vec3>& positions, double distance_mm);
