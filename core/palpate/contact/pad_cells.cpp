@@ -1,6 +1,7 @@
 // Roots are found by Newton's method from the exponent: products and sums alone. The processor's one divider would
 // otherwise be what all lanes wait for.
 #ifdef __wasm__
+#undef HWY_COMPILE_ONLY_STATIC   // what builds without Highway's library asks for
 #define HWY_COMPILE_ONLY_SCALAR  // this Highway has no arithmetic of doubles in lanes there
 #endif
 #undef HWY_TARGET_INCLUDE
