@@ -1,24 +1,22 @@
 // A finger behind its handle: what engine::Simulator has of one, without the others.
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
 #include <span>
 
 #include "answers.h"
+#include "palpate/contact/finger_fields.h"
 #include "palpate/engine/felt_pressure.h"
 #include "palpate/engine/fingers.h"
-#include "palpate/servo/finger_solver.h"
 #include "structs.h"
 #include "touch.h"
 #include "world_handle.h"
 
 struct palpate_finger {
   std::shared_ptr<const palpate::scene::World> world;
-  palpate::servo::FingerSolver solver = {};
-  palpate::contact::FingerSettings settings = {};
-  palpate::contact::FingerState state = {};
-  std::uint64_t ticks = 0;
-  palpate::contact::FingerOutput felt = {};                    ///< in the last of them
+  palpate::engine::Finger finger = {};
+  palpate::contact::FingerOutput felt = {};                    ///< in its last tick
   std::optional<palpate::engine::FeltPressure> pressure = {};  ///< made when it is first asked for
 };
 
@@ -26,36 +24,41 @@ namespace palpate::c_api {
 
 namespace {
 
-palpate_finger_settings plain(const contact::FingerSettings& settings) noexcept {
-  palpate_finger_settings plain = {};
+using Plain = palpate_finger_settings;
+
+/// In the order of contact::kFingerFields.
+constexpr std::array kPlainFields = {
+    field<Plain, &Plain::radius_mm>("radius_mm"),
+    field<Plain, &Plain::stiffness_ratio>("stiffness_ratio"),
+    field<Plain, &Plain::mu_static>("mu_static"),
+    field<Plain, &Plain::mu_dynamic>("mu_dynamic"),
+    field<Plain, &Plain::max_depth_mm>("max_depth_mm"),
+    field<Plain, &Plain::tick_s>("tick_s"),
+    field<Plain, &Plain::catch_up_mm_per_s>("catch_up_mm_per_s"),
+    field<Plain, &Plain::relaxation_share>("relaxation_share"),
+    field<Plain, &Plain::relaxation_time_s>("relaxation_time_s"),
+    field<Plain, &Plain::relaxation_share_2>("relaxation_share_2"),
+    field<Plain, &Plain::relaxation_time_2_s>("relaxation_time_2_s"),
+    field<Plain, &Plain::force_shading>("force_shading"),
+};
+static_assert(std::equal(kPlainFields.begin(), kPlainFields.end(), contact::kFingerFields.begin(),
+                         contact::kFingerFields.end(),
+                         [](const auto& plain, const auto& ours) { return plain.name == ours.name; }));
+
+Plain plain(const contact::FingerSettings& settings) noexcept {
+  Plain plain = {};
   plain.size = sizeof(plain);
-  plain.radius_mm = settings.radius_mm;
-  plain.stiffness_ratio = settings.stiffness_ratio;
-  plain.mu_static = settings.mu_static;
-  plain.mu_dynamic = settings.mu_dynamic;
-  plain.max_depth_mm = settings.max_depth_mm;
-  plain.tick_s = settings.tick_s;
-  plain.catch_up_mm_per_s = settings.catch_up_mm_per_s;
-  plain.force_shading = settings.force_shading ? 1 : 0;
-  plain.relaxation_share = settings.relaxation.share;
-  plain.relaxation_time_s = settings.relaxation.time_s;
-  plain.relaxation_share_2 = settings.relaxation.share_2;
-  plain.relaxation_time_2_s = settings.relaxation.time_2_s;
+  for (std::size_t i = 0; i < kPlainFields.size(); ++i) {
+    kPlainFields[i].set(plain, contact::kFingerFields[i].get(settings));
+  }
   return plain;
 }
 
-contact::FingerSettings settingsOf(const palpate_finger_settings& plain) noexcept {
+contact::FingerSettings settingsOf(const Plain& plain) noexcept {
   contact::FingerSettings settings;
-  settings.radius_mm = plain.radius_mm;
-  settings.stiffness_ratio = plain.stiffness_ratio;
-  settings.mu_static = plain.mu_static;
-  settings.mu_dynamic = plain.mu_dynamic;
-  settings.max_depth_mm = plain.max_depth_mm;
-  settings.tick_s = plain.tick_s;
-  settings.catch_up_mm_per_s = plain.catch_up_mm_per_s;
-  settings.force_shading = plain.force_shading != 0;
-  settings.relaxation = {plain.relaxation_share, plain.relaxation_time_s, plain.relaxation_share_2,
-                         plain.relaxation_time_2_s};
+  for (std::size_t i = 0; i < kPlainFields.size(); ++i) {
+    contact::kFingerFields[i].set(settings, kPlainFields[i].get(plain));
+  }
   return settings;
 }
 
@@ -63,15 +66,13 @@ palpate_finger* fingerOn(const palpate_world& world, const contact::FingerSettin
   engine::checkFingers(world.world(), {&settings, 1});
   auto finger = std::make_unique<palpate_finger>();
   finger->world = world.built.world;
-  finger->settings = settings;
-  finger->solver =
-      std::move(servo::makeSolvers(finger->world->surface, finger->world->hdb, 1, finger->world->breath).front());
+  finger->finger = std::move(engine::fingersOn(world.world(), {&settings, 1}).front());
   return finger.release();
 }
 
 void step(palpate_finger& finger, const double* tip_mm, palpate_touch* touch, std::size_t size) noexcept {
-  const std::uint64_t tick = finger.ticks++;
-  finger.felt = servo::touch(finger.solver, finger.settings, finger.state, {tip_mm[0], tip_mm[1], tip_mm[2]}, tick);
+  const std::uint64_t tick = finger.finger.ticks;
+  finger.felt = finger.finger.feel({tip_mm[0], tip_mm[1], tip_mm[2]});
   putTouch(finger.felt, tick, touch, size);
 }
 
@@ -81,8 +82,8 @@ void press(const palpate_finger& finger, const contact::PressurePad& pad, float*
   std::array<double, kMost> normal;
   std::array<Vec2, kMost> shear;
   const std::size_t count = pad.taxels * pad.taxels;
-  const std::uint64_t tick = finger.ticks == 0 ? 0 : finger.ticks - 1;
-  finger.pressure->at(finger.felt, tick, pad, std::span(normal).first(count),
+  const std::uint64_t ticks = finger.finger.ticks;
+  finger.pressure->at(finger.felt, ticks == 0 ? 0 : ticks - 1, pad, std::span(normal).first(count),
                       std::span(shear).first(shear_kpa == nullptr ? 0 : count));
   for (std::size_t i = 0; i < count; ++i) kpa[i] = static_cast<float>(normal[i]);
   if (shear_kpa == nullptr) return;
@@ -150,7 +151,7 @@ int32_t palpate_finger_pressure(palpate_finger* finger, size_t taxels, double pa
 
 int32_t palpate_finger_lift(palpate_finger* finger) noexcept {
   if (finger == nullptr) return PALPATE_ARGUMENT;
-  servo::lift(finger->solver, finger->state);
+  finger->finger.lift();
   finger->felt = {};
   return PALPATE_OK;
 }

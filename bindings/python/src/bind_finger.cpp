@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 
 #include "bindings.h"
-#include "felt_finger.h"
+#include "palpate/contact/finger_fields.h"
 #include "palpate/engine/fingers.h"
+#include "world_handle.h"
 
 namespace palpate::python {
 
@@ -18,72 +21,59 @@ using contact::FingerSettings;
 
 struct FingerHandle {
   WorldPointer world;
-  FeltFinger finger;
+  engine::Finger finger;
 };
 
 // ---- settings
 
-/// In the order of the constructor; repr and replace go by it too.
-struct NumberSetting {
-  const char* name;
-  double* (*of)(FingerSettings&);
-};
-constexpr std::array kNumbers = {
-    NumberSetting{"radius_mm", [](FingerSettings& s) { return &s.radius_mm; }},
-    NumberSetting{"stiffness_ratio", [](FingerSettings& s) { return &s.stiffness_ratio; }},
-    NumberSetting{"mu_static", [](FingerSettings& s) { return &s.mu_static; }},
-    NumberSetting{"mu_dynamic", [](FingerSettings& s) { return &s.mu_dynamic; }},
-    NumberSetting{"max_depth_mm", [](FingerSettings& s) { return &s.max_depth_mm; }},
-    NumberSetting{"tick_s", [](FingerSettings& s) { return &s.tick_s; }},
-    NumberSetting{"catch_up_mm_per_s", [](FingerSettings& s) { return &s.catch_up_mm_per_s; }},
-    NumberSetting{"relaxation_share", [](FingerSettings& s) { return &s.relaxation.share; }},
-    NumberSetting{"relaxation_time_s", [](FingerSettings& s) { return &s.relaxation.time_s; }},
-    NumberSetting{"relaxation_share_2", [](FingerSettings& s) { return &s.relaxation.share_2; }},
-    NumberSetting{"relaxation_time_2_s", [](FingerSettings& s) { return &s.relaxation.time_2_s; }},
-};
-
-template <std::size_t I>
-double numberOf(const FingerSettings& settings) {
-  FingerSettings copy = settings;
-  return *kNumbers[I].of(copy);
+py::object valueOf(const Field<FingerSettings>& field, const FingerSettings& settings) {
+  if (field.is_flag) return py::bool_(field.get(settings) != 0.0);
+  return py::float_(field.get(settings));
 }
 
-std::string reprOf(FingerSettings settings) {
-  FingerSettings usual;
+std::string reprOf(const FingerSettings& settings) {
+  const FingerSettings usual;
   std::string text;
-  const auto add = [&](const char* name, const std::string& value) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", name, value);
-  };
-  for (const NumberSetting& number : kNumbers) {
-    const double value = *number.of(settings);
-    if (value != *number.of(usual)) add(number.name, py::repr(py::float_(value)));
+  for (const Field<FingerSettings>& field : contact::kFingerFields) {
+    if (field.get(settings) == field.get(usual)) continue;
+    const std::string value = py::repr(valueOf(field, settings));
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", field.name, value);
   }
-  if (settings.force_shading) add("force_shading", "True");
   return "FingerSettings(" + text + ")";
 }
 
-bool equal(FingerSettings one, FingerSettings other) {
-  for (const NumberSetting& number : kNumbers) {
-    if (*number.of(one) != *number.of(other)) return false;
-  }
-  return one.force_shading == other.force_shading;
+bool equal(const FingerSettings& one, const FingerSettings& other) {
+  return std::all_of(contact::kFingerFields.begin(), contact::kFingerFields.end(),
+                     [&](const auto& field) { return field.get(one) == field.get(other); });
 }
 
 FingerSettings replaced(FingerSettings settings, const py::kwargs& changes) {
   for (const auto& [key, value] : changes) {
     const auto name = key.cast<std::string>();
-    if (name == "force_shading") {
-      settings.force_shading = value.cast<bool>();
-      continue;
+    const auto field = std::find_if(contact::kFingerFields.begin(), contact::kFingerFields.end(),
+                                    [&](const auto& one) { return one.name == name; });
+    if (field == contact::kFingerFields.end()) {
+      throw py::type_error("replace() got an unexpected keyword argument '" + name + "'");
     }
-    const auto* number =
-        std::find_if(kNumbers.begin(), kNumbers.end(), [&](const NumberSetting& one) { return one.name == name; });
-    if (number == kNumbers.end()) throw py::type_error("replace() got an unexpected keyword argument '" + name + "'");
-    *number->of(settings) = value.cast<double>();
+    field->set(settings, field->is_flag ? static_cast<double>(value.cast<bool>()) : value.cast<double>());
   }
   engine::checkFinger(settings);
   return settings;
 }
+
+/// In the order of contact::kFingerFields, the flag at its end left out.
+constexpr std::array kNumberDocs = {"Radius of the finger, mm; 0 is a point.",
+                                    "Tangential over normal stiffness.",
+                                    "Friction before it slips.",
+                                    "Friction while it slips.",
+                                    "The deepest depth that is felt, mm.",
+                                    "Time between two ticks, s.",
+                                    "How fast the point on the skin may run beside the tip, mm/s.",
+                                    "Of the force, what goes while the skin is held.",
+                                    "Over which time it goes, s.",
+                                    "The same of a second term.",
+                                    "Time of the second term, s."};
+static_assert(kNumberDocs.size() + 1 == contact::kFingerFields.size() && contact::kFingerFields.back().is_flag);
 
 void bindSettings(py::module_& module) {
   const FingerSettings usual;
@@ -125,18 +115,11 @@ void bindSettings(py::module_& module) {
       py::arg("catch_up_mm_per_s") = usual.catch_up_mm_per_s, py::arg("relaxation_share") = usual.relaxation.share,
       py::arg("relaxation_time_s") = usual.relaxation.time_s, py::arg("relaxation_share_2") = usual.relaxation.share_2,
       py::arg("relaxation_time_2_s") = usual.relaxation.time_2_s, py::arg("force_shading") = usual.force_shading);
-  settings.def_property_readonly("radius_mm", numberOf<0>, "Radius of the finger, mm; 0 is a point.");
-  settings.def_property_readonly("stiffness_ratio", numberOf<1>, "Tangential over normal stiffness.");
-  settings.def_property_readonly("mu_static", numberOf<2>, "Friction before it slips.");
-  settings.def_property_readonly("mu_dynamic", numberOf<3>, "Friction while it slips.");
-  settings.def_property_readonly("max_depth_mm", numberOf<4>, "The deepest depth that is felt, mm.");
-  settings.def_property_readonly("tick_s", numberOf<5>, "Time between two ticks, s.");
-  settings.def_property_readonly("catch_up_mm_per_s", numberOf<6>,
-                                 "How fast the point on the skin may run beside the tip, mm/s.");
-  settings.def_property_readonly("relaxation_share", numberOf<7>, "Of the force, what goes while the skin is held.");
-  settings.def_property_readonly("relaxation_time_s", numberOf<8>, "Over which time it goes, s.");
-  settings.def_property_readonly("relaxation_share_2", numberOf<9>, "The same of a second term.");
-  settings.def_property_readonly("relaxation_time_2_s", numberOf<10>, "Time of the second term, s.");
+  for (std::size_t i = 0; i < kNumberDocs.size(); ++i) {
+    const Field<FingerSettings>& field = contact::kFingerFields[i];
+    settings.def_property_readonly(
+        field.name.data(), [get = field.get](const FingerSettings& self) { return get(self); }, kNumberDocs[i]);
+  }
   settings.def_property_readonly(
       "force_shading", [](const FingerSettings& self) { return self.force_shading; },
       "True where facets are rounded off.");
@@ -275,7 +258,7 @@ PyObject* step(PyObject* self, PyObject* const* given, Py_ssize_t count) {
   try {
     Vec3 tip;
     if (!quickTip(given, count, tip)) tip = anyTip(given, count);
-    return py::cast(handle->finger.step(tip)).release().ptr();
+    return py::cast(handle->finger.feel(tip)).release().ptr();
   } catch (py::error_already_set& error) {
     error.restore();
   } catch (const py::builtin_exception& error) {
@@ -302,7 +285,7 @@ void bindFingerClass(py::module_& module) {
   finger.def(
       py::init([](const WorldPointer& world, const MaybeSettings& settings) {
         const auto checked = settingsOf(*world->world, settings, 1);
-        return FingerHandle{world, std::move(fingersOn(*world->world, checked).front())};
+        return FingerHandle{world, std::move(engine::fingersOn(*world->world, checked).front())};
       }),
       "settings: a FingerSettings, or None for the scene's first finger. Raises palpate.Error where they and the "
       "world do not suit.",
@@ -327,10 +310,10 @@ void bindFingerClass(py::module_& module) {
 }  // namespace
 
 py::dict numbersOf(const FingerSettings& settings) {
-  FingerSettings copy = settings;
   py::dict named;
-  for (const NumberSetting& number : kNumbers) named[number.name] = *number.of(copy);
-  named["force_shading"] = settings.force_shading;
+  for (const Field<FingerSettings>& field : contact::kFingerFields) {
+    named[field.name.data()] = valueOf(field, settings);
+  }
   return named;
 }
 

@@ -5,9 +5,10 @@
 
 #include "bindings.h"
 #include "busy.h"
-#include "thread_pool.h"
 #include "felt_fields.h"
-#include "felt_finger.h"
+#include "palpate/engine/fingers.h"
+#include "thread_pool.h"
+#include "world_handle.h"
 
 namespace palpate::python {
 
@@ -29,7 +30,7 @@ class FingersHandle {
  public:
   FingersHandle(WorldPointer world, std::size_t count, const py::object& settings, std::size_t threads)
       : world_(std::move(world)),
-        fingers_(fingersOn(*world_->world, settingsOf(*world_->world, settings, count))),
+        fingers_(engine::fingersOn(*world_->world, settingsOf(*world_->world, settings, count))),
         commanded_(count, nowhere()),
         felt_(count),
         pool_(threads) {}
@@ -124,13 +125,13 @@ class FingersHandle {
     for (std::size_t k = 1; k <= substeps; ++k) {
       if (k % 64 == 0) pause.check();
       const double share = static_cast<double>(k) / static_cast<double>(substeps);
-      felt_[i] = fingers_[i].step(k == substeps ? to : from + (to - from) * share);
+      felt_[i] = fingers_[i].feel(k == substeps ? to : from + (to - from) * share);
     }
     commanded_[i] = to;
   }
 
   WorldPointer world_;
-  std::vector<FeltFinger> fingers_;
+  std::vector<engine::Finger> fingers_;
   std::vector<Vec3> commanded_;              ///< where each was sent last; not finite: nowhere
   std::vector<contact::FingerOutput> felt_;  ///< of each one's last tick
   ThreadPool pool_;

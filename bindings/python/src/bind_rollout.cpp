@@ -2,9 +2,10 @@
 #include <fmt/format.h>
 
 #include "bindings.h"
-#include "thread_pool.h"
 #include "felt_fields.h"
-#include "felt_finger.h"
+#include "palpate/engine/fingers.h"
+#include "thread_pool.h"
+#include "world_handle.h"
 
 namespace palpate::python {
 
@@ -13,12 +14,12 @@ namespace {
 /// So many ticks between two looks at the clock: at most a tenth of a millisecond of a point, ten of a ball.
 constexpr std::size_t kTicksBetweenLooks = 64;
 
-void rollOne(FeltFinger& finger, const double* tips, std::size_t ticks, const FeltRows& rows, std::size_t first_row,
+void rollOne(engine::Finger& finger, const double* tips, std::size_t ticks, const FeltRows& rows, std::size_t first_row,
              const Pause& pause) {
   for (std::size_t tick = 0; tick < ticks; ++tick) {
     if (tick % kTicksBetweenLooks == 0) pause.check();
     const double* tip = tips + 3 * tick;
-    rows.write(first_row + tick, finger.step({tip[0], tip[1], tip[2]}));
+    rows.write(first_row + tick, finger.feel({tip[0], tip[1], tip[2]}));
   }
 }
 
@@ -31,7 +32,7 @@ FeltDict rollout(const WorldPointer& world, const ArrayLike& given, const MaybeS
   const auto count = static_cast<std::size_t>(tips.shape(0));
   const auto ticks = static_cast<std::size_t>(tips.shape(1));
   if (threads == 0) throw py::value_error("threads: at least 1");
-  std::vector<FeltFinger> fingers = fingersOn(*world->world, settingsOf(*world->world, settings, count));
+  std::vector<engine::Finger> fingers = engine::fingersOn(*world->world, settingsOf(*world->world, settings, count));
   const FeltArrays felt(*world->world, {tips.shape(0), tips.shape(1)}, fields, out);
   const double* from = tips.data();
   const std::size_t worth = std::max<std::size_t>(1, count * ticks / kTicksWorthAThread);

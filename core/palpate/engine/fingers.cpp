@@ -1,14 +1,14 @@
-// Scene -> settings of its fingers, and the checks that a change of world makes before anything is changed. sameBody
-// reads both meshes to the end; cold path.
+// Scene -> settings of its fingers -> fingers, and the checks that a change of world makes before anything is changed.
+// sameBody reads both meshes to the end; cold path.
 #include "palpate/engine/fingers.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 #include "palpate/base/error.h"
-#include "palpate/base/number_range.h"
+#include "palpate/contact/finger_fields.h"
 
 namespace palpate::engine {
 
@@ -26,29 +26,12 @@ std::vector<contact::FingerSettings> fingerSettings(const scene::Scene& scene) {
 
 namespace {
 
-/// What a finger's settings may be: the ranges of the scene file's keys, so that no digits are lost and no fault is
-/// multiplied.
-struct SettingRange {
-  const char* name;
-  double contact::FingerSettings::*value;
-  NumberRange range;
-};
-const std::array kSettingRanges = {
-    SettingRange{"radius_mm", &contact::FingerSettings::radius_mm, {0.0, 1000.0}},
-    SettingRange{"stiffness_ratio", &contact::FingerSettings::stiffness_ratio, {0.0, 100.0}},
-    SettingRange{"mu_static", &contact::FingerSettings::mu_static, {0.0, 5.0}},
-    SettingRange{"mu_dynamic", &contact::FingerSettings::mu_dynamic, {0.0, 5.0}},
-    SettingRange{"max_depth_mm", &contact::FingerSettings::max_depth_mm, {0.0, 1e5, true}},
-    SettingRange{"tick_s", &contact::FingerSettings::tick_s, {1e-6, 1.0}},
-    SettingRange{"catch_up_mm_per_s", &contact::FingerSettings::catch_up_mm_per_s, {0.0, 1e6}},
-};
-
 void checkRanges(const contact::FingerSettings& settings, std::size_t finger) {
-  for (const SettingRange& setting : kSettingRanges) {
-    const double value = settings.*setting.value;
-    if (setting.range.holds(value)) continue;
+  for (const Field<contact::FingerSettings>& field : contact::kFingerFields) {
+    const double value = field.get(settings);
+    if (field.range.holds(value)) continue;
     throw Error(
-        fmt::format("finger {}: {} = {}", finger, setting.name, outOfRange(fmt::format("{}", value), setting.range)));
+        fmt::format("finger {}: {} = {}", finger, field.name, outOfRange(fmt::format("{}", value), field.range)));
   }
 }
 
@@ -67,6 +50,29 @@ void checkFingers(const scene::World& world, std::span<const contact::FingerSett
                               fingers[i].radius_mm));
     }
   }
+}
+
+void Finger::reset() {
+  lift();
+  ticks = 0;
+  if (solver.lumps) *solver.lumps = servo::LumpLoop(solver.lumps->fingers());
+}
+
+std::vector<Finger> fingersOn(const scene::World& world, std::span<const contact::FingerSettings> fingers) {
+  std::vector<Finger> alone;
+  alone.reserve(fingers.size());
+  for (const contact::FingerSettings& settings : fingers) {
+    alone.push_back(std::move(rigOn(world, {&settings, 1}).front()));
+  }
+  return alone;
+}
+
+std::vector<Finger> rigOn(const scene::World& world, std::span<const contact::FingerSettings> fingers) {
+  servo::FingerSolvers solvers = servo::makeSolvers(world.surface, world.hdb, fingers.size(), world.breath);
+  std::vector<Finger> rig;
+  rig.reserve(fingers.size());
+  for (std::size_t i = 0; i < fingers.size(); ++i) rig.push_back({std::move(solvers[i]), fingers[i]});
+  return rig;
 }
 
 bool sameBody(const scene::World& one, const scene::World& other) {

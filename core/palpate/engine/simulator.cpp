@@ -1,5 +1,5 @@
-// A finger is a solver, its settings and what it touches; a tick is one servo::touch, without the limiter that a hand
-// on a device needs. A change of world does all that can throw first.
+// A tick is one Finger::feel, without the limiter that a hand on a device needs. A change of world does all that can
+// throw first.
 #include "palpate/engine/simulator.h"
 
 #include <algorithm>
@@ -24,15 +24,13 @@ Simulator::Simulator(std::shared_ptr<const scene::World> world, std::vector<cont
     : world_(std::move(world)) {
   if (fingers.empty()) fingers = fingerSettings(world_->scene);
   checkFingers(*world_, fingers);
-  servo::FingerSolvers solvers = servo::makeSolvers(world_->surface, world_->hdb, fingers.size(), world_->breath);
-  for (std::size_t i = 0; i < fingers.size(); ++i) fingers_.push_back({std::move(solvers[i]), fingers[i], {}});
+  fingers_ = rigOn(*world_, fingers);
   felt_.resize(fingers.size());
 }
 
 contact::FingerOutput Simulator::feel(std::size_t finger, const Vec3& tip) noexcept {
   if (finger >= fingers_.size()) return nobodysOutput(tip);
-  Finger& at_work = fingers_[finger];
-  return felt_[finger] = servo::touch(at_work.solver, at_work.settings, at_work.state, tip, at_work.ticks++);
+  return felt_[finger] = fingers_[finger].feel(tip);
 }
 
 void Simulator::feel(std::span<const Vec3> tips, std::span<contact::FingerOutput> felt) noexcept {
@@ -42,7 +40,7 @@ void Simulator::feel(std::span<const Vec3> tips, std::span<contact::FingerOutput
 
 void Simulator::lift(std::size_t finger) noexcept {
   if (finger >= fingers_.size()) return;
-  servo::lift(fingers_[finger].solver, fingers_[finger].state);
+  fingers_[finger].lift();
   felt_[finger] = contact::freeOutput(felt_[finger].tip);
 }
 

@@ -13,7 +13,6 @@
 
 #include "palpate/engine/fingers.h"
 #include "palpate/engine/living_skin.h"
-#include "palpate/servo/finger_solver.h"
 
 namespace palpate::engine {
 
@@ -47,13 +46,6 @@ class Simulator {
   void change(std::shared_ptr<const scene::World> world);
 
  private:
-  struct Finger {
-    servo::FingerSolver solver;
-    contact::FingerSettings settings;
-    contact::FingerState state;
-    std::uint64_t ticks = 0;  ///< of this finger: its clock
-  };
-
   std::shared_ptr<const scene::World> world_;
   std::vector<Finger> fingers_;
   std::vector<contact::FingerOutput> felt_;  ///< a finger each, of its last tick

@@ -20,6 +20,7 @@ namespace palpate::servo {
 class LumpLoop {
  public:
   explicit LumpLoop(std::size_t fingers) : fingers_(fingers) {}
+  std::size_t fingers() const noexcept { return fingers_.size(); }
 
   /// Before a finger is felt that pressed like this in its last tick: where the lumps are now. No allocation.
   const contact::LumpPlaces& begin(const contact::Lumps& lumps, std::size_t finger, const contact::LumpPress& last,

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
+#include <array>
 #include <vector>
 
 #include "palpate/base/error.h"
@@ -12,6 +12,7 @@
 #include "palpate/base/path_text.h"
 #include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
+#include "palpate/contact/finger_fields.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/scene/scene_writer.h"
 
@@ -19,115 +20,104 @@ namespace palpate::engine {
 
 namespace {
 
-/// A number of some settings, true and false as 1 and 0.
-struct Field {
-  const char* name;
-  std::function<double()> get;
-  std::function<void(double)> set;
+/// Recordings name the terms of relaxation in their own way.
+constexpr auto kFingerFields = [] {
+  auto fields = contact::kFingerFields;
+  for (Field<contact::FingerSettings>& field : fields) {
+    if (field.name == "relaxation_share") field.name = "relaxation";
+    if (field.name == "relaxation_time_s") field.name = "relaxation_s";
+    if (field.name == "relaxation_share_2") field.name = "relaxation_2";
+    if (field.name == "relaxation_time_2_s") field.name = "relaxation_2_s";
+  }
+  return fields;
+}();
+
+using LimiterField = Field<RecordedLimiter>;
+using Limits = servo::LimiterSettings;
+
+template <auto Member>
+constexpr LimiterField limit(std::string_view name) {
+  return field<RecordedLimiter, &RecordedLimiter::settings, Member>(name);
+}
+template <auto Member>
+constexpr LimiterField passivity(std::string_view name) {
+  return field<RecordedLimiter, &RecordedLimiter::settings, &Limits::passivity, Member>(name);
+}
+
+constexpr std::array kLimiterFields = {
+    field<RecordedLimiter, &RecordedLimiter::closes_loop>("closes_loop"),
+    limit<&Limits::limited>("limited"),
+    limit<&Limits::force_n>("force_n"),
+    limit<&Limits::stiffness_factor>("stiffness_factor"),
+    limit<&Limits::cap_n_per_mm>("cap_n_per_mm"),
+    limit<&Limits::compared_n>("compared_n"),
+    limit<&Limits::stiffness_n_per_mm>("stiffness_n_per_mm"),
+    limit<&Limits::steepest>("steepest"),
+    limit<&Limits::tick_s>("tick_s"),
+    limit<&Limits::soft_contact>("soft_contact"),
+    LimiterField{"start_ramps",
+                 [](const RecordedLimiter& r) { return r.settings.start == scene::StartRule::ramp ? 1.0 : 0.0; },
+                 [](RecordedLimiter& r, double read) {
+                   r.settings.start = read != 0.0 ? scene::StartRule::ramp : scene::StartRule::outside;
+                 }},
+    limit<&Limits::ramp_s>("ramp_s"),
+    limit<&Limits::max_age_ticks>("max_age_ticks"),
+    limit<&Limits::max_jump_mm>("max_jump_mm"),
+    limit<&Limits::max_tip_speed_mm_per_s>("max_tip_speed_mm_per_s"),
+    limit<&Limits::max_force_rate_n_per_ms>("max_force_rate_n_per_ms"),
+    passivity<&servo::PassivitySettings::on>("passivity"),
+    passivity<&servo::PassivitySettings::delay_ticks>("passivity_delay_ticks"),
+    passivity<&servo::PassivitySettings::damping_n_s_per_mm>("passivity_damping_n_s_per_mm"),
+    passivity<&servo::PassivitySettings::friction_n>("passivity_friction_n"),
+    passivity<&servo::PassivitySettings::mass_kg>("passivity_mass_kg"),
+    passivity<&servo::PassivitySettings::encoder_mm>("passivity_encoder_mm"),
+    passivity<&servo::PassivitySettings::most_n>("passivity_most_n"),
+    // Of the solver: recordings from before it stepped where a surface was exchanged in contact.
+    field<RecordedLimiter, &RecordedLimiter::follows_exchange>("follows_exchange"),
+    // Written only where it is true: recordings of before have none.
+    limit<&Limits::unsafe>("unsafe_stiffness"),
 };
 
-Field number(const char* name, double& value) {
-  return {name, [&value] { return value; }, [&value](double read) { value = read; }};
-}
-Field flag(const char* name, bool& value) {
-  return {name, [&value] { return value ? 1.0 : 0.0; }, [&value](double read) { value = read != 0.0; }};
-}
-
-std::vector<Field> fieldsOf(contact::FingerSettings& s) {
-  return {number("radius_mm", s.radius_mm),
-          number("stiffness_ratio", s.stiffness_ratio),
-          number("mu_static", s.mu_static),
-          number("mu_dynamic", s.mu_dynamic),
-          number("max_depth_mm", s.max_depth_mm),
-          number("tick_s", s.tick_s),
-          number("catch_up_mm_per_s", s.catch_up_mm_per_s),
-          flag("force_shading", s.force_shading),
-          number("relaxation", s.relaxation.share),
-          number("relaxation_s", s.relaxation.time_s),
-          number("relaxation_2", s.relaxation.share_2),
-          number("relaxation_2_s", s.relaxation.time_2_s)};
-}
-
-std::vector<Field> fieldsOf(RecordedLimiter& recorded) {
-  servo::LimiterSettings& s = recorded.settings;
-  servo::PassivitySettings& p = s.passivity;
-  return {flag("closes_loop", recorded.closes_loop),
-          flag("limited", s.limited),
-          number("force_n", s.force_n),
-          number("stiffness_factor", s.stiffness_factor),
-          number("cap_n_per_mm", s.cap_n_per_mm),
-          number("compared_n", s.compared_n),
-          number("stiffness_n_per_mm", s.stiffness_n_per_mm),
-          number("steepest", s.steepest),
-          number("tick_s", s.tick_s),
-          flag("soft_contact", s.soft_contact),
-          {"start_ramps", [&s] { return s.start == scene::StartRule::ramp ? 1.0 : 0.0; },
-           [&s](double read) { s.start = read != 0.0 ? scene::StartRule::ramp : scene::StartRule::outside; }},
-          number("ramp_s", s.ramp_s),
-          number("max_age_ticks", s.max_age_ticks),
-          number("max_jump_mm", s.max_jump_mm),
-          number("max_tip_speed_mm_per_s", s.max_tip_speed_mm_per_s),
-          number("max_force_rate_n_per_ms", s.max_force_rate_n_per_ms),
-          flag("passivity", p.on),
-          number("passivity_delay_ticks", p.delay_ticks),
-          number("passivity_damping_n_s_per_mm", p.damping_n_s_per_mm),
-          number("passivity_friction_n", p.friction_n),
-          number("passivity_mass_kg", p.mass_kg),
-          number("passivity_encoder_mm", p.encoder_mm),
-          number("passivity_most_n", p.most_n)};
-}
-
-/// Written only where it is true: recordings of before have none.
-constexpr const char* kUnsafe = "unsafe_stiffness";
-/// Of the solver, written always: recordings from before it stepped where a surface was exchanged in contact.
-constexpr const char* kFollowsExchange = "follows_exchange";
-
-std::string asText(const std::vector<Field>& fields) {
+template <class Struct>
+std::string asText(const Struct& from, std::span<const Field<Struct>> fields) {
   std::string text;
-  for (const Field& field : fields) text += fmt::format("{} = {}\n", field.name, field.get());
+  for (const Field<Struct>& field : fields) text += fmt::format("{} = {}\n", field.name, field.get(from));
   return text;
 }
 
-void read(const std::string& text, const std::vector<Field>& fields) {
+template <class Struct>
+Struct readFrom(const std::string& text, std::span<const Field<Struct>> fields) {
+  Struct to;
   for (const std::string_view line : split(text, '\n')) {
     if (line.empty()) continue;
     const std::size_t equals = line.find('=');
     const std::string_view name = trimmed(line.substr(0, equals));
     const auto value = equals == std::string_view::npos ? std::nullopt : parseNumber(line.substr(equals + 1));
-    const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
-    if (field == fields.end() || !value) throw Error(fmt::format("recorded settings: '{}' is not understood", line));
-    field->set(*value);
+    const auto known =
+        std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
+    if (known == fields.end() || !value) throw Error(fmt::format("recorded settings: '{}' is not understood", line));
+    known->set(to, *value);
   }
+  return to;
 }
 
 }  // namespace
 
 std::string asText(const contact::FingerSettings& settings) {
-  contact::FingerSettings copy = settings;
-  return asText(fieldsOf(copy));
+  return asText<contact::FingerSettings>(settings, kFingerFields);
 }
 
 std::string asText(const servo::LimiterSettings& settings, bool closes_loop) {
-  RecordedLimiter copy{settings, closes_loop, true};
-  std::string text = asText(fieldsOf(copy)) + asText({flag(kFollowsExchange, copy.follows_exchange)});
-  if (settings.unsafe) text += asText({flag(kUnsafe, copy.settings.unsafe)});
-  return text;
+  const std::span<const LimiterField> fields = kLimiterFields;
+  return asText<RecordedLimiter>({settings, closes_loop, true},
+                                 settings.unsafe ? fields : fields.first(fields.size() - 1));
 }
 
 contact::FingerSettings contactSettingsFrom(const std::string& text) {
-  contact::FingerSettings settings;
-  read(text, fieldsOf(settings));
-  return settings;
+  return readFrom<contact::FingerSettings>(text, kFingerFields);
 }
 
-RecordedLimiter limiterFrom(const std::string& text) {
-  RecordedLimiter recorded;
-  std::vector<Field> fields = fieldsOf(recorded);
-  fields.push_back(flag(kUnsafe, recorded.settings.unsafe));
-  fields.push_back(flag(kFollowsExchange, recorded.follows_exchange));
-  read(text, fields);
-  return recorded;
-}
+RecordedLimiter limiterFrom(const std::string& text) { return readFrom<RecordedLimiter>(text, kLimiterFields); }
 
 std::string limitsInWords(const servo::LimiterSettings& limits) {
   std::string text = fmt::format("force at most {:.3g} N, all forces times {:.3g}, at most {:.3g} N/mm", limits.force_n,

@@ -243,6 +243,8 @@ TEST(RecordingSettings, AreReadBackToTheBit) {
   contact.radius_mm = 1.0 / 3.0;
   contact.force_shading = true;
   EXPECT_EQ(contactSettingsFrom(asText(contact)).radius_mm, 1.0 / 3.0);
+  EXPECT_EQ(contactSettingsFrom("relaxation = 0.2\nrelaxation_2_s = 7\n").relaxation.time_2_s, 7.0)
+      << "the names of recordings that there are";
   EXPECT_TRUE(contactSettingsFrom(asText(contact)).force_shading);
   servo::LimiterSettings limiter;
   limiter.passivity.friction_n = 0.1 + 0.2;
