@@ -105,8 +105,30 @@ def record_row(file: pathlib.Path, name: str) -> str:
 
 
 def make_wheel(release: Release) -> None:
-    """The staged package, with the page and what it loads beside it. palpate.measure is left out: OpenCV's codecs load 130 libraries."""
+    """For the Python of this machine."""
     staged = wanted(release.build / "python", "ninja -C build/release palpate_python")
+    pack_wheel(release, staged, ["palpate_python_core", "palpate_python_view"])
+
+
+def make_wheel_of(python: str):
+    """For another one, of which tools/other-python builds the modules; the files in Python are the same."""
+    number = python.replace(".", "")
+
+    def make(release: Release) -> None:
+        modules = wanted(release.build / f"python-{python}/palpate", f"tools/other-python {python}")
+        with tempfile.TemporaryDirectory() as folder:
+            staged = pathlib.Path(folder) / "palpate"
+            shutil.copytree(release.build / "python/palpate", staged, ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+            for module in modules.glob("*.so"):
+                shutil.copyfile(module, staged / module.name)
+            pack_wheel(release, staged.parent, [f"palpate_python_core_{number}", f"palpate_python_view_{number}"], f"cp{number}")
+
+    return make
+
+
+def pack_wheel(release: Release, staged: pathlib.Path, targets: list, other: str = "") -> None:
+    """The staged package, with the page and what it loads beside it. palpate.measure is left out: OpenCV's codecs load 130 libraries.
+    `other`: another Python than the one that packs."""
     wanted(release.site / "palpate.wasm", "tools/build-web makes it")
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
@@ -124,12 +146,14 @@ def make_wheel(release: Release) -> None:
         brought = shared_objects.self_contained(modules, unpacked / "palpate.libs")
         info = next(unpacked.glob("*.dist-info"))
         (info / "licenses").mkdir(exist_ok=True)
-        licences.of_this_machine(info / "licenses", brought, release.build, ["palpate_python_core", "palpate_python_view"])
+        licences.of_this_machine(info / "licenses", brought, release.build, targets)
+        if other:
+            licences.of_headers(info / "licenses", ROOT / f"build/pythons/{other[2]}.{other[3:]}")
         shutil.copyfile(ROOT / "LICENSE", info / "licenses/LICENSE")
         files = [*modules, *(unpacked / "palpate.libs").iterdir()]
         glibc = shared_objects.newest_symbol(files, "GLIBC")
-        python, abi, _ = re.search(r"-(cp\d+)-(\w+)-(\w+)\.whl$", plain.name).groups()
-        tag = f"{python}-{abi}-manylinux_{glibc[0]}_{glibc[1]}_x86_64"
+        python = other or re.search(r"-(cp\d+)-\w+-\w+\.whl$", plain.name)[1]
+        tag = f"{python}-{python}-manylinux_{glibc[0]}_{glibc[1]}_x86_64"
         (info / "WHEEL").write_text(re.sub(r"(?m)^Tag: .*$", f"Tag: {tag}", (info / "WHEEL").read_text()))
         names = sorted(str(f.relative_to(unpacked)) for f in unpacked.rglob("*") if f.is_file() and f.name != "RECORD")
         record = f"{info.name}/RECORD"
@@ -141,7 +165,7 @@ def make_wheel(release: Release) -> None:
 # ---- what binds them
 
 
-MAKERS = {"notes": make_notes, "source": make_source, "npm": make_npm, "deb": make_deb, "sdist": make_sdist, "wheel": make_wheel,
+MAKERS = {"notes": make_notes, "source": make_source, "npm": make_npm, "deb": make_deb, "sdist": make_sdist, "wheel": make_wheel, "wheel-3.13": make_wheel_of("3.13"),
           "c": c_library.make_c, "c-arm64": c_library.make_c_arm64, "c-windows": c_library.make_c_windows, "unity": unity.make_unity,
           "portable": portable.make_portable, "sbom": make_sbom, "bits": make_bits}
 

@@ -66,6 +66,12 @@ def of_this_machine(folder: pathlib.Path, brought: list, build: pathlib.Path, ta
         kept(folder, package, pathlib.Path("/usr/share/doc") / package / "copyright")
 
 
+def of_headers(folder: pathlib.Path, headers: pathlib.Path) -> None:
+    """Of what tools/other-python fetched."""
+    for file in (headers / "licences").iterdir():
+        shutil.copyfile(file, folder / file.name)
+
+
 def of_packages(folder: pathlib.Path, brought: list, build: pathlib.Path, target: str, system: System) -> None:
     """Of Debian packages that are unpacked in system.root."""
     packages = {package_named(name) for name, _ in brought}

@@ -77,6 +77,19 @@ class Notes(unittest.TestCase):
         notes.cut((basics.ROOT / "CHANGELOG.md").read_text(), "0.2.0")
 
 
+class OtherPythons(InAFolder):
+    def test_are_missing_with_the_command_that_builds_them(self):
+        release = basics.Release(self.folder, self.folder, self.folder, "1.2.3", 1_000_000_000, KEY)
+        with self.assertRaisesRegex(basics.Missing, "tools/other-python 3.13"):
+            artefacts.MAKERS["wheel-3.13"](release)
+
+    def test_bring_the_licences_of_their_headers(self):
+        (self.folder / "headers/licences").mkdir(parents=True)
+        (self.folder / "headers/licences/pybind11-dev.copyright").write_text("BSD")
+        licences.of_headers(self.folder, self.folder / "headers")
+        self.assertEqual((self.folder / "pybind11-dev.copyright").read_text(), "BSD")
+
+
 class Archives(InAFolder):
     def tree(self, name: str, mode: int) -> pathlib.Path:
         tree = self.folder / name

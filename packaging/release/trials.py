@@ -110,7 +110,7 @@ with palpate.view.widget() as page:
 
 
 def try_wheel(files: pathlib.Path, work: pathlib.Path, full) -> str:
-    wheel = the(files, "*.whl")
+    wheel = the(files, f"*-cp{sys.version_info.major}{sys.version_info.minor}-*.whl")
     start = time.monotonic()
     run(PYTHON, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--no-compile", "--target", work / "site", wheel)
     took = time.monotonic() - start
@@ -212,13 +212,17 @@ def in_root(root: pathlib.Path, words: str, **environment) -> str:
         "HOME": "/root", "DEBIAN_FRONTEND": "noninteractive", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"})
 
 
-def fresh_root(files: pathlib.Path, work: pathlib.Path) -> pathlib.Path:
+def fresh_root(files: pathlib.Path, work: pathlib.Path, suite: str = "bookworm", python: str = "cp311") -> pathlib.Path:
+    """With the wheel of its own Python alone, as somebody downloads it."""
     if shutil.which("debootstrap") is None or os.geteuid() != 0:
         raise Skipped("it needs debootstrap and root")
     root = work / "root"
-    run("debootstrap", "--variant=minbase", "--include=python3-venv,python3-numpy", "bookworm", root, env=os.environ | {})
+    run("debootstrap", "--variant=minbase", "--include=python3-venv,python3-numpy", suite, root, env=os.environ | {})
     shutil.copyfile("/etc/resolv.conf", root / "etc/resolv.conf")
     shutil.copytree(files, root / "files")
+    for wheel in (root / "files").glob("*.whl"):
+        if f"-{python}-" not in wheel.name:
+            wheel.unlink()
     for example in ("touch.py", "simulate.py"):
         shutil.copyfile(HERE / "first" / example, root / "files" / example)
     in_root(root, "apt-get -qq update")
@@ -300,10 +304,19 @@ def try_readme(files: pathlib.Path, work: pathlib.Path, full) -> str:
     return f"installed and felt in a fresh Debian 12 root: {', '.join(said)}"
 
 
+def try_debian_13(files: pathlib.Path, work: pathlib.Path, full) -> str:
+    the(files, "*-cp313-*.whl")
+    if not full:
+        raise Skipped("a fresh Debian root takes a network and minutes; --full")
+    root = fresh_root(files, work, "trixie", "cp313")
+    wheel_in_root(root, "pip install ./palpate-*.whl")
+    return "installed and felt in a fresh Debian 13 root"
+
+
 TRIALS = {"verify": try_verify, "notes, bill, hashes": try_text, "C library": try_c, "C library for ARM64": trials_of_systems.try_c_arm64,
           "C library for Windows": trials_of_systems.try_c_windows, "Unity": trials_of_systems.try_unity,
           "portable command": trials_of_systems.try_portable, "npm": try_npm, "wheel": try_wheel, "Debian": try_deb, "source": try_source,
-          "sdist": try_sdist, "README": try_readme}
+          "sdist": try_sdist, "README": try_readme, "wheel in Debian 13": try_debian_13}
 
 
 def check(files: pathlib.Path, version: str, full: bool) -> int:

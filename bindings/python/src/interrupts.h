@@ -18,10 +18,16 @@ namespace palpate::python {
 /// handler on its way takes it for a failure of the engine.
 struct Interrupted {};
 
+#if PY_VERSION_HEX < 0x030D0000
+inline bool isFinalizing() { return _Py_IsFinalizing() != 0; }
+#else
+inline bool isFinalizing() { return Py_IsFinalizing() != 0; }
+#endif
+
 /// Python ends the threads that want the lock after the interpreter has gone, by unwinding them. They would take the
 /// process with them at the first noexcept function; ours wait for the end of the process instead.
 inline void waitForEverIfFinalizing() {
-  while (_Py_IsFinalizing() != 0) pause();
+  while (isFinalizing()) pause();
 }
 
 /// Releases the lock for its life.
