@@ -80,6 +80,7 @@ void addCredibilityCommand(CLI::App& study);
 void addPartitionCommand(CLI::App& study);
 void addHuntCommand(CLI::App& study);
 void addBenchCommand(CLI::App& study);
+void addBenchBatchCommand(CLI::App& bench);
 void addBenchContactCommand(CLI::App& bench);
 void addBenchDeformCommand(CLI::App& bench);
 void addBenchEditCommand(CLI::App& bench);

@@ -51,9 +51,11 @@ void printNames() {
 
 void addBenchCommand(CLI::App& study) {
   CLI::App& bench = *study.add_subcommand(
-      "bench", "Measure the finger, lumps, deformation, edits, partitions, loading, servo loop, recordings, pictures");
+      "bench",
+      "Measure the finger, batches, lumps, deformation, edits, partitions, loading, servo loop, recordings, pictures");
   bench.require_subcommand(0, 1);  // none: the regression guard
   addBenchBaseline(bench);
+  addBenchBatchCommand(bench);
   addBenchContactCommand(bench);
   addBenchDeformCommand(bench);
   addBenchEditCommand(bench);

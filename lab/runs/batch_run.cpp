@@ -1,0 +1,177 @@
+// Threads make their own fingers, so that these lie where they work, and meet once, before the first tick. They share
+// the body, which nobody writes.
+#include "lab/runs/batch_run.h"
+
+#include <algorithm>
+#include <barrier>
+#include <cstring>
+#include <thread>
+#include <vector>
+
+#include "lab/counters/thread_counts.h"
+#include "palpate/base/error.h"
+#include "palpate/base/stopwatch.h"
+#include "palpate/engine/fingers.h"
+
+namespace palpate::bench {
+
+namespace {
+
+/// Of all fingers in a pass: 70 ms of points, half a second of fingertips.
+constexpr std::size_t kPassTicks = 500000;
+/// A pass that was interrupted is no measurement; of two one may have been let alone.
+constexpr int kLeastRounds = 2;
+
+/// What a pass is about; the same for all of its threads.
+struct Pass {
+  const scene::World& world;
+  contact::FingerSettings finger;
+  std::span<const Vec3> path;
+  std::size_t fingers = 0;
+  std::size_t finger_ticks = 0;  ///< of each
+  std::size_t action_ticks = 0;  ///< divides finger_ticks
+};
+
+/// What one thread brings home.
+struct Share {
+  Clock::time_point began, ended;
+  std::size_t touching = 0;
+  lab::ThreadCounts counts;
+};
+
+/// Fingers [first, first + felt.size()) of a pass, on the thread that calls it. `start` waits for the others.
+template <class Start>
+Share stepShare(const Pass& pass, std::size_t first, std::span<contact::FingerOutput> felt, Start&& start) {
+  const std::vector<contact::FingerSettings> settings(felt.size(), pass.finger);
+  std::vector<engine::Finger> fingers = engine::fingersOn(pass.world, settings);
+  std::vector<std::size_t> places(felt.size());
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] = (first + i) * pass.path.size() / pass.fingers;
+  Share share;
+  start();
+  const lab::ThreadCounts before = lab::countsOfThisThread();
+  share.began = Clock::now();
+  for (std::size_t done = 0; done < pass.finger_ticks; done += pass.action_ticks) {
+    for (std::size_t i = 0; i < fingers.size(); ++i) {
+      std::size_t& place = places[i];
+      for (std::size_t k = 0; k < pass.action_ticks; ++k) {
+        felt[i] = fingers[i].feel(pass.path[place]);
+        share.touching += felt[i].depth_mm > 0.0 ? 1 : 0;
+        if (++place == pass.path.size()) place = 0;
+      }
+    }
+  }
+  share.ended = Clock::now();
+  share.counts = lab::countsSince(before);
+  return share;
+}
+
+struct PassResult {
+  double ticks_per_s = 0.0;
+  double touching = 0.0;
+  std::vector<contact::FingerOutput> felt;  ///< of each finger in its last tick
+  std::optional<std::uint64_t> allocations = 0, locks = 0;
+};
+
+std::optional<std::uint64_t> sumOf(std::optional<std::uint64_t> a, std::optional<std::uint64_t> b) {
+  if (!a || !b) return {};
+  return *a + *b;
+}
+
+PassResult resultOf(const Pass& pass, const std::vector<Share>& shares) {
+  PassResult result;
+  Clock::time_point began = shares.front().began, ended = shares.front().ended;
+  std::size_t touching = 0;
+  for (const Share& share : shares) {
+    began = std::min(began, share.began);
+    ended = std::max(ended, share.ended);
+    touching += share.touching;
+    result.allocations = sumOf(result.allocations, share.counts.allocations);
+    result.locks = sumOf(result.locks, share.counts.locks);
+  }
+  const auto ticks = static_cast<double>(pass.fingers * pass.finger_ticks);
+  result.ticks_per_s = ticks / std::chrono::duration<double>(ended - began).count();
+  result.touching = static_cast<double>(touching) / ticks;
+  return result;
+}
+
+PassResult passOf(const Pass& pass, std::size_t threads) {
+  std::vector<contact::FingerOutput> felt(pass.fingers);
+  std::vector<Share> shares(threads);
+  std::barrier start(static_cast<std::ptrdiff_t>(threads));
+  const auto work = [&](std::size_t thread) {
+    const std::size_t first = pass.fingers * thread / threads;
+    const std::size_t end = pass.fingers * (thread + 1) / threads;
+    shares[thread] =
+        stepShare(pass, first, std::span(felt).subspan(first, end - first), [&] { start.arrive_and_wait(); });
+  };
+  std::vector<std::thread> others;
+  for (std::size_t thread = 1; thread < threads; ++thread) others.emplace_back(work, thread);
+  work(0);
+  for (std::thread& other : others) other.join();
+  PassResult result = resultOf(pass, shares);
+  result.felt = std::move(felt);
+  return result;
+}
+
+std::size_t differencesOf(const PassResult& one, const PassResult& other) {
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < one.felt.size(); ++i) {
+    const contact::FingerOutput& a = one.felt[i];
+    const contact::FingerOutput& b = other.felt[i];
+    const bool same = a.force == b.force && a.proxy == b.proxy && a.triangle == b.triangle && a.status == b.status;
+    different += same ? 0 : 1;
+  }
+  return different;
+}
+
+/// Passes by one thread and by several, in turn.
+class Comparison {
+ public:
+  Comparison(Pass pass, std::size_t threads) : pass_(pass), threads_(threads) {}
+
+  void goOn(BatchRates& rates, BatchFigures& figures) const {
+    const PassResult one = passOf(pass_, 1);
+    const PassResult several = passOf(pass_, threads_);
+    rates.one_thread_ticks_per_s = std::max(rates.one_thread_ticks_per_s, one.ticks_per_s);
+    rates.ticks_per_s = std::max(rates.ticks_per_s, several.ticks_per_s);
+    figures.touching = one.touching;
+    figures.different += differencesOf(one, several);
+    for (const PassResult* pass : {&one, &several}) {
+      figures.allocations = sumOf(figures.allocations, pass->allocations);
+      figures.locks = sumOf(figures.locks, pass->locks);
+    }
+  }
+
+ private:
+  Pass pass_;
+  std::size_t threads_;
+};
+
+}  // namespace
+
+BatchFigures measureBatch(const scene::World& world, const contact::FingerSettings& finger, std::span<const Vec3> path,
+                          const BatchSettings& settings, const Progress& progress) {
+  engine::checkFingers(world, {&finger, 1});
+  if (path.empty()) throw Error("a batch needs a path");
+  const std::size_t actions = std::max<std::size_t>(1, kPassTicks / (settings.fingers * settings.action_ticks));
+  const std::size_t finger_ticks = actions * settings.action_ticks;
+  const Pass batch{world, finger, path, settings.fingers, finger_ticks, settings.action_ticks};
+  Pass rollout = batch;
+  rollout.action_ticks = finger_ticks;
+  Pass native = batch;
+  native.fingers = 1;
+  native.finger_ticks = native.action_ticks = settings.fingers * finger_ticks;
+  BatchFigures figures;
+  figures.triangles = world.body->skin.triangles.size();
+  figures.pass_ticks = settings.fingers * finger_ticks;
+  const Clock::time_point start = Clock::now();
+  for (int round = 0; round < kLeastRounds || secondsSince(start) < settings.seconds; ++round) {
+    report(progress, "stepping", std::min(1.0, secondsSince(start) / settings.seconds));
+    figures.native_ticks_per_s = std::max(figures.native_ticks_per_s, passOf(native, 1).ticks_per_s);
+    Comparison(batch, settings.threads).goOn(figures.batch, figures);
+    Comparison(rollout, settings.threads).goOn(figures.rollout, figures);
+  }
+  return figures;
+}
+
+}  // namespace palpate::bench
