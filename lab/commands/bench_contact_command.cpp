@@ -120,11 +120,11 @@ void runHdb(const BenchContactArguments& arguments) {
 }
 
 void runTool(const BenchContactArguments& arguments) {
-  if (arguments.scale != 1.0 || arguments.by_hdb || arguments.peers.wanted || arguments.finger.force_shading) {
-    throw Error("--tool touches the whole surface, without scale, shading and peers");
+  if (arguments.scale != 1.0 || arguments.by_hdb || arguments.finger.force_shading) {
+    throw Error("--tool touches the whole surface, without scale and shading");
   }
   runToolBench({arguments.mesh, arguments.trajectory, arguments.tool, arguments.stiffness_n_per_mm, arguments.finger,
-                arguments.window, arguments.json});
+                arguments.window, arguments.peers, arguments.json});
 }
 
 void runWithPeers(const BenchContactArguments& arguments, bench::ContactWorld& world) {
@@ -140,8 +140,8 @@ void runWithPeers(const BenchContactArguments& arguments, bench::ContactWorld& w
 }
 
 void runContact(const BenchContactArguments& arguments) {
-  if (!arguments.tool.empty()) return runTool(arguments);
   if (arguments.peers.wanted) handOverToPeersProgram(arguments.peers);
+  if (!arguments.tool.empty()) return runTool(arguments);
   if (arguments.by_hdb) return runHdb(arguments);
   bench::ContactWorld world =
       bench::buildContactWorld(meshFrom(arguments.mesh), arguments.scale, arguments.stiffness_n_per_mm);
@@ -182,10 +182,11 @@ void addHdbOptions(CLI::App& command, BenchContactArguments& arguments) {
 
 }  // namespace
 
-void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
+void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers, std::vector<bench::ToolPeer> tool_peers) {
   const auto [command, arguments] =
       addCommand(parent, "contact", "Run one finger along a trajectory and report what it felt", runContact);
   arguments.peers.peers = std::move(peers);
+  arguments.peers.tool_peers = std::move(tool_peers);
   command.add_option("--mesh", arguments.mesh, kMeshNamesHelp)->required();
   command.add_option("--trajectory", arguments.trajectory, "CSV file t_s,x_mm,y_mm,z_mm, or a benchmark's name")
       ->required();
@@ -197,6 +198,8 @@ void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
-void addBenchContactCommand(CLI::App& parent) { addBenchContactCommand(parent, bench::peersWithoutLibraries()); }
+void addBenchContactCommand(CLI::App& parent) {
+  addBenchContactCommand(parent, bench::peersWithoutLibraries(), bench::toolPeersWithoutLibraries());
+}
 
 }  // namespace palpate::app

@@ -33,17 +33,4 @@ void printReport(nlohmann::ordered_json json, const std::string& text, bool as_j
 // `bench` is the bench command.
 void addBenchBaseline(CLI::App& bench);  ///< no subcommand: `palpate study bench --baseline FILE`
 
-// `palpate study bench contact --tool`: a tool of several pads instead of one finger.
-
-struct BenchToolArguments {
-  std::string mesh, trajectory, tool;
-  double stiffness_n_per_mm = 0.5;
-  contact::FingerSettings finger;  ///< its radius is not looked at
-  bench::Window window;
-  bool json = false;
-};
-
-/// Measures and prints. Throws Error.
-void runToolBench(const BenchToolArguments& arguments);
-
 }  // namespace palpate::app

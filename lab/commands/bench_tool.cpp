@@ -7,6 +7,7 @@
 #include "cli/kit/json.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
+#include "lab/commands/peers_report.h"
 
 namespace palpate::app {
 
@@ -60,10 +61,19 @@ std::string toolText(const BenchToolArguments& arguments, const bench::ToolFigur
 void runToolBench(const BenchToolArguments& arguments) {
   const bench::ContactWorld world =
       bench::buildContactWorld(meshFrom(arguments.mesh), 1.0, arguments.stiffness_n_per_mm);
-  const bench::ToolFigures figures =
-      bench::measureTool(world, trajectoryFrom(arguments.trajectory), bench::toolNamed(arguments.tool),
-                         arguments.finger, arguments.window);
-  printReport(toolJson(arguments, figures), toolText(arguments, figures), arguments.json);
+  const device::Trajectory trajectory = trajectoryFrom(arguments.trajectory);
+  const contact::ToolShape shape = bench::toolNamed(arguments.tool);
+  const bench::ToolFigures figures = bench::measureTool(world, trajectory, shape, arguments.finger, arguments.window);
+  nlohmann::ordered_json json = toolJson(arguments, figures);
+  std::string text = toolText(arguments, figures);
+  if (arguments.peers.wanted) {
+    const bench::ToolQueries queries{shape,
+                                     bench::posesOnSkin(world, trajectory, shape, arguments.finger, arguments.window)};
+    const auto peers = bench::comparePeers(arguments.peers.tool_peers, world, queries, arguments.peers.seconds);
+    addPeers(json, peers, PeerTask::tool, figures.any_tick_us.p50);
+    text += peersText(peers, PeerTask::tool, figures.any_tick_us.p50);
+  }
+  printReport(std::move(json), text, arguments.json);
 }
 
 }  // namespace palpate::app

@@ -46,8 +46,10 @@ bool lacksPeersProgram(const PeerFigures& figures) {
 }  // namespace
 
 void addPeersOption(CLI::App& command, PeersOption& option) {
-  command.add_flag("--peers", option.wanted,
-                   "Put the same queries to Embree, CGAL, FCL and the literal dissertation, in the same run");
+  command.add_flag(
+      "--peers", option.wanted,
+      "Put the same queries to Embree, CGAL, FCL and the literal dissertation, those of a tool to Bullet and FCL, in "
+      "the same run");
   addSetting(command, "--peer-seconds", option.seconds, between(0.01, 3600.0, "s"),
              "Time for the queries of each peer; building not counted");
 }
@@ -77,11 +79,13 @@ nlohmann::ordered_json jsonOf(const PeerFigures& f, PeerTask task) {
     json["package"] = f.package;
     return json;
   }
-  json[task == PeerTask::contact ? "tick_us" : "hdb_query_us"] = percentilesJson(f.query_us);
+  json[task == PeerTask::boxes ? "hdb_query_us" : "tick_us"] = percentilesJson(f.query_us);
   json["queries"] = f.queries;
   if (task == PeerTask::contact) {
     json["mean_distance_mm"] = f.mean_distance_mm;
     json["hits"] = f.hits;
+  } else if (task == PeerTask::tool) {
+    json["mean_touching"] = f.mean_touching;
   } else {
     json["mean_triangles"] = f.mean_triangles;
   }
@@ -93,6 +97,7 @@ nlohmann::ordered_json jsonOf(const PeerFigures& f, PeerTask task) {
 }
 
 std::string answersText(const PeerFigures& f, PeerTask task) {
+  if (task == PeerTask::tool) return fmt::format("{:.1f} pads touch on average", f.mean_touching);
   if (task == PeerTask::boxes) return fmt::format("{:.0f} triangles on average", f.mean_triangles);
   return fmt::format("nearest {:.5f} mm on average, {} segments hit", f.mean_distance_mm, f.hits);
 }

@@ -22,6 +22,7 @@ struct PeersOption {
   bool wanted = false;
   double seconds = 5.0;            ///< for the queries of each peer
   std::vector<bench::Peer> peers;  ///< in this program
+  std::vector<bench::ToolPeer> tool_peers = bench::toolPeersWithoutLibraries();
 };
 
 /// Adds --peers and --peer-seconds. `option` must outlive the command.
@@ -32,16 +33,30 @@ void addPeersOption(CLI::App& command, PeersOption& option);
 void handOverToPeersProgram(const PeersOption& option);
 
 /// The benchmark commands with the peers that a program has; those of commands.h have none of the libraries.
-void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers);
+void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers, std::vector<bench::ToolPeer> tool_peers);
 void addBenchPartitionCommand(CLI::App& parent, std::vector<bench::Peer> peers);
 
 /// What a benchmark asks of its peers: the names of its own keys.
-enum class PeerTask { contact, boxes };
+enum class PeerTask { contact, boxes, tool };
 
 /// Adds `peers` and `ratio_to` (ours over theirs at p50) to the report of ours.
 void addPeers(nlohmann::ordered_json& json, std::span<const bench::PeerFigures> peers, PeerTask task, double ours_p50);
 
 /// A line or two a peer.
 std::string peersText(std::span<const bench::PeerFigures> peers, PeerTask task, double ours_p50);
+
+// `palpate study bench contact --tool`: a tool of several pads instead of one finger.
+
+struct BenchToolArguments {
+  std::string mesh, trajectory, tool;
+  double stiffness_n_per_mm = 0.5;
+  contact::FingerSettings finger;  ///< its radius is not looked at
+  bench::Window window;
+  PeersOption peers;
+  bool json = false;
+};
+
+/// Measures and prints. Throws Error.
+void runToolBench(const BenchToolArguments& arguments);
 
 }  // namespace palpate::app

@@ -101,7 +101,33 @@ PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const B
   return run;
 }
 
+/// A sphere for each pad; the first contact is enough.
+PeerRun<ToolAnswer> answerTool(const mesh::TriangleMesh& mesh, const ToolQueries& queries, double seconds) {
+  PeerRun<ToolAnswer> run;
+  const auto model = timedBuild(mesh.triangles.size(), run, [&] { return buildModel(mesh); });
+  std::vector<fcl::Sphere<double>> spheres;
+  for (const contact::Pad& pad : queries.shape.pads) spheres.emplace_back(pad.radius_mm);
+  ToolAnswer answer;
+  const auto ask = [&](std::size_t tick) {
+    answer = {};
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+      const contact::Pad& pad = queries.shape.pads[i];
+      const contact::ToolPose& pose = queries.at(tick)[pad.part];
+      fcl::CollisionRequest<double> request;
+      fcl::CollisionResult<double> result;
+      answer.touching += fcl::collide(&spheres[i], at(pose.position + pose.rotation * pad.offset), model.get(),
+                                      Place::Identity(), request, result) > 0
+                             ? 1
+                             : 0;
+    }
+  };
+  timeAnswers(queries.ticks(), seconds, run, ask, [&](std::size_t) { return answer; });
+  return run;
+}
+
 }  // namespace
+
+ToolPeer fclToolPeer() { return {"fcl", "libfcl-dev", answerTool}; }
 
 Peer fclPeer() { return {"fcl", "libfcl-dev", answerContact, answerBoxes, BoxTest::triangle}; }
 

@@ -17,8 +17,8 @@ constexpr double kTolerance = 2e-6;
 /// A triangle that a box touches by less than this share of the box is in it for one library and not for another.
 constexpr double kBoxTolerance = 1e-6;
 
-template <class Answer>
-PeerFigures figuresOf(const Peer& peer, const PeerRun<Answer>& run) {
+template <class OnePeer, class Answer>
+PeerFigures figuresOf(const OnePeer& peer, const PeerRun<Answer>& run) {
   PeerFigures figures;
   figures.name = peer.name;
   figures.package = peer.package;
@@ -117,7 +117,33 @@ void judge(const Peer& peer, const PeerRun<BoxAnswer>& run, const mesh::Triangle
   figures.hash = hash.value();
 }
 
-PeerFigures notInstalled(const Peer& peer) {
+/// Every pad's distance is exact; a pad that is within rounding of touching may do as it likes.
+void judge(const PeerRun<ToolAnswer>& run, const ContactWorld& world, const ToolQueries& queries,
+           PeerFigures& figures) {
+  const tree::TriangleTree& tree = world.surface.geometry->tree;
+  const double tolerance = kTolerance * tree.diagonal;
+  const auto touching = [&](std::size_t tick, double more_mm) {
+    return static_cast<std::size_t>(
+        std::count_if(queries.shape.pads.begin(), queries.shape.pads.end(), [&](const contact::Pad& pad) {
+          const contact::ToolPose& pose = queries.at(tick)[pad.part];
+          return tree::nearestPoint(tree, pose.position + pose.rotation * pad.offset, pad.radius_mm + more_mm)
+                     .triangle != kNoIndex;
+        }));
+  };
+  Hash hash;
+  for (std::size_t k = 0; k < run.asked.size(); ++k) {
+    const std::size_t answer = run.answers[k].touching;
+    figures.mean_touching += static_cast<double>(answer) / static_cast<double>(run.asked.size());
+    hash.add(static_cast<std::uint64_t>(answer));
+    if (answer < touching(run.asked[k], -tolerance) || answer > touching(run.asked[k], tolerance)) {
+      ++figures.disagreements;
+    }
+  }
+  figures.hash = hash.value();
+}
+
+template <class OnePeer>
+PeerFigures notInstalled(const OnePeer& peer) {
   PeerFigures figures;
   figures.name = peer.name;
   figures.package = peer.package;
@@ -151,6 +177,21 @@ std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const mesh::T
     if (peer.boxes == nullptr) continue;
     const PeerRun<BoxAnswer> run = peer.boxes(mesh, boxes, seconds_per_peer);
     judge(peer, run, mesh, ours, boxes, all.emplace_back(figuresOf(peer, run)));
+  }
+  return all;
+}
+
+std::vector<PeerFigures> comparePeers(std::span<const ToolPeer> peers, const ContactWorld& world,
+                                      const ToolQueries& queries, double seconds_per_peer) {
+  const mesh::TriangleMesh mesh = meshOf(world.surface);
+  std::vector<PeerFigures> all;
+  for (const ToolPeer& peer : peers) {
+    if (peer.tool == nullptr) {
+      all.push_back(notInstalled(peer));
+      continue;
+    }
+    const PeerRun<ToolAnswer> run = peer.tool(mesh, queries, seconds_per_peer);
+    judge(run, world, queries, all.emplace_back(figuresOf(peer, run)));
   }
   return all;
 }

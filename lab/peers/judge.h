@@ -30,6 +30,8 @@ struct PeerFigures {
   std::size_t hits = 0;           ///< segments that cross the surface
   // Boxes
   double mean_triangles = 0.0;
+  // Tools
+  double mean_touching = 0.0;  ///< pads
 };
 
 /// Builds each peer, asks it and judges it, one after the other; peers that cannot do it are left out. `mesh` is the
@@ -38,6 +40,10 @@ std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const Contact
                                       std::span<const ContactQuery> queries, double seconds_per_peer);
 std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const mesh::TriangleMesh& mesh,
                                       std::span<const Box3> boxes, double seconds_per_peer);
+
+/// The same of a tool in a world of scale 1.
+std::vector<PeerFigures> comparePeers(std::span<const ToolPeer> peers, const ContactWorld& world,
+                                      const ToolQueries& queries, double seconds_per_peer);
 
 struct ContactComparison {
   ContactFigures ours;

@@ -6,8 +6,9 @@ namespace palpate::bench {
 namespace {
 
 /// In the place of the one of its name, which can do nothing.
-[[maybe_unused]] void put(const Peer& peer, std::vector<Peer>& peers) {
-  for (Peer& place : peers) {
+template <class OnePeer>
+[[maybe_unused]] void put(const OnePeer& peer, std::vector<OnePeer>& peers) {
+  for (OnePeer& place : peers) {
     if (place.name == peer.name) place = peer;
   }
 }
@@ -25,6 +26,17 @@ std::vector<Peer> linkedPeers() {
 #endif
 #ifdef PALPATE_HAS_FCL
   put(fclPeer(), peers);
+#endif
+  return peers;
+}
+
+std::vector<ToolPeer> linkedToolPeers() {
+  std::vector<ToolPeer> peers = toolPeersWithoutLibraries();
+#ifdef PALPATE_HAS_BULLET
+  put(bulletToolPeer(), peers);
+#endif
+#ifdef PALPATE_HAS_FCL
+  put(fclToolPeer(), peers);
 #endif
   return peers;
 }

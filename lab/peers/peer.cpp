@@ -76,4 +76,6 @@ std::vector<Peer> peersWithoutLibraries() {
   return {{"embree", "libembree-dev"}, {"cgal", "libcgal-dev"}, {"fcl", "libfcl-dev"}, literalPeer()};
 }
 
+std::vector<ToolPeer> toolPeersWithoutLibraries() { return {{"bullet", "libbullet-dev"}, {"fcl", "libfcl-dev"}}; }
+
 }  // namespace palpate::bench

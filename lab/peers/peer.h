@@ -80,6 +80,40 @@ struct Peer {
   BoxTest box_test = BoxTest::triangle;
 };
 
+// ---- tools of several pads
+
+/// Where a tool's parts lay on the skin, tick by tick (posesOnSkin): pads are spheres.
+struct ToolQueries {
+  const contact::ToolShape& shape;
+  std::vector<contact::ToolPose> poses;  ///< of every part in every tick
+  std::size_t ticks() const { return poses.size() / shape.rest.size(); }
+  std::span<const contact::ToolPose> at(std::size_t tick) const {
+    return std::span(poses).subspan(tick * shape.rest.size(), shape.rest.size());
+  }
+};
+
+/// How many pads meet the skin.
+struct ToolAnswer {
+  std::size_t touching = 0;
+};
+
+/// A library of collisions, asked which pads touch. It has no proxy, depth or friction to give.
+struct ToolPeer {
+  std::string name;
+  std::string package;
+  PeerRun<ToolAnswer> (*tool)(const mesh::TriangleMesh& mesh, const ToolQueries& queries, double seconds) = nullptr;
+};
+
+/// Of sphere and triangle each; a part is one compound.
+ToolPeer bulletToolPeer();
+ToolPeer fclToolPeer();
+
+/// As linkedPeers() and peersWithoutLibraries().
+std::vector<ToolPeer> linkedToolPeers();
+std::vector<ToolPeer> toolPeersWithoutLibraries();
+
+// ---- those that there are
+
 Peer embreePeer();
 /// The same, but the point query starts with the distance that the last tick's proxy proves. Contact only.
 Peer embreeToldPeer();

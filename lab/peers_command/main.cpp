@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   study.require_subcommand(1);
   CLI::App& bench = *study.add_subcommand("bench", "Measure the finger and the partitions, and their peers");
   bench.require_subcommand(1);
-  palpate::app::addBenchContactCommand(bench, palpate::bench::linkedPeers());
+  palpate::app::addBenchContactCommand(bench, palpate::bench::linkedPeers(), palpate::bench::linkedToolPeers());
   palpate::app::addBenchPartitionCommand(bench, palpate::bench::linkedPeers());
   return palpate::app::runCommandLine(app, palpate::system::commandLine(argc, argv));
 }

@@ -137,6 +137,12 @@ std::vector<std::string> toolNames();
 /// Throws Error for another name.
 contact::ToolShape toolNamed(std::string_view name);
 
+/// The same way, but on the skin instead of in it: each part is moved as far as its pads come out of the skin on
+/// average. All parts of a tick, then those of the next. Of `finger` the radius is not looked at.
+std::vector<contact::ToolPose> posesOnSkin(const ContactWorld& world, const device::Trajectory& trajectory,
+                                           const contact::ToolShape& shape, const contact::FingerSettings& finger,
+                                           const Window& window = {});
+
 /// In a world of scale 1. Of `finger` the radius is not looked at.
 ToolFigures measureTool(const ContactWorld& world, const device::Trajectory& trajectory,
                         const contact::ToolShape& shape, const contact::FingerSettings& finger,

@@ -147,6 +147,19 @@ std::size_t differencesOf(const ContactWorld& world, const contact::ToolShape& s
   return different;
 }
 
+/// From where the pads of a part are to where they rest, on average.
+Vec3 wayOut(const contact::ToolShape& shape, const contact::ToolState& state, std::size_t part) {
+  Vec3 sum = Vec3::Zero();
+  double pads = 0.0;
+  for (std::size_t i = 0; i < shape.pads.size(); ++i) {
+    if (shape.pads[i].part != part) continue;
+    const contact::FingerOutput& felt = state.felt[i];
+    pads += 1.0;
+    if (felt.touch != contact::Touch::free) sum += felt.proxy + shape.pads[i].radius_mm * felt.normal - felt.tip;
+  }
+  return sum / pads;
+}
+
 }  // namespace
 
 std::vector<std::string> toolNames() {
@@ -160,6 +173,25 @@ contact::ToolShape toolNamed(std::string_view name) {
     if (known == name) return shape;
   }
   throw Error("no tool is called '" + std::string(name) + "'");
+}
+
+std::vector<contact::ToolPose> posesOnSkin(const ContactWorld& world, const device::Trajectory& trajectory,
+                                           const contact::ToolShape& shape, const contact::FingerSettings& finger,
+                                           const Window& window) {
+  const device::Trajectory ticks = device::resampled(trajectory, finger.tick_s);
+  const Poses poses(world, ticks.tip_mm, finger.tick_s, shape.rest.size());
+  contact::ToolState state = contact::makeToolState(shape, world.surface);
+  std::vector<contact::ToolPose> wanted;
+  for (std::size_t k = 0; k < poses.ticks(); ++k) {
+    (void)contact::stepTool(world.surface, shape, finger, state, poses.at(k));
+    if (ticks.time_s[k] < window.from_s || ticks.time_s[k] >= window.until_s) continue;
+    for (std::size_t part = 0; part < shape.rest.size(); ++part) {
+      contact::ToolPose pose = poses.at(k)[part];
+      pose.position += wayOut(shape, state, part);
+      wanted.push_back(pose);
+    }
+  }
+  return wanted;
 }
 
 ToolFigures measureTool(const ContactWorld& world, const device::Trajectory& trajectory,

@@ -7,6 +7,7 @@
 #include "lab/peers/peer.h"
 #include "lab/peers/timed_answers.h"
 #include "palpate/base/random.h"
+#include "palpate/contact/tool_shapes.h"
 #include "palpate/tree/closest_on_triangle.h"
 #include "support/mesh_zoo.h"
 
@@ -16,8 +17,10 @@ namespace {
 
 #ifdef PALPATE_HAS_PEERS
 std::vector<Peer> peers() { return linkedPeers(); }
+std::vector<ToolPeer> toolPeers() { return linkedToolPeers(); }
 #else
 std::vector<Peer> peers() { return peersWithoutLibraries(); }
+std::vector<ToolPeer> toolPeers() { return toolPeersWithoutLibraries(); }
 #endif
 
 /// Between, on and beyond the hills of a sheet of 100 mm.
@@ -116,6 +119,33 @@ TEST(Peers, ListTheTrianglesOfABox) {
     EXPECT_GE(run.answers[0].count, 2 * squares - 2) << peer.name;  // two corners may be passed by
     EXPECT_LE(run.answers[0].count, 2 * squares) << peer.name;
     EXPECT_EQ(run.answers[1].count, 0u) << peer.name;
+  }
+}
+
+TEST(Peers, FindThePadsOfAToolThatTouchAWavySheet) {
+  const mesh::TriangleMesh mesh = zoo::wavyGrid();
+  const contact::ToolShape hand = contact::handTool();
+  ToolQueries queries{hand, {}};
+  Random random(13);
+  for (std::size_t k = 0; k < 50 * hand.rest.size(); ++k) {
+    const Vec3 axis(random.normal(), random.normal(), random.normal());
+    queries.poses.push_back({somewhere(random), Eigen::AngleAxisd(1.0, axis.normalized()).toRotationMatrix()});
+  }
+  for (const ToolPeer& peer : toolPeers()) {
+    if (peer.tool == nullptr) continue;
+    const PeerRun<ToolAnswer> run = peer.tool(mesh, queries, 10.0);
+    ASSERT_EQ(run.answers.size(), 50u) << peer.name;
+    for (std::size_t tick = 0; tick < run.answers.size(); ++tick) {
+      std::size_t surely = 0, perhaps = 0;
+      for (const contact::Pad& pad : hand.pads) {
+        const contact::ToolPose& pose = queries.at(tick)[pad.part];
+        const double gap = distanceTo(mesh, pose.position + pose.rotation * pad.offset) - pad.radius_mm;
+        surely += gap < -1e-3 ? 1 : 0;
+        perhaps += gap < 1e-3 ? 1 : 0;
+      }
+      EXPECT_GE(run.answers[tick].touching, surely) << peer.name << " " << tick;
+      EXPECT_LE(run.answers[tick].touching, perhaps) << peer.name << " " << tick;
+    }
   }
 }
 

@@ -53,6 +53,21 @@ TEST(BenchPeers, AnswerTheQueriesOfTheFinger) {
   EXPECT_LT(distance, 10.0);
 }
 
+TEST(BenchPeers, OfAToolSayWhichPadsTouch) {
+  const json report = reportOf(
+      "study bench contact --mesh back_2962 --trajectory back_slide --from 2 --to 4 --tool head --peers --peer-seconds "
+      "0.5");
+  for (const char* name : {"bullet", "fcl"}) {
+    ASSERT_TRUE(report["peers"].contains(name)) << name;
+    const json& peer = report["peers"][name];
+    if (peer.contains("skipped")) continue;
+    EXPECT_EQ(peer["disagreements"], 0) << name;
+    EXPECT_GT(peer["mean_touching"], 1.0) << name;
+    const double ratio = report["any_tick_us"]["p50"].get<double>() / peer["tick_us"]["p50"].get<double>();
+    EXPECT_DOUBLE_EQ(report["ratio_to"][name].get<double>(), ratio) << name;
+  }
+}
+
 TEST(BenchPeers, AnswerTheBoxes) {
   const json report = reportOf("study bench partition --mesh back_2962 --ticks 200 --peers --peer-seconds 0.5");
   expectPeers(report, "hdb_query_us");
