@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "palpate/base/elementary.h"
-#include "palpate/base/rotation.h"
 #include "palpate/body/cubic_spline.h"
 #include "palpate/body/plane_outline.h"
+#include "palpate/body/rotation.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
 

@@ -25,7 +25,7 @@
 
 #include <numbers>
 
-#include "palpate/base/rotation.h"
+#include "palpate/body/rotation.h"
 
 namespace palpate::body {
 namespace {

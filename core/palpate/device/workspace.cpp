@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "palpate/base/elementary.h"
-#include "palpate/base/rotation.h"
+#include "palpate/body/rotation.h"
 #include "palpate/device/finger_path.h"
 
 namespace palpate::device {
@@ -20,8 +20,8 @@ std::uint32_t buttonBit(std::size_t button) { return button == 0 ? 0 : std::uint
 
 Mat3 rotationOf(const Vec3& turn_deg) {
   const Vec3 turn = kRadPerDeg * turn_deg;
-  return rotationAbout(Vec3::UnitZ(), turn.z()) * rotationAbout(Vec3::UnitY(), turn.y()) *
-         rotationAbout(Vec3::UnitX(), turn.x());
+  return body::rotationAbout(Vec3::UnitZ(), turn.z()) * body::rotationAbout(Vec3::UnitY(), turn.y()) *
+         body::rotationAbout(Vec3::UnitX(), turn.x());
 }
 
 Vec3 turnOf(const Mat3& r) {

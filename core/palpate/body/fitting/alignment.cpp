@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "palpate/base/elementary.h"
-#include "palpate/base/rotation.h"
+#include "palpate/body/rotation.h"
 #include "palpate/mesh/nearest.h"
 
 namespace palpate::body {

@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "palpate/base/elementary.h"
-#include "palpate/base/rotation.h"
+#include "palpate/body/rotation.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/skeleton/skeleton_shapes.h"
 #include "palpate/body/tetrahedra_mesher.h"

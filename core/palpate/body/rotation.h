@@ -4,7 +4,7 @@
 #include "palpate/base/elementary.h"
 #include "palpate/base/vec.h"
 
-namespace palpate {
+namespace palpate::body {
 
 /// Rodrigues' formula; `axis` is a unit vector, the turn right-handed.
 inline Mat3 rotationAbout(const Vec3& axis, double angle_rad) {
@@ -22,4 +22,4 @@ inline Mat3 rotationAbout(const Vec3& axis, double angle_rad) {
   return rotation;
 }
 
-}  // namespace palpate
+}  // namespace palpate::body
