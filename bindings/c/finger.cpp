@@ -6,6 +6,7 @@
 #include <span>
 
 #include "answers.h"
+#include "palpate/base/fields.h"
 #include "palpate/contact/finger_fields.h"
 #include "palpate/engine/felt_pressure.h"
 #include "palpate/engine/fingers.h"

@@ -11,7 +11,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/kit/simulate_options.h"
 #include "lab/commands/bench_report.h"
-#include "lab/runs/batch_run.h"
+#include "lab/runs/servo_costs.h"
 #include "palpate/device/finger_path.h"
 #include "palpate/engine/fingers.h"
 

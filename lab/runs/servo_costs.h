@@ -1,8 +1,11 @@
-// What else than contact costs a servo tick: guards and passivity, and a recording.
+// What else than contact costs a servo tick: guards and passivity, a recording, and that there are many fingers.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <span>
 
 #include "palpate/base/progress.h"
 #include "palpate/device/finger_path.h"
@@ -52,5 +55,39 @@ struct RecordingRun {
 /// Records the world's fingers on their paths, again and again. Throws Error for a folder that cannot be written.
 RecordingRun measureRecording(const scene::World& world, const device::FingerPaths& paths,
                               const RecordingRunSettings& settings, const Progress& progress = {});
+
+// What a tick costs beside one finger in a plain loop when many fingers are on one world, as learning and sweeps ask
+// for them, and whether threads hold each other up.
+//
+// Every finger goes along the same path from a place of its own. A batch moves each a few ticks at a time, one finger
+// after the other, as a vectorised environment does; a rollout takes each along its whole way first.
+
+struct BatchSettings {
+  std::size_t fingers = 1024;
+  std::size_t action_ticks = 10;  ///< of a batch: so many of one finger before the next
+  std::size_t threads = 2;        ///< compared with one
+  double seconds = 4.0;           ///< to measure for; each pass is made twice at least
+};
+
+/// Of one order of the ticks. Rates are those of the fastest pass: other programs only slow it down.
+struct BatchRates {
+  double one_thread_ticks_per_s = 0.0;
+  double ticks_per_s = 0.0;  ///< of all threads together
+  double scaling() const { return one_thread_ticks_per_s > 0.0 ? ticks_per_s / one_thread_ticks_per_s : 0.0; }
+};
+
+struct BatchFigures {
+  std::size_t triangles = 0;
+  std::size_t pass_ticks = 0;       ///< of all fingers together
+  double touching = 0.0;            ///< share of a pass's ticks
+  double native_ticks_per_s = 0.0;  ///< one finger alone on one thread
+  BatchRates batch, rollout;
+  std::size_t different = 0;  ///< fingers that felt otherwise in the end with more threads, to the bit
+  std::optional<std::uint64_t> allocations = 0, locks = 0;  ///< of all ticks
+};
+
+/// `path`: tips, a tick each, gone again and again. Throws Error where settings and world do not suit.
+BatchFigures measureBatch(const scene::World& world, const contact::FingerSettings& finger, std::span<const Vec3> path,
+                          const BatchSettings& settings, const Progress& progress = {});
 
 }  // namespace palpate::bench

@@ -8,6 +8,7 @@
 #include <bit>
 
 #include "bindings.h"
+#include "palpate/base/fields.h"
 #include "palpate/contact/finger_fields.h"
 #include "palpate/engine/fingers.h"
 #include "world_handle.h"

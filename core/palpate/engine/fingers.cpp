@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
+#include "palpate/base/fields.h"
 #include "palpate/contact/finger_fields.h"
 
 namespace palpate::engine {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "palpate/base/error.h"
+#include "palpate/base/fields.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/system/process.h"

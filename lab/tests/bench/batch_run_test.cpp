@@ -1,5 +1,5 @@
 // What `palpate study bench batch` measures is what it says: the same ticks, whoever makes them.
-#include "lab/runs/batch_run.h"
+#include "lab/runs/servo_costs.h"
 
 #include <gtest/gtest.h>
 
