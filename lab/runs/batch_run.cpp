@@ -6,6 +6,7 @@
 #include <barrier>
 #include <cstring>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "lab/counters/thread_counts.h"
@@ -22,15 +23,34 @@ constexpr std::size_t kPassTicks = 500000;
 /// A pass that was interrupted is no measurement; of two one may have been let alone.
 constexpr int kLeastRounds = 2;
 
+/// A finger that came to its place along the path: one that was put down in the skin would feel nothing.
+struct Begun {
+  std::size_t place = 0;
+  contact::FingerState state;
+};
+
 /// What a pass is about; the same for all of its threads.
 struct Pass {
   const scene::World& world;
   contact::FingerSettings finger;
   std::span<const Vec3> path;
-  std::size_t fingers = 0;
+  std::vector<Begun> fingers;
   std::size_t finger_ticks = 0;  ///< of each
   std::size_t action_ticks = 0;  ///< divides finger_ticks
 };
+
+/// Evenly along the path.
+std::vector<Begun> begunOn(const scene::World& world, const contact::FingerSettings& settings,
+                           std::span<const Vec3> path, std::size_t count) {
+  engine::Finger walker = std::move(engine::fingersOn(world, {&settings, 1}).front());
+  std::vector<Begun> begun;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t place = i * path.size() / count;
+    while (walker.ticks < place) walker.feel(path[walker.ticks]);
+    begun.push_back({place, walker.state});
+  }
+  return begun;
+}
 
 /// What one thread brings home.
 struct Share {
@@ -45,7 +65,11 @@ Share stepShare(const Pass& pass, std::size_t first, std::span<contact::FingerOu
   const std::vector<contact::FingerSettings> settings(felt.size(), pass.finger);
   std::vector<engine::Finger> fingers = engine::fingersOn(pass.world, settings);
   std::vector<std::size_t> places(felt.size());
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] = (first + i) * pass.path.size() / pass.fingers;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    places[i] = pass.fingers[first + i].place;
+    fingers[i].state = pass.fingers[first + i].state;
+    fingers[i].ticks = places[i];
+  }
   Share share;
   start();
   const lab::ThreadCounts before = lab::countsOfThisThread();
@@ -88,19 +112,19 @@ PassResult resultOf(const Pass& pass, const std::vector<Share>& shares) {
     result.allocations = sumOf(result.allocations, share.counts.allocations);
     result.locks = sumOf(result.locks, share.counts.locks);
   }
-  const auto ticks = static_cast<double>(pass.fingers * pass.finger_ticks);
+  const auto ticks = static_cast<double>(pass.fingers.size() * pass.finger_ticks);
   result.ticks_per_s = ticks / std::chrono::duration<double>(ended - began).count();
   result.touching = static_cast<double>(touching) / ticks;
   return result;
 }
 
 PassResult passOf(const Pass& pass, std::size_t threads) {
-  std::vector<contact::FingerOutput> felt(pass.fingers);
+  std::vector<contact::FingerOutput> felt(pass.fingers.size());
   std::vector<Share> shares(threads);
   std::barrier start(static_cast<std::ptrdiff_t>(threads));
   const auto work = [&](std::size_t thread) {
-    const std::size_t first = pass.fingers * thread / threads;
-    const std::size_t end = pass.fingers * (thread + 1) / threads;
+    const std::size_t first = felt.size() * thread / threads;
+    const std::size_t end = felt.size() * (thread + 1) / threads;
     shares[thread] =
         stepShare(pass, first, std::span(felt).subspan(first, end - first), [&] { start.arrive_and_wait(); });
   };
@@ -127,7 +151,7 @@ std::size_t differencesOf(const PassResult& one, const PassResult& other) {
 /// Passes by one thread and by several, in turn.
 class Comparison {
  public:
-  Comparison(Pass pass, std::size_t threads) : pass_(pass), threads_(threads) {}
+  Comparison(const Pass& pass, std::size_t threads) : pass_(pass), threads_(threads) {}
 
   void goOn(BatchRates& rates, BatchFigures& figures) const {
     const PassResult one = passOf(pass_, 1);
@@ -143,7 +167,7 @@ class Comparison {
   }
 
  private:
-  Pass pass_;
+  const Pass& pass_;
   std::size_t threads_;
 };
 
@@ -155,11 +179,12 @@ BatchFigures measureBatch(const scene::World& world, const contact::FingerSettin
   if (path.empty()) throw Error("a batch needs a path");
   const std::size_t actions = std::max<std::size_t>(1, kPassTicks / (settings.fingers * settings.action_ticks));
   const std::size_t finger_ticks = actions * settings.action_ticks;
-  const Pass batch{world, finger, path, settings.fingers, finger_ticks, settings.action_ticks};
+  const Pass batch{
+      world, finger, path, begunOn(world, finger, path, settings.fingers), finger_ticks, settings.action_ticks};
   Pass rollout = batch;
   rollout.action_ticks = finger_ticks;
   Pass native = batch;
-  native.fingers = 1;
+  native.fingers.resize(1);
   native.finger_ticks = native.action_ticks = settings.fingers * finger_ticks;
   BatchFigures figures;
   figures.triangles = world.body->skin.triangles.size();

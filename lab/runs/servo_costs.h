@@ -59,8 +59,8 @@ RecordingRun measureRecording(const scene::World& world, const device::FingerPat
 // What a tick costs beside one finger in a plain loop when many fingers are on one world, as learning and sweeps ask
 // for them, and whether threads hold each other up.
 //
-// Every finger goes along the same path from a place of its own. A batch moves each a few ticks at a time, one finger
-// after the other, as a vectorised environment does; a rollout takes each along its whole way first.
+// Every finger goes along the same path, from a place that it came to along it. A batch moves each a few ticks at a
+// time, one finger after the other, as a vectorised environment does; a rollout takes each along its whole way first.
 
 struct BatchSettings {
   std::size_t fingers = 1024;
