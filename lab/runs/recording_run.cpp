@@ -20,7 +20,7 @@ namespace palpate::bench {
 namespace {
 
 /// Short enough that an interruption of the system spoils few, long enough for the clock.
-constexpr std::uint64_t kTimedTicks = 250;
+constexpr std::uint64_t kRecordedTicks = 250;
 
 std::vector<trace::RecordingFinger> fingersOf(const scene::World& world) {
   std::vector<trace::RecordingFinger> fingers;
@@ -102,12 +102,12 @@ void measureHandOver(const scene::World& world, const device::FingerPaths& paths
     Drain drain(links, writer);
     const auto block = [&](bool records) {
       const auto start = Clock::now();
-      for (std::uint64_t k = 0; k < kTimedTicks; ++k) {
+      for (std::uint64_t k = 0; k < kRecordedTicks; ++k) {
         const servo::TickSamples& samples = ticks.next();
         if (!records) continue;
         for (const trace::Sample& sample : samples) servo::pushNumbered(links.record, sample, links.numbered);
       }
-      const double us = microsecondsSince(start) / static_cast<double>(kTimedTicks);
+      const double us = microsecondsSince(start) / static_cast<double>(kRecordedTicks);
       drain.waitUntilIdle();
       return us;
     };
