@@ -82,7 +82,7 @@ struct BatchFigures {
   double touching = 0.0;            ///< share of a pass's ticks
   double native_ticks_per_s = 0.0;  ///< one finger alone on one thread
   BatchRates batch, rollout;
-  std::size_t different = 0;  ///< fingers that felt otherwise in the end with more threads, to the bit
+  std::size_t different = 0;  ///< fingers that felt otherwise with more threads, to the bit
   std::optional<std::uint64_t> allocations = 0, locks = 0;  ///< of all ticks
 };
 
