@@ -6,6 +6,7 @@
 
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "palpate/base/number_range.h"
 
