@@ -91,8 +91,9 @@ void addBenchBatchCommand(CLI::App& parent) {
   addInputOptions(command, arguments->input);
   addSetting(command, "--fingers", arguments->batch.fingers, between(1.0, 1e5), "How many fingers");
   addSetting(command, "--action-ticks", arguments->batch.action_ticks, between(1.0, 1e4),
-             "A batch moves a finger so many ticks before the next one");
-  addSetting(command, "--threads", arguments->batch.threads, between(1.0, 1024.0), "Compare one thread with so many");
+             "Ticks that a batch moves a finger before the next one");
+  addSetting(command, "--threads", arguments->batch.threads, between(1.0, 1024.0),
+             "Number of threads to compare with one");
   addSetting(command, "--seconds", arguments->batch.seconds, between(0.01, 3600.0, "s"), "How long to measure");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &command] {

@@ -111,14 +111,10 @@ PeerRun<ToolAnswer> answerTool(const mesh::TriangleMesh& mesh, const ToolQueries
   const auto ask = [&](std::size_t tick) {
     answer = {};
     for (std::size_t i = 0; i < spheres.size(); ++i) {
-      const contact::Pad& pad = queries.shape.pads[i];
-      const contact::ToolPose& pose = queries.at(tick)[pad.part];
+      const Place place = at(queries.centreOf(queries.shape.pads[i], tick));
       fcl::CollisionRequest<double> request;
       fcl::CollisionResult<double> result;
-      answer.touching += fcl::collide(&spheres[i], at(pose.position + pose.rotation * pad.offset), model.get(),
-                                      Place::Identity(), request, result) > 0
-                             ? 1
-                             : 0;
+      answer.touching += fcl::collide(&spheres[i], place, model.get(), Place::Identity(), request, result) > 0 ? 1 : 0;
     }
   };
   timeAnswers(queries.ticks(), seconds, run, ask, [&](std::size_t) { return answer; });

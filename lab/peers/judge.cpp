@@ -125,9 +125,7 @@ void judge(const PeerRun<ToolAnswer>& run, const ContactWorld& world, const Tool
   const auto touching = [&](std::size_t tick, double more_mm) {
     return static_cast<std::size_t>(
         std::count_if(queries.shape.pads.begin(), queries.shape.pads.end(), [&](const contact::Pad& pad) {
-          const contact::ToolPose& pose = queries.at(tick)[pad.part];
-          return tree::nearestPoint(tree, pose.position + pose.rotation * pad.offset, pad.radius_mm + more_mm)
-                     .triangle != kNoIndex;
+          return tree::nearestPoint(tree, queries.centreOf(pad, tick), pad.radius_mm + more_mm).triangle != kNoIndex;
         }));
   };
   Hash hash;

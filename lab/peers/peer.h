@@ -90,6 +90,10 @@ struct ToolQueries {
   std::span<const contact::ToolPose> at(std::size_t tick) const {
     return std::span(poses).subspan(tick * shape.rest.size(), shape.rest.size());
   }
+  Vec3 centreOf(const contact::Pad& pad, std::size_t tick) const {
+    const contact::ToolPose& pose = at(tick)[pad.part];
+    return pose.position + pose.rotation * pad.offset;
+  }
 };
 
 /// How many pads meet the skin.

@@ -20,8 +20,8 @@ namespace {
 
 /// Of all fingers in a pass: 70 ms of points, half a second of fingertips.
 constexpr std::size_t kPassTicks = 500000;
-/// A pass that was interrupted is no measurement; of two one may have been let alone.
-constexpr int kLeastRounds = 2;
+/// Another program slows the pass that it interrupts; of two passes one may have been left alone.
+constexpr int kMinRounds = 2;
 
 /// A finger that came to its place along the path: one that was put down in the skin would feel nothing.
 struct Begun {
@@ -154,28 +154,19 @@ std::size_t differencesOf(const PassResult& one, const PassResult& other) {
   return different;
 }
 
-/// Passes by one thread and by several, in turn.
-class Comparison {
- public:
-  Comparison(const Pass& pass, std::size_t threads) : pass_(pass), threads_(threads) {}
-
-  void goOn(BatchRates& rates, BatchFigures& figures) const {
-    const PassResult one = passOf(pass_, 1);
-    const PassResult several = passOf(pass_, threads_);
-    rates.one_thread_ticks_per_s = std::max(rates.one_thread_ticks_per_s, one.ticks_per_s);
-    rates.ticks_per_s = std::max(rates.ticks_per_s, several.ticks_per_s);
-    figures.touching = one.touching;
-    figures.different += differencesOf(one, several);
-    for (const PassResult* pass : {&one, &several}) {
-      figures.allocations = sumOf(figures.allocations, pass->allocations);
-      figures.locks = sumOf(figures.locks, pass->locks);
-    }
+/// A pass by one thread, and one by several.
+void comparePasses(const Pass& pass, std::size_t threads, BatchRates& rates, BatchFigures& figures) {
+  const PassResult one = passOf(pass, 1);
+  const PassResult several = passOf(pass, threads);
+  rates.one_thread_ticks_per_s = std::max(rates.one_thread_ticks_per_s, one.ticks_per_s);
+  rates.ticks_per_s = std::max(rates.ticks_per_s, several.ticks_per_s);
+  figures.touching = one.touching;
+  figures.different += differencesOf(one, several);
+  for (const PassResult* result : {&one, &several}) {
+    figures.allocations = sumOf(figures.allocations, result->allocations);
+    figures.locks = sumOf(figures.locks, result->locks);
   }
-
- private:
-  const Pass& pass_;
-  std::size_t threads_;
-};
+}
 
 }  // namespace
 
@@ -196,11 +187,11 @@ BatchFigures measureBatch(const scene::World& world, const contact::FingerSettin
   figures.triangles = world.body->skin.triangles.size();
   figures.pass_ticks = settings.fingers * finger_ticks;
   const Clock::time_point start = Clock::now();
-  for (int round = 0; round < kLeastRounds || secondsSince(start) < settings.seconds; ++round) {
+  for (int round = 0; round < kMinRounds || secondsSince(start) < settings.seconds; ++round) {
     report(progress, "stepping", std::min(1.0, secondsSince(start) / settings.seconds));
     figures.native_ticks_per_s = std::max(figures.native_ticks_per_s, passOf(native, 1).ticks_per_s);
-    Comparison(batch, settings.threads).goOn(figures.batch, figures);
-    Comparison(rollout, settings.threads).goOn(figures.rollout, figures);
+    comparePasses(batch, settings.threads, figures.batch, figures);
+    comparePasses(rollout, settings.threads, figures.rollout, figures);
   }
   return figures;
 }

@@ -64,7 +64,7 @@ RecordingRun measureRecording(const scene::World& world, const device::FingerPat
 
 struct BatchSettings {
   std::size_t fingers = 1024;
-  std::size_t action_ticks = 10;  ///< of a batch: so many of one finger before the next
+  std::size_t action_ticks = 10;  ///< of a batch: of one finger, before the next
   std::size_t threads = 2;        ///< compared with one
   double seconds = 4.0;           ///< to measure for; each pass is made twice at least
 };

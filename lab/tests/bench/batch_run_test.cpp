@@ -1,4 +1,4 @@
-// What `palpate study bench batch` measures is what it says: the same ticks, whoever makes them.
+// What `palpate study bench batch` measures is what it says: the same ticks on any number of threads.
 #include "lab/runs/servo_costs.h"
 
 #include <gtest/gtest.h>
