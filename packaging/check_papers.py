@@ -47,7 +47,8 @@ def same_version(root):
     named = {
         "CITATION.cff": r"(?m)^version: (\S+)", "codemeta.json": r'"version": "([^"]+)"',
         "packaging/vcpkg/vcpkg.json": r'"version-semver": "([^"]+)"', "packaging/conan/conanfile.py": r'version = "([^"]+)"',
-        "debian/changelog": r"^palpate \(([^-]+)-",
+        "debian/changelog": r"^palpate \(([^-]+)-", "packaging/npm/package.json": r'"version": "([^"]+)"',
+        "packaging/desktop/org.palpate.palpate.metainfo.xml": r'<release version="([^"]+)"',
     }
     for file, pattern in named.items():
         found = re.search(pattern, (root / file).read_text())
@@ -229,7 +230,7 @@ def debian(root):
 
 CHECKS = (same_version, citation, codemeta, paper, desktop, community, debian)
 FILES = ("CMakeLists.txt", "CITATION.cff", "codemeta.json", *COMMUNITY_PAGES, "SECURITY.md", "docs/quoted/store.json", "packaging/vcpkg",
-         "packaging/conan", "packaging/paper", "packaging/desktop", ".github", "debian", "cli/kit/families.tsv", "tools/install-dependencies")
+         "packaging/conan", "packaging/npm/package.json", "packaging/paper", "packaging/desktop", ".github", "debian", "cli/kit/families.tsv", "tools/install-dependencies")
 
 
 def faults(root):
@@ -244,6 +245,8 @@ BREAKS = (
     ("codemeta.json", '"license"', '"licence"', "license is missing"),
     ("packaging/conan/conanfile.py", 'version = "', 'version = "1', "CMakeLists.txt says"),
     ("debian/changelog", "palpate (", "palpate (9", "CMakeLists.txt says"),
+    ("packaging/npm/package.json", '"version": "', '"version": "9', "CMakeLists.txt says"),
+    ("packaging/desktop/org.palpate.palpate.metainfo.xml", '<release version="', '<release version="9', "CMakeLists.txt says"),
     ("debian/control", "Package: palpate-teach", "Package: palpate-learn", "the family teach"),
     ("debian/control", "Package: palpate-teach", "Package: palpate-learn", "palpate-learn must be in control"),
     ("debian/control", "               libvpx-dev,\n", "", "building needs libvpx-dev"),

@@ -68,7 +68,7 @@ typedef struct palpate_error {
   char message[512]; /* one line, `file:line: cause`; cut short between two letters if it is longer */
 } palpate_error;
 
-/* Of the loaded library, "0.2.0"; there until the program ends. Any thread. */
+/* Of the loaded library, "0.3.0"; there until the program ends. Any thread. */
 PALPATE_API const char* palpate_version(void) PALPATE_NOEXCEPT;
 
 /* ---- worlds: a body with its stiffness, immutable and counted ---------------------------------------------------- */

@@ -11,7 +11,7 @@ from conan.tools.files import copy
 
 class Palpate(ConanFile):
     name = "palpate"
-    version = "0.2.0"
+    version = "0.3.0"
     license = "Apache-2.0"
     description = "Haptic palpation: feel, see and measure touch on a soft body"
     settings = "os", "arch", "compiler", "build_type"

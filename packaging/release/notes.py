@@ -11,7 +11,7 @@ HOW = """
 | file | what it is | how to use it |
 |---|---|---|
 | `*.deb` | Debian 12: `apt install ./palpate_*.deb` | `palpate run` |
-| `*.whl` | Python 3.11 on Linux: `pip install ./palpate-*.whl` | `import palpate` |
+| `*.whl` | Python 3.11 or 3.13 on Linux: `pip install ./palpate-*.whl` | `import palpate` |
 | `palpate-{version}.tar.gz` | Python from source: compiles for a quarter of an hour | `pip install ./palpate-{version}.tar.gz` |
 | `palpate-{version}.tgz` | node and browsers: `npm install ./palpate-{version}.tgz` | `import {{ load }} from 'palpate'` |
 | `palpate-c-*-linux-*.tar.gz` | C library for Linux on x86-64 and ARM64, self-contained | its README |

@@ -313,10 +313,25 @@ def try_debian_13(files: pathlib.Path, work: pathlib.Path, full) -> str:
     return "installed and felt in a fresh Debian 13 root"
 
 
+def try_piuparts(files: pathlib.Path, work: pathlib.Path, full) -> str:
+    """All packages come into an empty Debian 12 and go again; nothing may be left, nothing of others changed."""
+    packages = sorted(files.glob("*.deb"))
+    the(files, "*.deb")
+    if not full:
+        raise Skipped("a fresh Debian root takes a network and minutes; --full")
+    if shutil.which("piuparts") is None or os.geteuid() != 0:
+        raise Skipped("it needs piuparts and root")
+    said = run("piuparts", "--distribution", "bookworm", "--no-eatmydata", "--tmpdir", work, *packages, env=os.environ | {})
+    if "PASS: All tests." not in said:
+        raise Failed(said[-1200:])
+    return f"{len(packages)} packages installed and purged in a fresh Debian 12 root; nothing was left"
+
+
 TRIALS = {"verify": try_verify, "notes, bill, hashes": try_text, "C library": try_c, "C library for ARM64": trials_of_systems.try_c_arm64,
           "C library for Windows": trials_of_systems.try_c_windows, "Unity": trials_of_systems.try_unity,
           "portable command": trials_of_systems.try_portable, "npm": try_npm, "wheel": try_wheel, "Debian": try_deb, "source": try_source,
-          "sdist": try_sdist, "README": try_readme, "wheel in Debian 13": try_debian_13}
+          "sdist": try_sdist, "README": try_readme, "piuparts": try_piuparts,
+          "wheel in Debian 13": try_debian_13}
 
 
 def check(files: pathlib.Path, version: str, full: bool) -> int:
