@@ -131,10 +131,12 @@ Skin buildSkin(const mesh::TriangleMesh& mesh, const Progress& progress) {
 }
 
 void setThickness(std::vector<float> thickness_mm, Skin& skin) {
-  if (thickness_mm.size() != skin.vertices) {
+  if (!thickness_mm.empty() && thickness_mm.size() != skin.vertices) {
     throw Error(fmt::format("{} thicknesses for {} vertices", thickness_mm.size(), skin.vertices));
   }
   skin.thickness_mm = std::move(thickness_mm);
+  skin.least_thickness_mm.clear();
+  if (skin.thickness_mm.empty()) return;
   skin.least_thickness_mm.assign(skin.blocks, std::numeric_limits<float>::infinity());
   for (Index v = 0; v < skin.vertices; ++v) {
     float& least = skin.least_thickness_mm[blockOf(v)];

@@ -123,7 +123,7 @@ struct Skin {
 /// that is not there. Positions that are not finite are carried along; such vertices never move.
 Skin buildSkin(const mesh::TriangleMesh& mesh, const Progress& progress = {});
 
-/// `thickness_mm`: one a vertex (tree/triangle_tree.h). Throws Error for another number of them.
+/// `thickness_mm`: one a vertex (tree/triangle_tree.h), or empty. Throws Error for another number of them.
 void setThickness(std::vector<float> thickness_mm, Skin& skin);
 
 }  // namespace palpate::deform

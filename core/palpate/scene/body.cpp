@@ -6,6 +6,7 @@
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
 #include "palpate/scene/body_parts.h"
+#include "palpate/tree/triangle_tree.h"
 
 namespace palpate::scene {
 
@@ -32,7 +33,12 @@ std::vector<std::uint8_t> frontOf(const Body& body) {
 
 }  // namespace
 
-std::shared_ptr<const Body> builtBody(BodyParts parts, const Progress& progress) {
+std::vector<float> thicknessOf(const Body& body, double limit_mm) {
+  return tree::thicknessUpTo(body.geometry->tree, body.skin.positions, body.geometry->vertex_normals, limit_mm);
+}
+
+std::shared_ptr<const Body> builtBody(BodyParts parts, std::optional<double> thickness_limit_mm,
+                                      const Progress& progress) {
   report(progress, "building the contact surface", 0.0);
   const auto body = std::make_shared<Body>();
   body->name = std::move(parts.name);
@@ -69,6 +75,8 @@ std::shared_ptr<const Body> builtBody(BodyParts parts, const Progress& progress)
   });
   body->front = frontOf(*body);
   making_deformable.join();
+  body->thickness_limit_mm = thickness_limit_mm;
+  if (thickness_limit_mm) setThickness(thicknessOf(*body, *thickness_limit_mm), body->deformable);
   return body;
 }
 

@@ -40,7 +40,8 @@ struct Body {
   mesh::TriangleMesh skin;  ///< fit for contact, spatially ordered; triangle numbers everywhere are its own
   bool closed = false;      ///< the skin has no border
   std::shared_ptr<const contact::SurfaceGeometry> geometry;
-  deform::Skin deformable;  ///< without the thickness of thin parts, which the settings decide (World::deformable)
+  deform::Skin deformable;  ///< as the settings that it was built for want it (World::deformable)
+  std::optional<double> thickness_limit_mm;  ///< up to which its parts were measured; nothing: they were not
   Anatomy anatomy;
   std::vector<std::string> notes;                ///< what the user should know about it: repairs, a doubtful unit
   std::shared_ptr<const SkinTexture> texture;    ///< a picture on the skin (skin_texture.h), or null
@@ -55,8 +56,13 @@ struct Body {
   std::vector<std::uint8_t> front;
 };
 
+/// How thick the body is under each vertex of its skin, mm, up to the limit: infinite beyond it.
+std::vector<float> thicknessOf(const Body& body, double limit_mm);
+
 struct BodyParts;
+/// `thickness_limit_mm`: up to which the parts of the deformable skin are measured (tree/triangle_tree.h), or nothing.
 /// Throws Error for a mesh that cannot be felt.
-std::shared_ptr<const Body> builtBody(BodyParts parts, const Progress& progress);
+std::shared_ptr<const Body> builtBody(BodyParts parts, std::optional<double> thickness_limit_mm,
+                                      const Progress& progress);
 
 }  // namespace palpate::scene

@@ -25,7 +25,6 @@
 #include "palpate/scene/place_curves.h"
 #include "palpate/scene/skin_channels.h"
 #include "palpate/tissue/user_profile.h"
-#include "palpate/tree/triangle_tree.h"
 
 namespace palpate::scene {
 
@@ -209,14 +208,12 @@ std::optional<double> thicknessLimit(const deform::FormSettings& forms, bool lay
 std::shared_ptr<const deform::Skin> deformableOf(const std::shared_ptr<const Body>& body,
                                                  const deform::FormSettings& forms, bool layered, const World* before) {
   const std::optional<double> limit_mm = thicknessLimit(forms, layered);
-  if (!limit_mm) return {body, &body->deformable};
+  if (limit_mm == body->thickness_limit_mm) return {body, &body->deformable};
   if (before != nullptr && thicknessLimit(before->deformation, before->layered != nullptr) == limit_mm) {
     return before->deformable;
   }
   auto deformable = std::make_shared<deform::Skin>(body->deformable);
-  const contact::SurfaceGeometry& geometry = *body->geometry;
-  setThickness(tree::thicknessUpTo(geometry.tree, body->skin.positions, geometry.vertex_normals, *limit_mm),
-               *deformable);
+  setThickness(limit_mm ? thicknessOf(*body, *limit_mm) : std::vector<float>{}, *deformable);
   return deformable;
 }
 
@@ -284,21 +281,26 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
                                              .pressure = std::move(pressure)});
 }
 
+std::shared_ptr<const World> firstWorld(const Scene& scene, BodyParts parts, deform::FormSettings forms,
+                                        const Progress& progress) {
+  raiseSkin(scene, parts);
+  const bool has_bones = !parts.anatomy.depth_mm.empty();
+  const bool layered = tissueChoice(scene, forms, has_bones).model == TissueModel::layered;
+  auto body = builtBody(std::move(parts), thicknessLimit(forms, layered), progress);
+  return worldOf(scene, std::move(body), std::move(forms), nullptr, progress);
+}
+
 }  // namespace
 
 std::shared_ptr<const World> build(const Scene& scene, const Progress& progress) {
   checkContactSource(scene);
   deform::FormSettings forms = formsOf(scene);  // first: a fault in its files should not wait for the body
-  BodyParts body = makeBody(scene.body, progress);
-  raiseSkin(scene, body);
-  return worldOf(scene, builtBody(std::move(body), progress), std::move(forms), nullptr, progress);
+  return firstWorld(scene, makeBody(scene.body, progress), std::move(forms), progress);
 }
 
 std::shared_ptr<const World> buildOn(const Scene& scene, BodyParts body, const Progress& progress) {
   checkContactSource(scene);
-  deform::FormSettings forms = formsOf(scene);
-  raiseSkin(scene, body);
-  return worldOf(scene, builtBody(std::move(body), progress), std::move(forms), nullptr, progress);
+  return firstWorld(scene, std::move(body), formsOf(scene), progress);
 }
 
 std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, const Progress& progress) {

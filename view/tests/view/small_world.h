@@ -22,7 +22,7 @@ inline std::shared_ptr<const scene::World> worldOf(mesh::TriangleMesh mesh) {
   parts.name = "test";
   parts.skin = std::move(mesh);
   parts.self_intersecting = true;  // nobody has looked
-  const auto body = scene::builtBody(std::move(parts), {});
+  const auto body = scene::builtBody(std::move(parts), {}, {});
   const std::vector<double> stiffness(body->skin.positions.size(), kTestStiffness);
   auto world =
       std::make_shared<scene::World>(scene::World{.scene = {},
