@@ -72,7 +72,31 @@ void forEachTriangleAt(const Skin& skin, Index block, const Visit& visit) {
 
 void raise(float& most, double value) { most = std::max(most, static_cast<float>(value)); }
 
-FoldBound boundOf(const Skin& skin, const std::vector<TriangleShape>& shapes, Index block) {
+/// Of the triangles at the vertices of one block, each once. Those of a whole body would take 48 bytes a triangle.
+class ShapesOfBlock {
+ public:
+  explicit ShapesOfBlock(const Skin& skin) : skin_(skin), slot_(skin.triangles.size(), 0) {}
+
+  void take(Index block) {
+    triangles_.clear();
+    shapes_.clear();
+    forEachTriangleAt(skin_, block, [&](Index t, Index) {
+      if (slot_[t] < triangles_.size() && triangles_[slot_[t]] == t) return;
+      slot_[t] = static_cast<Index>(triangles_.size());
+      triangles_.push_back(t);
+      shapes_.push_back(shapeOf(skin_, skin_.triangles[t]));
+    });
+  }
+  const TriangleShape& operator[](Index triangle) const { return shapes_[slot_[triangle]]; }
+
+ private:
+  const Skin& skin_;
+  std::vector<Index> slot_;  ///< per triangle: where it was in the last block that had it
+  std::vector<Index> triangles_;
+  std::vector<TriangleShape> shapes_;
+};
+
+FoldBound boundOf(const Skin& skin, const ShapesOfBlock& shapes, Index block) {
   FoldBound bound;
   Vec3 sum = Vec3::Zero();
   forEachTriangleAt(skin, block, [&](Index t, Index) { sum += shapes[t].normal; });
@@ -110,13 +134,12 @@ bool keepsItsArea(double press, double drag, bool is_one) noexcept {
 }  // namespace
 
 void setFoldBounds(Skin& skin) {
-  std::vector<TriangleShape> shapes;
-  shapes.reserve(skin.triangles.size());
-  for (const Triangle& triangle : skin.triangles) shapes.push_back(shapeOf(skin, triangle));
+  ShapesOfBlock shapes(skin);
   skin.fold_bounds.clear();
   skin.fold_gradient_mm.assign(std::size_t{skin.blocks} * kBlockVertices, 0.0f);
   skin.fold_crease.assign(std::size_t{skin.blocks} * kBlockVertices, 0.0f);
   for (Index block = 0; block < skin.blocks; ++block) {
+    shapes.take(block);
     skin.fold_bounds.push_back(boundOf(skin, shapes, block));
     forEachTriangleAt(skin, block, [&](Index t, Index v) {
       if (shapes[t].spread == 0.0) return;

@@ -37,6 +37,8 @@ IndexRows neighboursOfVertices(const TriangleMesh& mesh, const IndexRows& triang
   IndexRows rows;
   rows.offsets.reserve(mesh.positions.size() + 1);
   rows.offsets.push_back(0);
+  // Around a fan there are as many as triangles, at a border one more; grown on the way it would be there twice.
+  rows.entries.reserve(triangles_of_vertices.entries.size() + mesh.positions.size());
   std::vector<Index> ring;
   for (Index v = 0; v < mesh.positions.size(); ++v) {
     ring.clear();

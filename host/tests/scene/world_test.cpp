@@ -110,6 +110,24 @@ TEST_F(WorldOf, AnotherDysfunctionSharesTheBodyAndAllThatIsHealthy) {
   EXPECT_NE(fatter->healthy, world->healthy);
 }
 
+/// A skin of a million vertices takes 0.1 GB.
+TEST_F(WorldOf, TheFirstWorldDeformsItsBodysOwnSkin) {
+  for (const TissueModel model : {TissueModel::layered, TissueModel::gaussian}) {
+    Scene scene;
+    scene.body.kind = BodyKind::trunk;
+    scene.body.triangles = 8000;
+    scene.deformation.tissue = model;
+    const auto world = build(scene);
+    EXPECT_EQ(world->deformable.get(), &world->body->deformable);
+    EXPECT_EQ(world->deformable->thickness_mm.empty(), model == TissueModel::layered) << "bones are its limit";
+    scene.deformation.tissue = model == TissueModel::layered ? TissueModel::gaussian : TissueModel::layered;
+    const auto other = rebuilt(*world, scene);
+    EXPECT_EQ(other->body, world->body);
+    EXPECT_NE(other->deformable->thickness_mm.empty(), world->deformable->thickness_mm.empty());
+    EXPECT_EQ(rebuilt(*other, world->scene)->deformable, world->deformable);
+  }
+}
+
 /// Settings that decide what a rebuilt world may take over, changed at random.
 Scene changedScene(const Scene& before, Random& random) {
   Scene scene = before;
