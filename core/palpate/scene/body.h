@@ -40,7 +40,7 @@ struct Body {
   mesh::TriangleMesh skin;  ///< fit for contact, spatially ordered; triangle numbers everywhere are its own
   bool closed = false;      ///< the skin has no border
   std::shared_ptr<const contact::SurfaceGeometry> geometry;
-  deform::Skin deformable;  ///< as the settings that it was built for want it (World::deformable)
+  deform::Skin deformable;                   ///< as the settings that it was built for want it (World::deformable)
   std::optional<double> thickness_limit_mm;  ///< up to which its parts were measured; nothing: they were not
   Anatomy anatomy;
   std::vector<std::string> notes;                ///< what the user should know about it: repairs, a doubtful unit
