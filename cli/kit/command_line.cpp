@@ -16,6 +16,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/nearest_name.h"
+#include "palpate/base/system/process.h"
 #include "palpate/base/system/signals.h"
 
 namespace palpate::app {
@@ -226,6 +227,7 @@ CLI::App& commandGroup(CLI::App& app, const std::string& name) {
 }
 
 int runCommandLine(CLI::App& app, const std::vector<std::string>& words) {
+  system::returnLargeArrays();
   listenForSignals();
   const int exit_code = runToTheEnd(app, words);
   return endAskedBy() == 0 ? exit_code : exitCodeOf(endAskedBy());

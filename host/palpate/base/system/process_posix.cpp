@@ -16,6 +16,7 @@
 #include <cstdlib>
 #ifdef __GLIBC__
 #include <libintl.h>
+#include <malloc.h>
 // libintl's own: from its next value on a changed LANGUAGE counts. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int _nl_msg_cat_cntr;
 #endif
@@ -150,6 +151,12 @@ std::optional<char> typedLetter(bool& open) {
 }
 
 std::vector<std::string> commandLine(int argc, char** argv) { return {argv + std::min(argc, 1), argv + argc}; }
+
+void returnLargeArrays() noexcept {
+#ifdef __GLIBC__
+  ::mallopt(M_MMAP_THRESHOLD, 8 << 20);
+#endif
+}
 
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
                   const std::vector<std::string>& words) {

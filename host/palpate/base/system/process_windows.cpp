@@ -182,6 +182,8 @@ std::vector<std::string> commandLine(int, char**) {
   return own;
 }
 
+void returnLargeArrays() noexcept {}  // its heap does by itself
+
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
                   const std::vector<std::string>& words) {
   const HANDLE job = jobThatEndsWithUs();
