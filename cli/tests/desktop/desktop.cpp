@@ -139,7 +139,8 @@ std::map<std::string, std::string> Desktop::environment() const {
 }
 
 bool Desktop::hand(const std::string& words) const {
-  const std::string command = "DISPLAY=" + display_ + " xdotool " + words + " >/dev/null 2>&1";
+  // It waits without an end for a window that closed before it looked.
+  const std::string command = "DISPLAY=" + display_ + " timeout 60 xdotool " + words + " >/dev/null 2>&1";
   return std::system(command.c_str()) == 0;
 }
 
