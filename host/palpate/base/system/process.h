@@ -66,9 +66,17 @@ std::optional<char> typedLetter(bool& open);
 int ownProcess();
 bool isRunning(int process);
 
-/// From now on arrays of 8 MB and more go back to the system when they are freed. glibc raises that to 32 MB by itself
-/// and keeps twice as much in each thread: a tenth of what a body of 4,000,000 triangles takes. Others keep nothing.
+/// From this size on an array has pages of its own, which come from the system and go back to it.
+inline constexpr std::size_t kLargeArrayBytes = 8 << 20;
+
+/// From now on arrays of kLargeArrayBytes and more go back to the system when they are freed. glibc raises that to 32 MB
+/// by itself and keeps twice as much in each thread: a tenth of what a body of 4,000,000 triangles takes. Others keep
+/// nothing.
 void returnLargeArrays() noexcept;
+
+/// Memory for a large array, in pages of 2 MB where the system has them for who asks (Linux, "madvise"); null: there is
+/// none. std::free() frees it.
+void* largeArray(std::size_t bytes) noexcept;
 
 /// The words of the command line, without the program's own, in UTF-8.
 std::vector<std::string> commandLine(int argc, char** argv);

@@ -5,6 +5,7 @@
 #include <pwd.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/utsname.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -154,8 +155,19 @@ std::vector<std::string> commandLine(int argc, char** argv) { return {argv + std
 
 void returnLargeArrays() noexcept {
 #ifdef __GLIBC__
-  ::mallopt(M_MMAP_THRESHOLD, 8 << 20);
+  ::mallopt(M_MMAP_THRESHOLD, kLargeArrayBytes);
 #endif
+}
+
+void* largeArray(std::size_t bytes) noexcept {
+  constexpr std::size_t kHugePage = 2 << 20;
+  void* memory = nullptr;
+  if (::posix_memalign(&memory, kHugePage, bytes) != 0) return nullptr;
+#ifdef MADV_HUGEPAGE
+  // Whole pages alone: the rest of the last one would be memory that nobody asked for. Refused: small pages, as before.
+  ::madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
+#endif
+  return memory;
 }
 
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
