@@ -1,5 +1,5 @@
-// Where the programs on Linux get their memory from: arrays of a large body lie in pages of 2 MB, whose first touch costs
-// the system one fault where it would cost 512. Many systems give such pages to those that ask, and the standard
+// Where the programs on Linux get their memory from: arrays of a large body lie in pages of 2 MB, whose first touch
+// costs the system one fault where it would cost 512. Many systems give such pages to those that ask, and the standard
 // library does not. Only programs have this file: a library must not choose for whoever links it.
 #include <cstdlib>
 #include <new>

@@ -103,6 +103,30 @@ Meeting meetingOf(const Vec3& p, const Vec3& q, const std::array<const Vec3*, 3>
 
 bool uses(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
 
+/// True only where no edge of `t` can have its ends on both sides of the plane of `plane` for side(), but for those
+/// with a vertex in common: one normal and three heights tell it for most pairs.
+bool onOneSide(const std::vector<Vec3>& positions, const Triangle& t, const Triangle& plane) {
+  const Vec3& a = positions[plane[0]];
+  const Vec3 ab = positions[plane[1]] - a;
+  const Vec3 ac = positions[plane[2]] - a;
+  const Vec3 normal = ab.cross(ac);
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  double longest = 0.0;
+  for (const Index v : t) {
+    if (uses(plane, v)) continue;
+    const Vec3 from_a = positions[v] - a;
+    const double height = normal.dot(from_a);
+    low = std::min(low, height);
+    high = std::max(high, height);
+    longest = std::max(longest, from_a.lpNorm<Eigen::Infinity>());
+  }
+  // Rounding makes less than 24 epsilon of the longest coordinates' product; ten times that leaves no doubt.
+  constexpr double kRounding = 240 * std::numeric_limits<double>::epsilon();
+  const double bound = kRounding * ab.lpNorm<Eigen::Infinity>() * ac.lpNorm<Eigen::Infinity>() * longest;
+  return low > bound || high < -bound;
+}
+
 // --- the search ---
 
 constexpr std::size_t kTrianglesPerLeaf = 4;
@@ -203,8 +227,8 @@ class PairSearch {
     const Triangle& ta = mesh_.triangles[a];
     const auto shared = std::count_if(ta.begin(), ta.end(), [&](Index v) { return uses(mesh_.triangles[b], v); });
     if (shared > 1) return;  // every edge of one has a vertex of the other
-    testEdges(a, b);
-    testEdges(b, a);
+    if (!onOneSide(mesh_.positions, ta, mesh_.triangles[b])) testEdges(a, b);
+    if (!onOneSide(mesh_.positions, mesh_.triangles[b], ta)) testEdges(b, a);
   }
 
   void testEdges(Index with_edges, Index pierced) {

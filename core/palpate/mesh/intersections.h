@@ -29,7 +29,11 @@ struct Intersections {
 };
 
 /// Edges whose ends lie clearly on both sides of a triangle that they cross. Ending on it and lying in its plane do not
-/// count. Indices must be within range and coordinates finite. About 1 us a triangle; memory 60 bytes a triangle.
+/// count. Indices must be within range and coordinates finite. About 1 us a triangle, less in a mesh in spatial order
+/// (reorder.h); memory 60 bytes a triangle.
 Intersections findIntersections(const TriangleMesh& mesh, const Progress& progress = {});
+
+/// What could not be searched to the end is dense with overlaps: it counts as intersecting, which is the safe side.
+inline bool isSelfIntersecting(const Intersections& found) { return found.piercing_edges > 0 || !found.complete; }
 
 }  // namespace palpate::mesh

@@ -27,6 +27,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "palpate/base/background.h"
+
 namespace palpate::mesh {
 
 namespace {
@@ -61,7 +63,11 @@ std::size_t lowerHalf(std::size_t points) {
   return lower * kCompactGroup;
 }
 
-void split(std::span<Placed> points) {
+/// Fewer are split in less time than starting a thread is worth.
+constexpr std::size_t kSharedPoints = 50'000;
+
+/// `threads` share the work; the cuts are the same for any number of them.
+void split(std::span<Placed> points, std::size_t threads) {
   if (points.size() <= kCompactGroup) {
     std::sort(points.begin(), points.end(), [](const Placed& a, const Placed& b) { return a.place < b.place; });
     return;
@@ -71,8 +77,16 @@ void split(std::span<Placed> points) {
   std::nth_element(points.begin(), points.begin() + middle, points.end(), [axis](const Placed& a, const Placed& b) {
     return a.point[axis] != b.point[axis] ? a.point[axis] < b.point[axis] : a.place < b.place;
   });
-  split(points.first(static_cast<std::size_t>(middle)));
-  split(points.subspan(static_cast<std::size_t>(middle)));
+  const std::span lower = points.first(static_cast<std::size_t>(middle));
+  const std::span upper = points.subspan(static_cast<std::size_t>(middle));
+  if (threads < 2 || points.size() < kSharedPoints) {
+    split(lower, 1);
+    split(upper, 1);
+    return;
+  }
+  Background beside([&] { split(lower, threads / 2); });
+  split(upper, threads - threads / 2);
+  beside.join();
 }
 
 // --- along the curve ---
@@ -170,7 +184,7 @@ std::vector<Index> inCompactGroups(std::span<const Vec3> points, std::span<const
   std::vector<Placed> placed;
   placed.reserve(order.size());
   for (Index i = 0; i < order.size(); ++i) placed.push_back({finite(points[order[i]]), i});
-  split(placed);
+  split(placed, processors());
   std::vector<Index> sorted;
   sorted.reserve(order.size());
   for (const Placed& p : placed) sorted.push_back(order[p.place]);
@@ -179,7 +193,7 @@ std::vector<Index> inCompactGroups(std::span<const Vec3> points, std::span<const
 
 std::vector<Index> mortonOrder(std::span<const Vec3> points) {
   auto codes = mortonCodes(points);
-  sortByCode(codes);
+  if (!std::ranges::is_sorted(codes, {}, &CodedIndex::code)) sortByCode(codes);
   std::vector<Index> order(codes.size());
   std::transform(codes.begin(), codes.end(), order.begin(), [](const CodedIndex& c) { return c.index; });
   return order;

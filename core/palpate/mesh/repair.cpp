@@ -172,9 +172,7 @@ class Repairing {
     result_.closed = result_.after.closure == Closure::closed;
     warnOfWhatOpened();
     if (options_.find_self_intersections) {
-      const Intersections found = findIntersections(result_.mesh, progress_);
-      // What could not be searched to the end is dense with overlaps: treat it as intersecting, which is the safe side.
-      result_.self_intersecting = found.piercing_edges > 0 || !found.complete;
+      result_.self_intersecting = isSelfIntersecting(findIntersections(result_.mesh, progress_));
     }
     report(progress_, "repairing", 1.0);
   }

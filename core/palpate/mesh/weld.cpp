@@ -5,6 +5,8 @@
 // others, "Optimized spatial hashing for collision detection of deformable objects" (2003), cells by their hash.
 #include "palpate/mesh/weld.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -77,6 +79,10 @@ Index ExactWelder::add(const Vec3& position) {
   return next;
 }
 
+void ExactWelder::prepare(const Vec3& position) const noexcept {
+  hwy::Prefetch(slots_.data() + (hashOf(position) & (slots_.size() - 1)));
+}
+
 void ExactWelder::grow() {
   slots_.assign(2 * slots_.size(), kNoIndex);
   for (Index v = 0; v < positions_.size(); ++v) {
@@ -97,6 +103,7 @@ std::vector<Index> equalVertices(const std::vector<Vec3>& positions) {
   std::vector<Index> first_of_place;
   std::vector<Index> same_as(positions.size());
   for (Index v = 0; v < positions.size(); ++v) {
+    if (v + ExactWelder::kAhead < positions.size()) welder.prepare(positions[v + ExactWelder::kAhead]);
     const Index place = welder.add(positions[v]);
     if (place == first_of_place.size()) first_of_place.push_back(v);
     same_as[v] = first_of_place[place];

@@ -17,6 +17,9 @@ class ExactWelder {
   explicit ExactWelder(std::size_t expected_vertices);
   /// The index of the vertex here, a new one if there was none.
   Index add(const Vec3& position);
+  /// Brings what add() of this position reads first into the cache: worth it some kAhead positions before.
+  void prepare(const Vec3& position) const noexcept;
+  static constexpr std::size_t kAhead = 16;
   /// The vertices in the order of their first appearance. Leaves the welder empty.
   std::vector<Vec3> takePositions() { return std::move(positions_); }
 

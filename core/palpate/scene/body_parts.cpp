@@ -10,6 +10,7 @@
 #include "palpate/body/fitting/body_fit.h"
 #include "palpate/body/fitting/fitted_body.h"
 #include "palpate/body/fitting/made_scan.h"
+#include "palpate/mesh/intersections.h"
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"
@@ -144,20 +145,22 @@ BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) 
 
 BodyParts mendedBody(mesh::TriangleMesh mesh, std::string name, const Progress& progress,
                      std::vector<Index>& source_vertex) {
-  mesh::RepairResult repaired = mesh::repair(std::move(mesh), {}, progress);
+  mesh::RepairOptions options;
+  options.find_self_intersections = false;  // looked for in spatial order, where it is faster
+  mesh::RepairResult repaired = mesh::repair(std::move(mesh), options, progress);
   BodyParts parts;
   parts.name = std::move(name);
   parts.skin = std::move(repaired.mesh);
   parts.closed = repaired.closed;
-  parts.self_intersecting = repaired.self_intersecting;
   for (const mesh::RepairAction& action : repaired.actions) {
     parts.notes.push_back(fmt::format("repaired: {} ({})", action.what, action.count));
   }
   parts.notes.insert(parts.notes.end(), repaired.warnings.begin(), repaired.warnings.end());
-  if (parts.self_intersecting)
-    parts.notes.emplace_back("the surface intersects itself: where it does a point finger is a tiny sphere");
   report(progress, "ordering the triangles", 0.0);
   source_vertex = permuted(repaired.source_vertex, mesh::reorderSpatially(parts.skin).source_vertex);
+  parts.self_intersecting = mesh::isSelfIntersecting(mesh::findIntersections(parts.skin, progress));
+  if (parts.self_intersecting)
+    parts.notes.emplace_back("the surface intersects itself: where it does a point finger is a tiny sphere");
   noteDoubtfulUnit(parts.skin, parts.notes);
   return parts;
 }

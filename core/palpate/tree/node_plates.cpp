@@ -14,6 +14,7 @@
 #include <limits>
 #include <string_view>
 
+#include "palpate/base/background.h"
 #include "palpate/tree/closest_on_triangle.h"
 
 namespace palpate::tree {
@@ -90,30 +91,51 @@ std::array<std::int8_t, 2> facingBytes(const Vec3& direction) {
   return {rounded(u), rounded(v)};
 }
 
+bool isUsed(const WideNode& node, int slot) { return node.low[0][slot] <= node.high[0][slot]; }
+
+/// Records, one after the other.
+struct Range {
+  Index begin = kNoIndex;
+  Index end = 0;
+};
+
+Range rangeBelow(const ChildLink& link, const std::vector<Range>& of_nodes) {
+  if (!link.isLeaf()) return of_nodes[link.node()];
+  return {link.firstTriangle(), link.firstTriangle() + link.triangleCount()};
+}
+
+/// The records below each node; a node stands before those below it.
+std::vector<Range> rangesOfNodes(const TriangleTree& tree) {
+  std::vector<Range> ranges(tree.nodes.size());
+  for (std::size_t index = tree.nodes.size(); index-- > 0;) {
+    const WideNode& node = tree.nodes[index];
+    for (int i = 0; i < kNodeWidth; ++i) {
+      if (!isUsed(node, i)) continue;
+      const Range below = rangeBelow(node.children[i], ranges);
+      ranges[index] = {std::min(ranges[index].begin, below.begin), std::max(ranges[index].end, below.end)};
+    }
+  }
+  return ranges;
+}
+
 class PlateFiller {
  public:
   PlateFiller(TriangleTree& tree, const Progress& progress)
-      : tree_(tree), progress_(progress), cones_(conesOfVertices(tree, progress)) {}
+      : tree_(tree), progress_(progress), cones_(conesOfVertices(tree, progress)), ranges_(rangesOfNodes(tree)) {}
 
-  /// Returns the records below the node.
-  struct Range {
-    Index begin;
-    Index end;
-  };
-  Range fill(std::uint32_t index) {
-    if (index % kReportedNodes == 0) report(progress_, kPlateStage, static_cast<double>(index) / tree_.nodes.size());
-    Range all{kNoIndex, 0};
-    for (int i = 0; i < kNodeWidth; ++i) {
+  /// The caller, who alone may report, begins with the first node.
+  void fill(std::size_t begin, std::size_t end) {
+    for (std::size_t index = begin; index < end; ++index) {
+      if (begin == 0 && index % kReportedNodes == 0)
+        report(progress_, kPlateStage, static_cast<double>(index) / static_cast<double>(end));
       WideNode& node = tree_.nodes[index];
-      setNoPlate(node, i);
-      if (!(node.low[0][i] <= node.high[0][i])) continue;
-      const ChildLink link = node.children[i];
-      const Range range =
-          link.isLeaf() ? Range{link.firstTriangle(), link.firstTriangle() + link.triangleCount()} : fill(link.node());
-      if (range.end - range.begin <= kMaxTriangles) setPlate(node, i, range);
-      all = {std::min(all.begin, range.begin), std::max(all.end, range.end)};
+      for (int i = 0; i < kNodeWidth; ++i) {
+        setNoPlate(node, i);
+        if (!isUsed(node, i)) continue;
+        const Range range = rangeBelow(node.children[i], ranges_);
+        if (range.end - range.begin <= kMaxTriangles) setPlate(node, i, range);
+      }
     }
-    return all;
   }
 
  private:
@@ -174,10 +196,14 @@ class PlateFiller {
   TriangleTree& tree_;
   const Progress& progress_;
   std::vector<NormalCone> cones_;
+  std::vector<Range> ranges_;
 };
 
 }  // namespace
 
-void fillPlates(TriangleTree& tree, const Progress& progress) { PlateFiller(tree, progress).fill(0); }
+void fillPlates(TriangleTree& tree, const Progress& progress) {
+  PlateFiller filler(tree, progress);
+  shareOut(tree.nodes.size(), kReportedNodes, [&](std::size_t begin, std::size_t end) { filler.fill(begin, end); });
+}
 
 }  // namespace palpate::tree

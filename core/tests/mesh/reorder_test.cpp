@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
+#include "palpate/base/environment.h"
 #include "palpate/base/random.h"
 #include "support/mesh_zoo.h"
 
@@ -46,6 +48,27 @@ TEST(Reorder, PutsNearTrianglesNextToEachOther) {
   EXPECT_GT(meanStep(mesh), 40.0);
   reorderSpatially(mesh);
   EXPECT_LT(meanStep(mesh), 2.0);  // cells are 1 mm wide
+}
+
+std::vector<Index> groupedBy(const std::vector<Vec3>& points, const std::vector<Index>& order,
+                             std::size_t (*threads)()) {
+  const Environment before = environment();
+  Environment own = before;
+  own.processors = threads;
+  useEnvironment(own);
+  std::vector<Index> grouped = inCompactGroups(points, order);
+  useEnvironment(before);
+  return grouped;
+}
+
+TEST(Reorder, MakesTheSameGroupsByOneThreadAndByFive) {
+  Random random(8);
+  std::vector<Vec3> points(150'000);  // shared out from 50,000 on
+  for (Vec3& point : points) point = Vec3(random.uniform(0, 400), random.uniform(0, 300), random.uniform(0, 9));
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  EXPECT_EQ(groupedBy(points, order, [] { return std::size_t{1}; }),
+            groupedBy(points, order, [] { return std::size_t{5}; }));
 }
 
 TEST(Reorder, IsStableOnPointsThatCannotBeTold) {

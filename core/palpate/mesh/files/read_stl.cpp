@@ -47,6 +47,9 @@ class Corners {
     loose_.push_back(position);
     return static_cast<Index>(loose_.size() - 1);
   }
+  void prepare(const Vec3& position) const {
+    if (weld_) welder_.prepare(position);
+  }
   std::vector<Vec3> takePositions() { return weld_ ? welder_.takePositions() : std::move(loose_); }
 
  private:
@@ -79,7 +82,11 @@ TriangleMesh readBinary(const MeshFile& file) {
   mesh.triangles.reserve(count);
   Corners corners(count, file.options.weld.value_or(true));
   const char* bytes = file.bytes.data() + kHeaderBytes + kCornersOffset;
+  constexpr std::size_t kAhead = ExactWelder::kAhead / 2;  // triangles
   for (std::size_t t = 0; t < count; ++t, bytes += kTriangleBytes) {
+    for (const std::size_t corner : {0, 12, 24}) {
+      if (t + kAhead < count) corners.prepare(cornerAt(bytes + kAhead * kTriangleBytes + corner));
+    }
     const Index a = corners.add(cornerAt(bytes));
     const Index b = corners.add(cornerAt(bytes + 12));
     const Index c = corners.add(cornerAt(bytes + 24));
