@@ -38,8 +38,9 @@ struct LoadStep {
 };
 
 struct LoadFigures {
-  double seconds = 0.0;         ///< file to force
-  double peak_memory_gb = 0.0;  ///< of the process, 1e9 bytes; what was loaded before counts too
+  double seconds = 0.0;           ///< file to force
+  double peak_memory_gb = 0.0;    ///< of the process, 1e9 bytes; what was loaded before counts too
+  std::uint64_t page_faults = 0;  ///< of the process from file to force; large pages take few
   std::vector<LoadStep> steps;
   std::size_t triangles = 0;  ///< of the skin that is felt, after repair
   std::size_t vertices = 0;
@@ -50,13 +51,21 @@ struct LoadFigures {
   double change_ms = 0.0;                   ///< until the world has another dysfunction; the median of some
 };
 
-/// The most memory this process ever had resident, 1e9 bytes; 0 where the system does not say.
-double peakMemoryGb() {
+struct MemoryOfProcess {
+  double peak_gb = 0.0;  ///< the most that it ever had resident, 1e9 bytes
+  std::uint64_t page_faults = 0;
+};
+
+/// Zeros where the system does not say.
+MemoryOfProcess memoryOfProcess() {
 #ifdef __linux__
   rusage usage{};
-  if (getrusage(RUSAGE_SELF, &usage) == 0) return static_cast<double>(usage.ru_maxrss) * 1024.0 * 1e-9;
+  if (getrusage(RUSAGE_SELF, &usage) == 0) {
+    return {.peak_gb = static_cast<double>(usage.ru_maxrss) * 1024.0 * 1e-9,
+            .page_faults = static_cast<std::uint64_t>(usage.ru_minflt + usage.ru_majflt)};
+  }
 #endif
-  return 0.0;
+  return {};
 }
 
 /// Reads the clock whenever the progress names another stage.
@@ -85,7 +94,7 @@ class StageClock {
     if (current_.empty()) return;
     LoadStep& step = stepNamed(current_);
     step.seconds += secondsSince(started_);
-    step.peak_memory_gb = peakMemoryGb();
+    step.peak_memory_gb = memoryOfProcess().peak_gb;
   }
   LoadStep& stepNamed(const std::string& name) {
     const auto found =
@@ -161,13 +170,16 @@ LoadFigures measureLoad(const std::filesystem::path& file, const Progress& progr
   scene.body.file = file;
   LoadFigures figures;
   StageClock clock(progress);
+  const std::uint64_t faults_before = memoryOfProcess().page_faults;
   const Clock::time_point start = Clock::now();
   const auto world = scene::build(scene, clock.callback());
   clock.begin("first touch");
   const contact::FingerOutput output = firstForce(*world);
   figures.seconds = secondsSince(start);
   figures.steps = clock.finish();
-  figures.peak_memory_gb = peakMemoryGb();
+  const MemoryOfProcess memory = memoryOfProcess();
+  figures.peak_memory_gb = memory.peak_gb;
+  figures.page_faults = memory.page_faults - faults_before;
   figures.triangles = world->body->skin.triangles.size();
   figures.vertices = world->body->skin.positions.size();
   figures.first_force_n = output.force.norm();
@@ -202,6 +214,7 @@ nlohmann::ordered_json jsonOf(const std::string& file, const LoadFigures& f) {
   json["vertices"] = f.vertices;
   json["seconds"] = f.seconds;
   json["peak_memory_gb"] = f.peak_memory_gb;
+  json["page_faults"] = f.page_faults;
   json["bytes_per_triangle"] = perTriangle(f.peak_memory_gb * 1e9, f);
   json["ns_per_triangle"] = perTriangle(f.seconds * 1e9, f);
   for (const LoadStep& step : f.steps) {
@@ -221,6 +234,7 @@ std::string textOf(const LoadFigures& f) {
       fmt::format("file to first force  {:.2f} s, {:.0f} ns a triangle\n", f.seconds, perTriangle(f.seconds * 1e9, f));
   text += fmt::format("peak memory          {:.2f} GB, {:.0f} bytes a triangle\n", f.peak_memory_gb,
                       perTriangle(f.peak_memory_gb * 1e9, f));
+  text += fmt::format("page faults          {}\n", f.page_faults);
   for (const LoadStep& step : f.steps) {
     text += fmt::format("  {:<32} {:>7.3f} s, peak {:.2f} GB\n", step.name, step.seconds, step.peak_memory_gb);
   }

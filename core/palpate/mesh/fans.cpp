@@ -216,7 +216,9 @@ FansMade makeFans(TriangleMesh& mesh, std::vector<Index>& source_vertex) {
   FansMade made;
   const Joints joints(mesh, made);
   made.copied_vertices = copyVertices(mesh, source_vertex, joints.across());
-  made.split_edges = splitSharedEdges(mesh, source_vertex, joints.across());
+  // Where an edge has one triangle, or two that were joined, copies leave nothing to tell apart.
+  if (made.non_manifold_edges + made.seam_edges > 0)
+    made.split_edges = splitSharedEdges(mesh, source_vertex, joints.across());
   return made;
 }
 

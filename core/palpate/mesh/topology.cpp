@@ -7,9 +7,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "palpate/base/background.h"
+
 namespace palpate::mesh {
 
 namespace {
+
+/// The edges of fewer are sorted in less time than starting a thread is worth.
+constexpr std::size_t kSharedVertices = 50'000;
 
 /// Turns counts in offsets[row + 1] into offsets.
 void sumUp(std::vector<Index>& offsets) {
@@ -69,12 +74,14 @@ EdgeUses edgeUses(const TriangleMesh& mesh) {
   edges.uses.resize(edges.offsets.back());
   std::vector<Index> next(edges.offsets.begin(), edges.offsets.end() - 1);
   for_each_edge([&](Index low, Index high, Index h) { edges.uses[next[low]++] = {high, h}; });
-  for (std::size_t v = 0; v + 1 < edges.offsets.size(); ++v) {
-    std::sort(edges.uses.begin() + edges.offsets[v], edges.uses.begin() + edges.offsets[v + 1],
-              [](const EdgeUse& l, const EdgeUse& r) {
-                return l.high != r.high ? l.high < r.high : l.half_edge < r.half_edge;
-              });
-  }
+  shareOut(mesh.positions.size(), kSharedVertices, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      std::sort(edges.uses.begin() + edges.offsets[v], edges.uses.begin() + edges.offsets[v + 1],
+                [](const EdgeUse& l, const EdgeUse& r) {
+                  return l.high != r.high ? l.high < r.high : l.half_edge < r.half_edge;
+                });
+    }
+  });
   return edges;
 }
 

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "palpate/base/aligned.h"
+#include "palpate/base/system/process.h"
 
 namespace palpate::lab {
 namespace {
@@ -117,6 +118,22 @@ TEST(ThreadCounts, SeeTheFirstTouchOfAPage) {
     for (std::size_t i = 0; i < kBytes; i += 4096) memory[i] = 1;
   });
   EXPECT_GE(*counts.page_faults, 1u);
+}
+
+// A list that is made and freed again and again, as a frame's are: giving its pages back each time cost the ticks
+// beside it ten times their time.
+TEST(LargeArrays, LeaveSmallerListsTheirPages) {
+  if (!countsOfThisThread().page_faults) GTEST_SKIP() << "page faults cannot be counted on this system";
+  system::returnLargeArrays();
+  const auto make_and_free = [] {
+    const std::vector<char> list(std::size_t{4} << 20, 'x');
+    kept = const_cast<char*>(list.data());
+  };
+  make_and_free();
+  const ThreadCounts counts = countsOf([&] {
+    for (int i = 0; i < 10; ++i) make_and_free();
+  });
+  EXPECT_LT(*counts.page_faults, 100u) << "1,024 each time without";
 }
 
 }  // namespace

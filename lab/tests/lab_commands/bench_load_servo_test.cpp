@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "support/run_command.h"
@@ -40,6 +41,22 @@ TEST(BenchLoadCommand, TakesTheNameOfABenchmarkMesh) {
   const auto again = nlohmann::json::parse(runPalpate("study bench load back_2962 --json").out);
   EXPECT_EQ(named["file"], "back_2962");
   EXPECT_EQ(named["hash"], again["hash"]);
+}
+
+bool givesHugePagesOnRequest() {
+  std::ifstream file("/sys/kernel/mm/transparent_hugepage/enabled");
+  std::string said;
+  std::getline(file, said);
+  return said.find("[madvise]") != std::string::npos || said.find("[always]") != std::string::npos;
+}
+
+// Page by page a body of this size takes 60,000 faults and more: its records alone are 96 MB.
+TEST(BenchLoadCommand, TakesLargeArraysInHugePages) {
+  if (!givesHugePagesOnRequest()) GTEST_SKIP() << "this system gives no huge pages";
+  const auto json = nlohmann::json::parse(runPalpate("study bench load back_1000000 --json").out);
+  const double small_pages = json["peak_memory_gb"].get<double>() * 1e9 / 4096.0;
+  EXPECT_GT(small_pages, 60'000.0);
+  EXPECT_LT(json["page_faults"].get<double>(), 0.6 * small_pages);
 }
 
 TEST(BenchLoadCommand, RefusesAnUnknownName) {

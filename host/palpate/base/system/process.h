@@ -69,9 +69,9 @@ bool isRunning(int process);
 /// From this size on an array has pages of its own, which come from the system and go back to it.
 inline constexpr std::size_t kLargeArrayBytes = 8 << 20;
 
-/// From now on arrays of kLargeArrayBytes and more go back to the system when they are freed. glibc raises that to 32
-/// MB by itself and keeps twice as much in each thread: a tenth of what a body of 4,000,000 triangles takes. Others
-/// keep nothing.
+/// From now on arrays of kLargeArrayBytes and more go back to the system when they are freed, and smaller ones stay
+/// with the program. glibc raises that to 32 MB by itself and keeps twice as much in each thread: a tenth of what a
+/// body of 4,000,000 triangles takes. Others keep nothing.
 void returnLargeArrays() noexcept;
 
 /// Memory for a large array, in pages of 2 MB where the system has them for who asks (Linux, "madvise"); null: there is
