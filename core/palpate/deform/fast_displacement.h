@@ -53,6 +53,7 @@ class RegionByBlocks {
     std::uint64_t whole = 0;
     std::uint64_t rim = 0;
     std::uint64_t level = 0;    // where the height over the contact's plane does not matter
+    std::uint64_t facing = 0;   // where every vertex faces the contact
     std::uint64_t reached = 0;  // of `whole`
     std::uint64_t pending = 0;  // of `whole`, about to be reached; not 0 means the tile waits in open_tiles_
     bool known = false;

@@ -67,8 +67,8 @@ mesh::IndexRows neighboursOfGroups(const GroupGraph& graph) {
 std::uint64_t grownWithin(const GroupGraph& graph, Index group, std::uint64_t start, std::uint64_t allowed) noexcept {
   const std::uint64_t* neighbours = graph.neighbours.data() + std::size_t{group} * kBlockVertices;
   std::uint64_t grown = start & allowed;
-  // Ring by ring: the loads of one ring do not wait for each other.
-  for (std::uint64_t ring = grown; ring != 0;) {
+  // Ring by ring, until nothing is left to reach: the loads of one ring do not wait for each other.
+  for (std::uint64_t ring = grown; ring != 0 && grown != allowed;) {
     std::uint64_t next = 0;
     for (; ring != 0; ring &= ring - 1) next |= neighbours[std::countr_zero(ring)];
     ring = next & allowed & ~grown;

@@ -51,6 +51,7 @@ RegionByBlocks::Tile& RegionByBlocks::tileAt(const Query& query, Index tile) noe
   here.whole = blocks.whole & query.skin.connected_blocks[tile];
   here.rim = blocks.touched & query.skin.block_graph.members[tile] & ~here.whole;
   here.level = blocks.level;
+  here.facing = blocks.facing;
   here.known = true;
   known_tiles_.push_back(tile);
   return here;
@@ -123,8 +124,9 @@ void RegionByBlocks::growBlock(const Query& query, Index block) noexcept {
 
 void RegionByBlocks::lookInto(const Query& query, Index block) noexcept {
   RimBlock& here = rim_[block];
-  const bool is_level = (tiles_[blockOf(block)].level & bitOf(block)) != 0;
-  const VerticesInside inside = verticesInside(query.contact, query.skin.restBlock(block), is_level);
+  const Tile& tile = tiles_[blockOf(block)];
+  const BlockSeen seen{(tile.level & bitOf(block)) != 0, (tile.facing & bitOf(block)) != 0};
+  const VerticesInside inside = verticesInside(query.contact, query.skin.restBlock(block), seen);
   const std::uint64_t members = query.skin.vertex_graph.members[block];
   here.outside = ~(inside.facing & members);
   if ((inside.steep & members) != 0) edges_.push_back({block, false, inside.steep & members});

@@ -18,17 +18,25 @@ TEST(BlockBounds, SayNothingThatTheVerticesDeny) {
     const Skin skin = buildSkin(mesh);
     Random random(3);
     Index whole = 0;
+    Index facing = 0;
     Index left_alone = 0;
     for (int i = 0; i < 50; ++i) {
       const ContactLanes lanes = lanesFor(test::anyContact(mesh, random));
       for (Index block = 0; block < skin.blocks; ++block) {
         const BlocksInside inside = insideBlocks(lanes, skin.tileBounds(blockOf(block)));
         const std::uint64_t members = skin.vertex_graph.members[block];
-        const VerticesInside places = verticesInside(lanes, skin.restBlock(block), (inside.level & bitOf(block)) != 0);
+        const bool is_level = (inside.level & bitOf(block)) != 0;
+        const VerticesInside places = verticesInside(lanes, skin.restBlock(block), {is_level, false});
         const std::uint64_t vertices = places.facing & members;
         if ((inside.whole & bitOf(block)) != 0) {
           ++whole;
           EXPECT_EQ(vertices, members);
+        }
+        if ((inside.facing & bitOf(block)) != 0) {
+          ++facing;
+          const VerticesInside unasked = verticesInside(lanes, skin.restBlock(block), {is_level, true});
+          EXPECT_EQ(unasked.facing & members, vertices);
+          EXPECT_EQ(places.steep & members, 0u);
         }
         if ((inside.touched & bitOf(block)) == 0) {
           ++left_alone;
@@ -37,6 +45,7 @@ TEST(BlockBounds, SayNothingThatTheVerticesDeny) {
       }
     }
     EXPECT_GT(whole, 100u);
+    EXPECT_GT(facing, 10000u);
     EXPECT_GT(left_alone, 10000u);
   }
 }

@@ -72,7 +72,7 @@ BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds)
   const V one = hn::Set(d, 1.0f);
   const V rounding = hn::Set(d, 1e-6f);
   const V3 facing = broadcast(contact.facing);
-  BlocksInside blocks{0, 0, 0};
+  BlocksInside blocks{0, 0, 0, 0};
   for (size_t lane = 0; lane < kTileBlocks; lane += hn::Lanes(d)) {
     const V3 centre = sub(load(bounds.values, lane), broadcast(contact.anchor));
     const V3 half = mulAdd(rounding, absolute(centre), load(bounds.values + 3, lane));
@@ -91,6 +91,7 @@ BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds)
     blocks.whole |= bitsOf(hn::And(hn::And(near, faces), level), lane);
     blocks.touched |= bitsOf(hn::Not(far), lane);
     blocks.level |= bitsOf(level, lane);
+    blocks.facing |= bitsOf(faces, lane);
   }
   return blocks;
 }
@@ -105,16 +106,20 @@ HWY_INLINE M isNear(const PartLanes& part, const V3& offset, V height) {
   return hn::Lt(q2, hn::Set(Lanes(), 1.0f));
 }
 
-template <bool kLevel>
+template <bool kLevel, bool kFacing>
 HWY_INLINE VerticesInside verticesInsideOf(const ContactLanes& contact, const RestBlock& rest) {
   const Lanes d;
   VerticesInside inside{0, 0};
   for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(d)) {
     const V3 offset = sub(load(rest.values, lane), broadcast(contact.anchor));
-    const V facing = dot(load(rest.values + 3, lane), broadcast(contact.facing));
     const V height = kLevel ? hn::Zero(d) : hn::Abs(dot(broadcast(contact.facing), offset));
     M near = isNear<kLevel>(contact.normal, offset, height);
     if (drags(contact)) near = hn::Or(near, isNear<kLevel>(contact.tangential, offset, height));
+    if constexpr (kFacing) {
+      inside.facing |= bitsOf(near, lane);
+      continue;
+    }
+    const V facing = dot(load(rest.values + 3, lane), broadcast(contact.facing));
     inside.facing |= bitsOf(hn::And(near, hn::Gt(facing, hn::Zero(d))), lane);
     const M steep = hn::AndNot(hn::Gt(facing, hn::Set(d, kSteepFacing)), near);
     if (!hn::AllFalse(d, steep)) inside.steep |= bitsOf(steep, lane);  // seldom
@@ -122,8 +127,10 @@ HWY_INLINE VerticesInside verticesInsideOf(const ContactLanes& contact, const Re
   return inside;
 }
 
-VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest, bool is_level) {
-  return is_level ? verticesInsideOf<true>(contact, rest) : verticesInsideOf<false>(contact, rest);
+VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest, BlockSeen seen) {
+  if (seen.is_facing)
+    return seen.is_level ? verticesInsideOf<true, true>(contact, rest) : verticesInsideOf<false, true>(contact, rest);
+  return seen.is_level ? verticesInsideOf<true, false>(contact, rest) : verticesInsideOf<false, false>(contact, rest);
 }
 
 /// exp(-rate q^2) for 0 <= q^2 <= 1, within 3e-7 of its value; anything outside. 2^t is split into a whole power, added
@@ -518,8 +525,8 @@ BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds)
   return HWY_DYNAMIC_DISPATCH(insideBlocks)(contact, bounds);
 }
 
-VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest, bool is_level) noexcept {
-  return HWY_DYNAMIC_DISPATCH(verticesInside)(contact, rest, is_level);
+VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest, BlockSeen seen) noexcept {
+  return HWY_DYNAMIC_DISPATCH(verticesInside)(contact, rest, seen);
 }
 
 std::uint64_t strainedVertices(std::span<const ContactLanes> contacts, const EdgeBlock& edge, std::uint64_t of,

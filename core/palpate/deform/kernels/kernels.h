@@ -58,6 +58,7 @@ struct BlocksInside {
   std::uint64_t whole;    ///< every vertex is inside (as verticesInside has it), none steep, and the block is level
   std::uint64_t touched;  ///< some vertices may be inside but for the side they face
   std::uint64_t level;    ///< no vertex rises in a part that moves it
+  std::uint64_t facing;   ///< every vertex faces the contact, and none is steep
 };
 BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds) noexcept;
 
@@ -65,13 +66,18 @@ BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds)
 /// degrees. Below 0 it faces away.
 inline constexpr float kSteepFacing = 0.1f;
 
-/// Vertices with q < 1 for one of the parts, by the side they face; one bit a vertex. Padding answers like a vertex. On
-/// a level block their height is not asked.
+/// What BlocksInside says of one block.
+struct BlockSeen {
+  bool is_level;   ///< the height of its vertices is not asked
+  bool is_facing;  ///< nor the side that they face
+};
+
+/// Vertices with q < 1 for one of the parts, by the side they face; one bit a vertex. Padding answers like a vertex.
 struct VerticesInside {
   std::uint64_t facing;  ///< the contact
   std::uint64_t steep;   ///< or turned away
 };
-VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest, bool is_level) noexcept;
+VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest, BlockSeen seen) noexcept;
 
 /// Of some vertices of a block those joined to any that the contacts, wherever their regions end, may together move by
 /// more than `most_mm` or than the room beside the vertex; and some more.
