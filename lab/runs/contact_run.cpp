@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "lab/runs/timed_run.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
+#include "palpate/contact/nearby_skin.h"
 #include "palpate/mesh/repair.h"
 
 namespace palpate::bench {
@@ -119,8 +121,9 @@ ContactWorld buildContactWorld(mesh::TriangleMesh mesh_mm, double scale, double 
   std::vector<double> stiffness(repaired.mesh.positions.size(), stiffness_n_per_mm / scale);
   contact::SurfaceOptions options;
   options.self_intersecting = repaired.self_intersecting;
-  return {scale, stiffness_n_per_mm, triangles, contact::buildSurface(repaired.mesh, std::move(stiffness), options),
-          lab::SurfaceSide(repaired.mesh)};
+  contact::Surface surface = contact::buildSurface(repaired.mesh, std::move(stiffness), options);
+  if (triangles <= contact::kMostPlanes) surface.planes = contact::planesOf(surface.geometry);
+  return {scale, stiffness_n_per_mm, triangles, std::move(surface), lab::SurfaceSide(repaired.mesh)};
 }
 
 std::vector<Vec3> scaledTips(const device::Trajectory& ticks, double scale) {
@@ -132,7 +135,9 @@ std::vector<Vec3> scaledTips(const device::Trajectory& ticks, double scale) {
 FingerRun runFinger(const contact::Surface& surface, const contact::FingerSettings& settings,
                     std::span<const Vec3> tips) {
   contact::FingerState state;
-  return timedRun(tips, [&](const Vec3& tip) { return contact::step(surface, settings, state, tip); });
+  const auto skin = std::make_unique_for_overwrite<contact::FingerSkin>();
+  return timedRun(tips,
+                  [&](const Vec3& tip) { return contact::step(surface, settings, state, tip, nullptr, skin.get()); });
 }
 
 ContactFigures figuresOf(ContactWorld& world, const FingerRun& run, const contact::FingerSettings& real,

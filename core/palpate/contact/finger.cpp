@@ -9,13 +9,50 @@
 
 #include "palpate/base/error.h"
 #include "palpate/contact/finger_tick.h"
+#include "palpate/contact/nearby_skin.h"
 
 namespace palpate::contact {
 
 namespace {
 
-Press pressOf(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) {
-  if (settings.radius_mm > 0.0) return pressSphere(surface, settings, settings.radius_mm, state, tip);
+/// Gathers the skin round a sphere that will be at `place` after it has moved so.
+void gatherFor(const SkinPlanes& planes, double radius_mm, const Vec3& place, const Vec3& motion, double step_mm,
+               FingerSkin& near) {
+  if (near.rest_ticks > 0) {
+    --near.rest_ticks;
+    return;
+  }
+  near.margin_mm = std::min(std::max(near.margin_mm, worthyMargin(1, step_mm)), radius_mm);
+  const Vec3 middle = place + gatheredAhead(motion, near.margin_mm);
+  if (gatherSkin(planes, middle, radius_mm + near.margin_mm, near.skin)) {
+    near.margin_mm = adaptedMargin(near.skin, near.margin_mm);
+    return;
+  }
+  near.margin_mm *= 0.5;
+  near.rest_ticks = kTicksOfRest;
+}
+
+/// The skin near a sphere in contact, gathered where what is known of it is used up. Null: the tree is asked.
+const NearbySkin* skinNear(const Surface& surface, const FingerSettings& settings, const FingerState& state,
+                           const Vec3& tip, FingerSkin* near) {
+  if (near == nullptr || surface.planes == nullptr || !state.touching) return nullptr;
+  const Vec3 motion = tip - state.tip;
+  const Vec3 place = state.centre + motion;
+  const double step_mm = motion.norm() + settings.catch_up_mm_per_s * settings.tick_s;
+  const bool is_of_this = near->skin.planes == surface.planes.get();
+  if (!is_of_this || !covers(near->skin, place, settings.radius_mm + step_mm)) {
+    near->skin.planes = nullptr;
+    gatherFor(*surface.planes, settings.radius_mm, place, motion, step_mm, *near);
+  }
+  return &near->skin;
+}
+
+Press pressOf(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip,
+              FingerSkin* near) {
+  if (settings.radius_mm > 0.0) {
+    const NearbySkin* const nearby = skinNear(surface, settings, state, tip, near);
+    return pressSphere(surface, settings, settings.radius_mm, state, tip, nearby);
+  }
   if (!surface.geometry->entangled.empty()) return pressGuardedPoint(surface, settings, state, tip);
   return pressPoint(surface, settings, state, tip);
 }
@@ -54,8 +91,8 @@ void check(const FingerSettings& settings) {
 }
 
 FingerOutput step(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip,
-                  const LumpPlaces* lumps) noexcept {
-  return tickBy(surface, settings, state, tip, lumps, [&] { return pressOf(surface, settings, state, tip); });
+                  const LumpPlaces* lumps, FingerSkin* skin) noexcept {
+  return tickBy(surface, settings, state, tip, lumps, [&] { return pressOf(surface, settings, state, tip, skin); });
 }
 
 void stepAll(const Surface& surface, std::span<const FingerSettings> settings, std::span<FingerState> states,

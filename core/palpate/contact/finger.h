@@ -14,6 +14,7 @@
 
 namespace palpate::contact {
 
+struct FingerSkin;
 struct LumpPlaces;
 
 /// The same finger in a world `factor` times as large: every length, nothing else.
@@ -25,9 +26,11 @@ void check(const FingerSettings& settings);
 /// One tick of one finger. Any thread, but one thread at a time per state. It does not look at its settings again:
 /// those that check() refuses may give any force, and so may lengths beyond those of the surface by many powers of ten,
 /// of which few digits are left. The facade (engine/simulator.h) refuses both. `lumps`: where the surface's lumps lie
-/// now, which a loop knows (lump_force.h); null: where the world has them.
+/// now, which a loop knows (lump_force.h); null: where the world has them. `skin`: what the finger keeps of the skin
+/// near it (nearby_skin.h), value-initialised for its first tick; null: nothing. A sphere is then felt two to three
+/// times as fast on a surface that has planes, and the same to the last bit.
 FingerOutput step(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip,
-                  const LumpPlaces* lumps = nullptr) noexcept;
+                  const LumpPlaces* lumps = nullptr, FingerSkin* skin = nullptr) noexcept;
 
 /// One tick of many fingers on one surface, each as `step` does it; all spans have one length. For a hand of many
 /// points or many simulated hands: fingers are independent, so a caller with several threads may give each a part.

@@ -280,6 +280,16 @@ bool gatherBelow(const tree::TriangleTree& tree, const tree::PointQuery& query, 
   return true;
 }
 
+/// Of the margin, how far ahead of a moving finger the skin is gathered.
+constexpr double kShareAhead = 0.5;
+/// Blocks that are gathered where there is a choice: of fewer the margin grows, of more it shrinks.
+constexpr int kFewBlocks = 30;
+constexpr int kManyBlocks = 60;
+constexpr double kGrow = 1.25;
+constexpr double kShrink = 0.75;
+/// To gather costs about as much as so many pads that ask the tree in one tick, and has to last for as many.
+constexpr double kGatheringCost = 8.0;
+
 /// The leaf that holds the record: the last that does not begin after it.
 const SkinBranch& leafOf(const NearbySkin& skin, Index record) {
   const auto* end = skin.leaves.data() + skin.leaf_count;
@@ -319,6 +329,24 @@ bool gatherSkin(const SkinPlanes& planes, const Vec3& middle, double reach, Near
     for (auto& centre : skin.centre) centre[b] = static_cast<float>(-kNowhere);
   }
   return true;
+}
+
+double worthyMargin(std::size_t pads, double step_mm) noexcept {
+  // What is left of the margin must hold for the next tick, too.
+  const double ticks = kGatheringCost / static_cast<double>(pads) + 2.0;
+  return ticks * step_mm / (1.0 + kShareAhead);
+}
+
+double adaptedMargin(const NearbySkin& gathered, double margin_mm) noexcept {
+  if (gathered.blocks > 0 && gathered.blocks < kFewBlocks) return kGrow * margin_mm;
+  return gathered.blocks > kManyBlocks ? kShrink * margin_mm : margin_mm;
+}
+
+Vec3 gatheredAhead(const Vec3& motion, double margin_mm) noexcept {
+  constexpr double kTicksAhead = 20.0;
+  const double ahead = kTicksAhead * motion.norm();
+  const double most = kShareAhead * margin_mm;
+  return ahead > most ? Vec3(motion * (kTicksAhead * most / ahead)) : Vec3(kTicksAhead * motion);
 }
 
 bool listNearer(const NearbySkin* skin, const Vec3& point, double reach, SkinList& list) noexcept {

@@ -1,4 +1,5 @@
-// The skin near a few pads of a tool, laid out for vectors: one descent of the tree serves every pad for many ticks.
+// The skin near a sphere, or near a few pads of a tool, laid out for vectors: one descent of the tree serves many
+// ticks.
 //
 //   geometry ─ planesOf (once) ─► SkinPlanes ─┐
 //   tree ─ gatherSkin (once in some ten ticks) ─► NearbySkin ─ listNearer (every pad, every tick) ─► a few triangles
@@ -43,6 +44,9 @@ struct SkinPlanes {
   AlignedVector<SkinBlock> blocks;                  ///< block b holds the records from b * kSkinLanes on
 };
 
+/// Of more triangles too many lie under a fingertip to be gathered.
+inline constexpr std::size_t kMostPlanes = 400'000;
+
 /// About 50 ns a triangle.
 std::shared_ptr<const SkinPlanes> planesOf(std::shared_ptr<const SurfaceGeometry> geometry);
 
@@ -79,6 +83,24 @@ struct NearbySkin {
 /// Fills it with what is nearer to `middle` than `reach`. False when that is too much: then nothing is known. About 2
 /// us.
 bool gatherSkin(const SkinPlanes& planes, const Vec3& middle, double reach, NearbySkin& skin) noexcept;
+
+// How much farther than it must the skin is gathered: a moving finger's margin lasts for some ticks.
+
+/// The margin, mm, that makes gathering worth its while for so many pads that go so far in a tick.
+double worthyMargin(std::size_t pads, double step_mm) noexcept;
+/// Adapted to the skin that was met.
+double adaptedMargin(const NearbySkin& gathered, double margin_mm) noexcept;
+/// From where they are to the middle of what is gathered for pads that move so in a tick.
+Vec3 gatheredAhead(const Vec3& motion, double margin_mm) noexcept;
+/// After there was too much skin the tree is asked for so many ticks.
+inline constexpr int kTicksOfRest = 64;
+
+/// What a sphere keeps of the skin near it from tick to tick; never changes what it feels.
+struct FingerSkin {
+  NearbySkin skin;
+  double margin_mm = 0.0;
+  int rest_ticks = 0;
+};
 
 /// Whether everything nearer to the point than `reach` is there.
 inline bool covers(const NearbySkin& skin, const Vec3& point, double reach) noexcept {

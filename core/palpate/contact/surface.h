@@ -33,6 +33,8 @@ struct SurfaceGeometry {
   bool touches_itself = false;
 };
 
+struct SkinPlanes;
+
 /// Every finger reads it, nobody writes it.
 struct Surface {
   std::shared_ptr<const SurfaceGeometry> geometry;  ///< never null
@@ -40,6 +42,8 @@ struct Surface {
   std::vector<double> tissue_mm;  ///< per vertex: thickness over the bone; empty where it is not known
   tissue::ForceLaw force_law;
   std::shared_ptr<const Lumps> lumps = nullptr;  ///< under it (lump_force.h); null: none
+  /// Of its geometry, for spheres that keep the skin near them (nearby_skin.h); null: they ask the tree.
+  std::shared_ptr<const SkinPlanes> planes = nullptr;
 };
 
 /// `mesh` must be fit for contact, as mesh::repair leaves it: an edge has at most one neighbour on each side and the

@@ -30,17 +30,6 @@ constexpr double kOfPads = 0.55;
 /// The first margin, as a share of the same; it is adapted to the skin that is met.
 constexpr double kFirstMargin = 0.25;
 constexpr double kLargestMargin = 1.0;  // of all that is gathered
-/// Of the margin, how far ahead of a moving group the skin is gathered.
-constexpr double kShareAhead = 0.5;
-constexpr int kTicksOfRest = 64;
-/// Blocks that a group gathers where it can choose: of fewer it takes more, of more less.
-constexpr int kFewBlocks = 30;
-constexpr int kManyBlocks = 60;
-constexpr double kGrow = 1.25;
-constexpr double kShrink = 0.75;
-/// To gather costs about as much as so many pads that ask the tree in one tick, and has to last for as many.
-constexpr double kGatheringCost = 8.0;
-
 double meanTriangle(const SurfaceGeometry& geometry) {
   double area2 = 0.0;
   for (const tree::TriangleRecord& record : geometry.tree.records) {
@@ -144,26 +133,6 @@ Vec3 sphereOf(const FingerState& pad, const Vec3& tip) noexcept {
   return pad.touching ? Vec3(pad.centre + (tip - pad.tip)) : tip;
 }
 
-/// The margin that makes gathering worth its while for a group whose pads' centres go so far in a tick. What is left of
-/// it must hold for the next tick, too (stepGroup).
-double worthyMargin(const PadGroup& group, double step_mm) noexcept {
-  const double ticks = kGatheringCost / static_cast<double>(group.end - group.first) + 2.0;
-  return ticks * step_mm / (1.0 + kShareAhead);
-}
-
-void adaptMargin(int blocks, PadGroup& group) noexcept {
-  if (blocks > 0 && blocks < kFewBlocks) group.margin_mm *= kGrow;
-  if (blocks > kManyBlocks) group.margin_mm *= kShrink;
-}
-
-/// How far the skin that is gathered may lie ahead, for a group that moves as it does.
-Vec3 lookAhead(const Vec3& motion, double margin_mm) noexcept {
-  constexpr double kTicksAhead = 20.0;
-  const double ahead = kTicksAhead * motion.norm();
-  const double most = kShareAhead * margin_mm;
-  return ahead > most ? Vec3(motion * (kTicksAhead * most / ahead)) : Vec3(kTicksAhead * motion);
-}
-
 /// What a group knows of another surface means nothing.
 void forgetSkin(PadGroup& group) noexcept {
   group.idle = false;
@@ -194,13 +163,13 @@ void gatherFor(const ToolTask& task, double slack_mm, PadGroup& group, NearbySki
   if (!middle.allFinite() || !std::isfinite(reach)) return;
   const bool has_moved = state.pads[state.order[group.first]].knows_tip;
   const Vec3 motion = has_moved ? Vec3(placeIn(task.poses[group.part], group.offset) - group.middle) : Vec3::Zero();
-  group.margin_mm = std::max(group.margin_mm, worthyMargin(group, motion.norm() + slack_mm));
+  group.margin_mm = std::max(group.margin_mm, worthyMargin(group.end - group.first, motion.norm() + slack_mm));
   group.margin_mm = std::min(group.margin_mm, kLargestMargin * reach);
-  middle += lookAhead(motion, group.margin_mm);
+  middle += gatheredAhead(motion, group.margin_mm);
   group.gather = false;
   if (group.idle) lookForSkin(task.surface, placeIn(task.poses[group.part], group.offset), group);
   if (gatherSkin(*state.planes, middle, reach + group.margin_mm, skin)) {
-    adaptMargin(skin.blocks, group);
+    group.margin_mm = adaptedMargin(skin, group.margin_mm);
     return;
   }
   // Too much skin, as under a large pad on a fine mesh: the tree is asked for a while.
@@ -332,7 +301,7 @@ ToolState makeToolState(const ToolShape& shape, const Surface& surface, std::sha
   check(shape);
   require(!planes || planes->geometry == surface.geometry, "its planes are those of another surface");
   ToolState state;
-  state.planes = planes ? std::move(planes) : planesOf(surface.geometry);
+  state.planes = planes ? std::move(planes) : surface.planes ? surface.planes : planesOf(surface.geometry);
   const std::size_t pads = shape.pads.size();
   state.pads.resize(pads);
   state.felt.resize(pads);

@@ -5,6 +5,7 @@
 
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
+#include "palpate/contact/nearby_skin.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/tree/triangle_tree.h"
 
@@ -67,6 +68,7 @@ std::shared_ptr<const Body> builtBody(BodyParts parts, std::optional<double> thi
     throw;
   }
   report(progress, "building the contact surface", kSurfaceShare);
+  if (skin.triangles.size() <= contact::kMostPlanes) body->planes = contact::planesOf(body->geometry);
   body->box = mesh::boundingBox(skin);
   body->vertex_blocks = blocksOf(
       skin.positions.size(), [&](std::size_t v, Eigen::AlignedBox2d& box) { box.extend(skin.positions[v].head<2>()); });

@@ -40,6 +40,7 @@ struct Body {
   mesh::TriangleMesh skin;  ///< fit for contact, spatially ordered; triangle numbers everywhere are its own
   bool closed = false;      ///< the skin has no border
   std::shared_ptr<const contact::SurfaceGeometry> geometry;
+  std::shared_ptr<const contact::SkinPlanes> planes;  ///< of the geometry; null for more than contact::kMostPlanes
   deform::Skin deformable;                   ///< as the settings that it was built for want it (World::deformable)
   std::optional<double> thickness_limit_mm;  ///< up to which its parts were measured; nothing: they were not
   Anatomy anatomy;

@@ -18,6 +18,8 @@ FingerSolvers makeSolvers(const contact::Surface& surface, const std::shared_ptr
     solvers[i].lumps = lumps;
     solvers[i].finger = i;
     if (box) solvers[i].box.emplace(box);
+    // Its lists stay untouched pages until a sphere fills them.
+    if (!box && surface.planes) solvers[i].skin = std::make_unique_for_overwrite<contact::FingerSkin>();
   }
   return solvers;
 }
@@ -28,7 +30,7 @@ contact::FingerOutput touchAmongLumps(FingerSolver& solver, const contact::Finge
                                       contact::FingerState& state, const Vec3& tip,
                                       const contact::LumpPlaces* lumps) noexcept {
   if (solver.box) return hdb::stepHdb(*solver.surface, settings, *solver.box, state, tip, lumps);
-  return contact::step(*solver.surface, settings, state, tip, lumps);
+  return contact::step(*solver.surface, settings, state, tip, lumps, solver.skin.get());
 }
 
 contact::FingerOutput touchAtRest(FingerSolver& solver, const contact::FingerSettings& settings,
@@ -105,6 +107,7 @@ void exchange(FingerSolver& at_work, FingerSolver& next, contact::FingerState& s
   std::swap(at_work.surface, next.surface);
   std::swap(at_work.lumps, next.lumps);
   at_work.box.swap(next.box);
+  at_work.skin.swap(next.skin);
   std::swap(at_work.breath, next.breath);
   at_work.handover.on = true;
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "palpate/body/trunk/breathing.h"
+#include "palpate/contact/nearby_skin.h"
 #include "palpate/hdb/hdb_finger.h"
 #include "palpate/servo/lump_loop.h"
 
@@ -31,9 +32,10 @@ struct Handover {
 };
 
 struct FingerSolver {
-  const contact::Surface* surface = nullptr;  ///< must outlive the solver
-  std::optional<hdb::HdbCandidates> box;      ///< none: the finger walks on the whole surface
-  std::optional<body::BreathField> breath;    ///< how the surface moves; none: it does not
+  const contact::Surface* surface = nullptr;            ///< must outlive the solver
+  std::optional<hdb::HdbCandidates> box;                ///< none: the finger walks on the whole surface
+  std::unique_ptr<contact::FingerSkin> skin = nullptr;  ///< that a sphere keeps near it; null: the tree is asked
+  std::optional<body::BreathField> breath;              ///< how the surface moves; none: it does not
   Handover handover = {};
   std::shared_ptr<LumpLoop> lumps = nullptr;  ///< of the rig's fingers together; null: no lump of the surface moves
   std::size_t finger = 0;                     ///< its number in the rig

@@ -39,7 +39,8 @@ Mat3 turned(const Vec3& axis, double angle_rad) {
   return Eigen::AngleAxisd(angle_rad, axis.normalized()).toRotationMatrix();
 }
 
-/// A tool and, beside it, a finger for every pad, which is what the pads must feel.
+/// A tool and, beside it, a finger for every pad, which is what the pads must feel; and another finger that keeps the
+/// skin near it, which must feel the same.
 class ToolTrack {
  public:
   ToolTrack(const Surface& surface, ToolShape shape, FingerSettings settings = {})
@@ -48,7 +49,12 @@ class ToolTrack {
         settings_(settings),
         state_(makeToolState(shape_, surface)),
         fingers_(shape_.pads.size()),
-        poses_(shape_.rest.size()) {}
+        planed_(surface),
+        keeping_(shape_.pads.size()),
+        skins_(shape_.pads.size()),
+        poses_(shape_.rest.size()) {
+    planed_.planes = state_.planes;
+  }
 
   /// The tool in one piece.
   Wrench to(const ToolPose& pose) {
@@ -62,9 +68,11 @@ class ToolTrack {
       FingerSettings settings = settings_;
       settings.radius_mm = shape_.pads[i].radius_mm;
       const ToolPose& pose = poses_[shape_.pads[i].part];
-      const FingerOutput alone =
-          step(surface_, settings, fingers_[i], pose.position + pose.rotation * shape_.pads[i].offset);
+      const Vec3 tip = pose.position + pose.rotation * shape_.pads[i].offset;
+      const FingerOutput alone = step(surface_, settings, fingers_[i], tip);
       if (!isSame(alone, state_.felt[i])) ++differences_;
+      if (!isSame(alone, step(planed_, settings, keeping_[i], tip, nullptr, &skins_[i]))) ++differences_;
+      known_ += keeping_[i].touching && skins_[i].skin.planes != nullptr ? 1 : 0;
       touching_ += touches(alone) ? 1 : 0;
       settled_in_valleys_ += alone.status == 0 && fingers_[i].standing.count > 1 ? 1 : 0;
     }
@@ -78,6 +86,8 @@ class ToolTrack {
   std::size_t differences() const { return differences_; }
   std::size_t touching() const { return touching_; }
   std::size_t inValleys() const { return settled_in_valleys_; }
+  /// Of fingers that touch, how often the skin near them was known.
+  std::size_t known() const { return known_; }
 
  private:
   const Surface& surface_;
@@ -85,7 +95,11 @@ class ToolTrack {
   FingerSettings settings_;
   ToolState state_;
   std::vector<FingerState> fingers_;
+  Surface planed_;
+  std::vector<FingerState> keeping_;
+  std::vector<FingerSkin> skins_;
   std::vector<ToolPose> poses_;
+  std::size_t known_ = 0;
   std::size_t differences_ = 0, touching_ = 0, settled_in_valleys_ = 0, ticks_ = 0;
 };
 
@@ -134,6 +148,7 @@ TEST(Tool, OfOnePadIsTheSphereFingerToTheBit) {
     }
     EXPECT_EQ(tool.differences(), 0u) << radius;
     EXPECT_GT(tool.touching(), 4000u);
+    EXPECT_GT(tool.known(), 0.9 * static_cast<double>(tool.touching()));
   }
 }
 
