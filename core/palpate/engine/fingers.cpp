@@ -72,7 +72,10 @@ std::vector<Finger> rigOn(const scene::World& world, std::span<const contact::Fi
   servo::FingerSolvers solvers = servo::makeSolvers(world.surface, world.hdb, fingers.size(), world.breath);
   std::vector<Finger> rig;
   rig.reserve(fingers.size());
-  for (std::size_t i = 0; i < fingers.size(); ++i) rig.push_back({std::move(solvers[i]), fingers[i]});
+  for (std::size_t i = 0; i < fingers.size(); ++i) {
+    if (fingers[i].radius_mm == 0.0) solvers[i].skin.reset();  // a point would never use it: 17 kB for each of thousands
+    rig.push_back({std::move(solvers[i]), fingers[i]});
+  }
   return rig;
 }
 

@@ -18,8 +18,8 @@ FingerSolvers makeSolvers(const contact::Surface& surface, const std::shared_ptr
     solvers[i].lumps = lumps;
     solvers[i].finger = i;
     if (box) solvers[i].box.emplace(box);
-    // Its lists stay untouched pages until a sphere fills them.
-    if (!box && surface.planes) solvers[i].skin = std::make_unique_for_overwrite<contact::FingerSkin>();
+    // Filled with zeros, so that no tick is the first to touch its pages.
+    if (!box && surface.planes) solvers[i].skin = std::make_unique<contact::FingerSkin>();
   }
   return solvers;
 }
