@@ -9,6 +9,7 @@
 #include "host/tests/engine/small_worlds.h"
 #include "palpate/base/error.h"
 #include "palpate/contact/finger.h"
+#include "palpate/engine/fingers.h"
 #include "palpate/engine/live_simulator.h"
 #include "palpate/scene/skin_contact.h"
 #include "support/counted.h"
@@ -54,6 +55,14 @@ TEST(Simulator, FeelsBitForBitWhatContactStepFeels) {
     }
   }
   EXPECT_GT(touching, 300);
+}
+
+TEST(Fingers, OnlySpheresKeepTheSkinNearThem) {
+  const auto world = sheet(0.5, fingersOf({0.0, 8.0}));
+  ASSERT_NE(world->surface.planes, nullptr);
+  const std::vector<Finger> fingers = fingersOn(*world, fingerSettings(world->scene));
+  EXPECT_EQ(fingers[0].solver.skin, nullptr);
+  EXPECT_NE(fingers[1].solver.skin, nullptr);
 }
 
 TEST(Simulator, FeelsThroughTheDetectingBoxWhereTheWorldSaysSo) {
