@@ -91,27 +91,27 @@ std::array<std::int8_t, 2> facingBytes(const Vec3& direction) {
   return {rounded(u), rounded(v)};
 }
 
-bool isUsed(const WideNode& node, int slot) { return node.low[0][slot] <= node.high[0][slot]; }
+bool hasChild(const WideNode& node, int slot) { return node.low[0][slot] <= node.high[0][slot]; }
 
 /// Records, one after the other.
-struct Range {
+struct RecordRange {
   Index begin = kNoIndex;
   Index end = 0;
 };
 
-Range rangeBelow(const ChildLink& link, const std::vector<Range>& of_nodes) {
+RecordRange rangeBelow(const ChildLink& link, const std::vector<RecordRange>& of_nodes) {
   if (!link.isLeaf()) return of_nodes[link.node()];
   return {link.firstTriangle(), link.firstTriangle() + link.triangleCount()};
 }
 
 /// The records below each node; a node stands before those below it.
-std::vector<Range> rangesOfNodes(const TriangleTree& tree) {
-  std::vector<Range> ranges(tree.nodes.size());
+std::vector<RecordRange> rangesOfNodes(const TriangleTree& tree) {
+  std::vector<RecordRange> ranges(tree.nodes.size());
   for (std::size_t index = tree.nodes.size(); index-- > 0;) {
     const WideNode& node = tree.nodes[index];
     for (int i = 0; i < kNodeWidth; ++i) {
-      if (!isUsed(node, i)) continue;
-      const Range below = rangeBelow(node.children[i], ranges);
+      if (!hasChild(node, i)) continue;
+      const RecordRange below = rangeBelow(node.children[i], ranges);
       ranges[index] = {std::min(ranges[index].begin, below.begin), std::max(ranges[index].end, below.end)};
     }
   }
@@ -131,8 +131,8 @@ class PlateFiller {
       WideNode& node = tree_.nodes[index];
       for (int i = 0; i < kNodeWidth; ++i) {
         setNoPlate(node, i);
-        if (!isUsed(node, i)) continue;
-        const Range range = rangeBelow(node.children[i], ranges_);
+        if (!hasChild(node, i)) continue;
+        const RecordRange range = rangeBelow(node.children[i], ranges_);
         if (range.end - range.begin <= kMaxTriangles) setPlate(node, i, range);
       }
     }
@@ -145,7 +145,7 @@ class PlateFiller {
     node.spread[slot] = kAnySpread;
   }
 
-  void setPlate(WideNode& node, int slot, const Range& range) const {
+  void setPlate(WideNode& node, int slot, const RecordRange& range) const {
     Vec3 sum = Vec3::Zero();
     for (Index t = range.begin; t < range.end; ++t) {
       const auto& [a, b, c] = tree_.records[t].corners;
@@ -196,7 +196,7 @@ class PlateFiller {
   TriangleTree& tree_;
   const Progress& progress_;
   std::vector<NormalCone> cones_;
-  std::vector<Range> ranges_;
+  std::vector<RecordRange> ranges_;
 };
 
 }  // namespace
