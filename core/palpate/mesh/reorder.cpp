@@ -193,7 +193,8 @@ std::vector<Index> inCompactGroups(std::span<const Vec3> points, std::span<const
 
 std::vector<Index> mortonOrder(std::span<const Vec3> points) {
   auto codes = mortonCodes(points);
-  if (!std::ranges::is_sorted(codes, {}, &CodedIndex::code)) sortByCode(codes);
+  const auto is_before = [](const CodedIndex& a, const CodedIndex& b) { return a.code < b.code; };
+  if (!std::is_sorted(codes.begin(), codes.end(), is_before)) sortByCode(codes);
   std::vector<Index> order(codes.size());
   std::transform(codes.begin(), codes.end(), order.begin(), [](const CodedIndex& c) { return c.index; });
   return order;
