@@ -120,8 +120,8 @@ TEST(ThreadCounts, SeeTheFirstTouchOfAPage) {
   EXPECT_GE(*counts.page_faults, 1u);
 }
 
-// A list that is made and freed again and again, as a frame's are: giving its pages back each time cost the ticks
-// beside it ten times their time.
+// A list that is made and freed again and again, as those of a frame are: new pages each time slowed the ticks beside
+// it.
 TEST(LargeArrays, LeaveSmallerListsTheirPages) {
   if (!countsOfThisThread().page_faults) GTEST_SKIP() << "page faults cannot be counted on this system";
   system::returnLargeArrays();

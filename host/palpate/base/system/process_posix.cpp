@@ -156,8 +156,8 @@ std::vector<std::string> commandLine(int argc, char** argv) { return {argv + std
 void returnLargeArrays() noexcept {
 #ifdef __GLIBC__
   ::mallopt(M_MMAP_THRESHOLD, kLargeArrayBytes);
-  // Told of the first, glibc takes its least for the second, 128 KB: whoever frees and takes a list again and again
-  // would have its pages anew each time, and a servo tick beside it 10 us instead of 1 (p99).
+  // Told of the first, glibc takes its least for the second, 128 KB: a list that is freed and made again and again
+  // would get new pages each time. A tick of a point on 1,000,000 triangles took 7 us in place of 1.1 (p99) with that.
   ::mallopt(M_TRIM_THRESHOLD, 2 * kLargeArrayBytes);
 #endif
 }
