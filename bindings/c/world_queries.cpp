@@ -106,7 +106,7 @@ const uint32_t* palpate_world_triangles(const palpate_world* world) noexcept {
 }
 
 const double* palpate_world_stiffness(const palpate_world* world) noexcept {
-  return world == nullptr ? nullptr : world->world().surface.stiffness_n_per_mm.data();
+  return world == nullptr ? nullptr : world->world().surface.stiffness_n_per_mm->data();
 }
 
 const uint32_t* palpate_world_map(const palpate_world* world, int32_t map, size_t* count) noexcept {

@@ -73,7 +73,7 @@ Json deviceJson(const servo::LimiterSettings& limits) {
 
 Json bodyJson(const scene::World& world) {
   const auto [soft, stiff] =
-      std::minmax_element(world.surface.stiffness_n_per_mm.begin(), world.surface.stiffness_n_per_mm.end());
+      std::minmax_element(world.surface.stiffness_n_per_mm->begin(), world.surface.stiffness_n_per_mm->end());
   return {{"name", world.body->name},
           {"skin_triangles", world.body->skin.triangles.size()},
           {"skin_vertices", world.body->skin.positions.size()},
@@ -103,7 +103,7 @@ std::string percentilesLine(const servo::DurationPercentiles& p) {
 
 std::string bodyLine(const scene::World& world) {
   const auto [soft, stiff] =
-      std::minmax_element(world.surface.stiffness_n_per_mm.begin(), world.surface.stiffness_n_per_mm.end());
+      std::minmax_element(world.surface.stiffness_n_per_mm->begin(), world.surface.stiffness_n_per_mm->end());
   const std::string stiffness =
       *soft == *stiff ? fmt::format("{:.2f}", *soft) : fmt::format("{:.2f} to {:.2f}", *soft, *stiff);
   return fmt::format("{}; skin of {} triangles, {} N/mm", world.body->name, world.body->skin.triangles.size(),

@@ -29,7 +29,7 @@ mesh::VertexChannels channelsOf(const scene::World& world, const deform::Deforme
     for (int axis = 0; axis < 3; ++axis)
       channels.scalars[1 + static_cast<std::size_t>(axis)].values.push_back(moved[axis]);
     channels.scalars[4].values.push_back(surface.strain()[v]);
-    channels.scalars[5].values.push_back(static_cast<float>(world.surface.stiffness_n_per_mm[v]));
+    channels.scalars[5].values.push_back(static_cast<float>((*world.surface.stiffness_n_per_mm)[v]));
   }
   channels.colours.resize(surface.vertices());
   const double range = world.scene.strain.range_percent / 100.0;

@@ -97,6 +97,7 @@ struct BenchContactArguments {
   double stiffness_n_per_mm = 0.5;
   contact::FingerSettings finger;
   bench::Window window;
+  int rounds = 1;
   bool by_hdb = false;
   bench::HdbRunSettings hdb;
   PeersOption peers;
@@ -140,14 +141,17 @@ void runWithPeers(const BenchContactArguments& arguments, bench::ContactWorld& w
 }
 
 void runContact(const BenchContactArguments& arguments) {
+  if (arguments.rounds > 1 && (arguments.peers.wanted || !arguments.tool.empty() || arguments.by_hdb)) {
+    throw Error("--rounds times one finger on the whole surface, without --peers");
+  }
   if (arguments.peers.wanted) handOverToPeersProgram(arguments.peers);
   if (!arguments.tool.empty()) return runTool(arguments);
   if (arguments.by_hdb) return runHdb(arguments);
   bench::ContactWorld world =
       bench::buildContactWorld(meshFrom(arguments.mesh), arguments.scale, arguments.stiffness_n_per_mm);
   if (arguments.peers.wanted) return runWithPeers(arguments, world);
-  print(arguments,
-        bench::measureContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window));
+  print(arguments, bench::measureContact(world, trajectoryFrom(arguments.trajectory), arguments.finger,
+                                         arguments.window, arguments.rounds));
 }
 
 void addFingerOptions(CLI::App& command, BenchContactArguments& arguments) {
@@ -163,6 +167,8 @@ void addFingerOptions(CLI::App& command, BenchContactArguments& arguments) {
   addNumber(command, "--from", arguments.window.from_s, between(-1e9, 1e9, "s"),
             "Measure ticks from this time on; falls always whole run");
   addNumber(command, "--to", arguments.window.until_s, between(-1e9, 1e9, "s"), "Measure ticks before this time");
+  addSetting(command, "--rounds", arguments.rounds, between(1, 1000),
+             "Of one finger: run so often and take each tick's least time, without what interrupted it once");
   command.add_flag("--force-shading", arguments.finger.force_shading, "Smooth the force across triangles");
 }
 

@@ -80,9 +80,10 @@ struct ContactFigures {
   std::uint64_t hash = 0;     ///< of every bit of every output
 };
 
-/// Runs and measures. `real` holds real lengths; the trajectory is in mm and is resampled to the finger's tick.
+/// Runs and measures. `real` holds real lengths; the trajectory is in mm and is resampled to the finger's tick. Of
+/// several rounds each tick has its least time: a tick does the same in each, what interrupts it does not.
 ContactFigures measureContact(ContactWorld& world, const device::Trajectory& trajectory,
-                              const contact::FingerSettings& real, const Window& window = {});
+                              const contact::FingerSettings& real, const Window& window = {}, int rounds = 1);
 
 /// The figures of a run that was made already.
 ContactFigures figuresOf(ContactWorld& world, const FingerRun& run, const contact::FingerSettings& real,

@@ -18,7 +18,7 @@ std::uint64_t bitsHash(const scene::World& world) {
   for (const auto& triangle : world.body->skin.triangles) {
     for (const Index vertex : triangle) hash.add(std::uint64_t{vertex});
   }
-  for (const double stiffness : world.surface.stiffness_n_per_mm) hash.add(stiffness);
+  for (const double stiffness : *world.surface.stiffness_n_per_mm) hash.add(stiffness);
   return hash.value();
 }
 

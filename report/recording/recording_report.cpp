@@ -89,7 +89,7 @@ void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, con
         "Body or stiffness are not the recorded ones to the bit, but every place that was touched lies on this skin.");
   }
   body.tissue = scene::inWords(world->tissue);
-  std::string note = scene::tissueNote(world->scene, world->tissue, world->surface.stiffness_n_per_mm);
+  std::string note = scene::tissueNote(world->scene, world->tissue, *world->surface.stiffness_n_per_mm);
   if (!note.empty()) body.notes.push_back("Tissue: " + std::move(note) + ".");
   body.landmarks = world->body->anatomy.landmarks;
   report(progress, "spreading what was felt", 0.0);

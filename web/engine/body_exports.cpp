@@ -267,7 +267,7 @@ PALPATE_EXPORT const char* palpate_about() { return keptText(bodyInWords(body->w
 PALPATE_EXPORT std::size_t palpate_vertices() { return body->world().deformable->vertices; }
 PALPATE_EXPORT std::size_t palpate_triangles() { return body->world().deformable->triangles.size(); }
 PALPATE_EXPORT const Index* palpate_triangle_corners() { return body->world().deformable->triangles.data()->data(); }
-PALPATE_EXPORT const double* palpate_stiffness() { return body->world().surface.stiffness_n_per_mm.data(); }
+PALPATE_EXPORT const double* palpate_stiffness() { return body->world().surface.stiffness_n_per_mm->data(); }
 PALPATE_EXPORT std::size_t palpate_bone_vertices() { return bone_positions.size() / 3; }
 PALPATE_EXPORT const float* palpate_bone_positions() { return bone_positions.data(); }
 PALPATE_EXPORT std::size_t palpate_bone_corners() { return bone_triangles.size(); }

@@ -43,6 +43,7 @@ class ServedSkin {
 
  private:
   std::vector<float> breath_share_;
+  mesh::TriangleMesh mesh_;
   deform::Skin skin_;
   deform::Deformer deformer_;
   deform::DeformedSurface surface_;
@@ -59,7 +60,8 @@ ServedSkin::ServedSkin(std::string_view skin_bytes, std::string_view forms_bytes
 
 ServedSkin::ServedSkin(engine::StreamedSkin streamed, const deform::FormSettings& forms)
     : breath_share_(std::move(streamed.breath_share)),
-      skin_(deform::buildSkin(streamed.mesh)),
+      mesh_(std::move(streamed.mesh)),
+      skin_(deform::buildSkin(mesh_)),
       deformer_(skin_, forms),
       surface_(skin_) {}
 

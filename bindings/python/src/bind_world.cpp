@@ -197,7 +197,7 @@ void bindSkinOf(py::class_<WorldHandle, WorldPointer>& world) {
   world.def_property_readonly(
       "stiffness",
       [](const py::object& self) {
-        const auto& stiffness = worldOf(self).surface.stiffness_n_per_mm;
+        const auto& stiffness = *worldOf(self).surface.stiffness_n_per_mm;
         return FloatArray(viewOf(stiffness.data(), {static_cast<py::ssize_t>(stiffness.size())}, self));
       },
       "(V,) N/mm.");
@@ -234,7 +234,7 @@ double stiffnessAt(const WorldHandle& self, const PlaceLike& where) {
   const Vec3 weights = tree::barycentricWeights({at[corners[0]], at[corners[1]], at[corners[2]]}, place.point);
   double stiffness = 0.0;
   for (int i = 0; i < 3; ++i) {
-    stiffness += weights[i] * world.surface.stiffness_n_per_mm[corners[static_cast<std::size_t>(i)]];
+    stiffness += weights[i] * (*world.surface.stiffness_n_per_mm)[corners[static_cast<std::size_t>(i)]];
   }
   return stiffness;
 }

@@ -51,7 +51,7 @@ double stiffnessAt(const scene::World& world, const contact::FingerOutput& finge
   const Vec3 weights = tree::barycentricWeights(corners, finger.proxy);
   double stiffness = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
-    stiffness += weights[static_cast<Eigen::Index>(i)] * world.surface.stiffness_n_per_mm[t[i]];
+    stiffness += weights[static_cast<Eigen::Index>(i)] * (*world.surface.stiffness_n_per_mm)[t[i]];
   }
   return stiffness;
 }

@@ -190,8 +190,14 @@ std::shared_ptr<const SurfaceGeometry> buildGeometry(const mesh::TriangleMesh& m
 
 Surface surfaceOf(std::shared_ptr<const SurfaceGeometry> geometry, std::vector<double> stiffness_n_per_mm,
                   SurfaceOptions options) {
+  return surfaceOf(std::move(geometry), std::make_shared<const std::vector<double>>(std::move(stiffness_n_per_mm)),
+                   std::move(options));
+}
+
+Surface surfaceOf(std::shared_ptr<const SurfaceGeometry> geometry,
+                  std::shared_ptr<const std::vector<double>> stiffness_n_per_mm, SurfaceOptions options) {
   const std::size_t vertices = geometry->vertex_normals.size();
-  checkEach(stiffness_n_per_mm, vertices, "stiffness");
+  checkEach(*stiffness_n_per_mm, vertices, "stiffness");
   if (!options.tissue_mm.empty()) checkEach(options.tissue_mm, vertices, "tissue thickness");
   return {.geometry = std::move(geometry),
           .stiffness_n_per_mm = std::move(stiffness_n_per_mm),

@@ -38,7 +38,8 @@ struct SkinPlanes;
 /// Every finger reads it, nobody writes it.
 struct Surface {
   std::shared_ptr<const SurfaceGeometry> geometry;  ///< never null
-  std::vector<double> stiffness_n_per_mm;           ///< per vertex
+  /// Per vertex; never null. Surfaces of one skin may share it.
+  std::shared_ptr<const std::vector<double>> stiffness_n_per_mm;
   std::vector<double> tissue_mm;  ///< per vertex: thickness over the bone; empty where it is not known
   tissue::ForceLaw force_law;
   std::shared_ptr<const Lumps> lumps = nullptr;  ///< under it (lump_force.h); null: none
@@ -65,6 +66,8 @@ struct SurfaceOptions {
 /// One stiffness (and thickness) per vertex, finite and >= 0. Throws Error otherwise.
 Surface surfaceOf(std::shared_ptr<const SurfaceGeometry> geometry, std::vector<double> stiffness_n_per_mm,
                   SurfaceOptions options = {});
+Surface surfaceOf(std::shared_ptr<const SurfaceGeometry> geometry,
+                  std::shared_ptr<const std::vector<double>> stiffness_n_per_mm, SurfaceOptions options = {});
 
 /// Both at once.
 Surface buildSurface(const mesh::TriangleMesh& mesh, std::vector<double> stiffness_n_per_mm,

@@ -149,7 +149,7 @@ void prefetchNeighbours(const Surface& surface, Index triangle, bool arrived) no
     // The corner of `across` that is not on the edge: the other two cancel out.
     const Index far = across.vertices[0] ^ across.vertices[1] ^ across.vertices[2] ^ record.vertices[i] ^
                       record.vertices[(i + 1) % 3];
-    hwy::Prefetch(&surface.stiffness_n_per_mm[far]);
+    hwy::Prefetch(&(*surface.stiffness_n_per_mm)[far]);
     hwy::Prefetch(&surface.geometry->vertex_normals[far]);
   }
 }
@@ -158,7 +158,7 @@ SkinHere skinAt(const Surface& surface, const SurfacePoint& point) noexcept {
   const TriangleRecord& record = surface.geometry->tree.records[point.triangle];
   const Vec3 weights = tree::barycentricWeights(record.corners, point.position);
   SkinHere here;
-  for (int i = 0; i < 3; ++i) here.stiffness_n_per_mm += weights[i] * surface.stiffness_n_per_mm[record.vertices[i]];
+  for (int i = 0; i < 3; ++i) here.stiffness_n_per_mm += weights[i] * (*surface.stiffness_n_per_mm)[record.vertices[i]];
   if (surface.tissue_mm.empty()) return here;
   for (int i = 0; i < 3; ++i) here.tissue_mm += weights[i] * surface.tissue_mm[record.vertices[i]];
   return here;

@@ -97,7 +97,7 @@ void addOutward(const RegionFrame& region, const tissue::LayeredCurve& outward, 
 mesh::TriangleMesh meshOf(const Skin& skin) {
   mesh::TriangleMesh mesh;
   for (Index v = 0; v < skin.vertices; ++v) mesh.positions.push_back(skin.restPosition(v).cast<double>());
-  mesh.triangles = skin.triangles;
+  mesh.triangles.assign(skin.triangles.begin(), skin.triangles.end());
   return mesh;
 }
 

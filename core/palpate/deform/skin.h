@@ -67,8 +67,8 @@ inline constexpr std::size_t kRestStreams = 6;
 struct Skin {
   Index vertices = 0;
   Index blocks = 0;
-  FloatStreams rest;  ///< kRestStreams, padded to whole blocks with zeros
-  std::vector<Triangle> triangles;
+  FloatStreams rest;                    ///< kRestStreams, padded to whole blocks with zeros
+  std::span<const Triangle> triangles;  ///< of the mesh that it was built from
   mesh::IndexRows neighbours;
   mesh::IndexRows triangles_of_vertex;
 
@@ -120,8 +120,10 @@ struct Skin {
 };
 
 /// Normals are area-weighted (computed from the positions as floats). Throws Error for a triangle that names a vertex
-/// that is not there. Positions that are not finite are carried along; such vertices never move.
+/// that is not there. Positions that are not finite are carried along; such vertices never move. The skin reads the
+/// mesh's triangles where they are: the mesh must outlive it.
 Skin buildSkin(const mesh::TriangleMesh& mesh, const Progress& progress = {});
+Skin buildSkin(const mesh::TriangleMesh&&, const Progress& = {}) = delete;
 
 /// `thickness_mm`: one a vertex (tree/triangle_tree.h), or empty. Throws Error for another number of them.
 void setThickness(std::vector<float> thickness_mm, Skin& skin);

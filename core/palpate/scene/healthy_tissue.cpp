@@ -155,12 +155,13 @@ std::shared_ptr<const HealthyTissue> healthyTissue(const Scene& scene, const Bod
     healthy.tissue = placedTissue(scene, body.anatomy.depth_mm, body.given_layers);
     if (settings.narrow_bone) healthy.tissue.thickness_mm = overNarrowBone(body.skin, body.anatomy, healthy.tissue);
   }
-  healthy.stiffness_n_per_mm = healthyStiffness(scene, body, keys, healthy.tissue, healthy.notes);
-  maps::applyVariation(body.skin.positions, settings.variation, healthy.stiffness_n_per_mm);
+  std::vector<double> stiffness = healthyStiffness(scene, body, keys, healthy.tissue, healthy.notes);
+  maps::applyVariation(body.skin.positions, settings.variation, stiffness);
   healthy.steepest.resize(body.triangle_blocks.boxes.size());
   for (std::size_t block = 0; block < healthy.steepest.size(); ++block) {
-    healthy.steepest[block] = steepestOf(body.skin, block, healthy.stiffness_n_per_mm);
+    healthy.steepest[block] = steepestOf(body.skin, block, stiffness);
   }
+  healthy.stiffness_n_per_mm = std::make_shared<const std::vector<double>>(std::move(stiffness));
   return std::make_shared<const HealthyTissue>(std::move(healthy));
 }
 
@@ -168,14 +169,16 @@ DiseasedStiffness diseasedStiffness(const Scene& scene, const Body& body, const 
                                     std::vector<std::string>& notes) {
   DiseasedStiffness diseased{.n_per_mm = healthy.stiffness_n_per_mm, .steepest = {}};
   const auto& vertex_boxes = body.vertex_blocks.boxes;
+  std::shared_ptr<std::vector<double>> own;
   for (std::size_t block = 0; block < vertex_boxes.size(); ++block) {
-    if (anyReaches(scene.dysfunctions, vertex_boxes[block])) {
-      applyInBlock(scene, body, healthy.stiffness_n_per_mm, block, diseased.n_per_mm);
-    }
+    if (!anyReaches(scene.dysfunctions, vertex_boxes[block])) continue;
+    if (!own) own = std::make_shared<std::vector<double>>(*healthy.stiffness_n_per_mm);
+    applyInBlock(scene, body, *healthy.stiffness_n_per_mm, block, *own);
   }
+  if (own) diseased.n_per_mm = std::move(own);
   for (std::size_t block = 0; block < healthy.steepest.size(); ++block) {
     const bool changed = anyReaches(scene.dysfunctions, body.triangle_blocks.boxes[block]);
-    const SteepPlace steepest = changed ? steepestOf(body.skin, block, diseased.n_per_mm) : healthy.steepest[block];
+    const SteepPlace steepest = changed ? steepestOf(body.skin, block, *diseased.n_per_mm) : healthy.steepest[block];
     if (steepest.n_per_mm_in_a_mm > diseased.steepest.n_per_mm_in_a_mm) diseased.steepest = steepest;
   }
   noteUnfelt(scene.dysfunctions, body, notes);

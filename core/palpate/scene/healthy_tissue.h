@@ -2,8 +2,8 @@
 //
 //   anatomy, settings ─ healthyTissue ─► HealthyTissue ─ diseasedStiffness, dysfunctions ─► Surface::stiffness_n_per_mm
 //
-// Worlds of one body share what is healthy as long as its settings are the same; a dysfunction then costs a copy of the
-// map and the blocks that it reaches.
+// Worlds of one body share what is healthy as long as its settings are the same, and the map itself where nothing is
+// wrong; a dysfunction costs a copy of the map and the blocks that it reaches.
 #pragma once
 
 #include <memory>
@@ -38,10 +38,10 @@ struct HealthySettings {
 
 struct HealthyTissue {
   HealthySettings settings;
-  bool lasts = true;                       ///< false: a file or key points decide it too, and it is made again
-  PlacedTissue tissue;                     ///< layers and their thickness; empty where there are none
-  std::vector<double> stiffness_n_per_mm;  ///< a skin vertex each
-  std::vector<SteepPlace> steepest;        ///< of each of Body::triangle_blocks
+  bool lasts = true;    ///< false: a file or key points decide it too, and it is made again
+  PlacedTissue tissue;  ///< layers and their thickness; empty where there are none
+  std::shared_ptr<const std::vector<double>> stiffness_n_per_mm;  ///< a skin vertex each; never null
+  std::vector<SteepPlace> steepest;                               ///< of each of Body::triangle_blocks
   std::vector<std::string> notes;
 };
 
@@ -51,7 +51,7 @@ std::shared_ptr<const HealthyTissue> healthyTissue(const Scene& scene, const Bod
                                                    std::shared_ptr<const HealthyTissue> before);
 
 struct DiseasedStiffness {
-  std::vector<double> n_per_mm;  ///< a skin vertex each
+  std::shared_ptr<const std::vector<double>> n_per_mm;  ///< a skin vertex each; the healthy one where nothing differs
   SteepPlace steepest;
 };
 

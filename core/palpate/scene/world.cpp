@@ -205,6 +205,12 @@ std::optional<double> thicknessLimit(const deform::FormSettings& forms, bool lay
   return forms.common.tissue.normal_cap_mm / deform::ShearLimit::kShareOfThickness;
 }
 
+/// A deformable skin beside the body's own; its triangles are the body's.
+struct OwnSkin {
+  std::shared_ptr<const Body> body;
+  deform::Skin skin;
+};
+
 std::shared_ptr<const deform::Skin> deformableOf(const std::shared_ptr<const Body>& body,
                                                  const deform::FormSettings& forms, bool layered, const World* before) {
   const std::optional<double> limit_mm = thicknessLimit(forms, layered);
@@ -212,9 +218,9 @@ std::shared_ptr<const deform::Skin> deformableOf(const std::shared_ptr<const Bod
   if (before != nullptr && thicknessLimit(before->deformation, before->layered != nullptr) == limit_mm) {
     return before->deformable;
   }
-  auto deformable = std::make_shared<deform::Skin>(body->deformable);
-  setThickness(limit_mm ? thicknessOf(*body, *limit_mm) : std::vector<float>{}, *deformable);
-  return deformable;
+  const auto own = std::make_shared<OwnSkin>(OwnSkin{body, body->deformable});
+  setThickness(limit_mm ? thicknessOf(*body, *limit_mm) : std::vector<float>{}, own->skin);
+  return {own, &own->skin};
 }
 
 std::shared_ptr<const AnatomicalReach> reachFor(const Scene& scene, const Body& body, const HealthyTissue& healthy,
@@ -238,7 +244,8 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
   notes.insert(notes.end(), healthy->notes.begin(), healthy->notes.end());
   report(progress, "mapping stiffness", 0.5);  // between long steps, so that who waits can also end it
   DiseasedStiffness stiffness = diseasedStiffness(scene, *body, *healthy, notes);
-  if (std::string note = tissueNote(scene, choice, stiffness.n_per_mm); !note.empty()) notes.push_back(std::move(note));
+  if (std::string note = tissueNote(scene, choice, *stiffness.n_per_mm); !note.empty())
+    notes.push_back(std::move(note));
   noteSteepMap(body->skin, stiffness.steepest, 1.0 / scene.ticks_per_s, notes);
   auto place_curves = placeCurvesOf(scene, forms, notes);
   const std::optional<body::BreathField> breath = breathOf(scene, *body, notes);

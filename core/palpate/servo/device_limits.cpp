@@ -101,7 +101,7 @@ struct Stiffest {
 /// One for the whole skin; with layered tissue one a class of thickness, since thin tissue has both the stiffest map
 /// and the steepest law, and thick tissue neither.
 std::vector<Stiffest> stiffestPlaces(const scene::World& world) {
-  const std::vector<double>& stiffness = world.surface.stiffness_n_per_mm;
+  const std::vector<double>& stiffness = *world.surface.stiffness_n_per_mm;
   const std::vector<double>& tissue = world.surface.tissue_mm;
   if (tissue.empty()) return {{*std::max_element(stiffness.begin(), stiffness.end())}};
   constexpr double kClassMm = 1.0;

@@ -36,8 +36,9 @@ struct FarPlate {
 };
 
 struct TriangleTree {
-  AlignedVector<WideNode> nodes;                             ///< nodes[0] is the root
-  std::vector<std::array<FarPlate, kNodeWidth>> far_plates;  ///< of each node's children
+  AlignedVector<WideNode> nodes;       ///< nodes[0] is the root
+  std::vector<FarPlate> far_plates;    ///< of the children that a node has, node after node
+  std::vector<Index> first_far_plate;  ///< of each node
   AlignedVector<TriangleRecord> records;
   std::vector<Index> source_triangle;  ///< record -> triangle of the mesh
   // The unit frame of the boxes: (position - center) * to_unit, about 1 across. to_unit is a power of two, so the

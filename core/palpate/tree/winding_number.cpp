@@ -82,11 +82,12 @@ bool isUsed(const WideNode& node, int child) { return node.low[0][child] <= node
 Part fillNode(TriangleTree& tree, std::uint32_t node_index, Run& run) {
   Part sum;
   bool any = false;
+  Index plate = tree.first_far_plate[node_index];
   for (int i = 0; i < kNodeWidth; ++i) {
     if (!isUsed(tree.nodes[node_index], i)) continue;
     Run below;
     const Part part = partOf(tree, tree.nodes[node_index].children[i], below);
-    tree.far_plates[node_index][i] = plateOf(tree, part, below);
+    tree.far_plates[plate++] = plateOf(tree, part, below);
     sum.add(part);
     run = any ? Run{std::min(run.begin, below.begin), std::max(run.end, below.end)} : below;
     any = true;
@@ -105,7 +106,14 @@ double solidAngle(const TriangleRecord& record, const Vec3& point) {
 }  // namespace
 
 void fillFarPlates(TriangleTree& tree) {
-  tree.far_plates.assign(tree.nodes.size(), {});
+  tree.first_far_plate.clear();
+  tree.first_far_plate.reserve(tree.nodes.size());
+  Index plates = 0;
+  for (const WideNode& node : tree.nodes) {
+    tree.first_far_plate.push_back(plates);
+    for (int i = 0; i < kNodeWidth; ++i) plates += isUsed(node, i) ? 1 : 0;
+  }
+  tree.far_plates.assign(plates, {});
   Run run;
   fillNode(tree, 0, run);
 }
@@ -123,10 +131,10 @@ double windingNumber(const TriangleTree& tree, const Vec3& point) noexcept {
       continue;
     }
     const WideNode& node = tree.nodes[next.node()];
-    const auto& plates = tree.far_plates[next.node()];
+    const FarPlate* plate = &tree.far_plates[tree.first_far_plate[next.node()]];
     for (int i = 0; i < kNodeWidth; ++i) {
       if (!isUsed(node, i)) continue;
-      const auto& [middle, area, far2] = plates[i];
+      const auto& [middle, area, far2] = *plate++;
       const Vec3 way = Vec3(middle[0], middle[1], middle[2]) - unit;
       const double distance2 = way.squaredNorm();
       if (distance2 > far2) {

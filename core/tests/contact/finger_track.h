@@ -39,7 +39,7 @@ class FingerTrack {
   explicit FingerTrack(const Surface& surface, FingerSettings settings = {})
       : surface_(surface),
         settings_(settings),
-        stiffness_(*std::max_element(surface.stiffness_n_per_mm.begin(), surface.stiffness_n_per_mm.end())) {}
+        stiffness_(*std::max_element(surface.stiffness_n_per_mm->begin(), surface.stiffness_n_per_mm->end())) {}
 
   FingerOutput to(const Vec3& tip) {
     const Vec3 force_before = state_.force;

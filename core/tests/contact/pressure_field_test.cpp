@@ -28,7 +28,7 @@ struct Felt {
 /// A fingertip of 8 mm on a plate, pressed so deep and dragged a little.
 Felt pressed(const Vec2& place, double depth_mm, std::vector<Lump> lumps, const Vec3& drag_mm = Vec3::Zero()) {
   Surface plate = surfaceOf(zoo::grid());
-  plate.tissue_mm.assign(plate.stiffness_n_per_mm.size(), 40.0);
+  plate.tissue_mm.assign(plate.stiffness_n_per_mm->size(), 40.0);
   Felt felt{.output = {}, .lumps = std::make_shared<const Lumps>(Lumps{.all = std::move(lumps)})};
   plate.lumps = felt.lumps;
   FingerTrack finger(plate, sphereOf(8.0));

@@ -31,7 +31,8 @@ TEST(FoldBounds, TheProfileIsNowhereSteeper) {
 }
 
 TEST(FoldBounds, NameTheWidestAngleAndTheCone) {
-  const Skin skin = buildSkin(zoo::grid(4, 40.0));
+  const mesh::TriangleMesh grid = zoo::grid(4, 40.0);
+  const Skin skin = buildSkin(grid);
   const FoldBound flat = skin.fold_bounds[0];
   EXPECT_NEAR(flat.spread, std::sqrt(2.0), 1e-6);
   // The radius through the corners, and twice the product of the longer sides over the sum of all.
@@ -41,7 +42,8 @@ TEST(FoldBounds, NameTheWidestAngleAndTheCone) {
   EXPECT_EQ(skin.fold_gradient_mm[12], flat.gradient_mm);
   EXPECT_NEAR(flat.cos_cone, 1.0, 1e-5);
   EXPECT_LT((flat.axis - Vec3f::UnitZ()).norm(), 1e-6f);
-  EXPECT_LT(buildSkin(zoo::sphere(20.0, 0)).fold_bounds[0].cos_cone, 0.0f);
+  const mesh::TriangleMesh sphere = zoo::sphere(20.0, 0);
+  EXPECT_LT(buildSkin(sphere).fold_bounds[0].cos_cone, 0.0f);
 }
 
 /// Area of a deformed triangle along its rest normal, as a share of its rest area.
@@ -187,7 +189,8 @@ TEST(FoldBounds, WithTheAreaAtTheVerticesSayNothingThatTheTrianglesDeny) {
 
 // On a right-angled grid the way along edges is known.
 TEST(EdgeDistances, GoAroundWhatIsNotAllowed) {
-  const Skin skin = buildSkin(zoo::grid(20, 100.0));
+  const mesh::TriangleMesh grid = zoo::grid(20, 100.0);
+  const Skin skin = buildSkin(grid);
   const auto at = [](Index i, Index j) { return 21 * j + i; };
   EdgeDistances distances(skin);
   for (const bool is_walled : {false, true, false}) {
@@ -225,7 +228,8 @@ TEST(FoldBounds, CertainSpreadIsWhereABlockBecomesDoubtful) {
 }
 
 TEST(FoldBounds, RoomBesideStayingIsAShareOfTheLeastHeight) {
-  const Skin skin = buildSkin(zoo::grid(4, 40.0));
+  const mesh::TriangleMesh grid = zoo::grid(4, 40.0);
+  const Skin skin = buildSkin(grid);
   for (Index v = 0; v < skin.vertices; ++v) {
     EXPECT_NEAR(skin.room_beside_staying[v], 0.4 * 5.0 * std::sqrt(2.0), 1e-4);
   }

@@ -330,7 +330,8 @@ TEST(OctreeSearch, TakesTheOtherFingerToo) {
 // ---- the choice -------------------------------------------------------------------------------------------------
 
 TEST(ChosenWay, IsTheFastOneUnlessAFormNeedsTheGeneralOne) {
-  const Skin skin = buildSkin(zoo::grid(4, 100.0));
+  const mesh::TriangleMesh grid = zoo::grid(4, 100.0);
+  const Skin skin = buildSkin(grid);
   EXPECT_TRUE(Deformer(skin).isFast());
   FormSettings regions;
   regions.region = NormalRegion::constant;

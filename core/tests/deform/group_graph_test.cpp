@@ -7,7 +7,8 @@
 namespace palpate::deform {
 
 TEST(GroupGraph, HasEveryEdgeOnceWithinOrAcross) {
-  const Skin skin = buildSkin(test::torso());
+  const mesh::TriangleMesh torso = test::torso();
+  const Skin skin = buildSkin(torso);
   const GroupGraph& graph = skin.vertex_graph;
   std::size_t edges = graph.cross_edges.size();
   for (const std::uint64_t word : graph.neighbours) edges += static_cast<std::size_t>(std::popcount(word));
@@ -23,7 +24,8 @@ TEST(GroupGraph, HasEveryEdgeOnceWithinOrAcross) {
 
 // Every single vertex of a block: what it reaches across a link is what its own edges say.
 TEST(GroupGraph, CrossesALinkFromEachVertex) {
-  const Skin skin = buildSkin(test::torso(2));
+  const mesh::TriangleMesh torso = test::torso(2);
+  const Skin skin = buildSkin(torso);
   const GroupGraph& graph = skin.vertex_graph;
   for (Index v = 0; v < skin.vertices; ++v) {
     for (const GroupLink& link : graph.linksOf(blockOf(v))) {

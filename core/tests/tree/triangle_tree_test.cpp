@@ -221,6 +221,7 @@ TEST(TriangleTree, IsTheSameHoweverManyThreadsBuildIt) {
   EXPECT_TRUE(sameBytes(by_one.records, by_five.records));
   EXPECT_TRUE(sameBytes(by_one.source_triangle, by_five.source_triangle));
   EXPECT_TRUE(sameBytes(by_one.far_plates, by_five.far_plates));
+  EXPECT_EQ(by_one.first_far_plate, by_five.first_far_plate);
 }
 
 TEST(TriangleTree, RefusesWhatItCannotHold) {

@@ -147,7 +147,7 @@ std::uint64_t hashOf(const scene::World& world) {
   for (const auto& triangle : world.body->skin.triangles) {
     for (const Index vertex : triangle) hash.add(static_cast<std::uint64_t>(vertex));
   }
-  for (const double stiffness : world.surface.stiffness_n_per_mm) hash.add(stiffness);
+  for (const double stiffness : *world.surface.stiffness_n_per_mm) hash.add(stiffness);
   return hash.value();
 }
 

@@ -116,7 +116,7 @@ TEST(Arrays, StiffnessGoesWithItsVertexAndStaysWhenTheWorldIsRebuilt) {
   other.contact.finger.mu_static = 0.9;
   for (const auto& world : {built.world, scene::rebuilt(*built.world, other)}) {
     for (Index v = 0; v < world->body->skin.positions.size(); ++v) {
-      ASSERT_EQ(world->surface.stiffness_n_per_mm[v], 1.0 + 0.01 * world->body->skin.positions[v].z()) << v;
+      ASSERT_EQ((*world->surface.stiffness_n_per_mm)[v], 1.0 + 0.01 * world->body->skin.positions[v].z()) << v;
     }
   }
 }
@@ -124,7 +124,7 @@ TEST(Arrays, StiffnessGoesWithItsVertexAndStaysWhenTheWorldIsRebuilt) {
 TEST(Arrays, WithoutStiffnessTheSceneSays) {
   scene::Scene scene;
   scene.stiffness.constant_n_per_mm = 0.7;
-  EXPECT_EQ(worldFromMesh(zoo::sphere(40.0, 2), {}, scene).world->surface.stiffness_n_per_mm.at(0), 0.7);
+  EXPECT_EQ(worldFromMesh(zoo::sphere(40.0, 2), {}, scene).world->surface.stiffness_n_per_mm->at(0), 0.7);
 }
 
 TEST(Arrays, NameWhatIsWrongWithThem) {

@@ -122,7 +122,7 @@ TEST(WorldBuilder, ReusesABody) {
   builder.request(request);
   const auto second = resultOf(builder).world;
   ASSERT_TRUE(second);
-  EXPECT_EQ(second->surface.stiffness_n_per_mm.at(0), 2.0);
+  EXPECT_EQ(second->surface.stiffness_n_per_mm->at(0), 2.0);
   EXPECT_EQ(second->body->skin.triangles, first->body->skin.triangles);
 }
 

@@ -151,7 +151,7 @@ TEST(PlaceCurves, LeaveTheForceAndSaySo) {
   scene.profiles = {sharpAtT6()};
   const auto with = rebuilt(*without, scene);
   EXPECT_TRUE(with->layered);
-  EXPECT_EQ(with->surface.stiffness_n_per_mm, without->surface.stiffness_n_per_mm);
+  EXPECT_EQ(*with->surface.stiffness_n_per_mm, *without->surface.stiffness_n_per_mm);
   EXPECT_EQ(with->tissue.law, without->tissue.law);
   ASSERT_EQ(with->notes.size(), without->notes.size() + 1);
   EXPECT_NE(with->notes.back().find("at T6 the skin follows the profiles \"sharp\" (press) and \"cosine\" (drag)"),

@@ -32,7 +32,7 @@ std::shared_ptr<const World> onBone(const Scene& scene) {
 }
 
 double forceAt(const World& world, double depth_mm) {
-  return tissue::normalForce(world.surface.force_law, world.surface.stiffness_n_per_mm.front(), depth_mm, kBoneMm);
+  return tissue::normalForce(world.surface.force_law, world.surface.stiffness_n_per_mm->front(), depth_mm, kBoneMm);
 }
 
 bool isHooke(const World& world) { return std::abs(forceAt(world, 8.0) - 4.0 * forceAt(world, 2.0)) < 1e-9; }

@@ -65,7 +65,7 @@ TEST(LayeredBody, WithoutLayersFeelsAsItDidBefore) {
   const auto world = trunk([](Scene& s) { s.deformation.tissue = TissueModel::gaussian; });
   EXPECT_EQ(tissue::normalForce(world->surface.force_law, 0.5, 3.0), 1.5) << "Hooke's law";
   const std::vector<double> map = maps::stiffnessFromDepth(world->body->anatomy.depth_mm, world->scene.stiffness.depth);
-  EXPECT_EQ(world->surface.stiffness_n_per_mm, map);
+  EXPECT_EQ(*world->surface.stiffness_n_per_mm, map);
 }
 
 TEST(LayeredBody, PushesBackAsTheSolvedStackOfThePlace) {
@@ -77,7 +77,7 @@ TEST(LayeredBody, PushesBackAsTheSolvedStackOfThePlace) {
     EXPECT_EQ(world->surface.tissue_mm[v], thickness);
     for (const double depth : {2.0, 5.0, 7.5, 10.0}) {
       const double felt =
-          tissue::normalForce(world->surface.force_law, world->surface.stiffness_n_per_mm[v], depth, thickness);
+          tissue::normalForce(world->surface.force_law, (*world->surface.stiffness_n_per_mm)[v], depth, thickness);
       const double solved = depth * library.secantAt(thickness, depth);
       EXPECT_NEAR(felt / solved, 1.0, thickness < 12.0 && depth > 7.0 ? 0.25 : 0.05) << place << " " << depth << " mm";
     }
@@ -89,7 +89,7 @@ TEST(LayeredBody, ThinTissueIsStifferAndItsDentNarrower) {
   const Index bony = vertexAt(*world, "T6");
   const Index soft = vertexAt(*world, "L3 right 40 mm");
   ASSERT_LT(world->surface.tissue_mm[bony] + 10.0, world->surface.tissue_mm[soft]);
-  EXPECT_GT(world->surface.stiffness_n_per_mm[bony], 1.3 * world->surface.stiffness_n_per_mm[soft]);
+  EXPECT_GT((*world->surface.stiffness_n_per_mm)[bony], 1.3 * (*world->surface.stiffness_n_per_mm)[soft]);
   const auto width_at = [&](Index v) {
     const deform::Contact contact = contactOf(*world, fingerAt(*world, v, 8.0)).value();
     const tissue::PressCurves& press = contact.layered.value().press;
@@ -171,7 +171,7 @@ TEST(LayeredBody, OfAMeasuredPersonHasLayersBonesAndTheEllipsesThatWereMeasured)
   ASSERT_TRUE(person->layered);
   const auto force = [](const World& world, const char* words) {
     const Index v = vertexAt(world, words);
-    return tissue::normalForce(world.surface.force_law, world.surface.stiffness_n_per_mm[v], 5.0,
+    return tissue::normalForce(world.surface.force_law, (*world.surface.stiffness_n_per_mm)[v], 5.0,
                                world.surface.tissue_mm[v]);
   };
   const double bony = force(*person, "T6") / force(*person, "L3 right 60");
@@ -192,7 +192,7 @@ TEST(LayeredBody, PushesBackOnAFingerByItsRadiusUnlessTheSceneSaysNo) {
     const double tissue_mm = world.surface.tissue_mm[vertex];
     std::vector<double> felt;
     for (const double radius : {0.0, 4.0, 8.0, 12.0}) {
-      felt.push_back(tissue::normalForce(world.surface.force_law, world.surface.stiffness_n_per_mm[vertex], 5.0,
+      felt.push_back(tissue::normalForce(world.surface.force_law, (*world.surface.stiffness_n_per_mm)[vertex], 5.0,
                                          {tissue_mm, radius}));
     }
     return felt;
@@ -213,7 +213,7 @@ TEST(LayeredBody, NarrowBoneIsFeltSofterAndWideBoneAsItWas) {
   const auto narrow = trunk([](Scene& s) { s.tissue.narrow_bone = true; });
   const auto force = [](const World& world, const std::string& place) {
     const Index vertex = vertexAt(world, place);
-    return tissue::normalForce(world.surface.force_law, world.surface.stiffness_n_per_mm[vertex], 5.0,
+    return tissue::normalForce(world.surface.force_law, (*world.surface.stiffness_n_per_mm)[vertex], 5.0,
                                tissue::PressedPlace{world.surface.tissue_mm[vertex], 8.0});
   };
   EXPECT_LT(force(*narrow, "T6"), 0.9 * force(*wide, "T6")) << "a spinous process";
@@ -221,7 +221,7 @@ TEST(LayeredBody, NarrowBoneIsFeltSofterAndWideBoneAsItWas) {
   for (Index v = 0; v < wide->body->skin.positions.size(); ++v) {
     ASSERT_GE(narrow->surface.tissue_mm[v], wide->surface.tissue_mm[v]);
     const bool deep = wide->body->anatomy.depth_mm[v] > 30.0;
-    ASSERT_TRUE(!deep || narrow->surface.stiffness_n_per_mm[v] == wide->surface.stiffness_n_per_mm[v]) << v;
+    ASSERT_TRUE(!deep || (*narrow->surface.stiffness_n_per_mm)[v] == (*wide->surface.stiffness_n_per_mm)[v]) << v;
   }
 }
 

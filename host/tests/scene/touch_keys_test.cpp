@@ -95,14 +95,15 @@ TEST_F(Variation, MultipliesTheMapOfTheWorldByPlace) {
   const auto plain = build(meshScene());
   const auto varied = build(meshScene("[stiffness]\nvariation = 0.3\n"));
   const std::vector<double> factors = maps::variationAt(plain->body->skin.positions, varied->scene.stiffness.variation);
-  ASSERT_EQ(varied->surface.stiffness_n_per_mm.size(), factors.size());
+  ASSERT_EQ(varied->surface.stiffness_n_per_mm->size(), factors.size());
   double least = 1.0;
   for (std::size_t v = 0; v < factors.size(); ++v) {
-    EXPECT_DOUBLE_EQ(varied->surface.stiffness_n_per_mm[v], plain->surface.stiffness_n_per_mm[v] * factors[v]) << v;
+    EXPECT_DOUBLE_EQ((*varied->surface.stiffness_n_per_mm)[v], (*plain->surface.stiffness_n_per_mm)[v] * factors[v])
+        << v;
     least = std::min(least, factors[v]);
   }
   EXPECT_LT(least, 0.8);
-  EXPECT_EQ(rebuilt(*varied, plain->scene)->surface.stiffness_n_per_mm, plain->surface.stiffness_n_per_mm)
+  EXPECT_EQ(*rebuilt(*varied, plain->scene)->surface.stiffness_n_per_mm, *plain->surface.stiffness_n_per_mm)
       << "and is taken back";
 }
 

@@ -5,6 +5,7 @@
 #include "host/tests/scene/dome_scene.h"
 #include "palpate/base/random.h"
 #include "palpate/scene/errata.h"
+#include "palpate/scene/healthy_tissue.h"
 #include "support/error_message.h"
 
 namespace palpate::scene {
@@ -33,7 +34,7 @@ TEST_F(WorldOf, AMeshIsScaledOrderedAndEquallyStiff) {
   EXPECT_EQ(world->body->skin.triangles.size(), 800u);
   EXPECT_NEAR(mesh::boundingBox(world->body->skin).sizes().x(), 200.0, 1e-3);
   EXPECT_FALSE(world->body->closed);
-  EXPECT_EQ(world->surface.stiffness_n_per_mm, std::vector<double>(441, 0.5));
+  EXPECT_EQ(*world->surface.stiffness_n_per_mm, std::vector<double>(441, 0.5));
   EXPECT_TRUE(world->body->anatomy.bones.empty());
 }
 
@@ -82,7 +83,7 @@ TEST_F(WorldOf, MeasuredStiffnessIsInterpolatedAsTheSceneSays) {
     const auto world = built("interpolation = \"" + word + "\"\npolynomial_degree = 1\n");
     for (std::size_t v = 0; v < world->body->skin.positions.size(); ++v) {
       const Vec3& p = world->body->skin.positions[v];
-      EXPECT_NEAR(world->surface.stiffness_n_per_mm[v], std::max(0.5 + 0.002 * p.x() + 0.004 * p.y(), 0.05), 1e-9)
+      EXPECT_NEAR((*world->surface.stiffness_n_per_mm)[v], std::max(0.5 + 0.002 * p.x() + 0.004 * p.y(), 0.05), 1e-9)
           << word;
     }
     ASSERT_EQ(world->notes.size(), 1u) << "the corner falls below a quarter of the least";
@@ -97,13 +98,14 @@ TEST_F(WorldOf, AnotherDysfunctionSharesTheBodyAndAllThatIsHealthy) {
   Scene scene;
   scene.body.triangles = 8000;
   const auto world = build(scene);
+  EXPECT_EQ(world->surface.stiffness_n_per_mm, world->healthy->stiffness_n_per_mm) << "nothing is wrong with it";
   scene.dysfunctions = {{.x_mm = 30.0, .y_mm = 40.0, .radius_mm = 25.0}};
   const auto changed = rebuilt(*world, scene);
   EXPECT_EQ(changed->body, world->body);
   EXPECT_EQ(changed->deformable, world->deformable);
   EXPECT_EQ(changed->healthy, world->healthy);
   EXPECT_EQ(changed->reach, world->reach);
-  EXPECT_NE(changed->surface.stiffness_n_per_mm, world->surface.stiffness_n_per_mm);
+  EXPECT_NE(*changed->surface.stiffness_n_per_mm, *world->surface.stiffness_n_per_mm);
   scene.tissue.fat_mm = 20.0;
   const auto fatter = rebuilt(*changed, scene);
   EXPECT_EQ(fatter->body, world->body);
@@ -126,6 +128,22 @@ TEST_F(WorldOf, TheFirstWorldDeformsItsBodysOwnSkin) {
     EXPECT_NE(other->deformable->thickness_mm.empty(), world->deformable->thickness_mm.empty());
     EXPECT_EQ(rebuilt(*other, world->scene)->deformable, world->deformable);
   }
+}
+
+// Its triangles are the body's.
+TEST_F(WorldOf, ADeformableSkinOfItsOwnKeepsTheBody) {
+  Scene scene;
+  scene.body.triangles = 8000;
+  auto world = build(scene);
+  scene.deformation.tissue = TissueModel::gaussian;
+  auto other = rebuilt(*world, scene);
+  ASSERT_NE(other->deformable, world->deformable);
+  const std::weak_ptr<const Body> body = world->body;
+  auto deformable = other->deformable;
+  world = other = nullptr;
+  EXPECT_FALSE(body.expired());
+  deformable = nullptr;
+  EXPECT_TRUE(body.expired());
 }
 
 /// Settings that decide what a rebuilt world may take over, changed at random.
@@ -174,7 +192,7 @@ TEST_F(WorldOf, RebuiltItIsAsIfItWereBuilt) {
       scene = changedScene(changedScene(scene, random), random);
       world = rebuilt(*world, scene);
       const auto fresh = build(scene);
-      EXPECT_EQ(world->surface.stiffness_n_per_mm, fresh->surface.stiffness_n_per_mm) << step;
+      EXPECT_EQ(*world->surface.stiffness_n_per_mm, *fresh->surface.stiffness_n_per_mm) << step;
       EXPECT_EQ(world->surface.tissue_mm, fresh->surface.tissue_mm) << step;
       EXPECT_EQ(world->deformable->thickness_mm, fresh->deformable->thickness_mm) << step;
       EXPECT_EQ(world->notes, fresh->notes) << step;
@@ -192,10 +210,10 @@ TEST_F(WorldOf, ADysfunctionChangesTheStiffnessWhereItIs) {
     const Vec3& p = world->body->skin.positions[v];
     const double distance = (p.head<2>() - Vec2(50, 0)).norm();
     if (distance < 1e-6) {
-      EXPECT_NEAR(world->surface.stiffness_n_per_mm[v], 0.3, 1e-12);
+      EXPECT_NEAR((*world->surface.stiffness_n_per_mm)[v], 0.3, 1e-12);
       ++in_the_middle;
     } else if (distance > 20.0) {
-      EXPECT_EQ(world->surface.stiffness_n_per_mm[v], 0.5);
+      EXPECT_EQ((*world->surface.stiffness_n_per_mm)[v], 0.5);
       ++outside;
     }
   }
@@ -234,8 +252,8 @@ TEST_F(WorldOf, RebuiltIsWhatBuildingAnewGives) {
   scene.dysfunctions.push_back({50.0, 50.0, 30.0, 80.0, 0.5});
   const auto again = rebuilt(*first, scene);
   const auto anew = build(scene);
-  EXPECT_EQ(again->surface.stiffness_n_per_mm, anew->surface.stiffness_n_per_mm);
-  EXPECT_NE(again->surface.stiffness_n_per_mm, first->surface.stiffness_n_per_mm);
+  EXPECT_EQ(*again->surface.stiffness_n_per_mm, *anew->surface.stiffness_n_per_mm);
+  EXPECT_NE(*again->surface.stiffness_n_per_mm, *first->surface.stiffness_n_per_mm);
   EXPECT_EQ(again->body->skin.triangles, anew->body->skin.triangles);
   EXPECT_EQ(again->notes, anew->notes);
   EXPECT_EQ(again->surface.geometry->closed, anew->surface.geometry->closed);
@@ -253,7 +271,7 @@ TEST_F(WorldOf, TheTorsoIsStifferOverBoneAndKnowsItsLandmarks) {
     if (anatomy.depth_mm[v] < anatomy.depth_mm[shallow]) shallow = v;
     if (anatomy.depth_mm[v] > anatomy.depth_mm[deep]) deep = v;
   }
-  EXPECT_GT(world->surface.stiffness_n_per_mm[shallow], 1.5 * world->surface.stiffness_n_per_mm[deep]);
+  EXPECT_GT((*world->surface.stiffness_n_per_mm)[shallow], 1.5 * (*world->surface.stiffness_n_per_mm)[deep]);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ contact::Surface movedSurface(const scene::World& world, double lift_mm) {
   mesh::TriangleMesh skin = world.body->skin;
   for (Vec3& p : skin.positions) p = world.breath->moved(p, lift_mm);
   contact::Surface surface =
-      contact::buildSurface(skin, world.surface.stiffness_n_per_mm, {world.surface.force_law, false});
+      contact::buildSurface(skin, *world.surface.stiffness_n_per_mm, {world.surface.force_law, false});
   surface.tissue_mm = world.surface.tissue_mm;
   return surface;
 }

@@ -117,7 +117,9 @@ TEST(HdbRig, ARebuiltPartitionChangesNoForceAndAllocatesNothingInTheTick) {
 TEST(FingerSolver, AnExchangedStiffnessIsFeltWithoutAStep) {
   const auto world = torso(kHdb);
   contact::Surface stiff = world->surface;
-  for (double& k : stiff.stiffness_n_per_mm) k *= 5.0;
+  std::vector<double> stiffness_n_per_mm = *world->surface.stiffness_n_per_mm;
+  for (double& k : stiffness_n_per_mm) k *= 5.0;
+  stiff.stiffness_n_per_mm = std::make_shared<const std::vector<double>>(std::move(stiffness_n_per_mm));
   FingerSolvers at_work = makeSolvers(world->surface, nullptr, 1);
   const Vec3 above = device::pathsOf(*world).tips[0]->front();
   contact::FingerSettings settings;

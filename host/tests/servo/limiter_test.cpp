@@ -490,8 +490,8 @@ TEST(DeviceLimits, PlacesKeepTheirRatiosUpToTheForceAtWhichPeopleCompare) {
     const LimiterSettings settings = limiterSettings(*world, profile);
     const double cap = stiffnessCap(world->scene.safety, profile, settings.tick_s);
     const tissue::ForceLaw& law = world->surface.force_law;
-    for (std::size_t v = 0; v < world->surface.stiffness_n_per_mm.size(); v += 7) {
-      const double stiffness = settings.stiffness_factor * world->surface.stiffness_n_per_mm[v];
+    for (std::size_t v = 0; v < world->surface.stiffness_n_per_mm->size(); v += 7) {
+      const double stiffness = settings.stiffness_factor * (*world->surface.stiffness_n_per_mm)[v];
       const tissue::PressedPlace place{world->surface.tissue_mm[v], tissue::kFingertipMm};
       const double held = settings.cap_n_per_mm > 0.0 ? settings.cap_n_per_mm : cap;
       double felt = 0.0;

@@ -80,6 +80,18 @@ TEST(BenchContactCommand, TouchesWithATool) {
   EXPECT_NE(unknown.err.find("hoof"), std::string::npos) << unknown.err;
 }
 
+TEST(BenchContactCommand, RunsInRoundsAndFeelsTheSame) {
+  const std::string slide = "study bench contact --mesh back_2962 --trajectory back_slide --radius-mm 8 --json ";
+  const auto once = nlohmann::json::parse(runPalpate(slide).out);
+  const auto often = nlohmann::json::parse(runPalpate(slide + "--rounds 4").out);
+  EXPECT_EQ(often["hash"], once["hash"]);
+  EXPECT_EQ(often["ticks"], once["ticks"]);
+  EXPECT_GT(often["tick_us"]["p50"].get<double>(), 0.0);
+  const auto with_tool = runPalpate(slide + "--rounds 4 --tool head");
+  EXPECT_EQ(with_tool.exit_code, 2);
+  EXPECT_NE(with_tool.err.find("--rounds"), std::string::npos) << with_tool.err;
+}
+
 TEST(BenchEditCommand, TellsHowSoonAChangedDysfunctionIsFelt) {
   const auto result = runPalpate("study bench edit back_2962 --edits 5 --json");
   ASSERT_EQ(result.exit_code, 0) << result.err;

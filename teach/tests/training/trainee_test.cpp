@@ -168,7 +168,7 @@ TEST_F(Trainee, MakesTheWorldOfATrialAsTheSceneDoesItBitByBit) {
     const auto slow =
         scene::rebuilt(*body_, trialScene(body_->scene, protocol_, SessionKind::pre_test, sites_, hidden));
     EXPECT_EQ(engine::hashOf(*quick), engine::hashOf(*slow));
-    EXPECT_EQ(quick->surface.stiffness_n_per_mm, slow->surface.stiffness_n_per_mm);
+    EXPECT_EQ(*quick->surface.stiffness_n_per_mm, *slow->surface.stiffness_n_per_mm);
     EXPECT_NE(engine::hashOf(*quick), engine::hashOf(*made.even()));
   }
   EXPECT_EQ(made.with({}), made.even());
@@ -182,7 +182,7 @@ TEST_F(Trainee, FeelsTheTwelveSitesOfTheTrunkAndLeavesItsFrontAlone) {
   const HiddenNow hidden{.site = 8, .change = 0.5};
   const auto slow = scene::rebuilt(*body_, trialScene(scene, protocol_, SessionKind::pre_test, sites_, hidden));
   const TrialWorlds made = worlds();
-  EXPECT_EQ(made.with(hidden)->surface.stiffness_n_per_mm, slow->surface.stiffness_n_per_mm);
+  EXPECT_EQ(*made.with(hidden)->surface.stiffness_n_per_mm, *slow->surface.stiffness_n_per_mm);
   BodyTouch touch(made, sites_, {});
   touch.change(hidden);
   for (const Site& site : sites_.sites) {

@@ -41,8 +41,8 @@ std::pair<double, double> stiffnessAround(const scene::World& world, const Vec2&
     const Vec3& point = world.body->skin.positions[i];
     const double distance = std::hypot(point.x() - place.x(), point.y() - place.y());
     if (distance < from || distance > to) continue;
-    least = std::min(least, world.surface.stiffness_n_per_mm[i]);
-    greatest = std::max(greatest, world.surface.stiffness_n_per_mm[i]);
+    least = std::min(least, (*world.surface.stiffness_n_per_mm)[i]);
+    greatest = std::max(greatest, (*world.surface.stiffness_n_per_mm)[i]);
   }
   return {least, greatest};
 }

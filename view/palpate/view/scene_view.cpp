@@ -56,7 +56,7 @@ Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
   look.texture = view.texture;
   look.detail = view.detail;
   look.strain_percent = {-world.scene.strain.range_percent, world.scene.strain.range_percent};
-  look.stiffness_n_per_mm = rangeOf(world.surface.stiffness_n_per_mm, look.stiffness_n_per_mm);
+  look.stiffness_n_per_mm = rangeOf(*world.surface.stiffness_n_per_mm, look.stiffness_n_per_mm);
   showScalar(world, view.scalar, look);
   look.scalar_map = view.scalar_map;
   if (look.colouring == Colouring::ellipses) look.half_major_mm = rangeOf(skinHalfMajors(world), look.half_major_mm);

@@ -20,8 +20,10 @@ scene::ViewSettings parsed(const std::string& lines) {
 const scene::World& smallWorld() {
   static const scene::World world = [] {
     scene::World small = *flatWorld();
-    small.surface.stiffness_n_per_mm.front() = 0.4;
-    small.surface.stiffness_n_per_mm.back() = 1.0;
+    auto stiffness_n_per_mm = std::make_shared<std::vector<double>>(*small.surface.stiffness_n_per_mm);
+    stiffness_n_per_mm->front() = 0.4;
+    stiffness_n_per_mm->back() = 1.0;
+    small.surface.stiffness_n_per_mm = std::move(stiffness_n_per_mm);
     return small;
   }();
   return world;

@@ -147,7 +147,8 @@ TEST(SkinChunks, AreAllTakenWithoutCulling) {
 }
 
 TEST(CoarserTriangles, CoverTheSameSkinWithFewerOfItsVertices) {
-  const deform::Skin skin = deform::buildSkin(zoo::sphere(50.0, 5));
+  const mesh::TriangleMesh ball = zoo::sphere(50.0, 5);
+  const deform::Skin skin = deform::buildSkin(ball);
   const std::vector<Stays> none(skin.vertices, Stays::no);
   mesh::TriangleMesh coarse;
   for (Index v = 0; v < skin.vertices; ++v) coarse.positions.push_back(skin.restPosition(v).cast<double>());
@@ -164,7 +165,8 @@ TEST(CoarserTriangles, CoverTheSameSkinWithFewerOfItsVertices) {
 }
 
 TEST(CoarserTriangles, KeepTheVerticesThatAreFixed) {
-  const deform::Skin skin = deform::buildSkin(zoo::grid(40, 100.0));
+  const mesh::TriangleMesh grid = zoo::grid(40, 100.0);
+  const deform::Skin skin = deform::buildSkin(grid);
   std::vector<Stays> stays(skin.vertices, Stays::no);
   for (Index v = 0; v < skin.vertices; ++v) {
     if (skin.triangles_of_vertex[v].size() < 6) stays[v] = Stays::vertex;

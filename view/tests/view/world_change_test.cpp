@@ -99,7 +99,8 @@ TEST_F(ChangeOfWorld, ForgetsWhatBelongedToTheOneBefore) {
 /// What an edit of the maps makes of a world.
 World edited(const World& world, double stiffness_n_per_mm) {
   auto copy = std::make_shared<scene::World>(*world);
-  copy->surface.stiffness_n_per_mm.assign(copy->surface.stiffness_n_per_mm.size(), stiffness_n_per_mm);
+  copy->surface.stiffness_n_per_mm =
+      std::make_shared<const std::vector<double>>(world->surface.stiffness_n_per_mm->size(), stiffness_n_per_mm);
   copy->ellipses = maps::AnyEllipseMap({}, {.basic_radius_mm = 25.0}, {});
   return copy;
 }

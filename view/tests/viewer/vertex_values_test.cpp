@@ -46,7 +46,7 @@ TEST_F(SheetWithNumbers, APressReadsTheNearestVertex) {
   const scene::World& world = stage_.viewer->world();
   EXPECT_EQ(reading.place, world.body->skin.positions[reading.vertex]);
   EXPECT_EQ(reading.in_file, world.body->channels->source_vertex[reading.vertex]);
-  EXPECT_EQ(reading.stiffness_n_per_mm, world.surface.stiffness_n_per_mm[reading.vertex]);
+  EXPECT_EQ(reading.stiffness_n_per_mm, (*world.surface.stiffness_n_per_mm)[reading.vertex]);
   ASSERT_EQ(reading.scalars.size(), 2u);
   EXPECT_EQ(reading.where, "") << "a mesh has no names";
   EXPECT_EQ(reading.scalars[1].name, "twice");

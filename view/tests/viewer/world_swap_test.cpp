@@ -84,9 +84,9 @@ TEST(WorldSwap, MakesTheBodyToldBeforeTheLastSlider) {
   const auto shown = work.shown();
   ASSERT_TRUE(shown);
   EXPECT_NEAR(heightOf(*shown), 120.0, 2.0);
-  const auto last = shown->surface.stiffness_n_per_mm[0] == 2.0 ? shown : work.shown();
+  const auto last = (*shown->surface.stiffness_n_per_mm)[0] == 2.0 ? shown : work.shown();
   ASSERT_TRUE(last);
-  EXPECT_EQ(last->surface.stiffness_n_per_mm[0], 2.0);
+  EXPECT_EQ((*last->surface.stiffness_n_per_mm)[0], 2.0);
   EXPECT_NEAR(heightOf(*last), 120.0, 2.0);
 }
 

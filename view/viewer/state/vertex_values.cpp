@@ -28,7 +28,7 @@ VertexReading readVertex(const scene::World& world, const Vec3& place) {
   VertexReading reading;
   const Index v = reading.vertex = nearestVertex(world.body->skin.positions, place);
   reading.place = world.body->skin.positions[v];
-  reading.stiffness_n_per_mm = world.surface.stiffness_n_per_mm[v];
+  reading.stiffness_n_per_mm = (*world.surface.stiffness_n_per_mm)[v];
   const scene::Anatomy& anatomy = world.body->anatomy;
   reading.where = body::inWords(anatomy.landmarks, place);
   if (!anatomy.depth_mm.empty()) reading.bone_depth_mm = anatomy.depth_mm[v];

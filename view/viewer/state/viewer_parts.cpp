@@ -9,7 +9,7 @@ namespace palpate::viewer {
 WorldFacts factsOf(const scene::World& world) {
   const Vec3 size = mesh::boundingBox(world.body->skin).sizes();
   const auto [soft, stiff] =
-      std::minmax_element(world.surface.stiffness_n_per_mm.begin(), world.surface.stiffness_n_per_mm.end());
+      std::minmax_element(world.surface.stiffness_n_per_mm->begin(), world.surface.stiffness_n_per_mm->end());
   return {.name = world.body->name,
           .triangles = world.body->skin.triangles.size(),
           .vertices = world.body->skin.positions.size(),

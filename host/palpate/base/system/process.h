@@ -67,7 +67,7 @@ int ownProcess();
 bool isRunning(int process);
 
 /// From this size on an array has pages of its own, which come from the system and go back to it.
-inline constexpr std::size_t kLargeArrayBytes = 8 << 20;
+inline constexpr std::size_t kLargeArrayBytes = 4 << 20;
 
 /// From now on arrays of kLargeArrayBytes and more go back to the system when they are freed, and smaller ones stay
 /// with the program. glibc raises that to 32 MB by itself and keeps twice as much in each thread: a tenth of what a

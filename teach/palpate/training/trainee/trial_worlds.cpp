@@ -34,12 +34,13 @@ std::shared_ptr<const scene::World> TrialWorlds::with(const std::optional<Hidden
   // The detecting box holds stiffness of its own.
   if (even_->hdb) return scene::rebuilt(*even_, scene);
   auto world = std::make_shared<scene::World>(*even_);
+  auto stiffness_n_per_mm = std::make_shared<std::vector<double>>(*even_->surface.stiffness_n_per_mm);
   for (const maps::Dysfunction& place : scene.dysfunctions) {
     for (const Index v : reached_) {
-      world->surface.stiffness_n_per_mm[v] *= maps::stiffnessFactor(place, world->body->skin.positions[v].head<2>());
+      (*stiffness_n_per_mm)[v] *= maps::stiffnessFactor(place, world->body->skin.positions[v].head<2>());
     }
   }
-  world->surface.stiffness_n_per_mm = world->surface.stiffness_n_per_mm;
+  world->surface.stiffness_n_per_mm = std::move(stiffness_n_per_mm);
   world->scene = scene;
   return world;
 }

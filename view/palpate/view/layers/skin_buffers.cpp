@@ -117,7 +117,7 @@ std::vector<Stays> whatStays(const scene::World& world, const DrawnVertices& dra
 SkinBuffers::SkinBuffers(const scene::World& world)
     : world_(&world),
       drawn_(drawnVerticesOf(world)),
-      stiffness_(world.surface.stiffness_n_per_mm.begin(), world.surface.stiffness_n_per_mm.end()),
+      stiffness_(world.surface.stiffness_n_per_mm->begin(), world.surface.stiffness_n_per_mm->end()),
       box_(mesh::boundingBox(world.body->skin).cast<float>()) {
   const std::vector<Vec3f> places = drawn_.withCopies<Vec3f>(restPlaces(*world.deformable));
   fillBuffer<Vec3f>(GL_ARRAY_BUFFER, rest_.get(), places);
@@ -140,7 +140,7 @@ SkinBuffers::SkinBuffers(const scene::World& world)
 
 void SkinBuffers::setMapsOf(const scene::World& world) {
   world_ = &world;
-  stiffness_.assign(world.surface.stiffness_n_per_mm.begin(), world.surface.stiffness_n_per_mm.end());
+  stiffness_.assign(world.surface.stiffness_n_per_mm->begin(), world.surface.stiffness_n_per_mm->end());
   half_major_.clear();
   shown_field_ = Colouring::plain;
   uploadBreath();

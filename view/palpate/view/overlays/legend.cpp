@@ -16,7 +16,7 @@ double valueAtVertex(const scene::World& world, const deform::DeformedSurface& s
   const Colouring colouring = look.colouring;
   if (colouring == Colouring::scalar) return scene::scalarNamed(world.body->channels.get(), look.scalar)->values[v];
   if (colouring == Colouring::strain) return 100.0 * surface.strain()[v];
-  if (colouring == Colouring::stiffness) return world.surface.stiffness_n_per_mm[v];
+  if (colouring == Colouring::stiffness) return (*world.surface.stiffness_n_per_mm)[v];
   const Vec3& place = world.body->skin.positions[v];
   return world.ellipses.at(place.x(), place.y()).half_major_mm;
 }
