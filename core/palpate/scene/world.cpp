@@ -244,8 +244,9 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
   notes.insert(notes.end(), healthy->notes.begin(), healthy->notes.end());
   report(progress, "mapping stiffness", 0.5);  // between long steps, so that who waits can also end it
   DiseasedStiffness stiffness = diseasedStiffness(scene, *body, *healthy, notes);
-  if (std::string note = tissueNote(scene, choice, *stiffness.n_per_mm); !note.empty())
+  if (std::string note = tissueNote(scene, choice, *stiffness.n_per_mm); !note.empty()) {
     notes.push_back(std::move(note));
+  }
   noteSteepMap(body->skin, stiffness.steepest, 1.0 / scene.ticks_per_s, notes);
   auto place_curves = placeCurvesOf(scene, forms, notes);
   const std::optional<body::BreathField> breath = breathOf(scene, *body, notes);
