@@ -173,8 +173,9 @@ ContactFigures measureContact(ContactWorld& world, const device::Trajectory& tra
   (void)runFinger(world.surface, settings, tips);  // warm-up: finds every page of code and surface
   FingerRun run = runFinger(world.surface, settings, tips);
   for (int round = 1; round < rounds; ++round) {
-    const FingerRun again = runFinger(world.surface, settings, tips);
-    for (std::size_t k = 0; k < run.tick_us.size(); ++k) run.tick_us[k] = std::min(run.tick_us[k], again.tick_us[k]);
+    FingerRun again = runFinger(world.surface, settings, tips);
+    for (std::size_t k = 0; k < run.tick_us.size(); ++k) again.tick_us[k] = std::min(run.tick_us[k], again.tick_us[k]);
+    run = std::move(again);
   }
   return figuresOf(world, run, real, ticks.time_s, window);
 }

@@ -81,7 +81,8 @@ struct ContactFigures {
 };
 
 /// Runs and measures. `real` holds real lengths; the trajectory is in mm and is resampled to the finger's tick. Of
-/// several rounds each tick has its least time: a tick does the same in each, what interrupts it does not.
+/// several rounds each tick has its least time, all else is the last's: a tick does the same in each, what interrupts
+/// it does not.
 ContactFigures measureContact(ContactWorld& world, const device::Trajectory& trajectory,
                               const contact::FingerSettings& real, const Window& window = {}, int rounds = 1);
 
