@@ -26,8 +26,8 @@ endfunction()
 function(palpate_add_rooms house prefix)
   set(folder ${PROJECT_SOURCE_DIR}/${house}/palpate)
   # These include themselves, once for each instruction set.
-  set(vectors ${folder}/tree/wide_node.cpp ${folder}/deform/kernels/kernels.cpp ${folder}/contact/nearby_skin.cpp
-              ${folder}/contact/pad_cells.cpp)
+  set(vectors ${folder}/tree/wide_node.cpp ${folder}/tree/closest_on_triangles.cpp ${folder}/deform/kernels/kernels.cpp
+              ${folder}/contact/nearby_skin.cpp ${folder}/contact/pad_cells.cpp)
   set_property(SOURCE ${vectors} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
   if(CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64)
     # Highway 1.0.3 takes its NEON from compilers that are told of AES (no such instruction is made), has no vectors of SVE in

@@ -13,10 +13,6 @@ ClosestOnTriangle resultAt(const Vec3& closest, Feature feature, const Vec3& poi
   return {closest, feature, (closest - point).squaredNorm()};
 }
 
-/// A place this near to an edge or a corner, as a share of the triangle, is on it. What is there only by rounding must
-/// not count as the middle of a face: a walk would not look at the neighbours, which may be nearer.
-constexpr double kOnBorder = 1e-12;
-
 /// The place `t` of the way along an edge, or the corner there.
 ClosestOnTriangle resultOnEdge(const std::array<Vec3, 3>& corners, int edge, double t, const Vec3& point) {
   const Vec3& start = corners[edge];

@@ -70,9 +70,11 @@ float unitSquaredDistance(const TriangleTree& tree, double squared_distance) noe
 
 int pushNearestLast(const WideNode& node, const float* bounds, float limit, PendingChild* stack, int size) noexcept {
   const int base = size;
-  for (int i = 0; i < kNodeWidth; ++i) {
+  std::uint32_t near = 0;
+  for (int i = 0; i < kNodeWidth; ++i) near |= static_cast<std::uint32_t>(bounds[i] <= limit) << i;
+  for (; near != 0; near &= near - 1) {
+    const int i = std::countr_zero(near);
     const float bound = bounds[i];
-    if (!(bound <= limit)) continue;
     int place = size++;
     for (; place > base && stack[place - 1].bound < bound; --place) stack[place] = stack[place - 1];
     stack[place] = {bound, node.children[i]};

@@ -55,6 +55,31 @@ TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh, const Progress& p
 /// The tree's nodes cannot nest deeper than this (the builder sees to it), which bounds the stack of every query.
 inline constexpr int kMaxTreeLevels = 64;
 
+/// Triangles that are asked side by side: those of a full leaf.
+inline constexpr int kMostSideBySide = ChildLink::kMaxTrianglesPerLeaf;
+
+/// What closestOnTriangle says of several triangles, to the bit.
+struct alignas(kCacheLineBytes) ClosestSideBySide {
+  double x[kMostSideBySide], y[kMostSideBySide], z[kMostSideBySide];
+  double squared_distance[kMostSideBySide];
+  double feature[kMostSideBySide];  ///< the Feature's number
+
+  ClosestOnTriangle operator[](int i) const {
+    return {{x[i], y[i], z[i]}, static_cast<Feature>(static_cast<int>(feature[i])), squared_distance[i]};
+  }
+  void set(int i, const ClosestOnTriangle& closest) {
+    x[i] = closest.point.x();
+    y[i] = closest.point.y();
+    z[i] = closest.point.z();
+    squared_distance[i] = closest.squared_distance;
+    feature[i] = static_cast<double>(closest.feature);
+  }
+};
+
+/// Of the records `which`, 1 to kMostSideBySide of them.
+void closestOnTriangles(const TriangleRecord* records, const Index* which, int count, const Vec3& point,
+                        ClosestSideBySide& closest) noexcept;
+
 struct NearestPoint {
   ClosestOnTriangle closest;
   Index triangle = kNoIndex;  ///< record
@@ -100,6 +125,13 @@ bool crossingOf(const TriangleRecord& record, const Vec3& from, const Vec3& to, 
 
 namespace detail {
 
+/// Adds a leaf's records to `count` others. Returns how many there are then.
+inline int listTriangles(ChildLink leaf, Index* which, int count) noexcept {
+  const int end = count + static_cast<int>(leaf.triangleCount());
+  for (Index t = leaf.firstTriangle(); count < end; ++t) which[count++] = t;
+  return count;
+}
+
 /// Branch and bound; `bounds_of(node, query, bounds)` fills the lower bounds of the squared distances to the children.
 template <class Bounds, class Visit>
 void visitNearestFirst(const TriangleTree& tree, const Vec3& point, double squared_limit, Bounds&& bounds_of,
@@ -118,12 +150,18 @@ void visitNearestFirst(const TriangleTree& tree, const Vec3& point, double squar
       size = pushNearestLast(node, bounds, unit_limit, stack, size);
       continue;
     }
-    const Index first = next.child.firstTriangle();
-    const Index end = first + next.child.triangleCount();
-    for (Index t = first; t < end; ++t) {
-      const ClosestOnTriangle closest = closestOnTriangle(tree.records[t].corners, point);
-      if (!(closest.squared_distance < squared_limit)) continue;
-      squared_limit = visit(t, closest);
+    Index which[kMostSideBySide];
+    int count = listTriangles(next.child, which, 0);
+    // Leaves that come next anyway are asked along with it.
+    while (size > 0 && stack[size - 1].child.isLeaf() &&
+           count + static_cast<int>(stack[size - 1].child.triangleCount()) <= kMostSideBySide) {
+      count = listTriangles(stack[--size].child, which, count);
+    }
+    ClosestSideBySide closest;
+    closestOnTriangles(tree.records.data(), which, count, point, closest);
+    for (int i = 0; i < count; ++i) {
+      if (!(closest.squared_distance[i] < squared_limit)) continue;
+      squared_limit = visit(which[i], closest[i]);
       if (squared_limit <= 0.0) return;
     }
     unit_limit = unitSquaredDistance(tree, squared_limit);
