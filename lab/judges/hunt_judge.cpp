@@ -179,16 +179,39 @@ bool HuntJudge::cameThroughSkin(const Vec3& tip) {
   return way > body_.tolerance() && isFarFromBorder(*crossing.entry, way);
 }
 
+bool HuntJudge::wasHeldFarFromBorder(const Vec3& tip) {
+  const double path = (kProxyAndTip - 1.0) * (tip - last_tip_).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
+  return past_ == Past::held && !last_afloat_ && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
+}
+
+/// Nothing but the sheet continued flat is under the sphere.
+bool HuntJudge::isAfloat(const contact::FingerOutput& o) const {
+  if ((o.status & contact::kAtBorder) == 0) return false;
+  const double radius = settings_.radius_mm;
+  return body_.nearest(o.proxy + radius * o.normal).distance > radius * (1.0 + kSinkShare) + body_.tolerance();
+}
+
+/// A sphere leaves the skin over a border only.
+void HuntJudge::judgeAfloat(const contact::FingerOutput& o) {
+  const bool is_afloat = isAfloat(o);
+  if (is_afloat && wasHeldFarFromBorder(o.tip))
+    found(Fault::wrong_force, "distance of a border from where a sphere left the skin over it, mm",
+          body_.slow().distanceToBorder(last_proxy_), 0.0);
+  last_afloat_ = is_afloat;
+}
+
 /// Where there is a border a tip may come in round it, and may be let go at it: only what passes through the skin
 /// itself, and what is let go farther from any border than the proxy can go in this tick, is a fault. A proxy that was
-/// on its way may have gone through the opening already.
+/// on its way, or a sphere beyond the border, may have gone through the opening already.
 void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   const double moved = (o.tip - tip_ball_.centre).norm();
   if (moved + settings_.radius_mm < tip_ball_.radius && !tip_ball_.inside && past_ == Past::outside) return;
   const double distance = body_.nearest(o.tip).distance;
   if (distance <= body_.tolerance()) return;
   const bool inside = insideBall(o.tip, distance, tip_ball_);
-  const bool came_through = !first_ && past_ == Past::outside && cameThroughSkin(o.tip);
+  const bool let_go = inside && wasHeldFarFromBorder(o.tip);
+  const bool was_out = past_ == Past::outside || std::exchange(last_afloat_, false);
+  const bool came_through = !first_ && was_out && cameThroughSkin(o.tip);
   if (came_through && (inside || settings_.radius_mm == 0.0))
     found(Fault::missed_contact, "depth of a tip that came in without force, mm", distance, 0.0);
   if (!inside) {
@@ -196,9 +219,6 @@ void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
     past_ = Past::outside;
     return;
   }
-  const double path =
-      (kProxyAndTip - 1.0) * (o.tip - last_tip_).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
-  const bool let_go = past_ == Past::held && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
   past_ = came_through || let_go || past_ == Past::fallen ? Past::fallen : Past::unknown;
   if (past_ == Past::fallen) found(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
 }
@@ -218,8 +238,10 @@ void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
       found(Fault::missed_contact, "depth of a tip that came in without force, mm", depth, 0.0);
   }
   if (let_be_ && !isOnItsWay(o.status) && !body_.inside(o.tip)) let_be_ = false;
+  const bool is_finite = std::isfinite(o.force.sum() + o.proxy.sum() + o.normal.sum() + o.depth_mm);
+  if (is_finite && !body_.closed()) judgeAfloat(o);
   past_ = Past::held;
-  if (!std::isfinite(o.force.sum() + o.proxy.sum() + o.normal.sum() + o.depth_mm)) {
+  if (!is_finite) {
     found(Fault::wrong_force, "a number that is not finite", 0.0, 0.0);
     return;
   }

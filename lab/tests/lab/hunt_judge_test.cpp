@@ -212,5 +212,60 @@ TEST(HuntJudgementOfTornBodies, WhatIsLetGoInsideFarFromTheHoleHasFallenAndWhatC
   EXPECT_EQ(falls({freeOutputAt({0, 0, 70}), held, freeOutputAt({0, 0, -49})}), 0u) << "let go at the hole";
 }
 
+/// Over a sheet of 100 x 100 mm: where a sphere of 2 mm goes over the border, and from where it is let go under it.
+TEST(HuntJudgementOfSheets, ASphereMayBeLetGoBeyondABorderThatItWentOverAndLeavesTheSkinNowhereElse) {
+  JudgedBody sheet(flatMesh(), false);
+  contact::FingerSettings finger;
+  finger.radius_mm = 2.0;
+  const auto held = [](double x, std::uint32_t status) {
+    contact::FingerOutput o = freeOutputAt({x, 50, 1});
+    o.touch = contact::Touch::stick;
+    o.proxy = {x, 50, 0};
+    o.normal = Vec3::UnitZ();
+    o.force = kStiffness * o.normal;
+    o.status = status;
+    return o;
+  };
+  const auto wrong = [&](const std::vector<contact::FingerOutput>& outputs) {
+    HuntJudge judge(sheet, finger, kStiffness);
+    for (const contact::FingerOutput& o : outputs) judge.add(o);
+    return judge.report().of(Fault::wrong_force).ticks;
+  };
+  EXPECT_EQ(wrong({held(98, 0), held(105, contact::kAtBorder), held(112, contact::kAtBorder)}), 0u);
+  EXPECT_EQ(wrong({held(50, 0), held(55, 0)}), 0u);
+  contact::FingerOutput lifted = held(55, contact::kAtBorder);
+  lifted.proxy.z() = 1.0;
+  EXPECT_EQ(wrong({held(50, 0), lifted}), 1u);
+}
+
+TEST(HuntJudgementOfTornBodies, ASphereBeyondTheBorderIsNoFallUntilItsTipComesThroughTheSkin) {
+  mesh::TriangleMesh open = bumpyBallMesh(60, 0, 0, 4);
+  std::erase_if(open.triangles, [&](const Triangle& t) { return mesh::centreOf(open, t).z() > 40.0; });
+  JudgedBody bowl(open, false);
+  contact::FingerSettings finger;
+  finger.radius_mm = 2.0;
+  contact::FingerOutput afloat = freeOutputAt({0, 0, 20});
+  afloat.touch = contact::Touch::slip;
+  afloat.normal = Vec3::UnitZ();
+  afloat.proxy = {0, 0, 40};
+  afloat.force = 0.01 * afloat.normal;
+  afloat.status = contact::kAtBorder;
+  const auto falls = [&](const contact::FingerOutput& before, const Vec3& tip) {
+    HuntJudge judge(bowl, finger, kStiffness);
+    judge.add(before);
+    judge.add(freeOutputAt(tip));
+    return judge.report().of(Fault::fall).ticks;
+  };
+  EXPECT_EQ(falls(afloat, {0, 0, 10}), 0u);
+  contact::FingerOutput on_skin = afloat;
+  on_skin.status = 0;
+  on_skin.proxy = {0, 0, -60};
+  on_skin.normal = -Vec3::UnitZ();
+  EXPECT_EQ(falls(on_skin, {0, 0, 10}), 1u);
+  contact::FingerOutput beside = afloat;
+  beside.tip = {90, 0, -10};
+  EXPECT_EQ(falls(beside, {40, 0, -10}), 1u);
+}
+
 }  // namespace
 }  // namespace palpate::lab
