@@ -184,20 +184,22 @@ bool HuntJudge::wasHeldFarFromBorder(const Vec3& tip) {
   return past_ == Past::held && !last_afloat_ && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
 }
 
-/// Nothing but the sheet continued flat is under the sphere.
-bool HuntJudge::isAfloat(const contact::FingerOutput& o) const {
-  if ((o.status & contact::kAtBorder) == 0) return false;
+/// Where a sphere is that has nothing but the sheet continued flat under it.
+std::optional<Vec3> HuntJudge::afloatAt(const contact::FingerOutput& o) const {
+  if ((o.status & contact::kAtBorder) == 0) return std::nullopt;
   const double radius = settings_.radius_mm;
-  return body_.nearest(o.proxy + radius * o.normal).distance > radius * (1.0 + kSinkShare) + body_.tolerance();
+  const Vec3 centre = o.proxy + radius * o.normal;
+  if (body_.nearest(centre).distance <= radius * (1.0 + kSinkShare) + body_.tolerance()) return std::nullopt;
+  return centre;
 }
 
 /// A sphere leaves the skin over a border only.
 void HuntJudge::judgeAfloat(const contact::FingerOutput& o) {
-  const bool is_afloat = isAfloat(o);
-  if (is_afloat && wasHeldFarFromBorder(o.tip))
+  const std::optional<Vec3> centre = afloatAt(o);
+  if (centre && wasHeldFarFromBorder(o.tip))
     found(Fault::wrong_force, "distance of a border from where a sphere left the skin over it, mm",
           body_.slow().distanceToBorder(last_proxy_), 0.0);
-  last_afloat_ = is_afloat;
+  last_afloat_ = centre;
 }
 
 /// Where there is a border a tip may come in round it, and may be let go at it: only what passes through the skin
@@ -210,7 +212,9 @@ void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   if (distance <= body_.tolerance()) return;
   const bool inside = insideBall(o.tip, distance, tip_ball_);
   const bool let_go = inside && wasHeldFarFromBorder(o.tip);
-  const bool was_out = past_ == Past::outside || std::exchange(last_afloat_, false);
+  // A sphere that is inside already is there by the opening, and its tip may join it by any way.
+  const std::optional<Vec3> was_afloat = std::exchange(last_afloat_, std::nullopt);
+  const bool was_out = past_ == Past::outside || (was_afloat && !body_.inside(*was_afloat));
   const bool came_through = !first_ && was_out && cameThroughSkin(o.tip);
   if (came_through && (inside || settings_.radius_mm == 0.0))
     found(Fault::missed_contact, "depth of a tip that came in without force, mm", distance, 0.0);

@@ -206,7 +206,7 @@ class HuntJudge {
   bool isFarFromBorder(const Vec3& place, double reach);
   /// What was held was not at a border, and cannot have come to one in this tick.
   bool wasHeldFarFromBorder(const Vec3& tip);
-  bool isAfloat(const contact::FingerOutput& o) const;
+  std::optional<Vec3> afloatAt(const contact::FingerOutput& o) const;
   void judgeAfloat(const contact::FingerOutput& o);
   void judgeTouching(const contact::FingerOutput& o);
   /// Closed bodies only: an open one has no outside that a winding number tells.
@@ -225,7 +225,7 @@ class HuntJudge {
   double stiffness_, force_tolerance_;
   std::size_t tick_ = 0;
   bool first_ = true, let_be_ = false;  ///< inside from the start
-  bool last_afloat_ = false;            ///< beyond a border, on the sheet continued flat
+  std::optional<Vec3> last_afloat_;     ///< a sphere's centre beyond a border, over the sheet continued flat
   Past past_ = Past::unknown;
   Vec3 last_tip_ = Vec3::Zero(), last_force_ = Vec3::Zero(), last_proxy_ = Vec3::Zero();
   std::uint32_t last_status_ = 0;
