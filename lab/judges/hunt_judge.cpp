@@ -184,9 +184,9 @@ bool HuntJudge::wasHeldFarFromBorder(const Vec3& tip) {
   return past_ == Past::held && !last_afloat_ && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
 }
 
-/// Where a sphere is that has nothing but the sheet continued flat under it.
+/// Where a sphere is that went over a border and has had nothing but the sheet continued flat under it since.
 std::optional<Vec3> HuntJudge::afloatAt(const contact::FingerOutput& o) const {
-  if ((o.status & contact::kAtBorder) == 0) return std::nullopt;
+  if ((o.status & contact::kAtBorder) == 0 && !last_afloat_) return std::nullopt;
   const double radius = settings_.radius_mm;
   const Vec3 centre = o.proxy + radius * o.normal;
   if (body_.nearest(centre).distance <= radius * (1.0 + kSinkShare) + body_.tolerance()) return std::nullopt;
