@@ -19,6 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace palpate::tree::HWY_NAMESPACE {
 
+#if HWY_HAVE_FLOAT64
+
 namespace hn = hwy::HWY_NAMESPACE;
 
 using D = hn::CappedTag<double, 4>;
@@ -219,6 +221,15 @@ std::uint32_t closestOnTriangles(const TriangleRecord* records, const Index* whi
   }
   return unclear & ((1u << count) - 1u);
 }
+
+#else  // Highway has no vectors of doubles in WebAssembly: all one by one
+
+std::uint32_t closestOnTriangles(const TriangleRecord* /*records*/, const Index* /*which*/, int count,
+                                 const Vec3& /*place*/, ClosestSideBySide& /*closest*/) {
+  return (1u << count) - 1u;
+}
+
+#endif
 
 }  // namespace palpate::tree::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
