@@ -7,6 +7,7 @@
 // Data flow: leaves of the tree (triangle_tree.h) -> here. Not worth it for fewer than three triangles.
 // Based on: Ericson, "Real-Time Collision Detection" (2005), section 5.1.5, as closest_on_triangle.cpp.
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "palpate/tree/triangle_tree.h"
@@ -121,8 +122,8 @@ HWY_INLINE V select(const Three& which, Feature first, Feature second, Feature t
 struct Regions {
   Three corner, edge;  ///< an edge also where a corner holds
   M unclear;           ///< a sliver, or no region at all
-  V share;             ///< of the edge, from its start; else the weight of b
-  V weight_c;          ///< on the face
+  V share;             ///< of the edge, from its start; else of b, on the face
+  V share_c;           ///< of c, on the face
 };
 
 HWY_INLINE Regions regionsOf(const Corners& corners, const V3& point) {
@@ -172,7 +173,7 @@ HWY_INLINE Regions regionsOf(const Corners& corners, const V3& point) {
   const V under = hn::IfThenElse(by_edge, select(at.edge, ab_ab, hn::Add(towards_c, towards_b), ac_ac), sum);
   const V share = hn::Div(over, under);
   at.share = hn::IfThenElse(at.edge.third, hn::Sub(set(1.0), share), share);
-  at.weight_c = hn::Div(weight_c, sum);
+  at.share_c = hn::Div(weight_c, sum);
   return at;
 }
 
@@ -185,7 +186,7 @@ HWY_INLINE std::uint32_t closestOf(const Corners& corners, const V3& point, int 
   const V3 start = select(at.edge, a, b, c);
   const V3 end = select(at.edge, b, c, a);
   const V3 on_edge = mulAdd(at.share, sub(end, start), start);
-  const V3 on_face = mulAdd(at.weight_c, sub(c, a), on_edge);  // by the way from a to b, which no edge has changed
+  const V3 on_face = mulAdd(at.share_c, sub(c, a), on_edge);  // no edge: from a on towards b, then c
   const M at_start = hn::And(by_edge, hn::Le(at.share, set(kOnBorder)));
   const M at_end = hn::And(by_edge, hn::Ge(at.share, set(1.0 - kOnBorder)));
   V3 place = select(at_start, start, select(at_end, end, select(by_edge, on_edge, on_face)));
