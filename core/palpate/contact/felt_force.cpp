@@ -12,8 +12,8 @@
 #include "palpate/contact/felt_force.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "palpate/base/elementary.h"
 #include "palpate/contact/friction.h"
 #include "palpate/contact/lump_force.h"
 #include "palpate/contact/surface_walk.h"
@@ -125,7 +125,7 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
                         double tip_moved_mm, FingerState& state, const LumpPlaces* lumps) noexcept {
   const double most_mm = feltBound(settings, tip_moved_mm);
   // Friction at its most turns and shrinks with the normal force, which it makes longer by this factor.
-  const double with_friction = std::min(elementary::hypot(1.0, settings.mu_static), kMaxFriction);
+  const double with_friction = std::min(std::sqrt(1.0 + settings.mu_static * settings.mu_static), kMaxFriction);
   if (!followPress(surface, most_mm / with_friction, tip, press, state)) {
     state.force = Vec3::Zero();
     return leftOutput(surface, settings, tip, state);

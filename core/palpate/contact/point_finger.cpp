@@ -34,6 +34,21 @@ void land(const tree::Crossing& crossing, FingerState& state) {
   state.hold = crossing.point;  // what the tip slides further within this tick is friction already
 }
 
+/// Whether a point so far from a place on a face or an edge is behind the planes of its triangles, and so in front of
+/// no normal between theirs: what almost every tick asks, and needs no root. False also where that is not known.
+bool isBehindTriangles(const Surface& surface, const SurfacePoint& place, const Vec3& offset) {
+  if (tree::isCorner(place.feature)) return false;
+  const auto& records = surface.geometry->tree.records;
+  const auto is_behind = [&](Index triangle) {
+    const auto& corners = records[triangle].corners;
+    return offset.dot(mesh::areaVector2(corners[0], corners[1], corners[2])) <= 0.0;
+  };
+  if (!is_behind(place.triangle)) return false;
+  if (!tree::isEdge(place.feature)) return true;
+  const Index across = records[place.triangle].neighbours[tree::indexOf(place.feature)];
+  return across == kNoIndex || is_behind(across);
+}
+
 /// True when the tip has left the skin at the proxy. A proxy that is still on its way is no judge: then the end of the
 /// walk is asked, and only if that agrees the proxy goes there.
 bool released(const Surface& surface, const WalkResult& walk, const Vec3& tip, FingerState& state) {
@@ -46,9 +61,9 @@ bool released(const Surface& surface, const WalkResult& walk, const Vec3& tip, F
 }
 
 Press pressAt(const Surface& surface, const FingerSettings& settings, const SurfacePoint& proxy, const Vec3& tip) {
-  const Vec3 normal = normalAt(surface, proxy);
   const double beyond = beyondBorder(surface, proxy, tip);
-  if (!(beyond > 0.0)) return pressTowards(surface, settings, proxy.position, normal, tip);
+  if (!(beyond > 0.0)) return pressTowards(surface, settings, proxy.position, proxy, tip);
+  const Vec3 normal = normalAt(surface, proxy);
   Press press;
   press.touching = true;
   press.proxy = proxy.position;
@@ -95,20 +110,23 @@ void holdInside(const Surface& surface, const Vec3& tip, double path_mm, FingerS
 }  // namespace
 
 bool inFrontOf(const Surface& surface, const SurfacePoint& place, const Vec3& tip) noexcept {
-  return (tip - place.position).dot(normalAt(surface, place)) > releaseSlack(surface);
+  const Vec3 offset = tip - place.position;
+  if (isBehindTriangles(surface, place, offset)) return false;
+  return offset.dot(normalAt(surface, place)) > releaseSlack(surface);
 }
 
-Press pressTowards(const Surface& surface, const FingerSettings& settings, const Vec3& proxy, const Vec3& normal,
+Press pressTowards(const Surface& surface, const FingerSettings& settings, const Vec3& proxy, const SurfacePoint& skin,
                    const Vec3& tip) noexcept {
   Press press;
   press.touching = true;
   press.proxy = proxy;
-  press.normal = normal;
   const Vec3 out = proxy - tip;
   const double depth = out.norm();
   if (depth > directionlessDepth(surface)) {
     press.normal = out / depth;
     press.depth_mm = depth;
+  } else {
+    press.normal = normalAt(surface, skin);
   }
   press.felt_depth_mm = std::min(press.depth_mm, settings.max_depth_mm);
   return press;

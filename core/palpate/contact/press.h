@@ -38,9 +38,9 @@ inline double releaseSlack(const Surface& surface) { return 1e-12 * surface.geom
 /// Whether the tip is in front of the skin's tangent plane at `place`, by more than rounding.
 bool inFrontOf(const Surface& surface, const SurfacePoint& place, const Vec3& tip) noexcept;
 
-/// The press of a tip that the skin holds at `proxy`: along the line between the two, or along `normal` and of no depth
-/// where that line is only rounding.
-Press pressTowards(const Surface& surface, const FingerSettings& settings, const Vec3& proxy, const Vec3& normal,
+/// The press of a tip that is held at `proxy`: along the line between the two, or along the normal of the skin there
+/// and of no depth where that line is only rounding.
+Press pressTowards(const Surface& surface, const FingerSettings& settings, const Vec3& proxy, const SurfacePoint& skin,
                    const Vec3& tip) noexcept;
 
 // The finger of radius 0: a point whose proxy is the local minimum of the distance on the skin.

@@ -226,7 +226,7 @@ Press heldByNearest(const Surface& surface, const FingerSettings& settings, doub
   const Vec3 normal = normalAt(surface, state.proxy);
   state.centre = state.proxy.position + radius * normal;
   state.fits = false;
-  return pressTowards(surface, settings, state.proxy.position, normal, tip);
+  return pressTowards(surface, settings, state.proxy.position, state.proxy, tip);
 }
 
 /// What ends a contact.

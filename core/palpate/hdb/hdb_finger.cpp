@@ -248,8 +248,7 @@ std::optional<contact::Press> pressOnWalk(const contact::Surface& surface, const
   if (!above) return std::nullopt;
   state.proxy = walk.at;
   state.centre = *above;
-  contact::Press press =
-      contact::pressTowards(surface, settings, walk.at.position, contact::normalAt(surface, walk.at), tip);
+  contact::Press press = contact::pressTowards(surface, settings, walk.at.position, walk.at, tip);
   if (!walk.finished) press.status |= contact::kCatchingUp;
   return press;
 }
@@ -278,7 +277,7 @@ contact::Press pressOfGodObject(const contact::Surface& surface, const contact::
   if (!state.touching) return {};
   const bool found = findSkinUnder(surface, near, state);
   const Vec3& proxy = found ? state.proxy.position : state.centre;
-  contact::Press press = contact::pressTowards(surface, settings, proxy, contact::normalAt(surface, state.proxy), tip);
+  contact::Press press = contact::pressTowards(surface, settings, proxy, state.proxy, tip);
   if (arrival == Arrival::under_way) press.status |= contact::kCatchingUp;
   return press;
 }
