@@ -34,8 +34,8 @@ void land(const tree::Crossing& crossing, FingerState& state) {
   state.hold = crossing.point;  // what the tip slides further within this tick is friction already
 }
 
-/// Whether a point so far from a place on a face or an edge is behind the planes of its triangles, and so in front of
-/// no normal between theirs: what almost every tick asks, and needs no root. False also where that is not known.
+/// Whether a point at `offset` from a place on a face or an edge lies behind the planes of its triangles, and so behind
+/// every normal between theirs: what nearly every tick asks, without a root. False also where that is not known.
 bool isBehindTriangles(const Surface& surface, const SurfacePoint& place, const Vec3& offset) {
   if (tree::isCorner(place.feature)) return false;
   const auto& records = surface.geometry->tree.records;
