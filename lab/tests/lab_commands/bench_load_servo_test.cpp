@@ -133,12 +133,13 @@ TEST(BenchRecordingCommand, MeasuresWhatARecordingCosts) {
   EXPECT_EQ(json["fingers"], 2);
   EXPECT_EQ(json["identical"], true);
   EXPECT_EQ(json["dropped"], 0);
-  EXPECT_GT(json["record_us_per_tick"].get<double>(), 0.0);
+  EXPECT_TRUE(json["record_us_per_tick"].is_number());  // a difference of medians: below 0 beside other work
   EXPECT_GT(json["bytes_per_tick"].get<double>(), 10.0);
   EXPECT_LT(json["bytes_per_tick"].get<double>(), 400.0);
   EXPECT_GT(json["replay_times_real_time"].get<double>(), 0.0);
   EXPECT_GT(json["seek_s"].get<double>(), 0.0);
   if (!support::timesAreJudged()) return;
+  EXPECT_GT(json["record_us_per_tick"].get<double>(), 0.0);
   EXPECT_LT(json["record_us_per_tick"].get<double>(), 0.25) << "0.09 us on a quiet core (docs/reference/benchmarks.md)";
   EXPECT_GT(json["replay_times_real_time"].get<double>(), 100.0) << "250 times on a quiet core";
   EXPECT_LT(json["seek_s"].get<double>(), 0.2);
