@@ -26,7 +26,7 @@ bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept {
   const tree::NearestPoint nearest = nearestPoint(surface.geometry->tree, tip, lag);
   if (nearest.triangle == kNoIndex) return false;
   const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
-  return !onBorder(surface, place) && (tip - place.position).dot(normalAt(surface, place)) > releaseSlack(surface);
+  return !onBorder(surface, place) && inFrontOf(surface, place, tip);
 }
 
 bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip) noexcept {
