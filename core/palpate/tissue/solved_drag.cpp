@@ -22,13 +22,13 @@ constexpr std::array<Curve, 2 * kSolvedStacks.size()> kCurves = {{
 constexpr std::size_t kStacks = kSolvedStacks.size();
 
 /// Weights of four neighbouring knots for a value and its derivative (Catmull and Rom).
-struct Weights {
+struct KnotWeights {
   std::size_t first;
   std::array<double, 4> value;
   std::array<double, 4> slope;  // by ln(1 + rho^2)
 };
 
-Weights weightsAt(double place) {
+KnotWeights weightsAt(double place) {
   const double cell = std::clamp(std::floor(place), 1.0, static_cast<double>(kSolvedKnots) - 3.0);
   const double t = place - cell;
   return {static_cast<std::size_t>(cell) - 1,
@@ -52,7 +52,7 @@ double solvedKnotMm(std::size_t i) {
 SolvedDrag solvedDragAt(double rho2, double tail) {
   const double place = elementary::log1p(rho2) / kStep;
   if (!(place < static_cast<double>(kSolvedKnots) - 2.0)) return {};
-  const Weights w = weightsAt(place);
+  const KnotWeights w = weightsAt(place);
   constexpr double kPerTail = (kStacks - 1) / kSolvedLongestTail;
   const double stack = std::clamp(tail * kPerTail, 0.0, static_cast<double>(kStacks) - 1.0);
   const auto lower = static_cast<std::size_t>(std::min(std::floor(stack), static_cast<double>(kStacks) - 2.0));

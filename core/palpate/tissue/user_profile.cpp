@@ -19,7 +19,7 @@ namespace palpate::tissue {
 namespace {
 
 /// A hundred thousand rows fit.
-constexpr std::size_t kMaxBytes = 1'000'000;
+constexpr std::size_t kMaxProfileBytes = 1'000'000;
 
 /// A profile is 1 in the middle and 0 at the rim; a bulge or a dent between them is no larger than this.
 constexpr NumberRange kKnotValues{-100.0, 100.0};
@@ -90,7 +90,7 @@ std::vector<ProfileKnot> parseProfileKnots(std::string_view text, std::string_vi
 }
 
 std::vector<ProfileKnot> readProfileKnots(const std::filesystem::path& file) {
-  return parseProfileKnots(readFile(file, kMaxBytes), file.string());
+  return parseProfileKnots(readFile(file, kMaxProfileBytes), file.string());
 }
 
 void checkProfileKnots(std::span<const ProfileKnot> knots) {

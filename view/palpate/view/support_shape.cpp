@@ -18,7 +18,7 @@ namespace palpate::view {
 namespace {
 
 /// So far the top lies outside the body, which is flat where it lies on it: two surfaces in one place would flicker.
-constexpr double kOutsideMm = 0.3;
+constexpr double kTopOutsideMm = 0.3;
 
 constexpr double kTableWidthMm = 700.0;
 constexpr double kBesideBodyMm = 40.0;  ///< of a body that is broader than the table
@@ -184,7 +184,7 @@ std::optional<SupportSlab> supportSlab(const scene::World& world) {
   axes << slab.across(), slab.along, slab.up;
   const Eigen::AlignedBox3d body = boxAlong(axes, world.body->skin);
   Vec3 middle = body.center();
-  middle.z() = support->point.dot(slab.up) - kOutsideMm;
+  middle.z() = support->point.dot(slab.up) - kTopOutsideMm;
   slab.middle = axes * middle;
   const Vec3 half = 0.5 * body.sizes();
   if (sits) {

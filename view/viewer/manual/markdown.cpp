@@ -118,7 +118,7 @@ std::optional<ItemBegin> itemAt(std::string_view line) {
 }
 
 /// Line by line; what is under way ends where something else begins.
-class Reader {
+class MarkdownReader {
  public:
   void take(std::string_view line) {
     if (in_code_) return takeCode(line);
@@ -195,7 +195,7 @@ class Reader {
 
 std::vector<Block> readMarkdown(std::string_view text) {
   const std::string seen = withoutComments(text);
-  Reader reader;
+  MarkdownReader reader;
   // Not `split`, which takes the spaces away that a line begins with.
   for (std::size_t begin = 0; begin < seen.size();) {
     const std::size_t end = std::min(seen.find('\n', begin), seen.size());

@@ -45,7 +45,6 @@ constexpr std::array<BuildNumber, kBuildNumbers> kBuild = {{
     {&TrunkShape::lordosis_deg, kFittedLordosisDeg, 10, 0, 50, 1},
     {&TrunkShape::asymmetry, 0.7, 0.6, 0, 3, 0.1},
 }};
-constexpr double kMeanStatureMm = 1715;
 constexpr double kStatureDeviation = 0.09;  // of the logarithm; children and giants are told by their points
 constexpr double kMinStatureMm = 700;
 constexpr double kMaxStatureMm = 2300;

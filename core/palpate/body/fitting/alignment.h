@@ -31,6 +31,9 @@ struct KnownPlace {
   Vec3 position;         ///< mm
 };
 
+/// Of an adult, mm: where a fit begins, and what it is drawn to where a scan says little.
+inline constexpr double kMeanStatureMm = 1715;
+
 /// Three of turning, three of place, stature, girth, body mass index, muscle, kyphosis, lordosis, asymmetry.
 inline constexpr int kPlacementNumbers = 13;
 

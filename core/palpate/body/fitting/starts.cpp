@@ -18,7 +18,6 @@ constexpr double kFacesOneWay = 0.25;  // length of the mean normal from which a
 constexpr int kTurnsOfPatch = 12;
 constexpr std::array<double, 6> kMiddleY = {130, 40, -60, -160, -260, -360};  // mm of a man of 1750 mm
 constexpr double kSkinOverSpineZ = 60;                                        // of the middle of a patch of the back
-constexpr double kMeanStatureMm = 1715;
 constexpr double kSamePlaceMm = 25;
 constexpr std::size_t kPromising = 30;  // after a first pull
 
