@@ -1,9 +1,18 @@
 # Read by ctest before it runs, with `folder`, `program`, `list` and `where` set: each suite of a test program is one test of
 # ctest, named <folder>.<Suite>. A process a suite and not one a test: what its tests share, a body or a window, is made once.
-if("${program}" IS_NEWER_THAN "${list}")
+include(${CMAKE_CURRENT_LIST_DIR}/PalpateCircles.cmake)
+palpate_read_circles(${circles} names)
+if("${program}" IS_NEWER_THAN "${list}" OR "${circles}" IS_NEWER_THAN "${list}")
+  palpate_is_in_second_circle("${folder}.*" "${names}" all_are_second)
+  if(all_are_second AND NOT EXISTS "${program}")
+    return() # ./test does not build it
+  endif()
   execute_process(COMMAND "${program}" --gtest_list_tests OUTPUT_VARIABLE lines RESULT_VARIABLE failed WORKING_DIRECTORY "${where}")
   if(failed)
     add_test("${folder}.CannotBeListed" "${program}" --gtest_list_tests) # fails as it did here, for all to see
+    if(all_are_second)
+      set_tests_properties("${folder}.CannotBeListed" PROPERTIES LABELS second)
+    endif()
     return()
   endif()
   string(REGEX REPLACE "#[^\n]*" "" lines "${lines}") # values of parameters
@@ -24,6 +33,10 @@ if("${program}" IS_NEWER_THAN "${list}")
     # Suites of many tests begin first, so that none is left over for one core in the end.
     string(APPEND text "add_test(\"${folder}.${suite}\" \"${program}\" --gtest_brief=1 \"--gtest_filter=${suite}.*\")\n"
                        "set_tests_properties(\"${folder}.${suite}\" PROPERTIES WORKING_DIRECTORY \"${where}\" COST ${tests_of_${suite}})\n")
+    palpate_is_in_second_circle("${folder}.${suite}" "${names}" second)
+    if(second)
+      string(APPEND text "set_tests_properties(\"${folder}.${suite}\" PROPERTIES LABELS second)\n")
+    endif()
   endforeach()
   file(WRITE "${list}" "${text}")
 endif()

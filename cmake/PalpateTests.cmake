@@ -12,6 +12,26 @@ target_compile_definitions(palpate_test_build INTERFACE PALPATE_TEST_DATA="${PRO
                            $<$<BOOL:${PALPATE_ASSIMP}>:PALPATE_ASSIMP>)
 target_include_directories(palpate_test_build INTERFACE ${PROJECT_SOURCE_DIR}/tests)
 
+# tests/circles.tsv: what is in the second circle, as regular expressions of whole names.
+set(PALPATE_CIRCLES ${PROJECT_SOURCE_DIR}/tests/circles.tsv)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PALPATE_CIRCLES})
+include(${PROJECT_SOURCE_DIR}/cmake/PalpateCircles.cmake)
+palpate_read_circles(${PALPATE_CIRCLES} PALPATE_SECOND_CIRCLE)
+
+# What ./test builds: programs whose suites are all in the second circle are left to ./test --all.
+add_custom_target(first_circle)
+
+# Labels the tests that this folder adds by name, at the folder's end.
+function(palpate_label_tests)
+  get_property(tests DIRECTORY PROPERTY TESTS)
+  foreach(test IN LISTS tests)
+    palpate_is_in_second_circle(${test} "${PALPATE_SECOND_CIRCLE}" second)
+    if(second)
+      set_property(TEST ${test} APPEND PROPERTY LABELS second)
+    endif()
+  endforeach()
+endfunction()
+
 # Helpers of many tests, and the one precompiled header of all.
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/*.cpp)
 add_library(palpate_test_support STATIC ${sources})
@@ -30,10 +50,15 @@ function(palpate_add_test folder)
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PALPATE_TEST_FOLDER})
   palpate_precompile(${target} palpate_test_support)
   palpate_unite(${target})
+  palpate_is_in_second_circle("${folder}.*" "${PALPATE_SECOND_CIRCLE}" second)
+  if(NOT second)
+    add_dependencies(first_circle ${target})
+  endif()
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${target}.cmake CONTENT "set(folder ${folder})
 set(program $<TARGET_FILE:${target}>)
 set(list ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
 set(where ${PALPATE_TEST_FOLDER})
+set(circles ${PALPATE_CIRCLES})
 include(${PROJECT_SOURCE_DIR}/cmake/PalpateSuites.cmake)
 ")
   set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${CMAKE_CURRENT_BINARY_DIR}/${target}.cmake)

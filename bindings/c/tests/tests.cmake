@@ -11,6 +11,9 @@ function(palpate_add_c_test name library source)
   set_target_properties(test_c_${name} PROPERTIES C_STANDARD 99 C_EXTENSIONS OFF)
   add_test(NAME c.${name} COMMAND test_c_${name} ${ARGN})
   set_tests_properties(c.${name} PROPERTIES TIMEOUT 300)
+  if(TARGET first_circle)
+    add_dependencies(first_circle test_c_${name})
+  endif()
 endfunction()
 
 palpate_add_c_test(interface palpate_c interface_test.c)
@@ -49,9 +52,10 @@ add_custom_command(OUTPUT ${c_stage}/shorter/palpate.h ${c_stage}/longer/palpate
                    COMMAND ${CMAKE_COMMAND} -DHEADER=${header} -DOUT=${c_stage} -P ${tests}/versions.cmake
                    DEPENDS ${header} ${tests}/versions.cmake)
 add_custom_target(palpate_c_versions DEPENDS ${c_stage}/shorter/palpate.h ${c_stage}/longer/palpate.h)
-palpate_add_c_library(palpate_c_longer ${c_stage}/longer)
+palpate_add_c_objects(palpate_c_longer_objects ${c_stage}/longer)
+add_dependencies(palpate_c_longer_objects palpate_c_versions)
+palpate_add_c_library(palpate_c_longer palpate_c_longer_objects ${c_stage}/longer)
 set_target_properties(palpate_c_longer PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${c_stage}/longer)
-add_dependencies(palpate_c_longer palpate_c_versions)
 set(programs)
 foreach(version shorter now longer)
   add_executable(test_c_versions_${version} ${tests}/versions_test.c)
@@ -66,6 +70,8 @@ endforeach()
 add_test(NAME c.versions COMMAND ${tests}/compare_versions.sh $<TARGET_FILE_DIR:palpate_c> $<TARGET_FILE_DIR:palpate_c_longer>
          -- ${programs})
 
+add_dependencies(first_circle palpate_c sample_c_feel_a_back)
+
 # Samples. What needs a program that is not there is skipped by name.
 add_test(NAME c.sample_c COMMAND sample_c_feel_a_back)
 add_test(NAME c.sample_csharp COMMAND ${tests}/run_csharp.sh ${PROJECT_SOURCE_DIR}/bindings/c/samples $<TARGET_FILE_DIR:palpate_c>
@@ -75,8 +81,7 @@ add_test(NAME c.sample_ctypes COMMAND ${tests}/run_ctypes.sh ${PROJECT_SOURCE_DI
 # The gate of the binary form reads what the compiler tells debuggers, all of it.
 find_program(PALPATE_ABIDW abidw)
 if(PALPATE_ABIDW)
-  palpate_add_c_library(palpate_c_abi ${PROJECT_SOURCE_DIR}/bindings/c)
-  target_compile_options(palpate_c_abi PRIVATE -g -O0)
+  palpate_add_c_library(palpate_c_abi palpate_c_objects ${PROJECT_SOURCE_DIR}/bindings/c)
   set_target_properties(palpate_c_abi PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/abi)
   add_test(NAME c.abi COMMAND ${PROJECT_SOURCE_DIR}/tools/check-abi $<TARGET_FILE:palpate_c_abi>)
 else()
