@@ -3,7 +3,7 @@
 #include "palpate/base/system/process.h"
 
 int main(int argc, char** argv) {
-  CLI::App app{"A part of Palpate: `palpate` starts it.", "palpate"};
+  palpate::app::Command app{"A part of Palpate: `palpate` starts it.", "palpate"};
   app.allow_windows_style_options(false);  // "/tmp" is a folder
   app.set_version_flag("--version", PALPATE_VERSION);
   app.require_subcommand(1);

@@ -52,13 +52,13 @@ std::vector<std::string> withMeantCommand(std::vector<std::string> words) {
 }
 
 /// For the help: what other programs do.
-void addFamilies(CLI::App& app) {
+void addFamilies(Command& app) {
   for (const FamilyCommand& row : familyCommands()) {
     const std::size_t space = row.command.find(' ');
-    CLI::App& parent =
+    Command& parent =
         space == std::string_view::npos ? app : commandGroup(app, std::string(row.command.substr(0, space)));
     const std::string name(row.command.substr(space == std::string_view::npos ? 0 : space + 1));
-    CLI::App& command = *parent.add_subcommand(name, std::string(row.what));
+    Command& command = *parent.add_subcommand(name, std::string(row.what));
     if (&parent == &app) command.group(std::string(row.group));
   }
   // Last: what is added to a group takes over its heading.
@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
     say(fmt::format("palpate: {}\n", error.what()));
     return kWrongInput;
   }
-  CLI::App app{"Palpate: feel, see and measure touch on a soft human body.", "palpate"};
+  Command app{"Palpate: feel, see and measure touch on a soft human body.", "palpate"};
   app.allow_windows_style_options(false);  // "/tmp" is a folder
   app.set_version_flag("--version", PALPATE_VERSION);
   app.require_subcommand(1);

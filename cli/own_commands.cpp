@@ -3,19 +3,19 @@
 
 namespace palpate::app {
 
-void addOwnCommands(CLI::App& app) {
+void addOwnCommands(Command& app) {
   addRunCommand(app);
   addSimulateCommand(app);
   addRenderCommand(app);
   addDevicesCommand(app);
 
-  CLI::App& body = commandGroup(app, "body");
+  Command& body = commandGroup(app, "body");
   addModelCommand(body);
   addFitBodyCommand(body);
   addRepairCommand(body);
   addInfoCommand(body);
 
-  CLI::App& recording = commandGroup(app, "recording");
+  Command& recording = commandGroup(app, "recording");
   addRecordCommand(recording);
   addRecordingsCommand(recording);
   addInfoCommand(recording);

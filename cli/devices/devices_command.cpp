@@ -97,13 +97,13 @@ void runDevices(const DevicesOptions& options) {
   }
   progress.clear();
   fmt::print("{}", options.json ? jsonDump(json, 2) + "\n" : text);
-  if (!options.names.empty() && !all_here) throw CLI::RuntimeError(1);
+  if (!options.names.empty() && !all_here) throw ExitWith(1);
 }
 
 }  // namespace
 
-void addDevicesCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("devices", "Which devices can be held, and why the others cannot");
+void addDevicesCommand(Command& app) {
+  Command* command = app.add_subcommand("devices", "Which devices can be held, and why the others cannot");
   command->group("Touch");
   const auto options = std::make_shared<DevicesOptions>();
   addDeviceOption(*command, options->names, "Ask for this one only; exit code 1 when it is not there");

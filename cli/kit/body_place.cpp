@@ -35,7 +35,7 @@ BodyPlace bodyPlaceFrom(const std::string& option, const std::string& text) {
   if (!meansNumbers(words)) return {option, words, Vec3::Zero()};
   const std::vector<double> numbers = numbersFrom(option, words, between(-kFarthestMm, kFarthestMm, "mm"));
   if (numbers.size() != 3) {
-    throw CLI::ValidationError(option, "'" + oneLine(words) + "' must be three numbers x,y,z in mm");
+    throw UsageError(option, "'" + oneLine(words) + "' must be three numbers x,y,z in mm");
   }
   return {option, {}, Vec3(numbers[0], numbers[1], numbers[2])};
 }
@@ -50,10 +50,10 @@ Vec3 tipOn(const scene::World& world, const BodyPlace& place) {
   return on_skin.point - kPosedDepthMm * on_skin.normal;
 }
 
-CLI::Option* addBodyPlace(CLI::App& command, const std::string& name, std::optional<BodyPlace>& value,
-                          const std::string& help) {
+Option* addBodyPlace(Command& command, const std::string& name, std::optional<BodyPlace>& value,
+                     const std::string& help) {
   const auto read = [&value, name](const std::string& text) { value = bodyPlaceFrom(name, text); };
-  return command.add_option_function<std::string>(name, read, help)->type_name(kBodyPlaceType);
+  return command.add_option_function(name, read, help)->type_name(kBodyPlaceType);
 }
 
 }  // namespace palpate::app

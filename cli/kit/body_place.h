@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "palpate/base/vec.h"
 #include "palpate/scene/world.h"
 
@@ -24,7 +24,7 @@ struct BodyPlace {
 /// What begins like a number, or is three words with commas and no blanks, is x,y,z.
 bool meansNumbers(std::string_view text);
 
-/// Throws CLI::ValidationError.
+/// Throws UsageError.
 BodyPlace bodyPlaceFrom(const std::string& option, const std::string& text);
 
 /// The point, or where the words point on the skin. Throws Error naming the option.
@@ -33,7 +33,7 @@ Vec3 pointOn(const scene::World& world, const BodyPlace& place);
 inline constexpr double kPosedDepthMm = 6.0;
 Vec3 tipOn(const scene::World& world, const BodyPlace& place);
 
-CLI::Option* addBodyPlace(CLI::App& command, const std::string& name, std::optional<BodyPlace>& value,
-                          const std::string& help);
+Option* addBodyPlace(Command& command, const std::string& name, std::optional<BodyPlace>& value,
+                     const std::string& help);
 
 }  // namespace palpate::app

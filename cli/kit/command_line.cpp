@@ -28,35 +28,35 @@ constexpr int kWrongInput = 2;
 // --- words that no command knows, and what was meant
 
 /// The command that the words before the unknown one chose.
-const CLI::App& chosenCommand(const CLI::App& app) {
-  const std::vector<CLI::App*> chosen = app.get_subcommands();
+const Command& chosenCommand(const Command& app) {
+  const std::vector<Command*> chosen = app.get_subcommands();
   return chosen.empty() ? app : chosenCommand(*chosen.back());
 }
 
 /// "palpate bench contact"
-std::string fullName(const CLI::App& command) {
-  const CLI::App* parent = command.get_parent();
+std::string fullName(const Command& command) {
+  const Command* parent = command.get_parent();
   return parent == nullptr ? command.get_name() : fullName(*parent) + " " + command.get_name();
 }
 
-std::vector<std::string> subcommandsOf(const CLI::App& command) {
+std::vector<std::string> subcommandsOf(const Command& command) {
   std::vector<std::string> names;
-  for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
+  for (const Command* sub : command.all_subcommands()) {
     names.push_back(sub->get_name());
   }
   return names;
 }
 
 /// Without their hyphens, which say nothing about which one is near.
-std::vector<std::string> optionsOf(const CLI::App& command) {
+std::vector<std::string> optionsOf(const Command& command) {
   std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options()) {
+  for (const Option* option : command.get_options()) {
     names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
   }
   return names;
 }
 
-std::string unknownOption(const CLI::App& command, const std::string& word) {
+std::string unknownOption(const Command& command, const std::string& word) {
   const std::string written = word.substr(0, word.find('='));
   const std::string nearest = nearestName(written.substr(written.find_first_not_of('-')), optionsOf(command));
   const std::string hint = nearest.empty() ? nearest : fmt::format("; did you mean '--{}'?", nearest);
@@ -64,13 +64,11 @@ std::string unknownOption(const CLI::App& command, const std::string& word) {
 }
 
 /// Of a word that is neither command nor option CLI11 says at most that something is missing.
-std::string reasonOf(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<std::string> unknown = app.remaining(true);
-  const bool about_words =
-      error.get_name() == "RequiredError" || error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-  if (!about_words || unknown.empty()) return error.what();
+std::string reasonOf(const Command& app, const UsageError& error) {
+  const std::vector<std::string> unknown = app.remaining();
+  if (!error.isAboutWords() || unknown.empty()) return error.what();
   const std::string& word = unknown.front();
-  const CLI::App& command = chosenCommand(app);
+  const Command& command = chosenCommand(app);
   if (word.find_first_not_of('-') == std::string::npos) return error.what();
   if (word.starts_with('-')) return unknownOption(command, word);
   const std::vector<std::string> commands = subcommandsOf(command);
@@ -102,15 +100,14 @@ std::string withPresentName(const std::string& word) {
   return word;
 }
 
-int parse(CLI::App& app, const std::vector<std::string>& words) {
+int parse(Command& app, const std::vector<std::string>& words) {
   std::vector<std::string> last_first;  // as CLI11 takes them
   for (auto word = words.rbegin(); word != words.rend(); ++word) last_first.push_back(withPresentName(*word));
   try {
     app.parse(last_first);
-  } catch (const CLI::RuntimeError& answer) {  // a command's "no"
-    return answer.get_exit_code();
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+  } catch (const ExitWith& answer) {
+    return answer.code();
+  } catch (const UsageError& error) {
     say(readableText(fmt::format("palpate: {} (see --help)\n", reasonOf(app, error))));
     return kWrongInput;
   }
@@ -127,7 +124,7 @@ int flushed(int exit_code) {
 }
 
 /// What shells and the build ask for, which is in no help. False for everything else.
-bool answered(const CLI::App& app, const std::vector<std::string>& words) {
+bool answered(const Command& app, const std::vector<std::string>& words) {
   if (words.empty()) return false;
   const std::vector<std::string> rest(words.begin() + 1, words.end());
   if (words.front() == kCompleteOption) {
@@ -139,7 +136,7 @@ bool answered(const CLI::App& app, const std::vector<std::string>& words) {
   return true;
 }
 
-int runToTheEnd(CLI::App& app, const std::vector<std::string>& words) {
+int runToTheEnd(Command& app, const std::vector<std::string>& words) {
   try {
     return flushed(answered(app, words) ? 0 : parse(app, words));
   } catch (const Ended&) {
@@ -210,7 +207,7 @@ std::vector<std::string> withPresentCommand(std::vector<std::string> words) {
   return words;
 }
 
-CLI::App& commandGroup(CLI::App& app, const std::string& name) {
+Command& commandGroup(Command& app, const std::string& name) {
   struct Group {
     std::string_view name, what;
   };
@@ -218,15 +215,16 @@ CLI::App& commandGroup(CLI::App& app, const std::string& name) {
       Group{"body", "A body: made, fitted to a scan, repaired, looked into, mapped"},
       Group{"recording", "Recordings: made, listed, replayed, cut, reported, shared"},
   };
-  for (CLI::App* known : app.get_subcommands([&](const CLI::App* sub) { return sub->get_name() == name; }))
-    return *known;
+  for (Command* known : app.all_subcommands()) {
+    if (known->get_name() == name) return *known;
+  }
   const auto group = std::ranges::find(kGroups, name, &Group::name);
-  CLI::App& added = *app.add_subcommand(name, std::string(group->what));
+  Command& added = *app.add_subcommand(name, std::string(group->what));
   added.require_subcommand(1);
   return added;
 }
 
-int runCommandLine(CLI::App& app, const std::vector<std::string>& words) {
+int runCommandLine(Command& app, const std::vector<std::string>& words) {
   system::returnLargeArrays();
   listenForSignals();
   const int exit_code = runToTheEnd(app, words);

@@ -13,37 +13,31 @@ namespace palpate::app {
 
 namespace {
 
-using Commands = std::vector<const CLI::App*>;
-
-Commands commandsOf(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App* sub) { return !sub->get_name().empty(); });
-}
-
-const CLI::App* commandNamed(const CLI::App& app, const std::string& word) {
-  const Commands commands = commandsOf(app);
-  const auto found = std::ranges::find(commands, word, [](const CLI::App* command) { return command->get_name(); });
+const Command* commandNamed(const Command& app, const std::string& word) {
+  const std::vector<Command*> commands = app.all_subcommands();
+  const auto found = std::ranges::find(commands, word, [](const Command* command) { return command->get_name(); });
   return found == commands.end() ? nullptr : *found;
 }
 
 /// "--out", "-o"; none of what stands without a name.
-std::vector<std::string> namesOf(const CLI::Option& option) {
+std::vector<std::string> namesOf(const Option& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
   return names;
 }
 
-const CLI::Option* optionNamed(const CLI::App& app, const std::string& word) {
-  for (const CLI::Option* option : app.get_options()) {
+const Option* optionNamed(const Command& app, const std::string& word) {
+  for (const Option* option : app.get_options()) {
     if (std::ranges::count(namesOf(*option), word) > 0) return option;
   }
   return nullptr;
 }
 
-bool isFlag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
+bool isFlag(const Option& option) { return option.get_items_expected_max() == 0; }
 
 /// "dry|oiled|none" as its words; empty for what takes other things too, which are written in capitals.
-std::vector<std::string> valuesOf(const CLI::Option& option) {
+std::vector<std::string> valuesOf(const Option& option) {
   const std::string type = option.get_type_name();
   std::vector<std::string> words;
   if (type.find('|') == std::string::npos) return words;
@@ -77,12 +71,12 @@ std::string roff(const std::string& text) {
   return escaped;
 }
 
-std::string defaultOf(const CLI::Option& option) {
+std::string defaultOf(const Option& option) {
   const std::string& text = option.get_default_str();
   return text.empty() ? text : fmt::format(" (default: {})", text);
 }
 
-std::string optionText(const CLI::Option& option) {
+std::string optionText(const Option& option) {
   std::vector<std::string> names = namesOf(option);
   if (names.empty()) names = {option.get_name()};  // by its place
   std::string text = fmt::format(".TP\n\\fB{}\\fR", roff(fmt::format("{}", fmt::join(names, ", "))));
@@ -91,20 +85,20 @@ std::string optionText(const CLI::Option& option) {
   return text + "\n" + roff(option.get_description() + defaultOf(option)) + "\n";
 }
 
-std::string optionsText(const CLI::App& command) {
+std::string optionsText(const Command& command) {
   std::string text;
-  for (const CLI::Option* option : command.get_options()) {
-    if (option != command.get_help_ptr() && option != command.get_help_all_ptr()) text += optionText(*option);
+  for (const Option* option : command.get_options()) {
+    if (option != command.get_help_ptr()) text += optionText(*option);
   }
   return text;
 }
 
 /// Every command under this one that does something, with its options.
-std::string commandsText(const CLI::App& app, const std::string& words) {
+std::string commandsText(const Command& app, const std::string& words) {
   std::string text;
-  for (const CLI::App* command : commandsOf(app)) {
+  for (const Command* command : app.all_subcommands()) {
     const std::string name = words + " " + command->get_name();
-    if (commandsOf(*command).empty()) {
+    if (command->all_subcommands().empty()) {
       text += fmt::format(".SS {}\n{}\n{}", roff(name), roff(command->get_description()), optionsText(*command));
     } else {
       text += commandsText(*command, name);
@@ -122,28 +116,28 @@ std::string seeAlso(const std::string& program) {
 
 }  // namespace
 
-std::vector<std::string> completionsOf(const CLI::App& app, const std::vector<std::string>& words) {
+std::vector<std::string> completionsOf(const Command& app, const std::vector<std::string>& words) {
   if (words.empty()) return {};
-  const CLI::App* command = &app;
+  const Command* command = &app;
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-    if (const CLI::App* next = commandNamed(*command, words[i])) command = next;
+    if (const Command* next = commandNamed(*command, words[i])) command = next;
   }
   std::vector<std::string> candidates;
-  const CLI::Option* before = words.size() < 2 ? nullptr : optionNamed(*command, words[words.size() - 2]);
+  const Option* before = words.size() < 2 ? nullptr : optionNamed(*command, words[words.size() - 2]);
   if (before != nullptr && !isFlag(*before)) {
     candidates = valuesOf(*before);
   } else if (words.back().starts_with('-')) {
-    for (const CLI::Option* option : command->get_options()) {
+    for (const Option* option : command->get_options()) {
       for (std::string& name : namesOf(*option)) candidates.push_back(std::move(name));
     }
   } else {
-    for (const CLI::App* sub : commandsOf(*command)) candidates.push_back(sub->get_name());
+    for (const Command* sub : command->all_subcommands()) candidates.push_back(sub->get_name());
   }
   std::erase_if(candidates, [&](const std::string& word) { return !word.starts_with(words.back()); });
   return candidates;
 }
 
-std::string manPage(const CLI::App& app, const std::string& program) {
+std::string manPage(const Command& app, const std::string& program) {
   return fmt::format(
       ".TH {} 1 \"\" \"Palpate {}\" \"Palpate\"\n.ad l\n.SH NAME\n{} \\- feel, see and measure touch on a soft human "
       "body\n"

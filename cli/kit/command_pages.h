@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 
 namespace palpate::app {
 
@@ -17,9 +17,9 @@ inline constexpr const char* kManOption = "--man";
 
 /// Words that may stand where the last of these stands, as far as it is written: commands, options, or what an option
 /// takes. Empty where files may stand.
-std::vector<std::string> completionsOf(const CLI::App& app, const std::vector<std::string>& words);
+std::vector<std::string> completionsOf(const Command& app, const std::vector<std::string>& words);
 
 /// Section 1, as roff: the program's commands with their options. `program`: "palpate", "palpate-teach".
-std::string manPage(const CLI::App& app, const std::string& program);
+std::string manPage(const Command& app, const std::string& program);
 
 }  // namespace palpate::app

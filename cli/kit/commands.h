@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 
 namespace palpate::app {
 
@@ -17,95 +17,95 @@ std::vector<std::string> withPresentCommand(std::vector<std::string> words);
 /// 0: done; 1: the command ran and its answer is "no" (a check that failed); 2: wrong input or usage, said in one line
 /// on the standard error, also when the standard output cannot be written; 128 and the signal's number when a signal
 /// asked for the end (interruption.h).
-int runCommandLine(CLI::App& app, const std::vector<std::string>& words);
+int runCommandLine(Command& app, const std::vector<std::string>& words);
 
 /// `palpate body`, `palpate recording`: made by whoever asks first.
-CLI::App& commandGroup(CLI::App& app, const std::string& name);
+Command& commandGroup(Command& app, const std::string& name);
 
 // The commands of each program.
 
 /// `palpate` itself: what touches, draws and records.
-void addOwnCommands(CLI::App& app);
-void addServeFamily(CLI::App& app);
-void addReportFamily(CLI::App& app);
+void addOwnCommands(Command& app);
+void addServeFamily(Command& app);
+void addReportFamily(Command& app);
 /// With `run`, whose window measures photographs too.
-void addMeasureFamily(CLI::App& app);
-void addTeachFamily(CLI::App& app);
-void addStudyFamily(CLI::App& app);
+void addMeasureFamily(Command& app);
+void addTeachFamily(Command& app);
+void addStudyFamily(Command& app);
 
 // Of the top.
-void addRunCommand(CLI::App& app);
-void addSimulateCommand(CLI::App& app);
-void addRenderCommand(CLI::App& app);
-void addDevicesCommand(CLI::App& app);
-void addMeasureCommand(CLI::App& app);
-void addTrainCommand(CLI::App& app);
-void addClassCommand(CLI::App& app);
-void addStudyCommand(CLI::App& app);
-void addTissueCommand(CLI::App& app);
-void addLumpCommand(CLI::App& app);
+void addRunCommand(Command& app);
+void addSimulateCommand(Command& app);
+void addRenderCommand(Command& app);
+void addDevicesCommand(Command& app);
+void addMeasureCommand(Command& app);
+void addTrainCommand(Command& app);
+void addClassCommand(Command& app);
+void addStudyCommand(Command& app);
+void addTissueCommand(Command& app);
+void addLumpCommand(Command& app);
 
 // Of `palpate body`. What is of bodies and recordings stands in both.
-void addModelCommand(CLI::App& body);
-void addFitBodyCommand(CLI::App& body);
-void addRepairCommand(CLI::App& group);
-void addInfoCommand(CLI::App& group);
-void addMapCommand(CLI::App& body);
+void addModelCommand(Command& body);
+void addFitBodyCommand(Command& body);
+void addRepairCommand(Command& group);
+void addInfoCommand(Command& group);
+void addMapCommand(Command& body);
 
 // Of `palpate recording`.
-void addRecordCommand(CLI::App& recording);
-void addRecordingsCommand(CLI::App& recording);
-void addReplayCommand(CLI::App& recording);
-void addTrimCommand(CLI::App& recording);
-void addJoinCommand(CLI::App& recording);
-void addAnnotateCommand(CLI::App& recording);
-void addBundleCommand(CLI::App& recording);
-void addExportCommand(CLI::App& recording);
-void addPlotCommand(CLI::App& recording);
-void addReportCommand(CLI::App& recording);
+void addRecordCommand(Command& recording);
+void addRecordingsCommand(Command& recording);
+void addReplayCommand(Command& recording);
+void addTrimCommand(Command& recording);
+void addJoinCommand(Command& recording);
+void addAnnotateCommand(Command& recording);
+void addBundleCommand(Command& recording);
+void addExportCommand(Command& recording);
+void addPlotCommand(Command& recording);
+void addReportCommand(Command& recording);
 
 // Of `palpate measure`.
-void addMeasureAverageCommand(CLI::App& measure);
-void addMeasureDotsCommand(CLI::App& measure);
-void addMeasureSessionCommand(CLI::App& measure);
-void addMeasureStencilCommand(CLI::App& measure);
-void addMeasureStiffnessCommand(CLI::App& measure);
-void addMeasureSynthesizeCommand(CLI::App& measure);
+void addMeasureAverageCommand(Command& measure);
+void addMeasureDotsCommand(Command& measure);
+void addMeasureSessionCommand(Command& measure);
+void addMeasureStencilCommand(Command& measure);
+void addMeasureStiffnessCommand(Command& measure);
+void addMeasureSynthesizeCommand(Command& measure);
 
 // Of `palpate train`.
-void addResultsCommand(CLI::App& train);
+void addResultsCommand(Command& train);
 
 // Of `palpate study`.
-void addCredibilityCommand(CLI::App& study);
-void addPartitionCommand(CLI::App& study);
-void addHuntCommand(CLI::App& study);
-void addBenchCommand(CLI::App& study);
-void addBenchBatchCommand(CLI::App& bench);
-void addBenchContactCommand(CLI::App& bench);
-void addBenchDeformCommand(CLI::App& bench);
-void addBenchEditCommand(CLI::App& bench);
-void addBenchFrameCommand(CLI::App& bench);
-void addBenchLoadCommand(CLI::App& bench);
-void addBenchLumpCommand(CLI::App& bench);
-void addBenchPartitionCommand(CLI::App& bench);
-void addBenchServoCommand(CLI::App& bench);
-void addBenchRecordingCommand(CLI::App& bench);
+void addCredibilityCommand(Command& study);
+void addPartitionCommand(Command& study);
+void addHuntCommand(Command& study);
+void addBenchCommand(Command& study);
+void addBenchBatchCommand(Command& bench);
+void addBenchContactCommand(Command& bench);
+void addBenchDeformCommand(Command& bench);
+void addBenchEditCommand(Command& bench);
+void addBenchFrameCommand(Command& bench);
+void addBenchLoadCommand(Command& bench);
+void addBenchLumpCommand(Command& bench);
+void addBenchPartitionCommand(Command& bench);
+void addBenchServoCommand(Command& bench);
+void addBenchRecordingCommand(Command& bench);
 /// A page each.
-void addStudyPages(CLI::App& study);
+void addStudyPages(Command& study);
 /// `palpate study all`.
-void addStudyAll(CLI::App& study);
+void addStudyAll(Command& study);
 
 // Of `palpate lump`.
-void addLumpLoopsCommand(CLI::App& lump);
-void addLumpSolveCommand(CLI::App& lump);
+void addLumpLoopsCommand(Command& lump);
+void addLumpSolveCommand(Command& lump);
 
 // Of `palpate tissue`.
-void addTissueLibraryCommand(CLI::App& tissue);
-void addTissueModuliCommand(CLI::App& tissue);
-void addTissueShowCommand(CLI::App& tissue);
-void addTissueSolveCommand(CLI::App& tissue);
-void addRealismCommand(CLI::App& tissue);
-void addFitForceCommand(CLI::App& fit);
-void addFitProfileCommand(CLI::App& fit);
+void addTissueLibraryCommand(Command& tissue);
+void addTissueModuliCommand(Command& tissue);
+void addTissueShowCommand(Command& tissue);
+void addTissueSolveCommand(Command& tissue);
+void addRealismCommand(Command& tissue);
+void addFitForceCommand(Command& fit);
+void addFitProfileCommand(Command& fit);
 
 }  // namespace palpate::app

@@ -10,7 +10,7 @@
 
 namespace palpate::app {
 
-CLI::Option* addDeviceOption(CLI::App& command, std::vector<std::string>& names, const std::string& help) {
+Option* addDeviceOption(Command& command, std::vector<std::string>& names, const std::string& help) {
   const auto known = [](const std::string& words) {
     try {
       device::deviceNamed(words);
@@ -24,11 +24,11 @@ CLI::Option* addDeviceOption(CLI::App& command, std::vector<std::string>& names,
                   fmt::format("{}: {}, with :WHICH behind it for one of several (docs/reference/devices.md)", help,
                               fmt::join(device::backEndNames(), ", ")))
       ->type_name("NAME[:WHICH]")
-      ->check(CLI::Validator(known, ""))
+      ->check(known)
       ->allow_extra_args(false);  // one a time: what follows is the scene
 }
 
-void addUnsafeStiffness(CLI::App& command, bool& unsafe) {
+void addUnsafeStiffness(Command& command, bool& unsafe) {
   command.add_flag("--unsafe-stiffness", unsafe,
                    "Render the stiffness and force that the scene's [safety] asks for, beyond what is safe for the "
                    "device (docs/explanation/safety.md)");

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/scene/scene.h"
 
@@ -13,11 +13,11 @@ namespace palpate::app {
 
 /// Adds --device NAME[:WHICH], once for each finger; a name that no back end has is a usage error. `names` must outlive
 /// the command.
-CLI::Option* addDeviceOption(CLI::App& command, std::vector<std::string>& names, const std::string& help);
+Option* addDeviceOption(Command& command, std::vector<std::string>& names, const std::string& help);
 
 /// Adds --unsafe-stiffness (scene::SafetySettings::unsafe_stiffness), for commands in which a person decides about his
 /// own hand: no training, no server.
-void addUnsafeStiffness(CLI::App& command, bool& unsafe);
+void addUnsafeStiffness(Command& command, bool& unsafe);
 
 /// What safety has to say about a run before a hand is on the device, on stderr, a line each.
 void sayUnsafe(std::span<const std::string> notes);

@@ -12,7 +12,7 @@
 
 namespace palpate::app {
 
-void addMeshArguments(CLI::App& command, MeshArguments& arguments) {
+void addMeshArguments(Command& command, MeshArguments& arguments) {
   command.add_option("mesh", arguments.file, "Mesh file: obj, stl, ply, off, gltf or glb")->required();
   addUnit(command, arguments.options.unit_mm);
   command.add_option("--group", arguments.options.group, "Only this group or object of an OBJ file");
@@ -27,18 +27,18 @@ constexpr const char* kUnitOption = "--unit";
 double millimetresFrom(const std::string& word) {
   if (const auto unit = valueNamed<scene::Unit>(word)) return millimetresOf(*unit);
   if (parseNumber(word)) return numberFrom(kUnitOption, word, between(0.0, 1e9, "mm"));
-  throw CLI::ValidationError(kUnitOption, fmt::format("'{}' is neither one of {} nor a number of millimetres",
-                                                      oneLine(word), fmt::join(allWords<scene::Unit>(), ", ")));
+  throw UsageError(kUnitOption, fmt::format("'{}' is neither one of {} nor a number of millimetres", oneLine(word),
+                                            fmt::join(allWords<scene::Unit>(), ", ")));
 }
 
 }  // namespace
 
-CLI::Option* addUnit(CLI::App& command, double& unit_mm) {
+Option* addUnit(Command& command, double& unit_mm) {
   const auto read = [&unit_mm](const std::string& word) { unit_mm = millimetresFrom(word); };
   return command
-      .add_option_function<std::string>(kUnitOption, read,
-                                        "Unit of the mesh file, or how many millimetres it is: 25.4; auto: metres for "
-                                        "gltf and glb, mm for the others")
+      .add_option_function(kUnitOption, read,
+                           "Unit of the mesh file, or how many millimetres it is: 25.4; auto: metres for "
+                           "gltf and glb, mm for the others")
       ->type_name(fmt::format("{}|{}", fmt::join(allWords<scene::Unit>(), "|"), kNumberType))
       ->default_str("auto");
 }
@@ -53,7 +53,7 @@ void useUnit(double unit_mm, scene::BodySettings& body) {
   body.scale *= unit_mm;
 }
 
-void addPresetOption(CLI::App& command, std::string& preset) {
+void addPresetOption(Command& command, std::string& preset) {
   takesOneOf(scene::presetNames(),
              command.add_option("--preset", preset,
                                 "Built-in scene by name: vhb is the dissertation's Virtual Haptic Back "

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/scene/scene.h"
 
@@ -15,18 +15,18 @@ struct MeshArguments {
 };
 
 /// Adds MESH, --unit, --group and --foreign. `arguments` must outlive the command.
-void addMeshArguments(CLI::App& command, MeshArguments& arguments);
+void addMeshArguments(Command& command, MeshArguments& arguments);
 
 // `--unit`: how long a unit of a mesh file is, the same option of every command that reads one.
 
 /// Adds --unit, a word (auto, mm, cm, dm, m, in) or a number of millimetres; 0, which is auto, is as the format says.
 /// `unit_mm` must outlive the command.
-CLI::Option* addUnit(CLI::App& command, double& unit_mm);
+Option* addUnit(Command& command, double& unit_mm);
 
 /// The unit as a scene says it: one of its words, or millimetres and a factor.
 void useUnit(double unit_mm, scene::BodySettings& body);
 
 /// Adds --preset (scene/presets.h).
-void addPresetOption(CLI::App& command, std::string& preset);
+void addPresetOption(Command& command, std::string& preset);
 
 }  // namespace palpate::app

@@ -17,13 +17,11 @@ namespace fs = std::filesystem;
 /// A file of this name appears for a moment only, as its partial one.
 constexpr const char* kProbe = "palpate-can-write";
 
-CLI::Option* tried(CLI::Option* option, const std::function<void(const fs::path&)>& require) {
-  return option->check(CLI::Validator(
-      [require](std::string& name) {
-        if (!name.empty()) require(pathOf(name));
-        return std::string();
-      },
-      ""));
+Option* tried(Option* option, const std::function<void(const fs::path&)>& require) {
+  return option->check([require](const std::string& name) {
+    if (!name.empty()) require(pathOf(name));
+    return std::string();
+  });
 }
 
 }  // namespace
@@ -40,8 +38,8 @@ void requireWritableFolder(const fs::path& folder) {
   const OutputFile probe(folder / kProbe);
 }
 
-CLI::Option* namesFileToWrite(CLI::Option* option) { return tried(option, requireWritableFile); }
-CLI::Option* namesFolderToWrite(CLI::Option* option) { return tried(option, requireWritableFolder); }
+Option* namesFileToWrite(Option* option) { return tried(option, requireWritableFile); }
+Option* namesFolderToWrite(Option* option) { return tried(option, requireWritableFolder); }
 
 MadeFolder::MadeFolder(const fs::path& folder) {
   std::error_code error;

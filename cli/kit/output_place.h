@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 
 namespace palpate::app {
 
@@ -17,8 +17,8 @@ void requireWritableFolder(const std::filesystem::path& folder);
 
 // The same for an option, as soon as the command line is read; the option is handed back.
 
-CLI::Option* namesFileToWrite(CLI::Option* option);
-CLI::Option* namesFolderToWrite(CLI::Option* option);
+Option* namesFileToWrite(Option* option);
+Option* namesFolderToWrite(Option* option);
 
 /// A folder for results: made with those above it, and those that were made and are still empty go with this object.
 class MadeFolder {

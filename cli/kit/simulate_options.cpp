@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/cli11.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "palpate/base/error.h"
 #include "palpate/base/path_text.h"
 #include "palpate/mesh/files/load.h"
@@ -93,7 +93,7 @@ void useSomeFinger(scene::Scene& scene) {
 
 }  // namespace
 
-void addInputOptions(CLI::App& command, SimulateOptions& options) {
+void addInputOptions(Command& command, SimulateOptions& options) {
   command.add_option("SCENE", options.scene,
                      "Scene file (TOML, docs/reference/scene-files.md), or a mesh as with --mesh; without one: ten "
                      "seconds on the trunk");
@@ -109,7 +109,7 @@ void addInputOptions(CLI::App& command, SimulateOptions& options) {
             "Radius of every finger; 0 is a point, 8 a fingertip");
 }
 
-void addShapeOptions(CLI::App& command, SimulateOptions& options) {
+void addShapeOptions(Command& command, SimulateOptions& options) {
   takesOneOf({kAverageBuild, "thin", "heavy"},
              command.add_option("--build", options.build,
                                 "Build of the trunk: as scenes/thin.toml and scenes/heavy.toml have it (default: as "
@@ -119,7 +119,7 @@ void addShapeOptions(CLI::App& command, SimulateOptions& options) {
                                 "How the trunk stands, lies or sits (default: as the scene says)"));
 }
 
-void addSecondsOption(CLI::App& command, SimulateOptions& options) {
+void addSecondsOption(Command& command, SimulateOptions& options) {
   addNumber(command, "--seconds", options.seconds, above(0.0, kLongestRunS, "s"),
             "How long to run (default: until the last finger has finished)");
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "palpate/scene/scene.h"
 
 namespace palpate::app {
@@ -36,13 +36,13 @@ struct SimulateOptions {
 };
 
 /// Adds SCENE and what replaces its parts: mesh, trajectories, radius.
-void addInputOptions(CLI::App& command, SimulateOptions& options);
+void addInputOptions(Command& command, SimulateOptions& options);
 
 /// Adds --build and --posture, what the trunk is like instead of what the scene says.
-void addShapeOptions(CLI::App& command, SimulateOptions& options);
+void addShapeOptions(Command& command, SimulateOptions& options);
 
 /// Adds --seconds, how long the scene runs.
-void addSecondsOption(CLI::App& command, SimulateOptions& options);
+void addSecondsOption(Command& command, SimulateOptions& options);
 
 /// The scene file (or the built-in one) with the command line's changes: a mesh replaces the body, trajectories replace
 /// the fingers' paths in their order, further ones add fingers. Throws Error.

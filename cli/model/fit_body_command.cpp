@@ -214,12 +214,12 @@ void runFitBody(const FitBodyArguments& arguments) {
   fmt::print("{}", arguments.json ? jsonDump(jsonOf(arguments, result, places), 2) + "\n" : textOf(result, places));
   if (result.fit.doubt.empty()) return;
   say(fmt::format("{}: not sure enough, nothing was written: {}\n", arguments.scan.file, result.fit.doubt));
-  throw CLI::RuntimeError(1);
+  throw ExitWith(1);
 }
 
 }  // namespace
 
-void addFitBodyCommand(CLI::App& body) {
+void addFitBodyCommand(Command& body) {
   const auto [command, arguments] = addCommand(
       body, "fit", "Find spine, landmarks and bones of a scanned back or trunk, and write a scene of it", runFitBody);
   addMeshArguments(command, arguments.scan);

@@ -319,7 +319,7 @@ void runInfo(const InfoArguments& arguments) {
 
 }  // namespace
 
-void addInfoCommand(CLI::App& group) {
+void addInfoCommand(Command& group) {
   const auto [command, arguments] = addCommand(
       group, "info",
       "Report what a mesh file holds and what is wrong with it, or a recorded table of forces or recording", runInfo);

@@ -220,16 +220,16 @@ void makeHandModel(const ModelOptions& options) {
 
 /// A model's subcommand. Its options live as long as the command line does.
 struct ModelCommand {
-  CLI::App* command;
+  Command* command;
   std::shared_ptr<ModelOptions> options;
 };
 
 /// With what all of them have.
-ModelCommand addModel(CLI::App& parent, const char* name, const char* what, std::size_t triangles,
+ModelCommand addModel(Command& parent, const char* name, const char* what, std::size_t triangles,
                       const Limits& triangle_limits, const std::function<void(const ModelOptions&)>& make) {
   auto options = std::make_shared<ModelOptions>();
   options->triangles = triangles;
-  CLI::App* command = parent.add_subcommand(name, what);
+  Command* command = parent.add_subcommand(name, what);
   namesFileToWrite(command->add_option("-o,--out", options->output, "Mesh file to write: .obj, .stl or .ply"))
       ->required();
   addSetting(*command, "--triangles", options->triangles, triangle_limits, "Triangles, exactly");
@@ -238,12 +238,12 @@ ModelCommand addModel(CLI::App& parent, const char* name, const char* what, std:
   return {command, options};
 }
 
-void addStature(CLI::App& command, ModelOptions& options) {
+void addStature(Command& command, ModelOptions& options) {
   addSetting(command, "--stature-mm", options.shape.stature_mm, between(300.0, 3000.0, "mm"),
              "Height of the person; everything scales with it");
 }
 
-void addShape(CLI::App& command, ModelOptions& options) {
+void addShape(Command& command, ModelOptions& options) {
   addStature(command, options);
   body::SkinSettings& shape = options.shape;
   constexpr const char* kGroup = "Shape of the skin";
@@ -265,14 +265,14 @@ void addShape(CLI::App& command, ModelOptions& options) {
   add_levels("--scapula-levels", shape.relief.scapula_level);
 }
 
-void addOutputs(CLI::App& command, ModelOptions& options) {
+void addOutputs(Command& command, ModelOptions& options) {
   addSetting(command, "--bone-triangles", options.bone_triangles, between(0, 2e7),
              "Triangles of the bones among them; 0 chooses");
   command.add_option("--skin-out", options.skin_output, "Also write the skin alone to this file");
   command.add_option("--bones-out", options.bones_output, "Also write the bones alone to this file");
 }
 
-void addBuild(CLI::App& command, body::TrunkShape& build) {
+void addBuild(Command& command, body::TrunkShape& build) {
   constexpr const char* kGroup = "Build";
   const auto add = [&](const char* name, double& value, const Limits& limits, const char* help) {
     addSetting(command, name, value, limits, help)->group(kGroup);
@@ -288,7 +288,7 @@ void addBuild(CLI::App& command, body::TrunkShape& build) {
   add("--asymmetry", build.asymmetry, between(0, 3), "0 symmetric, 1 naturally uneven");
 }
 
-void addTrunk(CLI::App& model) {
+void addTrunk(Command& model) {
   const auto [command, options] = addModel(
       model, "trunk", "The whole trunk, closed, from the neck to below the gluteal fold, over 74 bones",
       body::TrunkSettings{}.triangles, between(static_cast<double>(body::kFewestTrunkTriangles), 2e7), makeTrunkModel);
@@ -300,13 +300,13 @@ void addTrunk(CLI::App& model) {
   addOutputs(*command, *options);
 }
 
-void addBack(CLI::App& model) {
+void addBack(Command& model) {
   const auto [command, options] = addModel(model, "back", "The back, 350 x 400 x 120 mm",
                                            body::BackSettings{}.triangles, between(500, 4e6), makeBackModel);
   addShape(*command, *options);
 }
 
-void addTorso(CLI::App& model) {
+void addTorso(Command& model) {
   const auto [command, options] = addModel(
       model, "torso", "Skin down to the sacrum over its bones; the dissertation's sizes are 8163, 20389 and 41582",
       body::TorsoSettings{}.triangles, between(5000, 2e7), makeTorsoModel);
@@ -315,13 +315,13 @@ void addTorso(CLI::App& model) {
   addOutputs(*command, *options);
 }
 
-void addBones(CLI::App& model) {
+void addBones(Command& model) {
   const auto [command, options] = addModel(model, "bones", "T1-T12, L1-L5, 24 ribs and two shoulder blades",
                                            body::BonesSettings{}.triangles, between(0, 2e7), makeBonesModel);
   addStature(*command, *options);
 }
 
-void addHand(CLI::App& model) {
+void addHand(Command& model) {
   const auto [command, options] = addModel(model, "hand", "An open hand with the index finger stretched out",
                                            body::HandSettings{}.triangles, between(200, 4e6), makeHandModel);
   takesOneOf(wordList<body::Side>(), command->add_option("--side", options->side, "Which hand")->capture_default_str());
@@ -331,8 +331,8 @@ void addHand(CLI::App& model) {
 
 }  // namespace
 
-void addModelCommand(CLI::App& body) {
-  CLI::App* model = body.add_subcommand("make", "Write a part of the built-in human to a mesh file (mm)");
+void addModelCommand(Command& body) {
+  Command* model = body.add_subcommand("make", "Write a part of the built-in human to a mesh file (mm)");
   model->require_subcommand(1);
   addTrunk(*model);
   addBack(*model);

@@ -205,8 +205,8 @@ void runRepair(const RepairArguments& arguments) {
 }
 
 /// Options that say something of a mesh.
-void refuseMeshOptions(const CLI::App& command) {
-  for (const CLI::Option* option : command.get_options()) {
+void refuseMeshOptions(const Command& command) {
+  for (const Option* option : command.get_options()) {
     const std::string name = option->get_name();
     if (option->count() == 0 || name == "mesh" || name == "--out" || name == "--json" || name == "--help") continue;
     throw Error(fmt::format("repair: {} is for meshes, this is a recording", name));
@@ -215,9 +215,9 @@ void refuseMeshOptions(const CLI::App& command) {
 
 }  // namespace
 
-void addRepairCommand(CLI::App& group) {
+void addRepairCommand(Command& group) {
   auto arguments = std::make_shared<RepairArguments>();
-  CLI::App& command =
+  Command& command =
       *group.add_subcommand("repair", "Make a mesh fit to be felt, or salvage a recording, and say what was done");
   addMeshArguments(command, arguments->mesh);
   namesFileToWrite(

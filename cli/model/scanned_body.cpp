@@ -74,10 +74,10 @@ ScannedBody readScan(const std::filesystem::path& file, mesh::LoadOptions option
 body::NamedPoint namedPointFrom(const std::string& option, const std::string& word) {
   const std::size_t equals = word.rfind('=');
   if (equals == std::string::npos || equals == 0) {
-    throw CLI::ValidationError(option, fmt::format("'{}' is not of the form NAME=X,Y,Z", oneLine(word)));
+    throw UsageError(option, fmt::format("'{}' is not of the form NAME=X,Y,Z", oneLine(word)));
   }
   const std::vector<double> place = numbersFrom(option, word.substr(equals + 1), {});
-  if (place.size() != 3) throw CLI::ValidationError(option, fmt::format("'{}' needs three numbers", oneLine(word)));
+  if (place.size() != 3) throw UsageError(option, fmt::format("'{}' needs three numbers", oneLine(word)));
   return {word.substr(0, equals), {place[0], place[1], place[2]}};
 }
 

@@ -23,7 +23,7 @@ struct ScannedBody {
 /// Error naming the file.
 ScannedBody readScan(const std::filesystem::path& file, mesh::LoadOptions options, const Progress& progress);
 
-/// "T6=12,-40,95" in the file's own unit. Throws CLI::ValidationError for `option`.
+/// "T6=12,-40,95" in the file's own unit. Throws UsageError for `option`.
 body::NamedPoint namedPointFrom(const std::string& option, const std::string& word);
 
 /// Rows name,x,y,z, in the file's own unit; a header is allowed. Throws Error naming file and line.

@@ -7,9 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
+#include "cli/kit/options.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
@@ -108,7 +108,7 @@ void runAnnotate(const AnnotateArguments& arguments) {
 
 }  // namespace
 
-void addAnnotateCommand(CLI::App& recording) {
+void addAnnotateCommand(Command& recording) {
   const auto [command, a] =
       addCommand(recording, "annotate",
                  "Write a recording with notes, tags, marks, pictures and sound notes of your own", runAnnotate);

@@ -126,7 +126,7 @@ void runBundle(const BundleArguments& arguments) {
 
 }  // namespace
 
-void addBundleCommand(CLI::App& recording) {
+void addBundleCommand(Command& recording) {
   const auto [command, a] = addCommand(
       recording, "bundle",
       "Write a recording with all files that its scene names, and without names of people or folders", runBundle);

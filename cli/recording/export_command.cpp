@@ -175,7 +175,7 @@ void runExport(const ExportArguments& arguments) {
 
 }  // namespace
 
-void addExportCommand(CLI::App& recording) {
+void addExportCommand(Command& recording) {
   const auto [command, a] =
       addCommand(recording, "export", "Write a recording as files that other programs read", runExport);
   command.add_option("RECORDING", a.file, "Recording file")->required();

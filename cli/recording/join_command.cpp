@@ -45,7 +45,7 @@ void runJoin(const JoinArguments& arguments) {
 
 }  // namespace
 
-void addJoinCommand(CLI::App& recording) {
+void addJoinCommand(Command& recording) {
   const auto [command, a] =
       addCommand(recording, "join", "Write recordings of the same fingers one after another", runJoin);
   command.add_option("RECORDING", a.files, "Recording files, in their order")->required()->expected(2, 1000);

@@ -59,7 +59,7 @@ void runRecordings(const RecordingsArguments& arguments) {
 
 }  // namespace
 
-void addRecordingsCommand(CLI::App& recording) {
+void addRecordingsCommand(Command& recording) {
   const auto [command, arguments] =
       addCommand(recording, "list", "List the recordings of a folder and what is in them", runRecordings);
   command.add_option("FOLDER", arguments.folder, "With all folders in it")->capture_default_str();

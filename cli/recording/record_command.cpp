@@ -182,10 +182,10 @@ void runRecord(const RecordArguments& arguments) {
 
 }  // namespace
 
-void addRecordCommand(CLI::App& recording) {
+void addRecordCommand(Command& recording) {
   const auto arguments = std::make_shared<RecordArguments>();
   RecordArguments& a = *arguments;
-  CLI::App& command =
+  Command& command =
       *recording.add_subcommand("new", "Palpate with devices in real time, without a window, and record until Ctrl+C");
   addInputOptions(command, a.input);
   addNumber(command, "--seconds", a.input.seconds, above(0.0, 864000.0, "s"),

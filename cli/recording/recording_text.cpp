@@ -65,7 +65,7 @@ Json limitsJson(trace::RecordingReader& reader) {
 
 }  // namespace
 
-void addTimeSpan(CLI::App& command, TimeSpan& span) {
+void addTimeSpan(Command& command, TimeSpan& span) {
   addNumber(command, "--from", span.from_s, between(0.0, 1e9, "s"), "Begin at this time");
   addNumber(command, "--to", span.to_s, between(0.0, 1e9, "s"), "End at this time (default: at the end)");
 }

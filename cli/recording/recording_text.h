@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "palpate/trace/recording_reader.h"
 
 namespace palpate::app {
@@ -16,7 +16,7 @@ struct TimeSpan {
   double from_s = 0.0;
   double to_s = std::numeric_limits<double>::infinity();
 };
-void addTimeSpan(CLI::App& command, TimeSpan& span);
+void addTimeSpan(Command& command, TimeSpan& span);
 /// Throws Error where it ends before it begins.
 trace::TickSpan ticksOf(const TimeSpan& span, double ticks_per_s);
 

@@ -68,7 +68,7 @@ void runTrim(const TrimArguments& arguments) {
 
 }  // namespace
 
-void addTrimCommand(CLI::App& recording) {
+void addTrimCommand(Command& recording) {
   const auto [command, a] = addCommand(recording, "trim", "Write a part of a recording as a recording", runTrim);
   command.add_option("RECORDING", a.file, "Recording file")->required();
   addTimeSpan(command, a.span);

@@ -248,7 +248,7 @@ std::string summaryOf(const RenderReport& result) {
 
 std::vector<BodyPlace> pointsFrom(const std::string& words) {
   const std::vector<double> numbers = numbersFrom(kPose, words, between(-kFarthestMm, kFarthestMm, "mm"));
-  if (numbers.size() % 3 != 0) throw CLI::ValidationError(kPose, "needs x,y,z, or several of them");
+  if (numbers.size() % 3 != 0) throw UsageError(kPose, "needs x,y,z, or several of them");
   std::vector<BodyPlace> places;
   for (std::size_t i = 0; i < numbers.size(); i += 3) {
     places.push_back({kPose, {}, Vec3(numbers[i], numbers[i + 1], numbers[i + 2])});
@@ -264,20 +264,20 @@ std::vector<BodyPlace> placesFrom(const std::string& words) {
   return places;
 }
 
-void addPoses(CLI::App& command, RenderOptions& options) {
+void addPoses(Command& command, RenderOptions& options) {
   const auto read = [&options](const std::vector<std::string>& words) {
     for (const std::string& pose : words) options.poses.push_back(placesFrom(pose));
   };
   command
-      .add_option_function<std::vector<std::string>>(kPose, read,
-                                                     "Tip of a finger x,y,z, mm, in place of the scene's fingers; more "
-                                                     "places in one list: it moves on from each to "
-                                                     "the next; once for each finger. Or places in words, with "
-                                                     "semicolons: \"T6; T6 right 30 mm\", 6 mm under the skin")
+      .add_option_function(kPose, read,
+                           "Tip of a finger x,y,z, mm, in place of the scene's fingers; more "
+                           "places in one list: it moves on from each to "
+                           "the next; once for each finger. Or places in words, with "
+                           "semicolons: \"T6; T6 right 30 mm\", 6 mm under the skin")
       ->type_name(std::string(kPlaceType) + "[,X,Y,Z]|PLACE");
 }
 
-void addMomentOptions(CLI::App& command, RenderOptions& options) {
+void addMomentOptions(Command& command, RenderOptions& options) {
   addNumber(command, "--at", options.at_s, between(0.0, kLongestRunS, "s"),
             "Moment of the scene's run (default, without --pose: the body at rest)");
   addPoses(command, options);
@@ -287,15 +287,15 @@ void addMomentOptions(CLI::App& command, RenderOptions& options) {
 
 /// Words of earlier versions are taken too, but not listed.
 template <class Value>
-CLI::Option* takesWord(CLI::Option* option) {
+Option* takesWord(Option* option) {
   const std::vector<std::string> names = wordList<Value>();
   const auto fault = [names](const std::string& wanted) {
     return valueNamed<Value>(wanted) ? std::string() : faultOfChoice(wanted, names);
   };
-  return option->check(CLI::Validator(fault, ""))->type_name(fmt::format("{}", fmt::join(names, "|")));
+  return option->check(fault)->type_name(fmt::format("{}", fmt::join(names, "|")));
 }
 
-void addCameraOptions(CLI::App& command, RenderOptions& options) {
+void addCameraOptions(Command& command, RenderOptions& options) {
   takesWord<scene::StandardView>(command.add_option("--view", options.side, "Side to look from"));
   addNumber(command, "--yaw-deg", options.yaw_deg, between(-180.0, 180.0),
             "Turned from that side; positive sees more of the right");
@@ -306,7 +306,7 @@ void addCameraOptions(CLI::App& command, RenderOptions& options) {
                "Place in the middle of the picture, mm, or in words: \"T6 right 30 mm\" (docs/reference/names.md)");
 }
 
-void addLookOptions(CLI::App& command, RenderOptions& options) {
+void addLookOptions(Command& command, RenderOptions& options) {
   command.add_option("--show", options.show,
                      "Names with commas: overlays (wireframe, triangles, leaves, planes, box, ellipses, rings, arrows, "
                      "contact, normals, section, names, pressure, lumps, cut, muscles) and colours (plain, strain, "
@@ -337,7 +337,7 @@ void addLookOptions(CLI::App& command, RenderOptions& options) {
   command.add_flag("--labels,!--no-labels", options.labels, "Legend, scale bar, directions and numbers (default)");
 }
 
-void addStereoOptions(CLI::App& command, RenderOptions& options) {
+void addStereoOptions(Command& command, RenderOptions& options) {
   takesWord<scene::StereoMode>(command.add_option("--stereo", options.stereo, "How two eyes share the picture"));
   addNumber(command, "--eye-distance-mm", options.eye_distance_mm, between(0.0, 200.0, "mm"),
             "Between the eyes; 0 is as good as mono");
@@ -349,22 +349,20 @@ void addStereoOptions(CLI::App& command, RenderOptions& options) {
             "Height of that screen");
 }
 
-void addSize(CLI::App& command, view::PictureSize& size) {
+void addSize(Command& command, view::PictureSize& size) {
   const auto read = [&size](const std::string& words) {
     const auto sides = split(words, 'x');
-    if (sides.size() != 2) throw CLI::ValidationError(kSize, "must be WIDTHxHEIGHT in pixels, e.g. 1280x720");
+    if (sides.size() != 2) throw UsageError(kSize, "must be WIDTHxHEIGHT in pixels, e.g. 1280x720");
     const Limits limits = between(1, kLargestSide, "pixels");
     size.width = static_cast<int>(countFrom(kSize, std::string(sides[0]), limits));
     size.height = static_cast<int>(countFrom(kSize, std::string(sides[1]), limits));
   };
-  command
-      .add_option_function<std::string>(kSize, read,
-                                        "Of the picture" + rangeWords(between(1, kLargestSide, "pixels each")))
+  command.add_option_function(kSize, read, "Of the picture" + rangeWords(between(1, kLargestSide, "pixels each")))
       ->type_name("WIDTHxHEIGHT")
       ->default_str(fmt::format("{}x{}", size.width, size.height));
 }
 
-void addOutputOptions(CLI::App& command, RenderOptions& options) {
+void addOutputOptions(Command& command, RenderOptions& options) {
   namesFileToWrite(
       command.add_option("-o,--out", options.output,
                          "PNG file; a sequence gets numbers before .png. With --frames also a film: .webm or .gif, or "
@@ -385,8 +383,8 @@ void drawAndTell(const RenderOptions& options, bool tells) {
   if (tells) fmt::print("{}", options.json ? jsonDump(jsonOf(result), 2) + "\n" : summaryOf(result));
 }
 
-void addRenderCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("render", "Draw pictures of a scene or of a recording without a window");
+void addRenderCommand(Command& app) {
+  Command* command = app.add_subcommand("render", "Draw pictures of a scene or of a recording without a window");
   command->group("Touch");
   const auto options = std::make_shared<RenderOptions>();
   addInputOptions(*command, options->scene);

@@ -128,12 +128,12 @@ void runReplay(const ReplayArguments& arguments) {
                      {"gaps", report.gaps}};
   printReadable(arguments.json ? jsonText(json) : textOf(arguments, report, times_real_time));
   if (!arguments.film.empty()) draw(arguments);
-  if (arguments.verify && !report.identical()) throw CLI::RuntimeError(1);
+  if (arguments.verify && !report.identical()) throw ExitWith(1);
 }
 
 }  // namespace
 
-void addReplayCommand(CLI::App& recording) {
+void addReplayCommand(Command& recording) {
   const auto [command, a] =
       addCommand(recording, "replay",
                  "Feel a recording again, through its own scene, and compare every bit with what was felt", runReplay);

@@ -305,8 +305,8 @@ void offerRunMode(OfferedMode mode) {
   if (std::ranges::find(offeredModes(), mode) == offeredModes().end()) offeredModes().push_back(mode);
 }
 
-void addRunCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("run", "Open a window and touch a body with the mouse");
+void addRunCommand(Command& app) {
+  Command* command = app.add_subcommand("run", "Open a window and touch a body with the mouse");
   command->group("Touch");
   const auto options = std::make_shared<RunOptions>();
   command->add_option("SCENE", options->scene, "Scene (TOML) or mesh file; without one: the built-in trunk");

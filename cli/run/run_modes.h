@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "view/viewer/modes/mode.h"
 
 namespace palpate::app {
@@ -12,7 +12,7 @@ namespace palpate::app {
 /// Makes a mode, once the command line has been read.
 using ModeMaker = std::function<std::unique_ptr<viewer::Mode>()>;
 /// Adds the mode's options to `palpate run`.
-using OfferedMode = ModeMaker (*)(CLI::App& command);
+using OfferedMode = ModeMaker (*)(Command& command);
 /// Before the commands are added (cli/kit/commands.h); the same mode once.
 void offerRunMode(OfferedMode mode);
 

@@ -10,13 +10,13 @@ namespace palpate::app {
 
 namespace {
 
-CLI::Option* addToken(CLI::App& command, const std::string& name, std::string& token, const std::string& help) {
-  return command.add_option(name, token, help)
-      ->type_name("TOKEN")
-      ->check(CLI::Validator([](const std::string& given) { return serving::faultOfToken(given); }, ""));
+Option* addToken(Command& command, const std::string& name, std::string& token, const std::string& help) {
+  return command.add_option(name, token, help)->type_name("TOKEN")->check([](const std::string& given) {
+    return serving::faultOfToken(given);
+  });
 }
 
-void addAccess(CLI::App& command, serving::ServeOptions& options) {
+void addAccess(Command& command, serving::ServeOptions& options) {
   command
       .add_option("--host", options.host,
                   "Address of this computer to listen at; another than loopback needs a token that you give")
@@ -30,12 +30,12 @@ void addAccess(CLI::App& command, serving::ServeOptions& options) {
   command.add_option("--token-file", options.token_file,
                      "Read the three tokens from this file of yours alone (mode 600), or write those that are made; "
                      "other users see the words of a command, not its files");
-  CLI::Option* certificate = command
-                                 .add_option("--tls-cert", options.tls_cert,
-                                             "Certificate (PEM, with those that it is signed by) for HTTPS; needs "
-                                             "--tls-key")
-                                 ->type_name("FILE");
-  CLI::Option* key =
+  Option* certificate = command
+                            .add_option("--tls-cert", options.tls_cert,
+                                        "Certificate (PEM, with those that it is signed by) for HTTPS; needs "
+                                        "--tls-key")
+                            ->type_name("FILE");
+  Option* key =
       command.add_option("--tls-key", options.tls_key, "Its key (PEM, not readable by others)")->type_name("FILE");
   certificate->needs(key);
   key->needs(certificate);
@@ -49,9 +49,9 @@ void addAccess(CLI::App& command, serving::ServeOptions& options) {
 
 }  // namespace
 
-void addServeFamily(CLI::App& app) {
+void addServeFamily(Command& app) {
   const auto options = std::make_shared<serving::ServeOptions>();
-  CLI::App& command = *app.add_subcommand(
+  Command& command = *app.add_subcommand(
       "serve", "Feel here, with devices, and show it in browsers: the skin is deformed there (docs/howto/serve.md)");
   options->input.needs_fingers = false;
   addInputOptions(command, options->input);

@@ -38,7 +38,7 @@ void runSimulate(const SimulateOptions& options) {
   fmt::print("{}", options.json ? json : summaryOf(result));
 }
 
-void addOutputOptions(CLI::App& command, SimulateOptions& options) {
+void addOutputOptions(Command& command, SimulateOptions& options) {
   command.add_option(
       "-o,--out", options.out,
       "Folder for forces.csv, forces.png, surfaces (PLY), pictures.png and report.json (default: results, or "
@@ -56,8 +56,8 @@ void addOutputOptions(CLI::App& command, SimulateOptions& options) {
 
 }  // namespace
 
-void addSimulateCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("simulate", "Palpate a body without a device and write what was felt");
+void addSimulateCommand(Command& app) {
+  Command* command = app.add_subcommand("simulate", "Palpate a body without a device and write what was felt");
   command->group("Touch");
   const auto options = std::make_shared<SimulateOptions>();
   const auto keys = std::make_shared<bool>(false);

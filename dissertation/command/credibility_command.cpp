@@ -54,7 +54,7 @@ void runCredibility(const CredibilityArguments& arguments) {
   if (!arguments.json) {
     for (const std::string& name : arguments.files) fmt::print("\n{}\n", name);
   }
-  if (!file.holds()) throw CLI::RuntimeError(kBarBroken);
+  if (!file.holds()) throw ExitWith(kBarBroken);
 }
 
 /// Before anything is computed.
@@ -64,10 +64,10 @@ std::string wrongEnding(const std::string& name) {
 
 }  // namespace
 
-void addCredibilityCommand(CLI::App& study) {
+void addCredibilityCommand(Command& study) {
   auto arguments = std::make_shared<CredibilityArguments>();
   CredibilityArguments& a = *arguments;
-  CLI::App& command = *study.add_subcommand(
+  Command& command = *study.add_subcommand(
       "credibility",
       "Why this release's figures may be trusted, in the shape of ASME V&V 40: verification, validation by data set, "
       "uncertainty, limits, all computed now (about a minute). Exit code 0 when every bar holds, 1 otherwise");
@@ -79,15 +79,15 @@ void addCredibilityCommand(CLI::App& study) {
   const std::vector<std::string> words(levels.begin(), levels.end());
   command.add_option("--influence", a.influence, "Influence of the model on the decision: low, medium, high")
       ->capture_default_str()
-      ->check(CLI::IsMember(words));
+      ->check(IsMember{words});
   command.add_option("--consequence", a.consequence, "Consequence of a wrong decision: low, medium, high")
       ->capture_default_str()
-      ->check(CLI::IsMember(words));
+      ->check(IsMember{words});
   command
       .add_option("--living", a.living,
                   "Also compare with presses on living limbs: their list or its folder "
                   "(docs/explanation/realism.md; half a minute more)")
-      ->check(CLI::ExistingPath);
+      ->check(ExistingPath{});
   addNumber(command, "--seed", a.seed, between(0, 1e15), "Other bodies in the hunt, other draws of the inputs");
   command.add_flag("--quick", a.quick, "Fewer ticks, stacks and draws: a look at the file, not for its numbers");
   command.add_flag("--json", a.json, "Print one JSON object");

@@ -72,7 +72,7 @@ void run(const study::Study& study, const StudyArguments& arguments) {
   if (!arguments.json && !arguments.folder.empty()) fmt::print("\n{}/{}.md\n", arguments.folder, page.name);
 }
 
-void addPage(CLI::App& parent, const study::Study& study) {
+void addPage(Command& parent, const study::Study& study) {
   const auto [command, arguments] =
       addCommand<StudyArguments>(parent, study.name, study.what, [study](const StudyArguments& a) { run(study, a); });
   namesFolderToWrite(
@@ -98,13 +98,13 @@ void addPage(CLI::App& parent, const study::Study& study) {
                     fmt::format("Only cases of this {} ({} unless --cases says otherwise): {}",
                                 study.name == "training" ? "simulated observer" : "family", study.family_cases,
                                 fmt::join(study.families, ", ")))
-        ->check(CLI::IsMember(study.families));
+        ->check(IsMember{study.families});
   }
 }
 
 }  // namespace
 
-void addStudyPages(CLI::App& parent) {
+void addStudyPages(Command& parent) {
   for (const study::Study& study : study::studies()) addPage(parent, study);
 }
 
@@ -144,7 +144,7 @@ void runAll(const AllArguments& arguments) {
 
 }  // namespace
 
-void addStudyAll(CLI::App& parent) {
+void addStudyAll(Command& parent) {
   const auto [command, arguments] = addCommand(
       parent, "all",
       "Every study, a page each, and one readable report.html with all figures; some minutes on two cores", runAll);
@@ -169,10 +169,10 @@ void runNumbers(const NumbersArguments& arguments) {
   const auto rows = study::studyNumbers();
   fmt::print("{}", arguments.json ? study::jsonOf(rows) : study::textOf(rows));
   if (!arguments.folder.empty()) study::writeNumbers(rows, arguments.folder);
-  if (!study::studyHolds(rows)) throw CLI::RuntimeError(kNotReproduced);
+  if (!study::studyHolds(rows)) throw ExitWith(kNotReproduced);
 }
 
-void addNumbers(CLI::App& study) {
+void addNumbers(Command& study) {
   const auto [command, arguments] = addCommand(
       study, "numbers",
       "Printed numbers of the dissertation beside ours, counted apart: from the engine, arithmetic of printed numbers, "
@@ -207,7 +207,7 @@ void runFigures(const FiguresArguments& arguments) {
   fmt::print("{} figures in {}\n", chosen.size(), arguments.folder);
 }
 
-void addFigures(CLI::App& study) {
+void addFigures(Command& study) {
   const auto [command, arguments] = addCommand(study, "figures",
                                                "Draw figures of the dissertation: PNG, SVG, the curves as CSV, and "
                                                "index.md with captions and what each is drawn "
@@ -236,7 +236,7 @@ void runErrata(const ErrataArguments& arguments) {
   if (!arguments.folder.empty()) study::writeErrata(effects, arguments.folder);
 }
 
-void addErrata(CLI::App& study) {
+void addErrata(Command& study) {
   const auto [command, arguments] = addCommand(study, "errata",
                                                "What each erratum of the dissertation changes on a scene: forces (N), "
                                                "proxies (mm), skin (mm), strain (%), against "
@@ -250,8 +250,8 @@ void addErrata(CLI::App& study) {
 
 }  // namespace
 
-void addStudyCommand(CLI::App& app) {
-  CLI::App& study = *app.add_subcommand("study", "The dissertation's numbers and figures, reproduced");
+void addStudyCommand(Command& app) {
+  Command& study = *app.add_subcommand("study", "The dissertation's numbers and figures, reproduced");
   study.require_subcommand(1);
   addNumbers(study);
   addFigures(study);
@@ -264,7 +264,7 @@ void addStudyCommand(CLI::App& app) {
   addHuntCommand(study);
 }
 
-void addStudyFamily(CLI::App& app) {
+void addStudyFamily(Command& app) {
   addStudyCommand(app);
   addTissueCommand(app);
   addLumpCommand(app);

@@ -37,11 +37,10 @@ struct BoxArgument {
 /// x,y,z or x,y,z,edge
 BoxArgument parseBox(const std::string& text) {
   const std::vector<double> numbers = numbersFrom(kBox, text, between(-kFarthestMm, kFarthestMm, "mm"));
-  if (numbers.size() != 3 && numbers.size() != 4)
-    throw CLI::ValidationError(kBox, "expected x,y,z or x,y,z,edge in mm");
+  if (numbers.size() != 3 && numbers.size() != 4) throw UsageError(kBox, "expected x,y,z or x,y,z,edge in mm");
   BoxArgument box{{numbers[0], numbers[1], numbers[2]}, {}};
   if (numbers.size() == 4) box.edge_mm = numbers[3];
-  if (box.edge_mm && !(*box.edge_mm > 0.0)) throw CLI::ValidationError(kBox, "the edge must be larger than 0 mm");
+  if (box.edge_mm && !(*box.edge_mm > 0.0)) throw UsageError(kBox, "the edge must be larger than 0 mm");
   return box;
 }
 
@@ -167,10 +166,10 @@ void runPartition(const PartitionArguments& arguments) {
   fmt::print("{}", arguments.json ? jsonDump(jsonOf(report), 2) + "\n" : textOf(report));
 }
 
-void addBoxOptions(CLI::App& command, PartitionArguments& arguments) {
+void addBoxOptions(Command& command, PartitionArguments& arguments) {
   const auto read = [&arguments](const std::string& text) { arguments.box = parseBox(text); };
   command
-      .add_option_function<std::string>(
+      .add_option_function(
           kBox, read, "Haptic detecting box to ask for: centre and edge in mm; without an edge a quarter of the model")
       ->type_name("X,Y,Z[,EDGE]");
   addChoice<HdbSize>(command, "--box-size", arguments.box_size,
@@ -183,7 +182,7 @@ void addBoxOptions(CLI::App& command, PartitionArguments& arguments) {
 
 }  // namespace
 
-void addPartitionCommand(CLI::App& study) {
+void addPartitionCommand(Command& study) {
   const auto [command, arguments] = addCommand(
       study, "partition", "Divide a mesh by a BSP tree or an octree and ask for the triangles in a box", runPartition);
   addMeshArguments(command, arguments.mesh);

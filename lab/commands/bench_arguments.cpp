@@ -90,7 +90,7 @@ WrittenMesh::WrittenMesh(const std::string& file_or_name) : file_(file_or_name) 
   throw Error(file_or_name + ": could not be made and written to a temporary file");
 }
 
-void addPartitionSettings(CLI::App& command, hdb::BuildSettings& settings) {
+void addPartitionSettings(Command& command, hdb::BuildSettings& settings) {
   addChoice(command, "--tree", settings.tree, "Halves by x, y, z in turn, or eighths");
   addChoice(command, "--assign", settings.assignment,
             "A triangle that a plane crosses is cut (A), kept on both sides (B) or goes to the side with two of its "

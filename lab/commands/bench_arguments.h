@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "palpate/base/private_folder.h"
 #include "palpate/base/progress.h"
 #include "palpate/device/trajectory.h"
@@ -50,6 +50,6 @@ device::Trajectory trajectoryFrom(const std::string& name);
 // The options that choose among the kinds of partition.
 
 /// Adds --tree, --assign, --threshold and --leaf-rule. `settings` must outlive the command.
-void addPartitionSettings(CLI::App& command, hdb::BuildSettings& settings);
+void addPartitionSettings(Command& command, hdb::BuildSettings& settings);
 
 }  // namespace palpate::app

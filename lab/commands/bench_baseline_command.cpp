@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "cli/kit/cli11.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "lab/commands/bench_report.h"
 #include "lab/counters/machine.h"
@@ -152,20 +152,20 @@ void compareWith(const BaselineArguments& arguments) {
   json["baseline"] = before.file;
   printReport(json, textOf(all, arguments.tolerance), arguments.json);
   if (std::any_of(all.begin(), all.end(), [](const bench::Comparison& c) { return c.slower; })) {
-    throw CLI::RuntimeError(kSlower);
+    throw ExitWith(kSlower);
   }
 }
 
-void run(const CLI::App& bench, const BaselineArguments& arguments) {
+void run(const Command& bench, const BaselineArguments& arguments) {
   if (!bench.get_subcommands().empty()) return;
   if (!arguments.write.empty()) writeBaseline(arguments.write, measure(arguments.triangles, arguments.seconds));
   if (!arguments.baselines.empty()) compareWith(arguments);
-  if (arguments.baselines.empty() && arguments.write.empty()) throw CLI::RequiredError::Subcommand(1);
+  if (arguments.baselines.empty() && arguments.write.empty()) throw UsageError("A subcommand is required", true);
 }
 
 }  // namespace
 
-void addBenchBaseline(CLI::App& bench) {
+void addBenchBaseline(Command& bench) {
   auto arguments = std::make_shared<BaselineArguments>();
   const auto option = [&](const char* name, auto& value, const char* help) {
     return bench.add_option(name, value, help)->group("Regression guard (without a subcommand)");

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/simulate_options.h"
 #include "lab/commands/bench_report.h"
@@ -84,9 +84,9 @@ void runBatchBench(const BatchArguments& arguments) {
 
 }  // namespace
 
-void addBenchBatchCommand(CLI::App& parent) {
+void addBenchBatchCommand(Command& parent) {
   auto arguments = std::make_shared<BatchArguments>();
-  CLI::App& command =
+  Command& command =
       *parent.add_subcommand("batch", "Step many fingers on several threads, each along the path of the scene's first");
   addInputOptions(command, arguments->input);
   addSetting(command, "--fingers", arguments->batch.fingers, between(1.0, 1e5), "How many fingers");

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
+#include "cli/kit/options.h"
 #include "cli/kit/output_place.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
@@ -27,12 +27,12 @@ void writeWorkload(const std::string& name, const std::string& file) {
   }
 }
 
-void addWorkloadCommand(CLI::App& parent) {
+void addWorkloadCommand(Command& parent) {
   struct Arguments {
     std::string name, file;
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App& command = *parent.add_subcommand("workload", "Write a benchmark mesh (.stl, .obj, .ply) or path (.csv)");
+  Command& command = *parent.add_subcommand("workload", "Write a benchmark mesh (.stl, .obj, .ply) or path (.csv)");
   command.add_option("name", arguments->name, "Name, as `palpate study bench list` prints it")->required();
   namesFileToWrite(command.add_option("-o,--out", arguments->file, "File to write"))->required();
   command.callback([arguments] { writeWorkload(arguments->name, arguments->file); });
@@ -49,8 +49,8 @@ void printNames() {
 
 }  // namespace
 
-void addBenchCommand(CLI::App& study) {
-  CLI::App& bench = *study.add_subcommand(
+void addBenchCommand(Command& study) {
+  Command& bench = *study.add_subcommand(
       "bench",
       "Measure the finger, batches, lumps, deformation, edits, partitions, loading, servo loop, recordings, pictures");
   bench.require_subcommand(0, 1);  // none: the regression guard

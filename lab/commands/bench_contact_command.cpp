@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
 #include "lab/commands/peers_report.h"
@@ -154,7 +154,7 @@ void runContact(const BenchContactArguments& arguments) {
                                          arguments.window, arguments.rounds));
 }
 
-void addFingerOptions(CLI::App& command, BenchContactArguments& arguments) {
+void addFingerOptions(Command& command, BenchContactArguments& arguments) {
   const auto number = [&](const char* name, double& value, const char* help, double low) {
     addSetting(command, name, value, between(low, 1e9), help);
   };
@@ -172,7 +172,7 @@ void addFingerOptions(CLI::App& command, BenchContactArguments& arguments) {
   command.add_flag("--force-shading", arguments.finger.force_shading, "Smooth the force across triangles");
 }
 
-void addHdbOptions(CLI::App& command, BenchContactArguments& arguments) {
+void addHdbOptions(Command& command, BenchContactArguments& arguments) {
   bench::HdbRunSettings& settings = arguments.hdb;
   addChoice<bool>(
       command, "--source", arguments.by_hdb, {{"surface", false}, {"hdb", true}},
@@ -188,7 +188,7 @@ void addHdbOptions(CLI::App& command, BenchContactArguments& arguments) {
 
 }  // namespace
 
-void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers, std::vector<bench::ToolPeer> tool_peers) {
+void addBenchContactCommand(Command& parent, std::vector<bench::Peer> peers, std::vector<bench::ToolPeer> tool_peers) {
   const auto [command, arguments] =
       addCommand(parent, "contact", "Run one finger along a trajectory and report what it felt", runContact);
   arguments.peers.peers = std::move(peers);
@@ -204,7 +204,7 @@ void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers, st
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
-void addBenchContactCommand(CLI::App& parent) {
+void addBenchContactCommand(Command& parent) {
   addBenchContactCommand(parent, bench::peersWithoutLibraries(), bench::toolPeersWithoutLibraries());
 }
 

@@ -57,7 +57,7 @@ std::string textOf(const bench::DeformFigures& f, const bench::DeformRun& run, b
   return text + fmt::format("heap allocations      {}\n", countText(f.allocations));
 }
 
-void addNumbers(CLI::App& command, bench::DeformRun& run) {
+void addNumbers(Command& command, bench::DeformRun& run) {
   const auto number = [&](const char* name, double& value, const char* help, double low, double high) {
     addSetting(command, name, value, between(low, high), help);
   };
@@ -72,7 +72,7 @@ void addNumbers(CLI::App& command, bench::DeformRun& run) {
 
 }  // namespace
 
-void addBenchDeformCommand(CLI::App& parent) {
+void addBenchDeformCommand(Command& parent) {
   struct Arguments {
     bench::DeformRun run;
     std::string mesh;
@@ -82,7 +82,7 @@ void addBenchDeformCommand(CLI::App& parent) {
   };
   auto arguments = std::make_shared<Arguments>();
   bench::DeformRun& run = arguments->run;
-  CLI::App& command = *parent.add_subcommand("deform", "Time the deformation of the benchmark's back under fingers");
+  Command& command = *parent.add_subcommand("deform", "Time the deformation of the benchmark's back under fingers");
   addNumbers(command, run);
   command.add_option("--mesh", arguments->mesh, std::string("In place of the back: ") + kMeshNamesHelp)
       ->excludes("--triangles");

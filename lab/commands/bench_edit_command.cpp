@@ -13,9 +13,9 @@
 #include <thread>
 #include <vector>
 
-#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
@@ -197,7 +197,7 @@ void runEditBench(const EditArguments& arguments) {
 
 }  // namespace
 
-void addBenchEditCommand(CLI::App& parent) {
+void addBenchEditCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "edit", "Change a dysfunction under a pressing finger: how soon it is felt", runEditBench);
   command.add_option("FILE", arguments.mesh, kMeshNamesHelp)->capture_default_str();

@@ -225,7 +225,7 @@ std::string textOf(const FrameFigures& f) {
 
 }  // namespace
 
-void addBenchFrameCommand(CLI::App& parent) {
+void addBenchFrameCommand(Command& parent) {
   struct Arguments {
     FrameRun run;
     std::string stereo{wordFor(view::StereoMode::mono)};
@@ -235,8 +235,7 @@ void addBenchFrameCommand(CLI::App& parent) {
   };
   auto arguments = std::make_shared<Arguments>();
   FrameRun& run = arguments->run;
-  CLI::App& command =
-      *parent.add_subcommand("frame", "Time pictures without a window: deformation, upload and drawing");
+  Command& command = *parent.add_subcommand("frame", "Time pictures without a window: deformation, upload and drawing");
   addSetting(command, "--triangles", run.triangles, between(1000, 4e6),
              "Triangles of the skin; 18,296 of bones come on top");
   command.add_flag("--trunk", run.trunk, "On the closed trunk (an even number of triangles) instead of the torso");

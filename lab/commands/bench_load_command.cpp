@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
@@ -279,7 +279,7 @@ void runLoadBench(const LoadArguments& arguments) {
 
 }  // namespace
 
-void addBenchLoadCommand(CLI::App& parent) {
+void addBenchLoadCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "load", "Time everything from a mesh file to the first force felt", runLoadBench);
   command.add_option("FILE", arguments.file, kMeshNamesHelp)->required();

@@ -4,9 +4,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "lab/commands/bench_report.h"
 #include "lab/runs/lump_costs.h"
@@ -58,7 +58,7 @@ void runLumpBench(const BenchLumpArguments& arguments) {
 
 }  // namespace
 
-void addBenchLumpCommand(CLI::App& parent) {
+void addBenchLumpCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "lump", "Time lumps under a finger and the pressure on its pad", runLumpBench);
   addSetting(command, "--seconds", arguments.seconds, between(0.01, 600.0, "s"), "How long to measure");

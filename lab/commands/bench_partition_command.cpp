@@ -96,7 +96,7 @@ void runPartitionBench(const BenchPartitionArguments& arguments) {
 
 }  // namespace
 
-void addBenchPartitionCommand(CLI::App& parent, std::vector<bench::Peer> peers) {
+void addBenchPartitionCommand(Command& parent, std::vector<bench::Peer> peers) {
   const auto [command, arguments] =
       addCommand(parent, "partition", "Time the haptic detecting box of a finger that slides", runPartitionBench);
   arguments.peers.peers = std::move(peers);
@@ -111,6 +111,6 @@ void addBenchPartitionCommand(CLI::App& parent, std::vector<bench::Peer> peers) 
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
-void addBenchPartitionCommand(CLI::App& parent) { addBenchPartitionCommand(parent, bench::peersWithoutLibraries()); }
+void addBenchPartitionCommand(Command& parent) { addBenchPartitionCommand(parent, bench::peersWithoutLibraries()); }
 
 }  // namespace palpate::app

@@ -6,8 +6,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/kit/cli11.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/simulate_options.h"
 #include "lab/commands/bench_report.h"
@@ -91,9 +91,9 @@ void runRecordingBench(const RecordingArguments& arguments) {
 
 }  // namespace
 
-void addBenchRecordingCommand(CLI::App& parent) {
+void addBenchRecordingCommand(Command& parent) {
   const auto arguments = std::make_shared<RecordingArguments>();
-  CLI::App& command =
+  Command& command =
       *parent.add_subcommand("recording", "Record, replay and search recordings: cost a tick, bytes, speed");
   addInputOptions(command, arguments->input);
   addSetting(command, "--seconds", arguments->run.seconds, between(1.0, 36000.0, "s"), "How much to record and replay");

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "lab/counters/statistics.h"
 #include "lab/runs/contact_run.h"
 
@@ -31,6 +31,6 @@ void printReport(nlohmann::ordered_json json, const std::string& text, bool as_j
 // guard.
 
 // `bench` is the bench command.
-void addBenchBaseline(CLI::App& bench);  ///< no subcommand: `palpate study bench --baseline FILE`
+void addBenchBaseline(Command& bench);  ///< no subcommand: `palpate study bench --baseline FILE`
 
 }  // namespace palpate::app

@@ -5,9 +5,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/kit/cli11.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/simulate_options.h"
 #include "cli/simulate/realtime_run.h"
@@ -107,10 +107,10 @@ void runServoBench(const ServoArguments& arguments) {
 
 }  // namespace
 
-void addBenchServoCommand(CLI::App& parent) {
+void addBenchServoCommand(Command& parent) {
   auto arguments = std::make_shared<ServoArguments>();
   arguments->input.seconds = 20.0;
-  CLI::App& command = *parent.add_subcommand("servo", "Run the servo loop in real time: lateness and compute time");
+  Command& command = *parent.add_subcommand("servo", "Run the servo loop in real time: lateness and compute time");
   addInputOptions(command, arguments->input);
   addSetting(command, "--seconds", arguments->input.seconds, between(0.01, 3600.0, "s"),
              "How long to measure; paths repeat");

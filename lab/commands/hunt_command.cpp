@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "lab/commands/bench_arguments.h"
@@ -75,7 +75,7 @@ lab::NamedBody outsideBody(const std::string& name, const HuntArguments& argumen
   return body;
 }
 
-void addBodyOptions(CLI::App& command, HuntArguments& a) {
+void addBodyOptions(Command& command, HuntArguments& a) {
   command.add_option(
       "--mesh", a.meshes,
       "Body from outside, repeatable; alone, or with --generated beside the others. " + std::string(kMeshNamesHelp));
@@ -93,8 +93,8 @@ void addBodyOptions(CLI::App& command, HuntArguments& a) {
 }
 
 /// `arguments` must outlive the command.
-void addHuntOptions(CLI::App& command, HuntArguments& a) {
-  CLI::Option* ticks = addSetting(command, "--ticks", a.ticks, between(1, 1e12), "Ticks (of 1 ms) to hunt for");
+void addHuntOptions(Command& command, HuntArguments& a) {
+  Option* ticks = addSetting(command, "--ticks", a.ticks, between(1, 1e12), "Ticks (of 1 ms) to hunt for");
   addNumber(command, "--seconds", a.seconds, between(1e-3, 1e7, "s"),
             "Hunt for so long, by the clock, instead of --ticks")
       ->excludes(ticks);
@@ -288,7 +288,7 @@ std::vector<std::string> writeCases(const lab::HuntPlan& plan, const lab::HuntRe
 }
 
 /// The answer of a hunt that found something: the command ran and says "no".
-[[noreturn]] void endWithFindings() { throw CLI::RuntimeError(1); }
+[[noreturn]] void endWithFindings() { throw ExitWith(1); }
 
 void runReplay(const HuntArguments& arguments) {
   bool found = false;
@@ -316,7 +316,7 @@ void runHunt(const HuntArguments& arguments) {
 
 }  // namespace
 
-void addHuntCommand(CLI::App& study) {
+void addHuntCommand(Command& study) {
   const auto [command, arguments] = addCommand<HuntArguments>(
       study, "hunt",
       "Look for faults of the finger on random bodies and paths (exit code 0: none, 1: some, 2: wrong usage)",

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/kit/cli11.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "lab/loops/lump_loops.h"
 #include "palpate/base/json_text.h"
@@ -116,12 +116,12 @@ void runLumpLoops(LumpLoopsArguments arguments) {
                         lab::measureStiffestLump(arguments.stiffest, progress.callback())};
   progress.clear();
   fmt::print("{}", arguments.json ? jsonDump(loopsJson(loops, arguments.seed), 2) + "\n" : loopsText(loops));
-  if (!holds(loops)) throw CLI::RuntimeError(1);
+  if (!holds(loops)) throw ExitWith(1);
 }
 
 }  // namespace
 
-void addLumpLoopsCommand(CLI::App& lump) {
+void addLumpLoopsCommand(Command& lump) {
   const auto [command, a] = addCommand<LumpLoopsArguments>(
       lump, "loops", "Check that lumps give no energy away on random paths (exit code 0: they do not, 1: they do)",
       runLumpLoops);

@@ -45,7 +45,7 @@ bool lacksPeersProgram(const PeerFigures& figures) {
 
 }  // namespace
 
-void addPeersOption(CLI::App& command, PeersOption& option) {
+void addPeersOption(Command& command, PeersOption& option) {
   command.add_flag(
       "--peers", option.wanted,
       "Put the same queries to Embree, CGAL, FCL and the literal dissertation, those of a tool to Bullet and FCL, in "

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "lab/peers/judge.h"
 #include "lab/peers/peer.h"
 
@@ -26,15 +26,15 @@ struct PeersOption {
 };
 
 /// Adds --peers and --peer-seconds. `option` must outlive the command.
-void addPeersOption(CLI::App& command, PeersOption& option);
+void addPeersOption(Command& command, PeersOption& option);
 
 /// In `palpate`: runs palpate_peers in place of this program, with the same arguments, and does not return if there is
 /// one. In palpate_peers: nothing.
 void handOverToPeersProgram(const PeersOption& option);
 
 /// The benchmark commands with the peers that a program has; those of commands.h have none of the libraries.
-void addBenchContactCommand(CLI::App& parent, std::vector<bench::Peer> peers, std::vector<bench::ToolPeer> tool_peers);
-void addBenchPartitionCommand(CLI::App& parent, std::vector<bench::Peer> peers);
+void addBenchContactCommand(Command& parent, std::vector<bench::Peer> peers, std::vector<bench::ToolPeer> tool_peers);
+void addBenchPartitionCommand(Command& parent, std::vector<bench::Peer> peers);
 
 /// What a benchmark asks of its peers: the names of its own keys.
 enum class PeerTask { contact, boxes, tool };

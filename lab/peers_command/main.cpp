@@ -6,11 +6,12 @@
 #include "palpate/base/system/process.h"
 
 int main(int argc, char** argv) {
-  CLI::App app{"Palpate's benchmarks beside other libraries.", "palpate_peers"};
+  palpate::app::Command app{"Palpate's benchmarks beside other libraries.", "palpate_peers"};
   app.require_subcommand(1);
-  CLI::App& study = *app.add_subcommand("study", "As `palpate study`");
+  palpate::app::Command& study = *app.add_subcommand("study", "As `palpate study`");
   study.require_subcommand(1);
-  CLI::App& bench = *study.add_subcommand("bench", "Measure the finger and the partitions, and their peers");
+  palpate::app::Command& bench =
+      *study.add_subcommand("bench", "Measure the finger and the partitions, and their peers");
   bench.require_subcommand(1);
   palpate::app::addBenchContactCommand(bench, palpate::bench::linkedPeers(), palpate::bench::linkedToolPeers());
   palpate::app::addBenchPartitionCommand(bench, palpate::bench::linkedPeers());

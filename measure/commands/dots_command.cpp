@@ -145,8 +145,7 @@ std::optional<Vec2> placeFrom(const std::string& text) {
   const bool two_numbers = std::count(text.begin(), text.end(), ',') == 1 && text.find(' ') == std::string::npos;
   if (two_numbers || meansNumbers(text)) {
     const auto numbers = numbersFrom("--at", text, between(-kFarthestMm, kFarthestMm, "mm"));
-    if (numbers.size() < 2 || numbers.size() > 3)
-      throw CLI::ValidationError("--at", "takes X,Y or a place such as 'T6'");
+    if (numbers.size() < 2 || numbers.size() > 3) throw UsageError("--at", "takes X,Y or a place such as 'T6'");
     return Vec2(numbers[0], numbers[1]);
   }
   const BodyPlace place = bodyPlaceFrom("--at", text);
@@ -157,14 +156,14 @@ std::optional<Vec2> placeFrom(const std::string& text) {
 
 void check(const DotsArguments& arguments) {
   if (const std::string fault = measure::faultOfKeyName(arguments.name); !fault.empty()) {
-    throw CLI::ValidationError("--name", fault);
+    throw UsageError("--name", fault);
   }
   if (isTable(arguments)) {
-    if (!arguments.again.empty()) throw CLI::ValidationError("--null", "needs photographs, not a table of dots");
+    if (!arguments.again.empty()) throw UsageError("--null", "needs photographs, not a table of dots");
     return;
   }
   if (arguments.input.size() == 2) return;
-  throw CLI::ValidationError("measure dots", "takes two photographs, before and after, or one table of dots (.csv)");
+  throw UsageError("measure dots", "takes two photographs, before and after, or one table of dots (.csv)");
 }
 
 measure::MeasureSettings settingsOf(const DotsArguments& arguments) {
@@ -249,10 +248,10 @@ void run(const DotsArguments& arguments) {
     fmt::print("{}", reportText(measuring.result, measuring.pair));
     if (!written.empty()) fmt::print("  -> {}\n", fmt::join(written, ", "));
   }
-  if (!measuring.result.accepted()) throw CLI::RuntimeError(1);
+  if (!measuring.result.accepted()) throw ExitWith(1);
 }
 
-void addMeasureOptions(CLI::App& command, DotsArguments& a) {
+void addMeasureOptions(Command& command, DotsArguments& a) {
   addSetting(command, "--spacing-mm", a.settings.spacing_mm, between(5.0, 100.0, "mm"),
              "Of the stencil: from dot to dot; nothing in the pictures says it");
   command.add_option("--null", a.again, "A second picture before the press: how far the body moves by itself");
@@ -272,7 +271,7 @@ void addMeasureOptions(CLI::App& command, DotsArguments& a) {
   command.add_flag("--partial", a.settings.partial, "Accept an ellipse that leaves the dots, with its uncertainty");
 }
 
-void addOutputOptions(CLI::App& command, DotsArguments& a) {
+void addOutputOptions(Command& command, DotsArguments& a) {
   command.add_option("--name", a.name, "Of the key point; no person's name")->capture_default_str();
   command.add_option("--at", a.at,
                      "Where the contact lies on the body: X,Y in mm (seen along z), or a place such as 'T6'");
@@ -287,7 +286,7 @@ void addOutputOptions(CLI::App& command, DotsArguments& a) {
 
 }  // namespace
 
-void addMeasureDotsCommand(CLI::App& parent) {
+void addMeasureDotsCommand(Command& parent) {
   const auto [command, arguments] = addCommand(
       parent, "dots",
       "The key ellipse of one press, from photographs of dots before and after; 1: refused, with the reason", run);

@@ -254,7 +254,7 @@ std::string faultOfDrag(const std::string& words) {
 
 }  // namespace
 
-void addMeasureAverageCommand(CLI::App& parent) {
+void addMeasureAverageCommand(Command& parent) {
   const auto [command, a] =
       addCommand(parent, "average", "Average presses over drags and people into key points", runMeasureAverage);
   command.add_option("rows", a.files, "Tables of presses (docs/howto/measure-a-person.md); several: one a person")
@@ -265,7 +265,7 @@ void addMeasureAverageCommand(CLI::App& parent) {
   addChoice(command, "--by", a.by_drag, Choices<bool>{{"point", false}, {"point,drag", true}},
             "A row of the table for each point, or for each way of pulling there");
   command.add_option("--drag", a.drag, "Only presses pulled this way: up, down, left, right, or degrees from +x")
-      ->check(CLI::Validator(faultOfDrag, ""))
+      ->check(faultOfDrag)
       ->type_name("up|down|left|right|DEG");
   command.add_option("--mirror", a.mirrors, "Points on the other side that nobody measured: P4:P6,P5:P7")
       ->delimiter(',')

@@ -12,7 +12,7 @@ namespace palpate::app {
 
 namespace {
 
-ModeMaker addMeasuringMode(CLI::App& command) {
+ModeMaker addMeasuringMode(Command& command) {
   const auto photographs = std::make_shared<std::vector<std::string>>();
   command
       .add_option("--measure", *photographs,
@@ -31,8 +31,8 @@ ModeMaker addMeasuringMode(CLI::App& command) {
 
 }  // namespace
 
-void addMeasureCommand(CLI::App& app) {
-  CLI::App& measure = *app.add_subcommand("measure", "Key ellipses of a person from photographs of dots on the skin");
+void addMeasureCommand(Command& app) {
+  Command& measure = *app.add_subcommand("measure", "Key ellipses of a person from photographs of dots on the skin");
   measure.require_subcommand(1);
   addMeasureDotsCommand(measure);
   addMeasureStiffnessCommand(measure);
@@ -42,7 +42,7 @@ void addMeasureCommand(CLI::App& app) {
   addMeasureSynthesizeCommand(measure);
 }
 
-void addMeasureFamily(CLI::App& app) {
+void addMeasureFamily(Command& app) {
   offerRunMode(addMeasuringMode);
   addRunCommand(app);
   addMeasureCommand(app);

@@ -85,7 +85,7 @@ std::vector<measure::ProtocolPoint> pointsOf(const std::vector<std::string>& wor
   for (const std::string& word : words) {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos) {
-      throw CLI::ValidationError("--points", "'" + oneLine(word) + "' is not NAME=PLACE, such as P1=T5");
+      throw UsageError("--points", "'" + oneLine(word) + "' is not NAME=PLACE, such as P1=T5");
     }
     const std::string place = word.substr(equals + 1);
     points.push_back({word.substr(0, equals), place, placeOfPoint(place, world)});
@@ -95,14 +95,14 @@ std::vector<measure::ProtocolPoint> pointsOf(const std::vector<std::string>& wor
 
 void runInit(const MeasureSessionArguments& arguments) {
   if (const std::string fault = measure::faultOfPerson(arguments.person); !fault.empty()) {
-    throw CLI::ValidationError("--person", fault);
+    throw UsageError("--person", fault);
   }
   Protocol protocol = arguments.protocol;
   protocol.person = arguments.person;
   protocol.points = pointsOf(arguments.points);
   for (const std::string& word : arguments.drags) {
     const auto degrees = measure::dragNamed(word);
-    if (!degrees) throw CLI::ValidationError("--drags", "'" + oneLine(word) + "' is none of up, down, left, right");
+    if (!degrees) throw UsageError("--drags", "'" + oneLine(word) + "' is none of up, down, left, right");
     protocol.drags.push_back({word, *degrees});
   }
   const FinishesInOrder in_order;
@@ -239,12 +239,12 @@ void runWalk(const MeasureSessionArguments& arguments) {
   } else {
     fmt::print("{}{}", walkText(walk), result ? resultText(*result) : std::string());
   }
-  if (!walk.complete()) throw CLI::RuntimeError(1);
+  if (!walk.complete()) throw ExitWith(1);
 }
 
-void addInitOptions(CLI::App& command, MeasureSessionArguments& a) {
-  CLI::Option* init = command.add_flag("--init", a.init, "Begin: protocol.toml, stencil and checklist of a new folder");
-  const auto of_init = [&](CLI::Option* option) { option->needs(init); };
+void addInitOptions(Command& command, MeasureSessionArguments& a) {
+  Option* init = command.add_flag("--init", a.init, "Begin: protocol.toml, stencil and checklist of a new folder");
+  const auto of_init = [&](Option* option) { option->needs(init); };
   of_init(command.add_option("--person", a.person, "A code with a digit, such as P07; never a name"));
   of_init(command
               .add_option("--points", a.points,
@@ -263,7 +263,7 @@ void addInitOptions(CLI::App& command, MeasureSessionArguments& a) {
 
 }  // namespace
 
-void addMeasureSessionCommand(CLI::App& parent) {
+void addMeasureSessionCommand(Command& parent) {
   const auto [command, a] = addCommand<MeasureSessionArguments>(
       parent, "session", "Walk a person's folder: measure what is new, and at the end write their map and scene",
       [](const MeasureSessionArguments& given) { given.init ? runInit(given) : runWalk(given); });

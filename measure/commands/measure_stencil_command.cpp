@@ -35,7 +35,7 @@ void runMeasureStencil(const MeasureStencilArguments& arguments) {
 
 }  // namespace
 
-void addMeasureStencilCommand(CLI::App& parent) {
+void addMeasureStencilCommand(Command& parent) {
   using measure::StencilPage;
   const auto [command, arguments] =
       addCommand(parent, "stencil", "Draw the sheet to punch for the dots, at true size", runMeasureStencil);

@@ -192,13 +192,13 @@ void runMeasureStiffness(const MeasureStiffnessArguments& arguments) {
     for (const std::string& file : written) fmt::print("-> {}\n", file);
   }
   for (const PlaceStiffness& place : fits.places) {
-    if (place.refused()) throw CLI::RuntimeError(1);
+    if (place.refused()) throw ExitWith(1);
   }
 }
 
 }  // namespace
 
-void addMeasureStiffnessCommand(CLI::App& parent) {
+void addMeasureStiffnessCommand(Command& parent) {
   const auto [command, a] =
       addCommand(parent, "stiffness", "Find how stiff places are from force by depth", runMeasureStiffness);
   command.add_option("forces", a.file, "Table place,x_mm,y_mm,depth_mm,force_n and, wanted or not, subject, press")

@@ -95,7 +95,7 @@ void changeMarks(const SynthesizeArguments& arguments, measure::DotMarks& marks)
 }
 
 SyntheticCase wanted(const SynthesizeArguments& arguments) {
-  if (arguments.contact_mm.size() == 1) throw CLI::ValidationError("--contact-mm", "takes two numbers, x,y");
+  if (arguments.contact_mm.size() == 1) throw UsageError("--contact-mm", "takes two numbers, x,y");
   SyntheticCase made =
       measure::drawCase(static_cast<std::uint64_t>(arguments.seed),
                         {.megapixels = arguments.megapixels, .family = arguments.tail, .drift_mm = arguments.drift_mm});
@@ -137,14 +137,14 @@ void runSynthesize(const SynthesizeArguments& arguments) {
   tell(arguments, files, made);
 }
 
-void addPressOptions(CLI::App& command, SynthesizeArguments& arguments) {
+void addPressOptions(Command& command, SynthesizeArguments& arguments) {
   const auto choose = [&arguments](const std::string& word) {
     for (const auto& [name, family] : tails()) {
       if (name == word) arguments.tail = family;
     }
   };
   takesOneOf(namesOf(tails()),
-             command.add_option_function<std::string>(
+             command.add_option_function(
                  "--tail", choose,
                  "How the motion falls off: the half Gaussian, a long tail, an elastic half space, or one that ends"));
   addNumber(command, "--half-major-mm", arguments.half_major_mm, between(20.0, 300.0, "mm"),
@@ -166,7 +166,7 @@ void addPressOptions(CLI::App& command, SynthesizeArguments& arguments) {
       ->allow_extra_args(false);
 }
 
-void addPictureOptions(CLI::App& command, SynthesizeArguments& arguments) {
+void addPictureOptions(Command& command, SynthesizeArguments& arguments) {
   addSetting(command, "--drift-mm", arguments.drift_mm, between(0.0, 20.0, "mm"),
              "How far the body moves between the pictures, sd: 0.3 with the breath held, 1.5 breathing");
   addNumber(command, "--tilt-deg", arguments.tilt_deg, between(0.0, 45.0, "degrees"),
@@ -183,7 +183,7 @@ void addPictureOptions(CLI::App& command, SynthesizeArguments& arguments) {
 
 }  // namespace
 
-void addMeasureSynthesizeCommand(CLI::App& parent) {
+void addMeasureSynthesizeCommand(Command& parent) {
   const auto [command, arguments] = addCommand(
       parent, "synthesize",
       "Paint photographs of a dotted back before and after a press (before.jpg, before2.jpg, after.jpg) with the truth "

@@ -112,7 +112,7 @@ void run(const MapArguments& arguments, const Maker& make) {
   print(arguments, summaryOf(arguments, skin, map));
 }
 
-void addFileOptions(CLI::App& command, MapArguments& a) {
+void addFileOptions(Command& command, MapArguments& a) {
   namesFileToWrite(
       command.add_option("-o,--out", a.files, "File to write by its extension, repeatable: .csv .ply .png .svg"))
       ->required()
@@ -129,7 +129,7 @@ void addFileOptions(CLI::App& command, MapArguments& a) {
   command.add_flag("--json", a.json, "Print the summary as one JSON object, with fit errors at the key points");
 }
 
-void addSkinOptions(CLI::App& command, MapArguments& a) {
+void addSkinOptions(Command& command, MapArguments& a) {
   addMeshArguments(command, a.mesh);
   command.get_option("mesh")->required(false);
   takesOneOf({"torso", "back"},
@@ -138,23 +138,23 @@ void addSkinOptions(CLI::App& command, MapArguments& a) {
              "Of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)");
 }
 
-void addKeyOption(CLI::App& command, MapArguments& a) {
+void addKeyOption(Command& command, MapArguments& a) {
   command.add_option("--keys", a.source.key_file,
                      "Table of key points (docs/reference/maps.md) (default: the dissertation's)");
 }
 
 /// Last: what the scene says itself cannot be said beside it. `beside` are the options that can.
-void addSceneOption(CLI::App& command, MapArguments& a, std::vector<std::string> beside) {
+void addSceneOption(Command& command, MapArguments& a, std::vector<std::string> beside) {
   beside.insert(beside.end(), {"--help", "--out", "--range", "--grid-mm", "--png-scale", "--json"});
-  const std::vector<CLI::Option*> others = command.get_options();
-  CLI::Option* scene =
+  const std::vector<Option*> others = command.get_options();
+  Option* scene =
       command.add_option("--scene", a.scene, "The map of this scene (TOML): its body, key points and dysfunctions");
-  for (CLI::Option* other : others) {
+  for (Option* other : others) {
     if (std::find(beside.begin(), beside.end(), other->get_name()) == beside.end()) scene->excludes(other);
   }
 }
 
-void addBoundaryOptions(CLI::App& command, MapArguments& a) {
+void addBoundaryOptions(Command& command, MapArguments& a) {
   addChoice(command, "--data", a.source.measured.force, "Built-in key points: the skin was dragged up or down");
   addChoice(command, "--averaging", a.source.measured.averaging,
             "Built-in key points: means as printed, or of the ellipses");
@@ -164,7 +164,7 @@ void addBoundaryOptions(CLI::App& command, MapArguments& a) {
              "Circle where none reaches");
 }
 
-void addEllipses(CLI::App& parent) {
+void addEllipses(Command& parent) {
   constexpr Maker kMaker{[](const MapSkin& skin, const MapSource& source) { return ellipsesOver(skin, source); },
                          [](const MapSkin& skin, const scene::World& world, const MapSource& source) {
                            return ellipsesOfScene(skin, world, source.quantity);
@@ -189,7 +189,7 @@ void addEllipses(CLI::App& parent) {
   addSceneOption(command, a, {"--quantity"});
 }
 
-void addContours(CLI::App& parent) {
+void addContours(Command& parent) {
   constexpr Maker kMaker{contoursOver, [](const MapSkin& skin, const scene::World& world, const MapSource&) {
                            return contoursOfScene(skin, world);
                          }};
@@ -206,7 +206,7 @@ void addContours(CLI::App& parent) {
   addSceneOption(command, arguments, {});
 }
 
-void addStiffness(CLI::App& parent) {
+void addStiffness(Command& parent) {
   constexpr Maker kMaker{
       [](const MapSkin& skin, const MapSource& source) { return stiffnessOver(skin, source); },
       [](const MapSkin& skin, const scene::World& world, const MapSource&) { return stiffnessOfScene(skin, world); }};
@@ -230,7 +230,7 @@ void addStiffness(CLI::App& parent) {
   addSceneOption(command, arguments, {});
 }
 
-void addDepth(CLI::App& parent) {
+void addDepth(Command& parent) {
   constexpr Maker kMaker{
       [](const MapSkin& skin, const MapSource&) { return depthOver(skin); },
       [](const MapSkin& skin, const scene::World& world, const MapSource&) { return depthOfScene(skin, world); }};
@@ -245,9 +245,8 @@ void addDepth(CLI::App& parent) {
 
 }  // namespace
 
-void addMapCommand(CLI::App& body) {
-  CLI::App& map =
-      *body.add_subcommand("map", "Write the ellipse, contour, stiffness or depth map of a skin or a scene");
+void addMapCommand(Command& body) {
+  Command& map = *body.add_subcommand("map", "Write the ellipse, contour, stiffness or depth map of a skin or a scene");
   map.require_subcommand(1);
   addEllipses(map);
   addContours(map);

@@ -109,7 +109,7 @@ std::vector<std::string> columnWords() {
 
 }  // namespace
 
-void addPlotCommand(CLI::App& recording) {
+void addPlotCommand(Command& recording) {
   const auto [command, a] =
       addCommand(recording, "plot", "Draw a table of forces over time: force, depth, lag, states", runPlot);
   command.add_option("TABLE", a.table, "forces.csv of `palpate simulate` or of the window")->required();

@@ -59,7 +59,7 @@ void runReport(const ReportArguments& arguments) {
 
 }  // namespace
 
-void addReportCommand(CLI::App& recording) {
+void addReportCommand(Command& recording) {
   const auto [command, a] =
       addCommand(recording, "report",
                  "Tell what a recording was (forces, contacts, phases, maps of the body) as one HTML page", runReport);
@@ -74,7 +74,7 @@ void addReportCommand(CLI::App& recording) {
   addLanguage(command, a.language);
 }
 
-void addReportFamily(CLI::App& app) {
+void addReportFamily(Command& app) {
   addMapCommand(commandGroup(app, "body"));
   addPlotCommand(commandGroup(app, "recording"));
   addReportCommand(commandGroup(app, "recording"));

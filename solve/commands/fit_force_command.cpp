@@ -251,7 +251,7 @@ std::vector<std::string> formWords() {
 
 }  // namespace
 
-void addFitForceCommand(CLI::App& parent) {
+void addFitForceCommand(Command& parent) {
   const auto [command, a] = addCommand(parent, "force", "Find the force law of measured force by depth", runFitForce);
   command.add_option("--data,CURVES", a.file, "Table depth_mm,force_n and, where there are several, curve or place")
       ->required();

@@ -133,7 +133,7 @@ std::vector<std::string> profileFormWords() {
 
 }  // namespace
 
-void addFitProfileCommand(CLI::App& parent) {
+void addFitProfileCommand(Command& parent) {
   const auto [command, a] =
       addCommand(parent, "profile", "Find the shape of pressed skin from measured places", runFitProfile);
   command.add_option("--data,CURVES", a.data, "Table depth_mm,r_mm,down_mm and, where it was measured, outward_mm")

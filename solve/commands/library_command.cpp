@@ -264,7 +264,7 @@ void listLibrary(const LibraryArguments& arguments) {
 
 }  // namespace
 
-void addTissueLibraryCommand(CLI::App& parent) {
+void addTissueLibraryCommand(Command& parent) {
   const auto [command, a] = addCommand<LibraryArguments>(
       parent, "library", "The solved stacks that a body's places are blended from", [](const LibraryArguments& given) {
         if (given.drag) return solveDrags(given);
@@ -272,12 +272,12 @@ void addTissueLibraryCommand(CLI::App& parent) {
       });
   addSetting(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Fat between skin and muscle");
   addSetting(command, "--finger-radius-mm", a.finger_mm, between(1.0, 24.0, "mm"), "Finger that presses");
-  CLI::Option& solve = *command.add_flag("--solve", a.solve,
-                                         "Solve all of them again (minutes) and write the source file that is shipped");
-  CLI::Option& fingers = *command
-                              .add_flag("--fingers", a.fingers,
-                                        "With --solve: the forces of fingers of other radii, which have their own file")
-                              ->needs(&solve);
+  Option& solve = *command.add_flag("--solve", a.solve,
+                                    "Solve all of them again (minutes) and write the source file that is shipped");
+  Option& fingers = *command
+                         .add_flag("--fingers", a.fingers,
+                                   "With --solve: the forces of fingers of other radii, which have their own file")
+                         ->needs(&solve);
   command
       .add_flag("--drag", a.drag,
                 "With --solve: the drags that `palpate measure` fits to photographs, instead of the body's")

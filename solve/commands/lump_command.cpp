@@ -186,10 +186,10 @@ void runLumpShow(const LumpShowArguments& arguments) {
   fmt::print("{}", arguments.json ? jsonText(json) : text);
 }
 
-void addLumpCheckCommand(CLI::App& lump) {
+void addLumpCheckCommand(Command& lump) {
   const auto [command, a] =
       addCommand(lump, "check", "Compare lumps with finite elements that have the lump in their mesh", runLumpCheck);
-  CLI::Option& cases = *command.add_option("--cases", a.cases, "Solved presses over lumps (JSON)");
+  Option& cases = *command.add_option("--cases", a.cases, "Solved presses over lumps (JSON)");
   addNumber(command, "--solve", a.seed, between(0.0, 1e9),
             "Draw stacks and lumps with this seed and solve them instead")
       ->excludes(&cases);
@@ -197,7 +197,7 @@ void addLumpCheckCommand(CLI::App& lump) {
   command.add_flag("--json", a.json, "Print one JSON object");
 }
 
-void addLumpShowCommand(CLI::App& lump) {
+void addLumpShowCommand(Command& lump) {
   const auto [command, a] = addCommand(
       lump, "show", "Show what a lump adds to a press: kPa, share of the force at 3, 5 and 8 mm", runLumpShow);
   addSetting(command, "--diameter-mm", a.diameter_mm, between(2.0, 40.0, "mm"), "Diameter");
@@ -214,8 +214,8 @@ void addLumpShowCommand(CLI::App& lump) {
 
 }  // namespace
 
-void addLumpCommand(CLI::App& app) {
-  CLI::App& lump =
+void addLumpCommand(Command& app) {
+  Command& lump =
       *app.add_subcommand("lump", "Lumps under the skin: what they add to a press, compared with finite elements");
   lump.require_subcommand(1);
   addLumpShowCommand(lump);

@@ -82,7 +82,7 @@ void runLumpSolve(const LumpSolveArguments& arguments) {
 
 }  // namespace
 
-void addLumpSolveCommand(CLI::App& lump) {
+void addLumpSolveCommand(Command& lump) {
   const auto [command, arguments] = addCommand(
       lump, "solve", "Solve the lumps of a scene and keep the result for [tissue] lumps = \"solved\"; some 10 s a lump",
       runLumpSolve);

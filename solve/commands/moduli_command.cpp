@@ -72,9 +72,9 @@ nlohmann::ordered_json moduliJson() {
 
 }  // namespace
 
-void addTissueModuliCommand(CLI::App& parent) {
+void addTissueModuliCommand(Command& parent) {
   const auto json = std::make_shared<bool>(false);
-  CLI::App& command = *parent.add_subcommand("moduli", "List published stiffness and friction, with their sources");
+  Command& command = *parent.add_subcommand("moduli", "List published stiffness and friction, with their sources");
   command.add_flag("--json", *json, "Print one JSON object");
   command.callback([json] { fmt::print("{}", *json ? jsonDump(moduliJson(), 2) + "\n" : moduliText()); });
 }

@@ -176,19 +176,19 @@ void runRealism(const RealismArguments& arguments) {
 
 }  // namespace
 
-void addRealismCommand(CLI::App& tissue) {
+void addRealismCommand(Command& tissue) {
   const auto [command, a] = addCommand(
       tissue, "realism",
       "How far the skin and the force are from finite elements of layered tissue (docs/explanation/realism.md)",
       runRealism);
   command.add_option("--cases", a.cases,
                      "JSON of solved presses to judge by (default: six places of a body, solved now (some 30 s))");
-  CLI::Option& living =
+  Option& living =
       *command.add_option("--living", a.living,
                           "Compare with presses of an ultrasound probe on living limbs instead (N/mm): the list " +
                               std::string(lab::kLivingList) + " or its folder (some two minutes)");
   living.excludes("--cases");
-  CLI::Option& radius = *command.add_flag(
+  Option& radius = *command.add_flag(
       "--radius", a.radius,
       "Compare the force on fingers of 2 to 16 mm with spheres of their radius instead (some two minutes)");
   radius.excludes("--cases");

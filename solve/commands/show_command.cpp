@@ -153,7 +153,7 @@ void runShow(const ShowArguments& arguments) {
 
 }  // namespace
 
-void addTissueShowCommand(CLI::App& parent) {
+void addTissueShowCommand(Command& parent) {
   const auto [command, a] =
       addCommand(parent, "show", "Show tables of layered tissue: the pressed skin, force, stacks", runShow);
   command.add_option("TABLE", a.files, "Tables of `palpate tissue solve` or `palpate tissue fit profile`")->required();

@@ -208,12 +208,12 @@ void runSolve(const SolveArguments& arguments) {
   if (press.stopped_by.empty()) return;
   say(fmt::format("palpate: solved to {:.4g} of {:.4g} mm: {}\n", press.converged_to_mm,
                   settings.press.depths_mm.back(), press.stopped_by));
-  throw CLI::RuntimeError(1);
+  throw ExitWith(1);
 }
 
 }  // namespace
 
-void addTissueSolveCommand(CLI::App& parent) {
+void addTissueSolveCommand(Command& parent) {
   const auto [command, a] = addCommand(
       parent, "solve",
       "Press a sphere into layers over bone and drag their skin (finite elements); exit code 1: not as deep as asked, "
@@ -238,7 +238,7 @@ void addTissueSolveCommand(CLI::App& parent) {
   command.add_flag("--fingers", a.fingers,
                    "Press spheres of 1 to 24 mm too (some 20 s): a scene then takes the table's own forces for a "
                    "finger's radius instead of the shipped stacks' ratio");
-  CLI::Option& field = *command.add_flag(
+  Option& field = *command.add_flag(
       "--field", a.field,
       "Write the strain energy under each press into the table too, down to the deepest of --depths: lumps need it");
   command

@@ -7,8 +7,8 @@ namespace palpate::app {
 namespace {
 
 /// `palpate tissue fit`: laws and shapes of tissue from what was measured.
-void addFitCommand(CLI::App& tissue) {
-  CLI::App& fit = *tissue.add_subcommand("fit", "Find force laws and skin profiles of measured tissue");
+void addFitCommand(Command& tissue) {
+  Command& fit = *tissue.add_subcommand("fit", "Find force laws and skin profiles of measured tissue");
   fit.require_subcommand(1);
   addFitForceCommand(fit);
   addFitProfileCommand(fit);
@@ -16,8 +16,8 @@ void addFitCommand(CLI::App& tissue) {
 
 }  // namespace
 
-void addTissueCommand(CLI::App& app) {
-  CLI::App& tissue = *app.add_subcommand(
+void addTissueCommand(Command& app) {
+  Command& tissue = *app.add_subcommand(
       "tissue", "Layered tissue: solved and shown, force laws and profiles fitted, realism, published moduli");
   tissue.require_subcommand(1);
   addTissueLibraryCommand(tissue);

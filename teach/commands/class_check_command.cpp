@@ -175,12 +175,12 @@ void runClassCheck(const std::string& folder, bool json) {
                  finding.detail);
     }
   }
-  if (!good) throw CLI::RuntimeError(1);
+  if (!good) throw ExitWith(1);
 }
 
 }  // namespace
 
-void addClassCheckCommand(CLI::App& parent) {
+void addClassCheckCommand(Command& parent) {
   struct CheckArguments {
     std::string folder;
     bool json = false;

@@ -62,7 +62,7 @@ void runRemoveStation(const StationArguments& arguments) {
     std::getline(std::cin, answer);
     if (trimmed(answer) != "yes") {
       fmt::print(stderr, "nothing was removed (--yes does not ask)\n");
-      throw CLI::RuntimeError(1);
+      throw ExitWith(1);
     }
   }
   classroom::removeStation(folder, arguments.name);
@@ -91,7 +91,7 @@ void runClassRenew(const RenewArguments& arguments) {
 
 }  // namespace
 
-void addClassRenewCommand(CLI::App& parent) {
+void addClassRenewCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "renew", "Make new certificates, and what an older class lacks", runClassRenew);
   command.add_option("DIR", arguments.folder, "Folder of the class")->required();
@@ -100,7 +100,7 @@ void addClassRenewCommand(CLI::App& parent) {
   addSetting(command, "--days", arguments.days, between(1, 3650, "days"), "Validity");
 }
 
-void addClassAddInstructorCommand(CLI::App& parent) {
+void addClassAddInstructorCommand(Command& parent) {
   const auto [command, arguments] = addCommand<StationArguments>(
       parent, "add-instructor", "Make a certificate for one more window; the broker need not be told",
       [](const StationArguments& a) {
@@ -109,7 +109,7 @@ void addClassAddInstructorCommand(CLI::App& parent) {
   command.add_option("DIR", arguments.folder, "Folder of the class")->required();
 }
 
-void addClassInitCommand(CLI::App& parent) {
+void addClassInitCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "init", "Make certificates and configuration of a class", runClassInit);
   command.add_option("DIR", arguments.folder, "Folder to make: the teacher's, with the keys")->required();
@@ -126,7 +126,7 @@ void addClassInitCommand(CLI::App& parent) {
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
-void addClassAddStationCommand(CLI::App& parent) {
+void addClassAddStationCommand(Command& parent) {
   const auto [command, arguments] = addCommand<StationArguments>(
       parent, "add-station", "One more station; the broker need not be told", [](const StationArguments& a) {
         const classroom::ClassFolder folder = classroom::readClassFolder(a.folder);
@@ -136,7 +136,7 @@ void addClassAddStationCommand(CLI::App& parent) {
   command.add_option("NAME", arguments.name, "What it is called; without a name the next number");
 }
 
-void addClassRemoveStationCommand(CLI::App& parent) {
+void addClassRemoveStationCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "remove-station", "Let a station in no longer: its folder was lost", runRemoveStation);
   command.add_option("DIR", arguments.folder, "Folder of the class")->required();
@@ -144,8 +144,8 @@ void addClassRemoveStationCommand(CLI::App& parent) {
   command.add_flag("--yes", arguments.yes, "Do not ask");
 }
 
-void addClassCommand(CLI::App& app) {
-  CLI::App& command = *app.add_subcommand("class", "A class over the network: broker, collector, instructor's view");
+void addClassCommand(Command& app) {
+  Command& command = *app.add_subcommand("class", "A class over the network: broker, collector, instructor's view");
   command.require_subcommand(1);
   addClassInitCommand(command);
   addClassAddStationCommand(command);

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/class_watch.h"
 #include "palpate/training/records/rows.h"
@@ -15,15 +15,15 @@
 namespace palpate::app {
 
 // `parent` is the class command.
-void addClassInitCommand(CLI::App& parent);
-void addClassAddStationCommand(CLI::App& parent);
-void addClassRemoveStationCommand(CLI::App& parent);
-void addClassAddInstructorCommand(CLI::App& parent);
-void addClassRenewCommand(CLI::App& parent);
-void addClassServeCommand(CLI::App& parent);
-void addClassCheckCommand(CLI::App& parent);
-void addClassWatchCommand(CLI::App& parent);
-void addClassLoadCommand(CLI::App& parent);
+void addClassInitCommand(Command& parent);
+void addClassAddStationCommand(Command& parent);
+void addClassRemoveStationCommand(Command& parent);
+void addClassAddInstructorCommand(Command& parent);
+void addClassRenewCommand(Command& parent);
+void addClassServeCommand(Command& parent);
+void addClassCheckCommand(Command& parent);
+void addClassWatchCommand(Command& parent);
+void addClassLoadCommand(Command& parent);
 
 /// What `palpate class watch --json` prints of a station.
 nlohmann::ordered_json tileJson(const classroom::Tile& tile);

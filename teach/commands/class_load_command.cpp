@@ -176,7 +176,7 @@ void runServoBeside(const ClassLoadArguments& arguments) {
 
 }  // namespace
 
-void addClassLoadCommand(CLI::App& parent) {
+void addClassLoadCommand(Command& parent) {
   const auto [command, arguments] = addCommand<ClassLoadArguments>(
       parent, "load", "A class of simulated stations, to measure with",
       [](const ClassLoadArguments& a) { a.servo_s > 0.0 ? runServoBeside(a) : runLoad(a); });

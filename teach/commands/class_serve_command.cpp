@@ -175,12 +175,12 @@ void runClassServe(const ClassServeArguments& arguments) {
 
 }  // namespace
 
-void addClassServeCommand(CLI::App& parent) {
+void addClassServeCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "serve", "Collect what the stations of a class record", runClassServe);
   command.add_option("DIR", arguments.folder, "Folder of the class")->required();
-  CLI::Option* records = command.add_option("--records", arguments.records,
-                                            "Into this SQLite file; without it and --database DIR/class.results");
+  Option* records = command.add_option("--records", arguments.records,
+                                       "Into this SQLite file; without it and --database DIR/class.results");
   command
       .add_option("--database", arguments.database,
                   "Into PostgreSQL: \"host=/run/postgresql dbname=class\" or postgresql://...")

@@ -130,7 +130,7 @@ nlohmann::ordered_json tileJson(const classroom::Tile& tile) {
   return json;
 }
 
-void addClassWatchCommand(CLI::App& parent) {
+void addClassWatchCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "watch", "The instructor's view: every station, who needs help first", runClassWatch);
   command.add_option("DIR", arguments.folder, "Folder of the class, or of its instructor")->required();

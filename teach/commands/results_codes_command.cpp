@@ -57,7 +57,7 @@ void runResultsCodes(const CodesArguments& arguments) {
 
 }  // namespace
 
-void addResultsCodesCommand(CLI::App& parent) {
+void addResultsCodesCommand(Command& parent) {
   const auto [command, arguments] = addCommand<CodesArguments>(
       parent, "codes", "New codes to sign in with, as cards to print", [](CodesArguments& a) {
         if (!a.class_id.empty() && std::filesystem::is_directory(a.class_id)) {
@@ -73,7 +73,7 @@ void addResultsCodesCommand(CLI::App& parent) {
           "--class", arguments.class_id,
           "The class that they are for, whose pseudonyms are printed: its folder; its id where the class has no secret")
       ->type_name("DIR");
-  CLI::Option* csv = command.add_flag("--csv", arguments.csv, "A table to write names beside, instead of cards");
+  Option* csv = command.add_flag("--csv", arguments.csv, "A table to write names beside, instead of cards");
   command.add_flag("--json", arguments.json, "Print one JSON object")->excludes(csv);
 }
 

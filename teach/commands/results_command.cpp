@@ -44,7 +44,7 @@ std::size_t trialsOf(Store& store, const SessionRow& session) {
 
 }  // namespace
 
-void addResultsFile(CLI::App& command, ResultsArguments& arguments) {
+void addResultsFile(Command& command, ResultsArguments& arguments) {
   command.add_option("FILE", arguments.file,
                      "Records of training (default: your own, palpate.results), or a class's PostgreSQL: "
                      "\"host=/run/postgresql dbname=class\" or postgresql://...");
@@ -56,7 +56,7 @@ Store recordsAt(const std::string& file_or_address, Store::Open how) {
                                                        : Store(file_or_address, how);
 }
 
-void addClassFolder(CLI::App& command, ResultsArguments& arguments) {
+void addClassFolder(Command& command, ResultsArguments& arguments) {
   command
       .add_option(
           "--class", arguments.class_folder,
@@ -178,8 +178,8 @@ std::string sessionLine(Store& store, const SessionRow& session) {
   return line + "\n";
 }
 
-void addResultsCommand(CLI::App& train) {
-  CLI::App& command = *train.add_subcommand("results", "What the records of training hold; codes, exports, deletion");
+void addResultsCommand(Command& train) {
+  Command& command = *train.add_subcommand("results", "What the records of training hold; codes, exports, deletion");
   command.require_subcommand(1);
   addResultsListCommand(command);
   addResultsTraineeCommand(command);

@@ -6,22 +6,22 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "palpate/training/records/store.h"
 
 namespace palpate::app {
 
 // `parent` is the results command.
-void addResultsListCommand(CLI::App& parent);
-void addResultsTraineeCommand(CLI::App& parent);
-void addResultsClassCommand(CLI::App& parent);
-void addResultsCodesCommand(CLI::App& parent);
-void addResultsExportCommand(CLI::App& parent);
-void addResultsDeleteCommand(CLI::App& parent);
-void addResultsPurgeCommand(CLI::App& parent);
-void addResultsReplayCommand(CLI::App& parent);
-void addResultsReportCommand(CLI::App& parent);
-void addResultsVerifyCommand(CLI::App& parent);
+void addResultsListCommand(Command& parent);
+void addResultsTraineeCommand(Command& parent);
+void addResultsClassCommand(Command& parent);
+void addResultsCodesCommand(Command& parent);
+void addResultsExportCommand(Command& parent);
+void addResultsDeleteCommand(Command& parent);
+void addResultsPurgeCommand(Command& parent);
+void addResultsReplayCommand(Command& parent);
+void addResultsReportCommand(Command& parent);
+void addResultsVerifyCommand(Command& parent);
 
 struct ResultsArguments {
   std::string class_folder;  ///< whose secret tells pseudonyms from codes; empty: what the records remember
@@ -29,7 +29,7 @@ struct ResultsArguments {
   bool json = false;
 };
 /// --class DIR, for commands that are given a code.
-void addClassFolder(CLI::App& command, ResultsArguments& arguments);
+void addClassFolder(Command& command, ResultsArguments& arguments);
 /// The secret of a class's or a station's folder, with the class's id. Throws Error.
 struct ClassSecret {
   std::string class_id;
@@ -37,7 +37,7 @@ struct ClassSecret {
 };
 ClassSecret secretIn(const std::string& folder);
 /// [FILE] and --json. `arguments` must outlive the command.
-void addResultsFile(CLI::App& command, ResultsArguments& arguments);
+void addResultsFile(Command& command, ResultsArguments& arguments);
 
 /// Brings a file forward where it is older. Throws Error, which says where records are made when there are none.
 training::Store openedResults(const ResultsArguments& arguments);

@@ -67,7 +67,7 @@ void deleteInDatabase(const DeleteArguments& arguments, Store& copy, const train
   }
   if (!left.empty()) {
     fmt::print(stderr, "palpate: NOT deleted for good: {}\n", left);
-    throw CLI::RuntimeError(1);
+    throw ExitWith(1);
   }
   if (arguments.results.json) return;
   fmt::print("Records at stations are not reached: delete there as well, where there are any.\n");
@@ -80,7 +80,7 @@ void runResultsDelete(const DeleteArguments& arguments) {
   const std::string_view what = in_database ? ", in the class's database" : ", their recordings and their key";
   if (!arguments.yes && !saidYes(rowsOf(store, trainee), trainee, what)) {
     fmt::print(stderr, "nothing was deleted (--yes does not ask)\n");
-    throw CLI::RuntimeError(1);
+    throw ExitWith(1);
   }
   if (in_database) return deleteInDatabase(arguments, store, trainee);
   const training::Deleted deleted = deleteTrainee(store, trainee.id, "palpate train results");
@@ -126,7 +126,7 @@ void runResultsPurge(const DeleteArguments& arguments) {
 
 }  // namespace
 
-void addResultsDeleteCommand(CLI::App& parent) {
+void addResultsDeleteCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "delete", "Forget one trainee: rows, recordings, key; the class too", runResultsDelete);
   addResultsFile(command, arguments.results);
@@ -135,7 +135,7 @@ void addResultsDeleteCommand(CLI::App& parent) {
   command.add_flag("--yes", arguments.yes, "Do not ask");
 }
 
-void addResultsPurgeCommand(CLI::App& parent) {
+void addResultsPurgeCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "purge", "Forget what the classes have kept for as long as they said", runResultsPurge);
   addResultsFile(command, arguments.results);

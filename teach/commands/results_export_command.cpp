@@ -72,7 +72,7 @@ void runResultsExport(const ExportArguments& arguments) {
 
 }  // namespace
 
-void addResultsExportCommand(CLI::App& parent) {
+void addResultsExportCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "export", "For statistics (CSV, JSON) or a learning record store (xAPI)", runResultsExport);
   command.add_option("FILE", arguments.results.file, "Records of training (default: your own, palpate.results)");

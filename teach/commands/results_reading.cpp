@@ -150,19 +150,19 @@ void runResultsVerify(const ReadingArguments& arguments) {
                store.file().string(), found.ok() ? "whole" : "NOT whole", found.trainees, found.sessions, found.blocks,
                found.recomputed, found.trials, found.recording_files);
   }
-  if (!found.ok()) throw CLI::RuntimeError(1);
+  if (!found.ok()) throw ExitWith(1);
 }
 
 }  // namespace
 
-void addResultsListCommand(CLI::App& parent) {
+void addResultsListCommand(Command& parent) {
   const auto [command, arguments] = addCommand(parent, "list", "The sessions, oldest first", runResultsList);
   addResultsFile(command, arguments.results);
   addClassFolder(command, arguments.results);
   command.add_option("--trainee", arguments.trainee, kTraineeHelp)->type_name("CODE");
 }
 
-void addResultsTraineeCommand(CLI::App& parent) {
+void addResultsTraineeCommand(Command& parent) {
   const auto [command, arguments] = addCommand(parent, "trainee", "One trainee", runResultsTrainee);
   command.add_option("CODE", arguments.trainee, kTraineeHelp)->required();
   addResultsFile(command, arguments.results);
@@ -170,12 +170,12 @@ void addResultsTraineeCommand(CLI::App& parent) {
   addLanguage(command, arguments.language);
 }
 
-void addResultsClassCommand(CLI::App& parent) {
+void addResultsClassCommand(Command& parent) {
   const auto [command, arguments] = addCommand(parent, "class", "Everybody, a line each", runResultsClass);
   addResultsFile(command, arguments.results);
 }
 
-void addResultsVerifyCommand(CLI::App& parent) {
+void addResultsVerifyCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "verify", "Whether rows, recordings and results are whole and agree", runResultsVerify);
   addResultsFile(command, arguments.results);

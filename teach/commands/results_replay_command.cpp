@@ -70,7 +70,7 @@ void runTrialReplay(const TrialReplayArguments& arguments) {
 
 }  // namespace
 
-void addResultsReplayCommand(CLI::App& parent) {
+void addResultsReplayCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "replay", "One trial as a recording, for palpate recording replay, run, render and report",
                  runTrialReplay);

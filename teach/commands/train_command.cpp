@@ -139,8 +139,8 @@ void showScreens(const TrainOptions& options) {
 
 }  // namespace
 
-void addTrainCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("train", "Train and examine palpation: people in a window, or simulated");
+void addTrainCommand(Command& app) {
+  Command* command = app.add_subcommand("train", "Train and examine palpation: people in a window, or simulated");
   addResultsCommand(*command);
   const auto options = std::make_shared<TrainOptions>();
   const auto simulated = std::make_shared<TraineeOptions>();
@@ -152,11 +152,11 @@ void addTrainCommand(CLI::App& app) {
     if (!options->screens.empty()) return showScreens(*options);
     if (options->trainee.empty()) return trainInWindow(*options);
     const int code = runTrainee(*options, *simulated);
-    if (code != 0) throw CLI::RuntimeError(code);
+    if (code != 0) throw ExitWith(code);
   });
 }
 
-void addTeachFamily(CLI::App& app) {
+void addTeachFamily(Command& app) {
   addTrainCommand(app);
   addClassCommand(app);
 }

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/cli11.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/training/records/store.h"
 #include "view/viewer/world/world_swap.h"
@@ -15,7 +15,7 @@ namespace palpate::app {
 
 namespace {
 
-void addWindowOptions(CLI::App& command, TrainOptions& options) {
+void addWindowOptions(Command& command, TrainOptions& options) {
   constexpr const char* kGroup = "Window";
   command.add_flag("--full-screen", options.full_screen, "Fill the screen")->group(kGroup);
   addNumber(command, "--width", options.width, between(320, 16384, "pixels"), "Of the window")->group(kGroup);
@@ -34,7 +34,7 @@ void addWindowOptions(CLI::App& command, TrainOptions& options) {
 
 }  // namespace
 
-void addTrainOptions(CLI::App& command, TrainOptions& options) {
+void addTrainOptions(Command& command, TrainOptions& options) {
   command.add_option("SCENE", options.scene, "Scene (TOML) or mesh file; without one: the built-in body");
   command.add_option("--records", options.records, "File of results (default: the user's own)");
   command

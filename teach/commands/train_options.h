@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "palpate/scene/scene.h"
 #include "palpate/training/protocol.h"
 
@@ -42,7 +42,7 @@ struct TrainOptions {
   std::string screens;   ///< folder for a picture of every screen; empty: a window is opened
 };
 
-void addTrainOptions(CLI::App& command, TrainOptions& options);
+void addTrainOptions(Command& command, TrainOptions& options);
 
 /// The file of results that is used when none is named: in the user's own folder for such things. Throws Error without
 /// a home.
@@ -69,7 +69,7 @@ struct TraineeOptions {
   int most_trials = 0;
 };
 
-void addTraineeOptions(CLI::App& command, TraineeOptions& options);
+void addTraineeOptions(Command& command, TraineeOptions& options);
 
 /// The exit code: 0, or that of the signal that ended it. Throws Error.
 int runTrainee(const TrainOptions& options, const TraineeOptions& simulated);

@@ -1,5 +1,5 @@
 // Options -> records, body, trainees -> their sessions, one line each, and a report for machines.
-#include "cli/kit/cli11.h"
+#include "cli/kit/options.h"
 #include "teach/commands/train_options.h"
 
 #include <fmt/format.h>
@@ -362,7 +362,7 @@ class TraineeCommand {
 
 }  // namespace
 
-void addTraineeOptions(CLI::App& command, TraineeOptions& options) {
+void addTraineeOptions(Command& command, TraineeOptions& options) {
   constexpr const char* kGroup = "Simulated trainee";
   command
       .add_flag("--programme", options.programme,

@@ -39,7 +39,7 @@ void runResultsReport(ResultsReportArguments arguments) {
 
 }  // namespace
 
-void addResultsReportCommand(CLI::App& parent) {
+void addResultsReportCommand(Command& parent) {
   const auto [command, a] = addCommand<ResultsReportArguments>(
       parent, "report",
       "Tell how training went (learning curve, accuracy, what was felt; of a trainee or a class) as one HTML page",
@@ -50,8 +50,8 @@ void addResultsReportCommand(CLI::App& parent) {
   namesFileToWrite(command.add_option(
       "-o,--out", a.request.out,
       "Page to write (default: the file's name with .html (of a database class.html), in this folder)"));
-  CLI::Option& trainee = *command.add_option("--trainee", a.settings.trainee,
-                                             "One trainee, by code or by the first letters of the pseudonym");
+  Option& trainee = *command.add_option("--trainee", a.settings.trainee,
+                                        "One trainee, by code or by the first letters of the pseudonym");
   command.add_flag("--class", a.settings.whole_class, "All trainees, also where there is but one")->excludes(&trainee);
   command.add_option("--class-word", a.settings.only_class, "The same, of one class where the record has several")
       ->excludes(&trainee);

@@ -21,19 +21,19 @@ struct FoundOption {
   bool positional = false;
 };
 
-void collect(const CLI::App& command, const std::vector<std::string>& words, std::vector<FoundOption>& found) {
-  for (const CLI::Option* option : command.get_options()) {
+void collect(const Command& command, const std::vector<std::string>& words, std::vector<FoundOption>& found) {
+  for (const Option* option : command.get_options()) {
     found.push_back({words, option->get_single_name(), option->get_type_name(), option->get_description(),
                      option->get_expected_min(), option->get_positional()});
   }
-  for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
+  for (const Command* sub : command.all_subcommands()) {
     std::vector<std::string> deeper = words;
     deeper.push_back(sub->get_name());
     collect(*sub, deeper, found);
   }
 }
 
-void addAllCommands(CLI::App& app) {
+void addAllCommands(Command& app) {
   addOwnCommands(app);
   addServeFamily(app);
   addReportFamily(app);
@@ -43,7 +43,7 @@ void addAllCommands(CLI::App& app) {
 }
 
 std::vector<FoundOption> allOptions() {
-  CLI::App app{"", "palpate"};
+  Command app{"", "palpate"};
   addAllCommands(app);
   std::vector<FoundOption> found;
   collect(app, {}, found);
@@ -74,7 +74,7 @@ struct Answer {
 Answer answerTo(const FoundOption& option, const std::string& value) {
   std::vector<std::string> words = option.words;
   words.push_back(fmt::format("--{}={}", option.name, value));
-  CLI::App app{"", "palpate"};
+  Command app{"", "palpate"};
   addAllCommands(app);
   testing::internal::CaptureStderr();
   const int exit_code = runCommandLine(app, words);
