@@ -15,6 +15,7 @@
 #include "palpate/device/detail/remote_device.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/measure/photograph.h"
+#include "palpate/scene/detail/toml_node.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/servo/device_limits.h"
 
@@ -24,6 +25,8 @@ namespace {
 struct LimitRow {
   std::string where, what, value;
 };
+
+static_assert(scene::kMaxTomlKeyParts == scene::kMaxTomlNesting, "one row says both");
 
 std::vector<LimitRow> limitRows() {
   using namespace device;
@@ -63,6 +66,8 @@ std::vector<LimitRow> limitRows() {
       {"device", "how far a scene may loosen a guard, times its default", fmt::format("{}", servo::kLoosestGuard)},
       {"device", "quickest ramp of a start inside, s", fmt::format("{}", servo::kQuickestRampS)},
       {"files", "bytes of a scene", fmt::format("{}", scene::kMaxSceneBytes)},
+      {"files", "parts of a key, and brackets within brackets, of a TOML file",
+       fmt::format("{}", scene::kMaxTomlKeyParts)},
       {"files", "pixels of a photograph", fmt::format("{}", measure::kMaxPixels)},
   };
 }

@@ -162,7 +162,7 @@ Section dysfunctionSection() {
       number<S>("edge_softness", &S::edge_softness, between(0, 1),
                 "Share of the radius over which the change fades out; 0 is a hard edge."),
   };
-  const auto read = [keys](const toml::table& table, const Entry& entry) {
+  const auto read = [keys](const TomlNode& table, const Entry& entry) {
     S dysfunction;
     readTable(table, entry.name, entry.file, keys, dysfunction);
     return dysfunction;

@@ -178,7 +178,7 @@ Section profileSection() {
       number<S>("region", &S::region, above(0, 10),
                 "Factor on the regions that [deformation] and the map give press and drag there."),
   };
-  const auto read = [keys](const toml::table& table, const Entry& entry) {
+  const auto read = [keys](const TomlNode& table, const Entry& entry) {
     S profile;
     readTable(table, entry.name, entry.file, keys, profile);
     checkPlaceFile(profile.press, profile.press_file, "press", entry);

@@ -23,18 +23,18 @@ void readErratum(Fidelity& fidelity, const Entry& entry, std::string_view name) 
   fidelity.setLiteral(erratum, readsLiteral(entry));
 }
 
-Entry entryOf(const toml::key& key, const toml::node& node, const Entry& table) {
-  return {node, table.file, fmt::format("{}.{}", table.name, oneLine(key.str()))};
+Entry entryOf(const std::string& key, const TomlNode& node, const Entry& table) {
+  return {node, table.file, fmt::format("{}.{}", table.name, oneLine(key))};
 }
 
 void readFidelity(Fidelity& fidelity, const Entry& entry) {
-  const toml::table* table = entry.node.as_table();
+  const TomlNode* table = entry.node.table();
   if (table == nullptr) return fidelity.setAll(readsLiteral(entry));
-  if (const toml::node* all = table->get("all")) {
+  if (const TomlNode* all = table->get("all")) {
     fidelity.setAll(readsLiteral({*all, entry.file, entry.name + ".all"}));
   }
-  for (const auto& [key, node] : *table) {
-    if (key.str() != "all") readErratum(fidelity, entryOf(key, node, entry), key.str());
+  for (const auto& [key, place, node] : table->entries()) {
+    if (key != "all") readErratum(fidelity, entryOf(key, node, entry), key);
   }
 }
 

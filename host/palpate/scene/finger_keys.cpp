@@ -33,14 +33,14 @@ std::vector<Key<Step>> stepKeys(Move move) {
   return keys;
 }
 
-Move moveOf(const toml::table& table, const Entry& entry) {
-  const toml::node* word = table.get("do");
+Move moveOf(const TomlNode& table, const Entry& entry) {
+  const TomlNode* word = table.get("do");
   if (word == nullptr) entry.fail(fmt::format("needs do = {}", choiceWords(wordList<Move>())));
   return readChoice<Move>({*word, entry.file, entry.name + " do"});
 }
 
 Step readStep(const Entry& entry) {
-  const toml::table& table = tableOf(entry);
+  const TomlNode& table = tableOf(entry);
   Step step;
   const Move move = moveOf(table, entry);
   const std::string title = fmt::format("{} {}", entry.name, wordFor(move));
@@ -64,9 +64,9 @@ std::string showScript(const Finger& finger) {
 
 Key<Finger> scriptKey() {
   const auto read = [](Finger& finger, const Entry& entry) {
-    const toml::array* list = entry.node.as_array();
+    const TomlList* list = entry.node.list();
     if (list == nullptr) entry.fail("must be a list of steps");
-    for (const toml::node& node : *list) finger.steps.push_back(readStep({node, entry.file, entry.name}));
+    for (const TomlNode& node : *list) finger.steps.push_back(readStep({node, entry.file, entry.name}));
   };
   return {"script", "list of steps", "What the finger does, step by step; see below.", read, showScript};
 }
@@ -152,7 +152,7 @@ std::vector<KeyRow> describeFinger() {
 }  // namespace
 
 Section fingerSection() {
-  const auto read = [](const toml::table& table, const Entry& entry) {
+  const auto read = [](const TomlNode& table, const Entry& entry) {
     Finger finger;
     finger.scene_file = entry.file;
     finger.line = entry.line();
@@ -165,7 +165,7 @@ Section fingerSection() {
 }
 
 Section deviceSection() {
-  const auto read = [](const toml::table& table, const Entry& entry) {
+  const auto read = [](const TomlNode& table, const Entry& entry) {
     DeviceSettings device;
     readTable(table, entry.name, entry.file, deviceKeys(), device);
     if (device.name.empty()) entry.fail("needs a name");

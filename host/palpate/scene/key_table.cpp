@@ -7,30 +7,31 @@ namespace palpate::scene {
 
 namespace {
 
-std::string typeWords(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::string:
+std::string typeWords(const TomlNode& node) {
+  switch (node.kind()) {
+    case TomlNode::Kind::text:
       return "a text";
-    case toml::node_type::boolean:
+    case TomlNode::Kind::flag:
       return "true or false";
-    case toml::node_type::array:
+    case TomlNode::Kind::list:
       return "a list";
-    case toml::node_type::table:
+    case TomlNode::Kind::table:
       return "a table";
-    case toml::node_type::integer:
-    case toml::node_type::floating_point:
+    case TomlNode::Kind::whole:
+    case TomlNode::Kind::fraction:
       return "a number";
-    default:
-      return "a date or time";
+    case TomlNode::Kind::date:
+      break;
   }
+  return "a date or time";
 }
 
 [[noreturn]] void failType(const Entry& entry, std::string_view expected) {
   entry.fail(fmt::format("must be {}, not {}", expected, typeWords(entry.node)));
 }
 
-double finiteNumber(const Entry& entry, const toml::node& node, const Range& range) {
-  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+double finiteNumber(const Entry& entry, const TomlNode& node, const Range& range) {
+  const auto value = node.number();
   if (!value) failType({node, entry.file, entry.name}, "a number");
   if (!std::isfinite(*value)) entry.fail("must be finite");
   if (!range.holds(*value)) entry.fail("= " + outOfRange(fmt::format("{}", *value), range));
@@ -58,8 +59,8 @@ std::string choiceWords(const std::vector<std::string>& choices) {
 double readNumber(const Entry& entry, const Range& range) { return finiteNumber(entry, entry.node, range); }
 
 std::size_t readCount(const Entry& entry, std::size_t low, std::size_t high) {
-  if (!entry.node.is_integer()) failType(entry, "a whole number");
-  const auto value = *entry.node.value<std::int64_t>();
+  if (entry.node.kind() != TomlNode::Kind::whole) failType(entry, "a whole number");
+  const std::int64_t value = *entry.node.whole();
   if (value < 0 || static_cast<std::uint64_t>(value) < low || static_cast<std::uint64_t>(value) > high) {
     entry.fail("= " +
                outOfRange(fmt::format("{}", value), between(static_cast<double>(low), static_cast<double>(high))));
@@ -68,8 +69,8 @@ std::size_t readCount(const Entry& entry, std::size_t low, std::size_t high) {
 }
 
 std::string readText(const Entry& entry) {
-  const auto value = entry.node.value<std::string>();
-  if (!entry.node.is_string()) failType(entry, "a text in quotes");
+  const auto value = entry.node.text();
+  if (!value) failType(entry, "a text in quotes");
   if (std::any_of(value->begin(), value->end(), isControl) || value->size() > kLongestText) {
     entry.fail("must be one line of plain text");
   }
@@ -77,15 +78,15 @@ std::string readText(const Entry& entry) {
 }
 
 bool readFlag(const Entry& entry) {
-  if (!entry.node.is_boolean()) failType(entry, "true or false");
-  return *entry.node.value<bool>();
+  if (entry.node.kind() != TomlNode::Kind::flag) failType(entry, "true or false");
+  return *entry.node.flag();
 }
 
 std::vector<double> readNumbers(const Entry& entry, const Range& range) {
-  const toml::array* list = entry.node.as_array();
+  const TomlList* list = entry.node.list();
   if (list == nullptr) failType(entry, "a list of numbers");
   std::vector<double> values;
-  for (const toml::node& node : *list) values.push_back(finiteNumber(entry, node, range));
+  for (const TomlNode& node : *list) values.push_back(finiteNumber(entry, node, range));
   return values;
 }
 

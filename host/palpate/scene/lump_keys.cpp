@@ -88,25 +88,25 @@ std::vector<Key<S>> lumpKeys() {
 }
 
 /// Two keys of which one takes the place of the other.
-void requireOneOf(const toml::table& table, const Entry& entry, const char* one, const char* other) {
-  const toml::node* first = table.get(one);
-  const toml::node* second = table.get(other);
+void requireOneOf(const TomlNode& table, const Entry& entry, const char* one, const char* other) {
+  const TomlNode* first = table.get(one);
+  const TomlNode* second = table.get(other);
   if (first == nullptr || second == nullptr) return;
-  const std::size_t line = std::max(first->source().begin.line, second->source().begin.line);
+  const std::size_t line = std::max(first->line(), second->line());
   throw Error::atLine(entry.file, line, fmt::format("{} takes {} or {}, not both", entry.name, one, other));
 }
 
 }  // namespace
 
 Section lumpSection() {
-  const auto read = [](const toml::table& table, const Entry& entry) {
+  const auto read = [](const TomlNode& table, const Entry& entry) {
     S lump;
     lump.scene_file = entry.file;
     lump.line = entry.line();
     requireOneOf(table, entry, "stiffness_ratio", "young_kpa");
     requireOneOf(table, entry, "diameter_mm", "half_axes_mm");
     readTable(table, entry.name, entry.file, lumpKeys(), lump);
-    if (const toml::node* depth = table.get("depth_mm")) lump.depth_line = depth->source().begin.line;
+    if (const TomlNode* depth = table.get("depth_mm")) lump.depth_line = depth->line();
     return lump;
   };
   return listSection<S>("lump",

@@ -32,11 +32,11 @@ std::optional<KeyRow> rowNamed(const std::vector<KeyRow>& rows, std::string_view
   return std::nullopt;
 }
 
-toml::table parsed(std::string_view text) {
+TomlNode parsed(std::string_view text) {
   try {
-    return toml::parse(text, kHere);
-  } catch (const toml::parse_error& error) {
-    throw Error(oneLine(error.description()));
+    return parseToml(text, kHere);
+  } catch (const Error& error) {
+    throw Error(oneLine(error.cause()));
   }
 }
 
@@ -88,12 +88,12 @@ void setKey(Scene& scene, std::string_view table, std::string_view key, std::str
   if (table.empty()) {
     const Key<Scene>* top = topKeyOf(key);
     if (top == nullptr) throw Error(fmt::format("there is no key '{}'", key));
-    const toml::table root = parsed(fmt::format("{} = {}", key, value));
+    const TomlNode root = parsed(fmt::format("{} = {}", key, value));
     top->read(changed, {*root.get(key), kHere, top->name});
   } else {
     const Section* section = sectionOf(table);
     if (section == nullptr) throw Error(fmt::format("there is no table [{}]", table));
-    const toml::table root = parsed(fmt::format("[{}]\n{} = {}", table, key, value));
+    const TomlNode root = parsed(fmt::format("[{}]\n{} = {}", table, key, value));
     section->read(changed, {*root.get(table), kHere, section->title});
   }
   scene = std::move(changed);

@@ -10,7 +10,6 @@
 #include "palpate/base/text.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/scene/detail/scene_keys.h"
-#include "palpate/scene/detail/toml_table.h"
 
 namespace palpate::scene {
 
@@ -22,9 +21,9 @@ std::vector<std::string> sectionNames() {
   return names;
 }
 
-void readSections(const toml::table& root, std::string_view file, Scene& scene) {
+void readSections(const TomlNode& root, std::string_view file, Scene& scene) {
   for (const Section& section : sections()) {
-    if (const toml::node* node = root.get(section.name)) section.read(scene, {*node, file, section.title});
+    if (const TomlNode* node = root.get(section.name)) section.read(scene, {*node, file, section.title});
   }
 }
 
@@ -46,7 +45,7 @@ void requireNamesApart(const Scene& scene, std::string_view name) {
 }  // namespace
 
 Scene parse(std::string_view toml_text, std::string_view name) {
-  const toml::table root = parsedToml(toml_text, name);
+  const TomlNode root = parseToml(toml_text, name);
   Scene scene;
   scene.file = pathOf(name);
   readTable(root, "", name, topKeys(), scene, sectionNames());

@@ -31,7 +31,7 @@ class Places {
     }
   }
 
-  std::size_t at(const toml::source_position& place) const {
+  std::size_t at(const TomlPlace& place) const {
     std::size_t byte = lineStart(place.line);
     for (std::size_t letters = place.column - 1; letters > 0 && byte < text_.size(); --letters) {
       ++byte;
@@ -59,11 +59,11 @@ class Places {
 };
 
 /// Last line of anything in it; a table's own place is its header's.
-std::size_t lastLineOf(const toml::table& table) {
-  std::size_t last = table.source().end.line;
-  for (const auto& [key, node] : table) {
-    if (node.is_table() && !node.as_table()->is_inline()) throw NotPatched{};
-    last = std::max<std::size_t>(last, node.source().end.line);
+std::size_t lastLineOf(const TomlNode& table) {
+  std::size_t last = table.end().line;
+  for (const auto& [key, place, node] : table.entries()) {
+    if (node.isTable() && !node.isInline()) throw NotPatched{};
+    last = std::max<std::size_t>(last, node.end().line);
   }
   return last;
 }
@@ -108,10 +108,10 @@ class Patch {
   Patch(std::string_view text, const fs::path& file)
       : text_(text), places_(text), folder_(fs::absolute(file).parent_path()) {}
 
-  void changeTop(const toml::table& root, const Rows& was, const Rows& is) {
+  void changeTop(const TomlNode& root, const Rows& was, const Rows& is) {
     for (std::size_t i = 0; i < is.size(); ++i) {
       if (was[i].fallback == is[i].fallback) continue;
-      if (const toml::node* node = root.get(is[i].key)) {
+      if (const TomlNode* node = root.get(is[i].key)) {
         changeValue(root, *node, is[i]);
       } else {
         insert(topEnd(root), lineOf(is[i]));
@@ -119,11 +119,11 @@ class Patch {
     }
   }
 
-  void changeTable(const toml::table* table, const std::string& title, const Rows& was, const Rows& is) {
+  void changeTable(const TomlNode* table, const std::string& title, const Rows& was, const Rows& is) {
     std::string added;
     for (std::size_t i = 0; i < is.size(); ++i) {
       if (was[i].fallback == is[i].fallback) continue;
-      const toml::node* node = table == nullptr ? nullptr : table->get(is[i].key);
+      const TomlNode* node = table == nullptr ? nullptr : table->get(is[i].key);
       if (node != nullptr) {
         changeValue(*table, *node, is[i]);
       } else {
@@ -132,11 +132,11 @@ class Patch {
     }
     if (added.empty()) return;
     if (table == nullptr) return insert(text_.size(), "\n" + title + "\n" + added);
-    if (table->is_inline()) throw NotPatched{};
+    if (table->isInline()) throw NotPatched{};
     insert(places_.lineEnd(lastLineOf(*table)), added);
   }
 
-  void changeList(const toml::array* list, const Section& section, const std::vector<Rows>& was,
+  void changeList(const TomlList* list, const Section& section, const std::vector<Rows>& was,
                   const std::vector<Rows>& is) {
     const std::vector<int> partner = partners(was, is);
     std::size_t end = text_.size();  // where a table goes that comes now
@@ -144,13 +144,13 @@ class Patch {
     std::vector<bool> stays(was.size(), false);
     for (std::size_t j = 0; j < is.size(); ++j) {
       if (partner[j] < 0) {
-        if (list != nullptr && !list->empty() && tableAt(*list, 0).is_inline()) throw NotPatched{};
+        if (list != nullptr && !list->empty() && tableAt(*list, 0).isInline()) throw NotPatched{};
         insert(end, "\n" + section.title + "\n" + linesOf(is[j], section.describe(), folder_));
         continue;
       }
       const auto i = static_cast<std::size_t>(partner[j]);
       stays[i] = true;
-      const toml::table& table = tableAt(*list, i);
+      const TomlNode& table = tableAt(*list, i);
       changeTable(&table, section.title, was[i], is[j]);
       end = places_.lineEnd(lastLineOf(table));
     }
@@ -175,16 +175,15 @@ class Patch {
  private:
   using Place = std::pair<std::size_t, std::size_t>;  ///< bytes from, to
 
-  static const toml::table& tableAt(const toml::array& list, std::size_t i) {
-    const toml::table* table = list.get(i) == nullptr ? nullptr : list.get(i)->as_table();
-    if (table == nullptr) throw NotPatched{};
-    return *table;
+  static const TomlNode& tableAt(const TomlList& list, std::size_t i) {
+    if (i >= list.size() || !list[i].isTable()) throw NotPatched{};
+    return list[i];
   }
 
   std::string lineOf(const KeyRow& row) const {
     return row.fallback.empty() ? std::string() : row.key + " = " + valueIn(folder_, row) + "\n";
   }
-  std::size_t headerOf(const toml::table& table) const { return places_.lineStart(table.source().begin.line); }
+  std::size_t headerOf(const TomlNode& table) const { return places_.lineStart(table.line()); }
 
   void insert(std::size_t at, const std::string& words) { changes_[{at, at}] += words; }
   void replace(std::size_t from, std::size_t to, std::string words) { changes_[{from, to}] = std::move(words); }
@@ -192,33 +191,33 @@ class Patch {
     replace(places_.lineStart(first), places_.lineEnd(last), {});
   }
 
-  void changeValue(const toml::table& table, const toml::node& node, const KeyRow& row) {
+  void changeValue(const TomlNode& table, const TomlNode& node, const KeyRow& row) {
     if (row.fallback.empty()) {
-      if (table.is_inline()) throw NotPatched{};
-      return removeLines(node.source().begin.line, node.source().end.line);
+      if (table.isInline()) throw NotPatched{};
+      return removeLines(node.line(), node.end().line);
     }
-    replace(places_.at(node.source().begin), places_.at(node.source().end), valueIn(folder_, row));
+    replace(places_.at(node.begin()), places_.at(node.end()), valueIn(folder_, row));
   }
 
   /// The header and its keys, with the blank line before it; comments on lines of their own stay.
-  void removeTable(const toml::table& table) {
-    if (table.is_inline()) throw NotPatched{};
-    const std::size_t header = table.source().begin.line;
+  void removeTable(const TomlNode& table) {
+    if (table.isInline()) throw NotPatched{};
+    const std::size_t header = table.line();
     const bool blank = header > 1 && places_.isBlank(header - 1);
     removeLines(blank ? header - 1 : header, header);
-    for (const auto& [key, node] : table) removeLines(key.source().begin.line, node.source().end.line);
+    for (const auto& [key, place, node] : table.entries()) removeLines(place.line, node.end().line);
   }
 
   /// After the last key before the first table; without one, before the first table and its own comment.
-  std::size_t topEnd(const toml::table& root) const {
+  std::size_t topEnd(const TomlNode& root) const {
     std::size_t last = 0;
     std::size_t first_table = std::string::npos;
-    for (const auto& [key, node] : root) {
-      const bool header = (node.is_table() && !node.as_table()->is_inline()) || node.is_array_of_tables();
+    for (const auto& [key, place, node] : root.entries()) {
+      const bool header = (node.isTable() && !node.isInline()) || node.isListOfTables();
       if (header) {
-        first_table = std::min<std::size_t>(first_table, node.source().begin.line);
+        first_table = std::min<std::size_t>(first_table, node.line());
       } else {
-        last = std::max<std::size_t>(last, node.source().end.line);
+        last = std::max<std::size_t>(last, node.end().line);
       }
     }
     if (last > 0) return places_.lineEnd(last);
@@ -235,18 +234,18 @@ class Patch {
 };
 
 std::string patched(std::string_view text, const Scene& scene, const fs::path& file) {
-  const toml::table root = toml::parse(text, file.string());
+  const TomlNode root = parseToml(text, file.string());
   const Scene was = parse(text, file.string());
   Patch patch(text, file);
   patch.changeTop(root, topRows(was), topRows(scene));
   for (const Section& section : sections()) {
     const std::vector<Rows> before = section.values(was);
     const std::vector<Rows> now = section.values(scene);
-    const toml::node* node = root.get(section.name);
+    const TomlNode* node = root.get(section.name);
     if (section.title.starts_with("[[")) {
-      patch.changeList(node == nullptr ? nullptr : node->as_array(), section, before, now);
+      patch.changeList(node == nullptr ? nullptr : node->list(), section, before, now);
     } else {
-      patch.changeTable(node == nullptr ? nullptr : node->as_table(), section.title, before.front(), now.front());
+      patch.changeTable(node == nullptr ? nullptr : node->table(), section.title, before.front(), now.front());
     }
   }
   return patch.applied();
@@ -260,8 +259,6 @@ std::optional<std::string> patchedScene(std::string_view text, const Scene& scen
     std::string changed = patched(text, scene, file);
     if (sceneAsToml(parse(changed, file.string()), folder) == sceneAsToml(scene, folder)) return changed;
   } catch (const NotPatched&) {
-    return std::nullopt;
-  } catch (const toml::parse_error&) {
     return std::nullopt;
   } catch (const Error&) {
     return std::nullopt;

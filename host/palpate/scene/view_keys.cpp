@@ -8,9 +8,9 @@ namespace {
 using V = ViewSettings;
 Key<V> overlayList(std::string name, std::vector<Overlay> V::*member, std::string meaning) {
   const auto read = [=](V& s, const Entry& entry) {
-    const toml::array* list = entry.node.as_array();
+    const TomlList* list = entry.node.list();
     if (list == nullptr) entry.fail("must be a list of names");
-    for (const toml::node& node : *list) {
+    for (const TomlNode& node : *list) {
       (s.*member).push_back(readChoice<Overlay>({node, entry.file, entry.name}));
     }
   };

@@ -262,7 +262,7 @@ ClassFolder readClassFolder(const fs::path& folder) {
   const fs::path file = folder / "class.toml";
   const std::string text = readFile(file, kMaxClassFileBytes);
   const std::string name = file.string();
-  const toml::table root = scene::parsedToml(text, name);
+  const scene::TomlNode root = scene::parseToml(text, name);
   const scene::TomlTable table(
       root, name, "a class",
       {"id", "label", "host", "port", "retain_days", "retain_samples_days", "station_megabytes"});

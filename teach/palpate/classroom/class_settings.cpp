@@ -59,7 +59,7 @@ training::Uuid uuidOfName(const std::string& text) {
 
 Member parseMember(std::string_view text, const std::filesystem::path& file) {
   const std::string name = file.string();
-  const toml::table root = scene::parsedToml(text, name);
+  const scene::TomlNode root = scene::parseToml(text, name);
   const scene::TomlTable table(root, name, "a member of a class",
                                {"role", "class", "name", "station_id", "host", "port", "retain_days",
                                 "retain_samples_days", "authority", "certificate", "key"});

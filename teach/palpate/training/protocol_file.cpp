@@ -1,7 +1,6 @@
 // A protocol as a TOML file: read key by key, written with explanations. Changes stand in per cent there.
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -15,6 +14,8 @@ namespace palpate::training {
 
 namespace {
 
+using scene::TomlList;
+using scene::TomlNode;
 using scene::TomlTable;
 
 constexpr std::size_t kMaxProtocolBytes = std::size_t{1} << 20;
@@ -52,14 +53,14 @@ void readWord(const TomlTable& table, const char* key, Value& value) {
 }
 
 void readLevels(const TomlTable& table, BlockSettings& block) {
-  const toml::node* node = table.node("levels_percent");
+  const TomlNode* node = table.node("levels_percent");
   if (node == nullptr) return;
-  const toml::array* list = node->as_array();
+  const TomlList* list = node->list();
   if (list == nullptr) table.fail(*node, "levels_percent takes a list of numbers");
   block.levels.clear();
-  for (const toml::node& one : *list) {
-    const auto percent = one.value<double>();
-    if (!one.is_number() || !percent || !(*percent > 0.0 && *percent <= 100.0)) {
+  for (const TomlNode& one : *list) {
+    const auto percent = one.number();
+    if (!percent || !(*percent > 0.0 && *percent <= 100.0)) {
       table.fail(one, "a level is a number above 0 and at most 100");
     }
     block.levels.push_back(*percent / 100.0);
@@ -67,7 +68,7 @@ void readLevels(const TomlTable& table, BlockSettings& block) {
   std::ranges::sort(block.levels);
 }
 
-SessionSettings sessionFrom(const toml::table& keys, std::string_view file, std::string_view name,
+SessionSettings sessionFrom(const TomlNode& keys, std::string_view file, std::string_view name,
                             SessionSettings settings) {
   const TomlTable table(
       keys, file, fmt::format("[{}]", name),
@@ -101,13 +102,13 @@ SessionSettings sessionFrom(const toml::table& keys, std::string_view file, std:
 
 std::vector<std::string> sitesFrom(const TomlTable& table) {
   std::vector<std::string> sites;
-  const toml::node* node = table.node("sites");
+  const TomlNode* node = table.node("sites");
   if (node == nullptr) return sites;
-  const toml::array* list = node->as_array();
+  const TomlList* list = node->list();
   if (list == nullptr)
     table.fail(*node, "sites takes a list of places such as [\"T6 left 30 mm\", \"T6 right 30 mm\"]");
-  for (const toml::node& one : *list) {
-    const auto words = one.value_exact<std::string>();
+  for (const TomlNode& one : *list) {
+    const auto words = one.text();
     if (!words || words->empty()) table.fail(one, "a site is a place in words, such as \"T6 left 30 mm\"");
     sites.push_back(*words);
   }
@@ -115,17 +116,17 @@ std::vector<std::string> sitesFrom(const TomlTable& table) {
   return sites;
 }
 
-const toml::table* tableNamed(const toml::table& root, const char* name, std::string_view file) {
-  const toml::node* node = root.get(name);
+const TomlNode* tableNamed(const TomlNode& root, const char* name, std::string_view file) {
+  const TomlNode* node = root.get(name);
   if (node == nullptr) return nullptr;
-  if (!node->is_table()) {
-    throw Error::atLine(file, node->source().begin.line, fmt::format("{0} is a table, written as [{0}]", name));
+  if (!node->isTable()) {
+    throw Error::atLine(file, node->line(), fmt::format("{0} is a table, written as [{0}]", name));
   }
-  return node->as_table();
+  return node;
 }
 
-void readHidden(const toml::table& root, std::string_view file, HiddenPlace& hidden) {
-  const toml::table* keys = tableNamed(root, "hidden", file);
+void readHidden(const TomlNode& root, std::string_view file, HiddenPlace& hidden) {
+  const TomlNode* keys = tableNamed(root, "hidden", file);
   if (keys == nullptr) return;
   const TomlTable table(*keys, file, "[hidden]", {"radius_mm", "edge_softness", "depth_mm", "bony_displacement_mm"});
   table.read("radius_mm", hidden.radius_mm, {5.0, 100.0});
@@ -134,8 +135,8 @@ void readHidden(const toml::table& root, std::string_view file, HiddenPlace& hid
   table.read("bony_displacement_mm", hidden.bony_displacement_mm, {-15.0, 15.0});
 }
 
-void readExploration(const toml::table& root, std::string_view file, ExplorationSettings& exploration) {
-  const toml::table* keys = tableNamed(root, "exploration", file);
+void readExploration(const TomlNode& root, std::string_view file, ExplorationSettings& exploration) {
+  const TomlNode* keys = tableNamed(root, "exploration", file);
   if (keys == nullptr) return;
   const TomlTable table(*keys, file, "[exploration]", {"force_n", "dwell_s", "radius_mm"});
   table.read("force_n", exploration.force_n, {0.05, 10.0});
@@ -152,14 +153,14 @@ constexpr NumberRange kLumpRatios{1.2, 1000.0};
 constexpr int kMostBodies = 200;
 
 void readGrades(const TomlTable& table, const char* key, lumps::Grades& grades, const NumberRange& range) {
-  const toml::node* node = table.node(key);
+  const TomlNode* node = table.node(key);
   if (node == nullptr) return;
-  const toml::array* list = node->as_array();
+  const TomlList* list = node->list();
   if (list == nullptr || list->size() != grades.size()) table.fail(*node, fmt::format("{} takes three numbers", key));
   for (std::size_t i = 0; i < grades.size(); ++i) {
-    const toml::node& one = *list->get(i);
-    const auto number = one.value<double>();
-    if (!one.is_number() || !number) table.fail(one, fmt::format("{} takes three numbers", key));
+    const TomlNode& one = (*list)[i];
+    const auto number = one.number();
+    if (!number) table.fail(one, fmt::format("{} takes three numbers", key));
     if (!range.holds(*number)) {
       table.fail(one, fmt::format("{} = {}", key, outOfRange(fmt::format("{:g}", *number), range)));
     }
@@ -168,8 +169,8 @@ void readGrades(const TomlTable& table, const char* key, lumps::Grades& grades, 
   }
 }
 
-std::optional<lumps::LumpTask> readLumpTask(const toml::table& root, std::string_view file) {
-  const toml::table* keys = tableNamed(root, "lump", file);
+std::optional<lumps::LumpTask> readLumpTask(const TomlNode& root, std::string_view file) {
+  const TomlNode* keys = tableNamed(root, "lump", file);
   if (keys == nullptr) return std::nullopt;
   lumps::LumpTask task;
   const TomlTable table(*keys, file, "[lump]",
@@ -189,7 +190,7 @@ std::optional<lumps::LumpTask> readLumpTask(const toml::table& root, std::string
   return task;
 }
 
-Protocol protocolFrom(const toml::table& root, std::string_view file) {
+Protocol protocolFrom(const TomlNode& root, std::string_view file) {
   Protocol protocol = builtInProtocol();
   std::vector<std::string> keys = {
       "id",     "version",     "title", "sites", "base_n_per_mm", "break_after_min", "least_days_to_retention",
@@ -215,7 +216,7 @@ Protocol protocolFrom(const toml::table& root, std::string_view file) {
   for (const NamedSession& one : kSessions) {
     SessionSettings& settings = protocol.*one.settings;
     settings.block.choices = choices;
-    if (const toml::table* session = tableNamed(root, one.table, file)) {
+    if (const TomlNode* session = tableNamed(root, one.table, file)) {
       settings = sessionFrom(*session, file, one.table, settings);
     }
   }
@@ -294,7 +295,7 @@ std::string inQuotes(std::string_view text) {
 
 Protocol parseProtocol(std::string_view text, std::string_view file) {
   if (text.size() > kMaxProtocolBytes) throw Error::inFile(file, "larger than any protocol (1 MiB)");
-  return protocolFrom(scene::parsedToml(text, file), file);
+  return protocolFrom(scene::parseToml(text, file), file);
 }
 
 Protocol protocolNamed(const std::string& name_or_file) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -88,22 +87,31 @@ constexpr double kMaxMm = 1e5;
 
 /// A value out of range or of another type is as good as none: the default stays.
 struct StateReader {
-  const toml::table& table;
-  void operator()(const char* name, bool& value) const { value = table[name].value_or(value); }
+  const scene::TomlNode& table;
+  void operator()(const char* name, bool& value) const {
+    if (const scene::TomlNode* node = table.get(name)) value = node->flag().value_or(value);
+  }
   void operator()(const char* name, double& value) const {
-    const double read = table[name].value_or(value);
+    const scene::TomlNode* node = table.get(name);
+    const double read = node == nullptr ? value : node->number().value_or(value);
     if (std::abs(read) <= kMaxMm) value = read;
   }
   void operator()(const char* name, int& value) const {
-    const auto read = table[name].value_or<std::int64_t>(value);
+    const std::int64_t read = whole(name, value);
     if (std::abs(read) <= kMaxPixels) value = static_cast<int>(read);
   }
-  void operator()(const char* name, std::string& value) const { value = table[name].value_or(value); }
+  void operator()(const char* name, std::string& value) const {
+    if (const scene::TomlNode* node = table.get(name)) value = node->text().value_or(value);
+  }
   template <class E>
   requires std::is_enum_v<E>
   void operator()(const char* name, E& value) const {
-    const auto read = table[name].value_or<std::int64_t>(static_cast<int>(value));
+    const std::int64_t read = whole(name, static_cast<int>(value));
     if (read >= 0 && read < countOf(value)) value = static_cast<E>(read);
+  }
+  std::int64_t whole(const char* name, std::int64_t standard) const {
+    const scene::TomlNode* node = table.get(name);
+    return node == nullptr ? standard : node->whole().value_or(standard);
   }
 };
 
@@ -153,13 +161,14 @@ std::string stateAsToml(const Remembered& remembered) {
 }
 
 Remembered parseState(std::string_view text, std::string_view name) {
-  const toml::table table = scene::parsedToml(text, name);
-  if (table["version"].value_or<std::int64_t>(0) != kStateVersion) throw Error::inFile(name, "is of another version");
+  const scene::TomlNode table = scene::parseToml(text, name);
+  const StateReader reader{table};
+  if (reader.whole("version", 0) != kStateVersion) throw Error::inFile(name, "is of another version");
   Remembered remembered;
-  forEachValue(remembered, StateReader{table});
-  if (const toml::array* recent = table["recent"].as_array()) {
-    for (const toml::node& node : *recent) {
-      if (const auto file = node.value<std::string>()) remembered.state.recent.push_back(*file);
+  forEachValue(remembered, reader);
+  if (const scene::TomlNode* recent = table.get("recent"); recent != nullptr && recent->list() != nullptr) {
+    for (const scene::TomlNode& node : *recent->list()) {
+      if (const auto file = node.text()) remembered.state.recent.push_back(*file);
     }
   }
   if (remembered.state.recent.size() > kRecentFiles) remembered.state.recent.resize(kRecentFiles);

@@ -1,12 +1,12 @@
 // One table says everything about the keys of a scene file: how each is read, which values it takes, what it is when it
 // is left out and what it means. The reader, its error messages and docs/reference/scene-files.md all come from it.
 //
-// Used by the tables (scene_keys.h) and by who reads or writes whole files; it includes the TOML parser.
+// Used by the tables (scene_keys.h) and by who reads or writes whole files.
 #pragma once
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -23,17 +23,18 @@
 #include "palpate/base/path_text.h"
 #include "palpate/base/vec.h"
 #include "palpate/base/words.h"
+#include "palpate/scene/detail/toml_node.h"
 #include "palpate/scene/scene_file.h"
 
 namespace palpate::scene {
 
 /// A value in the file and where it stands.
 struct Entry {
-  const toml::node& node;
+  const TomlNode& node;
   std::string_view file;
   std::string name;  ///< as the user would say it, e.g. "finger.radius_mm"
 
-  std::size_t line() const { return node.source().begin.line; }
+  std::size_t line() const { return node.line(); }
   [[noreturn]] void fail(std::string_view cause) const {
     throw Error::atLine(file, line(), fmt::format("{} {}", name, cause));
   }
@@ -224,24 +225,23 @@ Key<S> place(std::string name, Access<S, std::optional<Vec3>> at, Range range, s
 
 /// Reads every key of `table` into the settings; `title` is the table's header as it stands in a file.
 template <class S>
-void readTable(const toml::table& table, std::string_view title, std::string_view file_name,
+void readTable(const TomlNode& table, std::string_view title, std::string_view file_name,
                const std::vector<Key<S>>& keys, S& settings, const std::vector<std::string>& nested = {}) {
   std::vector<std::string> names = nested;
   for (const Key<S>& key : keys) names.push_back(key.name);
-  const auto read = [&](const Key<S>& key, const toml::node& node) {
+  const auto read = [&](const Key<S>& key, const TomlNode& node) {
     key.read(settings, {node, file_name, title.empty() ? key.name : fmt::format("{} {}", title, key.name)});
   };
   for (const Key<S>& key : keys) {
-    const toml::node* node = key.first ? table.get(key.name) : nullptr;
+    const TomlNode* node = key.first ? table.get(key.name) : nullptr;
     if (node != nullptr) read(key, *node);
   }
-  for (const auto& [toml_key, node] : table) {
-    const std::string_view written = toml_key.str();
+  for (const auto& [written, place, node] : table.entries()) {
     const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key<S>& k) { return k.name == written; });
     if (key != keys.end()) {
       if (!key->first) read(*key, node);
     } else if (std::find(nested.begin(), nested.end(), written) == nested.end()) {
-      throw Error::atLine(file_name, toml_key.source().begin.line, unknownName("key", written, title, names));
+      throw Error::atLine(file_name, place.line, unknownName("key", written, title, names));
     }
   }
 }

@@ -41,8 +41,8 @@ std::vector<KeyRow> describe(const std::string& title, const std::vector<Key<S>>
   return rows;
 }
 
-inline const toml::table& tableOf(const Entry& entry) {
-  if (const toml::table* table = entry.node.as_table()) return *table;
+inline const TomlNode& tableOf(const Entry& entry) {
+  if (entry.node.isTable()) return entry.node;
   entry.fail("must be a table");
 }
 
@@ -67,13 +67,13 @@ Section section(const std::string& name, const std::string& about, Access<Scene,
 /// A table that stands as often as one likes.
 template <class S>
 Section listSection(const std::string& name, const std::string& about, Access<Scene, std::vector<S>> at,
-                    std::function<S(const toml::table&, const Entry&)> read_one, const std::vector<Key<S>>& keys,
+                    std::function<S(const TomlNode&, const Entry&)> read_one, const std::vector<Key<S>>& keys,
                     std::function<std::vector<KeyRow>()> describe_rows) {
   const std::string title = "[[" + name + "]]";
   const auto read = [=](Scene& scene, const Entry& entry) {
-    const toml::array* list = entry.node.as_array();
+    const TomlList* list = entry.node.list();
     if (list == nullptr) Entry{entry.node, entry.file, title}.fail("must be written with two brackets");
-    for (const toml::node& node : *list) {
+    for (const TomlNode& node : *list) {
       const Entry one{node, entry.file, title};
       at(scene).push_back(read_one(tableOf(one), one));
     }

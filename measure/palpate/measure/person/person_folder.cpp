@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -12,6 +11,7 @@
 #include "palpate/base/hash.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
+#include "palpate/scene/detail/toml_node.h"
 
 namespace palpate::measure {
 
@@ -127,38 +127,45 @@ using KeptPresses = std::map<std::string, Kept, std::less<>>;
 
 constexpr std::array<std::string_view, 3> kDecisionWords = {"", "accept", "repeat"};
 
-std::vector<std::string> linesOf(const toml::table& table, const char* key) {
+std::vector<std::string> linesOf(const scene::TomlNode& table, const char* key) {
   std::vector<std::string> lines;
-  if (const toml::array* list = table[key].as_array()) {
-    for (const toml::node& line : *list) lines.push_back(line.value_or(std::string()));
-  }
+  const scene::TomlNode* node = table.get(key);
+  if (node == nullptr || node->list() == nullptr) return lines;
+  for (const scene::TomlNode& line : *node->list()) lines.push_back(line.text().value_or(""));
   return lines;
+}
+
+/// Empty where it is missing or no text.
+std::string textOf(const scene::TomlNode& table, const char* key) {
+  const scene::TomlNode* node = table.get(key);
+  return node == nullptr ? std::string() : node->text().value_or("");
 }
 
 KeptPresses readKept(const fs::path& file) {
   KeptPresses kept;
   if (!fs::exists(file)) return kept;
-  toml::table root;
+  const std::string text = readFile(file, kMaxMeasuredBytes);
+  scene::TomlNode root;
   try {
-    root = toml::parse(readFile(file, kMaxMeasuredBytes), file.string());
-  } catch (const toml::parse_error& error) {
-    throw Error::atLine(file.string(), error.source().begin.line,
+    root = scene::parseToml(text, file.string());
+  } catch (const Error& error) {
+    throw Error::atLine(file.string(), error.line(),
                         "is not a record of measurements; without it all is measured again");
   }
-  const toml::array* presses = root["press"].as_array();
-  if (presses == nullptr) return kept;
-  for (const toml::node& node : *presses) {
-    const toml::table* table = node.as_table();
-    if (table == nullptr) continue;
-    Kept one{.hash = (*table)["hash"].value_or(std::string()), .outcome = {}};
-    one.outcome.accepted = (*table)["accepted"].value_or(false);
-    one.outcome.row = (*table)["row"].value_or(std::string());
-    one.outcome.refusals = linesOf(*table, "refusals");
-    one.outcome.warnings = linesOf(*table, "warnings");
-    one.outcome.null_drift_mm = (*table)["null_drift_mm"].value<double>();
-    const auto word = std::ranges::find(kDecisionWords, (*table)["decision"].value_or(std::string()));
+  const scene::TomlNode* presses = root.get("press");
+  if (presses == nullptr || presses->list() == nullptr) return kept;
+  for (const scene::TomlNode& table : *presses->list()) {
+    if (!table.isTable()) continue;
+    Kept one{.hash = textOf(table, "hash"), .outcome = {}};
+    if (const scene::TomlNode* accepted = table.get("accepted"))
+      one.outcome.accepted = accepted->flag().value_or(false);
+    one.outcome.row = textOf(table, "row");
+    one.outcome.refusals = linesOf(table, "refusals");
+    one.outcome.warnings = linesOf(table, "warnings");
+    if (const scene::TomlNode* drift = table.get("null_drift_mm")) one.outcome.null_drift_mm = drift->number();
+    const auto word = std::ranges::find(kDecisionWords, textOf(table, "decision"));
     if (word != kDecisionWords.end()) one.decision = static_cast<Decision>(word - kDecisionWords.begin());
-    kept.insert_or_assign((*table)["name"].value_or(std::string()), std::move(one));
+    kept.insert_or_assign(textOf(table, "name"), std::move(one));
   }
   return kept;
 }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -42,11 +41,11 @@ HeadTowards headOf(const ProtocolTable& table) {
 
 std::vector<ProtocolDrag> dragsOf(const ProtocolTable& table) {
   std::vector<ProtocolDrag> drags;
-  const toml::node* node = table.node("drags");
-  const toml::array* list = node == nullptr ? nullptr : node->as_array();
+  const scene::TomlNode* node = table.node("drags");
+  const scene::TomlList* list = node == nullptr ? nullptr : node->list();
   if (list == nullptr || list->empty()) table.fail("drags takes a list such as [\"up\", \"right\"]");
-  for (const toml::node& one : *list) {
-    const std::string word = one.value_exact<std::string>().value_or("");
+  for (const scene::TomlNode& one : *list) {
+    const std::string word = one.text().value_or("");
     const auto degrees = dragNamed(word);
     if (!degrees || !isPlain(word)) table.fail(one, "'" + oneLine(word) + "' is none of up, down, left, right");
     drags.push_back({word, *degrees});
@@ -56,17 +55,16 @@ std::vector<ProtocolDrag> dragsOf(const ProtocolTable& table) {
 
 /// Every table of an array of tables.
 template <class Read>
-void eachTable(const toml::table& root, const char* name, std::string_view file, const Read& read) {
-  const toml::node* node = root.get(name);
+void eachTable(const scene::TomlNode& root, const char* name, std::string_view file, const Read& read) {
+  const scene::TomlNode* node = root.get(name);
   if (node == nullptr) return;
-  const toml::array* list = node->as_array();
-  if (list == nullptr || !list->is_array_of_tables()) {
-    throw Error::atLine(file, node->source().begin.line, fmt::format("{0} is written as [[{0}]]", name));
+  if (!node->isListOfTables()) {
+    throw Error::atLine(file, node->line(), fmt::format("{0} is written as [[{0}]]", name));
   }
-  for (const toml::node& one : *list) read(*one.as_table());
+  for (const scene::TomlNode& one : *node->list()) read(one);
 }
 
-ProtocolPoint pointOf(const toml::table& table, std::string_view file) {
+ProtocolPoint pointOf(const scene::TomlNode& table, std::string_view file) {
   const ProtocolTable keys(table, file, "[[point]]", {"name", "at", "x_mm", "y_mm"});
   ProtocolPoint point;
   keys.read("name", point.name);
@@ -79,7 +77,7 @@ ProtocolPoint pointOf(const toml::table& table, std::string_view file) {
   return point;
 }
 
-ListedPictures picturesOf(const toml::table& table, std::string_view file) {
+ListedPictures picturesOf(const scene::TomlNode& table, std::string_view file) {
   const ProtocolTable keys(table, file, "[[pictures]]",
                            {"press", "before", "before2", "after", "released", "contact_px"});
   ListedPictures listed;
@@ -88,12 +86,12 @@ ListedPictures picturesOf(const toml::table& table, std::string_view file) {
   keys.read("before2", listed.before2);
   keys.read("after", listed.after);
   keys.read("released", listed.released);
-  if (const toml::node* node = keys.node("contact_px")) {
-    const toml::array* list = node->as_array();
-    if (list == nullptr || list->size() != 2 || !(*list)[0].is_number() || !(*list)[1].is_number()) {
+  if (const scene::TomlNode* node = keys.node("contact_px")) {
+    const scene::TomlList* list = node->list();
+    if (list == nullptr || list->size() != 2 || !(*list)[0].isNumber() || !(*list)[1].isNumber()) {
       keys.fail(*node, "contact_px takes two numbers, [x, y]");
     }
-    listed.contact_px = Vec2((*list)[0].value_or(0.0), (*list)[1].value_or(0.0));
+    listed.contact_px = Vec2((*list)[0].number().value_or(0.0), (*list)[1].number().value_or(0.0));
   }
   return listed;
 }
@@ -129,7 +127,7 @@ Protocol readProtocol(const std::filesystem::path& file) {
 }
 
 Protocol parseProtocol(std::string_view text, std::string_view file) {
-  const toml::table root = scene::parsedToml(text, file);
+  const scene::TomlNode root = scene::parseToml(text, file);
   const ProtocolTable keys(root, file, "",
                            {"person", "spacing_mm", "drift_mm", "head", "partial", "presses", "enough", "drags",
                             "stature_mm", "body_mass_index", "point", "pictures"});
@@ -145,9 +143,10 @@ Protocol parseProtocol(std::string_view text, std::string_view file) {
   keys.read("body_mass_index", protocol.body_mass_index, {16.0, 45.0});
   protocol.head = headOf(keys);
   protocol.drags = dragsOf(keys);
-  eachTable(root, "point", file, [&](const toml::table& table) { protocol.points.push_back(pointOf(table, file)); });
+  eachTable(root, "point", file,
+            [&](const scene::TomlNode& table) { protocol.points.push_back(pointOf(table, file)); });
   eachTable(root, "pictures", file,
-            [&](const toml::table& table) { protocol.pictures.push_back(picturesOf(table, file)); });
+            [&](const scene::TomlNode& table) { protocol.pictures.push_back(picturesOf(table, file)); });
   checkTogether(protocol, file);
   return protocol;
 }
