@@ -178,7 +178,7 @@ def bind(release: Release) -> None:
     (release.out / "SHA256SUMS").write_text("".join(f"{archives.sha256(file)}  {file.name}\n" for file in files))
     if release.key:
         if shutil.which("minisign") is None:
-            raise Missing("minisign is not installed (tools/install-dependencies --tests)")
+            raise Missing("minisign is not installed (tools/install-dependencies --all)")
         # The comment would hold the time; a fixed one makes the signature the same every time.
         run("minisign", "-S", "-s", release.key, "-m", release.out / "SHA256SUMS", "-c", f"Palpate {release.version}", "-t",
             f"Palpate {release.version}", stdin=subprocess.DEVNULL if is_open(release.key) else None)
