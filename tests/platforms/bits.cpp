@@ -15,6 +15,7 @@
 #include "lab/runs/scene_bits.h"
 #include "palpate/base/environment.h"
 #include "palpate/base/error.h"
+#include "palpate/scene/ready_body.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
 
@@ -45,6 +46,7 @@ int main(int count, char** words) try {
   palpate::Environment host = palpate::environment();
   host.read_file = readFile;
   palpate::useEnvironment(host);
+  palpate::scene::setBodyStore({});  // bodies are what is compared: each is made here and now
   std::uint64_t ticks = 0;
   int first = 1;
   if (count > 2 && std::string(words[1]) == "--ticks") {

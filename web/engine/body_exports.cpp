@@ -17,7 +17,6 @@
 
 #include "engine/exports.h"
 #include "engine/live_body.h"
-#include "engine/ready_body.h"
 #include "palpate/base/colour_map.h"
 #include "palpate/base/error.h"
 #include "palpate/body/places.h"
@@ -25,14 +24,16 @@
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/triangle_mesh.h"
 #include "palpate/scene/body_parts.h"
+#include "palpate/scene/ready_body.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::web {
 
 namespace {
 
-// Bodies for the page: the trunk that was made ahead (ready_body.h), or from the bytes of somebody's mesh file. Settings
-// are the scene file's defaults; its reader and writer stay out of the page, of which they would be a third.
+// Bodies for the page: the trunk that was made ahead (palpate/scene/ready_body.h), or from the bytes of somebody's mesh
+// file. Settings are the scene file's defaults; its reader and writer stay out of the page, of which they would be a
+// third.
 //
 // A stranger's file goes through the reader for bytes in memory and through mending, as any scene's does; how long and
 // how large it may be is bounded here, because a page cannot be asked to wait.
@@ -67,7 +68,7 @@ std::string quoted(const std::string& text) {
 }
 
 /// The trunk that was made ahead.
-std::shared_ptr<const scene::World> openReady(ReadyBody ready) {
+std::shared_ptr<const scene::World> openReady(scene::ReadyBody ready) {
   scene::Scene scene;
   scene.body.kind = scene::BodyKind::trunk;
   scene.body.triangles = ready.triangles;
@@ -97,8 +98,8 @@ std::shared_ptr<const scene::World> openMesh(std::string_view bytes, std::string
   }
 }
 
-/// The scene file for what was opened, so that it can be looked at again elsewhere: body, dysfunctions and lumps. Of a mesh
-/// the name and the unit, as they were given to openMesh.
+/// The scene file for what was opened, so that it can be looked at again elsewhere: body, dysfunctions and lumps. Of a
+/// mesh the name and the unit, as they were given to openMesh.
 std::string sceneText(const scene::Scene& scene) {
   const scene::BodySettings& body = scene.body;
   std::string text = "title = \"felt in a browser\"\n\n[body]\n";
@@ -150,9 +151,9 @@ std::string numbers(const Vec3& v) { return fmt::format("[{},{},{}]", v.x(), v.y
 std::string inWords(const std::vector<body::SkinLandmark>& landmarks) {
   std::string words;
   for (const body::SkinLandmark& landmark : landmarks) {
-    words += fmt::format("{}{{\"name\":{},\"at\":{},\"normal\":{}}}", words.empty() ? "" : ",",
-                         jsonText(body::spokenName(landmark.name)), numbers(landmark.position),
-                         numbers(landmark.normal));
+    words +=
+        fmt::format("{}{{\"name\":{},\"at\":{},\"normal\":{}}}", words.empty() ? "" : ",",
+                    jsonText(body::spokenName(landmark.name)), numbers(landmark.position), numbers(landmark.normal));
   }
   return '[' + words + ']';
 }
@@ -167,7 +168,7 @@ std::string bodyInWords(const scene::World& world) {
 }
 
 std::unique_ptr<LiveBody> body;
-ReadyBody ready;  // read, not yet opened
+scene::ReadyBody ready;  // read, not yet opened
 std::vector<float> ready_rest;
 FramePacker frame;
 std::vector<float> bone_positions;
@@ -223,7 +224,7 @@ PALPATE_EXPORT void palpate_give(void* memory) { std::free(memory); }
 /// Reads the trunk's file; palpate_open_ready makes it the body. Between them it can be looked at.
 PALPATE_EXPORT const char* palpate_read_ready(const char* bytes, std::size_t length) {
   return errorOf([&] {
-    ready = decodeBody({bytes, length});
+    ready = scene::decodeBody({bytes, length}, "trunk");
     ready_rest = restOf(ready.parts.skin);
   });
 }

@@ -13,10 +13,11 @@ namespace palpate {
 class Hash {
  public:
   void add(std::uint64_t word) {
-    for (int shift = 0; shift < 64; shift += 8) {
-      value_ ^= (word >> shift) & 0xffu;
-      value_ *= 0x100000001b3ull;
-    }
+    for (int shift = 0; shift < 64; shift += 8) addByte(static_cast<unsigned char>(word >> shift));
+  }
+  void addByte(unsigned char byte) {
+    value_ ^= byte;
+    value_ *= 0x100000001b3ull;
   }
   /// Hashes the bits: -0.0 and 0.0 differ on purpose, a hash must see every change.
   void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "palpate/base/byte_wire.h"
 #include "palpate/base/error.h"
-#include "palpate/engine/byte_wire.h"
 
 namespace palpate::engine {
 

@@ -2,8 +2,8 @@
 // FormSettings and not here fails the test that looks at its size.
 #include <fmt/format.h>
 
+#include "palpate/base/byte_wire.h"
 #include "palpate/base/error.h"
-#include "palpate/engine/byte_wire.h"
 #include "palpate/engine/contact_stream.h"
 
 namespace palpate::engine {

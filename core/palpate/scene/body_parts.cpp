@@ -14,6 +14,7 @@
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"
+#include "palpate/scene/ready_body.h"
 #include "palpate/scene/skin_channels.h"
 #include "palpate/scene/skin_texture.h"
 
@@ -35,16 +36,14 @@ Anatomy anatomyOf(Body body, const std::vector<Index>& source) {
           std::move(body.landmarks), std::nullopt};
 }
 
-/// What was made, with its skin in the order that is near in memory and the picture on it.
+/// What was made, with its skin in the order that is near in memory.
 template <class Made>
-BodyParts partsOf(std::string name, mesh::TriangleMesh& skin, Made& made, const BodySettings& body,
-                  const Progress& progress) {
+BodyParts partsOf(std::string name, mesh::TriangleMesh& skin, Made& made) {
   BodyParts parts;
   parts.name = std::move(name);
   parts.skin = std::move(skin);
   const auto order = mesh::reorderSpatially(parts.skin);
   parts.anatomy = anatomyOf(std::move(made), order.source_vertex);
-  parts.texture = loadSkinTexture(body, parts.skin, parts.anatomy.landmarks, progress);
   return parts;
 }
 
@@ -55,8 +54,7 @@ BodyParts makeTorsoParts(const BodySettings& body, const Progress& progress) {
   settings.bone_triangles = body.bone_triangles;
   settings.shape = {body.shape.stature_mm, body.shape.relief, body.shape.asymmetry};
   body::Torso torso = body::makeTorso(settings);
-  return partsOf(fmt::format("built-in torso, {} triangles with bones", settings.triangles), torso.skin.mesh, torso,
-                 body, progress);
+  return partsOf(fmt::format("built-in torso, {} triangles with bones", settings.triangles), torso.skin.mesh, torso);
 }
 
 BodyParts makeBackParts(const BodySettings& body, const Progress& progress) {
@@ -66,7 +64,7 @@ BodyParts makeBackParts(const BodySettings& body, const Progress& progress) {
   settings.shape = {body.shape.stature_mm, body.shape.relief, body.shape.asymmetry};
   body::Torso back = body::makeBackOverBones(settings);
   return partsOf(fmt::format("built-in back, {} triangles over {} bones", settings.triangles, back.bones.size()),
-                 back.skin.mesh, back, body, progress);
+                 back.skin.mesh, back);
 }
 
 BodyParts makeTrunkParts(const BodySettings& body, const Progress& progress) {
@@ -77,10 +75,27 @@ BodyParts makeTrunkParts(const BodySettings& body, const Progress& progress) {
   settings.shape = body.shape;
   body::Trunk trunk = body::makeTrunk(settings);
   const std::optional<body::Support> support = trunk.support;
-  BodyParts parts = partsOf(fmt::format("built-in trunk, {} triangles with bones", settings.triangles), trunk.skin,
-                            trunk, body, progress);
+  BodyParts parts =
+      partsOf(fmt::format("built-in trunk, {} triangles with bones", settings.triangles), trunk.skin, trunk);
   parts.closed = true;
   parts.anatomy.support = support;
+  return parts;
+}
+
+BodyParts makeBuiltInParts(const BodySettings& settings, const Progress& progress) {
+  if (settings.kind == BodyKind::torso) return makeTorsoParts(settings, progress);
+  if (settings.kind == BodyKind::back) return makeBackParts(settings, progress);
+  return makeTrunkParts(settings, progress);
+}
+
+/// As an earlier run has left it in the store, or made now and left there.
+BodyParts builtInParts(const BodySettings& settings, const Progress& progress) {
+  if (std::optional<BodyParts> kept = keptBody(settings)) {
+    report(progress, "reusing a body made before", 0.0);
+    return std::move(*kept);
+  }
+  BodyParts parts = makeBuiltInParts(settings, progress);
+  keepBody(settings, parts);
   return parts;
 }
 
@@ -192,16 +207,10 @@ mesh::LoadOptions loadOptionsOf(const BodySettings& settings) {
 }
 
 BodyParts makeBody(const BodySettings& settings, const Progress& progress) {
-  switch (settings.kind) {
-    case BodyKind::trunk:
-      return makeTrunkParts(settings, progress);
-    case BodyKind::torso:
-      return makeTorsoParts(settings, progress);
-    case BodyKind::back:
-      return makeBackParts(settings, progress);
-    default:
-      return makeMeshParts(settings, progress);
-  }
+  if (settings.kind == BodyKind::mesh) return makeMeshParts(settings, progress);
+  BodyParts parts = builtInParts(settings, progress);
+  parts.texture = loadSkinTexture(settings, parts.skin, parts.anatomy.landmarks, progress);
+  return parts;
 }
 
 }  // namespace palpate::scene

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstring>
 
+#include "palpate/base/byte_wire.h"
 #include "palpate/base/error.h"
 #include "palpate/deform/deformer.h"
 #include "palpate/device/finger_path.h"
-#include "palpate/engine/byte_wire.h"
 #include "palpate/engine/living_skin.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/servo/loop.h"

@@ -114,6 +114,7 @@ constexpr ControlRow kControlWords[] = {
     toTranslate("checking"), toTranslate("reading the texture coordinates"),
     toTranslate("building the contact surface"), toTranslate("building the torso"), toTranslate("building the back"),
     toTranslate("building the trunk"), toTranslate("building the fitted bones"),
+    toTranslate("reusing a body made before"),
     toTranslate("ordering the triangles"), toTranslate("mapping stiffness"), toTranslate("preparing the deformation"),
     toTranslate("partitioning the skin"), toTranslate("fitting the build"), toTranslate("trying all ways round"),
     toTranslate("measuring"), toTranslate("tip not finite"), toTranslate("tip jumped"),

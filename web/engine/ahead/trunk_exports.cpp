@@ -1,10 +1,10 @@
-// The trunk that the page begins with, as the bytes that its engine reads (ready_body.h).
+// The trunk that the page begins with, as the bytes that its engine reads (palpate/scene/ready_body.h).
 #include <cstddef>
 #include <string>
 
 #include "engine/exports.h"
-#include "engine/ready_body.h"
 #include "palpate/scene/body_parts.h"
+#include "palpate/scene/ready_body.h"
 
 namespace palpate::web {
 
@@ -20,7 +20,7 @@ PALPATE_EXPORT const char* palpate_make_trunk(std::size_t triangles) {
     scene::BodySettings settings;
     settings.kind = scene::BodyKind::trunk;
     settings.triangles = triangles;
-    trunk = encodedBody({triangles, scene::makeBody(settings, {})});
+    trunk = scene::encodedBody({triangles, scene::makeBody(settings, {})});
   });
 }
 PALPATE_EXPORT std::size_t palpate_trunk_length() { return trunk.size(); }

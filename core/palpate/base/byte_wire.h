@@ -1,4 +1,4 @@
-// Numbers as bytes, little endian, and back: what contact_stream.h is written with.
+// Numbers as bytes, little endian, and back: what engine/contact_stream.h and scene/ready_body.h are written with.
 //
 // A structure is walked by one template, `walk(wire, value)`, for both ways: the writer is given constants, the reader
 // what it fills in. The reader never goes past the end, takes only finite numbers within limits and known words, and
@@ -17,7 +17,7 @@
 
 #include "palpate/base/vec.h"
 
-namespace palpate::engine {
+namespace palpate {
 
 /// No place, length, force or coefficient is larger; mm, N.
 inline constexpr double kMaxWire = 1e9;
@@ -71,6 +71,7 @@ class WireWriter {
     bytes_.append(raw.data(), raw.size());
   }
   void text(std::string_view words) { bytes_ += words; }
+  void bytes(std::string_view raw) { bytes_ += raw; }
   template <class Real>
   void real(const Real& value) {
     whole(wire::bitsOf(value));
@@ -113,6 +114,12 @@ class WireReader {
     if (!has(words.size())) return;
     if (bytes_.substr(position_, words.size()) != words) return fail("is something else, or of another version");
     position_ += words.size();
+  }
+  /// The next bytes as they are; none after a fault.
+  std::string_view bytes(std::size_t size) {
+    if (!has(size)) return {};
+    position_ += size;
+    return bytes_.substr(position_ - size, size);
   }
   template <class Real>
   void real(Real& value) {
@@ -169,4 +176,4 @@ class WireReader {
   const char* cause_ = nullptr;
 };
 
-}  // namespace palpate::engine
+}  // namespace palpate

@@ -1,5 +1,5 @@
-// One walk over the parts writes and reads them: see palpate/engine/byte_wire.h.
-#include "engine/ready_body.h"
+// One walk over the parts writes and reads them: see palpate/base/byte_wire.h.
+#include "palpate/scene/ready_body.h"
 
 #include <fmt/format.h>
 
@@ -8,17 +8,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "palpate/base/byte_wire.h"
 #include "palpate/base/error.h"
-#include "palpate/engine/byte_wire.h"
+#include "palpate/scene/words.h"
 
-namespace palpate::web {
+namespace palpate::scene {
 
 namespace {
 
-using engine::WireReader;
-using engine::WireWriter;
-
-constexpr std::string_view kKind = "palpate trunk 1";
+constexpr std::string_view kKind = "palpate body 2";
 constexpr std::uint32_t kMaxBodyVertices = 1'000'000;
 constexpr std::uint32_t kMaxParts = 1000;  // bones or landmarks
 constexpr std::uint32_t kMaxName = 200;    // letters
@@ -37,13 +35,16 @@ Whole unfolded(Whole code) {
 template <class Whole>
 void planes(WireWriter& wire, const std::vector<Whole>& values) {
   std::vector<Whole> codes;
+  codes.reserve(values.size());
   Whole before = 0;
   for (const Whole value : values) {
     codes.push_back(folded(static_cast<Whole>(value - before)));
     before = value;
   }
+  std::string plane(codes.size(), '\0');
   for (std::size_t byte = 0; byte < sizeof(Whole); ++byte) {
-    for (const Whole code : codes) wire.whole(static_cast<std::uint8_t>(code >> (8 * byte)));
+    for (std::size_t i = 0; i < codes.size(); ++i) plane[i] = static_cast<char>(codes[i] >> (8 * byte));
+    wire.bytes(plane);
   }
 }
 
@@ -51,7 +52,10 @@ template <class Whole>
 void planes(WireReader& wire, std::vector<Whole>& values) {
   if (!wire.has(values.size() * sizeof(Whole))) return;
   for (std::size_t byte = 0; byte < sizeof(Whole); ++byte) {
-    for (Whole& value : values) value |= static_cast<Whole>(wire.template whole<std::uint8_t>()) << (8 * byte);
+    const std::string_view plane = wire.bytes(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] |= static_cast<Whole>(static_cast<unsigned char>(plane[i])) << (8 * byte);
+    }
   }
   Whole before = 0;
   for (Whole& value : values) before = value = before + unfolded(value);
@@ -64,13 +68,13 @@ template <class Wire, class Reals>
 void realPlanes(Wire& wire, Reals& values) {
   std::vector<std::uint64_t> bits(values.size());
   if constexpr (!Wire::kReads) {
-    for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = engine::wire::bitsOf(values[i]);
+    for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = wire::bitsOf(values[i]);
   }
   planes(wire, bits);
   if constexpr (Wire::kReads) {
     for (std::size_t i = 0; i < bits.size(); ++i) {
-      values[i] = engine::wire::realOf<double>(bits[i]);
-      if (!(std::abs(values[i]) <= engine::kMaxWire)) wire.fail("a number that is not finite, or too large");
+      values[i] = wire::realOf<double>(bits[i]);
+      if (!(std::abs(values[i]) <= kMaxWire)) wire.fail("a number that is not finite, or too large");
     }
   }
 }
@@ -160,6 +164,15 @@ void walkAnatomy(Wire& wire, Parts& anatomy, std::size_t vertices) {
     walkText(wire, landmark.bone);
     for (auto* place : {&landmark.position, &landmark.normal, &landmark.bone_position}) wire.place(*place);
   }
+  bool has_support = anatomy.support.has_value();
+  wire.word(has_support, true);
+  if constexpr (Wire::kReads) {
+    if (has_support) anatomy.support.emplace(body::Support{Vec3::Zero(), Vec3::Zero()});
+  }
+  if (has_support) {
+    wire.place(anatomy.support->point);
+    wire.place(anatomy.support->normal);
+  }
 }
 
 template <class Wire, class Body>
@@ -172,6 +185,35 @@ void walkBody(Wire& wire, Body& body) {
   walkAnatomy(wire, body.parts.anatomy, body.parts.skin.positions.size());
 }
 
+BodyStore& bodyStore() {
+  static BodyStore store;
+  return store;
+}
+
+/// A number to its last bit, in letters.
+std::string exactly(double value) { return fmt::format(" {:a}", value); }
+
+std::string exactly(const body::ReliefSettings& relief) {
+  // A setting that is new makes this line fail to compile, until the recipe has it.
+  const auto& [spine, ribs, scapulae, spine_level, rib_level, scapula_level] = relief;
+  std::string text = exactly(spine) + exactly(ribs) + exactly(scapulae);
+  for (const auto* levels : {&spine_level, &rib_level, &scapula_level}) {
+    for (const double level : *levels) text += exactly(level);
+  }
+  return text;
+}
+
+std::string exactly(const body::TrunkShape& shape) {
+  const auto& [stature, girth, mass_index, muscle, kyphosis, lordosis, posture, relief, asymmetry] = shape;
+  std::string text;
+  for (const double value : {stature, girth, mass_index, muscle, kyphosis, lordosis, asymmetry}) text += exactly(value);
+  return text + exactly(relief) + fmt::format(" {}", static_cast<int>(posture));
+}
+
+bool fits(const BodyParts& parts) {
+  return parts.skin.positions.size() <= kMaxBodyVertices && parts.skin.triangles.size() <= 2 * kMaxBodyVertices;
+}
+
 }  // namespace
 
 std::string encodedBody(const ReadyBody& body) {
@@ -181,13 +223,38 @@ std::string encodedBody(const ReadyBody& body) {
   return bytes;
 }
 
-ReadyBody decodeBody(std::string_view bytes) {
+ReadyBody decodeBody(std::string_view bytes, std::string_view what) {
   ReadyBody body;
   WireReader wire(bytes);
   walkBody(wire, body);
   wire.end();
-  if (!wire.ok()) throw Error(fmt::format("trunk: byte {}: {}", wire.position(), wire.cause()));
+  if (!wire.ok()) throw Error(fmt::format("{}: byte {}: {}", what, wire.position(), wire.cause()));
   return body;
 }
 
-}  // namespace palpate::web
+std::string bodyRecipe(const BodySettings& settings) {
+  if (settings.kind == BodyKind::mesh) return {};
+  return fmt::format("{} {} {}{}", wordFor(settings.kind), settings.triangles, settings.bone_triangles,
+                     exactly(settings.shape));
+}
+
+void setBodyStore(BodyStore store) { bodyStore() = std::move(store); }
+
+std::optional<BodyParts> keptBody(const BodySettings& settings) {
+  if (!bodyStore().find) return std::nullopt;
+  const std::optional<std::string> bytes = bodyStore().find(bodyRecipe(settings));
+  if (!bytes) return std::nullopt;
+  try {
+    return decodeBody(*bytes, "kept body").parts;
+  } catch (const Error&) {
+    return std::nullopt;  // it is made again, and takes the damaged one's place
+  }
+}
+
+void keepBody(const BodySettings& settings, const BodyParts& parts) {
+  if (bodyStore().keep && fits(parts)) {
+    bodyStore().keep(bodyRecipe(settings), encodedBody({settings.triangles, parts}));
+  }
+}
+
+}  // namespace palpate::scene
