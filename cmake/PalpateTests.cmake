@@ -32,6 +32,10 @@ function(palpate_label_tests)
   endforeach()
 endfunction()
 
+file(WRITE ${CMAKE_BINARY_DIR}/test_environment.cmake
+     "set(build \"${CMAKE_BINARY_DIR}\")\ninclude(\"${PROJECT_SOURCE_DIR}/cmake/PalpateTestEnvironment.cmake\")\n")
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY TEST_INCLUDE_FILES ${CMAKE_BINARY_DIR}/test_environment.cmake)
+
 # Helpers of many tests, and the one precompiled header of all.
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/*.cpp)
 add_library(palpate_test_support STATIC ${sources})

@@ -40,10 +40,11 @@ struct Identity {
 };
 Identity identity();
 
-/// Where a program keeps what it remembers for its user, and what it has written for them; empty where there is no
-/// home.
+/// Where a program keeps what it remembers for its user, what it has written for them, and what it can make again;
+/// empty where there is no home.
 std::filesystem::path settingsFolder();
 std::filesystem::path stateFolder();
+std::filesystem::path cacheFolder();
 
 /// The file of the running program; empty where the system does not say.
 std::filesystem::path ownProgram();

@@ -94,6 +94,7 @@ std::filesystem::path baseFolder(const char* name, const char* in_home) {
 
 std::filesystem::path settingsFolder() { return baseFolder("XDG_CONFIG_HOME", ".config"); }
 std::filesystem::path stateFolder() { return baseFolder("XDG_STATE_HOME", ".local/state"); }
+std::filesystem::path cacheFolder() { return baseFolder("XDG_CACHE_HOME", ".cache"); }
 
 std::filesystem::path ownProgram() {
 #ifdef __APPLE__

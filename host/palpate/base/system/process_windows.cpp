@@ -132,6 +132,7 @@ Identity identity() {
 
 std::filesystem::path settingsFolder() { return pathOf(variable("APPDATA")); }
 std::filesystem::path stateFolder() { return pathOf(variable("LOCALAPPDATA")); }
+std::filesystem::path cacheFolder() { return stateFolder(); }
 
 std::filesystem::path ownProgram() {
   std::wstring name(kLongestPath, L'\0');
