@@ -15,7 +15,7 @@ namespace palpate::tissue {
 namespace {
 
 /// 64 rows take 2 KiB; comments may take the rest.
-constexpr std::size_t kMaxTableBytes = std::size_t{1} << 16;
+constexpr std::size_t kMaxForceTableBytes = std::size_t{1} << 16;
 /// Deeper than any body, stiffer than any tissue: a number beyond it is a slip of the pen.
 constexpr NumberRange kDepthsAndForces{0.0, 1e6};
 
@@ -53,7 +53,7 @@ ForceTable parseForceTable(std::string_view text, std::string_view name) {
 }
 
 ForceTable readForceTable(const std::filesystem::path& file) {
-  return parseForceTable(readFile(file, kMaxTableBytes), file.string());
+  return parseForceTable(readFile(file, kMaxForceTableBytes), file.string());
 }
 
 }  // namespace palpate::tissue
