@@ -61,7 +61,7 @@ function(palpate_add_rooms house prefix)
                      PALPATE_ASSIMP_FILE="${PALPATE_ASSIMP_FILE}")
       endif()
       if(room STREQUAL device) # what speaks to a maker's service
-        target_link_libraries(${target} PRIVATE Boost::headers nlohmann_json::nlohmann_json)
+        target_link_libraries(${target} PRIVATE nlohmann_json::nlohmann_json)
       endif()
     endif()
     palpate_precompile(${target} ${PALPATE_ROOM_HEADER_OWNER})

@@ -31,7 +31,6 @@ class Palpate(ConanFile):
         self.requires("highway/1.0.3")
         self.requires("tomlplusplus/3.3.0")
         self.requires("nlohmann_json/3.11.2")
-        self.requires("boost/1.81.0")
         self.requires("sqlite3/3.40.1")
         self.requires("zlib/1.2.13")
         if self.options.assimp:

@@ -27,7 +27,8 @@ add_library(double_missing SHARED ${doubles}/missing_library.cpp)
 set_target_properties(double_missing PROPERTIES OUTPUT_NAME PhantomIOLib42
                       LIBRARY_OUTPUT_DIRECTORY ${PALPATE_TEST_FOLDER}/doubles/missing)
 target_link_libraries(double_openhaptics_needing PRIVATE double_missing)
-# A service of Haply's in the test's own process.
+# A service of Haply's in the test's own process; by Beast (headers alone), which shares no code with the client.
+find_package(Boost REQUIRED)
 add_library(double_haply STATIC ${doubles}/haply_double.cpp)
 target_link_libraries(double_haply PRIVATE palpate_build Boost::headers nlohmann_json::nlohmann_json Threads::Threads)
 target_compile_options(double_haply PRIVATE ${PALPATE_LIGHTLY_OPTIMISED})
