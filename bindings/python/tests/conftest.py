@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import pathlib
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -11,6 +13,13 @@ import pytest
 import palpate
 
 SOURCE = pathlib.Path(__file__).resolve().parents[3]
+STAGE = pathlib.Path(palpate.__file__).resolve().parents[1]
+EXAMPLES = [file.stem for file in sorted((SOURCE / "examples" / "python").glob("*.py"))]
+
+
+def run(*arguments: str, **options) -> subprocess.CompletedProcess:
+    """Runs this interpreter with these arguments."""
+    return subprocess.run([sys.executable, *arguments], capture_output=True, text=True, **options)
 
 
 def dome(cells: int = 40, half_mm: float = 100.0, height_mm: float = 20.0) -> tuple[np.ndarray, np.ndarray]:
@@ -62,3 +71,30 @@ def command() -> str:
     if not pathlib.Path(file).is_file():
         pytest.skip("the command palpate is not built")
     return file
+
+
+@pytest.fixture(scope="session")
+def run_example(tmp_path_factory):
+    """Runs an example in a folder of its own and returns what it printed and its picture; each runs once."""
+    answers: dict[str, tuple[str, bytes]] = {}
+
+    def run(name: str) -> tuple[str, bytes]:
+        if name not in answers:
+            folder = tmp_path_factory.mktemp(name)
+            environment = {**os.environ, "MPLBACKEND": "Agg"}
+            script = SOURCE / "examples" / "python" / f"{name}.py"
+            done = subprocess.run([sys.executable, script], cwd=folder, env=environment, capture_output=True, text=True)
+            assert done.returncode == 0, done.stderr
+            answers[name] = done.stdout, (folder / f"{name}.png").read_bytes()
+        return answers[name]
+
+    return run
+
+
+def expect_picture(run, name: str) -> str:
+    """Expects that an example makes a picture and has its cells; returns its text."""
+    _, picture = run(name)
+    assert picture[:8] == b"\x89PNG\r\n\x1a\n" and len(picture) > 5000
+    text = (SOURCE / "examples" / "python" / f"{name}.py").read_text()
+    assert text.count("# %%") >= 2
+    return text

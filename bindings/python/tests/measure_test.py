@@ -14,7 +14,7 @@ from palpate import measure
 
 @pytest.fixture(scope="module")
 def painted():
-    return measure.synthesize(15, tail="compact", half_major_mm=80, ratio=1.3, direction_deg=90, drag_deg=90)
+    return measure.synthesize(15, megapixels=1.0, tail="compact", half_major_mm=80, ratio=1.3, direction_deg=90, drag_deg=90)
 
 
 def between(one: float, other: float) -> float:
@@ -49,8 +49,8 @@ def test_dots_are_arrays_that_the_fit_explains(painted):
 
 def test_files_and_arrays_are_the_same_to_the_command(command, painted, tmp_path):
     subprocess.run(
-        [command, "measure", "synthesize", "-o", "P", "--seed", "15", "--tail", "compact", "--half-major-mm", "80", "--ratio",
-         "1.3", "--direction-deg", "90", "--drag-deg", "90"],
+        [command, "measure", "synthesize", "-o", "P", "--megapixels", "1", "--seed", "15", "--tail", "compact", "--half-major-mm", "80",
+         "--ratio", "1.3", "--direction-deg", "90", "--drag-deg", "90"],
         cwd=tmp_path, check=True, capture_output=True,
     )
     run = [command, "measure", "dots", "P/before.jpg", "P/after.jpg", "--null", "P/before2.jpg", "--json"]
