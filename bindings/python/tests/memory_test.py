@@ -75,7 +75,7 @@ def test_what_is_made_on_a_world_keeps_it():
 def test_no_view_can_be_written():
     world = own_world()
     skin, touch = palpate.Skin(world), pressed(world)
-    landmarks = palpate.World.torso(triangles=8000).landmarks.values()
+    landmarks = palpate.World.torso().landmarks.values()
     for view in [getattr(world, n) for n in WORLD_VIEWS] + [getattr(skin, n) for n in SKIN_VIEWS] + [
             getattr(touch, n) for n in TOUCH_VIEWS] + list(landmarks):
         assert not view.flags.writeable

@@ -28,7 +28,7 @@ def test_import_loads_no_library_for_foreign_meshes():
 
 
 def test_a_world_can_be_made_without_numpy():
-    text = ("import sys, palpate; w = palpate.World.torso(triangles=8000); f = palpate.Finger(w); t = f.lift(); "
+    text = ("import sys, palpate; w = palpate.World.torso(); f = palpate.Finger(w); t = f.lift(); "
             "print('numpy' in sys.modules, w.words is None)")
     assert run("-c", text, check=True).stdout.split()[0] == "False"
 
