@@ -51,7 +51,7 @@ bool givesHugePagesOnRequest() {
 }
 
 // Page by page a body of this size takes 60,000 faults and more: its records alone are 96 MB.
-TEST(BenchLoadCommand, TakesLargeArraysInHugePages) {
+TEST(BenchLargeLoad, TakesItsArraysInHugePages) {
   if (!givesHugePagesOnRequest()) GTEST_SKIP() << "this system gives no huge pages";
   const auto json = nlohmann::json::parse(runPalpate("study bench load back_1000000 --json").out);
   const double small_pages = json["peak_memory_gb"].get<double>() * 1e9 / 4096.0;
