@@ -2,9 +2,12 @@
 // needs nothing else, for nobody, one and many; numbers that tools/check_report.py computes again from the exported
 // tables; nobody's name.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "palpate/training/records/export.h"
@@ -17,6 +20,7 @@
 namespace palpate {
 namespace {
 
+namespace fs = std::filesystem;
 using nlohmann::json;
 using support::CommandResult;
 using support::contentOf;
@@ -46,8 +50,32 @@ for element in page.iter():
 
 bool hasWords(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+/// Adds the trainees of these numbers; the pseudonym of the last, none for number 0.
+training::Uuid addTrainees(const fs::path& records, int first, int last, const support::MadeCourse& course) {
+  training::Store store(records, training::Store::Open::create_too);
+  support::MadeTrainees made(store);
+  training::Uuid trainee;
+  for (int i = std::max(first, 1); i <= last; ++i) trainee = made.add(static_cast<std::uint64_t>(i), course);
+  return trainee;
+}
+
+/// Where the records are that several tests copy; removed when the program ends.
+struct KeptRecords {
+  fs::path path = fs::temp_directory_path() / ("palpate_training_report_" + std::to_string(getpid()));
+
+  KeptRecords() = default;
+  ~KeptRecords() { fs::remove_all(path); }
+  KeptRecords(const KeptRecords&) = delete;
+  KeptRecords& operator=(const KeptRecords&) = delete;
+  fs::path fileOf(int trainees) const { return path / (std::to_string(trainees) + ".results"); }
+};
+
 class TrainingReport : public testing::Test {
  protected:
+  static const KeptRecords& kept() {
+    static const KeptRecords records;
+    return records;
+  }
   CommandResult palpate(const std::string& arguments) const { return support::runPalpate(arguments, folder_.path()); }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
@@ -55,12 +83,24 @@ class TrainingReport : public testing::Test {
   std::filesystem::path records() const { return folder_ / "class.results"; }
 
   /// So many trainees with a course of this kind; the pseudonym of the last.
-  training::Uuid make(int trainees, const support::MadeCourse& course = {}) const {
-    training::Store store(records(), training::Store::Open::create_too);
-    support::MadeTrainees made(store);
-    training::Uuid last;
-    for (int i = 1; i <= trainees; ++i) last = made.add(static_cast<std::uint64_t>(i), course);
-    return last;
+  training::Uuid make(int trainees, const support::MadeCourse& course) const {
+    return addTrainees(records(), 1, trainees, course);
+  }
+
+  /// As above, with the usual course. Each trainee is simulated once for all tests: the records of one number of
+  /// trainees are those of one fewer, copied, and one more.
+  training::Uuid make(int trainees) const {
+    static std::map<int, training::Uuid> last_of;
+    if (!last_of.contains(trainees)) {
+      fs::create_directories(kept().path);
+      for (int i = 0; i <= trainees; ++i) {
+        if (last_of.contains(i)) continue;
+        if (i > 0) fs::copy_file(kept().fileOf(i - 1), kept().fileOf(i));
+        last_of[i] = addTrainees(kept().fileOf(i), i, i, {});
+      }
+    }
+    fs::copy_file(kept().fileOf(trainees), records(), fs::copy_options::overwrite_existing);
+    return last_of.at(trainees);
   }
 
   /// The words of a page that is as it should be.
