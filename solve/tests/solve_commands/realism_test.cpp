@@ -14,7 +14,26 @@
 namespace palpate {
 namespace {
 
-TEST(RealismCommand, MeetsItsBarsOnSolvedPresses) {
+TEST(RealismCommand, JudgesOnePress) {
+  const std::filesystem::path golden = std::filesystem::path(PALPATE_TEST_DATA) / "golden/fem_profiles.json";
+  auto cases = nlohmann::json::parse(support::contentOf(golden));
+  std::erase_if(cases.at("cases").get_ref<nlohmann::json::array_t&>(), [](const nlohmann::json& one) {
+    return one.at("name") != "bony" || one.at("depth") != 2.0;  // thin and shallow: a second of work
+  });
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "one.json") << cases;
+  const auto result = support::runPalpate("tissue realism --json --cases one.json", folder.path());
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  ASSERT_EQ(json.at("cases").size(), 1u);
+  EXPECT_EQ(json.at("cases").at(0).at("name"), "bony");
+  EXPECT_LE(json.at("force_error_worst_from_2_mm").get<double>(), 0.1);
+  EXPECT_LE(json.at("tangential_rms_worst").get<double>(), 0.03);
+}
+
+// RealismBars: minutes of solving, in the second circle (tests/circles.tsv).
+
+TEST(RealismBars, AreMetOnSolvedPresses) {
   const std::filesystem::path cases = std::filesystem::path(PALPATE_TEST_DATA) / "golden/fem_profiles.json";
   const auto result = support::runPalpate("tissue realism --json --cases " + cases.string());
   ASSERT_EQ(result.exit_code, 0) << result.err;
@@ -54,7 +73,7 @@ constexpr const char* kLivingRows =
     "2,LL_A,12,1,1.65,0.004\n"
     "3,LL_A,12,1,1.65,\n";
 
-TEST(RealismCommand, ComparesWithLivingLimbsHalfByHalf) {
+TEST(RealismBars, LivingLimbsAreComparedHalfByHalf) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "001_MasterList_indentation_orig.csv") << kLivingRows;
   const auto result = support::runPalpate("tissue realism --json --living " + folder.path().string());
