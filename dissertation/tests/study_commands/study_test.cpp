@@ -53,7 +53,9 @@ TEST_F(StudyCommand, APageGoesIntoTheFolderAndItsNumbersToPrograms) {
   EXPECT_TRUE(fs::exists(folder.path() / "page/complexity.md"));
 }
 
-TEST_F(StudyCommand, TheCredibilityFileIsWrittenAsHtmlAndJson) {
+using CredibilityCommand = StudyCommand;  // its own suite: it takes a while even when quick
+
+TEST_F(CredibilityCommand, WritesItsFileAsHtmlAndJson) {
   const auto run = study("credibility --quick --json --consequence high -o it.html -o it.json");
   EXPECT_EQ(run.exit_code, 0) << run.err << run.out;
   const auto json = nlohmann::json::parse(run.out);
