@@ -53,9 +53,10 @@ const Press kPresses[] = {{"T6", {0, 39, 98}, frontOrLeftArm},
                           {"belly", {0, -200, -102}, behind},
                           {"sternum", {0, 60, -75}, behind}};
 
-/// A finger that comes down along the skin's normal and then goes sideways; what it feels at the end.
-contact::FingerOutput felt(const World& world, const Vec3& place, double depth_mm, double radius_mm, double drag_mm) {
-  const mesh::NearestTriangle nearest(world.body->skin);
+/// A finger that comes down along the skin's normal and then goes sideways; what it feels at the end. `nearest` is of
+/// the world's skin.
+contact::FingerOutput felt(const World& world, const mesh::NearestTriangle& nearest, const Vec3& place, double depth_mm,
+                           double radius_mm, double drag_mm) {
   const auto hit = nearest.find(place);
   const Triangle& t = world.body->skin.triangles[hit.triangle];
   const auto& p = world.body->skin.positions;
@@ -102,11 +103,12 @@ class FarSide : public testing::TestWithParam<const char*> {};
 
 TEST_P(FarSide, StaysWhereItIsHoweverDeepThePress) {
   const WorldPointer world = trunkWorld(GetParam());
+  const mesh::NearestTriangle nearest(world->body->skin);
   for (const Press& press : kPresses) {
     for (const double depth_mm : {3.0, 15.0, 30.0}) {
       for (const double radius_mm : {0.0, 8.0}) {
         for (const double drag_mm : {0.0, 25.0}) {
-          const contact::FingerOutput finger = felt(*world, press.place, depth_mm, radius_mm, drag_mm);
+          const contact::FingerOutput finger = felt(*world, nearest, press.place, depth_mm, radius_mm, drag_mm);
           if (drag_mm > depth_mm && finger.touch == contact::Touch::free) continue;  // the skin bends away under it
           const Moved moved = movedBy(*world, finger, press);
           EXPECT_GT(moved.near, 3u) << press.name << ", " << depth_mm << " mm";
@@ -138,7 +140,8 @@ WorldPointer lens(const Vec3& half_axes_mm, int levels) {
 
 /// A press through the whole part; its dent must not come out on the other side. Returns how many vertices went deep.
 Index dentWithin(const World& world, const Vec3& place, double depth_mm) {
-  const auto contact = contactOf(world, felt(world, place, depth_mm, 0.0, 0.0));
+  const auto contact =
+      contactOf(world, felt(world, mesh::NearestTriangle(world.body->skin), place, depth_mm, 0.0, 0.0));
   if (!contact) return 0;
   deform::Deformer deformer(*world.deformable, world.deformation);
   deform::DeformedSurface surface(*world.deformable);

@@ -98,8 +98,9 @@ TEST(Stability, WithoutTheControllerItOscillates) {
   EXPECT_GT(swing(stylus_z, 2.0), 1.0);
 }
 
-// T4: devices and hands off their nominal values, of which the loop knows nothing.
-TEST(Stability, RandomDevicesAndHandsComeToRest) {
+// T4: devices and hands off their nominal values, of which the loop knows nothing. A suite of its own, so that hunts
+// need not run on every change.
+TEST(StabilityOfRandomSystems, RandomDevicesAndHandsComeToRest) {
   const std::size_t systems = heavy() ? 400 : 84;
   const auto count = [&](double stiffness, double delay, bool dead_load, Protection protection) {
     return oscillating({stiffness, delay, dead_load, protection}, systems);
@@ -113,7 +114,7 @@ TEST(Stability, RandomDevicesAndHandsComeToRest) {
 }
 
 // The same over the middle of the stiffest lump that a scene can have, on skin of 0.5 N/mm: 1.9 N/mm together.
-TEST(Stability, RandomDevicesAndHandsComeToRestOnTheStiffestLump) {
+TEST(StabilityOfRandomSystems, RandomDevicesAndHandsComeToRestOnTheStiffestLump) {
   const std::size_t systems = heavy() ? 400 : 60;
   RandomCell cell{.stiffness_n_per_mm = 0.5};
   const contact::Lumps lumps{.all = {stiffestLump(Vec3::Zero(), Vec3::UnitZ(), cell.stiffness_n_per_mm)}};
@@ -318,7 +319,7 @@ TEST(Stability, TheControllerLeavesAPassiveLoopAlone) {
 
 // Where a session may start, at the product's own caps: systems off nominal, nearly frictionless ones among them. All
 // 60 systems of all cells: `palpate study stability --map`.
-TEST(Stability, WhatTheProductAllowsRestsAndGivesNoEnergy) {
+TEST(StabilityOfRandomSystems, WhatTheProductAllowsRestsAndGivesNoEnergy) {
   StabilityMapPlan plan = stabilityMapPlan();
   plan.seed = 31;
   plan.systems = heavy() ? 12 : 1;
@@ -348,7 +349,7 @@ TEST(Stability, WhatTheProductAllowsRestsAndGivesNoEnergy) {
 }
 
 // Friction that was assumed and is not there: a limit cycle lived on within a tenth of it.
-TEST(Stability, ADeviceWithHardlyAnyFrictionComesToRest) {
+TEST(StabilityOfRandomSystems, ADeviceWithHardlyAnyFrictionComesToRest) {
   std::size_t oscillate = 0;
   for (std::size_t number = 0; number < 60; ++number) {
     StabilityCell cell;
