@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,8 +18,10 @@
 namespace palpate::view {
 namespace {
 
-/// As `palpate render --size 1600x1000` takes them.
-constexpr PictureSize kWholeBody{1600, 1000, 2};
+/// Of the whole body as `palpate render --size 1600x1000` takes it, the part round a press: the same millimetres a
+/// pixel (which decide how much a small dent is helped), and a sixth of the pixels to draw.
+constexpr PictureSize kRoundThePress{640, 400, 2};
+constexpr double kShareOfHeight = 400.0 / 1000.0;
 constexpr double kWholeBodyAspect = 1.6;
 constexpr double kPressMm = 6.0;
 /// A difference that is seen, levels of 256; and so many pixels of them that a user sees the dent.
@@ -29,40 +33,49 @@ Vec3 trunkSkinAt(const scene::World& world, double x_mm, double y_mm) {
   return tree::firstFrontCrossing(world.surface.geometry->tree, over, over - 2000.0 * Vec3::UnitZ()).point;
 }
 
+/// One body and one drawing context for all tests of the suite.
 class PressPixels : public testing::Test {
  protected:
-  Image take(const Look& look, const deform::DeformedSurface& surface, std::span<const FingerMark> fingers) {
-    PictureSettings settings = pictureSettings(*world_, kWholeBodyAspect);
-    settings.look = look;
-    settings.labels = LabelSettings::none();
-    return studio_.take(surface, {.fingers = fingers, .time_s = 0.0}, settings, kWholeBody).image;
+  static void SetUpTestSuite() {
+    world_ = scene::build(scene::Scene{});
+    studio_ = std::make_unique<Studio>(world_);
+  }
+  static void TearDownTestSuite() {
+    studio_.reset();
+    world_.reset();
   }
 
-  /// The finger's own pixels: without skin, nothing else differs. The part in its dent counts as hiding too.
-  std::vector<bool> hiddenBy(FingerShape shape, const deform::DeformedSurface& surface,
-                             std::span<const FingerMark> fingers) {
+  static Image take(const Vec3& place, const Look& look, const deform::DeformedSurface& surface,
+                    std::span<const FingerMark> fingers) {
+    PictureSettings settings = pictureSettings(*world_, kWholeBodyAspect);
+    settings.camera.centre.head<2>() = place.head<2>();  // as far from the eye as the whole body is
+    settings.camera.height_rad = 2.0 * std::atan(kShareOfHeight * std::tan(0.5 * settings.camera.height_rad));
+    settings.look = look;
+    settings.labels = LabelSettings::none();
+    return studio_->take(surface, {.fingers = fingers, .time_s = 0.0}, settings, kRoundThePress).image;
+  }
+
+  /// The finger is left out of the pictures at rest and pressed, so that neither it nor its shadow counts.
+  static Look fingerless() {
     Look look = pictureSettings(*world_, kWholeBodyAspect).look;
-    look.skin_opacity = 0.0;
     look.finger = FingerShape::none;
-    const Image bare = take(look, surface, fingers);
+    return look;
+  }
+
+  /// The finger's own pixels against `bare`: without skin, nothing else differs. The part in its dent counts as hiding
+  /// too.
+  static std::vector<bool> hiddenBy(FingerShape shape, const Vec3& place, const Image& bare,
+                                    const deform::DeformedSurface& surface, std::span<const FingerMark> fingers) {
+    Look look = fingerless();
+    look.skin_opacity = 0.0;
     look.finger = shape;
-    const Image drawn = take(look, surface, fingers);
+    const Image drawn = take(place, look, surface, fingers);
     std::vector<bool> hidden(bare.pixels.size());
     for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] = bare.pixels[i] != drawn.pixels[i];
     return hidden;
   }
 
-  /// The finger is left out of both pictures, so that neither it nor its shadow counts.
-  int seenOf(FingerShape shape, const Vec3& place) {
-    FingerMark finger = pressedFinger(*world_, place, kPressMm);
-    engine::LivingSkin skin(*world_, {.strain = false, .fingers = 1});
-    Look look = pictureSettings(*world_, kWholeBodyAspect).look;
-    look.finger = FingerShape::none;
-    const Image rest = take(look, skin.surface(), {});
-    skin.follow(std::span<const contact::FingerOutput>(&finger.contact, 1));
-    const std::span<const FingerMark> fingers(&finger, 1);
-    const Image pressed = take(look, skin.surface(), fingers);
-    const std::vector<bool> hidden = hiddenBy(shape, skin.surface(), fingers);
+  static int seenOf(const Image& rest, const Image& pressed, const std::vector<bool>& hidden) {
     int seen = 0;
     for (std::size_t i = 0; i < hidden.size(); ++i) {
       if (!hidden[i] && difference(rest.pixels[i], pressed.pixels[i]) > kSeenLevels) ++seen;
@@ -70,29 +83,40 @@ class PressPixels : public testing::Test {
     return seen;
   }
 
-  std::shared_ptr<const scene::World> world_ = scene::build(scene::Scene{});
-  Studio studio_{world_};
+  inline static std::shared_ptr<const scene::World> world_;
+  inline static std::unique_ptr<Studio> studio_;
 };
 
 TEST_F(PressPixels, AreEnoughWhenTheWholeBodyIsSeen) {
   for (const auto& [x, y] : {std::pair{-40.0, 60.0}, {60.0, 130.0}, {-55.0, -60.0}, {0.0, 20.0}}) {
+    const Vec3 place = trunkSkinAt(*world_, x, y);
+    const FingerMark finger = pressedFinger(*world_, place, kPressMm);
+    const std::span<const FingerMark> fingers(&finger, 1);
+    engine::LivingSkin skin(*world_, {.strain = false, .fingers = 1});
+    const Image rest = take(place, fingerless(), skin.surface(), {});
+    skin.follow(std::span<const contact::FingerOutput>(&finger.contact, 1));
+    const Image pressed = take(place, fingerless(), skin.surface(), fingers);
+    Look skinless = fingerless();
+    skinless.skin_opacity = 0.0;
+    const Image bare = take(place, skinless, skin.surface(), fingers);
     for (const FingerShape shape : {FingerShape::automatic, FingerShape::ball}) {
-      EXPECT_GE(seenOf(shape, trunkSkinAt(*world_, x, y)), kEnoughPixels) << wordFor(shape) << " at " << x << ", " << y;
+      const int seen = seenOf(rest, pressed, hiddenBy(shape, place, bare, skin.surface(), fingers));
+      EXPECT_GE(seen, kEnoughPixels) << wordFor(shape) << " at " << x << ", " << y;
     }
   }
 }
 
 TEST_F(PressPixels, AreOfTheShadingOfDentsThatCanBeTurnedOff) {
-  const FingerMark finger = pressedFinger(*world_, trunkSkinAt(*world_, -40.0, 60.0), kPressMm);
+  const Vec3 place = trunkSkinAt(*world_, -40.0, 60.0);
+  const FingerMark finger = pressedFinger(*world_, place, kPressMm);
   engine::LivingSkin skin(*world_, {.strain = false, .fingers = 1});
   skin.follow(std::span<const contact::FingerOutput>(&finger.contact, 1));
   for (const Shading shading : {Shading::gouraud, Shading::skin}) {
-    Look look = pictureSettings(*world_, kWholeBodyAspect).look;
+    Look look = fingerless();
     look.shading = shading;
-    look.finger = FingerShape::none;
-    const Image shaded = take(look, skin.surface(), {});
+    const Image shaded = take(place, look, skin.surface(), {});
     look.dent_contrast = 0.0;
-    const Image plain = take(look, skin.surface(), {});
+    const Image plain = take(place, look, skin.surface(), {});
     int differing = 0;
     for (std::size_t i = 0; i < shaded.pixels.size(); ++i) {
       if (difference(shaded.pixels[i], plain.pixels[i]) > kSeenLevels) ++differing;

@@ -19,21 +19,27 @@ double reachOf(const std::vector<Lines>& rings, const contact::FingerOutput& fin
   return farthest;
 }
 
+/// The built-in body, made once.
+const scene::World& ringedWorld() {
+  static const std::shared_ptr<const scene::World> world = scene::build(scene::Scene{});
+  return *world;
+}
+
 std::size_t ringsIn(const Lines& lines) {
   constexpr std::size_t kPointsOfRing = 80;  // 40 segments
   return lines.points.size() / kPointsOfRing;
 }
 
 TEST(SinkRings, OpenWithTheDepthAndAreTheSameForEveryPlace) {
-  const auto world = scene::build(scene::Scene{});
+  const scene::World& world = ringedWorld();
   for (const double depth_mm : {1.2, 4.0, 6.7}) {
     for (const double x_mm : {-35.0, 35.0}) {
       const FingerMark finger = pressedFinger(
-          *world,
-          tree::firstFrontCrossing(world->surface.geometry->tree, Vec3(x_mm, 60.0, 500.0), Vec3(x_mm, 60.0, -500.0))
+          world,
+          tree::firstFrontCrossing(world.surface.geometry->tree, Vec3(x_mm, 60.0, 500.0), Vec3(x_mm, 60.0, -500.0))
               .point,
           depth_mm);
-      const auto rings = sinkRings(*world, finger.contact);
+      const auto rings = sinkRings(world, finger.contact);
       ASSERT_EQ(rings.size(), 3u);
       EXPECT_NEAR(reachOf(rings, finger.contact), sinkRadius(finger.contact.depth_mm), 0.01);
       EXPECT_EQ(ringsIn(rings.front()), static_cast<std::size_t>(finger.contact.depth_mm) + 1);
@@ -43,12 +49,12 @@ TEST(SinkRings, OpenWithTheDepthAndAreTheSameForEveryPlace) {
 }
 
 TEST(SinkRings, AreNotThereWithoutATouch) {
-  const auto world = scene::build(scene::Scene{});
+  const scene::World& world = ringedWorld();
   contact::FingerOutput finger;
-  EXPECT_TRUE(sinkRings(*world, finger).empty());
+  EXPECT_TRUE(sinkRings(world, finger).empty());
   finger.touch = contact::Touch::stick;
   finger.normal = Vec3::UnitZ();
-  EXPECT_TRUE(sinkRings(*world, finger).empty()) << "it touches and has not sunk in";
+  EXPECT_TRUE(sinkRings(world, finger).empty()) << "it touches and has not sunk in";
 }
 
 }  // namespace
