@@ -60,20 +60,20 @@ TEST(Eyesight, TheHeadMovesThePictureOnlyWhenItIsSwitchedOn) {
   Stage stage;
   stage.state().state.head.on = true;
   stage.frame();
-  const auto before = bodyIn(stage.viewer->target().read());
+  const auto before = bodyIn(stage.picture());
   for (int i = 0; i < 30; ++i) {
     stage.viewer->headAt({200.0, 100.0, 500.0}, stage.now_s);
     stage.frame();
   }
   EXPECT_NEAR(stage.state().head.eyes_mm.x(), 200.0, 1.0);
   EXPECT_EQ(stage.state().head.state, window::HeadTracker::State::tracking);
-  EXPECT_NE(bodyIn(stage.viewer->target().read()), before);
+  EXPECT_NE(bodyIn(stage.picture()), before);
   stage.state().state.head.on = false;
   stage.frame();
-  const auto off = bodyIn(stage.viewer->target().read());
+  const auto off = bodyIn(stage.picture());
   stage.viewer->headAt({-300.0, 0.0, 500.0}, stage.now_s);
   stage.frame();
-  EXPECT_TRUE(bodyIn(stage.viewer->target().read()) == off);
+  EXPECT_TRUE(bodyIn(stage.picture()) == off);
 }
 
 TEST(Eyesight, PanelsAreUsedInEitherHalfOfAPicture) {

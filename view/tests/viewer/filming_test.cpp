@@ -30,6 +30,7 @@ void clearField(Stage& stage, int letters) {
 
 TEST(SavePicture, GetsTheNameThatWasTyped) {
   Stage stage;
+  stage.draws = true;
   openFromMenu(stage, "menu/Save picture");
   clearField(stage, 20);
   type(stage, "back");
@@ -68,6 +69,7 @@ TEST(SavePicture, TakesNoOtherKind) {
 
 TEST(SaveFilm, ShowsItsTimeAndIsWholeWhenItIsStopped) {
   Stage stage;
+  stage.draws = true;
   openFromMenu(stage, "menu/Save film");
   stage.key(window::Key::enter);  // film.webm
   stage.frame();

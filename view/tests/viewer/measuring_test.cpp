@@ -125,6 +125,7 @@ TEST(CutOut, FindsColourAndOpacityAgain) {
 
 TEST(CutOut, OfTheWindowHasNothingRoundTheBody) {
   Stage stage;
+  stage.draws = true;
   stage.key(window::functionKey(12), kWithCtrl);
   stage.frame();
   const fs::path file = stage.folder / "palpate.png";

@@ -24,21 +24,21 @@ TEST(Panels, EveryOneOpensAndDrawsItsControls) {
     Stage stage;
     stage.click("panel/Touch");  // the first one is open: closed now
     const std::size_t before = widgetPlaces().size();
-    const view::Image closed = stage.viewer->target().read();
+    const view::Image closed = stage.picture();
     stage.click(std::string("panel/") + panel.name);
     EXPECT_TRUE(widgetPlaces().size() > before || panel.name == std::string_view("Performance")) << panel.name;
-    EXPECT_GT(changed(closed, stage.viewer->target().read()), 0.003) << panel.name;
+    EXPECT_GT(changed(closed, stage.picture()), 0.003) << panel.name;
   }
 }
 
 TEST(Panels, PagesAndDialogsShowAndHide) {
   Stage stage;
   for (const window::Key key : {window::functionKey(1), window::functionKey(4), window::Key::tab}) {
-    const view::Image before = stage.viewer->target().read();
+    const view::Image before = stage.picture();
     stage.key(key);
-    EXPECT_GT(changed(before, stage.viewer->target().read()), 0.01) << window::nameOf({key, {}});
+    EXPECT_GT(changed(before, stage.picture()), 0.01) << window::nameOf({key, {}});
     stage.key(key);
-    EXPECT_LT(changed(before, stage.viewer->target().read()), 0.02);
+    EXPECT_LT(changed(before, stage.picture()), 0.02);
   }
   stage.key(window::key('O'), {true, false});
   stage.frame();
@@ -88,7 +88,7 @@ TEST(Panels, NoDigitLiesUnderTheGrabOfASlider) {
     stage.state().state.touch.depth_mm = depth;
     stage.frame();
     std::array<float, 4> track = widgetPlaces().at("touch/depth");
-    const view::Image image = stage.viewer->target().read();
+    const view::Image image = stage.picture();
     EXPECT_LT(brightestIn(image, track), 200) << depth;
     EXPECT_GT(brightestIn(image, {track[0] - 62.0f, track[1], track[0], track[3]}), 220) << "the number beside it";
   }
@@ -123,16 +123,16 @@ TEST(Panels, LettersOfEveryThemeStandOutFromWhatTheyLieOn) {
 
 TEST(Panels, ThemesAndTextSizesDraw) {
   Stage stage;
-  const view::Image dark = stage.viewer->target().read();
+  const view::Image dark = stage.picture();
   stage.state().state.theme = window::Theme::light;
   stage.frame();
   stage.frame();
-  EXPECT_GT(changed(dark, stage.viewer->target().read()), 0.1);
+  EXPECT_GT(changed(dark, stage.picture()), 0.1);
   stage.state().state.theme = window::Theme::contrast;
   stage.state().state.text_size = 1.5;
   stage.frame();
   stage.frame();
-  EXPECT_GT(changed(dark, stage.viewer->target().read()), 0.1);
+  EXPECT_GT(changed(dark, stage.picture()), 0.1);
 }
 
 TEST(Panels, EveryStereoModeDrawsThemForBothEyes) {
@@ -141,7 +141,7 @@ TEST(Panels, EveryStereoModeDrawsThemForBothEyes) {
     state.stereo.mode = static_cast<view::StereoMode>(mode);
     Stage stage(state);
     stage.frame();
-    EXPECT_EQ(stage.viewer->target().read().width, kStageWidth) << view::kStereoModeNames[mode];
+    EXPECT_EQ(stage.picture().width, kStageWidth) << view::kStereoModeNames[mode];
   }
 }
 

@@ -174,13 +174,13 @@ TEST(Sessions, TwoStandBesideEachOther) {
   const std::string second = stage.keep();
   ASSERT_TRUE(stage.shows(first));
   stage.frame();
-  const view::Image alone = stage.viewer->target().read();
+  const view::Image alone = stage.picture();
   stage.state().request(OpenBeside{second});
   ASSERT_TRUE(stage.until([&] { return stage.state().replay.beside == second; })) << stage.lastMessage();
   stage.state().replay.loops = true;
   stage.state().replay.playing = true;
   for (int i = 0; i < 30; ++i) stage.frame();
-  const view::Image both = stage.viewer->target().read();
+  const view::Image both = stage.picture();
   EXPECT_NE(both.pixels, alone.pixels);
   // The plots are where they were; the body is twice as often and smaller.
   const auto skin = [](const view::Image& image, int from, int to) {

@@ -86,7 +86,7 @@ TEST(Replay, AFrozenPictureStepsBackToBeforeThePress) {
   ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.9; }));
   stage.key(window::Key::space);
   stage.frame();
-  const view::Image pressed = stage.viewer->target().read();
+  const view::Image pressed = stage.picture();
   EXPECT_GT(stage.finger().depth_mm, 5.0);
   const auto in_the_air = [&] { return stage.finger().touch == contact::Touch::free; };
   for (int i = 0; i < 900 && !in_the_air(); ++i) stage.key(window::Key::left);
@@ -95,7 +95,7 @@ TEST(Replay, AFrozenPictureStepsBackToBeforeThePress) {
   for (; ticks < 20 && in_the_air(); ++ticks) stage.key(window::Key::right, {false, true});
   EXPECT_LE(ticks, 18) << "a picture is 17 ticks";
   EXPECT_LT(stage.finger().depth_mm, 1.0) << "the first tick of the touch";
-  EXPECT_NE(stage.viewer->target().read().pixels, pressed.pixels);
+  EXPECT_NE(stage.picture().pixels, pressed.pixels);
   stage.key(window::Key::space);
   EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.9; })) << "the touch went on";
 }

@@ -45,6 +45,7 @@ double nowS() { return static_cast<double>(monotonicNs()) * 1e-9; }
 /// Presses, so that ticks have work to do, and disturbs for a while.
 servo::LoopReport disturbed(const std::function<void(Stage&, int)>& disturb) {
   Stage stage;
+  stage.draws = true;  // drawing is what disturbs
   stage.move(stage.middle());
   stage.key(window::Key::enter);
   EXPECT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.0; }));

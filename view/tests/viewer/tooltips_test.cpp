@@ -1,6 +1,5 @@
 // The mouse is led over everything that can be used, and each thing must explain itself. Found by ImGui's own knowledge
 // of what is under the cursor, so that a control which nobody named is found too.
-#include <epoxy/gl.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -41,7 +40,6 @@ bool isScrollbar(ImGuiID id) {
 
 /// Leads the mouse down a column of points.
 void sweep(Stage& stage, const std::vector<double>& columns, double top, double below, Swept& swept) {
-  glEnable(GL_RASTERIZER_DISCARD);  // of thousands of frames nobody looks at one
   std::set<ImGuiID> seen;
   for (const double x : columns) {
     for (double y = top; y < below; y += kRowStep) {
@@ -55,7 +53,6 @@ void sweep(Stage& stage, const std::vector<double>& columns, double top, double 
                              (window == nullptr ? "-" : window->Name));
     }
   }
-  glDisable(GL_RASTERIZER_DISCARD);
 }
 
 void expectWords(const Swept& swept, std::size_t controls, const std::string& where) {

@@ -77,10 +77,10 @@ TEST_F(SheetWithNumbers, TheFirstIsShownOverItsRangeAndAnotherWhenAskedFor) {
   EXPECT_DOUBLE_EQ(look.scalar_range.high, scalars[0].greatest);
   look.colouring = view::Colouring::scalar;
   stage_.frame();
-  const view::Image first = stage_.viewer->target().read();
+  const view::Image first = stage_.picture();
   look.scalar_map = ColourMap::cool_warm;
   stage_.frame();
-  EXPECT_NE(stage_.viewer->target().read().pixels, first.pixels);
+  EXPECT_NE(stage_.picture().pixels, first.pixels);
   view::showScalar(stage_.viewer->world(), "twice", look);
   EXPECT_DOUBLE_EQ(look.scalar_range.high, scalars[1].greatest);
 }
