@@ -77,6 +77,9 @@ class Signals : public testing::Test {
   support::TemporaryFolder folder_;
 };
 
+/// A suite of its own: studies need not run on every change.
+class SignalsToStudies : public Signals {};
+
 TEST_F(Signals, ASimulationKeepsWhatItHasAndSaysThatItIsAPart) {
   for (const auto& [signal, name, code] :
        {std::tuple(SIGINT, "SIGINT", 130), std::tuple(SIGTERM, "SIGTERM", 143), std::tuple(SIGHUP, "SIGHUP", 129)}) {
@@ -119,7 +122,7 @@ TEST_F(Signals, ASeriesOfPicturesEndsWithAWholePicture) {
   }
 }
 
-TEST_F(Signals, AHuntTellsWhatItHasFoundSoFar) {
+TEST_F(SignalsToStudies, AHuntTellsWhatItHasFoundSoFar) {
   if (!support::hasProgramOf("study")) GTEST_SKIP() << "not built";
   const int end = ended({"study", "hunt", "--seconds", "1000", "--threads", "2", "--json"}, SIGINT,
                         [&] { return support::contentOf(folder_ / "err").find("hunting") != std::string::npos; });
@@ -130,7 +133,7 @@ TEST_F(Signals, AHuntTellsWhatItHasFoundSoFar) {
   EXPECT_GT(json["ticks"], 0);
 }
 
-TEST_F(Signals, AStudyOfAllBindsTheChaptersThatAreDone) {
+TEST_F(SignalsToStudies, AStudyOfAllBindsTheChaptersThatAreDone) {
   if (!support::hasProgramOf("study")) GTEST_SKIP() << "not built";
   const int end = ended({"study", "all", "--quick", "--out", "book"}, SIGTERM,
                         [&] { return fs::exists(folder_ / "book/numbers.md"); });
@@ -138,7 +141,7 @@ TEST_F(Signals, AStudyOfAllBindsTheChaptersThatAreDone) {
   EXPECT_NE(support::contentOf(folder_ / "book/report.html").find("This run was ended early: "), std::string::npos);
 }
 
-TEST_F(Signals, WhatHasNothingToFinishEndsAtOnce) {
+TEST_F(SignalsToStudies, WhatHasNothingToFinishEndsAtOnce) {
   if (!support::hasProgramOf("study")) GTEST_SKIP() << "not built";
   const Clock::time_point began = Clock::now();
   const int end = ended({"study", "bench", "servo", "--mesh", "dome.ply", "--seconds", "300"}, SIGTERM,
