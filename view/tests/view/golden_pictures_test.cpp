@@ -13,11 +13,15 @@ namespace {
 
 constexpr PictureSize kGoldenSize{480, 270, 2};
 
-std::shared_ptr<const scene::World> torso() {
-  scene::Scene scene;
-  scene.body.kind = scene::BodyKind::torso;
-  scene.body.triangles = 8163;
-  return scene::build(scene);
+/// Made once a test program.
+const std::shared_ptr<const scene::World>& torso() {
+  static const std::shared_ptr<const scene::World> world = [] {
+    scene::Scene scene;
+    scene.body.kind = scene::BodyKind::torso;
+    scene.body.triangles = 8163;
+    return scene::build(scene);
+  }();
+  return world;
 }
 
 /// On the back, seen from behind.

@@ -27,13 +27,18 @@ inline scene::LumpSettings lumpAt(double x_mm, double y_mm) {
   return lump;
 }
 
-inline std::shared_ptr<const scene::World> lumpyTorso(std::vector<scene::LumpSettings> lumps = {
-                                                          lumpAt(kLumpX, kLumpY)}) {
+inline std::shared_ptr<const scene::World> lumpyTorso(std::vector<scene::LumpSettings> lumps) {
   scene::Scene scene;
   scene.body.kind = scene::BodyKind::torso;
   scene.body.triangles = 8163;
   scene.lumps = std::move(lumps);
   return scene::build(scene);
+}
+
+/// With one lump; made once a test program.
+inline const std::shared_ptr<const scene::World>& lumpyTorso() {
+  static const std::shared_ptr<const scene::World> world = lumpyTorso({lumpAt(kLumpX, kLumpY)});
+  return world;
 }
 
 /// On the back, seen from behind.
