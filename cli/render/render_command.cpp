@@ -3,6 +3,7 @@
 //   scene ─ build ─► world ─ run to the moment ─► fingers ─ deform ─► surface ─► Studio ─► PNG, one or a sequence; a
 //   recording ───────► world ─ recorded ──────────►                                          film
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdint>
 #include <functional>

@@ -1,6 +1,7 @@
 // `palpate body map ellipses|contours|stiffness|depth`: the maps over a skin, or those of a scene, as numbers, coloured
 // surface and picture.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>

@@ -14,6 +14,7 @@
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json_text.h"
+#include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
 #include "report/charts/picture_file.h"
 #include "solve/commands/fit_reports.h"

@@ -1,6 +1,7 @@
 // `palpate tissue library`: the solved stacks that a body's places are blended from; and how they are solved again,
 // with the drags that photographs are fitted by.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 // Every option of every command that takes a number refuses what is none.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <string>

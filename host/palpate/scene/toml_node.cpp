@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "palpate/base/error.h"
-#include "palpate/base/text.h"
+#include "palpate/base/nearest_name.h"
 #include "palpate/scene/detail/toml_limits.h"
 
 namespace palpate::scene {

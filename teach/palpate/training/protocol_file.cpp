@@ -1,11 +1,15 @@
 // A protocol as a TOML file: read key by key, written with explanations. Changes stand in per cent there.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
 #include <string_view>
 
 #include "palpate/base/error.h"
+#include "palpate/base/nearest_name.h"
+#include "palpate/base/number_range.h"
+#include "palpate/base/text.h"
 #include "palpate/scene/detail/toml_table.h"
 #include "palpate/training/protocol.h"
 #include "palpate/training/sha256.h"
