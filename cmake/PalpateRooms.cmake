@@ -60,6 +60,9 @@ function(palpate_add_rooms house prefix)
         set_property(SOURCE ${folder}/mesh/files/read_foreign.cpp PROPERTY COMPILE_DEFINITIONS
                      PALPATE_ASSIMP_FILE="${PALPATE_ASSIMP_FILE}")
       endif()
+      if(room STREQUAL base) # base/json.cpp
+        target_link_libraries(${target} PRIVATE nlohmann_json::nlohmann_json)
+      endif()
       if(room STREQUAL device) # what speaks to a maker's service
         target_link_libraries(${target} PRIVATE nlohmann_json::nlohmann_json)
       endif()
