@@ -63,9 +63,6 @@ function(palpate_add_rooms house prefix)
       if(room STREQUAL base) # base/json.cpp
         target_link_libraries(${target} PRIVATE nlohmann_json::nlohmann_json)
       endif()
-      if(room STREQUAL device) # what speaks to a maker's service
-        target_link_libraries(${target} PRIVATE nlohmann_json::nlohmann_json)
-      endif()
     endif()
     palpate_precompile(${target} ${PALPATE_ROOM_HEADER_OWNER})
   endforeach()

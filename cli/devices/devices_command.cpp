@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -13,7 +12,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/device/mouse_finger.h"
 
 namespace palpate::app {
@@ -85,7 +84,7 @@ void runIdentify(const DevicesOptions& options) {
 void runDevices(const DevicesOptions& options) {
   const FinishesInOrder in_order;
   ProgressLine progress;
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  Json json = Json::array();
   std::string text;
   bool all_here = true;
   for (const std::string& words : wantedNames(options)) {

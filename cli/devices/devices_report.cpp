@@ -3,26 +3,23 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/kit/json.h"
+#include "palpate/base/json.h"
 #include "palpate/device/device_profile.h"
 
 namespace palpate::app {
 
 namespace {
 
-using DevicesJson = nlohmann::ordered_json;
-
 /// null: it does not say.
-DevicesJson positiveOrNull(double value) { return value > 0.0 ? DevicesJson(value) : DevicesJson(nullptr); }
+Json positiveOrNull(double value) { return value > 0.0 ? Json(value) : Json(nullptr); }
 
 /// What the limiter allows on it at most: the weakest known device's where its type is not known.
 double trustedForceN(const device::Capabilities& able) {
   return device::profileOf(scene::DeviceModel::unknown, able).force_n;
 }
 
-DevicesJson capabilitiesJson(const device::Capabilities& able) {
+Json capabilitiesJson(const device::Capabilities& able) {
   return {{"model", able.model},
           {"max_force_n", positiveOrNull(able.max_force_n)},
           {"continuous_force_n", positiveOrNull(able.continuous_force_n)},
@@ -32,7 +29,7 @@ DevicesJson capabilitiesJson(const device::Capabilities& able) {
           {"delay_ticks", able.delay_ticks}};
 }
 
-DevicesJson measuredJson(const DeviceMeasurement& measured) {
+Json measuredJson(const DeviceMeasurement& measured) {
   return {{"seconds", measured.seconds},
           {"positions_per_s", measured.positions_per_s},
           {"interval_us", percentilesJson(measured.interval)},
@@ -80,9 +77,9 @@ std::string measuredText(const DeviceMeasurement& measured) {
 
 }  // namespace
 
-nlohmann::ordered_json jsonOf(const DeviceFinding& finding) {
+Json jsonOf(const DeviceFinding& finding) {
   const device::Probe& probe = finding.probe;
-  DevicesJson looked_for = DevicesJson::array();
+  Json looked_for = Json::array();
   for (const device::LookedFor& looked : probe.looked_for) {
     looked_for.push_back(
         {{"what", looked.what}, {"where", looked.where}, {"found", looked.found}, {"words", looked.words}});
@@ -95,8 +92,8 @@ nlohmann::ordered_json jsonOf(const DeviceFinding& finding) {
           {"version", probe.version},
           {"devices", probe.devices},
           {"looked_for", looked_for},
-          {"capabilities", finding.capabilities ? capabilitiesJson(*finding.capabilities) : DevicesJson(nullptr)},
-          {"measured", finding.measured ? measuredJson(*finding.measured) : DevicesJson(nullptr)},
+          {"capabilities", finding.capabilities ? capabilitiesJson(*finding.capabilities) : Json(nullptr)},
+          {"measured", finding.measured ? measuredJson(*finding.measured) : Json(nullptr)},
           {"not_measured", finding.not_measured.empty() ? finding.why_nothing : finding.not_measured}};
 }
 

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "palpate/base/json.h"
 #include "palpate/base/progress.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/device/device.h"
@@ -40,7 +40,7 @@ struct DeviceFinding {
 };
 
 /// Keys carry their units; docs/reference/devices.md lists them.
-nlohmann::ordered_json jsonOf(const DeviceFinding& finding);
+Json jsonOf(const DeviceFinding& finding);
 
 /// Name, whether it is there, why not and what mends it; with everything that was looked for when `whole`.
 std::string textOf(const DeviceFinding& finding, bool whole);
@@ -74,6 +74,6 @@ std::string safetyLinesOf(const Identified& found);
 
 std::string textOf(const Identified& found);
 /// Keys carry their units; docs/reference/devices.md lists them.
-nlohmann::ordered_json jsonOf(const Identified& found);
+Json jsonOf(const Identified& found);
 
 }  // namespace palpate::app

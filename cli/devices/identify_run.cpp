@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/interruption.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/servo/pacing.h"
 
@@ -117,7 +117,7 @@ void summarise(Identified& found, double DeviceIdentification::*number) {
   found.spread.*number = values.back() - values.front();
 }
 
-nlohmann::ordered_json numbersJson(const DeviceIdentification& numbers) {
+Json numbersJson(const DeviceIdentification& numbers) {
   return {{"mass_kg", numbers.mass_kg},
           {"device_damping_n_s_per_mm", numbers.damping_n_s_per_mm},
           {"device_friction_n", numbers.friction_n},
@@ -175,13 +175,13 @@ std::string textOf(const Identified& found) {
   return text + "\nFor the scene:\n\n[safety]\n" + safetyLinesOf(found);
 }
 
-nlohmann::ordered_json jsonOf(const Identified& found) {
-  nlohmann::ordered_json rounds = nlohmann::ordered_json::array();
+Json jsonOf(const Identified& found) {
+  Json rounds = Json::array();
   for (const DeviceIdentification& round : found.rounds) rounds.push_back(numbersJson(round));
-  nlohmann::ordered_json json = {{"device", found.words},
-                                 {"model", found.model},
-                                 {"simulated", found.simulated},
-                                 {"most_force_n", found.most_force_n}};
+  Json json = {{"device", found.words},
+               {"model", found.model},
+               {"simulated", found.simulated},
+               {"most_force_n", found.most_force_n}};
   json.update(numbersJson(found.middle));
   json["spread"] = numbersJson(found.spread);
   json["rounds"] = rounds;

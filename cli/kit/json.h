@@ -1,11 +1,10 @@
 // How the commands spell what they found in JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/vec.h"
 #include "palpate/servo/histogram.h"
 
@@ -13,19 +12,19 @@ namespace palpate::app {
 
 /// For people and programs, with a line end. Text of a stranger's file that is not UTF-8 gets U+FFFD; plain dump
 /// throws.
-inline std::string jsonText(const nlohmann::ordered_json& json) { return jsonDump(json, 2) + "\n"; }
+inline std::string jsonText(const Json& json) { return jsonDump(json, 2) + "\n"; }
 
 /// [x, y, z]; mm for a place, unit length for a direction.
-inline nlohmann::ordered_json vectorJson(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+inline Json vectorJson(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 /// null says that there is no such number, not that it is zero.
 template <class Number>
-nlohmann::ordered_json orNull(const std::optional<Number>& number) {
-  return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
+Json orNull(const std::optional<Number>& number) {
+  return number ? Json(*number) : Json(nullptr);
 }
 
 /// {p50, p99, p99_9, max}, us.
-inline nlohmann::ordered_json percentilesJson(const servo::DurationPercentiles& p) {
+inline Json percentilesJson(const servo::DurationPercentiles& p) {
   return {{"p50", p.p50_us}, {"p99", p.p99_us}, {"p99_9", p.p99_9_us}, {"max", p.max_us}};
 }
 

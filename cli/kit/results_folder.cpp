@@ -5,10 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/text.h"
 
@@ -30,7 +30,7 @@ bool isPlainName(const std::string& name) { return !name.empty() && pathOf(name)
 std::vector<std::string> listedFiles(const fs::path& folder) {
   std::vector<std::string> names;
   try {
-    const auto report = nlohmann::json::parse(readFile(folder / kReport, kMaxReportBytes));
+    const auto report = Json::parse(readFile(folder / kReport, kMaxReportBytes));
     for (const auto& file : report.at("files")) names.push_back(file.get<std::string>());
   } catch (const std::exception&) {
     // No report that lists files: the run is known by its usual names alone.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/model/scanned_body.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
@@ -141,9 +140,8 @@ FitBodyResult fitScan(const FitBodyArguments& arguments) {
   return result;
 }
 
-nlohmann::ordered_json jsonOf(const FitBodyArguments& arguments, const FitBodyResult& result,
-                              const std::vector<Vec3>& places) {
-  nlohmann::ordered_json json;
+Json jsonOf(const FitBodyArguments& arguments, const FitBodyResult& result, const std::vector<Vec3>& places) {
+  Json json;
   json["scan"] = arguments.scan.file;
   json["sure_enough"] = result.fit.doubt.empty();
   json["doubt"] = result.fit.doubt;
@@ -159,7 +157,7 @@ nlohmann::ordered_json jsonOf(const FitBodyArguments& arguments, const FitBodyRe
                    {"kyphosis_deg", shape.kyphosis_deg},       {"lordosis_deg", shape.lordosis_deg}};
   json["points"] = result.fit.points.size();
   json["bones"] = result.body.bones.size();
-  json["landmarks"] = nlohmann::ordered_json::array();
+  json["landmarks"] = Json::array();
   for (std::size_t i = 0; i < result.body.landmarks.size(); ++i) {
     const body::SkinLandmark& landmark = result.body.landmarks[i];
     json["landmarks"].push_back({{"name", landmark.name},

@@ -7,8 +7,6 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,7 +20,7 @@
 #include "cli/model/triangle_shape.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/path_text.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/validate.h"
@@ -72,9 +70,9 @@ std::string tableInfo(const fs::path& file) {
   return text + fmt::format("to see it   palpate run --replay {}\n", file.string());
 }
 
-nlohmann::ordered_json tableInfoJson(const fs::path& file) {
-  nlohmann::ordered_json json = {{"file", file.string()}, {"kind", "forces"}, {"complete", !trace::isUnfinished(file)}};
-  json["fingers"] = nlohmann::ordered_json::array();
+Json tableInfoJson(const fs::path& file) {
+  Json json = {{"file", file.string()}, {"kind", "forces"}, {"complete", !trace::isUnfinished(file)}};
+  json["fingers"] = Json::array();
   for (const trace::RecordedFinger& finger : fingersOf(file)) {
     json["fingers"].push_back({{"name", finger.name},
                                {"rows", finger.time_s.size()},
@@ -166,10 +164,10 @@ const char* verdictOn(const ValidationReport& report) {
 
 // --- in words, in JSON ---
 
-nlohmann::ordered_json jsonOf(const mesh::Trait& trait) { return {{"count", trait.count}, {"first", trait.first}}; }
+Json jsonOf(const mesh::Trait& trait) { return {{"count", trait.count}, {"first", trait.first}}; }
 
-nlohmann::ordered_json traitsOf(const ValidationReport& report) {
-  nlohmann::ordered_json traits;
+Json traitsOf(const ValidationReport& report) {
+  Json traits;
   traits["non_finite_vertices"] = jsonOf(report.non_finite_vertices);
   traits["out_of_range_triangles"] = jsonOf(report.wrong_indices);
   traits["zero_area_triangles"] = jsonOf(report.zero_area_triangles);
@@ -198,14 +196,14 @@ std::string textOf(const ValidationReport& report) {
   return text + verdictOn(report);
 }
 
-nlohmann::ordered_json jsonOf(const ValidationReport& report) {
-  nlohmann::ordered_json json;
+Json jsonOf(const ValidationReport& report) {
+  Json json;
   json["triangles"] = report.triangles;
   json["vertices"] = report.vertices;
   if (!report.box.isEmpty())
     json["box"] = {{"min_mm", vectorJson(report.box.min())}, {"max_mm", vectorJson(report.box.max())}};
   json["area_mm2"] = report.area_mm2;
-  json["volume_mm3"] = report.closed ? nlohmann::ordered_json(report.volume_mm3) : nlohmann::ordered_json(nullptr);
+  json["volume_mm3"] = report.closed ? Json(report.volume_mm3) : Json(nullptr);
   json["closed"] = report.closed;
   json["closure"] = mesh::wordsFor(report.closure);
   json["one_sided"] = report.one_sided;
@@ -257,10 +255,10 @@ std::string textOf(const std::vector<FileNumber>& numbers) {
   return text;
 }
 
-nlohmann::ordered_json jsonOf(const std::vector<FileNumber>& numbers) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json jsonOf(const std::vector<FileNumber>& numbers) {
+  Json list = Json::array();
   for (const FileNumber& number : numbers) {
-    nlohmann::ordered_json one = {{"name", number.name}, {"of", number.of}, {"min", nullptr}, {"max", nullptr}};
+    Json one = {{"name", number.name}, {"of", number.of}, {"min", nullptr}, {"max", nullptr}};
     if (number.least <= number.most) one.update({{"min", number.least}, {"max", number.most}});
     list.push_back(std::move(one));
   }
@@ -307,7 +305,7 @@ void runInfo(const InfoArguments& arguments) {
   }
   const Inspection found = inspect(arguments);
   if (arguments.json) {
-    nlohmann::ordered_json json = {{"file", arguments.mesh.file}};
+    Json json = {{"file", arguments.mesh.file}};
     json.update(jsonOf(found.report));
     json["numbers"] = jsonOf(found.numbers);
     if (found.shapes) json["shape"] = asJson(*found.shapes);

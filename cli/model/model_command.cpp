@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -17,7 +17,7 @@
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/body/back.h"
@@ -95,23 +95,23 @@ void appendBones(const std::vector<body::Bone>& bones, Model& model) {
   if (!model.depth_mm.empty()) model.depth_mm.resize(model.mesh.positions.size(), 0);
 }
 
-nlohmann::json partsOf(const std::vector<body::Bone>& bones) {
-  nlohmann::json parts = nlohmann::json::array();
+Json partsOf(const std::vector<body::Bone>& bones) {
+  Json parts = Json::array();
   for (std::size_t i = 0; i < bones.size(); ++i) {
-    parts.push_back({{"part", i + 1}, {"name", bones[i].name}, {"triangles", bones[i].mesh.triangles.size()}});
+    parts.push_back({{"name", bones[i].name}, {"part", i + 1}, {"triangles", bones[i].mesh.triangles.size()}});
   }
   return parts;
 }
 
-nlohmann::json landmarksOf(const std::vector<body::SkinLandmark>& points) {
-  nlohmann::json landmarks = nlohmann::json::array();
+Json landmarksOf(const std::vector<body::SkinLandmark>& points) {
+  Json landmarks = Json::array();
   for (const body::SkinLandmark& point : points) {
-    landmarks.push_back({{"name", point.name},
-                         {"spoken", body::spokenName(point.name)},
-                         {"bone", point.bone},
-                         {"skin_mm", vectorJson(point.position)},
+    landmarks.push_back({{"bone", point.bone},
+                         {"bone_mm", vectorJson(point.bone_position)},
+                         {"name", point.name},
                          {"normal", vectorJson(point.normal)},
-                         {"bone_mm", vectorJson(point.bone_position)}});
+                         {"skin_mm", vectorJson(point.position)},
+                         {"spoken", body::spokenName(point.name)}});
   }
   return landmarks;
 }
@@ -130,8 +130,8 @@ double smallestAngleDeg(const mesh::TriangleMesh& mesh) {
   return std::acos(std::min(1.0, largest_cosine)) * 180 / std::numbers::pi;
 }
 
-/// Writes the model and prints what was written, in words or as one JSON object.
-void finish(const char* name, const ModelOptions& options, const Model& model, double seconds, nlohmann::json extra) {
+/// Writes the model and prints what was written, in words or as one JSON object, whose members are sorted.
+void finish(const char* name, const ModelOptions& options, const Model& model, double seconds, Json extra) {
   write(options.output, model);
   const Vec3 box = mesh::boundingBox(model.mesh).sizes();
   if (!options.json) {
@@ -147,7 +147,11 @@ void finish(const char* name, const ModelOptions& options, const Model& model, d
   extra["box_mm"] = vectorJson(box);
   extra["smallest_angle_deg"] = smallestAngleDeg(model.mesh);
   extra["seconds"] = seconds;
-  fmt::print("{}\n", jsonDump(extra, 2));
+  std::map<std::string, Json> sorted;
+  for (const auto& [key, value] : extra.items()) sorted.emplace(key, value);
+  Json json;
+  for (auto& [key, value] : sorted) json[key] = std::move(value);
+  fmt::print("{}\n", jsonDump(json, 2));
 }
 
 void makeBackModel(const ModelOptions& options) {

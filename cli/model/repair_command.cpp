@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
@@ -18,7 +17,7 @@
 #include "cli/kit/readable_text.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/path_text.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/mesh/repair.h"
@@ -29,8 +28,6 @@ namespace palpate::app {
 namespace {
 
 // What `palpate body repair` does with a recording: salvages it and says what was lost.
-
-using Json = nlohmann::ordered_json;
 
 /// "index: 150 samples, 0.300 to 0.449 s (ticks 300 to 449)"
 std::string textOf(const trace::RecordingRepair& repair, const trace::MissingTicks& missing) {
@@ -167,7 +164,7 @@ std::string textOf(const mesh::RepairResult& result) {
                             result.self_intersecting ? ", intersects itself" : "");
 }
 
-nlohmann::ordered_json jsonOf(const mesh::SurfaceState& state) {
+Json jsonOf(const mesh::SurfaceState& state) {
   return {{"triangles", state.triangles},
           {"vertices", state.vertices},
           {"closure", mesh::wordsFor(state.closure)},
@@ -176,8 +173,8 @@ nlohmann::ordered_json jsonOf(const mesh::SurfaceState& state) {
           {"non_manifold_edges", state.non_manifold_edges}};
 }
 
-nlohmann::ordered_json jsonOf(const mesh::RepairResult& result) {
-  nlohmann::ordered_json json;
+Json jsonOf(const mesh::RepairResult& result) {
+  Json json;
   json["triangles"] = result.mesh.triangles.size();
   json["vertices"] = result.mesh.positions.size();
   json["components"] = result.components;
@@ -189,7 +186,7 @@ nlohmann::ordered_json jsonOf(const mesh::RepairResult& result) {
   json["triangles_dropped"] = triangles.dropped;
   json["triangles_added"] = triangles.added;
   json["warnings"] = result.warnings;
-  json["actions"] = nlohmann::ordered_json::array();
+  json["actions"] = Json::array();
   for (const auto& action : result.actions) {
     json["actions"].push_back({{"what", action.what}, {"count", action.count}, {"triangles", action.triangles}});
   }

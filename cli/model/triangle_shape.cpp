@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "palpate/base/json.h"
 #include "palpate/mesh/topology.h"
 
 namespace palpate::app {
@@ -59,7 +59,7 @@ std::vector<double> foldsOf(const mesh::TriangleMesh& mesh) {
   return folds;
 }
 
-nlohmann::ordered_json asJson(const ShapeSpread& spread) {
+Json asJson(const ShapeSpread& spread) {
   return {{"least", spread.least}, {"p1", spread.p1}, {"p50", spread.p50}, {"p99", spread.p99}, {"most", spread.most}};
 }
 
@@ -109,8 +109,8 @@ std::string asText(const TriangleShapes& shapes) {
       shapes.area_deviation, area.least, area.most);
 }
 
-nlohmann::ordered_json asJson(const TriangleShapes& shapes) {
-  nlohmann::ordered_json json;
+Json asJson(const TriangleShapes& shapes) {
+  Json json;
   json["mean_edge_mm"] = shapes.mean_edge_mm;
   json["fold_deg"] = asJson(shapes.fold_deg);
   json["aspect"] = asJson(shapes.aspect);

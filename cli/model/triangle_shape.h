@@ -1,9 +1,9 @@
 // How even the triangles of a mesh are: `palpate body info --shape`, and the table of docs/explanation/trunk.md.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "palpate/base/json.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::app {
@@ -26,6 +26,6 @@ struct TriangleShapes {
 TriangleShapes triangleShapes(const mesh::TriangleMesh& mesh);
 
 std::string asText(const TriangleShapes& shapes);
-nlohmann::ordered_json asJson(const TriangleShapes& shapes);
+Json asJson(const TriangleShapes& shapes);
 
 }  // namespace palpate::app

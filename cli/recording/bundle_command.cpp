@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
@@ -12,6 +11,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/base/system/process.h"
 #include "palpate/engine/recording_bundle.h"
 #include "palpate/engine/recording_settings.h"
@@ -92,9 +92,9 @@ void refuseFilesOutside(trace::RecordingReader& recording, const BundleArguments
 
 void print(const BundleArguments& arguments, const engine::BundleReport& report) {
   if (arguments.json) {
-    nlohmann::ordered_json files = nlohmann::ordered_json::array();
+    Json files = Json::array();
     for (const auto& file : report.files) files.push_back({{"name", file.name}, {"bytes", file.bytes}});
-    const nlohmann::ordered_json json = {
+    const Json json = {
         {"file", arguments.out.string()}, {"samples", report.samples}, {"files", files}, {"notes", report.notes}};
     printReadable(jsonText(json));
     return;

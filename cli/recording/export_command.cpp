@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
@@ -15,6 +14,7 @@
 #include "cli/simulate/run_recorder.h"
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/engine/recorded_pressure.h"
 #include "palpate/engine/recording_bundle.h"
@@ -24,8 +24,6 @@
 namespace palpate::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ExportArguments {
   std::filesystem::path file;

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cli/kit/commands.h"
@@ -11,6 +10,7 @@
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
+#include "palpate/base/json.h"
 #include "palpate/trace/recording_edit.h"
 
 namespace palpate::app {
@@ -29,11 +29,11 @@ void runJoin(const JoinArguments& arguments) {
   const trace::Joined joined = trace::join(arguments.files, arguments.out, progress.callback());
   progress.clear();
   if (arguments.json) {
-    const nlohmann::ordered_json json = {{"file", arguments.out.string()},
-                                         {"samples", joined.samples},
-                                         {"begins", joined.begins},
-                                         {"last_tick", joined.last_tick},
-                                         {"notes", joined.notes}};
+    const Json json = {{"file", arguments.out.string()},
+                       {"samples", joined.samples},
+                       {"begins", joined.begins},
+                       {"last_tick", joined.last_tick},
+                       {"notes", joined.notes}};
     printReadable(jsonText(json));
     return;
   }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cli/kit/commands.h"
@@ -11,6 +10,7 @@
 #include "cli/kit/readable_text.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "view/viewer/files/recording_keeper.h"
 
 namespace palpate::app {
@@ -35,7 +35,7 @@ std::vector<std::filesystem::path> recordingFiles(const std::filesystem::path& f
 }
 
 void runRecordings(const RecordingsArguments& arguments) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  Json json = Json::array();
   std::string text;
   const std::filesystem::path folder = arguments.window ? viewer::recordingsFolder() : arguments.folder;
   if (arguments.window && !std::filesystem::is_directory(folder)) {
@@ -44,7 +44,7 @@ void runRecordings(const RecordingsArguments& arguments) {
   for (const std::filesystem::path& file : recordingFiles(folder)) {
     try {
       const trace::RecordingReader reader(file);
-      nlohmann::ordered_json entry = {{"file", file.string()}};
+      Json entry = {{"file", file.string()}};
       entry.update(factsJson(reader.facts()));
       json.push_back(entry);
       text += fmt::format("{}  {}\n", file.string(), recordingLine(reader.facts()));

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "cli/kit/commands.h"
@@ -16,7 +15,7 @@
 #include "cli/kit/simulate_options.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/system/process.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/device/finger_path.h"
@@ -166,7 +165,7 @@ void runRecord(const RecordArguments& arguments) {
   recorder.finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));
   const trace::RecordingReader recording(arguments.out);
   if (arguments.json) {
-    nlohmann::ordered_json json = {{"file", arguments.out.string()}};
+    Json json = {{"file", arguments.out.string()}};
     json.update(factsJson(recording.facts()));
     json["safety_notes"] = notes;
     json["marks"] = marks;

@@ -5,18 +5,16 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/number_option.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/engine/recording_settings.h"
 
 namespace palpate::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string endWords(const trace::RecordingFacts& facts) {
   return facts.ended_by.empty() ? "no end: it is being written, or its program was killed"

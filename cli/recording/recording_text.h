@@ -3,10 +3,10 @@
 
 #include <filesystem>
 #include <limits>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "cli/kit/options.h"
+#include "palpate/base/json.h"
 #include "palpate/trace/recording_reader.h"
 
 namespace palpate::app {
@@ -24,10 +24,10 @@ trace::TickSpan ticksOf(const TimeSpan& span, double ticks_per_s);
 bool isRecordingFile(const std::filesystem::path& file);
 
 std::string recordingInfo(const std::filesystem::path& file);
-nlohmann::ordered_json recordingInfoJson(const std::filesystem::path& file);
+Json recordingInfoJson(const std::filesystem::path& file);
 
 /// "12.3 s, index, middle; ended: done"
 std::string recordingLine(const trace::RecordingFacts& facts);
-nlohmann::ordered_json factsJson(const trace::RecordingFacts& facts);
+Json factsJson(const trace::RecordingFacts& facts);
 
 }  // namespace palpate::app

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
@@ -11,6 +10,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "cli/recording/recording_text.h"
+#include "palpate/base/json.h"
 #include "palpate/trace/recording_edit.h"
 
 namespace palpate::app {
@@ -58,11 +58,10 @@ void runTrim(const TrimArguments& arguments) {
   const trace::TrimSettings settings{ticksOf(arguments.span, rate), arguments.exact};
   const trace::Trimmed trimmed = trace::trim(recording, settings, arguments.out, progress.callback());
   progress.clear();
-  const nlohmann::ordered_json json = {
-      {"file", arguments.out.string()},          {"samples", trimmed.copied.samples},
-      {"first_tick", trimmed.copied.first_tick}, {"last_tick", trimmed.copied.last_tick},
-      {"worlds", trimmed.copied.worlds},         {"earlier_ticks", trimmed.earlier_ticks},
-      {"not_at_rest", trimmed.not_at_rest}};
+  const Json json = {{"file", arguments.out.string()},          {"samples", trimmed.copied.samples},
+                     {"first_tick", trimmed.copied.first_tick}, {"last_tick", trimmed.copied.last_tick},
+                     {"worlds", trimmed.copied.worlds},         {"earlier_ticks", trimmed.earlier_ticks},
+                     {"not_at_rest", trimmed.not_at_rest}};
   printReadable(arguments.json ? jsonText(json) : textOf(arguments, trimmed, rate));
 }
 

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "cli/kit/body_place.h"
@@ -24,7 +23,7 @@
 #include "cli/render/picture_series.h"
 #include "cli/render/render_options.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
@@ -35,8 +34,6 @@
 namespace palpate::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kPose = "--pose";
 constexpr const char* kSize = "--size";

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "cli/kit/commands.h"
@@ -16,6 +15,7 @@
 #include "cli/render/render_options.h"
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/engine/recording_bundle.h"
 #include "palpate/engine/recording_replay.h"
@@ -24,8 +24,6 @@
 namespace palpate::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ReplayArguments {
   std::filesystem::path file;

@@ -6,12 +6,11 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "palpate/base/error.h"
 #include "palpate/base/hmac_sha256.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/private_folder.h"
@@ -35,7 +34,7 @@ bool isHostLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == ':' || c == '[' || c == ']';
 }
 
-std::string tokenOf(const nlohmann::json& json, const char* name) {
+std::string tokenOf(const Json& json, const char* name) {
   return json.contains(name) && json[name].is_string() ? json[name].get<std::string>() : std::string();
 }
 
@@ -95,8 +94,7 @@ void writeTokens(const std::filesystem::path& file, const Tokens& tokens) {
   if (std::filesystem::exists(std::filesystem::symlink_status(file))) {
     throw Error::inFile(file.string(), std::generic_category().message(EEXIST));
   }
-  const nlohmann::ordered_json json = {
-      {"look", tokens.look}, {"control", tokens.control}, {"instruct", tokens.instruct}};
+  const Json json = {{"look", tokens.look}, {"control", tokens.control}, {"instruct", tokens.instruct}};
   writePrivateFile(file, jsonDump(json, 2) + "\n");
 }
 
@@ -111,7 +109,7 @@ std::filesystem::path freshTokenFile() {
 
 Tokens readTokens(const std::filesystem::path& file) {
   requireClosedFile(file);
-  const auto json = nlohmann::json::parse(readFile(file, kMaxTokenFile), nullptr, false);
+  const auto json = Json::tryParse(readFile(file, kMaxTokenFile));
   if (!json.is_object()) throw Error::inFile(file.string(), R"(is not {"look": ..., "control": ..., "instruct": ...})");
   try {
     return completed({tokenOf(json, "look"), tokenOf(json, "control"), tokenOf(json, "instruct")});

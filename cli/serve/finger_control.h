@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "cli/serve/access.h"
+#include "palpate/base/json.h"
 #include "palpate/base/vec.h"
 #include "palpate/device/mouse_finger.h"
 

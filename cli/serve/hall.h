@@ -15,6 +15,7 @@
 #include "cli/serve/network.h"
 #include "cli/serve/touch_text.h"
 #include "cli/serve/wire.h"
+#include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"
 
 namespace palpate::app::serving {
@@ -43,7 +44,7 @@ struct Hall {
   std::map<VisitId, std::function<void()>> hang_up;  ///< of those in the book
   VisitId last_visit = 0;
   Frame newest;
-  nlohmann::ordered_json vitals;
+  Json vitals;
   bool closing = false;
   const Clock::time_point began = Clock::now();
 

@@ -5,13 +5,12 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "palpate/base/json.h"
 #include "palpate/contact/pressure_field.h"
 
 namespace palpate::app::serving {
 
 namespace {
-
-using Json = nlohmann::json;
 
 /// Reads members of one object and remembers the first thing that was wrong.
 class Members {
@@ -111,7 +110,7 @@ Request listenOf(Members& members) {
 std::optional<Request> requestOf(std::string_view message, std::string& why) {
   why.clear();
   if (message.size() > kMaxRequestBytes) return why = "too long", std::nullopt;
-  const Json json = Json::parse(message, nullptr, false);
+  const Json json = Json::tryParse(message);
   if (!json.is_object()) return why = "no JSON object", std::nullopt;
   const auto type = json.find("type");
   if (type == json.end() || !type->is_string()) return why = "type is missing", std::nullopt;

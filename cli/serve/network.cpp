@@ -19,7 +19,7 @@
 #include "cli/serve/access.h"
 #include "cli/serve/hall.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/system/network.h"
 
 namespace palpate::app::serving {
@@ -190,7 +190,7 @@ void Network::tellTouch(std::vector<trace::Sample> felt) {
   });
 }
 
-void Network::tellVitals(nlohmann::ordered_json vitals) {
+void Network::tellVitals(Json vitals) {
   asio::post(impl_->events,
              [parts = impl_.get(), vitals = std::move(vitals)]() mutable { parts->hall.vitals = std::move(vitals); });
 }
@@ -205,7 +205,7 @@ NetworkCounts Network::counts() const {
 // --- the hall
 
 std::string Hall::state() const {
-  nlohmann::ordered_json json = {
+  Json json = {
       {"type", "state"}, {"holder", control.holder()}, {"paused", control.paused()}, {"onlookers", watchers.size()}};
   if (!vitals.is_null()) json["servo"] = vitals;
   return jsonDump(json);
@@ -217,7 +217,7 @@ void Hall::tellState() {
 }
 
 void Hall::tellMessage(const std::string& words) {
-  const std::string text = jsonDump(nlohmann::ordered_json{{"type", "message"}, {"text", words}});
+  const std::string text = jsonDump(Json{{"type", "message"}, {"text", words}});
   for (const auto& [id, watcher] : watchers) tellWords(*watcher, text);
 }
 

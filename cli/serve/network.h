@@ -9,13 +9,13 @@
 
 #include <cstdint>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/serve/access.h"
 #include "cli/serve/finger_control.h"
 #include "cli/serve/site.h"
+#include "palpate/base/json.h"
 #include "palpate/engine/felt_pressure.h"
 #include "palpate/trace/sample.h"
 
@@ -43,7 +43,7 @@ struct Exhibits {
   Site site;
   std::string skin;                                                ///< engine::encodedSkin
   std::string forms;                                               ///< engine::encodedForms
-  nlohmann::ordered_json facts;                                    ///< of the hello
+  Json facts;                                                      ///< of the hello
   std::shared_ptr<const engine::FeltPressure> pressure = nullptr;  ///< null: the tissue has no patterns
 };
 
@@ -84,7 +84,7 @@ class Network {
   /// What they felt in their newest tick, for those.
   void tellTouch(std::vector<trace::Sample> felt);
   /// How the servo is doing: a JSON object for the state message.
-  void tellVitals(nlohmann::ordered_json vitals);
+  void tellVitals(Json vitals);
   NetworkCounts counts() const;
 
  private:

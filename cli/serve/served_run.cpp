@@ -16,7 +16,7 @@
 #include "cli/serve/wire.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/system/process.h"
@@ -104,11 +104,10 @@ std::vector<ControlledFinger> fingersOf(const scene::World& world, const ServeOp
   return fingers;
 }
 
-nlohmann::ordered_json factsOf(const scene::World& world, const std::vector<ControlledFinger>& fingers,
-                               const std::string& skin) {
+Json factsOf(const scene::World& world, const std::vector<ControlledFinger>& fingers, const std::string& skin) {
   Hash hash;
   for (const char byte : skin) hash.add(std::uint64_t{static_cast<unsigned char>(byte)});
-  nlohmann::ordered_json hands = nlohmann::ordered_json::array();
+  Json hands = Json::array();
   for (const ControlledFinger& finger : fingers) {
     const std::size_t number = hands.size();
     const scene::Finger own = number < world.scene.fingers.size() ? world.scene.fingers[number] : scene::Finger();
@@ -118,7 +117,7 @@ nlohmann::ordered_json factsOf(const scene::World& world, const std::vector<Cont
                      {"pad", own.pad},
                      {"pad_mm", own.pad_mm}});
   }
-  nlohmann::ordered_json landmarks = nlohmann::ordered_json::array();
+  Json landmarks = Json::array();
   for (const body::SkinLandmark& landmark : world.body->anatomy.landmarks) {
     landmarks.push_back({{"name", body::spokenName(landmark.name)},
                          {"at", vectorJson(landmark.position)},
@@ -223,7 +222,7 @@ class FrameMaker {
   double said_at_s_ = -1.0;
 };
 
-nlohmann::ordered_json vitalsJson(const servo::LoopVitals& vitals) {
+Json vitalsJson(const servo::LoopVitals& vitals) {
   return {{"ticks_per_s", vitals.ticks_per_s},
           {"ticks", vitals.ticks},
           {"overruns", vitals.overruns},
@@ -269,9 +268,8 @@ void printAddress(const ServeOptions& options, const Network& network, const Tok
   const std::vector<std::string> addresses = network.addresses();
   if (!isLoopback(options.host) && options.tls_cert.empty()) say(kPlainWarning);
   if (options.json) {
-    const nlohmann::ordered_json line = {
-        {"event", "serving"},     {"address", addresses.front()},     {"addresses", addresses},
-        {"port", network.port()}, {"tls", !options.tls_cert.empty()}, {"token_file", file.string()}};
+    const Json line = {{"event", "serving"},     {"address", addresses.front()},     {"addresses", addresses},
+                       {"port", network.port()}, {"tls", !options.tls_cert.empty()}, {"token_file", file.string()}};
     fmt::print("{}\n", jsonDump(line));
   } else {
     fmt::print("Palpate serves \"{}\" on {}\n", title, fmt::join(addresses, ", "));
@@ -284,7 +282,7 @@ void printAddress(const ServeOptions& options, const Network& network, const Tok
   std::fflush(stdout);
 }
 
-nlohmann::ordered_json reportJson(const NetworkCounts& counts, const servo::LoopReport& loop) {
+Json reportJson(const NetworkCounts& counts, const servo::LoopReport& loop) {
   return {{"event", "ended"},
           {"ended_by", endAskedBy() == 0 ? "done" : std::string(nameOfSignal(endAskedBy()))},
           {"most_onlookers", counts.most_watchers},
@@ -349,7 +347,7 @@ void serve(const ServeOptions& options) {
   exhibits.forms = engine::encodedFormsOf(*world, viewer::kFingers);
   exhibits.facts = factsOf(*world, fingersOf(*world, options), exhibits.skin);
   exhibits.pressure = pressureOf(world);
-  const std::string title = exhibits.facts["title"];
+  const std::string title = exhibits.facts["title"].text();
 
   viewer::LiveServo servo = servoFor(world, options);
   const StoppedBySignal stopped(servo.thread().emergencyStop());

@@ -6,13 +6,11 @@
 #include <string_view>
 #include <utility>
 
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app::serving {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 double newton(double force) { return rounded(force, 1e4); }

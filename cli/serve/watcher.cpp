@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "cli/serve/hall.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/system/network.h"
 
 namespace palpate::app::serving {
@@ -100,8 +100,7 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
       return close(websocket::close_code::try_again_later, "full");
     }
     hall_.join(shared_from_this(), id_);
-    nlohmann::ordered_json hello = {
-        {"type", "hello"}, {"version", 1}, {"you", id_}, {"role", std::string(wordOf(role_))}};
+    Json hello = {{"type", "hello"}, {"version", 1}, {"you", id_}, {"role", std::string(wordOf(role_))}};
     hello.update(hall_.exhibits.facts);
     words_.push_back(jsonDump(hello));  // a file may be called anything
     frame_ = hall_.newest;
@@ -137,7 +136,7 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
     const auto* listen = std::get_if<Listen>(&*request);
     if (listen != nullptr && listen->pad > 0 && !hall_.exhibits.pressure) why = "this body's tissue has no layers";
     if (!why.empty()) {
-      refused_ = jsonDump(nlohmann::ordered_json{{"type", "refused"}, {"why", why}});
+      refused_ = jsonDump(Json{{"type", "refused"}, {"why", why}});
       return send();
     }
     if (const auto* say = std::get_if<Say>(&*request)) hall_.tellMessage(say->words);

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/commands.h"
 #include "cli/kit/device_option.h"
@@ -12,7 +11,7 @@
 #include "cli/kit/results_folder.h"
 #include "cli/kit/simulate_options.h"
 #include "cli/simulate/simulation.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_file.h"
 

@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
+#include "palpate/base/json.h"
 #include "palpate/body/places.h"
 #include "palpate/scene/words.h"
 
 namespace palpate::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 double share(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
@@ -186,7 +184,7 @@ std::string filesLines(const SimulationResult& result) {
 
 }  // namespace
 
-nlohmann::ordered_json reportOf(const SimulationResult& result) {
+Json reportOf(const SimulationResult& result) {
   Json fingers = Json::array();
   for (std::size_t i = 0; i < result.fingers.size(); ++i) {
     fingers.push_back(fingerJson(*result.world, i, result.fingers[i]));

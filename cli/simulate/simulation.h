@@ -6,12 +6,12 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/simulate/run_recorder.h"
+#include "palpate/base/json.h"
 #include "palpate/engine/living_skin.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
@@ -61,7 +61,7 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
 // What it tells its user: simulate_report.cpp.
 
 /// Keys carry their units; docs/reference/simulate.md lists them.
-nlohmann::ordered_json reportOf(const SimulationResult& result);
+Json reportOf(const SimulationResult& result);
 
 /// Some twenty lines, fit for a terminal of 100 columns.
 std::string summaryOf(const SimulationResult& result);

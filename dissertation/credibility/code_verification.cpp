@@ -3,7 +3,6 @@
 #include "dissertation/credibility/credibility.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,6 +13,7 @@
 #include "lab/hunt/hunt.h"
 #include "lab/runs/scene_bits.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/presets.h"
 #include "solve/realism/solver_checks.h"
@@ -54,7 +54,7 @@ std::optional<scene::Scene> compiledScene(const std::string& stem) {
   return scene::presetScene(found->name);
 }
 
-std::uint64_t hexIn(const nlohmann::json& row, const char* key) {
+std::uint64_t hexIn(const Json& row, const char* key) {
   return std::strtoull(row.at(key).get<std::string>().c_str(), nullptr, 16);
 }
 
@@ -64,7 +64,7 @@ Evidence keptBits(const CredibilitySettings& settings) {
   double differ = 0.0;
   for (const std::string_view line : split(settings.data.kept_bits, '\n')) {
     if (line.empty()) continue;
-    const nlohmann::json row = nlohmann::json::parse(line);
+    const Json row = Json::parse(line);
     const auto scene = compiledScene(row.at("scene").get<std::string>());
     if (!scene || (settings.quick && scenes > 0.0)) {
       ++elsewhere;

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "report/page/report_html.h"
 
@@ -14,30 +13,25 @@ namespace palpate::study {
 
 namespace {
 
-using OrderedJson = nlohmann::ordered_json;
-
 /// Of the JSON object, so that readers can refuse what they do not know.
 constexpr int kVersion = 1;
 constexpr const char* kStandard = "ASME V&V 40-2018, in its shape";
 
-OrderedJson evidenceJson(const Evidence& evidence) {
-  OrderedJson json = {{"name", evidence.name},
-                      {"title", evidence.title},
-                      {"against", evidence.against},
-                      {"command", evidence.command.empty() ? OrderedJson() : OrderedJson(evidence.command)},
-                      {"holds", evidence.holds()},
-                      {"finding", findingOf(evidence)}};
-  json["numbers"] = OrderedJson::object();
+Json evidenceJson(const Evidence& evidence) {
+  Json json = {{"name", evidence.name},       {"title", evidence.title},
+               {"against", evidence.against}, {"command", evidence.command.empty() ? Json() : Json(evidence.command)},
+               {"holds", evidence.holds()},   {"finding", findingOf(evidence)}};
+  json["numbers"] = Json::object();
   for (const CredibilityNumber& number : evidence.numbers) {
     json["numbers"][number.name] = {{"value", number.value},
-                                    {"unit", number.unit.empty() ? OrderedJson() : OrderedJson(number.unit)},
-                                    {"bar", number.bar ? OrderedJson(*number.bar) : OrderedJson()},
+                                    {"unit", number.unit.empty() ? Json() : Json(number.unit)},
+                                    {"bar", number.bar ? Json(*number.bar) : Json()},
                                     {"holds", number.holds()}};
   }
   return json;
 }
 
-OrderedJson riskJson(const ContextOfUse& use) {
+Json riskJson(const ContextOfUse& use) {
   return {
       {"influence", wordFor(use.influence)}, {"consequence", wordFor(use.consequence)}, {"risk", wordFor(use.risk())}};
 }
@@ -140,24 +134,24 @@ std::string textOf(const CredibilityFile& file) {
 }
 
 std::string jsonOf(const CredibilityFile& file) {
-  OrderedJson json = {{"study", "credibility"},
-                      {"version", kVersion},
-                      {"standard", kStandard},
-                      {"release", file.release},
-                      {"holds", file.holds()},
-                      {"question_of_interest", file.use.question},
-                      {"context_of_use", file.use.context},
-                      {"model_risk", riskJson(file.use)}};
+  Json json = {{"study", "credibility"},
+               {"version", kVersion},
+               {"standard", kStandard},
+               {"release", file.release},
+               {"holds", file.holds()},
+               {"question_of_interest", file.use.question},
+               {"context_of_use", file.use.context},
+               {"model_risk", riskJson(file.use)}};
   for (const CredibilitySection& section : file.sections) {
-    json[section.name] = {{"holds", section.holds()}, {"evidence", OrderedJson::array()}};
+    json[section.name] = {{"holds", section.holds()}, {"evidence", Json::array()}};
     for (const Evidence& evidence : section.evidence) json[section.name]["evidence"].push_back(evidenceJson(evidence));
   }
-  json["factors"] = OrderedJson::array();
+  json["factors"] = Json::array();
   for (const CredibilityFactor& factor : file.factors) {
     json["factors"].push_back({{"name", factor.name}, {"evidence", factor.evidence}});
   }
   json["factors_without_evidence"] = uncovered(file);
-  json["limits"] = OrderedJson::array();
+  json["limits"] = Json::array();
   for (const CredibilityLimit& limit : file.limits) {
     json["limits"].push_back({{"name", limit.name}, {"sentence", limit.sentence}});
   }

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/words.h"
 #include "report/page/study_page.h"
@@ -47,9 +46,8 @@ std::vector<std::string> cellsOf(const ErratumEffect& effect) {
           fmt::format("{}", effect.text.ours)};
 }
 
-nlohmann::ordered_json objectOf(const ErratumEffect& effect) {
-  nlohmann::ordered_json json = {
-      {"erratum", rowName(effect)}, {"printed", effect.text.printed}, {"ours", effect.text.ours}};
+Json objectOf(const ErratumEffect& effect) {
+  Json json = {{"erratum", rowName(effect)}, {"printed", effect.text.printed}, {"ours", effect.text.ours}};
   if (effect.text.erratum != Erratum::none) json["by_default"] = wordFor(effect.text.by_default);
   if (!effect.isMeasured()) {
     json["not_measured"] = effect.text.choice;
@@ -93,8 +91,8 @@ std::vector<const ErratumEffect*> allRows(const ErrataEffects& effects) {
   return rows;
 }
 
-nlohmann::ordered_json listOf(const std::vector<ErratumEffect>& effects) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json listOf(const std::vector<ErratumEffect>& effects) {
+  Json list = Json::array();
   for (const ErratumEffect& effect : effects) list.push_back(objectOf(effect));
   return list;
 }
@@ -115,9 +113,9 @@ std::string errataLegend() { return kLegend; }
 std::string errataText(const ErrataEffects& effects) { return plainText(tableOf(effects)) + "\n" + kLegend; }
 
 std::string errataJson(const ErrataEffects& effects) {
-  const nlohmann::ordered_json json = {{"corrected", listOf(effects.corrected)},
-                                       {"all_literal", listOf(effects.all_literal)},
-                                       {"errata", listOf(effects.errata)}};
+  const Json json = {{"corrected", listOf(effects.corrected)},
+                     {"all_literal", listOf(effects.all_literal)},
+                     {"errata", listOf(effects.errata)}};
   return jsonDump(json, 2) + "\n";
 }
 

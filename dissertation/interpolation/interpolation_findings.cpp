@@ -48,10 +48,15 @@ FindingValues accuracyOfInterpolation(const InterpolationResults& results) {
   const double apart = std::abs(results.subjects[1].rms_mm - results.subjects[0].rms_mm);
   const auto& [least, most] = results.range_mm[1];
   const auto& [from, to] = results.measured_mm;
-  return {{"too_few", apart < results.scatter_mm}, {"apart", apart},
-          {"scatter", results.scatter_mm},         {"within", least >= from - kRangeSlack && most <= to + kRangeSlack},
-          {"measured", results.measured_mm},       {"gri", results.range_mm[1]},
-          {"thin_plate", results.range_mm[3]},     {"plane", results.range_mm[4]}};
+  const auto range = [](const std::pair<double, double>& both) -> FindingValues { return {both.first, both.second}; };
+  return {{"too_few", apart < results.scatter_mm},
+          {"apart", apart},
+          {"scatter", results.scatter_mm},
+          {"within", least >= from - kRangeSlack && most <= to + kRangeSlack},
+          {"measured", range(results.measured_mm)},
+          {"gri", range(results.range_mm[1])},
+          {"thin_plate", range(results.range_mm[3])},
+          {"plane", range(results.range_mm[4])}};
 }
 
 FindingValues effectOfWidth(const InterpolationResults& results) {

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 #include <functional>
-#include <nlohmann/json.hpp>
 
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "report/page/study_page.h"
 
@@ -35,21 +34,21 @@ std::vector<std::string> cellsOf(const NumberRow& row) {
   return {row.where, row.what, row.printed, row.ours, offText(row), row.tolerance, verdictText(row), row.reason};
 }
 
-nlohmann::ordered_json objectOf(const NumberRow& row) {
-  nlohmann::ordered_json json = {{"where", row.where},
-                                 {"what", row.what},
-                                 {"printed", row.printed},
-                                 {"ours", row.ours},
-                                 {"verdict", wordFor(row.verdict)},
-                                 {"tolerance", row.tolerance}};
+Json objectOf(const NumberRow& row) {
+  Json json = {{"where", row.where},
+               {"what", row.what},
+               {"printed", row.printed},
+               {"ours", row.ours},
+               {"verdict", wordFor(row.verdict)},
+               {"tolerance", row.tolerance}};
   if (row.off_percent) json["off_percent"] = *row.off_percent;
   if (row.erratum != Erratum::none) json["erratum"] = fmt::format("E{}", numberOf(row.erratum));
   json["reason"] = row.reason;
   return json;
 }
 
-nlohmann::ordered_json listOf(const std::vector<NumberRow>& rows, bool deciding) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json listOf(const std::vector<NumberRow>& rows, bool deciding) {
+  Json list = Json::array();
   for (const NumberRow& row : rows) {
     if (decides(row.verdict) == deciding) list.push_back(objectOf(row));
   }
@@ -95,12 +94,12 @@ std::string textOf(const std::vector<NumberRow>& rows) {
 }
 
 std::string jsonOf(const std::vector<NumberRow>& rows) {
-  nlohmann::ordered_json counts;
+  Json counts;
   for (const auto& [word, verdict] : WordsOf<Verdict>::kAll) counts[word] = countOf(rows, verdict);
-  const nlohmann::ordered_json json = {{"holds", studyHolds(rows)},
-                                       {"counts", counts},
-                                       {"rows", listOf(rows, true)},
-                                       {"statements", listOf(rows, false)}};
+  const Json json = {{"holds", studyHolds(rows)},
+                     {"counts", counts},
+                     {"rows", listOf(rows, true)},
+                     {"statements", listOf(rows, false)}};
   return jsonDump(json, 2) + "\n";
 }
 

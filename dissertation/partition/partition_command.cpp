@@ -17,7 +17,7 @@
 #include "dissertation/partition/partition_report.h"
 #include "lab/commands/bench_arguments.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/hdb/literal_octree.h"
 

@@ -6,10 +6,9 @@
 
 #include "cli/kit/json.h"
 #include "lab/commands/bench_arguments.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
-
-using nlohmann::ordered_json;
 
 namespace {
 
@@ -50,17 +49,17 @@ std::string boxText(const PartitionReport::Box& box) {
   return text + fmt::format("  time, exact         p50 {:.2f}  p99 {:.2f} us\n", q.exact_us.p50, q.exact_us.p99);
 }
 
-ordered_json jsonOf(const hdb::LeafSizes& sizes) {
-  ordered_json bins = ordered_json::array();
+Json jsonOf(const hdb::LeafSizes& sizes) {
+  Json bins = Json::array();
   for (const auto& bin : sizes.histogram) {
     bins.push_back({{"first", bin.first}, {"last", bin.last}, {"leaves", bin.leaves}});
   }
   return {{"min", sizes.least}, {"mean", sizes.mean}, {"max", sizes.most}, {"histogram", bins}};
 }
 
-ordered_json jsonOf(const PartitionReport::Box& box) {
+Json jsonOf(const PartitionReport::Box& box) {
   const PartitionQuery& q = box.query;
-  ordered_json json;
+  Json json;
   json["center_mm"] = vectorJson(box.centre_mm);
   json["edges_mm"] = vectorJson(box.edges_mm);
   json["traversal"] = box.traversal;
@@ -101,9 +100,9 @@ std::string textOf(const PartitionReport& report) {
   return report.box ? text + boxText(*report.box) : text;
 }
 
-ordered_json jsonOf(const PartitionReport& report) {
+Json jsonOf(const PartitionReport& report) {
   const hdb::PartitionStatistics& s = report.statistics;
-  ordered_json json;
+  Json json;
   json["mesh"] = report.mesh;
   json["triangles"] = report.triangles;
   json["tree"] = wordFor(report.settings.tree);

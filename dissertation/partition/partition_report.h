@@ -3,12 +3,12 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "lab/counters/statistics.h"
+#include "palpate/base/json.h"
 #include "palpate/hdb/haptic_box.h"
 #include "palpate/hdb/literal_traversal.h"
 #include "palpate/hdb/statistics.h"
@@ -63,7 +63,7 @@ struct PartitionReport {
 };
 
 std::string textOf(const PartitionReport& report);
-nlohmann::ordered_json jsonOf(const PartitionReport& report);
+Json jsonOf(const PartitionReport& report);
 
 // As a picture: partition_figure.cpp.
 

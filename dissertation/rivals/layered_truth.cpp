@@ -4,24 +4,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 
 namespace palpate::study {
 
 namespace {
 
-LayeredPress pressOf(const nlohmann::json& entry, double step_mm) {
-  LayeredPress press{.tissue = entry.at("tissue"),
+LayeredPress pressOf(const Json& entry, double step_mm) {
+  LayeredPress press{.tissue = entry.at("tissue").text(),
                      .layers = {},
-                     .depth_mm = entry.at("depth_mm"),
-                     .central_mm = entry.at("u0_mm"),
-                     .force_n = entry.at("force_n"),
+                     .depth_mm = entry.at("depth_mm").get<double>(),
+                     .central_mm = entry.at("u0_mm").get<double>(),
+                     .force_n = entry.at("force_n").get<double>(),
                      .step_mm = step_mm,
-                     .inward = entry.at("uz"),
-                     .outward = entry.at("ur")};
-  for (const auto& layer : entry.at("layers")) press.layers.push_back({layer.at(0), layer.at(1)});
+                     .inward = entry.at("uz").get<std::vector<double>>(),
+                     .outward = entry.at("ur").get<std::vector<double>>()};
+  for (const auto& layer : entry.at("layers"))
+    press.layers.push_back({layer.at(0).get<double>(), layer.at(1).get<double>()});
   return press;
 }
 
@@ -37,9 +38,10 @@ double between(const std::vector<double>& values, double at) {
 
 const std::vector<LayeredPress>& layeredPresses() {
   static const std::vector<LayeredPress> all = [] {
-    const nlohmann::json file = nlohmann::json::parse(layeredTruthFile());
+    const Json file = Json::parse(layeredTruthFile());
     std::vector<LayeredPress> presses;
-    for (const auto& entry : file.at("presses")) presses.push_back(pressOf(entry, file.at("radius_step_mm")));
+    for (const auto& entry : file.at("presses"))
+      presses.push_back(pressOf(entry, file.at("radius_step_mm").get<double>()));
     return presses;
   }();
   return all;

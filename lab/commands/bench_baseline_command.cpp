@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "cli/kit/json.h"
@@ -15,14 +14,12 @@
 #include "lab/counters/machine.h"
 #include "lab/kernels/kernel_times.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 
 namespace palpate::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// What the file holds: ratios of kernels to fixed reference loops, measured on some machine.
 struct Baseline {
@@ -35,7 +32,7 @@ struct Baseline {
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 constexpr std::size_t kMinTriangles = 1000, kMaxTriangles = 4000000;
 
-bench::KernelTime kernelFrom(const nlohmann::json& json) {
+bench::KernelTime kernelFrom(const Json& json) {
   bench::KernelTime time;
   time.name = json.at("name").get<std::string>();
   time.item = json.value("item", "");
@@ -49,18 +46,18 @@ bench::KernelTime kernelFrom(const nlohmann::json& json) {
 Baseline readBaseline(const std::filesystem::path& file) {
   const std::string text = readFile(file, kMaxBytes);
   try {
-    const nlohmann::json json = nlohmann::json::parse(text);
+    const Json json = Json::parse(text);
     Baseline baseline;
     baseline.file = file.string();
-    baseline.simd = json.value("machine", nlohmann::json::object()).value("simd", "");
+    baseline.simd = json.value("machine", Json::object()).value("simd", "");
     baseline.triangles = json.at("triangles").get<std::size_t>();
     if (baseline.triangles < kMinTriangles || baseline.triangles > kMaxTriangles) {
       throw Error("the number of triangles is not one of a benchmark's back");
     }
-    for (const nlohmann::json& kernel : json.at("kernels")) baseline.kernels.push_back(kernelFrom(kernel));
+    for (const Json& kernel : json.at("kernels")) baseline.kernels.push_back(kernelFrom(kernel));
     if (baseline.kernels.empty()) throw Error("there are no kernels in it");
     return baseline;
-  } catch (const nlohmann::json::exception& error) {
+  } catch (const JsonError& error) {
     throw Error::inFile(file.string(), std::string("not a baseline of `palpate study bench`: ") + error.what());
   } catch (const Error& error) {
     throw Error::inFile(file.string(), error.what());

@@ -1,7 +1,6 @@
 // `palpate study bench batch`: many fingers on one world and on several threads, beside one finger in a plain loop.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/kit/commands.h"
@@ -12,6 +11,7 @@
 #include "cli/kit/simulate_options.h"
 #include "lab/commands/bench_report.h"
 #include "lab/runs/servo_costs.h"
+#include "palpate/base/json.h"
 #include "palpate/device/finger_path.h"
 #include "palpate/engine/fingers.h"
 
@@ -26,8 +26,8 @@ struct BatchArguments {
 
 double ratioOf(double value, double to) { return to > 0.0 ? value / to : 0.0; }
 
-nlohmann::ordered_json jsonOf(const bench::BatchRates& rates, double native_ticks_per_s) {
-  nlohmann::ordered_json json;
+Json jsonOf(const bench::BatchRates& rates, double native_ticks_per_s) {
+  Json json;
   json["ticks_per_s_core"] = rates.one_thread_ticks_per_s;
   json["ticks_per_s"] = rates.ticks_per_s;
   json["thread_scaling"] = rates.scaling();
@@ -35,8 +35,8 @@ nlohmann::ordered_json jsonOf(const bench::BatchRates& rates, double native_tick
   return json;
 }
 
-nlohmann::ordered_json jsonOf(const BatchArguments& arguments, double radius_mm, const bench::BatchFigures& f) {
-  nlohmann::ordered_json json = jsonOf(f.batch, f.native_ticks_per_s);
+Json jsonOf(const BatchArguments& arguments, double radius_mm, const bench::BatchFigures& f) {
+  Json json = jsonOf(f.batch, f.native_ticks_per_s);
   json["rollout"] = jsonOf(f.rollout, f.native_ticks_per_s);
   json["native_ticks_per_s"] = f.native_ticks_per_s;
   json["triangles"] = f.triangles;

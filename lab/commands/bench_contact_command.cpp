@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +19,7 @@
 #include "lab/peers/peer.h"
 #include "lab/runs/contact_run.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 
@@ -27,8 +27,8 @@ namespace {
 
 // ---- what is printed of a run
 
-nlohmann::ordered_json jsonOf(const bench::ContactFigures& f) {
-  nlohmann::ordered_json json;
+Json jsonOf(const bench::ContactFigures& f) {
+  Json json;
   json["triangles"] = f.triangles;
   json["ticks"] = f.ticks;
   json["tick_us"] = percentilesJson(f.tick_us);
@@ -77,8 +77,8 @@ std::string textOf(const bench::ContactFigures& f) {
   return text + fmt::format("hash                     {:016x}\n", f.hash);
 }
 
-nlohmann::ordered_json jsonOf(const bench::HdbFigures& f) {
-  nlohmann::ordered_json json = jsonOf(f.contact);
+Json jsonOf(const bench::HdbFigures& f) {
+  Json json = jsonOf(f.contact);
   json["hdb"] = {{"edge_mm", f.edge_mm}, {"leaves", f.leaves}, {"most_listed", f.most_listed}, {"queries", f.queries}};
   return json;
 }
@@ -133,7 +133,7 @@ void runWithPeers(const BenchContactArguments& arguments, bench::ContactWorld& w
       bench::compareContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window,
                             arguments.peers.peers, arguments.peers.seconds);
   const double p50 = comparison.ours.tick_us.p50;
-  nlohmann::ordered_json json = jsonOf(comparison.ours);
+  Json json = jsonOf(comparison.ours);
   json["peer_queries"] = {{"segments", comparison.queries}, {"nearest", comparison.nearest_asked}};
   addPeers(json, comparison.peers, PeerTask::contact, p50);
   printReport(std::move(json), textOf(comparison.ours) + peersText(comparison.peers, PeerTask::contact, p50),

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
@@ -10,11 +9,10 @@
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
 #include "lab/runs/deform_run.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 void addTo(Json& json, const bench::ApplyFigures& f) {
   json["vertices"] = f.vertices;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
@@ -20,6 +19,7 @@
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/engine/fingers.h"
 #include "palpate/engine/servo_thread.h"
@@ -177,7 +177,7 @@ void runEditBench(const EditArguments& arguments) {
   ProgressLine progress;
   const EditFigures f = measureEdits(arguments, progress.callback());
   progress.clear();
-  nlohmann::ordered_json json;
+  Json json;
   json["mesh"] = arguments.mesh;
   json["triangles"] = f.triangles;
   json["edits"] = static_cast<int>(arguments.edits);

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "cli/kit/number_option.h"
 #include "lab/commands/bench_report.h"
 #include "lab/runs/deform_run.h"
+#include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/words.h"
 #include "palpate/contact/finger.h"
@@ -197,8 +197,8 @@ FrameFigures measureFrames(const FrameRun& run) {
   return figures;
 }
 
-nlohmann::ordered_json jsonOf(const FrameFigures& f) {
-  nlohmann::ordered_json json;
+Json jsonOf(const FrameFigures& f) {
+  Json json;
   json["triangles"] = f.triangles;
   json["bone_triangles"] = f.bone_triangles;
   json["renderer"] = f.renderer;
@@ -258,10 +258,10 @@ void addBenchFrameCommand(Command& parent) {
     arguments->run.stereo = view::stereoModeNamed(arguments->stereo);
     arguments->run.labels = !arguments->no_labels;
     const FrameFigures figures = measureFrames(arguments->run);
-    nlohmann::ordered_json json = jsonOf(figures);
+    Json json = jsonOf(figures);
     std::string text = textOf(figures);
     if (arguments->peers) {
-      json["peers"] = nlohmann::ordered_json::object();
+      json["peers"] = Json::object();
       text += "peers          none: no other library draws this picture\n";
     }
     printReport(json, text, arguments->json);

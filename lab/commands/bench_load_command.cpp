@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "lab/commands/bench_report.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
+#include "palpate/base/json.h"
 #include "palpate/base/progress.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
@@ -207,8 +207,8 @@ struct LoadArguments {
 
 double perTriangle(double value, const LoadFigures& f) { return value / static_cast<double>(f.triangles); }
 
-nlohmann::ordered_json jsonOf(const std::string& file, const LoadFigures& f) {
-  nlohmann::ordered_json json;
+Json jsonOf(const std::string& file, const LoadFigures& f) {
+  Json json;
   json["file"] = file;
   json["triangles"] = f.triangles;
   json["vertices"] = f.vertices;
@@ -252,8 +252,7 @@ double secondsOf(const LoadFigures& f, std::string_view step) {
 }
 
 /// Reading alone is what assimp does too.
-void addAssimp(const std::filesystem::path& file, const LoadFigures& f, nlohmann::ordered_json& json,
-               std::string& text) {
+void addAssimp(const std::filesystem::path& file, const LoadFigures& f, Json& json, std::string& text) {
   try {
     const double theirs = assimpSeconds(file);
     const double ratio = secondsOf(f, "reading") / theirs;
@@ -270,7 +269,7 @@ void runLoadBench(const LoadArguments& arguments) {
   ProgressLine progress;
   const WrittenMesh mesh(arguments.file);
   const LoadFigures figures = measureLoad(mesh.file(), progress.callback());
-  nlohmann::ordered_json json = jsonOf(arguments.file, figures);
+  Json json = jsonOf(arguments.file, figures);
   std::string text = textOf(figures);
   if (arguments.peers) addAssimp(mesh.file(), figures, json, text);
   progress.clear();

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
@@ -10,6 +9,7 @@
 #include "cli/kit/progress_line.h"
 #include "lab/commands/bench_report.h"
 #include "lab/runs/lump_costs.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 
@@ -20,8 +20,8 @@ struct BenchLumpArguments {
   bool json = false;
 };
 
-nlohmann::ordered_json lumpCostsJson(const bench::LumpCosts& costs) {
-  nlohmann::ordered_json json;
+Json lumpCostsJson(const bench::LumpCosts& costs) {
+  Json json;
   json["tick_us"] = costs.tick_us;
   json["tick_extra_us"] = {{"1", costs.one_us},
                            {"8", costs.eight_us},
@@ -31,8 +31,7 @@ nlohmann::ordered_json lumpCostsJson(const bench::LumpCosts& costs) {
                       {"8", costs.field_8_us},
                       {"16", costs.field_16_us},
                       {"4_of_8_lumps", costs.field_4_of_eight_us}};
-  json["allocations"] =
-      costs.allocations ? nlohmann::ordered_json(*costs.allocations) : nlohmann::ordered_json(nullptr);
+  json["allocations"] = costs.allocations ? Json(*costs.allocations) : Json(nullptr);
   json["rounds"] = costs.rounds;
   return json;
 }

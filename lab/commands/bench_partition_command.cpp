@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "lab/peers/judge.h"
 #include "lab/peers/peer.h"
 #include "lab/runs/partition_run.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 namespace {
@@ -27,8 +27,8 @@ struct BenchPartitionArguments {
   bool json = false;
 };
 
-nlohmann::ordered_json jsonOf(const BenchPartitionArguments& arguments, const bench::PartitionFigures& f) {
-  nlohmann::ordered_json json;
+Json jsonOf(const BenchPartitionArguments& arguments, const bench::PartitionFigures& f) {
+  Json json;
   json["mesh"] = arguments.mesh;
   json["triangles"] = f.triangles;
   json["tree"] = wordFor(arguments.run.settings.tree);
@@ -88,7 +88,7 @@ void runPartitionBench(const BenchPartitionArguments& arguments) {
   const bench::PartitionFigures figures = bench::measurePartition(mesh, arguments.run);
   const std::vector<bench::PeerFigures> peers = measurePeers(arguments, mesh);
   progress.clear();
-  nlohmann::ordered_json json = jsonOf(arguments, figures);
+  Json json = jsonOf(arguments, figures);
   const double p50 = figures.hdb_query_us.p50;
   if (arguments.peers.wanted) addPeers(json, peers, PeerTask::boxes, p50);
   printReport(std::move(json), textOf(figures) + peersText(peers, PeerTask::boxes, p50), arguments.json);

@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/number_option.h"
 #include "cli/kit/options.h"
@@ -13,6 +12,7 @@
 #include "lab/commands/bench_report.h"
 #include "lab/runs/servo_costs.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 
@@ -62,21 +62,21 @@ void runRecordingBench(const RecordingArguments& arguments) {
   const bench::RecordingRun run =
       bench::measureRecording(*world, device::pathsOf(*world), settings, progress.callback());
   progress.clear();
-  const nlohmann::ordered_json json = {{"fingers", run.fingers},
-                                       {"record_us_per_tick", run.record_us_per_tick},
-                                       {"tick_us", run.tick_us},
-                                       {"record_ratio", run.record_us_per_tick / run.tick_us},
-                                       {"blocks", run.blocks},
-                                       {"bytes_per_tick", run.bytes_per_tick},
-                                       {"write_mb_per_s", run.write_mb_per_s},
-                                       {"write_times_real_time", run.write_times_real_time},
-                                       {"replay_times_real_time", run.replay_times_real_time},
-                                       {"identical", run.identical},
-                                       {"long_hours", run.long_hours},
-                                       {"long_mb", run.long_mb},
-                                       {"open_s", run.open_s},
-                                       {"seek_s", run.seek_s},
-                                       {"dropped", run.dropped}};
+  const Json json = {{"fingers", run.fingers},
+                     {"record_us_per_tick", run.record_us_per_tick},
+                     {"tick_us", run.tick_us},
+                     {"record_ratio", run.record_us_per_tick / run.tick_us},
+                     {"blocks", run.blocks},
+                     {"bytes_per_tick", run.bytes_per_tick},
+                     {"write_mb_per_s", run.write_mb_per_s},
+                     {"write_times_real_time", run.write_times_real_time},
+                     {"replay_times_real_time", run.replay_times_real_time},
+                     {"identical", run.identical},
+                     {"long_hours", run.long_hours},
+                     {"long_mb", run.long_mb},
+                     {"open_s", run.open_s},
+                     {"seek_s", run.seek_s},
+                     {"dropped", run.dropped}};
   std::string text = fmt::format(
       "recording      {:.3f} us of the {:.3f} us of a tick of {} fingers (median of {} blocks), {} samples dropped\n",
       run.record_us_per_tick, run.tick_us, run.fingers, run.blocks, run.dropped);

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "lab/counters/machine.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 
-nlohmann::ordered_json percentilesJson(const lab::Percentiles& p) {
+Json percentilesJson(const lab::Percentiles& p) {
   return {{"p50", p.p50}, {"p99", p.p99}, {"p99_9", p.p99_9}, {"max", p.max}};
 }
 
@@ -21,13 +19,13 @@ std::string countText(const std::optional<std::uint64_t>& count) {
   return count ? fmt::to_string(*count) : "not counted";
 }
 
-nlohmann::ordered_json machineJson() {
+Json machineJson() {
   const lab::Machine m = lab::thisMachine();
   return {{"cpu", m.cpu},           {"cores", m.cores}, {"memory_gb", m.memory_gb}, {"kernel", m.kernel},
           {"compiler", m.compiler}, {"build", m.build}, {"simd", m.simd},           {"palpate", m.palpate}};
 }
 
-void printReport(nlohmann::ordered_json json, const std::string& text, bool as_json) {
+void printReport(Json json, const std::string& text, bool as_json) {
   json["machine"] = machineJson();
   fmt::print("{}\n", as_json ? jsonDump(json, 2) : text + "measured on " + lab::lineOf(lab::thisMachine()));
 }

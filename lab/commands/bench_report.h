@@ -2,18 +2,18 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
 #include "cli/kit/options.h"
 #include "lab/counters/statistics.h"
 #include "lab/runs/contact_run.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 
 /// {p50, p99, p99_9, max}
-nlohmann::ordered_json percentilesJson(const lab::Percentiles& p);
+Json percentilesJson(const lab::Percentiles& p);
 
 /// "p50 0.12  p99 0.34  p99.9 0.56  max 7.8 us"
 std::string percentilesText(const lab::Percentiles& p, const char* unit = "us");
@@ -22,10 +22,10 @@ std::string percentilesText(const lab::Percentiles& p, const char* unit = "us");
 std::string countText(const std::optional<std::uint64_t>& count);
 
 /// {cpu, cores, memory_gb, kernel, compiler, build, simd, palpate}
-nlohmann::ordered_json machineJson();
+Json machineJson();
 
 /// Prints the JSON object with the machine as its last key, or the text with the machine as its last line.
-void printReport(nlohmann::ordered_json json, const std::string& text, bool as_json);
+void printReport(Json json, const std::string& text, bool as_json);
 
 // The subcommands of `palpate study bench` that measure the whole program rather than one room, and its regression
 // guard.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
@@ -13,6 +12,7 @@
 #include "cli/simulate/realtime_run.h"
 #include "lab/commands/bench_report.h"
 #include "lab/runs/servo_costs.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 namespace {
@@ -29,8 +29,8 @@ lab::Percentiles percentilesOf(const servo::DurationPercentiles& p) {
   return {p.p50_us, p.p99_us, p.p99_9_us, p.max_us};
 }
 
-nlohmann::ordered_json jsonOf(const servo::LoopReport& loop) {
-  nlohmann::ordered_json json;
+Json jsonOf(const servo::LoopReport& loop) {
+  Json json;
   json["ticks"] = loop.ticks;
   json["seconds"] = loop.wall_s;
   json["lateness_us"] = percentilesJson(percentilesOf(loop.lateness));
@@ -45,8 +45,8 @@ nlohmann::ordered_json jsonOf(const servo::LoopReport& loop) {
   return json;
 }
 
-nlohmann::ordered_json jsonOf(const RealtimeReport& report) {
-  nlohmann::ordered_json json = jsonOf(report.loop);
+Json jsonOf(const RealtimeReport& report) {
+  Json json = jsonOf(report.loop);
   json["dropped_samples"] = report.loop.dropped_samples;
   json["display"] = {{"frames", report.display.frames},
                      {"deform_us", percentilesJson(percentilesOf(report.display.deform))}};
@@ -69,7 +69,7 @@ std::string textOf(const servo::LoopReport& loop) {
 /// Long enough for some thousand pairs of blocks.
 constexpr double kMaxSafetyS = 3.0;
 
-void addSafety(const bench::SafetyCost& cost, nlohmann::ordered_json& json, std::string& text) {
+void addSafety(const bench::SafetyCost& cost, Json& json, std::string& text) {
   json["safety_us_per_tick"] = cost.safety_us;
   json["safety_tick_us"] = cost.tick_us;
   json["safety_ratio"] = cost.ratio();
@@ -78,7 +78,7 @@ void addSafety(const bench::SafetyCost& cost, nlohmann::ordered_json& json, std:
 }
 
 /// Ours over theirs at p50 of the lateness; null for a clock too coarse to tell.
-nlohmann::ordered_json ratio(const servo::LoopReport& ours, const servo::LoopReport& theirs) {
+Json ratio(const servo::LoopReport& ours, const servo::LoopReport& theirs) {
   if (theirs.lateness.p50_us <= 0.0) return nullptr;
   return ours.lateness.p50_us / theirs.lateness.p50_us;
 }
@@ -90,7 +90,7 @@ void runServoBench(const ServoArguments& arguments) {
   const auto world = scene::build(sceneFor(input), progress.callback());
   const RealtimeReport ours = measureServo(*world, arguments.input.seconds, progress.display());
   endIfAsked();  // a part of it is no measurement
-  nlohmann::ordered_json json = jsonOf(ours);
+  Json json = jsonOf(ours);
   std::string text = textOf(ours.loop);
   addSafety(bench::measureSafety(*world, device::pathsOf(*world), std::min(kMaxSafetyS, 0.5 * arguments.input.seconds)),
             json, text);

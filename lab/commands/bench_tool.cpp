@@ -1,22 +1,22 @@
 // A tool along a trajectory, beside a finger for each of its pads: what is printed of it.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "cli/kit/json.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
 #include "lab/commands/peers_report.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 
 namespace {
 
-nlohmann::ordered_json jsonOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Json jsonOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-nlohmann::ordered_json toolJson(const BenchToolArguments& arguments, const bench::ToolFigures& f) {
-  nlohmann::ordered_json json;
+Json toolJson(const BenchToolArguments& arguments, const bench::ToolFigures& f) {
+  Json json;
   json["tool"] = arguments.tool;
   json["triangles"] = f.triangles;
   json["pads"] = f.pads;
@@ -64,7 +64,7 @@ void runToolBench(const BenchToolArguments& arguments) {
   const device::Trajectory trajectory = trajectoryFrom(arguments.trajectory);
   const contact::ToolShape shape = bench::toolNamed(arguments.tool);
   const bench::ToolFigures figures = bench::measureTool(world, trajectory, shape, arguments.finger, arguments.window);
-  nlohmann::ordered_json json = toolJson(arguments, figures);
+  Json json = toolJson(arguments, figures);
   std::string text = toolText(arguments, figures);
   if (arguments.peers.wanted) {
     const bench::ToolQueries queries{shape,

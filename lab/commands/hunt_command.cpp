@@ -1,7 +1,6 @@
 // `palpate study hunt`: random bodies and paths, judged by code that shares nothing with the finger; failing paths are
 // made short and written as cases.
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +22,7 @@
 #include "lab/hunt/hunt.h"
 #include "lab/hunt/kept_case.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 
@@ -142,14 +141,14 @@ std::size_t ticksOf(const lab::HuntResult& result, lab::Fault fault) {
   return result.fault_ticks[static_cast<std::size_t>(fault)];
 }
 
-nlohmann::ordered_json failingJson(const lab::FailingPath& path, const std::string& file) {
-  nlohmann::ordered_json json;
+Json failingJson(const lab::FailingPath& path, const std::string& file) {
+  Json json;
   json["body"] = path.body;
   json["seed"] = path.seed;
   json["radius_mm"] = path.radius_mm;
   json["tick"] = path.finding.first_tick;
   json["kind"] = lab::nameOf(path.fault);
-  json["file"] = file.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(file);
+  json["file"] = file.empty() ? Json(nullptr) : Json(file);
   json["ticks"] = path.finding.ticks;
   json["what"] = path.finding.what;
   json["measured"] = path.finding.measured;
@@ -204,12 +203,10 @@ lab::KeptCase caseOf(const lab::HuntPlan& plan, const lab::FailingPath& path) {
 }
 
 /// `files`: for each failing path the folder of its case, or nothing.
-nlohmann::ordered_json huntJson(const lab::HuntPlan& plan, const lab::HuntResult& result,
-                                const std::vector<std::string>& files) {
-  nlohmann::ordered_json json;
+Json huntJson(const lab::HuntPlan& plan, const lab::HuntResult& result, const std::vector<std::string>& files) {
+  Json json;
   json["complete"] = endAskedBy() == 0;
-  json["ended_by"] =
-      endAskedBy() == 0 ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(nameOfSignal(endAskedBy()));
+  json["ended_by"] = endAskedBy() == 0 ? Json(nullptr) : Json(nameOfSignal(endAskedBy()));
   json["ticks"] = result.ticks;
   json["bodies"] = result.bodies;
   json["falls"] = ticksOf(result, lab::Fault::fall);
@@ -222,7 +219,7 @@ nlohmann::ordered_json huntJson(const lab::HuntPlan& plan, const lab::HuntResult
   json["lumps_moved"] = ticksOf(result, lab::Fault::lump_moved);
   json["held_through_body"] = result.held_through_ticks;
   json["events"] = result.events;
-  json["failing_paths"] = nlohmann::ordered_json::array();
+  json["failing_paths"] = Json::array();
   for (std::size_t i = 0; i < result.failing.size(); ++i)
     json["failing_paths"].push_back(failingJson(result.failing[i], files[i]));
   json["paths"] = result.paths;

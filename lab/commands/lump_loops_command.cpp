@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/kit/commands.h"
@@ -11,7 +10,7 @@
 #include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "lab/loops/lump_loops.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 
@@ -53,32 +52,32 @@ bool holds(const LumpLoops& loops) {
          held.oscillating == 0 && stiffest.oscillating == 0 && stiffest.port_energy_mj <= kMostPortEnergyMj;
 }
 
-nlohmann::ordered_json loopsJson(const LumpLoops& loops, std::uint64_t seed) {
+Json loopsJson(const LumpLoops& loops, std::uint64_t seed) {
   const auto& [closed, held, stiffest] = loops;
-  nlohmann::ordered_json json = {{"holds", holds(loops)},
-                                 {"worst_work_n_mm", closed.worst_work_n_mm},
-                                 {"stored_n_mm", closed.stored_n_mm},
-                                 {"worst_work_share", closed.worstShare()},
-                                 {"falls_with_the_square", fallsWithTheSquare(closed)},
-                                 {"by_step", nlohmann::ordered_json::array()},
-                                 {"paths", closed.paths},
-                                 {"ticks", closed.ticks},
-                                 {"lumps", closed.lumps},
-                                 {"mobile",
-                                  {{"paths", held.paths},
-                                   {"with_two_fingers", held.with_two_fingers},
-                                   {"moved", held.felt},
-                                   {"farthest_mm", held.farthest_mm},
-                                   {"given_back_n_mm", held.given_back_n_mm},
-                                   {"lost_n_mm", held.lost_n_mm},
-                                   {"oscillating", held.oscillating}}},
-                                 {"stiffest",
-                                  {{"systems", stiffest.systems},
-                                   {"slope_n_per_mm", stiffest.slope_n_per_mm},
-                                   {"oscillating", stiffest.oscillating},
-                                   {"oscillating_bare", stiffest.oscillating_bare},
-                                   {"port_energy_mj", stiffest.port_energy_mj}}},
-                                 {"seed", seed}};
+  Json json = {{"holds", holds(loops)},
+               {"worst_work_n_mm", closed.worst_work_n_mm},
+               {"stored_n_mm", closed.stored_n_mm},
+               {"worst_work_share", closed.worstShare()},
+               {"falls_with_the_square", fallsWithTheSquare(closed)},
+               {"by_step", Json::array()},
+               {"paths", closed.paths},
+               {"ticks", closed.ticks},
+               {"lumps", closed.lumps},
+               {"mobile",
+                {{"paths", held.paths},
+                 {"with_two_fingers", held.with_two_fingers},
+                 {"moved", held.felt},
+                 {"farthest_mm", held.farthest_mm},
+                 {"given_back_n_mm", held.given_back_n_mm},
+                 {"lost_n_mm", held.lost_n_mm},
+                 {"oscillating", held.oscillating}}},
+               {"stiffest",
+                {{"systems", stiffest.systems},
+                 {"slope_n_per_mm", stiffest.slope_n_per_mm},
+                 {"oscillating", stiffest.oscillating},
+                 {"oscillating_bare", stiffest.oscillating_bare},
+                 {"port_energy_mj", stiffest.port_energy_mj}}},
+               {"seed", seed}};
   for (const auto& by_step : closed.by_steps) {
     json["by_step"].push_back({{"step_mm", by_step.step_mm},
                                {"worst_work_share", by_step.worst_share},

@@ -4,13 +4,13 @@
 #include <unistd.h>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/kit/families.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "lab/commands/bench_report.h"
+#include "palpate/base/json.h"
 #include "palpate/base/system/process.h"
 
 namespace palpate::app {
@@ -72,8 +72,8 @@ std::string reasonOf(const PeerFigures& f) {
   return lacksPeersProgram(f) ? fmt::format("not asked, {} is not beside this program", kPeersProgram) : f.skipped;
 }
 
-nlohmann::ordered_json jsonOf(const PeerFigures& f, PeerTask task) {
-  nlohmann::ordered_json json;
+Json jsonOf(const PeerFigures& f, PeerTask task) {
+  Json json;
   if (!f.skipped.empty()) {
     json["skipped"] = reasonOf(f);
     json["package"] = f.package;
@@ -114,13 +114,15 @@ std::string textOf(const PeerFigures& f, PeerTask task, double ours_p50) {
 
 }  // namespace
 
-void addPeers(nlohmann::ordered_json& json, std::span<const PeerFigures> peers, PeerTask task, double ours_p50) {
-  nlohmann::ordered_json& all = json["peers"] = nlohmann::ordered_json::object();
-  nlohmann::ordered_json& ratios = json["ratio_to"] = nlohmann::ordered_json::object();
+void addPeers(Json& json, std::span<const PeerFigures> peers, PeerTask task, double ours_p50) {
+  Json all = Json::object();
+  Json ratios = Json::object();
   for (const PeerFigures& f : peers) {
     all[f.name] = jsonOf(f, task);
     if (f.skipped.empty() && f.query_us.p50 > 0.0) ratios[f.name] = ours_p50 / f.query_us.p50;
   }
+  json["peers"] = std::move(all);
+  json["ratio_to"] = std::move(ratios);
 }
 
 std::string peersText(std::span<const PeerFigures> peers, PeerTask task, double ours_p50) {

@@ -1,7 +1,6 @@
 // The keys and lines that `--peers` adds to a benchmark's report.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "cli/kit/options.h"
 #include "lab/peers/judge.h"
 #include "lab/peers/peer.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 
@@ -40,7 +40,7 @@ void addBenchPartitionCommand(Command& parent, std::vector<bench::Peer> peers);
 enum class PeerTask { contact, boxes, tool };
 
 /// Adds `peers` and `ratio_to` (ours over theirs at p50) to the report of ours.
-void addPeers(nlohmann::ordered_json& json, std::span<const bench::PeerFigures> peers, PeerTask task, double ours_p50);
+void addPeers(Json& json, std::span<const bench::PeerFigures> peers, PeerTask task, double ours_p50);
 
 /// A line or two a peer.
 std::string peersText(std::span<const bench::PeerFigures> peers, PeerTask task, double ours_p50);

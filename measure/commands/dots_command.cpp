@@ -18,7 +18,7 @@
 #include "measure/commands/dots_report.h"
 #include "measure/pages/photograph_overlay.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/key_row.h"
 #include "palpate/measure/overlay.h"

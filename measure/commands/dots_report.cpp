@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cli/kit/json.h"
+#include "palpate/base/json.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/measure/field/field_form.h"
 #include "palpate/measure/key_row.h"
@@ -81,10 +82,10 @@ std::string dotsText(const Measurement& m) {
   return text + "\n";
 }
 
-nlohmann::ordered_json json(const Estimate& estimate) { return {{"value", estimate.value}, {"sd", estimate.sd}}; }
-nlohmann::ordered_json json(const Vec2& v) { return {v.x(), v.y()}; }
+Json json(const Estimate& estimate) { return {{"value", estimate.value}, {"sd", estimate.sd}}; }
+Json json(const Vec2& v) { return {v.x(), v.y()}; }
 
-nlohmann::ordered_json json(const KeyEllipse& key) {
+Json json(const KeyEllipse& key) {
   return {{"level_mm", key.level_mm},
           {"half_major_mm", json(key.half_major_mm)},
           {"half_minor_mm", json(key.half_minor_mm)},
@@ -92,13 +93,13 @@ nlohmann::ordered_json json(const KeyEllipse& key) {
           {"direction_deg", json(key.direction_deg)}};
 }
 
-nlohmann::ordered_json json(const measure::Drift& drift) {
+Json json(const measure::Drift& drift) {
   return {{"right_mm", json(drift.right_mm)},     {"headwards_mm", json(drift.headwards_mm)},
           {"scale_percent", drift.scale_percent}, {"turn_deg", drift.turn_deg},
           {"length_mm", drift.length_mm},         {"in_sd", drift.in_sd}};
 }
 
-nlohmann::ordered_json json(const measure::SkinField& field) {
+Json json(const measure::SkinField& field) {
   return {{"contact_mm", json(field.contact_mm)},
           {"log_shape", {field.log_shape.x(), field.log_shape.y(), field.log_shape.z()}},
           {"peak_mm", json(field.peak_mm)},
@@ -107,45 +108,45 @@ nlohmann::ordered_json json(const measure::SkinField& field) {
           {"form", measure::nameOf(field.form)}};
 }
 
-nlohmann::ordered_json formsJson(const FieldFit& fit) {
-  nlohmann::ordered_json forms = nlohmann::ordered_json::object();
+Json formsJson(const FieldFit& fit) {
+  Json forms = Json::object();
   for (const measure::FormShare& form : fit.forms) forms[measure::nameOf(form.form)] = form.share;
   return forms;
 }
 
-nlohmann::ordered_json json(const Measurement& m, const FieldFit& fit) {
-  nlohmann::ordered_json fitted = {{"at_2_mm", json(fit.at_2_mm)},
-                                   {"at_4_mm", json(fit.at_4_mm)},
-                                   {"contact_x_mm", json(fit.contact_x_mm)},
-                                   {"contact_y_mm", json(fit.contact_y_mm)},
-                                   {"peak_mm", fit.peak_mm ? json(*fit.peak_mm) : nlohmann::ordered_json(nullptr)},
-                                   {"drag_deg", json(fit.drag_deg)},
-                                   {"inverse_tail", json(fit.inverse_tail)},
-                                   {"sideways", json(fit.sideways)},
-                                   {"drift", json(fit.drift)},
-                                   {"residual_rms_mm", fit.residual_rms_mm},
-                                   {"residual_pattern", fit.residual_pattern},
-                                   {"forms", formsJson(fit)},
-                                   {"gaussian_rim_mm", orNull(fit.gaussian_rim_mm)},
-                                   {"inside_share", fit.inside_share},
-                                   {"field", json(fit.field)}};
+Json json(const Measurement& m, const FieldFit& fit) {
+  Json fitted = {{"at_2_mm", json(fit.at_2_mm)},
+                 {"at_4_mm", json(fit.at_4_mm)},
+                 {"contact_x_mm", json(fit.contact_x_mm)},
+                 {"contact_y_mm", json(fit.contact_y_mm)},
+                 {"peak_mm", fit.peak_mm ? json(*fit.peak_mm) : Json(nullptr)},
+                 {"drag_deg", json(fit.drag_deg)},
+                 {"inverse_tail", json(fit.inverse_tail)},
+                 {"sideways", json(fit.sideways)},
+                 {"drift", json(fit.drift)},
+                 {"residual_rms_mm", fit.residual_rms_mm},
+                 {"residual_pattern", fit.residual_pattern},
+                 {"forms", formsJson(fit)},
+                 {"gaussian_rim_mm", orNull(fit.gaussian_rim_mm)},
+                 {"inside_share", fit.inside_share},
+                 {"field", json(fit.field)}};
   if (m.chart) fitted["contact_px"] = json(m.chart->pictureAt(fit.field.contact_mm));
   return fitted;
 }
 
-nlohmann::ordered_json json(const std::vector<Vec2>& places) {
-  auto list = nlohmann::ordered_json::array();
+Json json(const std::vector<Vec2>& places) {
+  auto list = Json::array();
   for (const Vec2& place : places) list.push_back(json(place));
   return list;
 }
 
-nlohmann::ordered_json json(const measure::ContourReading& contour) {
-  nlohmann::ordered_json read = {{"half_chord_mm", contour.half_chord_mm},
-                                 {"half_across_mm", contour.half_across_mm},
-                                 {"chord_deg", contour.chord_deg},
-                                 {"inside_share", contour.inside_share},
-                                 {"differs", contour.differs},
-                                 {"ellipse", nullptr}};
+Json json(const measure::ContourReading& contour) {
+  Json read = {{"half_chord_mm", contour.half_chord_mm},
+               {"half_across_mm", contour.half_across_mm},
+               {"chord_deg", contour.chord_deg},
+               {"inside_share", contour.inside_share},
+               {"differs", contour.differs},
+               {"ellipse", nullptr}};
   if (contour.ellipse) {
     read["ellipse"] = {{"half_major_mm", contour.ellipse->half_major_mm},
                        {"aspect", contour.ellipse->aspect},
@@ -156,28 +157,24 @@ nlohmann::ordered_json json(const measure::ContourReading& contour) {
   return read;
 }
 
-nlohmann::ordered_json json(const measure::MeasuredDot& dot) {
-  return {{"column", dot.site.column},
-          {"row", dot.site.row},
-          {"before_px", json(dot.before_px)},
-          {"after_px", dot.after_px ? json(*dot.after_px) : nlohmann::ordered_json(nullptr)},
-          {"skin_mm", json(dot.skin_mm)},
-          {"moved_mm", json(dot.moved_mm)},
-          {"drift_mm", json(dot.drift_mm)},
-          {"residual_mm", dot.residual_mm}};
+Json json(const measure::MeasuredDot& dot) {
+  return {{"column", dot.site.column},        {"row", dot.site.row},
+          {"before_px", json(dot.before_px)}, {"after_px", dot.after_px ? json(*dot.after_px) : Json(nullptr)},
+          {"skin_mm", json(dot.skin_mm)},     {"moved_mm", json(dot.moved_mm)},
+          {"drift_mm", json(dot.drift_mm)},   {"residual_mm", dot.residual_mm}};
 }
 
-nlohmann::ordered_json settingsJson(const measure::MeasureSettings& settings) {
+Json settingsJson(const measure::MeasureSettings& settings) {
   const char* const head[] = {"top", "left", "bottom", "right"};
   return {{"spacing_mm", settings.spacing_mm},
           {"drift_mm", settings.drift_mm},
           {"up", head[static_cast<std::size_t>(settings.head)]},
-          {"contact_px", settings.contact_px ? json(*settings.contact_px) : nlohmann::ordered_json(nullptr)},
+          {"contact_px", settings.contact_px ? json(*settings.contact_px) : Json(nullptr)},
           {"partial", settings.partial}};
 }
 
-nlohmann::ordered_json findingsJson(const Measurement& m) {
-  auto list = nlohmann::ordered_json::array();
+Json findingsJson(const Measurement& m) {
+  auto list = Json::array();
   for (const measure::Finding& finding : m.findings) {
     const char* severity = finding.severity == measure::Severity::refusal ? "refusal" : "warning";
     list.push_back({{"severity", severity}, {"code", finding.code}, {"text", finding.text}});
@@ -204,13 +201,13 @@ std::string reportText(const Measurement& measurement, const MeasuredPair& pair)
   return text;
 }
 
-nlohmann::ordered_json reportJson(const Measurement& measurement, const MeasuredPair& pair) {
+Json reportJson(const Measurement& measurement, const MeasuredPair& pair) {
   const Measurement& m = measurement;
-  nlohmann::ordered_json report = {{"name", pair.name}, {"accepted", m.accepted()}, {"input", pair.files}};
-  report["place_mm"] = pair.place_mm ? json(*pair.place_mm) : nlohmann::ordered_json(nullptr);
+  Json report = {{"name", pair.name}, {"accepted", m.accepted()}, {"input", pair.files}};
+  report["place_mm"] = pair.place_mm ? json(*pair.place_mm) : Json(nullptr);
   report["findings"] = findingsJson(m);
-  report["fit"] = m.fit ? json(m, *m.fit) : nlohmann::ordered_json(nullptr);
-  report["contour"] = m.contour ? json(*m.contour) : nlohmann::ordered_json(nullptr);
+  report["fit"] = m.fit ? json(m, *m.fit) : Json(nullptr);
+  report["contour"] = m.contour ? json(*m.contour) : Json(nullptr);
   report["settings"] = settingsJson(m.settings);
   report["null_drift_mm"] = orNull(pair.null_drift_mm);
   report["seconds_between"] = orNull(pair.seconds_between);
@@ -221,7 +218,7 @@ nlohmann::ordered_json reportJson(const Measurement& measurement, const Measured
   report["grid"] = {
       {"dots", m.grid.dots.size()},      {"strays", m.grid.strays.size()},      {"matched", m.matched},
       {"spacing_px", m.grid.spacing_px}, {"irregularity", m.grid.irregularity}, {"roll_deg", m.grid.roll_deg}};
-  report["dots"] = nlohmann::ordered_json::array();
+  report["dots"] = Json::array();
   for (const measure::MeasuredDot& dot : m.dots) report["dots"].push_back(json(dot));
   report["seconds"] = m.seconds;
   return report;

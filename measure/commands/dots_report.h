@@ -1,11 +1,11 @@
 // A measurement for people and for machines: what `palpate measure dots` prints and writes.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "palpate/base/json.h"
 #include "palpate/measure/measurement.h"
 
 namespace palpate::app {
@@ -22,7 +22,7 @@ struct MeasuredPair {
 
 /// Lines of text, the last with its end.
 std::string reportText(const measure::Measurement& measurement, const MeasuredPair& pair);
-nlohmann::ordered_json reportJson(const measure::Measurement& measurement, const MeasuredPair& pair);
+Json reportJson(const measure::Measurement& measurement, const MeasuredPair& pair);
 
 /// A table of key points with the one row; the row of a refused measurement is a comment, so that no map reads it.
 std::string keyTable(const measure::Measurement& measurement, const MeasuredPair& pair);

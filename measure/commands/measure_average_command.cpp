@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +13,7 @@
 #include "cli/kit/json.h"
 #include "cli/kit/output_place.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/average.h"
@@ -109,8 +108,6 @@ figures::Figure averageFigure(const measure::Averages& averages) {
   return figure;
 }
 
-using nlohmann::ordered_json;
-
 struct MeasureAverageArguments {
   std::vector<std::string> files;
   measure::AverageSettings settings;
@@ -191,12 +188,11 @@ std::string textOf(const measure::Averages& averages) {
 // --- JSON
 
 /// null where it is not known.
-ordered_json estimateJson(const measure::Estimate& estimate) {
-  return {{"value", estimate.value},
-          {"sd", std::isfinite(estimate.sd) ? ordered_json(estimate.sd) : ordered_json(nullptr)}};
+Json estimateJson(const measure::Estimate& estimate) {
+  return {{"value", estimate.value}, {"sd", std::isfinite(estimate.sd) ? Json(estimate.sd) : Json(nullptr)}};
 }
 
-ordered_json meanJson(const measure::MeanEllipse& mean) {
+Json meanJson(const measure::MeanEllipse& mean) {
   return {{"half_major_mm", estimateJson(mean.half_major_mm)},
           {"major_over_minor", estimateJson(mean.major_over_minor)},
           {"direction_deg", estimateJson(mean.direction_deg)},
@@ -207,14 +203,14 @@ ordered_json meanJson(const measure::MeanEllipse& mean) {
           {"degrees_of_freedom", mean.freedom}};
 }
 
-ordered_json pointJson(const measure::PointMean& point) {
-  ordered_json json = {{"name", point.name}, {"x_mm", point.place_mm.x()}, {"y_mm", point.place_mm.y()}};
+Json pointJson(const measure::PointMean& point) {
+  Json json = {{"name", point.name}, {"x_mm", point.place_mm.x()}, {"y_mm", point.place_mm.y()}};
   json.update(meanJson(point.mean));
   json["is_the_tissues"] = point.knowsTissue();
-  json["stretch_along_drag"] = point.along_drag ? estimateJson(*point.along_drag) : ordered_json(nullptr);
-  json["drags"] = ordered_json::array();
+  json["stretch_along_drag"] = point.along_drag ? estimateJson(*point.along_drag) : Json(nullptr);
+  json["drags"] = Json::array();
   for (const measure::DragMean& drag : point.drags) {
-    ordered_json one = {{"drag_deg", orNull(drag.drag_deg)}};
+    Json one = {{"drag_deg", orNull(drag.drag_deg)}};
     one.update(meanJson(drag.mean));
     json["drags"].push_back(std::move(one));
   }
@@ -223,9 +219,9 @@ ordered_json pointJson(const measure::PointMean& point) {
   return json;
 }
 
-ordered_json jsonOf(const measure::Averages& averages, const std::vector<std::string>& written) {
+Json jsonOf(const measure::Averages& averages, const std::vector<std::string>& written) {
   const bool plain = averages.settings.averaging == maps::Averaging::plain;
-  ordered_json json = {{"mean", plain ? "plain" : "tensorial"}, {"points", ordered_json::array()}};
+  Json json = {{"mean", plain ? "plain" : "tensorial"}, {"points", Json::array()}};
   for (const measure::PointMean& point : averages.points) json["points"].push_back(pointJson(point));
   json["written"] = written;
   return json;

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +18,7 @@
 #include "measure/commands/dots_report.h"
 #include "measure/pages/photograph_overlay.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
 #include "palpate/maps/key_points.h"
@@ -37,8 +36,6 @@ namespace fs = std::filesystem;
 using measure::PersonWalk;
 using measure::Protocol;
 using measure::WalkedPress;
-using nlohmann::ordered_json;
-
 struct MeasureSessionArguments {
   std::string folder;
   bool init = false;
@@ -108,7 +105,7 @@ void runInit(const MeasureSessionArguments& arguments) {
   const FinishesInOrder in_order;
   const std::vector<std::string> written = beginPerson(arguments.folder, protocol);
   if (arguments.json) {
-    return fmt::print("{}\n", jsonDump(ordered_json{{"person", protocol.person}, {"written", written}}, 2));
+    return fmt::print("{}\n", jsonDump(Json{{"person", protocol.person}, {"written", written}}, 2));
   }
   fmt::print("{}: {} pictures wanted (checklist.md)\n", protocol.person, 4 * plannedPresses(protocol).size());
   for (const std::string& file : written) fmt::print("-> {}\n", file);
@@ -187,12 +184,12 @@ std::string resultText(const measure::PersonResult& result) {
 
 // --- JSON
 
-ordered_json pressJson(const WalkedPress& press) {
-  ordered_json json = {{"name", press.planned.name},
-                       {"state", stateOf(press)},
-                       {"counts", press.counts()},
-                       {"new", press.fresh},
-                       {"missing", press.missing}};
+Json pressJson(const WalkedPress& press) {
+  Json json = {{"name", press.planned.name},
+               {"state", stateOf(press)},
+               {"counts", press.counts()},
+               {"new", press.fresh},
+               {"missing", press.missing}};
   if (press.outcome) {
     json["refusals"] = press.outcome->refusals;
     json["warnings"] = press.outcome->warnings;
@@ -202,11 +199,11 @@ ordered_json pressJson(const WalkedPress& press) {
   return json;
 }
 
-ordered_json walkJson(const PersonWalk& walk, const std::optional<measure::PersonResult>& result) {
-  ordered_json json = {{"person", walk.protocol.person}, {"complete", walk.complete()}};
-  json["presses"] = ordered_json::array();
+Json walkJson(const PersonWalk& walk, const std::optional<measure::PersonResult>& result) {
+  Json json = {{"person", walk.protocol.person}, {"complete", walk.complete()}};
+  json["presses"] = Json::array();
   for (const WalkedPress& press : walk.presses) json["presses"].push_back(pressJson(press));
-  json["progress"] = ordered_json::array();
+  json["progress"] = Json::array();
   for (const measure::PointProgress& one : walk.progress()) {
     json["progress"].push_back(
         {{"point", one.point}, {"drag", one.drag}, {"counting", one.counting}, {"enough", one.enough}});

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,7 @@
 #include "cli/kit/commands.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/place_stiffness.h"
 #include "report/charts/figure.h"
@@ -69,7 +68,6 @@ figures::Figure placeStiffnessFigure(const measure::PlaceFits& fits) {
   return figure;
 }
 
-using nlohmann::ordered_json;
 using tissue::ForceForm;
 
 struct MeasureStiffnessArguments {
@@ -132,10 +130,10 @@ std::string textOf(const measure::PlaceFits& fits, const std::string& table) {
 
 // --- JSON
 
-ordered_json formJson(const measure::FormOfPlace& form) {
-  ordered_json json = {{"form", nameOf(form.fit.form)},
-                       {"secant_n_per_mm", form.fit.secant.value},
-                       {"secant_standard_error", form.fit.secant.standard_error}};
+Json formJson(const measure::FormOfPlace& form) {
+  Json json = {{"form", nameOf(form.fit.form)},
+               {"secant_n_per_mm", form.fit.secant.value},
+               {"secant_standard_error", form.fit.secant.standard_error}};
   for (const tissue::FittedNumber& number : form.fit.numbers) json[std::string(number.name)] = number.value;
   json["r_squared"] = form.r_squared;
   json["rms_n"] = form.rms_n;
@@ -143,8 +141,8 @@ ordered_json formJson(const measure::FormOfPlace& form) {
   return json;
 }
 
-ordered_json placeJson(const PlaceStiffness& place) {
-  ordered_json json = {{"place", place.place}, {"presses", place.presses}, {"subjects", place.subjects}};
+Json placeJson(const PlaceStiffness& place) {
+  Json json = {{"place", place.place}, {"presses", place.presses}, {"subjects", place.subjects}};
   json["refused"] = place.refused();
   if (place.refused()) {
     json["reason"] = place.refusal;
@@ -154,14 +152,14 @@ ordered_json placeJson(const PlaceStiffness& place) {
   json["sd_n_per_mm"] = place.secant_n_per_mm.sd;
   json["best"] = nameOf(place.best().fit.form);
   json["deepest_mm"] = place.best().fit.deepest_mm;
-  json["forms"] = ordered_json::array();
+  json["forms"] = Json::array();
   for (const measure::FormOfPlace& form : place.forms) json["forms"].push_back(formJson(form));
   json["warnings"] = place.warnings;
   return json;
 }
 
-ordered_json jsonOf(const measure::PlaceFits& fits, const std::string& table, const std::vector<std::string>& written) {
-  ordered_json json = {{"places", ordered_json::array()}};
+Json jsonOf(const measure::PlaceFits& fits, const std::string& table, const std::vector<std::string>& written) {
+  Json json = {{"places", Json::array()}};
   for (const PlaceStiffness& place : fits.places) json["places"].push_back(placeJson(place));
   json["scene"] = fits.shared ? sceneKeysOf(fits, table) : "";
   json["written"] = written;

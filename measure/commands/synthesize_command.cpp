@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -17,7 +16,7 @@
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/measure/synthesis/synthetic_files.h"
 
 namespace palpate::app {
@@ -112,10 +111,12 @@ void tell(const SynthesizeArguments& arguments, const std::vector<std::filesyste
   const measure::SyntheticTruth truth = truthOf(made);
   const measure::KeyEllipse& ellipse = truth.at_2_mm;
   if (arguments.json) {
-    nlohmann::ordered_json json = {{"folder", arguments.folder}, {"files", nlohmann::ordered_json::array()}};
+    Json json = {{"folder", arguments.folder}, {"files", Json::array()}};
     for (const auto& file : files) json["files"].push_back(file.filename().string());
-    json["truth"] = nlohmann::ordered_json::parse(measure::truthJson(made, truth));
-    json["truth"].erase("dots");
+    const Json written = Json::parse(measure::truthJson(made, truth));
+    for (const auto& [name, value] : written.items()) {
+      if (name != "dots") json["truth"][name] = value;
+    }
     fmt::print("{}\n", jsonDump(json, 1));
     return;
   }

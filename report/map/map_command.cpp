@@ -13,7 +13,7 @@
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/scene/errata.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/words.h"
@@ -61,9 +61,9 @@ MapSource sourceOf(const MapArguments& arguments) {
   return source;
 }
 
-nlohmann::ordered_json summaryOf(const MapArguments& arguments, const MapSkin& skin, const SkinMap& map) {
+Json summaryOf(const MapArguments& arguments, const MapSkin& skin, const SkinMap& map) {
   const std::pair<double, double> range = shownRange(map);
-  nlohmann::ordered_json summary = map.summary;
+  Json summary = map.summary;
   summary["skin"] = skin.name;
   summary["vertices"] = skin.mesh.positions.size();
   summary["quantity"] = map.shown.column;
@@ -74,7 +74,7 @@ nlohmann::ordered_json summaryOf(const MapArguments& arguments, const MapSkin& s
   return summary;
 }
 
-void print(const MapArguments& arguments, const nlohmann::ordered_json& summary) {
+void print(const MapArguments& arguments, const Json& summary) {
   if (arguments.json) return fmt::print("{}\n", jsonDump(summary, 2));
   fmt::print("{} over {}: {} {:.4g} to {:.4g}", summary["map"].get<std::string>(), summary["skin"].get<std::string>(),
              summary["quantity"].get<std::string>(), summary["range"][0].get<double>(),
@@ -83,7 +83,7 @@ void print(const MapArguments& arguments, const nlohmann::ordered_json& summary)
     if (summary.contains(key)) fmt::print("; {} at the key points {}", key, jsonDump(summary[key]));
   }
   fmt::print(" -> {}\n", fmt::join(arguments.files, ", "));
-  for (const auto& note : summary.value("notes", nlohmann::ordered_json::array())) {
+  for (const auto& note : summary.value("notes", Json::array())) {
     fmt::print("  note: {}\n", note.get<std::string>());
   }
 }

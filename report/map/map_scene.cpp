@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/scene/skin_contact.h"
 #include "report/charts/plot.h"
 
@@ -20,8 +21,8 @@ MapKey drawnDysfunction(const maps::Dysfunction& dysfunction) {
           figures::ellipseOutline(at, dysfunction.radius_mm, dysfunction.radius_mm, 0.0)};
 }
 
-nlohmann::ordered_json dysfunctionsJson(const scene::Scene& scene) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json dysfunctionsJson(const scene::Scene& scene) {
+  Json list = Json::array();
   for (const maps::Dysfunction& one : scene.dysfunctions) {
     list.push_back({{"x_mm", one.x_mm},
                     {"y_mm", one.y_mm},

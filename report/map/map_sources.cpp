@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/maps/stiffness_map.h"
 #include "report/charts/plot.h"
 
@@ -28,7 +29,7 @@ maps::LiteralForms formsOf(const MapSource& source) {
   return forms;
 }
 
-nlohmann::ordered_json jsonOf(const maps::FitError& error) { return {{"rms", error.rms}, {"max", error.max}}; }
+Json jsonOf(const maps::FitError& error) { return {{"rms", error.rms}, {"max", error.max}}; }
 
 /// Root of the mean square and largest of differences.
 maps::FitError errorOf(const std::vector<double>& differences) {
@@ -75,7 +76,7 @@ ShownQuantity shownOfEllipses(const std::string& quantity, double basic_radius_m
           .middle = basic_radius_mm};
 }
 
-nlohmann::ordered_json errorsAtKeys(const maps::AnyEllipseMap& map) {
+Json errorsAtKeys(const maps::AnyEllipseMap& map) {
   std::vector<double> half_major;
   std::vector<double> aspect;
   std::vector<double> direction;
@@ -90,10 +91,10 @@ nlohmann::ordered_json errorsAtKeys(const maps::AnyEllipseMap& map) {
           {"direction_deg", jsonOf(errorOf(direction))}};
 }
 
-nlohmann::ordered_json jsonOf(std::span<const maps::KeyPoint> keys) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+Json jsonOf(std::span<const maps::KeyPoint> keys) {
+  Json list = Json::array();
   for (const maps::KeyPoint& key : keys) {
-    nlohmann::ordered_json one{{"name", key.name}, {"x_mm", key.position_mm.x()}, {"y_mm", key.position_mm.y()}};
+    Json one{{"name", key.name}, {"x_mm", key.position_mm.x()}, {"y_mm", key.position_mm.y()}};
     if (key.ellipse.half_major_mm > 0.0) {
       one["half_major_mm"] = key.ellipse.half_major_mm;
       one["major_over_minor"] = 1.0 / key.ellipse.aspect;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +14,7 @@
 #include "cli/kit/mesh_arguments.h"
 #include "palpate/base/colour_map.h"
 #include "palpate/base/fidelity.h"
+#include "palpate/base/json.h"
 #include "palpate/base/vec.h"
 #include "palpate/maps/contour_map.h"
 #include "palpate/maps/ellipse_map.h"
@@ -115,7 +115,7 @@ struct SkinMap {
   ShownQuantity shown;
   std::vector<MapKey> keys;
   std::vector<MapKey> dysfunctions;  ///< outlined in true size
-  nlohmann::ordered_json summary;    ///< settings and fit errors
+  Json summary;                      ///< settings and fit errors
 };
 
 /// The vertex column of this name.

@@ -18,20 +18,16 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "palpate/base/json.h"
 #include "report/page/study_page.h"
 
 namespace palpate::study {
 
-using FindingValues = nlohmann::json;
-
-/// A list of two: {x|rounded " to "}.
-// NOLINTNEXTLINE(readability-identifier-naming): the name that the JSON library looks for
-inline void to_json(FindingValues& json, const Extent& extent) { json = {extent.least, extent.most}; }
+using FindingValues = Json;
 
 /// A text as it is compiled in.
 struct FindingsFile {

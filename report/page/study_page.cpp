@@ -4,12 +4,11 @@
 
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/language.h"
 #include "palpate/base/text.h"
 #include "report/page/plot_parts.h"
@@ -72,10 +71,10 @@ std::string markdownOf(const StudyPage& page) {
 
 namespace {
 
-nlohmann::ordered_json rowsAsJson(const TextTable& table) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+Json rowsAsJson(const TextTable& table) {
+  Json rows = Json::array();
   for (const std::vector<std::string>& cells : table.rows) {
-    nlohmann::ordered_json row;
+    Json row;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       double number = 0.0;
       const char* end = cells[i].data() + cells[i].size();
@@ -92,8 +91,8 @@ nlohmann::ordered_json rowsAsJson(const TextTable& table) {
 }
 
 /// The member at the end of a path of names with dots between them.
-nlohmann::ordered_json& memberAt(nlohmann::ordered_json& json, std::string_view path) {
-  nlohmann::ordered_json* member = &json;
+Json& memberAt(Json& json, std::string_view path) {
+  Json* member = &json;
   for (const std::string_view name : split(path, '.')) member = &(*member)[std::string(name)];
   return *member;
 }
@@ -101,11 +100,11 @@ nlohmann::ordered_json& memberAt(nlohmann::ordered_json& json, std::string_view 
 }  // namespace
 
 std::string jsonOf(const StudyPage& page) {
-  nlohmann::ordered_json json;
+  Json json;
   json["study"] = page.name;
   json["title"] = page.title;
   json["findings"] = page.findings;
-  json["numbers"] = nlohmann::ordered_json::object();
+  json["numbers"] = Json::object();
   for (const auto& [name, value] : page.numbers) {
     json["numbers"][name] = value;
     if (page.numbers_on_top) memberAt(json, name) = value;

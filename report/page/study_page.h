@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "palpate/base/json.h"
 #include "palpate/base/progress.h"
 #include "report/charts/figure.h"
 
@@ -112,6 +113,7 @@ struct Extent {
     least = std::min(least, value);
     most = std::max(most, value);
   }
+  operator Json() const { return {least, most}; }  ///< among the values of a finding: {x|rounded " to "}
 };
 
 // A study that writes a page: its name, its help and how it is run.

@@ -5,12 +5,12 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "palpate/base/json.h"
 #include "palpate/base/progress.h"
 #include "palpate/body/torso.h"
 #include "palpate/trace/recording_statistics.h"
@@ -53,7 +53,7 @@ RecordingReport recordingReport(trace::RecordingReader& recording, const ReportS
                                 const Progress& progress);
 
 /// Every number of the report.
-nlohmann::ordered_json reportJson(const RecordingReport& report);
+Json reportJson(const RecordingReport& report);
 
 /// The report's main results, a sentence each.
 std::vector<std::string> reportSentences(const RecordingReport& report);

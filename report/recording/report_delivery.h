@@ -2,9 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 
@@ -19,7 +20,7 @@ struct ReportRequest {
 struct FinishedReport {
   std::filesystem::path file;          ///< as it is named to people
   std::string page;                    ///< HTML; empty unless it was wanted
-  nlohmann::ordered_json numbers;      ///< all of them
+  Json numbers;                        ///< all of them
   std::vector<std::string> sentences;  ///< main results
 };
 

@@ -1,8 +1,8 @@
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "cli/kit/json.h"
 #include "cli/recording/recording_text.h"
+#include "palpate/base/json.h"
 #include "palpate/body/places.h"
 #include "report/recording/recording_report.h"
 
@@ -16,7 +16,6 @@ const char* phaseKey(trace::Phase phase) {
   return kKeys[static_cast<std::size_t>(phase)];
 }
 
-using Json = nlohmann::ordered_json;
 using trace::Measured;
 
 Json distributionJson(const trace::FixedHistogram& histogram) {

@@ -1,11 +1,11 @@
 // What `palpate tissue fit` found.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "palpate/base/json.h"
 #include "palpate/tissue/fitting/force_fit.h"
 #include "palpate/tissue/fitting/profile_fit.h"
 #include "report/charts/figure.h"
@@ -39,7 +39,7 @@ const tissue::ForceFit& fitOf(const std::vector<tissue::ForceFit>& fits, tissue:
 std::string sceneKeys(const ForceResult& result);
 
 std::string textOf(const ForceResult& result);
-nlohmann::ordered_json jsonOf(const ForceResult& result);
+Json jsonOf(const ForceResult& result);
 
 // What `palpate tissue fit profile` found, for people and for programs, and as a picture.
 
@@ -59,7 +59,7 @@ struct ProfileResult {
 };
 
 std::string textOf(const ProfileResult& result);
-nlohmann::ordered_json jsonOf(const ProfileResult& result);
+Json jsonOf(const ProfileResult& result);
 
 /// Places and fits by depth, down and sideways; what is missed; the curve for all depths.
 figures::Figure profileFitFigure(const ProfileResult& result);

@@ -1,3 +1,4 @@
+#include "palpate/base/json.h"
 #include "palpate/base/order_statistics.h"
 #include "solve/commands/fit_reports.h"
 
@@ -10,7 +11,6 @@ namespace palpate::app {
 
 namespace {
 
-using nlohmann::ordered_json;
 using tissue::FittedNumber;
 using tissue::ForceFit;
 using tissue::ForceForm;
@@ -88,13 +88,13 @@ std::string spreadText(const ForceResult& result) {
 
 // --- JSON
 
-ordered_json numberJson(const FittedNumber& number) {
+Json numberJson(const FittedNumber& number) {
   return {{"value", number.value}, {"standard_error", number.standard_error}, {"at_end", number.at_end}};
 }
 
-ordered_json fitJson(const ForceFit& fit) {
-  ordered_json json = {{"form", nameOf(fit.form)}, {"secant_n_per_mm", numberJson(fit.secant)}};
-  json["numbers"] = ordered_json::object();
+Json fitJson(const ForceFit& fit) {
+  Json json = {{"form", nameOf(fit.form)}, {"secant_n_per_mm", numberJson(fit.secant)}};
+  json["numbers"] = Json::object();
   for (const FittedNumber& number : fit.numbers) json["numbers"][std::string(number.name)] = numberJson(number);
   json["offset_mm"] = numberJson(fit.offset);
   json["rms"] = fit.rms;
@@ -105,15 +105,15 @@ ordered_json fitJson(const ForceFit& fit) {
   return json;
 }
 
-ordered_json fitsJson(const std::vector<ForceFit>& fits) {
-  ordered_json json = ordered_json::array();
+Json fitsJson(const std::vector<ForceFit>& fits) {
+  Json json = Json::array();
   for (const ForceFit& fit : fits) json.push_back(fitJson(fit));
   return json;
 }
 
-ordered_json spreadJson(const ForceResult& result) {
+Json spreadJson(const ForceResult& result) {
   const std::vector<double> exponents = ofAll(result, ForceForm::power, exponentOf);
-  ordered_json json;
+  Json json;
   json["exponent"] = {
       {"p10", quantileOf(exponents, 0.1)}, {"median", quantileOf(exponents, 0.5)}, {"p90", quantileOf(exponents, 0.9)}};
   for (const ForceForm form : tissue::kForceForms) {
@@ -168,10 +168,10 @@ std::string textOf(const ForceResult& result) {
   return text;
 }
 
-ordered_json jsonOf(const ForceResult& result) {
+Json jsonOf(const ForceResult& result) {
   const ForceFit& power = fitOf(result.fits(), ForceForm::power);
   const ForceFit& best = bestOf(result.fits());
-  ordered_json json = {{"file", result.file}, {"free_offset", result.free_offset}};
+  Json json = {{"file", result.file}, {"free_offset", result.free_offset}};
   json["p"] = exponentOf(power);
   json["p_standard_error"] = power.numbers.front().standard_error;
   json["k_n_per_mm"] = power.secant.value;
@@ -179,7 +179,7 @@ ordered_json jsonOf(const ForceResult& result) {
   json["best"] = nameOf(best.form);
   json["chosen"] = nameOf(result.chosen);
   json["fits"] = fitsJson(result.fits());
-  json["curves"] = ordered_json::array();
+  json["curves"] = Json::array();
   for (const FittedCurve& one : result.curves) {
     json["curves"].push_back(
         {{"curve", one.curve.name}, {"best", nameOf(bestOf(one.fits).form)}, {"fits", fitsJson(one.fits)}});

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,7 +17,7 @@
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/output_file.h"
 #include "palpate/elements/drag_solver.h"
 #include "palpate/elements/finger_solver.h"
@@ -239,10 +238,10 @@ void solveLibrary(const LibraryArguments& arguments) {
 
 void listLibrary(const LibraryArguments& arguments) {
   const tissue::LayeredTissue tissue(tissue::libraryNodes(arguments.fat_mm));
-  nlohmann::ordered_json json;
+  Json json;
   json["fat_mm"] = arguments.fat_mm;
   json["finger_radius_mm"] = arguments.finger_mm;
-  json["places"] = nlohmann::ordered_json::array();
+  json["places"] = Json::array();
   std::string text = fmt::format(
       "skin 2 mm, 150 kPa; fat of {:.4g} mm, 10 kPa, less over shallow bone; muscle 27 kPa; a finger of {:.4g} mm\n",
       arguments.fat_mm, arguments.finger_mm);

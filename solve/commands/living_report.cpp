@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "palpate/base/json.h"
 #include "solve/realism/living_limbs.h"
 
 namespace palpate::app {
@@ -31,13 +32,13 @@ LivingFigures halfOf(const std::vector<LivingTest>& tests, const std::vector<dou
 double percentNumber(double share) { return std::round(1000.0 * share) / 10.0; }
 double ratioNumber(double value) { return std::round(1000.0 * value) / 1000.0; }
 
-nlohmann::ordered_json halfJson(const LivingFigures& figures) {
-  nlohmann::ordered_json json = {{"tests", figures.tests},
-                                 {"median_error_percent", percentNumber(figures.median_error)},
-                                 {"bias_percent", percentNumber(figures.bias)},
-                                 {"median_error_without_bias_percent", percentNumber(figures.spread_error)},
-                                 {"thin_cover_ratio", ratioNumber(figures.thinCoverRatio())}};
-  json["ratio_by_cover"] = nlohmann::ordered_json::array();
+Json halfJson(const LivingFigures& figures) {
+  Json json = {{"tests", figures.tests},
+               {"median_error_percent", percentNumber(figures.median_error)},
+               {"bias_percent", percentNumber(figures.bias)},
+               {"median_error_without_bias_percent", percentNumber(figures.spread_error)},
+               {"thin_cover_ratio", ratioNumber(figures.thinCoverRatio())}};
+  json["ratio_by_cover"] = Json::array();
   for (std::size_t c = 0; c < figures.covers.size(); ++c) {
     json["ratio_by_cover"].push_back({{"from_mm", lab::kCoverLimitsMm[c]},
                                       {"to_mm", lab::kCoverLimitsMm[c + 1]},
@@ -78,8 +79,8 @@ LivingReport judgeLiving(const std::filesystem::path& list_or_folder, const Prog
   return result;
 }
 
-nlohmann::ordered_json livingJson(const LivingReport& living) {
-  nlohmann::ordered_json json = halfJson(living.relaxed_limb.even);
+Json livingJson(const LivingReport& living) {
+  Json json = halfJson(living.relaxed_limb.even);
   json["half"] = "even";
   json["model"] = "relaxed_limb";
   json["people"] = living.people;
@@ -87,7 +88,7 @@ nlohmann::ordered_json livingJson(const LivingReport& living) {
   json["fitted_half"] = halfJson(living.relaxed_limb.odd);
   json["default_moduli_on_a_limb"] = {{"even", halfJson(living.limb.even)}, {"odd", halfJson(living.limb.odd)}};
   json["default_body"] = {{"even", halfJson(living.body.even)}, {"odd", halfJson(living.body.odd)}};
-  json["sites"] = nlohmann::ordered_json::array();
+  json["sites"] = Json::array();
   for (const lab::LimbSite& site : lab::limbSites()) {
     json["sites"].push_back({{"site", site.code},
                              {"name", site.name},

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,7 +16,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/tissue/layered_library.h"
 #include "palpate/tissue/layered_tissue.h"
 #include "palpate/tissue/library_fields.h"
@@ -37,14 +36,14 @@ struct LumpCheckArguments {
   bool json = false;
 };
 
-nlohmann::ordered_json spreadJson(const lab::Spread& spread) {
+Json spreadJson(const lab::Spread& spread) {
   return {
       {"mean", spread.mean}, {"p90", spread.p90}, {"p95", spread.p95}, {"worst", spread.worst}, {"of", spread.count}};
 }
 
 /// Of all lumps, with those to 12 mm apart.
-nlohmann::ordered_json twoSpreadsJson(const lab::Spread& all, const lab::Spread& small) {
-  nlohmann::ordered_json json = spreadJson(all);
+Json twoSpreadsJson(const lab::Spread& all, const lab::Spread& small) {
+  Json json = spreadJson(all);
   json["to_12_mm"] = spreadJson(small);
   return json;
 }
@@ -55,25 +54,25 @@ double shareWithin(const std::vector<double>& ratios, double from, double to) {
   return static_cast<double>(inside) / static_cast<double>(ratios.size());
 }
 
-nlohmann::ordered_json ratiosJson(const std::vector<double>& ratios) {
-  nlohmann::ordered_json json = {{"presses", ratios.size()},
-                                 {"share_0.75_to_1.25", shareWithin(ratios, 0.75, 1.25)},
-                                 {"share_0.9_to_1.1", shareWithin(ratios, 0.9, 1.1)}};
+Json ratiosJson(const std::vector<double>& ratios) {
+  Json json = {{"presses", ratios.size()},
+               {"share_0.75_to_1.25", shareWithin(ratios, 0.75, 1.25)},
+               {"share_0.9_to_1.1", shareWithin(ratios, 0.9, 1.1)}};
   if (ratios.empty()) return json;
   json["least"] = *std::ranges::min_element(ratios);
   json["greatest"] = *std::ranges::max_element(ratios);
   return json;
 }
 
-nlohmann::ordered_json findingsJson(const lab::LumpFindings& findings) {
-  nlohmann::ordered_json json = {{"force_error_percent", twoSpreadsJson(findings.force, findings.force_small)},
-                                 {"extra_force_ratio", ratiosJson(findings.extra_ratios)},
-                                 {"off_axis", nlohmann::ordered_json::array()},
-                                 {"pressure_rms_percent", twoSpreadsJson(findings.pressure, findings.pressure_small)},
-                                 {"pressure_gain", findings.pressure_gain},
-                                 {"surface_rms_percent", spreadJson(findings.surface_small)},
-                                 {"field_error_percent", spreadJson(findings.field)},
-                                 {"cases", nlohmann::ordered_json::array()}};
+Json findingsJson(const lab::LumpFindings& findings) {
+  Json json = {{"force_error_percent", twoSpreadsJson(findings.force, findings.force_small)},
+               {"extra_force_ratio", ratiosJson(findings.extra_ratios)},
+               {"off_axis", Json::array()},
+               {"pressure_rms_percent", twoSpreadsJson(findings.pressure, findings.pressure_small)},
+               {"pressure_gain", findings.pressure_gain},
+               {"surface_rms_percent", spreadJson(findings.surface_small)},
+               {"field_error_percent", spreadJson(findings.field)},
+               {"cases", Json::array()}};
   json["surface_rms_percent"]["over_12_mm"] = spreadJson(findings.surface_large);
   for (const lab::LumpFindings::Beside& beside : findings.beside) {
     json["off_axis"].push_back({{"name", beside.name},
@@ -160,10 +159,10 @@ void runLumpShow(const LumpShowArguments& arguments) {
                          .edge = arguments.edge};
   const tissue::LumpEnergy energy = place.energyOf(lump);
   const double thickness = tissue::totalThickness(place.stack);
-  nlohmann::ordered_json json = {{"young_kpa", tissue::youngOf(lump, place.stack)},
-                                 {"bottom_mm", lump.bottomMm()},
-                                 {"bone_mm", thickness},
-                                 {"presses", nlohmann::ordered_json::array()}};
+  Json json = {{"young_kpa", tissue::youngOf(lump, place.stack)},
+               {"bottom_mm", lump.bottomMm()},
+               {"bone_mm", thickness},
+               {"presses", Json::array()}};
   std::string text =
       fmt::format("lump of {:g} mm, top {:g} mm under the skin, {:.4g} kPa; bone {:.4g} mm deep\n",
                   arguments.diameter_mm, arguments.depth_mm, tissue::youngOf(lump, place.stack), thickness);

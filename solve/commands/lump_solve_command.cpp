@@ -4,13 +4,13 @@
 
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/scene/lumps_of_body.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/solved_lumps.h"
@@ -32,11 +32,11 @@ struct SolvedLump {
   std::vector<scene::SolvedPush> pushes;
 };
 
-nlohmann::ordered_json solvedJson(const SolvedLump& lump) {
-  nlohmann::ordered_json json = {{"name", lump.placed.name},
-                                 {"thickness_mm", lump.placed.thickness_mm},
-                                 {"young_kpa", lump.placed.young_kpa},
-                                 {"presses", nlohmann::ordered_json::array()}};
+Json solvedJson(const SolvedLump& lump) {
+  Json json = {{"name", lump.placed.name},
+               {"thickness_mm", lump.placed.thickness_mm},
+               {"young_kpa", lump.placed.young_kpa},
+               {"presses", Json::array()}};
   for (const scene::SolvedPush& push : lump.pushes) {
     json["presses"].push_back({{"depth_mm", push.depth_mm},
                                {"solved_n", push.extra_n},
@@ -68,7 +68,7 @@ void runLumpSolve(const LumpSolveArguments& arguments) {
   progress.clear();
   const scene::LumpGround ground(solved->scene, *solved->healthy, solved->tissue.model == scene::TissueModel::layered,
                                  "lumps");
-  nlohmann::ordered_json json = {{"lumps", nlohmann::ordered_json::array()}};
+  Json json = {{"lumps", Json::array()}};
   std::string text;
   for (std::size_t i = 0; i < solved->lumps.size(); ++i) {
     const scene::PlacedLump& placed = *solved->lumps[i];

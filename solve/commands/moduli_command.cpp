@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/kit/commands.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/number_range.h"
 #include "palpate/tissue/published.h"
 
@@ -44,8 +43,8 @@ std::string moduliText() {
   return text;
 }
 
-nlohmann::ordered_json moduliJson() {
-  nlohmann::ordered_json json;
+Json moduliJson() {
+  Json json;
   for (const tissue::PublishedModulus& modulus : tissue::publishedModuli()) {
     json["moduli"].push_back({{"tissue", modulus.tissue},
                               {"low_kpa", modulus.low_kpa},

@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "cli/kit/json.h"
+#include "palpate/base/json.h"
 
 namespace palpate::app {
 
 namespace {
 
-using nlohmann::ordered_json;
 using tissue::FittedNumber;
 using tissue::ProfileFit;
 using tissue::ProfileForm;
@@ -78,15 +78,15 @@ std::string profileKeys(const ProfileResult& result) {
       result.shared.radius_mm, result.shared.radius_per_depth);
 }
 
-ordered_json profileFitJson(const ProfileFit& fit) {
-  ordered_json json = {{"form", nameOf(fit.form)},
-                       {"surface_mm", fit.surface_mm},
-                       {"surface_measured", fit.surface_measured},
-                       {"rms", fit.rms},
-                       {"unseen_rms", fit.unseen_rms},
-                       {"vector_rms", orNull(fit.vector_rms)},
-                       {"largest_miss", fit.largest_miss}};
-  json["numbers"] = ordered_json::object();
+Json profileFitJson(const ProfileFit& fit) {
+  Json json = {{"form", nameOf(fit.form)},
+               {"surface_mm", fit.surface_mm},
+               {"surface_measured", fit.surface_measured},
+               {"rms", fit.rms},
+               {"unseen_rms", fit.unseen_rms},
+               {"vector_rms", orNull(fit.vector_rms)},
+               {"largest_miss", fit.largest_miss}};
+  json["numbers"] = Json::object();
   for (const FittedNumber& number : fit.numbers) {
     json["numbers"][std::string(number.name)] = {
         {"value", number.value}, {"standard_error", number.standard_error}, {"at_end", number.at_end}};
@@ -115,13 +115,13 @@ std::string textOf(const ProfileResult& result) {
   return text;
 }
 
-ordered_json jsonOf(const ProfileResult& result) {
-  ordered_json json = {{"file", result.file}, {"chosen", nameOf(result.chosen)}};
+Json jsonOf(const ProfileResult& result) {
+  Json json = {{"file", result.file}, {"chosen", nameOf(result.chosen)}};
   json["rms_worst"] = worstOf(result, result.chosen, &ProfileFit::rms);
-  json["depths"] = ordered_json::array();
+  json["depths"] = Json::array();
   for (std::size_t i = 0; i < result.profiles.size(); ++i) {
-    ordered_json depth = {{"depth_mm", result.profiles[i].depth_mm}, {"places", result.profiles[i].radius_mm.size()}};
-    depth["force_n"] = result.force ? ordered_json(result.table.shapes[i].force_n) : ordered_json(nullptr);
+    Json depth = {{"depth_mm", result.profiles[i].depth_mm}, {"places", result.profiles[i].radius_mm.size()}};
+    depth["force_n"] = result.force ? Json(result.table.shapes[i].force_n) : Json(nullptr);
     for (const ProfileFit& fit : result.fits[i]) depth["fits"].push_back(profileFitJson(fit));
     json["depths"].push_back(std::move(depth));
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "palpate/base/json.h"
 #include "palpate/elements/finger_solver.h"
 #include "solve/realism/realism.h"
 #include "solve/realism/realism_stacks.h"
@@ -84,15 +85,15 @@ std::string radiusText(const RadiusReport& report) {
   return text + fmt::format("worst of {} presses: {:.1f} %\n", report.presses.size(), 100.0 * report.worst());
 }
 
-nlohmann::ordered_json radiusJson(const RadiusReport& report) {
-  nlohmann::ordered_json json;
+Json radiusJson(const RadiusReport& report) {
+  Json json;
   json["force_error_percent_worst"] = 100.0 * report.worst();
   for (const JudgedRadius& judged : kJudged) {
     json["force_error_percent_worst_by_radius"][fmt::format("{:g}", judged.radius_mm)] =
         100.0 * report.worst(judged.radius_mm);
   }
   double fingertip = 0.0;
-  json["cases"] = nlohmann::ordered_json::array();
+  json["cases"] = Json::array();
   for (const RadiusPress& press : report.presses) {
     fingertip = std::max(fingertip, std::abs(press.fingertip_n / press.true_force_n - 1.0));
     json["cases"].push_back({{"name", press.name},

@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
+#include "palpate/base/json.h"
 #include "report/charts/picture_file.h"
 #include "solve/commands/realism_reports.h"
 #include "solve/realism/realism_stacks.h"
@@ -31,7 +31,7 @@ struct RealismArguments {
   bool json = false;
 };
 
-nlohmann::ordered_json errorJson(const PressError& error) {
+Json errorJson(const PressError& error) {
   return {{"normal_rms", error.shape.normal_rms},
           {"vector_rms", error.shape.vector_rms},
           {"worst_point", error.shape.worst},
@@ -39,9 +39,9 @@ nlohmann::ordered_json errorJson(const PressError& error) {
           {"force_error", error.force_error}};
 }
 
-nlohmann::ordered_json figuresJson(const RealismFigures& figures) {
-  nlohmann::ordered_json json;
-  json["cases"] = nlohmann::ordered_json::array();
+Json figuresJson(const RealismFigures& figures) {
+  Json json;
+  json["cases"] = Json::array();
   for (const JudgedPress& press : figures.presses) {
     json["cases"].push_back({{"name", press.name},
                              {"depth", press.depth_mm},
@@ -51,7 +51,7 @@ nlohmann::ordered_json figuresJson(const RealismFigures& figures) {
                              {"gaussian", errorJson(press.gaussian)},
                              {"literal", errorJson(press.literal)}});
   }
-  json["drags"] = nlohmann::ordered_json::array();
+  json["drags"] = Json::array();
   for (const JudgedDrag& drag : figures.drags) {
     json["drags"].push_back({{"name", drag.name},
                              {"layered_stack", drag.layered_stack},

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "palpate/base/json.h"
 #include "palpate/base/progress.h"
 #include "solve/realism/living_limbs.h"
 
@@ -30,7 +30,7 @@ struct LivingReport {
 /// Throws Error as lab::readLivingTests does.
 LivingReport judgeLiving(const std::filesystem::path& list_or_folder, const Progress& progress = {});
 
-nlohmann::ordered_json livingJson(const LivingReport& report);
+Json livingJson(const LivingReport& report);
 std::string livingText(const LivingReport& report);
 
 // `palpate tissue realism --radius`: the force on fingers of other radii than a fingertip's, next to finite elements.
@@ -58,6 +58,6 @@ struct RadiusReport {
 RadiusReport judgeRadius(const Progress& progress = {});
 
 std::string radiusText(const RadiusReport& report);
-nlohmann::ordered_json radiusJson(const RadiusReport& report);
+Json radiusJson(const RadiusReport& report);
 
 }  // namespace palpate::app

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +13,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/tissue/pressed_numbers.h"
 #include "report/charts/picture_file.h"
 #include "solve/commands/layered_figure.h"
@@ -63,7 +62,7 @@ void checkDepth(const ShowArguments& arguments, const std::vector<NamedTable>& t
   }
 }
 
-nlohmann::ordered_json shapeJson(const LayeredTable& table, const PressedShape& shape) {
+Json shapeJson(const LayeredTable& table, const PressedShape& shape) {
   const PressedNumbers numbers = numbersOf(table, shape);
   return {{"depth_mm", shape.depth_mm},
           {"surface_mm", shape.surface_mm},
@@ -77,10 +76,10 @@ nlohmann::ordered_json shapeJson(const LayeredTable& table, const PressedShape& 
           {"pushed_out_mm", numbers.pushed_out_mm}};
 }
 
-nlohmann::ordered_json tableJson(const std::string& file, const NamedTable& one) {
+Json tableJson(const std::string& file, const NamedTable& one) {
   const LayeredTable& table = one.table;
-  nlohmann::ordered_json json = {{"file", file}, {"name", one.name}};
-  json["layers"] = nlohmann::ordered_json::array();
+  Json json = {{"file", file}, {"name", one.name}};
+  json["layers"] = Json::array();
   for (const tissue::Layer& layer : table.stack.layers) {
     json["layers"].push_back(
         {{"name", layer.name}, {"thickness_mm", layer.thickness_mm}, {"young_kpa", layer.young_kpa}});
@@ -88,7 +87,7 @@ nlohmann::ordered_json tableJson(const std::string& file, const NamedTable& one)
   json["total_mm"] = totalThickness(table.stack);
   json["poisson"] = table.stack.poisson;
   json["indenter_radius_mm"] = table.indenter_radius_mm;
-  json["shapes"] = nlohmann::ordered_json::array();
+  json["shapes"] = Json::array();
   for (const PressedShape& shape : table.shapes) json["shapes"].push_back(shapeJson(table, shape));
   json["drag"] = nullptr;
   if (table.drag) {
@@ -141,8 +140,8 @@ void runShow(const ShowArguments& arguments) {
   checkDepth(arguments, tables);
   if (!arguments.output.empty()) drawTables(arguments, tables);
   if (arguments.json) {
-    nlohmann::ordered_json json;
-    json["tables"] = nlohmann::ordered_json::array();
+    Json json;
+    json["tables"] = Json::array();
     for (std::size_t i = 0; i < tables.size(); ++i) json["tables"].push_back(tableJson(arguments.files[i], tables[i]));
     fmt::print("{}\n", jsonDump(json, 2));
     return;

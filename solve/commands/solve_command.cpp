@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,7 +17,7 @@
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
 #include "palpate/elements/finger_solver.h"
@@ -92,11 +91,11 @@ elements::Inclusion lumpFrom(const std::string& words) {
   throw Error(fmt::format("--lump {}: a lump is DIAMETER:DEPTH:MODULUS, such as 10mm:6mm:60kPa", oneLine(words)));
 }
 
-nlohmann::ordered_json jsonOf(const elements::StackSolution& solution) {
+Json jsonOf(const elements::StackSolution& solution) {
   const elements::PressSolution& press = solution.press;
-  nlohmann::ordered_json json = {{"seconds", solution.seconds}};
+  Json json = {{"seconds", solution.seconds}};
   for (const char* key : {"depths", "force_n", "surface_mm", "contact_radius_mm"}) {
-    json[key] = nlohmann::ordered_json::array();
+    json[key] = Json::array();
   }
   for (const tissue::PressedShape& shape : press.table.shapes) {
     json["depths"].push_back(shape.depth_mm);
@@ -105,14 +104,13 @@ nlohmann::ordered_json jsonOf(const elements::StackSolution& solution) {
     json["contact_radius_mm"].push_back(shape.contact_radius_mm);
   }
   json["converged_to_mm"] = press.converged_to_mm;
-  json["stopped_by"] =
-      press.stopped_by.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(press.stopped_by);
+  json["stopped_by"] = press.stopped_by.empty() ? Json(nullptr) : Json(press.stopped_by);
   json["press_seconds"] = press.seconds;
   json["systems"] = 0;
   for (const elements::PressStep& step : press.path) json["systems"] = json["systems"].get<int>() + step.systems;
   json["stored_mj"] = press.path.empty() ? 0.0 : press.path.back().energy_mj;
   json["work_mj"] = press.work_mj;
-  json["fingers"] = nlohmann::ordered_json::array();
+  json["fingers"] = Json::array();
   for (const tissue::FingerForces& finger : press.table.fingers) {
     json["fingers"].push_back(
         {{"radius_mm", finger.radius_mm}, {"depths", finger.depths_mm}, {"force_n", finger.force_n}});
@@ -124,8 +122,8 @@ nlohmann::ordered_json jsonOf(const elements::StackSolution& solution) {
     json["field"] = {{"radii", field.radii_mm.size()},
                      {"rows", field.rows_mm.size()},
                      {"depths", field.depths_mm},
-                     {"contact_radius_mm", nlohmann::ordered_json::array()},
-                     {"pressure_exponent", nlohmann::ordered_json::array()}};
+                     {"contact_radius_mm", Json::array()},
+                     {"pressure_exponent", Json::array()}};
     for (const tissue::PressurePattern& pattern : field.patterns) {
       json["field"]["contact_radius_mm"].push_back(pattern.contact_radius_mm);
       json["field"]["pressure_exponent"].push_back(pattern.exponent);

@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 
 namespace palpate::lab {
 
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::size_t kMaxCaseBytes = 64u << 20u;
 
@@ -84,7 +82,7 @@ FemCases parseFemCases(std::string_view text, const std::filesystem::path& file)
   Json json;
   try {
     json = Json::parse(text);
-  } catch (const Json::exception& error) {
+  } catch (const JsonError& error) {
     fail(file, fmt::format("not JSON: {}", error.what()));
   }
   if (!json.is_object()) fail(file, "must be an object with \"r\" and \"cases\"");

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/random.h"
 #include "palpate/base/text.h"
@@ -17,12 +17,10 @@ namespace palpate::lab {
 
 namespace {
 
-using LumpJson = nlohmann::json;
-
 constexpr std::uint64_t kMaxLumpBytes = 64u << 20u;
 constexpr double kPercent = 0.01;
 
-tissue::LumpShape lumpFrom(const LumpJson& json) {
+tissue::LumpShape lumpFrom(const Json& json) {
   tissue::LumpShape lump;
   const double radius = 0.5 * json.at("diameter_mm").get<double>();
   lump.half_axes_mm = {radius, radius, radius};
@@ -38,26 +36,25 @@ std::size_t stackNamed(const LumpCases& cases, const std::string& name) {
   return static_cast<std::size_t>(found - cases.stack_names.begin());
 }
 
-void readStacks(const LumpJson& root, LumpCases& cases) {
-  for (const LumpJson& json : root.at("stacks")) {
+void readStacks(const Json& root, LumpCases& cases) {
+  for (const Json& json : root.at("stacks")) {
     cases.stack_names.push_back(json.at("name").get<std::string>());
     tissue::LayerStack& stack = cases.stacks.emplace_back();
     stack.poisson = root.value("poisson", stack.poisson);
-    for (const LumpJson& layer : json.at("layers_mm_kpa"))
+    for (const Json& layer : json.at("layers_mm_kpa"))
       stack.layers.push_back({"", layer.at(0).get<double>(), layer.at(1).get<double>()});
     tissue::check(stack);
     std::vector<double>& forces = cases.forces_n.emplace_back();
-    for (const LumpJson& press : json.value("presses", LumpJson::array()))
-      forces.push_back(press.at("force_n").get<double>());
+    for (const Json& press : json.value("presses", Json::array())) forces.push_back(press.at("force_n").get<double>());
   }
 }
 
-LumpCase caseFrom(const LumpJson& json, const LumpCases& cases) {
+LumpCase caseFrom(const Json& json, const LumpCases& cases) {
   LumpCase one{.name = json.at("name").get<std::string>(),
                .stack = stackNamed(cases, json.at("stack").get<std::string>()),
                .lump = lumpFrom(json.at("lump")),
                .presses = {}};
-  for (const LumpJson& from : json.at("presses")) {
+  for (const Json& from : json.at("presses")) {
     LumpPress& press = one.presses.emplace_back();
     press.depth_mm = from.at("depth_mm").get<double>();
     press.force_n = from.at("force_n").get<double>();
@@ -65,7 +62,7 @@ LumpCase caseFrom(const LumpJson& json, const LumpCases& cases) {
     press.contact_radius_mm = from.at("contact_radius_mm").get<double>();
     press.pressure_kpa = from.at("pressure_kpa").get<std::vector<double>>();
     if (press.pressure_kpa.empty()) throw Error(one.name + ": pressure_kpa is empty");
-    for (const LumpJson& percent : from.value("surface_change_percent_of_depth", LumpJson::array()))
+    for (const Json& percent : from.value("surface_change_percent_of_depth", Json::array()))
       press.surface_change_share.push_back(kPercent * percent.get<double>());
     if (press.surface_change_share.size() > cases.surface_radii_mm.size())
       throw Error(one.name + ": surface_change_percent_of_depth is too long");
@@ -74,23 +71,23 @@ LumpCase caseFrom(const LumpJson& json, const LumpCases& cases) {
   return one;
 }
 
-BesideCase besideFrom(const LumpJson& json, const LumpCases& cases) {
+BesideCase besideFrom(const Json& json, const LumpCases& cases) {
   BesideCase one{.name = json.at("name").get<std::string>(),
                  .stack = stackNamed(cases, json.at("stack").get<std::string>()),
                  .lump = lumpFrom(json.at("lump")),
                  .at_mm = json.at("at_mm").get<double>(),
                  .presses = {}};
-  for (const LumpJson& press : json.at("presses")) {
+  for (const Json& press : json.at("presses")) {
     one.presses.push_back({press.at("depth_mm").get<double>(), press.at("force_over_force_without").get<double>() - 1.0,
                            press.at("lateral_away_from_lump_over_force_without").get<double>()});
   }
   return one;
 }
 
-void readField(const LumpJson& root, LumpCases& cases) {
-  for (const LumpJson& kernel : root.value("kernels", LumpJson::array())) {
+void readField(const Json& root, LumpCases& cases) {
+  for (const Json& kernel : root.value("kernels", Json::array())) {
     const std::size_t stack = stackNamed(cases, kernel.at("stack").get<std::string>());
-    for (const LumpJson& entry : kernel.at("entries")) {
+    for (const Json& entry : kernel.at("entries")) {
       for (std::size_t i = 0; i < entry.at("press_mm").size(); ++i) {
         cases.field.push_back({stack, entry.at("centre_depth_mm").get<double>(), entry.at("at_mm").get<double>(),
                                entry.at("press_mm").at(i).get<double>(), entry.at("shear_mm3").at(i).get<double>(),
@@ -167,13 +164,12 @@ LumpCases parseLumpCases(std::string_view text, const std::filesystem::path& fil
   LumpCases cases;
   cases.surface_radii_mm = {0, 2, 4, 6, 8, 10, 12, 15, 20, 25, 30, 40};
   try {
-    const LumpJson root = LumpJson::parse(text);
+    const Json root = Json::parse(text);
     readStacks(root, cases);
-    for (const LumpJson& json : root.at("cases")) cases.cases.push_back(caseFrom(json, cases));
-    for (const LumpJson& json : root.value("off_axis", LumpJson::array()))
-      cases.beside.push_back(besideFrom(json, cases));
+    for (const Json& json : root.at("cases")) cases.cases.push_back(caseFrom(json, cases));
+    for (const Json& json : root.value("off_axis", Json::array())) cases.beside.push_back(besideFrom(json, cases));
     readField(root, cases);
-  } catch (const LumpJson::exception& error) {
+  } catch (const JsonError& error) {
     throw Error::inFile(file.string(), fmt::format("is not a file of lump cases: {}", error.what()));
   } catch (const Error& error) {
     throw Error::inFile(file.string(), error.what());

@@ -6,14 +6,13 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "cli/kit/commands.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/certificates.h"
@@ -163,7 +162,7 @@ void runClassCheck(const std::string& folder, bool json) {
       whole ? findingsOfClass(classroom::readClassFolder(folder)) : findingsOfMember(classroom::readMember(folder));
   const bool good = std::ranges::all_of(findings, [](const Finding& finding) { return finding.good; });
   if (json) {
-    nlohmann::ordered_json all = {{"ok", good}, {"steps", nlohmann::ordered_json::array()}};
+    Json all = {{"ok", good}, {"steps", Json::array()}};
     for (const Finding& finding : findings) {
       all["steps"].push_back(
           {{"what", finding.what}, {"ok", finding.good}, {"warning", finding.warns}, {"detail", finding.detail}});

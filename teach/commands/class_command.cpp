@@ -3,14 +3,13 @@
 
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_folder.h"
 #include "teach/commands/class_commands.h"
@@ -31,11 +30,11 @@ void runClassInit(const ClassInitArguments& arguments) {
   if (!arguments.hosts.empty()) plan.hosts = arguments.hosts;
   const classroom::ClassFolder made = classroom::makeClassFolder(arguments.folder, plan);
   if (arguments.json) {
-    const nlohmann::ordered_json json = {{"folder", arguments.folder},
-                                         {"class", made.class_id},
-                                         {"host", made.host},
-                                         {"port", made.port},
-                                         {"stations", made.stations}};
+    const Json json = {{"folder", arguments.folder},
+                       {"class", made.class_id},
+                       {"host", made.host},
+                       {"port", made.port},
+                       {"stations", made.stations}};
     fmt::print("{}\n", jsonDump(json, 2));
     return;
   }

@@ -3,11 +3,11 @@
 
 #include <filesystem>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
 #include "cli/kit/options.h"
+#include "palpate/base/json.h"
 #include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/class_watch.h"
 #include "palpate/training/records/rows.h"
@@ -26,7 +26,7 @@ void addClassWatchCommand(Command& parent);
 void addClassLoadCommand(Command& parent);
 
 /// What `palpate class watch --json` prints of a station.
-nlohmann::ordered_json tileJson(const classroom::Tile& tile);
+Json tileJson(const classroom::Tile& tile);
 
 // A class of simulated stations in one process: each with its own link, certificate and records, ten live samples a
 // second and an answer every now and then; and one instructor who watches. What tools/check-class measures with.

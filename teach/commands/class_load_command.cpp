@@ -6,7 +6,6 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <thread>
@@ -18,7 +17,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/simulate/realtime_run.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/order_statistics.h"
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/station_link.h"
@@ -60,7 +59,7 @@ std::multiset<training::Uuid> trialsWhenItAnswers(const std::string& database) {
 }
 
 /// Against what stations have kept: how many are not there, and how many are there more than once.
-nlohmann::ordered_json comparedWith(const std::string& database, const std::set<training::Uuid>& trials) {
+Json comparedWith(const std::string& database, const std::set<training::Uuid>& trials) {
   const std::multiset<training::Uuid> there = trialsWhenItAnswers(database);
   std::size_t lost = 0;
   std::size_t duplicates = 0;
@@ -84,18 +83,17 @@ void runLoad(const ClassLoadArguments& arguments) {
   progress.clear();
   const double lost =
       report.live_sent == 0 ? 0.0 : 1.0 - static_cast<double>(report.live_seen) / static_cast<double>(report.live_sent);
-  nlohmann::ordered_json json = {
-      {"stations", report.stations},
-      {"seconds", settings.seconds},
-      {"live_sent", report.live_sent},
-      {"live_seen", report.live_seen},
-      {"live_lost_percent", 100.0 * lost},
-      {"delay_ms", {{"p50", report.delay_p50_ms}, {"p99", report.delay_p99_ms}, {"max", report.delay_max_ms}}},
-      {"rows_sent", report.rows_sent},
-      {"rows_repeated", report.repeats},
-      {"rows_waiting", report.waiting},
-      {"caught_up_s", report.caught_up_s},
-      {"longest_keep_ms", report.longest_keep_ms}};
+  Json json = {{"stations", report.stations},
+               {"seconds", settings.seconds},
+               {"live_sent", report.live_sent},
+               {"live_seen", report.live_seen},
+               {"live_lost_percent", 100.0 * lost},
+               {"delay_ms", {{"p50", report.delay_p50_ms}, {"p99", report.delay_p99_ms}, {"max", report.delay_max_ms}}},
+               {"rows_sent", report.rows_sent},
+               {"rows_repeated", report.repeats},
+               {"rows_waiting", report.waiting},
+               {"caught_up_s", report.caught_up_s},
+               {"longest_keep_ms", report.longest_keep_ms}};
   if (!arguments.database.empty()) json.update(comparedWith(arguments.database, report.trials));
   fmt::print("{}\n", jsonDump(json, 2));
 }
@@ -167,10 +165,10 @@ void runServoBeside(const ClassLoadArguments& arguments) {
     ratios.push_back(with.back() / without.back());
   }
   progress.clear();
-  const nlohmann::ordered_json json = {{"seconds", arguments.servo_s},
-                                       {"period_p99_us_without", without},
-                                       {"period_p99_us_with", with},
-                                       {"ratio_median", upperMedianOf(ratios)}};
+  const Json json = {{"seconds", arguments.servo_s},
+                     {"period_p99_us_without", without},
+                     {"period_p99_us_with", with},
+                     {"ratio_median", upperMedianOf(ratios)}};
   fmt::print("{}\n", jsonDump(json, 2));
 }
 

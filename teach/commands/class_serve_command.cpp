@@ -5,7 +5,6 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <thread>
@@ -16,7 +15,7 @@
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/broker_process.h"
@@ -59,7 +58,7 @@ void tryDatabase(classroom::RowSink& sink) {
   }
 }
 
-nlohmann::ordered_json jsonOf(const classroom::CollectorReport& report, bool broker) {
+Json jsonOf(const classroom::CollectorReport& report, bool broker) {
   return {{"connected", report.connected}, {"database", report.database}, {"broker_runs", broker},
           {"stations", report.stations},   {"rows", report.rows},         {"trials", report.trials},
           {"commits", report.commits},     {"waited", report.waited},     {"refused", report.refused},
@@ -160,7 +159,7 @@ void runClassServe(const ClassServeArguments& arguments) {
       for (const std::string& line : lines) say(fmt::format("palpate: {}\n", line));
     }
     if (arguments.json) {
-      nlohmann::ordered_json json = jsonOf(report, broker && broker->running());
+      Json json = jsonOf(report, broker && broker->running());
       json["said"] = lines;
       fmt::print("{}\n", jsonDump(json));
       std::fflush(stdout);

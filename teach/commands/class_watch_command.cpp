@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 
@@ -15,7 +14,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/language.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
@@ -51,11 +50,11 @@ void rememberRecords(const std::string& file, classroom::ClassWatch& watch) {
   }
 }
 
-nlohmann::ordered_json boardJson(const classroom::ClassWatch& watch) {
-  nlohmann::ordered_json json = {{"connected", watch.connected()}, {"trouble", watch.trouble()}};
-  json["tiles"] = nlohmann::ordered_json::array();
+Json boardJson(const classroom::ClassWatch& watch) {
+  Json json = {{"connected", watch.connected()}, {"trouble", watch.trouble()}};
+  json["tiles"] = Json::array();
   for (const classroom::Tile& tile : watch.tiles()) json["tiles"].push_back(tileJson(tile));
-  json["learning_curve"] = nlohmann::ordered_json::array();
+  json["learning_curve"] = Json::array();
   for (const classroom::CurvePoint& point : watch.learningCurve()) {
     json["learning_curve"].push_back({{"number", point.number},
                                       {"trainees", point.trainees},
@@ -102,17 +101,17 @@ void runClassWatch(const ClassWatchArguments& arguments) {
 
 }  // namespace
 
-nlohmann::ordered_json tileJson(const classroom::Tile& tile) {
-  nlohmann::ordered_json json = {{"station", tile.station},
-                                 {"online", tile.online},
-                                 {"device", tile.status.device},
-                                 {"safety", tile.status.safety},
-                                 {"needs", classroom::wordsOf(tile.need)},
-                                 {"fresh", tile.fresh},
-                                 {"age_s", orNull(tile.age_s)},
-                                 {"force_n", tile.live.force_n},
-                                 {"site", tile.live.site},
-                                 {"sites_pressed", tile.live.sites_pressed}};
+Json tileJson(const classroom::Tile& tile) {
+  Json json = {{"station", tile.station},
+               {"online", tile.online},
+               {"device", tile.status.device},
+               {"safety", tile.status.safety},
+               {"needs", classroom::wordsOf(tile.need)},
+               {"fresh", tile.fresh},
+               {"age_s", orNull(tile.age_s)},
+               {"force_n", tile.live.force_n},
+               {"site", tile.live.site},
+               {"sites_pressed", tile.live.sites_pressed}};
   if (!tile.state) {
     json["state"] = nullptr;
     return json;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/kit/number_option.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/training/records/trainee_code.h"
 #include "teach/commands/results_commands.h"
 
@@ -38,11 +38,11 @@ std::string cardOf(const std::string& code, const std::string& class_id) {
 void runResultsCodes(const CodesArguments& arguments) {
   const std::vector<std::string> codes = newCodes(arguments.count);
   if (arguments.json) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    Json list = Json::array();
     for (const std::string& code : codes) {
       list.push_back({{"code", code}, {"trainee", training::pseudonymOf(arguments.class_id, code, arguments.key)}});
     }
-    fmt::print("{}\n", jsonDump(nlohmann::ordered_json{{"class", arguments.class_id}, {"codes", list}}, 2));
+    fmt::print("{}\n", jsonDump(Json{{"class", arguments.class_id}, {"codes", list}}, 2));
     return;
   }
   std::string text = arguments.csv ? "code,pseudonym,class,name (keep this list outside)\n" : "";

@@ -8,6 +8,7 @@
 
 #include "cli/kit/commands.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/base/language.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/classroom/class_folder.h"
@@ -142,7 +143,7 @@ std::string thresholdWords(const BlockRow& block) {
              resultsPercent(block.threshold_high));
 }
 
-nlohmann::ordered_json blockJson(const BlockRow& block) {
+Json blockJson(const BlockRow& block) {
   return {{"block", block.id},
           {"number", block.number},
           {"method", wordFor(block.method)},
@@ -151,13 +152,12 @@ nlohmann::ordered_json blockJson(const BlockRow& block) {
           {"threshold", block.threshold},
           {"low", block.threshold_low},
           {"high", block.threshold_high},
-          {"level",
-           block.mastered_change ? nlohmann::ordered_json(*block.mastered_change) : nlohmann::ordered_json(nullptr)},
+          {"level", block.mastered_change ? Json(*block.mastered_change) : Json(nullptr)},
           {"verdict", wordFor(block.verdict)}};
 }
 
-nlohmann::ordered_json sessionJson(Store& store, const SessionRow& session) {
-  nlohmann::ordered_json blocks = nlohmann::ordered_json::array();
+Json sessionJson(Store& store, const SessionRow& session) {
+  Json blocks = Json::array();
   for (const BlockRow& block : store.blocks(session.id)) blocks.push_back(blockJson(block));
   return {{"sitting", session.id},        {"trainee", session.trainee_id},      {"kind", wordFor(session.kind)},
           {"start_ms", session.start_ms}, {"end_ms", session.end_ms},           {"device", session.device},

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/kit/options.h"
+#include "palpate/base/json.h"
 #include "palpate/training/records/store.h"
 
 namespace palpate::app {
@@ -54,8 +54,8 @@ inline constexpr const char* kTraineeHelp = "The code on the trainee's card, or 
 std::string whenWords(std::int64_t ms);  ///< "2026-11-22 10:03", UTC
 /// "18 % (13 to 25 %)"; empty: none was measured.
 std::string thresholdWords(const training::BlockRow& block);
-nlohmann::ordered_json blockJson(const training::BlockRow& block);
-nlohmann::ordered_json sessionJson(training::Store& store, const training::SessionRow& session);
+Json blockJson(const training::BlockRow& block);
+Json sessionJson(training::Store& store, const training::SessionRow& session);
 /// "2026-11-22 10:03  5d79b3cd  pre-test  40 trials, 18 % (13 to 25 %)"
 std::string sessionLine(training::Store& store, const training::SessionRow& session);
 

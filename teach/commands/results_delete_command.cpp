@@ -7,7 +7,7 @@
 
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/database_copy.h"
@@ -50,7 +50,7 @@ bool saidYes(const RowsOf& rows, const training::TraineeRow& trainee, std::strin
   return trimmed(answer) == "yes";
 }
 
-void printDeletedJson(const nlohmann::ordered_json& json) { fmt::print("{}\n", jsonDump(json, 2)); }
+void printDeletedJson(const Json& json) { fmt::print("{}\n", jsonDump(json, 2)); }
 
 void deleteInDatabase(const DeleteArguments& arguments, Store& copy, const training::TraineeRow& trainee) {
   const RowsOf rows = rowsOf(copy, trainee);
@@ -113,10 +113,10 @@ void runResultsPurge(const DeleteArguments& arguments) {
   }
   if (!left.empty()) fmt::print(stderr, "palpate: NOT deleted for good: {}\n", left);
   if (arguments.results.json) {
-    const nlohmann::ordered_json json = {{"purged", !arguments.dry_run},
-                                         {"sittings", purged.sessions},
-                                         {"session_files", purged.files},
-                                         {"trainees", purged.trainees}};
+    const Json json = {{"purged", !arguments.dry_run},
+                       {"sittings", purged.sessions},
+                       {"session_files", purged.files},
+                       {"trainees", purged.trainees}};
     fmt::print("{}\n", jsonDump(json, 2));
     return;
   }

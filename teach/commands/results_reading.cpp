@@ -10,6 +10,7 @@
 #include "cli/kit/json.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/json.h"
 #include "palpate/base/language.h"
 #include "palpate/training/records/verify.h"
 #include "teach/commands/results_commands.h"
@@ -22,20 +23,18 @@ using training::BlockRow;
 using training::SessionRow;
 using training::Store;
 using training::TraineeRow;
-using ResultsJson = nlohmann::ordered_json;
-
 struct ReadingArguments {
   ResultsArguments results;
   std::string trainee;
   std::string language;
 };
 
-void printResults(const ResultsJson& json) { printReadable(jsonText(json)); }
+void printResults(const Json& json) { printReadable(jsonText(json)); }
 
 void runResultsList(const ReadingArguments& arguments) {
   Store store = openedResults(arguments.results);
   const std::string whose = arguments.trainee.empty() ? "" : traineeCalled(store, arguments.trainee).id;
-  ResultsJson json = ResultsJson::array();
+  Json json = Json::array();
   std::string text;
   for (const SessionRow& session : store.sessions(whose)) {
     json.push_back(sessionJson(store, session));
@@ -82,10 +81,8 @@ TraineeSummary traineeSummary(Store& store, const TraineeRow& row) {
   return summary;
 }
 
-ResultsJson traineeSummaryJson(const TraineeSummary& summary) {
-  const auto measured = [](const std::optional<BlockRow>& block) {
-    return block ? blockJson(*block) : ResultsJson(nullptr);
-  };
+Json traineeSummaryJson(const TraineeSummary& summary) {
+  const auto measured = [](const std::optional<BlockRow>& block) { return block ? blockJson(*block) : Json(nullptr); };
   return {{"trainee", summary.row.id},      {"class", summary.row.class_id},    {"created_ms", summary.row.created_ms},
           {"consent", summary.row.consent}, {"sittings", summary.sessions},     {"trials", summary.trials},
           {"last_ms", summary.last_ms},     {"first", measured(summary.first)}, {"last", measured(summary.last)}};
@@ -99,8 +96,8 @@ void runResultsTrainee(const ReadingArguments& arguments) {
   const TraineeSummary summary = traineeSummary(store, traineeCalled(store, arguments.trainee));
   const std::vector<SessionRow> sessions = store.sessions(summary.row.id);
   if (arguments.results.json) {
-    ResultsJson json = traineeSummaryJson(summary);
-    json["list"] = ResultsJson::array();
+    Json json = traineeSummaryJson(summary);
+    json["list"] = Json::array();
     for (const SessionRow& session : sessions) json["list"].push_back(sessionJson(store, session));
     return printResults(json);
   }
@@ -115,7 +112,7 @@ void runResultsTrainee(const ReadingArguments& arguments) {
 
 void runResultsClass(const ReadingArguments& arguments) {
   Store store = openedResults(arguments.results);
-  ResultsJson json = ResultsJson::array();
+  Json json = Json::array();
   std::string text;
   for (const TraineeRow& row : store.trainees()) {
     const TraineeSummary summary = traineeSummary(store, row);

@@ -6,7 +6,7 @@
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/trace/recording_edit.h"
 #include "palpate/training/records/recording_files.h"
@@ -56,11 +56,11 @@ void runTrialReplay(const TrialReplayArguments& arguments) {
   const trace::Trimmed trimmed = trace::trim(recording, settings, arguments.out, progress.callback());
   progress.clear();
   if (arguments.results.json) {
-    const nlohmann::ordered_json json = {{"file", arguments.out},
-                                         {"trial", trial.id},
-                                         {"samples", trimmed.copied.samples},
-                                         {"first_tick", trimmed.copied.first_tick},
-                                         {"last_tick", trimmed.copied.last_tick}};
+    const Json json = {{"file", arguments.out},
+                       {"trial", trial.id},
+                       {"samples", trimmed.copied.samples},
+                       {"first_tick", trimmed.copied.first_tick},
+                       {"last_tick", trimmed.copied.last_tick}};
     fmt::print("{}\n", jsonDump(json, 2));
     return;
   }

@@ -11,7 +11,6 @@
 #include <ctime>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <thread>
@@ -22,7 +21,7 @@
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/station_link.h"
@@ -37,8 +36,6 @@ namespace {
 
 using training::SatThrough;
 using training::SessionKind;
-using Json = nlohmann::ordered_json;
-
 /// "2026-01-05T09:00:00Z" or "2026-01-05".
 std::int64_t startMs(const std::string& words) {
   std::tm time{};

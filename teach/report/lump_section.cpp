@@ -2,8 +2,7 @@
 // false alarms, and what was known of the lumps.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "palpate/base/json.h"
 #include "palpate/base/language.h"
 #include "report/recording/report_html.h"
 #include "teach/report/training_report.h"
@@ -17,8 +16,6 @@ using training::LumpRate;
 using training::LumpSitting;
 using training::LumpStatistics;
 using training::SaidGrades;
-using Json = nlohmann::ordered_json;
-
 std::string percentOf(double share) { return fmt::format("{:.0f} %", WrittenNumber{100.0 * share}); }
 
 /// "12 of 18, 67 % (44 to 84 %)"

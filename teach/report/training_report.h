@@ -7,12 +7,12 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "palpate/base/json.h"
 #include "palpate/base/language.h"
 #include "palpate/base/progress.h"
 #include "palpate/mesh/triangle_mesh.h"
@@ -51,7 +51,7 @@ struct TrainingReport {
 TrainingReport trainingReport(const TrainingReportSettings& settings, const Progress& progress);
 
 /// Every number of the report.
-nlohmann::ordered_json trainingReportJson(const TrainingReport& report);
+Json trainingReportJson(const TrainingReport& report);
 
 /// The report's main results, a sentence each.
 std::vector<std::string> trainingSentences(const TrainingReport& report);
@@ -106,7 +106,7 @@ std::string qualitySection(const TrainingReport& report);
 
 std::string lumpSections(const TrainingReport& report);
 std::vector<std::string> lumpSentences(const TrainingReport& report);
-nlohmann::ordered_json lumpGroupsJson(const TrainingReport& report);
+Json lumpGroupsJson(const TrainingReport& report);
 
 /// A heading that opens what lies below it.
 std::string foldedHtml(const std::string& heading, const std::string& html);

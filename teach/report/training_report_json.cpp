@@ -1,6 +1,6 @@
 // Every number of the report, by names that stay.
-#include <nlohmann/json.hpp>
 
+#include "palpate/base/json.h"
 #include "palpate/training/psychometric.h"
 #include "teach/report/training_report.h"
 
@@ -8,7 +8,11 @@ namespace palpate::app {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+Json countsJson(const training::Reasons& counts) {
+  Json json = Json::object();
+  for (const auto& [reason, count] : counts) json[reason] = count;
+  return json;
+}
 
 Json spreadJson(const training::Spread& spread) {
   if (spread.count == 0) return nullptr;
@@ -172,9 +176,10 @@ Json comparedJson(const training::TraineeStatistics& trainee) {
 }
 
 Json sessionQualityJson(const training::SessionQuality& session) {
-  return {{"id", session.row.id},         {"kind", wordFor(session.row.kind)},      {"start_ms", session.row.start_ms},
-          {"end_ms", session.row.end_ms}, {"app_version", session.row.app_version}, {"device", session.row.device},
-          {"file", session.row.file},     {"file_sha256", session.row.file_sha256}, {"events", session.events}};
+  return {
+      {"id", session.row.id},         {"kind", wordFor(session.row.kind)},      {"start_ms", session.row.start_ms},
+      {"end_ms", session.row.end_ms}, {"app_version", session.row.app_version}, {"device", session.row.device},
+      {"file", session.row.file},     {"file_sha256", session.row.file_sha256}, {"events", countsJson(session.events)}};
 }
 
 Json learningJson(const training::TraineeStatistics& trainee) {
@@ -199,7 +204,7 @@ Json traineeJson(const training::TraineeStatistics& trainee, bool whole) {
   json["tests"] = whole ? trialsJson(trainee.tests) : countsJson(trainee.tests);
   json["practice"] = whole ? trialsJson(trainee.practice) : countsJson(trainee.practice);
   json["compared"] = comparedJson(trainee);
-  json["excluded"] = trainee.excluded;
+  json["excluded"] = countsJson(trainee.excluded);
   json["changed_results"] = trainee.changed_results;
   if (!whole) return json;
   json["curve"] = Json::array();
@@ -245,7 +250,7 @@ Json occasionsJson(const std::vector<training::Occasion>& occasions, bool with_g
         {{"kind", wordFor(occasion.kind)}, {"nth", occasion.nth}, {"medians", spreadJson(occasion.medians)}});
     if (!with_group) continue;
     json.back()["group"] = groupJson(occasion.group);
-    json.back()["verdicts"] = occasion.verdicts;
+    json.back()["verdicts"] = countsJson(occasion.verdicts);
   }
   return json;
 }

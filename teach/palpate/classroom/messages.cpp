@@ -7,10 +7,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "palpate/base/base64.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/training/records/row_check.h"
@@ -20,7 +19,6 @@ namespace palpate::classroom {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using training::Screen;
 
 constexpr std::string_view kTopicRoot = "palpate/v1";
@@ -73,7 +71,7 @@ std::string shortened(const std::string& text, std::size_t most) {
 class MessageReader {
  public:
   MessageReader(std::string_view text, std::size_t most_bytes) {
-    if (text.size() <= most_bytes) object_ = Json::parse(text, nullptr, false);
+    if (text.size() <= most_bytes) object_ = Json::tryParse(text);
     good_ = object_.is_object();
   }
 
@@ -104,7 +102,7 @@ class MessageReader {
   std::string text(const char* name, std::size_t most) {
     const Json* value = member(name);
     if (value == nullptr) return {};
-    if (!value->is_string() || value->get_ref<const std::string&>().size() > most) good_ = false;
+    if (!value->is_string() || value->text().size() > most) good_ = false;
     return good_ ? value->get<std::string>() : std::string();
   }
   bool truth(const char* name) {
@@ -145,7 +143,7 @@ class MessageReader {
     good_ = good_ && values->is_array();
     if (!good_) return read;
     for (const Json& value : *values) {
-      good_ = good_ && value.is_string() && is_one(value.get_ref<const std::string&>());
+      good_ = good_ && value.is_string() && is_one(value.text());
       if (!good_) return {};
       read.push_back(value.get<std::string>());
     }

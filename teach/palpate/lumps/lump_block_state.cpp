@@ -2,17 +2,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/lumps/lump_block.h"
 
 namespace palpate::lumps {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Changes with the way in which bodies follow from settings, seed and answers.
 constexpr int kDrawingVersion = 1;
@@ -110,12 +107,12 @@ LumpTrial trialOf(const Json& json) {
 
 }  // namespace
 
-LumpTrial parseLumpTrial(std::string_view text) { return trialOf(Json::parse(text, nullptr, false)); }
+LumpTrial parseLumpTrial(std::string_view text) { return trialOf(Json::tryParse(text)); }
 
 std::string lumpTrialText(const LumpTrial& trial) { return jsonDump(trialJson(trial)); }
 
 LumpState parseLumpState(std::string_view text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = Json::tryParse(text);
   if (!json.is_object()) wrongText("state");
   if (numberIn(json, "lump_version") != kDrawingVersion) wrongText("version that this program knows");
   const auto seed = json.find("seed");

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 
 namespace palpate::training {
 
@@ -21,10 +19,11 @@ constexpr std::string_view kWhere = "state of a block";
 
 Error wrongState(const std::string& cause) { return Error::inFile(kWhere, cause); }
 
-TrialOutcome outcomeOf(const nlohmann::json& row) {
+TrialOutcome outcomeOf(const Json& row) {
   if (!row.is_array() || row.size() != 4) throw wrongState("an outcome is not four numbers");
-  for (const nlohmann::json& number : row) {
-    if (!number.is_number_integer() || number < 0 || number > 1000) throw wrongState("an outcome is not four numbers");
+  for (const Json& number : row) {
+    if (!number.is_number_integer() || number.get<std::int64_t>() < 0 || number.get<std::int64_t>() > 1000)
+      throw wrongState("an outcome is not four numbers");
   }
   return {.answer = row[0].get<int>(),
           .correct = row[1].get<int>() != 0,
@@ -54,11 +53,11 @@ std::string settingsDigest(const BlockSettings& settings) {
 }
 
 std::string blockStateText(const BlockSettings& settings, const BlockState& state) {
-  nlohmann::ordered_json text;
+  Json text;
   text["version"] = kPlanningVersion;
   text["seed"] = state.seed;
   text["settings"] = settingsDigest(settings);
-  text["outcomes"] = nlohmann::ordered_json::array();
+  text["outcomes"] = Json::array();
   for (const TrialOutcome& outcome : state.outcomes) {
     text["outcomes"].push_back(
         {outcome.answer, outcome.correct ? 1 : 0, outcome.visited, outcome.target_visited ? 1 : 0});
@@ -67,15 +66,15 @@ std::string blockStateText(const BlockSettings& settings, const BlockState& stat
 }
 
 BlockState parseBlockState(const BlockSettings& settings, std::string_view text) {
-  const nlohmann::json read = nlohmann::json::parse(text, nullptr, false);
+  const Json read = Json::tryParse(text);
   if (!read.is_object()) throw wrongState("not JSON, or no object");
   const auto version = read.find("version");
-  if (version == read.end() || *version != kPlanningVersion) {
+  if (version == read.end() || !version->is_number() || version->get<double>() != kPlanningVersion) {
     throw wrongState(
         fmt::format("not of version {}: it was begun by another version of the program", kPlanningVersion));
   }
   const auto digest = read.find("settings");
-  if (digest == read.end() || *digest != settingsDigest(settings)) {
+  if (digest == read.end() || !digest->is_string() || digest->text() != settingsDigest(settings)) {
     throw wrongState("the protocol has changed since it was begun");
   }
   const auto seed = read.find("seed");
@@ -85,7 +84,7 @@ BlockState parseBlockState(const BlockSettings& settings, std::string_view text)
     throw wrongState("no list of outcomes");
   }
   BlockState state{.seed = seed->get<std::uint64_t>(), .outcomes = {}};
-  for (const nlohmann::json& row : *outcomes) state.outcomes.push_back(outcomeOf(row));
+  for (const Json& row : *outcomes) state.outcomes.push_back(outcomeOf(row));
   return state;
 }
 

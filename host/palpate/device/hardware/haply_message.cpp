@@ -1,4 +1,4 @@
-// nlohmann-json without exceptions: what does not parse is no message. Every number is checked before it is believed.
+// What does not parse is no message. Every number is checked before it is believed.
 // A force is written with all its digits, so that the service gets no more than the limit.
 #include "palpate/device/hardware/haply_message.h"
 
@@ -6,16 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "palpate/base/json.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/text.h"
 
 namespace palpate::device::haply {
 
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr double kMaxSpeedMS = 100.0;
 constexpr const char* kNoForm = "the service's answer is not JSON";
@@ -28,7 +26,7 @@ const Json& memberOf(const Json& object, const char* name) {
   return found == object.end() ? none : *found;
 }
 
-std::string textOf(const Json& value) { return value.is_string() ? oneLine(value.get_ref<const std::string&>()) : ""; }
+std::string textOf(const Json& value) { return value.is_string() ? oneLine(value.text()) : ""; }
 
 /// Three finite numbers of at most that size.
 std::optional<Vec3> vectorOf(const Json& value, double most) {
@@ -75,10 +73,17 @@ bool isId(const std::string& id) {
   return !id.empty() && id.size() <= 32 && std::all_of(id.begin(), id.end(), plain);
 }
 
+/// A list of devices that name themselves, or an object of devices by their ids, which come sorted.
 void readDevices(const Json& list, Reply& reply) {
-  for (const auto& [key, element] : list.items()) {
-    const std::string id = list.is_object() ? key : textOf(memberOf(element, "device_id"));
-    if (isId(id)) reply.devices.push_back(deviceOf(id, element));
+  std::vector<std::pair<std::string, const Json*>> devices;
+  if (list.is_object()) {
+    for (const auto& [id, element] : list.items()) devices.emplace_back(id, &element);
+    std::sort(devices.begin(), devices.end());
+  } else {
+    for (const Json& element : list) devices.emplace_back(textOf(memberOf(element, "device_id")), &element);
+  }
+  for (const auto& [id, element] : devices) {
+    if (isId(id)) reply.devices.push_back(deviceOf(id, *element));
     if (reply.devices.size() == kMaxDevices) return;
   }
 }
@@ -108,7 +113,7 @@ Reply parseReply(std::string_view text) {
   Reply reply;
   reply.wrong = kNoForm;
   if (text.size() > kMaxReplyBytes) return reply;
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = Json::tryParse(text);
   if (!json.is_object()) return reply;
   const Json& list = memberOf(json, "inverse3");
   if (!list.is_array() && !list.is_object()) {
@@ -128,7 +133,7 @@ Reply parseReply(std::string_view text) {
 Version parseVersion(std::string_view text) {
   Version version;
   if (text.size() > kMaxReplyBytes) return version;
-  version.words = textOf(memberOf(Json::parse(text, nullptr, false), "project_version"));
+  version.words = textOf(memberOf(Json::tryParse(text), "project_version"));
   std::string_view words = version.words;
   version.major = nextPart(words);
   version.minor = nextPart(words);

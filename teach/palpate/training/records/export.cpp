@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/training/records/row_fields.h"
 
 namespace palpate::training {
@@ -108,12 +107,12 @@ std::vector<ExportedFile> csvFiles(RowTables& rows, CsvText kind) {
 }
 
 std::string jsonText(RowTables& rows) {
-  nlohmann::ordered_json json = {{"format", "palpate train results"}, {"schema", kSchemaVersion}};
+  Json json = {{"format", "palpate train results"}, {"schema", kSchemaVersion}};
   for (const char* kind : {"station", "class", "trainee", "protocol", "session", "block", "trial", "event"}) {
-    json[kind] = nlohmann::ordered_json::array();
+    json[kind] = Json::array();
   }
   for (const AnyRow& row : exportedRows(rows)) {
-    json[std::string(kindOf(row))].push_back(nlohmann::ordered_json::parse(rowJson(row)));
+    json[std::string(kindOf(row))].push_back(Json::parse(rowJson(row)));
   }
   return jsonDump(json, 1) + "\n";
 }

@@ -5,11 +5,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "palpate/base/error.h"
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/training/records/row_check.h"
 #include "palpate/training/records/row_fields.h"
@@ -20,10 +19,8 @@ namespace palpate::training {
 
 namespace {
 
-using RowObject = nlohmann::ordered_json;
-
 struct FieldsToJson {
-  RowObject& object;
+  Json& object;
   void operator()(const char* name, const std::string& value, const FieldRule& /*rule*/) const { object[name] = value; }
   void operator()(const char* name, std::uint64_t value, const FieldRule& rule) const {
     if (rule.form == FieldRule::Form::seed) {
@@ -33,7 +30,7 @@ struct FieldsToJson {
     }
   }
   void operator()(const char* name, const std::optional<double>& value, const FieldRule& /*rule*/) const {
-    object[name] = value ? RowObject(*value) : RowObject(nullptr);
+    object[name] = value ? Json(*value) : Json(nullptr);
   }
   template <class Value>
   void operator()(const char* name, const Value& value, const FieldRule& /*rule*/) const {
@@ -46,11 +43,11 @@ struct FieldsToJson {
 };
 
 template <class R>
-RowObject objectOf(const R& row) {
-  RowObject object = RowObject::object();
+Json objectOf(const R& row) {
+  Json object = Json::object();
   eachField(FieldsToJson{object}, row);
   if constexpr (std::same_as<R, TrialRow>) {
-    RowObject visits = RowObject::array();
+    Json visits = Json::array();
     for (const SiteVisit& visit : row.visits) visits.push_back(objectOf(visit));
     object["visits"] = std::move(visits);
   }
@@ -60,7 +57,7 @@ RowObject objectOf(const R& row) {
 /// Fills a row from an object that somebody sent.
 class FieldsFromJson {
  public:
-  FieldsFromJson(const RowObject& object, std::string_view kind) : object_(object), kind_(kind) {}
+  FieldsFromJson(const Json& object, std::string_view kind) : object_(object), kind_(kind) {}
 
   template <class Value>
   void operator()(const char* name, Value& value, const FieldRule& rule) {
@@ -83,39 +80,39 @@ class FieldsFromJson {
   [[noreturn]] void refuse(const char* name, std::string_view why) const {
     throw Error(fmt::format("{}: '{}' {}", kind_, name, why));
   }
-  void read(const char* name, const RowObject& from, std::string& value, const FieldRule& /*rule*/) const {
+  void read(const char* name, const Json& from, std::string& value, const FieldRule& /*rule*/) const {
     if (!from.is_string()) refuse(name, "must be text");
     value = from.get<std::string>();
   }
-  void read(const char* name, const RowObject& from, bool& value, const FieldRule& /*rule*/) const {
+  void read(const char* name, const Json& from, bool& value, const FieldRule& /*rule*/) const {
     if (!from.is_boolean()) refuse(name, "is neither true nor false");
     value = from.get<bool>();
   }
-  void read(const char* name, const RowObject& from, double& value, const FieldRule& /*rule*/) const {
+  void read(const char* name, const Json& from, double& value, const FieldRule& /*rule*/) const {
     if (!from.is_number()) refuse(name, "must be a number");
     value = from.get<double>();
   }
-  void read(const char* name, const RowObject& from, std::optional<double>& value, const FieldRule& rule) const {
+  void read(const char* name, const Json& from, std::optional<double>& value, const FieldRule& rule) const {
     if (from.is_null()) {
       value.reset();
       return;
     }
     read(name, from, value.emplace(), rule);
   }
-  void read(const char* name, const RowObject& from, std::uint64_t& value, const FieldRule& rule) const {
+  void read(const char* name, const Json& from, std::uint64_t& value, const FieldRule& rule) const {
     if (rule.form != FieldRule::Form::seed) {
       value = static_cast<std::uint64_t>(whole(name, from, rule));
       return;
     }
     if (!from.is_string()) refuse(name, "must be text");
-    const auto& digits = from.get_ref<const std::string&>();
+    const auto& digits = from.text();
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc() || end != digits.data() + digits.size()) refuse(name, "must be a number of 64 bits");
   }
   template <class Value>
-  void read(const char* name, const RowObject& from, Value& value, const FieldRule& rule) const {
+  void read(const char* name, const Json& from, Value& value, const FieldRule& rule) const {
     if constexpr (std::is_enum_v<Value>) {
-      const auto named = from.is_string() ? valueNamed<Value>(from.get_ref<const std::string&>()) : std::nullopt;
+      const auto named = from.is_string() ? valueNamed<Value>(from.text()) : std::nullopt;
       if (!named) refuse(name, "is none of its words");
       value = *named;
     } else {
@@ -123,7 +120,7 @@ class FieldsFromJson {
     }
   }
   /// Judged before it is narrowed.
-  std::int64_t whole(const char* name, const RowObject& from, const FieldRule& rule) const {
+  std::int64_t whole(const char* name, const Json& from, const FieldRule& rule) const {
     if (!from.is_number_integer()) refuse(name, "must be a whole number");
     const bool in_range = from.is_number_unsigned() ? static_cast<double>(from.get<std::uint64_t>()) <= rule.high
                                                     : static_cast<double>(from.get<std::int64_t>()) >= rule.low;
@@ -133,13 +130,13 @@ class FieldsFromJson {
     return from.get<std::int64_t>();
   }
 
-  const RowObject& object_;
+  const Json& object_;
   std::string_view kind_;
   std::size_t used_ = 0;
 };
 
 template <class R>
-R rowOfObject(std::string_view kind, const RowObject& object) {
+R rowOfObject(std::string_view kind, const Json& object) {
   if (!object.is_object()) throw Error(fmt::format("{}: must be a JSON object", kind));
   R row;
   FieldsFromJson fields(object, kind);
@@ -148,18 +145,18 @@ R rowOfObject(std::string_view kind, const RowObject& object) {
     fields.alsoKnows("visits");
     const auto visits = object.find("visits");
     if (visits == object.end() || !visits->is_array()) throw Error("trial: 'visits' must be a list");
-    for (const RowObject& visit : *visits) row.visits.push_back(rowOfObject<SiteVisit>("visit", visit));
+    for (const Json& visit : *visits) row.visits.push_back(rowOfObject<SiteVisit>("visit", visit));
   }
   fields.refuseOthers();
   return row;
 }
 
 /// Before it is parsed: a text can be made so that parsing it takes all memory there is.
-RowObject parsedRow(std::string_view kind, std::string_view text) {
+Json parsedRow(std::string_view kind, std::string_view text) {
   if (text.size() > kLongestRowJson) {
     throw Error(fmt::format("{}: {} bytes, more than {}", oneLine(kind), text.size(), kLongestRowJson));
   }
-  RowObject object = RowObject::parse(text, nullptr, false);
+  Json object = Json::tryParse(text);
   if (object.is_discarded()) throw Error(fmt::format("{}: is not JSON", oneLine(kind)));
   return object;
 }
@@ -204,7 +201,7 @@ std::string idOf(const AnyRow& row) {
 }
 
 std::string rowJson(const AnyRow& row) {
-  const RowObject object = std::visit([](const auto& held) { return objectOf(held); }, row);
+  const Json object = std::visit([](const auto& held) { return objectOf(held); }, row);
   return jsonDump(object);
 }
 

@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 
-#include "palpate/base/json_text.h"
+#include "palpate/base/json.h"
 #include "palpate/training/psychometric.h"
 #include "palpate/training/records/export.h"
 #include "palpate/training/records/trainee_code.h"
@@ -15,8 +14,6 @@
 namespace palpate::training {
 
 namespace {
-
-using XapiObject = nlohmann::ordered_json;
 
 /// "2026-11-22T10:00:00.125Z"
 std::string isoTime(std::int64_t ms) {
@@ -40,7 +37,7 @@ class XapiStatements {
     for (const TraineeRow& trainee : rows_.trainees()) {
       for (const SessionRow& session : rows_.sessions(trainee.id)) tell(session);
     }
-    XapiObject list = XapiObject::array();
+    Json list = Json::array();
     for (const auto& [when, statement] : statements_) list.push_back(statement);
     return jsonDump(list, 1) + "\n";
   }
@@ -49,20 +46,19 @@ class XapiStatements {
   std::string iri(std::string_view what, std::string_view id) const { return fmt::format("{}/{}/{}", home_, what, id); }
   std::string extension(std::string_view name) const { return iri("extension", name); }
 
-  XapiObject activity(std::string_view what, const Uuid& id, const std::string& name, std::string_view type) const {
+  Json activity(std::string_view what, const Uuid& id, const std::string& name, std::string_view type) const {
     return {{"objectType", "Activity"},
             {"id", iri(what, id)},
             {"definition",
              {{"name", {{"en", name}}}, {"type", fmt::format("http://adlnet.gov/expapi/activities/{}", type)}}}};
   }
-  XapiObject sessionActivity(const SessionRow& session) const {
+  Json sessionActivity(const SessionRow& session) const {
     const std::string name = fmt::format("Palpation: {}", wordFor(session.kind));
     return activity("session", session.id, name, session.kind == SessionKind::exam ? "assessment" : "lesson");
   }
 
-  XapiObject& add(const SessionRow& session, std::string_view verb, const Uuid& of, std::int64_t at_ms,
-                  XapiObject object) {
-    const XapiObject statement = {
+  Json& add(const SessionRow& session, std::string_view verb, const Uuid& of, std::int64_t at_ms, Json object) {
+    const Json statement = {
         {"id", statementId(verb, of)},
         {"actor", {{"objectType", "Agent"}, {"account", {{"homePage", home_}, {"name", session.trainee_id}}}}},
         {"verb",
@@ -71,7 +67,7 @@ class XapiStatements {
         {"context",
          {{"registration", session.id},
           {"platform", session.device},
-          {"contextActivities", {{"parent", XapiObject::array({sessionActivity(session)})}}}}},
+          {"contextActivities", {{"parent", Json::array({sessionActivity(session)})}}}}},
         {"timestamp", isoTime(at_ms)},
         {"version", "1.0.3"}};
     return statements_.emplace(at_ms, statement)->second;
@@ -90,9 +86,9 @@ class XapiStatements {
   }
 
   void tell(const SessionRow& session, const TrialRow& trial) {
-    XapiObject object = activity("trial", trial.id, fmt::format("Trial {}", trial.number), "cmi.interaction");
+    Json object = activity("trial", trial.id, fmt::format("Trial {}", trial.number), "cmi.interaction");
     object["definition"]["interactionType"] = "numeric";
-    XapiObject& statement = add(session, "answered", trial.id, trial.end_ms, std::move(object));
+    Json& statement = add(session, "answered", trial.id, trial.end_ms, std::move(object));
     statement["result"] = {{"success", trial.correct},
                            {"response", trial.site_answer == 0 ? "" : std::to_string(trial.site_answer)},
                            {"duration", isoDuration(trial.seconds)},
@@ -106,9 +102,9 @@ class XapiStatements {
   }
 
   void tell(const SessionRow& session, const BlockRow& block, std::int64_t end_ms) {
-    const XapiObject object = activity("block", block.id, fmt::format("Block {}", block.number), "assessment");
-    XapiObject result = {{"completion", true}, {"extensions", {{extension("trials"), block.trials}}}};
-    XapiObject& more = result["extensions"];
+    const Json object = activity("block", block.id, fmt::format("Block {}", block.number), "assessment");
+    Json result = {{"completion", true}, {"extensions", {{extension("trials"), block.trials}}}};
+    Json& more = result["extensions"];
     if (block.mastered_change) more[extension("mastered_change")] = *block.mastered_change;
     if (block.method != Method::mastery && block.threshold > 0.0) {
       more[extension("threshold")] = block.threshold;
@@ -139,7 +135,7 @@ class XapiStatements {
 
   RowTables& rows_;
   std::string home_;
-  std::multimap<std::int64_t, XapiObject> statements_;  // by their times
+  std::multimap<std::int64_t, Json> statements_;  // by their times
 };
 
 }  // namespace
