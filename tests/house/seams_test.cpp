@@ -24,6 +24,9 @@ const std::vector<fs::path> kLibraries = [] {
   return folders;
 }();
 
+constexpr const char* kHouses[] = {"core",  "host",         "view",  "report", "cli",      "measure",
+                                   "teach", "dissertation", "solve", "lab",    "bindings", "examples"};
+
 /// Whether a line matches, its comment apart.
 bool matches(const std::string& line, const std::regex& pattern) {
   return std::regex_search(line.substr(0, line.find("//")), pattern);
@@ -145,11 +148,21 @@ TEST(Seams, TheWholeProductWritesFilesInOnePlace) {
 /// Plain dump() throws where a name of a file is no UTF-8, after all the work is done.
 TEST(Seams, JsonBecomesTextInOnePlace) {
   const std::regex dumps(R"(\.dump\()");
-  EXPECT_EQ(placesIn(kSourceFolder / "core", dumps, {}).size(), 1u) << "base/json_text.h looks at something";
-  for (const char* house :
-       {"core", "host", "view", "report", "cli", "measure", "teach", "dissertation", "solve", "lab", "bindings"}) {
-    EXPECT_EQ(placesIn(kSourceFolder / house, dumps, {"palpate/base/json_text.h"}), kNowhere) << house;
+  EXPECT_EQ(placesIn(kSourceFolder / "host", dumps, {}).size(), 1u) << "base/json.cpp writes it";
+  for (const char* house : kHouses) {
+    EXPECT_EQ(placesIn(kSourceFolder / house, dumps, {"palpate/base/json.cpp"}), kNowhere) << house;
   }
+}
+
+/// Its templates cost every file that includes it seconds of compile time: all others include base/json.h.
+TEST(Seams, OneFileKnowsTheJsonLibrary) {
+  const std::regex knows(R"(<nlohmann/|\bnlohmann::)");
+  EXPECT_EQ(placesIn(kSourceFolder / "host", knows, {}).empty(), false) << "base/json.cpp includes it";
+  for (const char* house : kHouses) {
+    EXPECT_EQ(placesIn(kSourceFolder / house, knows, {"palpate/base/json.cpp"}), kNowhere) << house;
+  }
+  EXPECT_TRUE(matches("#include <nlohmann/json_fwd.hpp>", knows));
+  EXPECT_TRUE(matches("const nlohmann::ordered_json json;", knows));
 }
 
 TEST(Seams, NoLibraryKnowsBoost) {
