@@ -186,7 +186,9 @@ std::string wordsOf(const Fidelity& fidelity) {
   if (fidelity == literalFidelity()) return std::string(wordFor(Reading::literal));
   std::string words;
   for (const ErratumText& text : errata()) {
-    if (fidelity.literal(text.erratum)) words += (words.empty() ? "" : ",") + nameOf(text.erratum);
+    if (!fidelity.literal(text.erratum)) continue;
+    if (!words.empty()) words += ',';
+    words += nameOf(text.erratum);
   }
   return words;
 }
