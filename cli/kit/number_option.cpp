@@ -142,6 +142,9 @@ template NumberTarget::NumberTarget(unsigned long&);
 template NumberTarget::NumberTarget(long long&);
 template NumberTarget::NumberTarget(unsigned long long&);
 template NumberTarget::NumberTarget(std::optional<int>&);
+template NumberTarget::NumberTarget(std::optional<unsigned>&);
+template NumberTarget::NumberTarget(std::optional<unsigned long>&);
+template NumberTarget::NumberTarget(std::optional<unsigned long long>&);
 template NumberTarget::NumberTarget(std::vector<int>&);
 
 Option* addNumber(Command& command, const std::string& name, const NumberTarget& value, const Limits& limits,
