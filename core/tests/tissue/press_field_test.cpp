@@ -40,7 +40,7 @@ LayeredTable tableWithField() {
 }
 
 template <class Change>
-std::string faultAfter(const Change& change) {
+std::string fieldFaultAfter(const Change& change) {
   PressField field = smallField();
   change(field);
   return support::messageOf([&] { check(field, tableWithField().stack); });
@@ -62,22 +62,22 @@ TEST(PressField, IsWrittenAndReadWithEveryDigit) {
 
 TEST(PressField, RefusesWhatMakesNoSense) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(faultAfter([](PressField&) {}), "no error");
-  EXPECT_EQ(faultAfter([](PressField& f) { f.shear.pop_back(); }), "field: shear has 15 numbers, expected 16");
-  EXPECT_EQ(faultAfter([&](PressField& f) { f.volume[3] = nan; }),
+  EXPECT_EQ(fieldFaultAfter([](PressField&) {}), "no error");
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.shear.pop_back(); }), "field: shear has 15 numbers, expected 16");
+  EXPECT_EQ(fieldFaultAfter([&](PressField& f) { f.volume[3] = nan; }),
             "field: volume, number 4, = nan is out of range: 0 to 10");
-  EXPECT_EQ(faultAfter([](PressField& f) { f.shear[0] = -1.0F; }),
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.shear[0] = -1.0F; }),
             "field: shear, number 1, = -1 is out of range: 0 to 10");
-  EXPECT_EQ(faultAfter([](PressField& f) { f.radii_mm[0] = 1.0; }), "field: radii_mm: the first must be 0");
-  EXPECT_EQ(faultAfter([](PressField& f) { f.depths_mm[1] = 1.0; }), "field: depths_mm must increase, but 1 follows 1");
-  EXPECT_EQ(faultAfter([](PressField& f) { f.patterns.pop_back(); }),
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.radii_mm[0] = 1.0; }), "field: radii_mm: the first must be 0");
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.depths_mm[1] = 1.0; }), "field: depths_mm must increase, but 1 follows 1");
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.patterns.pop_back(); }),
             "field: contact_radius_mm and pressure_exponent have 1 numbers for 2 depths");
-  EXPECT_EQ(faultAfter([](PressField& f) { f.rows_mm[3] = 9.0; }),
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.rows_mm[3] = 9.0; }),
             "field: the rows of layer 2 must go from its top at 2 mm to its bottom at 10 mm");
-  EXPECT_EQ(faultAfter([](PressField& f) { f.row_layers[3] = 7; }),
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.row_layers[3] = 7; }),
             "field: the rows of layer 2 must go from its top at 2 mm to its bottom at 10 mm");
-  EXPECT_EQ(faultAfter([](PressField& f) { f.row_layers.pop_back(); }), "field: row_layers has 3 numbers for 4 rows");
-  EXPECT_EQ(faultAfter([](PressField& f) { f.depths_mm.assign(33, 1.0); }), "field: depths_mm: more than 32");
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.row_layers.pop_back(); }), "field: row_layers has 3 numbers for 4 rows");
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.depths_mm.assign(33, 1.0); }), "field: depths_mm: more than 32");
 }
 
 TEST(PressField, NamesThePlaceOfAFaultInAFile) {
