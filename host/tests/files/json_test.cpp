@@ -105,13 +105,21 @@ void expectSame(const Json& ours, const Library& theirs) {
   ASSERT_EQ(ours.size(), theirs.size());
   EXPECT_EQ(ours.empty(), theirs.empty());
   EXPECT_STREQ(ours.type_name(), theirs.type_name());
-  if (ours.is_boolean()) EXPECT_EQ(ours.get<bool>(), theirs.get<bool>());
-  if (ours.is_number_unsigned()) EXPECT_EQ(ours.get<std::uint64_t>(), theirs.get<std::uint64_t>());
-  if (ours.is_number_integer()) EXPECT_EQ(ours.get<std::int64_t>(), theirs.get<std::int64_t>());
+  if (ours.is_boolean()) {
+    EXPECT_EQ(ours.get<bool>(), theirs.get<bool>());
+  }
+  if (ours.is_number_unsigned()) {
+    EXPECT_EQ(ours.get<std::uint64_t>(), theirs.get<std::uint64_t>());
+  }
+  if (ours.is_number_integer()) {
+    EXPECT_EQ(ours.get<std::int64_t>(), theirs.get<std::int64_t>());
+  }
   if (ours.is_number()) {
     EXPECT_EQ(std::bit_cast<std::uint64_t>(ours.get<double>()), std::bit_cast<std::uint64_t>(theirs.get<double>()));
   }
-  if (ours.is_string()) EXPECT_EQ(ours.get<std::string>(), theirs.get<std::string>());
+  if (ours.is_string()) {
+    EXPECT_EQ(ours.get<std::string>(), theirs.get<std::string>());
+  }
   for (std::size_t i = 0; ours.is_array() && i < ours.size(); ++i) expectSame(ours[i], theirs[i]);
   if (!ours.is_object()) return;
   auto member = theirs.begin();
