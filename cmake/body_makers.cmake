@@ -10,14 +10,15 @@ foreach(source IN LISTS sources)
 endforeach()
 string(SHA256 makers "${contents}")
 # The compiler as well: all of them promise the same body, and each is to keep that promise by itself.
-file(WRITE ${OUTPUT} "#include \"palpate/scene/detail/body_makers.h\"
-
-#include <Eigen/Core>
+file(WRITE ${OUTPUT} "#include <Eigen/Core>
+#include <string_view>
 
 #define PALPATE_TEXT_OF(x) #x
 #define PALPATE_TEXT(x) PALPATE_TEXT_OF(x)
 
 namespace palpate::scene {
+
+std::string_view bodyMakers();
 
 std::string_view bodyMakers() {
   return \"${makers}, Eigen \" PALPATE_TEXT(EIGEN_WORLD_VERSION) \".\" PALPATE_TEXT(EIGEN_MAJOR_VERSION) \".\" PALPATE_TEXT(

@@ -25,7 +25,6 @@
 #include "palpate/base/private_folder.h"
 #include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
-#include "palpate/scene/detail/body_makers.h"
 #include "palpate/scene/ready_body.h"
 
 // A name for the linker. NOLINTBEGIN(readability-identifier-naming)
@@ -36,6 +35,10 @@ const int palpate_host_body_store = 1;
 // NOLINTEND(readability-identifier-naming)
 
 namespace palpate::scene {
+
+/// What makes built-in bodies, named in one line by what is in its sources: a body of other makers is another body. The
+/// build writes it (cmake/body_makers.cmake).
+std::string_view bodyMakers();
 
 namespace {
 
