@@ -69,14 +69,16 @@ TEST(PressField, RefusesWhatMakesNoSense) {
   EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.shear[0] = -1.0F; }),
             "field: shear, number 1, = -1 is out of range: 0 to 10");
   EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.radii_mm[0] = 1.0; }), "field: radii_mm: the first must be 0");
-  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.depths_mm[1] = 1.0; }), "field: depths_mm must increase, but 1 follows 1");
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.depths_mm[1] = 1.0; }),
+            "field: depths_mm must increase, but 1 follows 1");
   EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.patterns.pop_back(); }),
             "field: contact_radius_mm and pressure_exponent have 1 numbers for 2 depths");
   EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.rows_mm[3] = 9.0; }),
             "field: the rows of layer 2 must go from its top at 2 mm to its bottom at 10 mm");
   EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.row_layers[3] = 7; }),
             "field: the rows of layer 2 must go from its top at 2 mm to its bottom at 10 mm");
-  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.row_layers.pop_back(); }), "field: row_layers has 3 numbers for 4 rows");
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.row_layers.pop_back(); }),
+            "field: row_layers has 3 numbers for 4 rows");
   EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.depths_mm.assign(33, 1.0); }), "field: depths_mm: more than 32");
 }
 

@@ -12,7 +12,7 @@
 namespace palpate::view {
 namespace {
 
-constexpr PictureSize kSize{480, 270, 1};
+constexpr PictureSize kPictureSize{480, 270, 1};
 
 /// Straight at the flat skin's middle, from 600 mm.
 PictureSettings settingsFor(StereoMode mode) {
@@ -66,7 +66,7 @@ TEST(Picture, ShowsAPlaceToBothEyesWithTheParallaxOfItsDistance) {
   Studio studio(world);
   for (const double above : {10.0, 60.0, 100.0}) {
     const FingerMark ball[] = {ballAt({50.0, 50.0, above})};
-    const Image image = studio.take(rest, {ball, 0.0}, settings, kSize).image;
+    const Image image = studio.take(rest, {ball, 0.0}, settings, kPictureSize).image;
     const double pixels_per_mm = 270.0 / (2.0 * 600.0 * std::tan(0.15));
     const double expected = pixels_per_mm * 63.0 * (1.0 - 600.0 / (600.0 - above));
     EXPECT_NEAR(blueMiddle(image, kRightHalf) - blueMiddle(image, kLeftHalf), expected, 0.5) << above;
@@ -113,7 +113,7 @@ TEST(Picture, ShowsBothEyesTheSameWithoutEyeDistance) {
   PictureSettings settings = settingsFor(StereoMode::sbs_full);
   settings.stereo.eye_distance_mm = 0.0;
   settings.labels = {};
-  const Image image = picture(world, deformedBy(*world, fingers), {fingers, 0.0}, settings, kSize);
+  const Image image = picture(world, deformedBy(*world, fingers), {fingers, 0.0}, settings, kPictureSize);
   for (int y = 0; y < 270; ++y) {
     for (int x = 0; x < 240; ++x) ASSERT_EQ(image.at(x, y), image.at(x + 240, y)) << x << " " << y;
   }
@@ -145,8 +145,8 @@ TEST(Picture, IsTheSameEveryTime) {
   PictureSettings settings = settingsFor(StereoMode::mono);
   settings.look.shading = Shading::skin;
   settings.labels = {};
-  const Image first = picture(world, surface, {fingers, 0.0}, settings, kSize);
-  EXPECT_EQ(first.pixels, picture(world, surface, {fingers, 0.0}, settings, kSize).pixels);
+  const Image first = picture(world, surface, {fingers, 0.0}, settings, kPictureSize);
+  EXPECT_EQ(first.pixels, picture(world, surface, {fingers, 0.0}, settings, kPictureSize).pixels);
 }
 
 TEST(Picture, MarksTheFingersValueOnTheLegend) {
@@ -171,13 +171,13 @@ TEST(Picture, HasDarkLettersOnPaperAndOnALightGround) {
     settings.camera.centre = {1e4, 1e4, 0.0};  // nothing but the ground
     settings.look.white_background = white;
     settings.look.light_background = true;
-    const Image bare = studio.take(surface, {}, settings, kSize).image;
+    const Image bare = studio.take(surface, {}, settings, kPictureSize).image;
     settings.labels.title = "Title";
     settings.labels.orientation = settings.labels.scale_bar = true;
-    const Image lettered = studio.take(surface, {}, settings, kSize).image;
+    const Image lettered = studio.take(surface, {}, settings, kPictureSize).image;
     int letters = 0;
-    for (int y = 0; y < kSize.height; ++y) {
-      for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kPictureSize.height; ++y) {
+      for (int x = 0; x < kPictureSize.width; ++x) {
         EXPECT_GT(bare.at(x, y)[0], 170) << "a light ground";
         letters += lettered.at(x, y)[0] < 80 ? 1 : 0;
       }
@@ -197,7 +197,7 @@ TEST(Picture, ChangesWithEveryOverlay) {
   Studio studio(world);
   PictureSettings settings = settingsFor(StereoMode::mono);
   settings.labels.section = true;
-  const Image without = studio.take(surface, {fingers, 0.0}, settings, kSize).image;
+  const Image without = studio.take(surface, {fingers, 0.0}, settings, kPictureSize).image;
   for (std::size_t i = 0; i < kOverlays; ++i) {
     const auto overlay = static_cast<Overlay>(i);
     if (overlay == Overlay::pressure || overlay == Overlay::lumps)
@@ -205,7 +205,7 @@ TEST(Picture, ChangesWithEveryOverlay) {
     if (overlay == Overlay::muscles) continue;  // of the trunk: body_names_test
     settings.look.overlays.reset();
     settings.look.overlays.set(i);
-    const Image with = studio.take(surface, {fingers, 0.0}, settings, kSize).image;
+    const Image with = studio.take(surface, {fingers, 0.0}, settings, kPictureSize).image;
     EXPECT_NE(with.pixels, without.pixels) << kOverlayNames[i];
   }
 }

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr window::Modifiers kWithCtrl{true, false};
+constexpr window::Modifiers kCtrlHeld{true, false};
 
 void clickOnSkin(Stage& stage, const Vec2& at) {
   stage.move(at);
@@ -126,7 +126,7 @@ TEST(CutOut, FindsColourAndOpacityAgain) {
 TEST(CutOut, OfTheWindowHasNothingRoundTheBody) {
   Stage stage;
   stage.draws = true;
-  stage.key(window::functionKey(12), kWithCtrl);
+  stage.key(window::functionKey(12), kCtrlHeld);
   stage.frame();
   const fs::path file = stage.folder / "palpate.png";
   ASSERT_TRUE(fs::exists(file)) << stage.lastMessage();
@@ -148,7 +148,7 @@ TEST(Clipboard, GetsASceneThatReadsBackAsWhatIsSeen) {
   ASSERT_TRUE(stage.until([&] { return stage.finger().depth_mm > 5.9; }));
   stage.state().scene.contact.finger.mu_static = 0.75;
   stage.key(window::key('W'));
-  stage.key(window::key('C'), kWithCtrl);
+  stage.key(window::key('C'), kCtrlHeld);
   const scene::Scene scene = scene::parse(clipboard, "snippet.toml");
   EXPECT_EQ(scene.contact.finger.mu_static, 0.75);
   ASSERT_EQ(scene.fingers.size(), 1u) << clipboard;
