@@ -11,8 +11,6 @@ namespace palpate::figures {
 
 namespace {
 
-constexpr double kTickLength = 4.0;
-
 void drawGrid(Canvas& canvas, const Plot& plot, const PlotLayout& layout) {
   if (plot.field) return;  // colours say where one is
   const Pen pen{kGrid, 0.8};

@@ -16,7 +16,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Pixels between labelled ticks, at the least.
 constexpr double kTickPitchX = 62.0;
 constexpr double kTickPitchY = 38.0;
-constexpr double kTickLength = 4.0;
 constexpr double kColourBarWidth = 14.0;
 constexpr double kColourBarGap = 14.0;
 

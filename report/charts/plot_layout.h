@@ -10,6 +10,9 @@
 
 namespace palpate::figures {
 
+/// Of the strokes outside the frame that labels belong to, pixels.
+inline constexpr double kTickLength = 4.0;
+
 /// From values to pixels along one axis.
 struct AxisMapping {
   Range range{};

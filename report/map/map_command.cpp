@@ -61,7 +61,7 @@ MapSource sourceOf(const MapArguments& arguments) {
   return source;
 }
 
-Json summaryOf(const MapArguments& arguments, const MapSkin& skin, const SkinMap& map) {
+Json mapSummary(const MapArguments& arguments, const MapSkin& skin, const SkinMap& map) {
   const std::pair<double, double> range = shownRange(map);
   Json summary = map.summary;
   summary["skin"] = skin.name;
@@ -110,7 +110,7 @@ void run(const MapArguments& arguments, const Maker& make) {
   SkinMap map = world ? make.of_scene(skin, *world, source) : make.over_skin(skin, source);
   if (!arguments.range.empty()) map.shown.range = {arguments.range[0], arguments.range[1]};
   for (const std::string& file : arguments.files) writeMap(file, skin, map, arguments.output);
-  print(arguments, summaryOf(arguments, skin, map));
+  print(arguments, mapSummary(arguments, skin, map));
 }
 
 void addFileOptions(Command& command, MapArguments& a) {
