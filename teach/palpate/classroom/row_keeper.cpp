@@ -35,7 +35,7 @@ constexpr std::string_view kStationActor = "station";
 constexpr std::string_view kPartsActor = "collector";
 /// Numbers of notes that another program may have drawn and not committed yet when later ones were read.
 constexpr std::int64_t kNotesUnderWay = 1000;
-constexpr std::size_t kMaxRemembered = 20000;
+constexpr std::size_t kMaxRowsRemembered = 20000;
 /// Keys, indices and visits beside the row itself.
 constexpr std::int64_t kRowOverheadBytes = 200;
 
@@ -79,7 +79,7 @@ bool isNamedStation(const Uuid& id) { return id.size() == 36 && id[14] == '8'; }
 
 template <class Map>
 void boundMap(Map& map) {
-  if (map.size() > kMaxRemembered) map.clear();
+  if (map.size() > kMaxRowsRemembered) map.clear();
 }
 
 std::string called(const SentRow& sent) { return sent.name.empty() ? std::string("the teacher") : sent.name; }

@@ -17,7 +17,7 @@ namespace {
 
 using lumps::LumpQuestion;
 
-constexpr std::int64_t kStartMs = 1'790'000'000'000;
+constexpr std::int64_t kSessionStartMs = 1'790'000'000'000;
 
 /// A coarse trunk with one fingertip; built once.
 std::shared_ptr<const scene::World> trunk() {
@@ -54,7 +54,7 @@ LumpSessionPlan planOfLumps(SessionKind kind) {
   return plan;
 }
 
-Moment at(double s) { return {.s = s, .utc_ms = kStartMs + std::llround(1000.0 * s), .tick = 0}; }
+Moment at(double s) { return {.s = s, .utc_ms = kSessionStartMs + std::llround(1000.0 * s), .tick = 0}; }
 
 TEST(LumpBodies, HideLumpsWhereThereIsRoomAndNowhereElse) {
   const LumpSessionPlan plan = planOfLumps(SessionKind::lump);
@@ -175,16 +175,16 @@ TEST(LumpTrainee, OneWhoMissesNothingFindsWhatIsPlain) {
   bench.body = trunk();
   bench.sites = sitesOn(*trunk(), bench.protocol);
   bench.recording_files = false;
-  const StationRow station = simulatedStation(kStartMs);
+  const StationRow station = simulatedStation(kSessionStartMs);
   store.keep(station);
   store.keep(protocolRowOf(bench.protocol));
   bench.station = station.id;
-  const TraineeRow trainee = simulatedTrainee("", "7Q2MK9DX", kStartMs, "");
+  const TraineeRow trainee = simulatedTrainee("", "7Q2MK9DX", kSessionStartMs, "");
   store.keep(trainee);
   TraineeSession wanted;
   wanted.kind = SessionKind::lump_exam;
   wanted.trainee = trainee.id;
-  wanted.start_ms = kStartMs;
+  wanted.start_ms = kSessionStartMs;
   wanted.lump_observer.spread = 0.05;
   wanted.lump_observer.false_alarms = 0.0;
   wanted.most_trials = 2;
