@@ -1,4 +1,5 @@
 # The two circles of tests (tests/circles.tsv), for CMake while it configures and for ctest before it runs.
+cmake_policy(SET CMP0057 NEW) # IN_LIST; ctest knows no minimum version
 
 # palpate_read_circles(<file> <variable>): the names of what is in the second circle; `folder.*` is a whole program.
 function(palpate_read_circles file variable)

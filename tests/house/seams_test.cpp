@@ -24,8 +24,8 @@ const std::vector<fs::path> kLibraries = [] {
   return folders;
 }();
 
-constexpr const char* kHouses[] = {"core",  "host",         "view",  "report", "cli",      "measure",
-                                   "teach", "dissertation", "solve", "lab",    "bindings", "examples"};
+constexpr const char* kFoldersOfHouses[] = {"core",  "host",         "view",  "report", "cli",      "measure",
+                                            "teach", "dissertation", "solve", "lab",    "bindings", "examples"};
 
 /// Whether a line matches, its comment apart.
 bool matches(const std::string& line, const std::regex& pattern) {
@@ -149,7 +149,7 @@ TEST(Seams, TheWholeProductWritesFilesInOnePlace) {
 TEST(Seams, JsonBecomesTextInOnePlace) {
   const std::regex dumps(R"(\.dump\()");
   EXPECT_EQ(placesIn(kSourceFolder / "host", dumps, {}).size(), 1u) << "base/json.cpp writes it";
-  for (const char* house : kHouses) {
+  for (const char* house : kFoldersOfHouses) {
     EXPECT_EQ(placesIn(kSourceFolder / house, dumps, {"palpate/base/json.cpp"}), kNowhere) << house;
   }
 }
@@ -158,7 +158,7 @@ TEST(Seams, JsonBecomesTextInOnePlace) {
 TEST(Seams, OneFileKnowsTheJsonLibrary) {
   const std::regex knows(R"(<nlohmann/|\bnlohmann::)");
   EXPECT_EQ(placesIn(kSourceFolder / "host", knows, {}).empty(), false) << "base/json.cpp includes it";
-  for (const char* house : kHouses) {
+  for (const char* house : kFoldersOfHouses) {
     EXPECT_EQ(placesIn(kSourceFolder / house, knows, {"palpate/base/json.cpp"}), kNowhere) << house;
   }
   EXPECT_TRUE(matches("#include <nlohmann/json_fwd.hpp>", knows));
