@@ -257,7 +257,7 @@ void Command::parse(const std::vector<std::string>& last_first) {
     }
     const bool about_words =
         error.get_name() == "RequiredError" || error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-    throw UsageError(error.what(), about_words);
+    throw about_words ? UsageError::aboutWords(error.what()) : UsageError(error.what());
   }
 }
 std::vector<std::string> Command::remaining() const { return impl_->app->remaining(true); }

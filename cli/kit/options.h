@@ -22,15 +22,19 @@ namespace palpate::app {
 /// The command line is wrong. The command ends with one line that points to --help.
 class UsageError : public std::runtime_error {
  public:
-  explicit UsageError(const std::string& message, bool about_words = false)
-      : std::runtime_error(message), about_words_(about_words) {}
+  explicit UsageError(const std::string& message) : std::runtime_error(message) {}
   UsageError(const std::string& option, const std::string& cause) : UsageError(option + ": " + cause) {}
+  static UsageError aboutWords(const std::string& message) {
+    UsageError error(message);
+    error.about_words_ = true;
+    return error;
+  }
 
   /// A word was not expected or is missing, so that an unknown word says more (Command::remaining).
   bool isAboutWords() const { return about_words_; }
 
  private:
-  bool about_words_;
+  bool about_words_ = false;
 };
 
 /// Ends the command with this exit code and without a message: it ran, and its answer is "no".

@@ -157,7 +157,7 @@ void run(const Command& bench, const BaselineArguments& arguments) {
   if (!bench.get_subcommands().empty()) return;
   if (!arguments.write.empty()) writeBaseline(arguments.write, measure(arguments.triangles, arguments.seconds));
   if (!arguments.baselines.empty()) compareWith(arguments);
-  if (arguments.baselines.empty() && arguments.write.empty()) throw UsageError("A subcommand is required", true);
+  if (arguments.baselines.empty() && arguments.write.empty()) throw UsageError::aboutWords("A subcommand is required");
 }
 
 }  // namespace

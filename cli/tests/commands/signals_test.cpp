@@ -152,6 +152,7 @@ TEST_F(SignalsToStudies, WhatHasNothingToFinishEndsAtOnce) {
 
 /// A body of a million triangles takes seconds.
 TEST_F(Signals, WhoStillBuildsItsBodyEndsAtOnce) {
+  setenv("PALPATE_BODY_CACHE_MB", "0", 1);  // a kept body is there at once
   const std::string scene =
       "[body]\nkind = \"trunk\"\ntriangles = 1000000\n[[finger]]\nname = \"a\"\nat = \"T6\"\n"
       "script = [{ do = \"press\", depth_mm = 4, seconds = 0.1 }]\n";
@@ -169,6 +170,7 @@ TEST_F(Signals, WhoStillBuildsItsBodyEndsAtOnce) {
     EXPECT_FALSE(fs::exists(folder_ / "made") || fs::exists(folder_ / "made.session"));
     fs::remove(folder_ / "err");
   }
+  unsetenv("PALPATE_BODY_CACHE_MB");
 }
 
 /// The same for what contact needs of a mesh file: tree, sides, deformable skin.

@@ -20,7 +20,7 @@ constexpr double kForceStepN = 0.45;
 
 const SizeBar kSizes[] = {{2962, 14.5, 15.7},  {6261, 14.5, 15.7},   {8163, 13.0, 13.5},    {20389, 13.0, 13.5},
                           {41582, 13.0, 13.5}, {200000, 13.0, 13.5}, {1000000, 13.0, 13.5}, {4000000, 13.0, 13.5}};
-constexpr bench::Window kSlide{lab::kSlideFromSeconds, lab::kSlideUntilSeconds};
+constexpr bench::Window kSlideWindow{lab::kSlideFromSeconds, lab::kSlideUntilSeconds};
 
 class SlideAtSize : public testing::TestWithParam<SizeBar> {
   void SetUp() override {
@@ -31,7 +31,7 @@ class SlideAtSize : public testing::TestWithParam<SizeBar> {
 TEST_P(SlideAtSize, KeepsLagForceStepAndHeap) {
   bench::ContactWorld world = worldOf(fmt::format("back_{}", GetParam().triangles));
 
-  const bench::ContactFigures point = measure(world, "back_slide", 0.0, kSlide);
+  const bench::ContactFigures point = measure(world, "back_slide", 0.0, kSlideWindow);
   EXPECT_LE(point.lag_mm.p99, kLagP99Mm);
   EXPECT_LE(point.lag_mm.max, GetParam().max_lag_mm);
   EXPECT_LE(point.max_force_step_n, kForceStepN) << "at tick " << point.max_force_step_tick;
@@ -39,7 +39,7 @@ TEST_P(SlideAtSize, KeepsLagForceStepAndHeap) {
   EXPECT_EQ(point.falls.ticks, 0u);
   support::expectNone(point.counts.allocations);
 
-  const bench::ContactFigures sphere = measure(world, "back_slide", 8.0, kSlide);
+  const bench::ContactFigures sphere = measure(world, "back_slide", 8.0, kSlideWindow);
   EXPECT_LE(sphere.lag_mm.p99, kSphereLagP99Mm);
   EXPECT_LE(sphere.lag_mm.max, GetParam().max_sphere_lag_mm);
   EXPECT_EQ(sphere.contact_ticks, sphere.ticks);
@@ -52,10 +52,10 @@ INSTANTIATE_TEST_SUITE_P(Back, SlideAtSize, testing::ValuesIn(kSizes),
 
 TEST(Slide, IsTheSameAtEveryScaleOfTheWorld) {
   bench::ContactWorld real = worldOf("back_8163", 1.0);
-  const bench::ContactFigures expected = measure(real, "back_slide", 0.0, kSlide);
+  const bench::ContactFigures expected = measure(real, "back_slide", 0.0, kSlideWindow);
   for (const double scale : {0.001, 1000.0}) {
     bench::ContactWorld world = worldOf("back_8163", scale);
-    const bench::ContactFigures figures = measure(world, "back_slide", 0.0, kSlide);
+    const bench::ContactFigures figures = measure(world, "back_slide", 0.0, kSlideWindow);
     EXPECT_NEAR(figures.lag_mm.max, expected.lag_mm.max, 1e-6) << scale;
     EXPECT_NEAR(figures.peak_force_n, expected.peak_force_n, 1e-6) << scale;
     EXPECT_NEAR(figures.max_force_step_n, expected.max_force_step_n, 1e-6) << scale;
