@@ -12,7 +12,7 @@ namespace palpate::study {
 
 namespace {
 
-const RelaxationMeasurement& measured() {
+const RelaxationMeasurement& measuredRelaxation() {
   static const RelaxationMeasurement found = measureRelaxation(true, {});
   return found;
 }
@@ -20,13 +20,13 @@ const RelaxationMeasurement& measured() {
 }  // namespace
 
 TEST(RelaxationStudy, LosesWhatTheTermsSay) {
-  const RelaxingSkin& offered = measured().skins.at(1);
+  const RelaxingSkin& offered = measuredRelaxation().skins.at(1);
   const double at_once = offered.held_n.front();
   for (const double t : {0.5, 1.0, 10.0}) {
     // The approach takes 40 ms: some of it is lost before the finger has arrived.
     EXPECT_NEAR(lostAfter(offered, t), 0.15 * (1.0 - std::exp(-t)), 0.003) << t;
   }
-  const RelaxingSkin& none = measured().skins.at(0);
+  const RelaxingSkin& none = measuredRelaxation().skins.at(0);
   EXPECT_EQ(lostAfter(none, 10.0), 0.0);
   EXPECT_EQ(none.dent_mm.front(), 0.0);
   EXPECT_NEAR(at_once / none.held_n.front(), 1.0, 0.005);
@@ -34,7 +34,7 @@ TEST(RelaxationStudy, LosesWhatTheTermsSay) {
 }
 
 TEST(RelaxationStudy, SaysWhatIsMeasured) {
-  const auto findings = relaxationFindings(measured());
+  const auto findings = relaxationFindings(measuredRelaxation());
   EXPECT_TRUE(says(findings, "a hand notices that"));
   EXPECT_TRUE(says(findings, "within 2 % of the force"));
   EXPECT_TRUE(says(findings, "never gives more than it was given"));
@@ -42,16 +42,16 @@ TEST(RelaxationStudy, SaysWhatIsMeasured) {
 }
 
 TEST(RelaxationStudy, SaysOtherwiseOfOtherNumbers) {
-  RelaxationMeasurement found = measured();
+  RelaxationMeasurement found = measuredRelaxation();
   found.cycles.front().lost_share = -0.01;
   EXPECT_TRUE(says(relaxationFindings(found), "GIVES energy"));
-  found = measured();
+  found = measuredRelaxation();
   found.skins.at(1).friction_high = 0.46;
   EXPECT_TRUE(says(relaxationFindings(found), "is NOT"));
-  found = measured();
+  found = measuredRelaxation();
   for (double& force : found.skins.at(2).held_n) force = found.skins.at(2).held_n.front();
   EXPECT_TRUE(says(relaxationFindings(found), "off by up to 54 %"));
-  found = measured();
+  found = measuredRelaxation();
   for (double& force : found.skins.at(1).held_n) force = found.skins.at(1).held_n.front();
   EXPECT_TRUE(says(relaxationFindings(found), "a hand hardly notices that"));
 }
