@@ -82,6 +82,7 @@ add_test(NAME c.sample_ctypes COMMAND ${tests}/run_ctypes.sh ${PROJECT_SOURCE_DI
 find_program(PALPATE_ABIDW abidw)
 if(PALPATE_ABIDW)
   palpate_add_c_library(palpate_c_abi palpate_c_objects ${PROJECT_SOURCE_DIR}/bindings/c)
+  add_dependencies(first_circle palpate_c_abi)
   set_target_properties(palpate_c_abi PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/abi)
   add_test(NAME c.abi COMMAND ${PROJECT_SOURCE_DIR}/tools/check-abi $<TARGET_FILE:palpate_c_abi>)
 else()
