@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+// The names are CLI11's.
+// NOLINTBEGIN(readability-identifier-naming)
 namespace CLI {
 class Option;
 }
@@ -189,3 +191,4 @@ auto addCommand(Command& parent, const std::string& name, const std::string& hel
 }
 
 }  // namespace palpate::app
+// NOLINTEND(readability-identifier-naming)

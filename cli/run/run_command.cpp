@@ -267,12 +267,12 @@ void runWindow(const RunOptions& options) {
                                            .classes = !host.teach_program.empty()};
   ControlLines controls;
   bool page_told = false;
-  const auto tellPage = [&] {
+  const auto tell_page = [&] {
     if (!std::exchange(page_told, true)) tell(fmt::format("start page after {:.3f} s\n", secondsSince(started)));
   };
   const Opening opening = showOpening(window, building, view_state, offers, [&] {
     if (!options.verbose) return;
-    tellPage();
+    tell_page();
     controls.tell(window.contentScale() * view_state.text_size);
   });
   if (!opening.world) {
@@ -292,7 +292,7 @@ void runWindow(const RunOptions& options) {
   showFrames(window, viewer, playback, options.frames, [&](std::uint64_t frame, double now_s) {
     followHead(heads, viewer, now_s);
     if (!options.verbose) return;
-    if (opening.page) tellPage();  // where the body was there before the window
+    if (opening.page) tell_page();  // where the body was there before the window
     if (frame == 1) tell(fmt::format("first frame after {:.3f} s\n", secondsSince(started)));
     tellFrame(frame, now_s, viewer);
     controls.tell(window.contentScale() * viewer.state().state.text_size);

@@ -194,7 +194,6 @@ class Json {
   Value value_{};
 };
 // NOLINTEND(readability-identifier-naming)
-// NOLINTEND(readability-identifier-naming)
 
 template <>
 bool Json::get<bool>() const;
