@@ -55,10 +55,10 @@ class Maker {
 
   /// Any bytes, those that are not UTF-8 included.
   std::string text() {
-    static const std::string kPieces[] = {"a", "\"", "\\", "\n",   "\x01", "\x7f",
-                                          "é", "€",  "😀",  "\xff", "\xc3", "\xe2\x82"};
+    static const std::string pieces[] = {"a", "\"", "\\", "\n",   "\x01", "\x7f",
+                                         "é", "€",  "😀",  "\xff", "\xc3", "\xe2\x82"};
     std::string made;
-    for (std::size_t i = below(8); i > 0; --i) made += kPieces[below(std::size(kPieces))];
+    for (std::size_t i = below(8); i > 0; --i) made += pieces[below(std::size(pieces))];
     return made;
   }
 

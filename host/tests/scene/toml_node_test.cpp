@@ -71,7 +71,9 @@ TEST(TomlLimits, AKeyOfAsManyPartsAsThereMayBeIsRead) {
 }
 
 TEST(TomlLimits, BracketsWithinBracketsAreCounted) {
-  for (const auto& [open, close] : {std::pair<std::string, std::string>{"[", "]"}, {"{ a = ", " }"}}) {
+  for (const auto& brackets : {std::pair<std::string, std::string>{"[", "]"}, {"{ a = ", " }"}}) {
+    const std::string& open = brackets.first;
+    const std::string& close = brackets.second;
     const auto text = [&](std::size_t levels) {
       return "\na = " + repeated(open, levels) + "1" + repeated(close, levels) + "\n";
     };

@@ -236,12 +236,12 @@ void readTable(const TomlNode& table, std::string_view title, std::string_view f
     const TomlNode* node = key.first ? table.get(key.name) : nullptr;
     if (node != nullptr) read(key, *node);
   }
-  for (const auto& [written, place, node] : table.entries()) {
-    const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key<S>& k) { return k.name == written; });
+  for (const TomlEntry& entry : table.entries()) {
+    const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key<S>& k) { return k.name == entry.key; });
     if (key != keys.end()) {
-      if (!key->first) read(*key, node);
-    } else if (std::find(nested.begin(), nested.end(), written) == nested.end()) {
-      throw Error::atLine(file_name, place.line, unknownName("key", written, title, names));
+      if (!key->first) read(*key, entry.node);
+    } else if (std::find(nested.begin(), nested.end(), entry.key) == nested.end()) {
+      throw Error::atLine(file_name, entry.place.line, unknownName("key", entry.key, title, names));
     }
   }
 }

@@ -38,8 +38,8 @@ class TomlNode {
  public:
   enum class Kind { text, flag, whole, fraction, date, list, table };
 
-  TomlNode() = default;  ///< an empty table
-  TomlNode(Kind kind, TomlPlace begin, TomlPlace end) : kind_(kind), begin_(begin), end_(end) {}
+  TomlNode();  ///< an empty table
+  TomlNode(Kind kind, TomlPlace begin, TomlPlace end);
 
   Kind kind() const { return kind_; }
   bool isNumber() const { return kind_ == Kind::whole || kind_ == Kind::fraction; }
@@ -91,6 +91,10 @@ struct TomlEntry {
   TomlPlace place;  ///< of the key
   TomlNode node;
 };
+
+// Here, where what a list of entries needs of them is known.
+inline TomlNode::TomlNode() = default;
+inline TomlNode::TomlNode(Kind kind, TomlPlace begin, TomlPlace end) : kind_(kind), begin_(begin), end_(end) {}
 
 /// The table of the whole text. `file` is how the text is called in errors. Throws Error with the line where it is not
 /// TOML, or is nested or split beyond the limits above.
