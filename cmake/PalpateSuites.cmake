@@ -1,8 +1,8 @@
 # Read by ctest before it runs, with `folder`, `program`, `list` and `where` set: each suite of a test program is one test of
 # ctest, named <folder>.<Suite>. A process a suite and not one a test: what its tests share, a body or a window, is made once.
-include(${CMAKE_CURRENT_LIST_DIR}/PalpateCircles.cmake)
-palpate_read_circles(${circles} names)
 if("${program}" IS_NEWER_THAN "${list}" OR "${circles}" IS_NEWER_THAN "${list}")
+  include(${CMAKE_CURRENT_LIST_DIR}/PalpateCircles.cmake)
+  palpate_read_circles(${circles} names)
   palpate_is_in_second_circle("${folder}.*" "${names}" all_are_second)
   if(all_are_second AND NOT EXISTS "${program}")
     return() # ./test does not build it

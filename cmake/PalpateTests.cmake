@@ -12,7 +12,7 @@ target_compile_definitions(palpate_test_build INTERFACE PALPATE_TEST_DATA="${PRO
                            $<$<BOOL:${PALPATE_ASSIMP}>:PALPATE_ASSIMP>)
 target_include_directories(palpate_test_build INTERFACE ${PROJECT_SOURCE_DIR}/tests)
 
-# tests/circles.tsv: what is in the second circle, as regular expressions of whole names.
+# The second circle: names of suites, and `folder.*` for whole programs (tests/circles.tsv).
 set(PALPATE_CIRCLES ${PROJECT_SOURCE_DIR}/tests/circles.tsv)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PALPATE_CIRCLES})
 include(${PROJECT_SOURCE_DIR}/cmake/PalpateCircles.cmake)
