@@ -9,23 +9,44 @@
 
 namespace palpate::app {
 
+namespace {
+
+/// Of moves that follow each other the last counts: however long a body takes, only clicks and keys become many.
+void keep(std::span<const window::InputEvent> events, std::vector<window::InputEvent>& kept) {
+  for (const window::InputEvent& event : events) {
+    const auto isMove = [](const window::InputEvent& e) { return e.kind == window::InputEvent::Kind::move; };
+    if (isMove(event) && !kept.empty() && isMove(kept.back())) kept.pop_back();
+    kept.push_back(event);
+  }
+}
+
+}  // namespace
+
 Opening showOpening(window::Window& window, engine::WorldBuilder& building, viewer::ViewState& state,
                     const viewer::OpeningView::Offers& offers, const std::function<void()>& shown) {
   constexpr double kFrameS = 0.1;         // unless something happens: the time is the body's
   constexpr double kTimeForMoreS = 0.15;  // a body that is there sooner needs no word
   viewer::OpeningView view(state, offers);
+  std::vector<window::InputEvent> for_the_body;
   const auto started = Clock::now();
   for (;;) {
-    if (std::optional<engine::BuildResult> result = building.take()) {
+    std::optional<engine::BuildResult> result;
+    if (!view.isBeingClicked()) result = building.take();
+    if (result) {
       if (!result->world) throw Error(result->error);
+      window.handBack(for_the_body);
       return {result->world, view.page(), view.asks().requests, view.asks().actions};
     }
     const std::vector<window::InputEvent> events = window.events(kFrameS);
     const auto& requests = view.asks().requests;
     const bool leaves = !requests.empty() && std::holds_alternative<viewer::StartTraining>(requests.back());
     if (window.closing() || endAskedBy() != 0 || leaves) return {nullptr, false, requests};
-    if (!offers.page && secondsSince(started) < kTimeForMoreS) continue;
-    view.frame({window.width(), window.height(), window.contentScale(), kFrameS}, events, building.progress());
+    if (!offers.page && secondsSince(started) < kTimeForMoreS) {
+      keep(events, for_the_body);
+      continue;
+    }
+    const viewer::OpeningView::Frame frame{window.width(), window.height(), window.contentScale(), kFrameS};
+    keep(view.frame(frame, events, building.progress()), for_the_body);
     window.present(view.target());
     shown();
   }

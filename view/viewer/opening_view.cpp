@@ -23,8 +23,10 @@ void progress(const std::optional<engine::BuildProgress>& building) {
 
 }  // namespace
 
-void OpeningView::frame(const Frame& frame, std::span<const window::InputEvent> events,
-                        const std::optional<engine::BuildProgress>& building) {
+bool OpeningView::isBeingClicked() const { return page_ && ImGui::IsMouseDown(ImGuiMouseButton_Left); }
+
+std::span<const window::InputEvent> OpeningView::frame(const Frame& frame, std::span<const window::InputEvent> events,
+                                                       const std::optional<engine::BuildProgress>& building) {
   const bool first = !target_;
   if (first || target_->width() != frame.width || target_->height() != frame.height) {
     target_ = std::make_unique<view::Target>(std::max(1, frame.width), std::max(1, frame.height));
@@ -41,10 +43,17 @@ void OpeningView::frame(const Frame& frame, std::span<const window::InputEvent> 
   };
   // A dialog knows its size, and is seen, from its second pass on.
   if (first) draw({});
-  for (const auto pass : window::guiPasses(events)) draw(pass);
+  std::span<const window::InputEvent> left = events;
+  for (const auto pass : window::guiPasses(events)) {
+    const bool heard = page_;
+    draw(heard ? pass : std::span<const window::InputEvent>());
+    if (!heard) break;
+    left = left.subspan(pass.size());
+  }
   target_->clear();
   target_->bind();
   gui_.present(frame.width, frame.height);
+  return left;
 }
 
 }  // namespace palpate::viewer

@@ -32,8 +32,11 @@ class OpeningView {
     double scale;      ///< pixels per point of the screen
     double elapsed_s;  ///< since the frame before
   };
-  void frame(const Frame& frame, std::span<const window::InputEvent> events,
-             const std::optional<engine::BuildProgress>& building);
+  /// The last of the events, from where the page was closed: they are for the body, which is still being built.
+  std::span<const window::InputEvent> frame(const Frame& frame, std::span<const window::InputEvent> events,
+                                            const std::optional<engine::BuildProgress>& building);
+  /// A button is down on the page: what it does is known when it goes up.
+  bool isBeingClicked() const;
   const view::Target& target() const { return *target_; }
   /// The page is still open.
   bool page() const { return page_; }

@@ -85,7 +85,8 @@ servo::LoopReport Viewer::finish(std::string_view ended_by) {
 
 void Viewer::frame(int width, int height, double scale, double now_s, std::span<const window::InputEvent> events) {
   const Clock::time_point started = Clock::now();
-  const double elapsed_s = seen_ ? std::max(1e-4, now_s - viewer_.now_s) : 1.0 / 60.0;
+  const bool first = !seen_;
+  const double elapsed_s = !first ? std::max(1e-4, now_s - viewer_.now_s) : 1.0 / 60.0;
   viewer_.now_s = now_s;
   makeTarget(width, height);
   takeWorld();
@@ -109,8 +110,7 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   performance.frame_ms = millisecondsSince(started);
   frame_s_ += kRateSmoothing * (elapsed_s - frame_s_);
   performance.frames_per_s = 1.0 / frame_s_;
-  guardShading(shading_guard_, viewer_, elapsed_s, seen_ && !modes_.claims().body);
-  seen_ = true;
+  guardShading(shading_guard_, viewer_, elapsed_s, !first && !modes_.claims().body);
 }
 
 void Viewer::makeTarget(int width, int height) {
@@ -120,7 +120,7 @@ void Viewer::makeTarget(int width, int height) {
 
 /// What the cursor's pixels mean in this frame; the first time also where the camera stands.
 void Viewer::lookAround() {
-  if (!seen_) {
+  if (!std::exchange(seen_, true)) {
     // The column of a mode stands in any window: the body keeps to what it leaves.
     if (!modes_.claims().window && viewer_.size_points.x() < kNarrowPoints) viewer_.state.shown.panel = false;
     viewer_.camera = homeView(*world_, viewer_.state.shown, view::StandardView::back, viewer_.size_points);

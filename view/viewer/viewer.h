@@ -130,7 +130,7 @@ class Viewer {
   view::Eyes eyes_;  ///< of this frame
   window::Theme theme_ = window::Theme::dark;
   double frame_s_ = 1.0 / 60.0;  ///< smoothed time between two frames
-  bool seen_ = false;            ///< a frame has been drawn
+  bool seen_ = false;            ///< the first frame has been looked at
   bool own_cursor_ = false;      ///< drawn once for each eye, in place of the system's
   std::string title_;
   bool quit_ = false;

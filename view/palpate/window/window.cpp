@@ -224,8 +224,11 @@ Window::Window(const WindowSettings& settings) : impl_(std::make_unique<Impl>())
 }
 Window::~Window() = default;
 
+void Window::handBack(std::span<const InputEvent> events) {
+  impl_->events.insert(impl_->events.begin(), events.begin(), events.end());
+}
+
 std::vector<InputEvent> Window::events(double wait_s) {
-  impl_->events.clear();
   if (wait_s > 0.0) {
     glfwWaitEventsTimeout(wait_s);
   } else {

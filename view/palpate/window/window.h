@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ class Window {
 
   /// What happened since the last call, in order. Waits at most `wait_s` for something to happen.
   std::vector<InputEvent> events(double wait_s = 0.0);
+  /// These come first in the next events(): nobody could use them yet.
+  void handBack(std::span<const InputEvent> events);
 
   /// Shows the target, stretched should its size no longer be the window's.
   void present(const view::Target& target);

@@ -115,6 +115,21 @@ TEST(StartPage, TouchClosesIt) {
   EXPECT_FALSE(stage.state().state.shown.start);
 }
 
+TEST(StartPage, APressInTheFrameOfTheClickThatClosesItIsFelt) {
+  Stage stage;
+  stage.state().state.shown.start = true;
+  stage.frame();
+  stage.frame();
+  const auto& [left, top, right, below] = widgetPlaces().at("start/touch");
+  EventList events;
+  addButton(events, Vec2(0.5 * (left + right), 0.5 * (top + below)), true);
+  addButton(events, events.back().at, false);
+  addButton(events, stage.middle(), true);
+  stage.frame(events);
+  EXPECT_FALSE(stage.state().state.shown.start);
+  EXPECT_TRUE(stage.viewer->pointer().pressed(0));
+}
+
 TEST(StartPage, LeadsToTheOpenDialogAndToRecentFiles) {
   Stage stage;
   mesh::save(stage.folder / "ball.ply", zoo::sphere(60.0, 3));

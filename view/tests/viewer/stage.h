@@ -35,6 +35,17 @@ inline scene::Scene sheetScene(const support::TemporaryFolder& folder) {
   return scene;
 }
 
+/// The cursor is moved there, and the left button goes down or up.
+inline void addButton(std::vector<window::InputEvent>& events, const Vec2& at, bool down) {
+  window::InputEvent event;
+  event.kind = window::InputEvent::Kind::move;
+  event.at = at;
+  events.push_back(event);
+  event.kind = window::InputEvent::Kind::button;
+  event.down = down;
+  events.push_back(event);
+}
+
 class Stage {
  public:
   explicit Stage(ViewState state = quiet()) : Stage(std::move(state), {}) {}

@@ -215,7 +215,10 @@ std::string plainText(const Block& block) {
   if (block.kind == Block::Kind::code) return block.text;
   std::string text = plainText(block.words);
   for (const auto& row : block.rows) {
-    for (const Inlines& cell : row) text += (text.empty() ? "" : " ") + plainText(cell);
+    for (const Inlines& cell : row) {
+      if (!text.empty()) text += ' ';
+      text += plainText(cell);
+    }
   }
   return text;
 }
