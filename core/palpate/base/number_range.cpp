@@ -17,7 +17,7 @@ constexpr double kMaxDigits = 1e15;
 std::string readableNumber(double value) {
   if (!(std::abs(value) < kMaxDigits) || value != std::floor(value)) return fmt::format("{}", value);
   std::string digits = fmt::format("{:.0f}", std::abs(value));
-  for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, ",");
+  for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, 1, ',');
   return value < 0.0 ? "-" + digits : digits;
 }
 
