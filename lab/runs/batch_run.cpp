@@ -21,7 +21,7 @@ namespace {
 /// Of all fingers in a pass: 70 ms of points, half a second of fingertips.
 constexpr std::size_t kPassTicks = 500000;
 /// Another program slows the pass that it interrupts; of two passes one may have been left alone.
-constexpr int kMinRounds = 2;
+constexpr int kMinBatchRounds = 2;
 
 /// A finger that came to its place along the path: one that was put down in the skin would feel nothing.
 struct Begun {
@@ -187,7 +187,7 @@ BatchFigures measureBatch(const scene::World& world, const contact::FingerSettin
   figures.triangles = world.body->skin.triangles.size();
   figures.pass_ticks = settings.fingers * finger_ticks;
   const Clock::time_point start = Clock::now();
-  for (int round = 0; round < kMinRounds || secondsSince(start) < settings.seconds; ++round) {
+  for (int round = 0; round < kMinBatchRounds || secondsSince(start) < settings.seconds; ++round) {
     report(progress, "stepping", std::min(1.0, secondsSince(start) / settings.seconds));
     figures.native_ticks_per_s = std::max(figures.native_ticks_per_s, passOf(native, 1).ticks_per_s);
     comparePasses(batch, settings.threads, figures.batch, figures);

@@ -26,14 +26,14 @@ constexpr std::size_t kWarmTicks = 20;
 constexpr std::size_t kTimedTicks = 100;
 
 /// Where the finger is in the block that is timed.
-struct Slide {
+struct LumpSlide {
   contact::Surface bare;
   std::vector<Vec3> approach;  ///< to where the block begins
   std::vector<Vec3> block;
 };
 
-Slide slideOverBack() {
-  Slide slide;
+LumpSlide slideOverBack() {
+  LumpSlide slide;
   const mesh::TriangleMesh mesh = mesh::repair(lab::backMesh(kTriangles)).mesh;
   slide.bare = contact::buildSurface(mesh, std::vector<double>(mesh.positions.size(), kSkinNPerMm),
                                      {.self_intersecting = false});
@@ -46,7 +46,7 @@ Slide slideOverBack() {
 }
 
 /// Eight balls of 8 mm in two rows, all felt along the whole block; or the one nearest to its middle.
-contact::Surface withLumps(const Slide& slide, const tissue::LumpPlace& place, std::size_t count, bool mobile) {
+contact::Surface withLumps(const LumpSlide& slide, const tissue::LumpPlace& place, std::size_t count, bool mobile) {
   constexpr double kApartMm = 9.0;
   const tissue::LumpShape shape{.half_axes_mm = {4.0, 4.0, 4.0}, .depth_mm = 4.0, .stiffness_ratio = 10.0};
   const Vec3 middle = slide.block[slide.block.size() / 2];
@@ -68,7 +68,7 @@ contact::Surface withLumps(const Slide& slide, const tissue::LumpPlace& place, s
 /// A finger that has come to the beginning of the block, again and again.
 class TimedFinger {
  public:
-  TimedFinger(const Slide& slide, const contact::Surface& surface)
+  TimedFinger(const LumpSlide& slide, const contact::Surface& surface)
       : block_(slide.block), solver_(std::move(servo::makeSolvers(surface, nullptr, 1).front())) {
     settings_.radius_mm = tissue::kFingertipMm;
     for (const Vec3& tip : slide.approach) touch(tip);
@@ -125,7 +125,7 @@ class TimedPad {
 }  // namespace
 
 LumpCosts measureLumpCosts(double seconds, const Progress& progress) {
-  const Slide slide = slideOverBack();
+  const LumpSlide slide = slideOverBack();
   const tissue::LumpPlace place = tissue::libraryPlaceAt(40.0, 8.0);
   const contact::PressureGround ground({{40.0, tissue::PressureForm(place.fields)}});
   const contact::Surface one = withLumps(slide, place, 1, false), eight = withLumps(slide, place, 8, false);
