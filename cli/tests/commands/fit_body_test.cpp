@@ -95,7 +95,9 @@ TEST_F(FitBody, AScanInMetresThatLiesOnItsSideBecomesASceneWithNamesAndBones) {
   EXPECT_NE(palpate("simulate nowhere.toml --out run2").err.find("unknown place"), std::string::npos);
 }
 
-TEST_F(FitBody, ShapeAloneIsEnoughForThisScanAndAnotherScanIsNotTakenForIt) {
+class FitBodyByShapeAlone : public FitBody {};
+
+TEST_F(FitBodyByShapeAlone, IsEnoughForThisScanAndAnotherScanIsNotTakenForIt) {
   const auto fitted = palpate("body fit scan.ply -o back.toml");
   ASSERT_EQ(fitted.exit_code, 0) << fitted.err;
   EXPECT_NE(fitted.out.find("certainty"), std::string::npos);

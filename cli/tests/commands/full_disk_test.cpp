@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kEarlier = "what was there before\n";
-constexpr int kNoMount = 77;
+constexpr int kNoMount = 77;  ///< exit code
 
 struct WritingCommand {
   std::string arguments;  ///< the disk is the folder `disk`
@@ -124,7 +124,9 @@ class FullDisk : public testing::TestWithParam<WritingCommand> {
   support::TemporaryFolder folder_;
 };
 
-TEST_P(FullDisk, LeavesTheEarlierFileAndSaysSo) {
+class DiskOfThreeSizes : public FullDisk {};
+
+TEST_P(DiskOfThreeSizes, LeavesTheEarlierFileAndSaysSo) {
   const support::CommandResult nothing =
       runOn("mount -t tmpfs -o size=4k palpate disk || exit " + std::to_string(kNoMount) + "\n", "");
   if (nothing.exit_code == kNoMount || nothing.err.find("unshare") != std::string::npos) {
@@ -150,7 +152,9 @@ TEST_P(FullDisk, LeavesTheEarlierFileAndSaysSo) {
 }
 
 /// In blocks of 512 bytes, as sh counts.
-TEST_P(FullDisk, SoDoesAFileThatMayNotGrow) { expectACleanFailure(runOn("", "ulimit -f 2; "), "File too large"); }
+TEST_P(FullDisk, LeavesTheEarlierFileWhereOneMayNotGrow) {
+  expectACleanFailure(runOn("", "ulimit -f 2; "), "File too large");
+}
 
 std::string nameOfRow(const testing::TestParamInfo<WritingCommand>& of) {
   std::string name = of.param.arguments.substr(0, of.param.arguments.find(' ')) + "_" + of.param.file;
@@ -161,6 +165,8 @@ std::string nameOfRow(const testing::TestParamInfo<WritingCommand>& of) {
 
 INSTANTIATE_TEST_SUITE_P(Commands, FullDisk, testing::ValuesIn(kCommands), nameOfRow);
 INSTANTIATE_TEST_SUITE_P(Studies, FullDisk, testing::ValuesIn(kStudies), nameOfRow);
+INSTANTIATE_TEST_SUITE_P(Commands, DiskOfThreeSizes, testing::ValuesIn(kCommands), nameOfRow);
+INSTANTIATE_TEST_SUITE_P(Studies, DiskOfThreeSizes, testing::ValuesIn(kStudies), nameOfRow);
 
 TEST(StandardOutput, ThatCannotBeWrittenIsToldToo) {
   const auto end = support::runProgram("/bin/sh", "-c \"'" PALPATE_BINARY_DIR "/palpate' run --keys > /dev/full\"");

@@ -154,7 +154,7 @@ TEST_F(SignalsToStudies, WhatHasNothingToFinishEndsAtOnce) {
 TEST_F(Signals, WhoStillBuildsItsBodyEndsAtOnce) {
   setenv("PALPATE_BODY_CACHE_MB", "0", 1);  // a kept body is there at once
   const std::string scene =
-      "[body]\nkind = \"trunk\"\ntriangles = 1000000\n[[finger]]\nname = \"a\"\nat = \"T6\"\n"
+      "[body]\nkind = \"trunk\"\ntriangles = 400000\n[[finger]]\nname = \"a\"\nat = \"T6\"\n"
       "script = [{ do = \"press\", depth_mm = 4, seconds = 0.1 }]\n";
   std::ofstream(folder_ / "large.toml") << scene;
   for (const std::vector<std::string>& command : {std::vector<std::string>{"simulate", "large.toml", "--out", "made"},

@@ -183,7 +183,7 @@ TEST(BodyFit, ShapeAlonePlacesThemWithinTwelveOrSaysThatItIsNotSure) {
   EXPECT_GE(sure, 1u) << "a refusal of everything would be no fit";
 }
 
-TEST(BodyFit, OneToThreePointsHelpTheShape) {
+TEST(BodyFitOfOtherBuilds, OneToThreePointsHelpTheShape) {
   const TrueScan& scan = theScan(104);
   const double by_shape = shapeFit(104).spine_expected_mm;
   std::vector<NamedPoint> points;
@@ -205,7 +205,7 @@ TEST(BodyFit, OneToThreePointsHelpTheShape) {
   }
 }
 
-TEST(BodyFit, AClosedTrunkIsPlacedByItsShape) {
+TEST(BodyFitOfOtherBuilds, AClosedTrunkIsPlacedByItsShape) {
   const TrueScan& scan = theScan(103, true);
   const BodyFit fit = fitBody(theTemplate(), scan.mesh, {});
   ASSERT_EQ(fit.doubt, "");
@@ -274,7 +274,7 @@ void addBox(const Vec3& low, const Vec3& high, mesh::TriangleMesh& to) {
   append(box, to);
 }
 
-TEST(BodyFit, WhatIsNoBackIsRefused) {
+TEST(BodyFitOfOtherBuilds, WhatIsNoBackIsRefused) {
   std::map<std::string, mesh::TriangleMesh> things;
   addBox({-250, -250, -250}, {250, 250, 250}, things["cube"]);
   mesh::TriangleMesh& chair = things["chair"];

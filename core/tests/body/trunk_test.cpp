@@ -38,8 +38,8 @@ const Trunk& trunkOf(const std::string& name) {
 }
 
 /// What other tests look at too, and the postures that the window offers.
-constexpr const char* kBuilds[] = {"average", "thin", "heavy", "bent", "prone", "sitting"};
-constexpr const char* kOtherBuilds[] = {"wasted", "athlete", "broad"};
+constexpr const char* kBuilds[] = {"average", "heavy", "prone"};
+constexpr const char* kOtherBuilds[] = {"thin", "bent", "sitting", "wasted", "athlete", "broad"};
 
 const SkinLandmark& landmarkOf(const Trunk& trunk, const std::string& name) {
   return *std::find_if(trunk.landmarks.begin(), trunk.landmarks.end(), [&](const auto& l) { return l.name == name; });

@@ -18,8 +18,9 @@ namespace palpate::trace {
 
 namespace {
 
-/// Another program that writes the file is waited for so long.
-constexpr int kBusyMs = 5000;
+/// Another program that writes the file is waited for so long: its transactions take milliseconds, and a window that
+/// saves stands still meanwhile.
+constexpr int kBusyMs = 2000;
 
 constexpr const char* kInMemory = ":memory:";
 

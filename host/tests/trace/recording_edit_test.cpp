@@ -313,15 +313,23 @@ TEST_F(RecordingEdit, GapsAreNoLoss) {
   EXPECT_EQ(repair.gaps[1].count, 500u);
 }
 
-TEST_F(RecordingEdit, OfOverwrittenPagesEverySoundBlockIsSalvagedAndTheLossIsToldTickByTick) {
-  const auto all = recordWild("a.session", 9000, 2);
+class SalvagedRecording : public RecordingEdit {
+ protected:
+  struct Loss {
+    std::uint64_t samples = 0;
+    int headers = 0;
+  };
+  /// Of so many rounds, each with one page more overwritten in a recording of so many ticks.
+  Loss overwritePages(int rounds, std::uint64_t ticks);
+};
+
+SalvagedRecording::Loss SalvagedRecording::overwritePages(int rounds, std::uint64_t ticks) {
+  const auto all = recordWild("a.session", ticks, 2);
   const std::string sound = bytesOf("a.session");
-  ASSERT_GT(sound.size(), 3u << 20) << "several MB";
   const std::size_t pages = sound.size() / 4096;
   Random random(77);
-  std::uint64_t all_lost = 0;
-  int headers_lost = 0;
-  for (int round = 0; round < 40; ++round) {
+  Loss loss;
+  for (int round = 0; round < rounds; ++round) {
     std::string bent = sound;
     for (int i = 0; i < 1 + round; ++i) {
       // The first page in every fourth round: no header, no names of tables.
@@ -332,21 +340,32 @@ TEST_F(RecordingEdit, OfOverwrittenPagesEverySoundBlockIsSalvagedAndTheLossIsTol
     const RecordingRepair repair = repairRecording(folder_ / "bent.session", folder_ / "mended.session");
     EXPECT_EQ(bytesOf("bent.session"), bent) << "the file itself is only read";
     const auto is = samplesOf(folder_ / "mended.session");
-    for (const auto& [place, sample] : is) ASSERT_TRUE(all.contains(place) && sameBits(sample, all.at(place)));
+    for (const auto& [place, sample] : is) EXPECT_TRUE(all.contains(place) && sameBits(sample, all.at(place)));
     const std::set<Place> missing = missingFrom(all, is);
-    ASSERT_EQ(placesOf(repair.lost), missing) << "round " << round;
+    EXPECT_EQ(placesOf(repair.lost), missing) << "round " << round;
     EXPECT_EQ(repair.samplesLost(), missing.size());
     EXPECT_EQ(repair.samples, is.size());
-    all_lost += missing.size();
-    headers_lost += repair.header_lost ? 1 : 0;
+    loss.samples += missing.size();
+    loss.headers += repair.header_lost ? 1 : 0;
     for (const MissingTicks& lost : repair.lost) {
       const auto cuts = eventsOfKind(folder_ / "mended.session", kCutEvent);
       EXPECT_TRUE(std::ranges::any_of(
           cuts, [&](const RecordingEvent& cut) { return cut.tick == lost.last + 1 && cut.finger == lost.finger; }));
     }
   }
-  EXPECT_GT(all_lost, 10000u);
-  EXPECT_LT(headers_lost, 10) << "it stands on one page of a thousand";
+  return loss;
+}
+
+TEST_F(SalvagedRecording, OfOverwrittenPagesHasEverySoundBlockAndTheLossIsToldTickByTick) {
+  EXPECT_GT(overwritePages(8, 3000).samples, 100u);
+}
+
+class SalvagedRecordingOfManyPages : public SalvagedRecording {};
+
+TEST_F(SalvagedRecordingOfManyPages, HasEverySoundBlockAndTheLossIsToldTickByTick) {
+  const Loss loss = overwritePages(40, 9000);
+  EXPECT_GT(loss.samples, 10000u);
+  EXPECT_LT(loss.headers, 10) << "it stands on one page of a thousand";
 }
 
 TEST_F(RecordingEdit, OfAFileThatIsCutTheBeginningIsSalvaged) {
@@ -413,7 +432,7 @@ TEST_F(RecordingEdit, OfAnyBytesWhatCanBeIsSalvagedAndNothingIsInvented) {
   const std::string sound = bytesOf("a.session");
   Random random(6);
   int salvaged = 0;
-  for (int round = 0; round < 200; ++round) {
+  for (int round = 0; round < 200; round += 4) {
     std::string bent = sound;
     for (int i = 0; i < 1 + round * 5; ++i) {
       bent[random.below(static_cast<std::uint32_t>(bent.size()))] = static_cast<char>(random.below(256));
@@ -431,7 +450,7 @@ TEST_F(RecordingEdit, OfAnyBytesWhatCanBeIsSalvagedAndNothingIsInvented) {
       EXPECT_NE(std::string(error.what()).find("session: "), std::string::npos) << error.what();
     }
   }
-  EXPECT_GT(salvaged, 100);
+  EXPECT_GT(salvaged, 25);
 }
 
 TEST_F(RecordingEdit, OfWhatIsNoRecordingNothingIsSalvagedAndNothingWritten) {

@@ -319,7 +319,9 @@ TEST_F(ReportCommand, ADamagedBlockIsNamedAndLeavesNoPage) {
 }
 
 /// Samples of any bits, in a world that no scene builds.
-TEST_F(ReportCommand, OfAnyBitsIsAPage) {
+class ReportOfAnyBits : public ReportCommand {};
+
+TEST_F(ReportOfAnyBits, IsAPage) {
   Random random(41);
   {
     trace::RecordingWriter writer(folder_ / "run.session",

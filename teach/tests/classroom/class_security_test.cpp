@@ -138,7 +138,9 @@ TEST_F(ClassSecurityTest, TheCheckerAsksTheCollectorAndNothingElse) {
   }
 }
 
-TEST_F(ClassSecurityTest, TwoProgramsWithOneCertificateTakeTurnsEverMoreSlowlyAndSayWhy) {
+class ClassSecurityWithPatience : public ClassSecurityTest {};
+
+TEST_F(ClassSecurityWithPatience, TwoProgramsWithOneCertificateTakeTurnsEverMoreSlowlyAndSayWhy) {
   std::atomic<int> connections = 0;
   const MqttHandlers counting{{}, [&] { ++connections; }};
   const MqttLink first(linkOf(station("s01")), counting);

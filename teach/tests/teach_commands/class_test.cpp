@@ -91,7 +91,7 @@ TEST(ClassCommand, CheckSaysNoWithoutABrokerAndOkWithOne) {
   for (const auto& tile : board["tiles"]) EXPECT_FALSE(tile["online"]) << tile.dump();
 }
 
-TEST(ClassCommand, AStationThatWasRemovedIsLetInNoLongerAndServeNoticesByItself) {
+TEST(ClassCommandWithPatience, AStationThatWasRemovedIsLetInNoLongerAndServeNoticesByItself) {
   if (classroom::brokerProgram().empty()) GTEST_SKIP() << "mosquitto is not installed (apt install mosquitto)";
   const TemporaryFolder folder;
   ASSERT_EQ(runPalpate("class init osteo --class osteo-1 --stations 2 --port " + somePort(), folder.path()).exit_code,

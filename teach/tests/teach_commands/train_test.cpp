@@ -50,7 +50,9 @@ TEST_F(TrainCommand, SaysThatAWindowNeedsADisplay) {
   EXPECT_NE(result.err.find("display"), std::string::npos) << result.err;
 }
 
-TEST_F(TrainCommand, DrawsAPictureOfEveryScreenWithoutAWindow) {
+class TrainScreens : public TrainCommand {};
+
+TEST_F(TrainScreens, AreDrawnWithoutAWindow) {
   std::ofstream(folder / "s.toml") << "[body]\ntriangles = 8164\n";
   std::ofstream(folder / "p.toml")
       << "id = \"p\"\nversion = 1\n[pre_test]\nwarm_up = 0\neasy = 0\nleast = 2\nmost = 2\n";

@@ -137,6 +137,8 @@ class TrainingReport : public testing::Test {
   support::TemporaryFolder folder_;
 };
 
+class TrainingReportOfAClass : public TrainingReport {};
+
 TEST_F(TrainingReport, NobodyIsAPageTooThatSaysSo) {
   make(0);
   const std::string words = wordsOf("");
@@ -208,7 +210,7 @@ TEST_F(TrainingReport, AClassIsToldTogetherAndEachByPseudonym) {
   EXPECT_FALSE(hasWords(words, last)) << "nor longer than it must be";
 }
 
-TEST_F(TrainingReport, EveryNumberIsComputedAgainFromTheExportedTables) {
+TEST_F(TrainingReportOfAClass, EveryNumberIsComputedAgainFromTheExportedTables) {
   support::MadeCourse course;
   course.kinds = {SessionKind::pre_test, SessionKind::mastery, SessionKind::practice, SessionKind::post_test,
                   SessionKind::exam};

@@ -1,12 +1,17 @@
 // Somebody at a training window without a window: keys in, frames out, and what is in the record.
 #pragma once
 
+#include <epoxy/gl.h>
+
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 
+#include "palpate/base/stopwatch.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/training/records/trainee_code.h"
 #include "palpate/view/offscreen.h"
@@ -96,8 +101,14 @@ class TrainingSeat {
     frames(3);
   }
 
+  /// No pixels: without a graphics card they are most of a frame's cost, and nobody here looks at them. Frames follow
+  /// each other as on a screen: the hand's time is the servo's, and the clock's.
   void frame(const std::vector<window::InputEvent>& events = {}) {
+    glEnable(GL_RASTERIZER_DISCARD);
     viewer->frame(kSeatWidth, kSeatHeight, 1.0, now_s += 1.0 / 60.0, events);
+    glDisable(GL_RASTERIZER_DISCARD);
+    std::this_thread::sleep_until(next_frame_);
+    next_frame_ = Clock::now() + std::chrono::milliseconds(16);
   }
   void frames(int count) {
     for (int i = 0; i < count; ++i) frame();
@@ -187,6 +198,9 @@ class TrainingSeat {
   const TrainingMode* training = nullptr;  ///< the viewer's
   const ShutMode* shut = nullptr;          ///< and one that nothing may open
   double now_s = 0.0;
+
+ private:
+  Clock::time_point next_frame_ = Clock::now();
 };
 
 }  // namespace palpate::viewer

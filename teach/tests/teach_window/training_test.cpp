@@ -659,7 +659,7 @@ TEST_F(TrainingWindow, InFamiliarisationTheTwoPlacesAreReachedByKeysAndTheEyeSee
   EXPECT_EQ(picked(), 4) << "arrows go to the other of the two";
   stage.pick(7);
   EXPECT_EQ(picked(), 0) << "any other place is none of them";
-  EXPECT_EQ(shapes(), 0u);
+  EXPECT_TRUE(stage.until([&] { return shapes() == 0; })) << "once the finger is up";
   stage.pick(10);
   stage.key(window::key('T'));
   ASSERT_TRUE(stage.until([&] { return stage.viewer->state().fingers[0].depth_mm > 3.0; }));
