@@ -110,6 +110,10 @@ void RequestHandler::fulfil(const AnswerQuestion& request) {
     if (chosen != question.answers.front()) opened.unit = scene::Unit::millimetre;
     return handle(opened);
   }
+  if (question.kind == Question::Kind::devices) {
+    if (chosen != question.answers.front()) parts_.devices.openAsked(viewer);
+    return;
+  }
   if (question.kind == Question::Kind::end_class) {
     parts_.class_run.end(viewer.class_shown);
     return handle(*question.then);

@@ -20,10 +20,10 @@ namespace palpate::device {
 namespace {
 
 constexpr std::array kBackEnds = {
-    BackEnd{"mouse", "the pointer over the skin in the window", probeMouse, openMouse},
-    BackEnd{"script", "the paths that a scene gives its fingers", probeScript, openScript},
+    BackEnd{"mouse", "the pointer over the skin in the window", probeMouse, openMouse, 2.0, true},
+    BackEnd{"script", "the paths that a scene gives its fingers", probeScript, openScript, 2.0, true},
     BackEnd{"playback", "a trajectory or a recorded run: playback:FILE", probePlayback, openPlayback},
-    BackEnd{"hand", "a simulated hand on a simulated device: hand:stylus_z,touch_x", probeHand, openHand},
+    BackEnd{"hand", "a simulated hand on a simulated device: hand:stylus_z,touch_x", probeHand, openHand, 2.0, true},
     BackEnd{"openhaptics", "Touch, Omni, Desktop, Premium: the maker's libHD", probeOpenHaptics, openOpenHaptics},
     BackEnd{"forcedimension", "omega, delta, sigma, Falcon: the maker's libdhd", probeForceDimension,
             openForceDimension},
@@ -57,6 +57,17 @@ DeviceName deviceNamed(std::string_view words) {
   const std::size_t colon = words.find(':');
   if (colon == std::string_view::npos) return {&backEndNamed(words), {}};
   return {&backEndNamed(words.substr(0, colon)), std::string(words.substr(colon + 1))};
+}
+
+DeviceName deviceNamedInFile(std::string_view words) {
+  DeviceName name = deviceNamed(words);
+  if (name.back_end->name == "plugin" && !isPluginOfFolders(name.which)) {
+    throw Error(
+        fmt::format("'{}' is not opened: a file may name a plugin only as it lies in a folder of "
+                    "PALPATE_DEVICE_PLUGINS; open it with --device if you trust it",
+                    oneLine(words)));
+  }
+  return name;
 }
 
 Device openNamed(std::string_view words, OpenOptions options) {

@@ -67,6 +67,8 @@ struct BackEnd {
   /// Throws Error with the reason.
   Device (*open)(const OpenOptions& options);
   double pose_wait_s = 2.0;  ///< how long its first position may take
+  /// It is of this program alone: neither a driver, nor another program, nor a file.
+  bool is_inside = false;
 };
 
 std::span<const BackEnd> backEnds();
@@ -84,6 +86,10 @@ struct DeviceName {
 
 /// Throws Error like backEndNamed.
 DeviceName deviceNamed(std::string_view words);
+
+/// What a file (a scene, a recording) may name: every device, but a plugin only as it lies in one of the folders of
+/// PALPATE_DEVICE_PLUGINS, since no file may say which code runs. Throws Error with the reason, and like backEndNamed.
+DeviceName deviceNamedInFile(std::string_view words);
 
 /// Opens the device of these words (deviceNamed) and waits until it has a position: a servo that starts without one
 /// starts in the middle of a body. Throws Error with the reason, also when no position comes in time.

@@ -13,6 +13,7 @@
 #include "palpate/base/error.h"
 #include "palpate/device/hardware/plugin_checks.h"
 #include "palpate/device/hardware/plugin_driver.h"
+#include "support/error_message.h"
 
 namespace palpate::device {
 namespace {
@@ -90,6 +91,31 @@ TEST(Plugin, IsFoundByItsNameInTheFolders) {
   for (const char* which : {"mass", "libmass.so", "mass:"}) {
     EXPECT_TRUE(probedPlugin(which).available) << which << probedPlugin(which).reason;
   }
+}
+
+TEST(Plugin, AFileMayNameOneOfTheFoldersAndNoOther) {
+  const support::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "plugins/below");
+  for (const char* file : {"plugins/libmass.so", "plugins/below/deeper.so", "here.so"}) {
+    std::ofstream(folder / file) << "never loaded";
+  }
+  const Folders folders((folder / "plugins").string());
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path());
+  std::ofstream("mass:odd") << "a file here is not what lies in the folder";
+  for (const char* words : {"plugin:mass", "plugin:libmass.so", "plugin:mass:left", "remote", "playback:path.csv"}) {
+    EXPECT_NO_THROW(deviceNamedInFile(words)) << words;
+  }
+  for (const std::string& words :
+       {std::string("plugin"), std::string("plugin:"), std::string("plugin:./here.so"), std::string("plugin:here.so"),
+        std::string("plugin:here"), std::string("plugin:mass:odd"), std::string("plugin:below/deeper.so"),
+        std::string("plugin:../plugins/libmass.so"), std::string("plugin:libmass.so/"),
+        "plugin:" + (folder / "plugins/libmass.so").string(), "plugin:" + (folder / "here.so").string() + ":left"}) {
+    const std::string refused = support::messageOf([&] { deviceNamedInFile(words); });
+    EXPECT_TRUE(tells(refused, "a file may name a plugin only as it lies in a folder of PALPATE_DEVICE_PLUGINS"))
+        << words << ": " << refused;
+  }
+  std::filesystem::current_path(before);
 }
 
 TEST(Plugin, AFileOfAPlainNameIsTheOneInThisFolder) {

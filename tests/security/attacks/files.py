@@ -106,6 +106,39 @@ def recording_that_never_ends(room):
                             f"{'is' if str(sound) + '  ' in listed else 'is not'} listed; Python {python}")
 
 
+EVIL_PLUGIN = """#include <stdio.h>
+__attribute__((constructor)) static void run(void) { FILE* file = fopen("owned", "w"); if (file) fclose(file); }
+"""
+
+
+@lab.attack("scene_brings_a_plugin", "files", [
+    lab.Mend("host/palpate/device/back_ends.cpp", 'name.back_end->name == "plugin" && !isPluginOfFolders(name.which)', "false"),
+    lab.Mend("view/viewer/devices/device_control.cpp", "if (device::deviceNamedInFile(device.name).back_end->is_inside) {",
+             "if (device::deviceNamedInFile(device.name).back_end != nullptr) {"),
+], seconds=60)
+def scene_brings_a_plugin(room):
+    """A stranger's scene names a library that came with it as the plugin of a device, in three ways of saying where."""
+    (room.folder / "evil.c").write_text(EVIL_PLUGIN)
+    made = room.run_program("cc", "-shared", "-fPIC", "evil.c", "-o", "evil.so")
+    room.start("Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp", log="display.txt")
+    display = room.wait_for(lambda: (room.folder / "display.txt").read_text().strip())
+    if made.returncode != 0 or not display:
+        return lab.broken("no compiler or no X server to try it with")
+    environment = dict(os.environ, DISPLAY=f":{display}", HOME=str(room.folder), LIBGL_ALWAYS_SOFTWARE="1")
+    environment.pop("PALPATE_DEVICE_PLUGINS", None)
+    taken, shown = [], 0
+    for words in ("plugin:./evil.so", "plugin:evil.so", f"plugin:{room.folder}/evil.so"):
+        (room.folder / "scene.toml").write_text(
+            f'[body]\nkind = "back"\n[[device]]\nname = "{words}"\nfinger = "left"\n'
+            '[[finger]]\nname = "a"\nat_mm = [0, 0]\nscript = [{ do = "press" }]\n')
+        ran = room.run("run", "scene.toml", "--no-state", "--frames", "60", "--verbose", env=environment, seconds=15.0)
+        shown += b"frame 60 " in ran.stdout
+        if (room.folder / "owned").exists():
+            taken.append(words.partition("/")[0])
+            (room.folder / "owned").unlink()
+    return lab.judged(not taken and shown == 3, f"{shown} of 3 windows were shown; their code ran in {len(taken)}")
+
+
 def scene_naming(file):
     return f'[[finger]]\nname = "index"\ntrajectory = "{file}"\n'
 

@@ -323,22 +323,84 @@ TEST(Devices, PlacesOnALineAreTakenAnew) {
   EXPECT_TRUE(steps.of_device.empty());
 }
 
-TEST(Devices, ThoseThatTheSceneNamesAreOpenedByThemselves) {
+/// A window that begins on a scene with these devices.
+class SceneWithDevices {
+ public:
+  explicit SceneWithDevices(const std::vector<scene::DeviceSettings>& devices) {
+    ViewerSettings settings;
+    settings.intro = false;
+    settings.output_folder = folder.path();
+    scene::Scene scene = sheetScene(folder);
+    scene.devices = devices;
+    viewer = std::make_unique<Viewer>(scene::build(scene), Stage::quiet(), std::move(settings));
+    frame();
+  }
+  void frame(const std::vector<window::InputEvent>& events = {}) {
+    viewer->frame(kStageWidth, kStageHeight, 1.0, now_s += 0.02, events);
+  }
+  void tap(window::Key key) {
+    window::InputEvent event;
+    event.kind = window::InputEvent::Kind::key;
+    event.key = key;
+    for (const bool down : {true, false}) {
+      event.down = down;
+      frame({event});
+    }
+    for (int i = 0; i < 10; ++i) frame();
+  }
+  DevicesShown& devices() { return viewer->state().devices; }
+  bool asks() const { return viewer->state().question.has_value(); }
+
   const support::TemporaryFolder folder;
-  HeldStage held;
-  ViewerSettings settings;
-  settings.intro = false;
-  settings.output_folder = folder.path();
-  scene::Scene scene = sheetScene(folder);
-  scene.devices.push_back({.name = "openhaptics", .finger = scene::HeldFinger::right});
-  Viewer viewer(scene::build(scene), Stage::quiet(), std::move(settings));
+  const view::OffscreenContext context;
+  std::unique_ptr<Viewer> viewer;
   double now_s = 0.0;
+};
+
+TEST(Devices, ThoseThatTheSceneNamesAreAskedForAndThenOpened) {
+  const HeldStage held;  // the double
+  SceneWithDevices opened({{.name = "openhaptics", .finger = scene::HeldFinger::right}});
+  ASSERT_TRUE(opened.asks());
+  EXPECT_NE(opened.viewer->state().question->words.find("openhaptics"), std::string::npos);
+  EXPECT_TRUE(opened.devices().fingers[1].opening.empty()) << "nothing is opened before the answer";
+  opened.viewer->state().request(AnswerQuestion{"Open"});
   EXPECT_TRUE(support::waitFor([&] {
-    viewer.frame(kStageWidth, kStageHeight, 1.0, now_s += 0.02, {});
-    return !viewer.state().devices.fingers[1].words.empty();
+    opened.frame();
+    return !opened.devices().fingers[1].words.empty();
   }));
-  EXPECT_TRUE(viewer.state().devices.fingers[0].words.empty());
-  EXPECT_FALSE(viewer.state().history.changed());
+  EXPECT_TRUE(opened.devices().fingers[0].words.empty());
+  EXPECT_FALSE(opened.viewer->state().history.changed());
+}
+
+TEST(Devices, OfASceneStayClosedWhereEnterOrEscapeAnswers) {
+  for (const window::Key key : {window::Key::enter, window::Key::escape}) {
+    SceneWithDevices opened({{.name = "remote"}, {.name = "playback:path.csv", .finger = scene::HeldFinger::right}});
+    ASSERT_TRUE(opened.asks());
+    opened.tap(key);
+    EXPECT_FALSE(opened.asks());
+    for (const FingerHeld& finger : opened.devices().fingers)
+      EXPECT_TRUE(finger.opening.empty() && finger.words.empty());
+  }
+}
+
+TEST(Devices, APluginThatASceneBringsIsNeverLoaded) {
+  SceneWithDevices opened({{.name = "plugin:" + doubles::libraryOf("plugin")}});
+  for (int i = 0; i < 10; ++i) opened.frame();
+  EXPECT_FALSE(opened.asks());
+  ASSERT_FALSE(opened.viewer->state().messages.all().empty());
+  EXPECT_NE(opened.viewer->state().messages.all().back().text.find("a file may name a plugin only"), std::string::npos);
+  opened.viewer->state().request(AnswerQuestion{"Open"});
+  opened.frame();
+  for (const FingerHeld& finger : opened.devices().fingers) EXPECT_TRUE(finger.opening.empty() && finger.words.empty());
+}
+
+TEST(Devices, OfThisProgramAloneAreOpenedUnasked) {
+  SceneWithDevices opened({{.name = "hand:stylus_z"}});
+  EXPECT_FALSE(opened.asks());
+  EXPECT_TRUE(support::waitFor([&] {
+    opened.frame();
+    return !opened.devices().fingers[0].words.empty();
+  }));
 }
 
 }  // namespace

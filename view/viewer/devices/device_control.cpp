@@ -7,6 +7,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/language.h"
+#include "palpate/base/nearest_name.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/servo/device_limits.h"
 
@@ -55,11 +56,36 @@ void keepPlace(FingerHeld& held, double now_s) {
 
 DeviceControl::~DeviceControl() { give_up_ = true; }
 
+/// The scene may be a stranger's: what reaches beyond this program is asked for first, and a plugin that the file
+/// itself brings is refused.
 void DeviceControl::begin(ViewerState& viewer) {
   tellWho(viewer);
+  std::string names;
   for (const scene::DeviceSettings& device : viewer.scene.devices) {
     const auto finger = static_cast<std::size_t>(device.finger);
-    if (!servo_.isHeld(finger)) open(finger, device.name, viewer);
+    if (servo_.isHeld(finger)) continue;
+    try {
+      if (device::deviceNamedInFile(device.name).back_end->is_inside) {
+        open(finger, device.name, viewer);
+      } else {
+        asked_.push_back({finger, device.name});
+        names += (names.empty() ? "" : ", ") + oneLine(device.name);
+      }
+    } catch (const Error& error) {
+      viewer.report(Severity::error, error.what());
+    }
+  }
+  if (asked_.empty()) return;
+  viewer.ask({.kind = Question::Kind::devices,
+              .words = trf("The scene wants to open {}: another program, a driver or a file. Open it only if you trust "
+                           "whoever made the scene.",
+                           names),
+              .answers = {toTranslate("Keep the mouse"), toTranslate("Open"), toTranslate("Cancel")}});
+}
+
+void DeviceControl::openAsked(ViewerState& viewer) {
+  for (const Asked& asked : std::exchange(asked_, {})) {
+    if (!servo_.isHeld(asked.finger)) open(asked.finger, asked.words, viewer);
   }
 }
 

@@ -26,8 +26,11 @@ class DeviceControl {
   DeviceControl(const DeviceControl&) = delete;
   DeviceControl& operator=(const DeviceControl&) = delete;
 
-  /// The devices that the window began with, and those that the scene names are opened.
+  /// The devices that the window began with; those that the scene names are opened, or asked for where they reach
+  /// beyond this program.
   void begin(ViewerState& viewer);
+  /// What `begin` has asked for, whatever the scene says by now.
+  void openAsked(ViewerState& viewer);
   void open(std::size_t finger, const std::string& words, ViewerState& viewer);
   void close(std::size_t finger, ViewerState& viewer);
   void lookForBackEnds(ViewerState& viewer);
@@ -48,6 +51,10 @@ class DeviceControl {
     std::uint64_t fresh = 0;
     double most_loss_n_mm = 0.0;
   };
+  struct Asked {
+    std::size_t finger;
+    std::string words;
+  };
 
   void takeOpened(std::size_t finger, ViewerState& viewer, const scene::World& world);
   void placeDevices(ViewerState& viewer, const scene::World& world);
@@ -61,6 +68,7 @@ class DeviceControl {
   LiveServo& servo_;
   WorldSwap& world_swap_;
   bool clutch_key_ = false;
+  std::vector<Asked> asked_;                           ///< what the question that is open names
   std::array<std::optional<Vec3>, kFingers> origins_;  ///< where nobody named one; found when it is needed
   double tended_s_ = 0.0;
   std::array<Look, kFingers> looks_;

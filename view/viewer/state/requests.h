@@ -167,6 +167,7 @@ struct Question {
     unit,       ///< of a mesh file, before it is opened: as guessed, millimetres, not at all
     of_mode,    ///< a mode asks, and gets the answer (mode.h)
     end_class,  ///< the class would end with the window
+    devices,    ///< of a scene, before they are opened: the mouse stays, open, not at all
   };
   Kind kind = Kind::leave;
   std::string words = {};

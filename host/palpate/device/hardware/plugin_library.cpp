@@ -23,15 +23,23 @@ bool isFile(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-/// The file that a name stands for, or the name itself.
-std::string fileNamed(const std::string& name) {
-  if (name.empty() || pathOf(name).has_parent_path()) return name;
+/// Of a name, in the folders; empty: in none of them.
+std::string fileInFolders(const std::string& name) {
+  const fs::path path = pathOf(name);
+  if (name.empty() || path.has_root_path() || path.has_parent_path()) return {};
   for (const fs::path& folder : folders()) {
     for (const std::string& file :
          {name, name + system::libraryExtension(), "lib" + name + system::libraryExtension()}) {
       if (isFile(folder / pathOf(file))) return (folder / pathOf(file)).string();
     }
   }
+  return {};
+}
+
+/// The file that a name stands for, or the name itself.
+std::string fileNamed(const std::string& name) {
+  if (name.empty() || pathOf(name).has_parent_path()) return name;
+  if (std::string file = fileInFolders(name); !file.empty()) return file;
   return isFile(pathOf(name)) ? "./" + name : name;  // without a slash the loader would look elsewhere
 }
 
@@ -97,6 +105,13 @@ Wanted wantedOf(const std::string& words) {
   const std::size_t colon = words.rfind(':');
   if (colon == std::string::npos || isFile(pathOf(whole))) return {whole, {}};
   return {fileNamed(words.substr(0, colon)), words.substr(colon + 1)};
+}
+
+/// wantedOf takes a file here for the name before it looks at what is before the colon: that must not be one either.
+bool isInFolders(const std::string& words) {
+  if (!fileInFolders(words).empty()) return true;
+  const std::size_t colon = words.rfind(':');
+  return colon != std::string::npos && !isFile(pathOf(words)) && !fileInFolders(words.substr(0, colon)).empty();
 }
 
 }  // namespace palpate::device::plugin
