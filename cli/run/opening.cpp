@@ -14,8 +14,8 @@ namespace {
 /// Of moves that follow each other the last counts: however long a body takes, only clicks and keys become many.
 void keep(std::span<const window::InputEvent> events, std::vector<window::InputEvent>& kept) {
   for (const window::InputEvent& event : events) {
-    const auto isMove = [](const window::InputEvent& e) { return e.kind == window::InputEvent::Kind::move; };
-    if (isMove(event) && !kept.empty() && isMove(kept.back())) kept.pop_back();
+    const auto is_move = [](const window::InputEvent& e) { return e.kind == window::InputEvent::Kind::move; };
+    if (is_move(event) && !kept.empty() && is_move(kept.back())) kept.pop_back();
     kept.push_back(event);
   }
 }

@@ -37,8 +37,9 @@ struct Pattern {
 /// Whether a line matches, its comment apart.
 bool matches(std::string_view line, const Pattern& pattern) {
   const std::string_view code = line.substr(0, line.find("//"));
-  const auto isThere = [&](std::string_view word) { return code.find(word) != std::string_view::npos; };
-  return std::ranges::any_of(pattern.words, isThere) && std::regex_search(code.begin(), code.end(), pattern.expression);
+  const auto is_there = [&](std::string_view word) { return code.find(word) != std::string_view::npos; };
+  return std::ranges::any_of(pattern.words, is_there) &&
+         std::regex_search(code.begin(), code.end(), pattern.expression);
 }
 
 /// "room/file:line" of every line of code below `folder`, tests apart, that matches, but for files whose names begin as
