@@ -45,9 +45,11 @@ std::span<const window::InputEvent> OpeningView::frame(const Frame& frame, std::
   if (first) draw({});
   std::span<const window::InputEvent> left = events;
   for (const auto pass : window::guiPasses(events)) {
-    const bool heard = page_;
-    draw(heard ? pass : std::span<const window::InputEvent>());
-    if (!heard) break;
+    if (!page_) {
+      draw({});
+      break;
+    }
+    draw(pass);
     left = left.subspan(pass.size());
   }
   target_->clear();

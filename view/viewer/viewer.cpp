@@ -86,7 +86,7 @@ servo::LoopReport Viewer::finish(std::string_view ended_by) {
 void Viewer::frame(int width, int height, double scale, double now_s, std::span<const window::InputEvent> events) {
   const Clock::time_point started = Clock::now();
   const bool first = !seen_;
-  const double elapsed_s = !first ? std::max(1e-4, now_s - viewer_.now_s) : 1.0 / 60.0;
+  const double elapsed_s = first ? 1.0 / 60.0 : std::max(1e-4, now_s - viewer_.now_s);
   viewer_.now_s = now_s;
   makeTarget(width, height);
   takeWorld();

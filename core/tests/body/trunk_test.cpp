@@ -37,7 +37,7 @@ const Trunk& trunkOf(const std::string& name) {
   return made.emplace(name, makeTrunk(settings)).first->second;
 }
 
-/// What other tests look at too, and the postures that the window offers.
+/// What other tests look at too; the others are asked in the second circle.
 constexpr const char* kBuilds[] = {"average", "heavy", "prone"};
 constexpr const char* kOtherBuilds[] = {"thin", "bent", "sitting", "wasted", "athlete", "broad"};
 

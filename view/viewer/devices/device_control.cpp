@@ -84,7 +84,7 @@ void DeviceControl::begin(ViewerState& viewer) {
 }
 
 void DeviceControl::openAsked(ViewerState& viewer) {
-  for (const Asked& asked : std::exchange(asked_, {})) {
+  for (const OpenDevice& asked : std::exchange(asked_, {})) {
     if (!servo_.isHeld(asked.finger)) open(asked.finger, asked.words, viewer);
   }
 }

@@ -51,10 +51,6 @@ class DeviceControl {
     std::uint64_t fresh = 0;
     double most_loss_n_mm = 0.0;
   };
-  struct Asked {
-    std::size_t finger;
-    std::string words;
-  };
 
   void takeOpened(std::size_t finger, ViewerState& viewer, const scene::World& world);
   void placeDevices(ViewerState& viewer, const scene::World& world);
@@ -68,7 +64,7 @@ class DeviceControl {
   LiveServo& servo_;
   WorldSwap& world_swap_;
   bool clutch_key_ = false;
-  std::vector<Asked> asked_;                           ///< what the question that is open names
+  std::vector<OpenDevice> asked_;                      ///< what the question that is open names
   std::array<std::optional<Vec3>, kFingers> origins_;  ///< where nobody named one; found when it is needed
   double tended_s_ = 0.0;
   std::array<Look, kFingers> looks_;

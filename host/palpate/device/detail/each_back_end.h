@@ -56,7 +56,7 @@ Device openHaply(const OpenOptions& options);
 Probe probePlugin(const OpenOptions& options);
 /// Asked by the servo itself where it answers at once, else beside it like other hardware.
 Device openPlugin(const OpenOptions& options);
-/// `which` is the name of a plugin that lies in one of these folders, not a path.
+/// `which` is the name of a plugin that lies in one of these folders, not a path (plugin_library.cpp).
 bool isPluginOfFolders(const std::string& which);
 
 }  // namespace palpate::device

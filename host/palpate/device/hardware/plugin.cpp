@@ -117,8 +117,6 @@ Probe probePlugin(const OpenOptions& options) {
   return wanted.file.empty() ? probeAll() : probeOne(wanted);
 }
 
-bool isPluginOfFolders(const std::string& which) { return plugin::isInFolders(which); }
-
 Device openPlugin(const OpenOptions& options) {
   const plugin::Wanted wanted = wantedOf(options);
   Probe probe = wanted.file.empty() ? noneNamed() : Probe{};

@@ -50,10 +50,6 @@ struct Wanted {
 /// a file's name stays in it.
 Wanted wantedOf(const std::string& words);
 
-/// "NAME" or "NAME:WHICH" of a plugin that lies in one of the folders: what a file may say. A path would let a file say
-/// which code runs.
-bool isInFolders(const std::string& words);
-
 /// Exchanges a second with a plugin that may wait: two to a tick of the servo, so that neither waits for the other.
 inline constexpr double kExchangesPerS = 2000.0;
 

@@ -8,6 +8,7 @@
 #include "palpate/base/system/library.h"
 #include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
+#include "palpate/device/detail/each_back_end.h"
 #include "palpate/device/hardware/plugin_checks.h"
 
 namespace palpate::device::plugin {
@@ -107,11 +108,16 @@ Wanted wantedOf(const std::string& words) {
   return {fileNamed(words.substr(0, colon)), words.substr(colon + 1)};
 }
 
+}  // namespace palpate::device::plugin
+
+namespace palpate::device {
+
 /// wantedOf takes a file here for the name before it looks at what is before the colon: that must not be one either.
-bool isInFolders(const std::string& words) {
-  if (!fileInFolders(words).empty()) return true;
-  const std::size_t colon = words.rfind(':');
-  return colon != std::string::npos && !isFile(pathOf(words)) && !fileInFolders(words.substr(0, colon)).empty();
+bool isPluginOfFolders(const std::string& which) {
+  if (!plugin::fileInFolders(which).empty()) return true;
+  const std::size_t colon = which.rfind(':');
+  return colon != std::string::npos && !plugin::isFile(pathOf(which)) &&
+         !plugin::fileInFolders(which.substr(0, colon)).empty();
 }
 
-}  // namespace palpate::device::plugin
+}  // namespace palpate::device
