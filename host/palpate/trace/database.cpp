@@ -18,9 +18,9 @@ namespace palpate::trace {
 
 namespace {
 
-/// Another program that writes the file is waited for so long: its transactions take milliseconds, and a window that
-/// saves stands still meanwhile.
-constexpr int kBusyMs = 2000;
+/// Another program that writes the file is waited for so long. A recording loses nothing on a disk that stands still
+/// for 2 s; less than twice that would end it on a machine that is busy as well.
+constexpr int kBusyMs = 5000;
 
 constexpr const char* kInMemory = ":memory:";
 
