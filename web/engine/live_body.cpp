@@ -32,13 +32,13 @@ LiveBody::LiveBody(std::shared_ptr<const scene::World> world) : simulator_(world
 void LiveBody::setDysfunctions(std::vector<maps::Dysfunction> dysfunctions) {
   scene::Scene scene = world().scene;
   scene.dysfunctions = std::move(dysfunctions);
-  simulator_.change(scene::rebuilt(world(), scene));
+  simulator_.change(scene::rebuiltOnItsSkin(world(), scene));
 }
 
 void LiveBody::setLumps(std::vector<scene::LumpSettings> lumps) {
   scene::Scene scene = world().scene;
   scene.lumps = std::move(lumps);
-  simulator_.change(scene::rebuilt(world(), scene));
+  simulator_.change(scene::rebuiltOnItsSkin(world(), scene));
 }
 
 bool LiveBody::pad(std::size_t finger, std::span<double> kpa) const noexcept {

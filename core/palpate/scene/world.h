@@ -93,6 +93,10 @@ std::shared_ptr<const World> build(const Scene& scene, const Progress& progress 
 /// is built again. Throws Error as build does.
 std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, const Progress& progress = {});
 
+/// `rebuilt` where lumps raise the skin as before, if at all. It makes no body: a program that calls this alone needs
+/// no maker, which a page would carry as 800 kB of its engine. Throws Error for another swelling.
+std::shared_ptr<const World> rebuiltOnItsSkin(const World& world, const Scene& scene, const Progress& progress = {});
+
 /// Settings of one finger's contact in this scene.
 contact::FingerSettings contactSettings(const Scene& scene, const Finger& finger);
 
