@@ -4,7 +4,7 @@
 #include <string>
 #include <system_error>
 
-#include "palpate/base/error.h"
+#include "palpate/base/made_folder.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/path_text.h"
 
@@ -40,32 +40,5 @@ void requireWritableFolder(const fs::path& folder) {
 
 Option* namesFileToWrite(Option* option) { return tried(option, requireWritableFile); }
 Option* namesFolderToWrite(Option* option) { return tried(option, requireWritableFolder); }
-
-MadeFolder::MadeFolder(const fs::path& folder) {
-  std::error_code error;
-  const fs::path whole = folder.has_filename() ? folder : folder.parent_path();  // "monday/" is "monday"
-  if (whole.empty()) return;
-  std::vector<fs::path> missing;
-  for (fs::path part = whole; !part.empty() && !fs::exists(part, error); part = part.parent_path()) {
-    missing.push_back(part);
-  }
-  fs::create_directories(whole, error);
-  const bool stands = fs::is_directory(whole);
-  if (!stands && !error) error = std::make_error_code(std::errc::not_a_directory);
-  made_ = std::move(missing);
-  if (stands) return;
-  for (const fs::path& part : made_) {
-    std::error_code ignored;
-    fs::remove(part, ignored);
-  }
-  throw Error::inFile(folder.string(), "cannot be made a folder for results: " + error.message());
-}
-
-MadeFolder::~MadeFolder() {
-  for (const fs::path& part : made_) {
-    std::error_code ignored;
-    fs::remove(part, ignored);  // refuses what is not empty
-  }
-}
 
 }  // namespace palpate::app

@@ -15,6 +15,7 @@
 #include "cli/simulate/realtime_run.h"
 #include "cli/simulate/run_recorder.h"
 #include "palpate/base/error.h"
+#include "palpate/base/made_folder.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/engine/living_skin.h"

@@ -23,6 +23,7 @@
 #include "dissertation/report/report.h"
 #include "dissertation/studies.h"
 #include "palpate/base/error.h"
+#include "palpate/base/made_folder.h"
 #include "palpate/scene/presets.h"
 #include "palpate/scene/scene_file.h"
 

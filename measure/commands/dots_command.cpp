@@ -19,6 +19,7 @@
 #include "measure/pages/photograph_overlay.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
+#include "palpate/base/made_folder.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/key_row.h"
 #include "palpate/measure/overlay.h"

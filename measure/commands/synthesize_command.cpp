@@ -17,6 +17,7 @@
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
+#include "palpate/base/made_folder.h"
 #include "palpate/measure/synthesis/synthetic_files.h"
 
 namespace palpate::app {

@@ -121,7 +121,9 @@ bool MeasuringMode::handle(const Request& request, ViewerState& viewer) {
     return view_.open;
   }
   const auto* quit = std::get_if<Quit>(&request);
-  return quit != nullptr && !quit->sure && asksFirst(request, viewer);
+  const auto* way = std::get_if<GiveWay>(&request);
+  const bool closes = (quit != nullptr && !quit->sure) || (way != nullptr && !way->sure);
+  return closes && asksFirst(request, viewer);
 }
 
 /// What was corrected in photographs stays while the view is closed, but goes with them.
@@ -250,9 +252,11 @@ MeasuringMode::Accepting MeasuringMode::accept(ViewerState& viewer, bool sure) {
     return Accepting::failed;
   }
   view.unsaved = false;
+  viewer.messages.clearErrors(file.string());
   if (view.form.use_in_scene) useInScene(viewer, file);
-  viewer.report(Severity::info, view.form.use_in_scene ? trf("{} is in {}; the skin follows it", name, file.string())
-                                                       : trf("{} is in {}", name, file.string()));
+  viewer.report(Severity::info, view.form.use_in_scene
+                                    ? trf("Row added: {} is in {}; the skin follows it", name, file.string())
+                                    : trf("Row added: {} is in {}", name, file.string()));
   return Accepting::done;
 }
 

@@ -90,6 +90,8 @@ void writePrivateFile(const fs::path& file, std::string_view content) {
 }
 
 void createPrivateFile(const fs::path& file) {
+  std::error_code error;
+  const MadeFolder folder(file.parent_path(), error);  // the file's creation says what is wrong with it
   const int descriptor = system::createFile(file, system::ReadableBy::owner);
   if (descriptor < 0) {
     throw Error::inFile(file.string(), "cannot be written: " + std::generic_category().message(errno));
@@ -111,6 +113,9 @@ OutputFile::OutputFile(fs::path target, Unfinished unfinished, Access access) : 
     return;
   }
   place_ = withoutLinks(target_);
+  std::error_code error;
+  folder_.emplace(place_.parent_path(), error);
+  if (error) fail(error.value());
   std::error_code ignored;
   const bool replaces = fs::exists(place_, ignored);
   // A rename asks only the folder: a file that its owner protected stays protected.

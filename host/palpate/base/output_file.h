@@ -2,11 +2,15 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
+
+#include "palpate/base/made_folder.h"
 
 namespace palpate {
 
-/// Writes beside the target, to `<target>.partial` (or `.2.partial`, ...: what an interrupted run left is never
+/// Makes the target's folder where there is none, and takes it away again if nothing came into it. Writes beside the
+/// target, to `<target>.partial` (or `.2.partial`, ...: what an interrupted run left is never
 /// overwritten), and gives it the target's name on `commit`, when it is safe on the disk. Until then what was there
 /// stays as it was; without a commit nothing new is left. A target that is no regular file (a pipe, a device) is
 /// written directly, a link is followed, but none that lies in a folder where everybody may lay one (sticky, as /tmp).
@@ -47,6 +51,7 @@ class OutputFile {
   void check(bool done) const;
 
   UnderWay under_way_;
+  std::optional<MadeFolder> folder_;
   std::filesystem::path target_;   // as the caller named it
   std::filesystem::path place_;    // the file that becomes of it; empty: the target is written directly
   std::filesystem::path written_;  // where the bytes go until the commit
@@ -58,7 +63,8 @@ class OutputFile {
 /// Writes the whole file for its owner alone, replacing what was there. Throws Error.
 void writePrivateFile(const std::filesystem::path& file, std::string_view content);
 
-/// An empty file for its owner alone. Throws Error for one that is there already.
+/// An empty file for its owner alone, in a folder that is made where there is none. Throws Error for one that is there
+/// already.
 void createPrivateFile(const std::filesystem::path& file);
 
 /// How many files the process is writing at this moment; may be asked in a signal's handler.

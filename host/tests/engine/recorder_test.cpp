@@ -285,8 +285,8 @@ TEST_F(RecorderOf, ARecordingThatIsDiscardedLeavesNothing) {
 TEST_F(RecorderOf, AFolderThatCannotBeWrittenIsSaidAtOnce) {
   ServoThread servo(plan(0.5), devices());
   RecorderSettings nowhere = settings();
-  nowhere.file = folder_ / "missing" / "run.session";
-  EXPECT_NE(support::messageOf([&] { Recorder(servo, nowhere); }).find("missing"), std::string::npos);
+  nowhere.file = folder_ / "sheet.ply" / "run.session";
+  EXPECT_NE(support::messageOf([&] { Recorder(servo, nowhere); }).find("sheet.ply"), std::string::npos);
 }
 
 }  // namespace

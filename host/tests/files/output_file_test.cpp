@@ -118,6 +118,20 @@ TEST(OutputFile, TellsThatItsFileWasDeleted) {
             (folder / "disk/a.csv").string() + ": cannot be written: No such file or directory");
 }
 
+TEST(OutputFile, MakesItsFolder) {
+  const support::TemporaryFolder folder;
+  writeFile(folder / "monday/first/a.csv", "a row\n");
+  EXPECT_EQ(readFile(folder / "monday/first/a.csv", 100), "a row\n");
+  createPrivateFile(folder / "tuesday/b");
+  EXPECT_TRUE(fs::exists(folder / "tuesday/b"));
+}
+
+TEST(OutputFile, TakesAwayAFolderIntoWhichNothingCame) {
+  const support::TemporaryFolder folder;
+  { OutputFile file(folder / "monday/first/a.csv"); }
+  EXPECT_FALSE(fs::exists(folder / "monday"));
+}
+
 /// A limit on the size of files fails in the middle, as a full disk does.
 TEST(OutputFile, AFailureInTheMiddleLeavesTheEarlierFileWhole) {
   const support::TemporaryFolder folder;
@@ -153,9 +167,9 @@ TEST(OutputFile, WritesAPipeDirectly) {
 
 TEST(OutputFile, SaysWhatCannotBeWrittenAndWhy) {
   const support::TemporaryFolder folder;
-  const fs::path nowhere = folder / "no/such.csv", full = folder / "full";
-  EXPECT_EQ(support::messageOf([&] { OutputFile{nowhere}; }),
-            nowhere.string() + ": cannot be written: No such file or directory");
+  writeFile(folder / "file", "a");
+  const fs::path under = folder / "file/under/a.csv", full = folder / "full";
+  EXPECT_EQ(support::messageOf([&] { OutputFile{under}; }), under.string() + ": cannot be written: Not a directory");
   fs::create_symlink("/dev/full", full);
   OutputFile file(full);
   EXPECT_EQ(support::messageOf([&] { file.write("a row\n"); }),

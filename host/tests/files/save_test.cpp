@@ -72,7 +72,7 @@ TEST(Save, AFailedWriteLeavesTheOldFile) {
   save(folder / "mesh.obj", zoo::cube());
   EXPECT_THROW(save(folder / "mesh.obj", zoo::cube(), {{{"x y", {}}}, {}}), Error);
   EXPECT_EQ(load(folder / "mesh.obj").triangles.size(), 12u);
-  EXPECT_THROW(save(folder / "missing/mesh.obj", zoo::cube()), Error);
+  EXPECT_THROW(save(folder / "mesh.obj/mesh.obj", zoo::cube()), Error);
 }
 
 }  // namespace palpate::mesh

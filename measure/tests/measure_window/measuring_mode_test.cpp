@@ -110,6 +110,23 @@ TEST(MeasuringMode, AsksBeforeItTakesWhatWasRefusedOrReplacesSomething) {
   EXPECT_EQ(readFile(folder / "letter.txt", 100), "Dear friend,\n");
 }
 
+/// What a fresh clone has no folder for; the error of an earlier try goes away with it.
+TEST(MeasuringMode, MakesTheFolderOfItsTableAndSaysThatTheRowIsThere) {
+  const support::TemporaryFolder folder;
+  ViewerState viewer;
+  MeasuringMode mode;
+  fillIn(mode, viewer, folder.path());
+  const fs::path table = folder / "results/today/keys.csv";
+  mode.view().form.table = table.string();
+  viewer.report(Severity::error, table.string() + ": cannot be written: No space left on device");
+  EXPECT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::done);
+  EXPECT_TRUE(fs::exists(table));
+  const Message* shown = viewer.messages.toast(viewer.now_s);
+  ASSERT_NE(shown, nullptr);
+  EXPECT_EQ(shown->severity, Severity::info);
+  EXPECT_TRUE(shown->text.starts_with("Row added: ")) << shown->text;
+}
+
 TEST(MeasuringMode, SaysWhatIsMissingAndWhatCannotBeWritten) {
   const support::TemporaryFolder folder;
   ViewerState viewer;
@@ -126,9 +143,11 @@ TEST(MeasuringMode, SaysWhatIsMissingAndWhatCannotBeWritten) {
   mode.accept(viewer, false);
   EXPECT_NE(last_words().find("The name has a comma"), std::string::npos) << last_words();
   fillIn(mode, viewer, folder.path());
-  mode.view().form.table = "no/such/folder/keys.csv";
+  mode.view().form.table = "/dev/null/keys.csv";
   EXPECT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::failed);
   EXPECT_NE(last_words().find("keys.csv"), std::string::npos) << last_words();
+  ASSERT_NE(viewer.messages.toast(viewer.now_s), nullptr);
+  EXPECT_EQ(viewer.messages.toast(viewer.now_s)->severity, Severity::error);
   mode.view().stale = Stale::marks;
   mode.accept(viewer, false);
   EXPECT_EQ(last_words(), "It is still being measured");

@@ -252,7 +252,7 @@ TEST(Leaving, OpeningSomethingElseAsksTooAndASaveThatFailsStays) {
   stage.drop(stage.folder / "ball.ply");
   stage.frame();
   ASSERT_TRUE(stage.state().question);
-  stage.state().document.file = stage.folder / "no" / "such" / "folder.toml";
+  stage.state().document.file = stage.folder / "ball.ply" / "no_folder.toml";
   stage.state().document.text.clear();
   stage.click("question/Save");
   for (int i = 0; i < 5; ++i) stage.frame();

@@ -18,11 +18,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* kProfileStem = "profile";
 
-/// Does something with files; what goes wrong becomes a message.
+/// Does something with a file; what goes wrong becomes a message, which goes again when it is done after all.
 template <class Action>
-bool attempt(ViewerState& viewer, const Action& action) {
+bool attempt(ViewerState& viewer, const fs::path& file, const Action& action) {
   try {
     action();
+    viewer.messages.clearErrors(file.string());
   } catch (const std::exception& error) {
     viewer.report(Severity::error, error.what());
     return false;
@@ -33,8 +34,6 @@ bool attempt(ViewerState& viewer, const Action& action) {
 }  // namespace
 
 fs::path freshFile(const fs::path& folder, const std::string& stem, const std::string& kind) {
-  std::error_code ignored;
-  fs::create_directories(folder, ignored);
   fs::path file = folder / pathOf(stem + kind);
   const auto taken = [&] { return fs::exists(file) || fs::exists(withEnding(file, kPartialExtension)); };
   for (int i = 2; taken(); ++i) file = folder / pathOf(fmt::format("{}-{}{}", stem, i, kind));
@@ -79,7 +78,7 @@ void Outputs::toggleForces(ViewerState& viewer) {
     return;
   }
   const fs::path file = freshFile(folder_, "forces", ".csv");
-  if (!attempt(viewer, [&] { forces_.start(file, viewer.ticks_per_s); })) return;
+  if (!attempt(viewer, file, [&] { forces_.start(file, viewer.ticks_per_s); })) return;
   recording.forces = true;
   recording.forces_file = file.string();
   recording.since_s = viewer.now_s;
@@ -94,7 +93,7 @@ void Outputs::toggleSequence(ViewerState& viewer) {
     return;
   }
   const fs::path folder = freshFile(folder_, "pictures", "");
-  if (!attempt(viewer, [&] { fs::create_directories(folder); })) return;
+  if (!attempt(viewer, folder, [&] { fs::create_directories(folder); })) return;
   recording.sequence = true;
   recording.sequence_folder = folder.string();
   recording.pictures = 0;
@@ -105,7 +104,7 @@ void Outputs::savePlots(ViewerState& viewer) {
   const Plots& plots = viewer.plots;
   const fs::path file = freshFile(folder_, "plots", ".csv");
   const auto write = [&] { writeFile(file, historyAsCsv(plots.fingers, plots.shownEnd(), plots.window_s)); };
-  if (attempt(viewer, write)) viewer.report(Severity::info, trf("The plots are in {}", file.string()));
+  if (attempt(viewer, file, write)) viewer.report(Severity::info, trf("The plots are in {}", file.string()));
 }
 
 Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request) {
@@ -123,7 +122,7 @@ Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request
   }
   const scene::Scene scene = sceneToSave(viewer);
   SceneWriting written;
-  if (!attempt(viewer, [&] { written = writeScene(scene, viewer.document, target); })) return Saving::failed;
+  if (!attempt(viewer, target, [&] { written = writeScene(scene, viewer.document, target); })) return Saving::failed;
   viewer.document = std::move(written.document);
   viewer.scene.view = scene.view;
   viewer.scene.strain = scene.strain;
@@ -142,7 +141,7 @@ void Outputs::useProfile(ViewerState& viewer) {
   const fs::path target = ours ? file : freshFile(folder_, kProfileStem, ".csv");
   std::string table = "q,value\n";
   for (const tissue::ProfileKnot& knot : viewer.profile.knots) table += fmt::format("{},{}\n", knot.q, knot.value);
-  if (!attempt(viewer, [&] { writeFile(target, table); })) return;
+  if (!attempt(viewer, target, [&] { writeFile(target, table); })) return;
   file = target;
   viewer.profile.drawn = viewer.profile.knots;
   viewer.scene.deformation.forms.normal_profile.kind = tissue::ProfileKind::user;
@@ -172,7 +171,7 @@ void Outputs::keepFrame(ViewerState& viewer, view::Image image) {
 
 void Outputs::saveClearPicture(ViewerState& viewer, const view::CutOut& picture) {
   const fs::path file = freshFile(folder_, "palpate", ".png");
-  if (!attempt(viewer, [&] { view::writePng(file, picture); })) return;
+  if (!attempt(viewer, file, [&] { view::writePng(file, picture); })) return;
   viewer.report(Severity::info, trf("The picture without background is saved as {}", file.string()));
 }
 
