@@ -49,7 +49,10 @@ extern "C" void askForEnd(int signal) {
 
 }  // namespace
 
-void listenForSignals() { system::whenAskedToEnd(askForEnd); }
+void listenForSignals() {
+  system::whenAskedToEnd(askForEnd);
+  system::endWithStarter();
+}
 
 FinishesInOrder::FinishesInOrder() { ++orderly; }
 FinishesInOrder::~FinishesInOrder() { --orderly; }

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "palpate/base/system/fed_program.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/recording_reader.h"
@@ -97,6 +98,35 @@ TEST_F(Signals, ASimulationKeepsWhatItHasAndSaysThatItIsAPart) {
     EXPECT_FALSE(fs::exists(folder_ / "results/forces.csv.partial"));
     EXPECT_FALSE(fs::exists(folder_ / "results/pictures.png")) << "nobody waits for pictures";
   }
+}
+
+/// A window that runs a class starts such programs; it may crash, or be killed.
+TEST_F(Signals, AProgramThatAnotherHasStartedEndsInOrderWithIt) {
+  const pid_t starter = fork();
+  if (starter == 0) {
+    if (chdir(folder_.path().c_str()) != 0) _exit(99);
+    ::signal(SIGINT, SIG_IGN);  // as a shell in a script does for what it lets run beside it
+    const system::FedProgram program(PALPATE_BINARY_DIR "/palpate", {"palpate", "simulate", "--mesh", "dome.ply",
+                                                                     "--seconds", "2000", "--out", "results"});
+    for (;;) pause();
+  }
+  EXPECT_TRUE(support::waitFor([&] { return hasBytes("results/forces.csv.partial"); }));
+  kill(starter, SIGKILL);
+  waitpid(starter, nullptr, 0);
+  ASSERT_TRUE(support::waitFor([&] { return hasBytes("results/report.json"); }));
+  EXPECT_EQ(report()["ended_by"], "SIGTERM");
+}
+
+TEST_F(Signals, AProgramThatAnotherHasStartedHearsThatItShallEnd) {
+  const auto before = ::signal(SIGINT, SIG_IGN);
+  const std::string out = (folder_ / "results").string();
+  system::FedProgram program(
+      PALPATE_BINARY_DIR "/palpate",
+      {"palpate", "simulate", "--mesh", (folder_ / "dome.ply").string(), "--seconds", "2000", "--out", out});
+  ::signal(SIGINT, before);
+  ASSERT_TRUE(support::waitFor([&] { return hasBytes("results/forces.csv.partial"); }));
+  program.askToEnd();
+  EXPECT_EQ(program.finish().how, "exit code 130");
 }
 
 TEST_F(Signals, SoDoesOneAgainstTheClock) {

@@ -154,12 +154,35 @@ TEST(SceneFile, NamesWhatIsMissingOrContradicts) {
                       {{"[body]\nkind = \"mesh\"\n", "s.toml:1: [body] of kind \"mesh\" needs a file"},
                        {"[body]\nfile = \"a.obj\"\n", "s.toml:1: [body] has a file but is not of kind \"mesh\""},
                        {"[friction]\nstatic = 0.3\n", "s.toml:1: [friction] dynamic must not be above static"}});
-  EXPECT_EQ(messageFor("[[finger]]\nname = \"a\"\n"), "s.toml:1: [[finger]] needs either a trajectory or a script");
+  EXPECT_EQ(messageFor("[[finger]]\ntrajectory = \"a.csv\"\nscript = [{ do = \"hold\" }]\n"),
+            "s.toml:1: [[finger]] takes a trajectory or a script, not both");
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a,b\"\nscript = [{ do = \"hold\" }]\n"),
             "s.toml:1: [[finger]] name may hold letters, digits, '-' and '_' only");
   EXPECT_EQ(messageFor(kFinger + kFinger), "s.toml:4: is the second [[finger]] of the name 'index'");
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a\"\nscript = [{ seconds = 1 }]\n"),
             "s.toml:3: [[finger]] script needs do = \"press\" or \"hold\" or \"drag\" or \"circle\" or \"lift\"");
+}
+
+TEST(SceneFile, AFingerOverAPlacePressesItAndLifts) {
+  for (const char* place : {"at = \"T6 right 30 mm\"", "at_mm = [30, 41]"}) {
+    const Scene scene = parse(std::string("[[finger]]\n") + place + "\n", "s.toml");
+    ASSERT_EQ(scene.fingers.size(), 1u);
+    EXPECT_EQ(scene.fingers[0].name, "index");
+    ASSERT_EQ(scene.fingers[0].steps.size(), 2u);
+    EXPECT_EQ(scene.fingers[0].steps[0].move, Move::press);
+    EXPECT_EQ(scene.fingers[0].steps[1].move, Move::lift);
+  }
+  EXPECT_TRUE(parse("[[finger]]\nradius_mm = 8\n", "s.toml").fingers[0].findsItsOwnWay());
+}
+
+TEST(SceneFile, FingersWithoutANameHaveThoseOfAHandThatAreFree) {
+  const Scene scene = parse("[[finger]]\n[[finger]]\nname = \"index\"\n[[finger]]\n", "s.toml");
+  EXPECT_EQ(scene.fingers[0].name, "middle");
+  EXPECT_EQ(scene.fingers[1].name, "index");
+  EXPECT_EQ(scene.fingers[2].name, "ring");
+  std::string eight;
+  for (int i = 0; i < 8; ++i) eight += "[[finger]]\n";
+  EXPECT_EQ(parse(eight, "s.toml").fingers[7].name, "finger8");
 }
 
 TEST(SceneFile, NamesTheLineOfWhatIsNotToml) {

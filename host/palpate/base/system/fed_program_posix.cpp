@@ -11,14 +11,39 @@
 
 #include <array>
 #include <cerrno>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "palpate/base/system/fed_program.h"
 #include "palpate/base/system/process.h"
+#include "palpate/base/system/signals.h"
 
 namespace palpate::system {
 
 namespace {
+
+/// What we have been given, and who we are: a program of our own then ends with us, however we end (endWithStarter).
+std::vector<char*> environmentNaming(std::string& starter) {
+  starter = fmt::format("{}={}", kStarterVariable, ::getpid());
+  const std::string_view name(starter.data(), starter.find('=') + 1);
+  std::vector<char*> environment;
+  for (char** entry = environmentOfTheProgram(); *entry != nullptr; ++entry) {
+    if (!std::string_view(*entry).starts_with(name)) environment.push_back(*entry);
+  }
+  environment.push_back(starter.data());
+  environment.push_back(nullptr);
+  return environment;
+}
+
+/// A program hears who asks it to end, also where we were started without ears (`palpate run &` in a script).
+void hearsWhoAsksToEnd(posix_spawnattr_t& attributes) {
+  sigset_t heard;
+  sigemptyset(&heard);
+  for (const int signal : {SIGINT, SIGTERM}) sigaddset(&heard, signal);
+  posix_spawnattr_setsigdefault(&attributes, &heard);
+}
 
 int started(const std::filesystem::path& program, std::vector<std::string> words, int input, int said, pid_t& process) {
   std::vector<char*> arguments;
@@ -31,9 +56,11 @@ int started(const std::filesystem::path& program, std::vector<std::string> words
   posix_spawn_file_actions_adddup2(&files, said, STDERR_FILENO);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  const int error =
-      posix_spawn(&process, program.c_str(), &files, &attributes, arguments.data(), environmentOfTheProgram());
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+  hearsWhoAsksToEnd(attributes);
+  std::string starter;
+  std::vector<char*> environment = environmentNaming(starter);
+  const int error = posix_spawn(&process, program.c_str(), &files, &attributes, arguments.data(), environment.data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   return error;

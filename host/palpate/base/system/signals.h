@@ -16,6 +16,12 @@ inline constexpr int kBrokenPipe = 13;  ///< the reader of the output has left
 /// that grows over a limit and a reader of a pipe that has left become errors of the write.
 void whenAskedToEnd(void (*ask)(int signal));
 
+/// In the environment of a program that another of ours has started: the other's number.
+inline constexpr const char* kStarterVariable = "PALPATE_STARTER";
+/// Where such a one has started us, and still lives, we are asked to end (SIGTERM) when it is gone, also by a crash.
+/// Elsewhere than on Linux nobody asks.
+void endWithStarter();
+
 // Allowed in a handler.
 
 /// The monotonic clock.

@@ -1,10 +1,15 @@
 #include <signal.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <time.h>
 #include <unistd.h>
 
 #include <cstring>
 #include <initializer_list>
+#include <string>
 
+#include "palpate/base/system/process.h"
 #include "palpate/base/system/signals.h"
 
 namespace palpate::system {
@@ -22,6 +27,16 @@ void whenAskedToEnd(void (*ask)(int signal)) {
   }
   ::signal(SIGXFSZ, SIG_IGN);
   ::signal(SIGPIPE, SIG_IGN);
+}
+
+void endWithStarter() {
+#ifdef __linux__
+  const std::string starter = variable(kStarterVariable);
+  const auto is_our_parent = [&] { return starter == std::to_string(::getppid()); };
+  if (!is_our_parent()) return;
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (!is_our_parent()) ::raise(SIGTERM);  // it has ended meanwhile
+#endif
 }
 
 std::int64_t clockInHandlerNs() {

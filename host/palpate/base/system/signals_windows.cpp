@@ -30,6 +30,8 @@ void whenAskedToEnd(void (*ask)(int signal)) {
   ::SetConsoleCtrlHandler(handle, TRUE);
 }
 
+void endWithStarter() {}
+
 std::int64_t clockInHandlerNs() { return monotonicNs(); }
 
 void tellInHandler(const char* words) { ::_write(2, words, static_cast<unsigned>(std::strlen(words))); }
