@@ -148,7 +148,7 @@ struct Finger {
   std::size_t pad = 0;   ///< taxels along a side of its pad; 0: none
   double pad_mm = 16.0;  ///< side of the pad
 
-  /// Neither path nor script: it gets a path that suits the body. Scene files must say what they want.
+  /// Neither path nor script: it gets a path that suits the body.
   bool findsItsOwnWay() const { return trajectory.empty() && steps.empty(); }
 };
 

@@ -176,10 +176,7 @@ trace::RecordingWorld recordingWorld(const scene::World& world, std::span<const 
   const std::filesystem::path folder = world.scene.file.empty() ? "." : world.scene.file.parent_path();
   std::error_code error;
   recorded.folder = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error).generic_string();
-  scene::Scene scene = world.scene;
-  // A finger that finds its own way has none in the file; where it went is in the samples.
-  std::erase_if(scene.fingers, [](const scene::Finger& finger) { return finger.findsItsOwnWay(); });
-  recorded.scene = scene::sceneAsToml(scene, pathOf(recorded.folder));
+  recorded.scene = scene::sceneAsToml(world.scene, pathOf(recorded.folder));
   recorded.body = world.body->name;
   recorded.triangles = world.body->skin.triangles.size();
   recorded.hash = hashOf(world);

@@ -68,7 +68,10 @@ Key<Finger> scriptKey() {
     if (list == nullptr) entry.fail("must be a list of steps");
     for (const TomlNode& node : *list) finger.steps.push_back(readStep({node, entry.file, entry.name}));
   };
-  return {"script", "list of steps", "What the finger does, step by step; see below.", read, showScript};
+  return {"script", "list of steps",
+          "What the finger does, step by step; see below. Default: with a place a press and a lift, without one a path "
+          "that suits the body.",
+          read, showScript};
 }
 
 Key<Finger> padKey() {
@@ -91,7 +94,8 @@ Key<Finger> padKey() {
 std::vector<Key<Finger>> fingerKeys() {
   using S = Finger;
   return {
-      text<S>("name", &S::name, "Letters, digits, '-' and '_'; different for each finger."),
+      text<S>("name", &S::name,
+              "Letters, digits, '-' and '_'; different for each finger. Default: index, middle, ring, ..."),
       number<S>("radius_mm", &S::radius_mm, between(0, 1000), "0 is a point, 8 a fingertip."),
       file<S>("trajectory", &S::trajectory, "Table t_s,x_mm,y_mm,z_mm; instead of a script."),
       text<S>("at", &S::at,
@@ -113,9 +117,15 @@ bool isPlainName(const std::string& name) {
 }
 
 void checkFinger(const Finger& finger, const Entry& entry) {
-  if (finger.name.empty()) entry.fail("needs a name");
-  if (!isPlainName(finger.name)) entry.fail("name may hold letters, digits, '-' and '_' only");
-  if (finger.trajectory.empty() == finger.steps.empty()) entry.fail("needs either a trajectory or a script");
+  if (!finger.name.empty() && !isPlainName(finger.name)) entry.fail("name may hold letters, digits, '-' and '_' only");
+  if (!finger.trajectory.empty() && !finger.steps.empty()) entry.fail("takes a trajectory or a script, not both");
+}
+
+/// Whoever names a place and nothing else wants it pressed. Without a place the finger finds its own way.
+void pressNamedPlace(const TomlNode& table, Finger& finger) {
+  const bool has_place = table.get("at") != nullptr || table.get("at_mm") != nullptr;
+  if (!has_place || !finger.findsItsOwnWay()) return;
+  finger.steps = {{.move = Move::press}, {.move = Move::lift}};
 }
 
 std::vector<Key<DeviceSettings>> deviceKeys() {
@@ -125,7 +135,9 @@ std::vector<Key<DeviceSettings>> deviceKeys() {
   };
   return {
       text<S>("name", &S::name,
-              "As for `--device`, with :WHICH behind it where there are several (docs/reference/devices.md)."),
+              "As for `--device`, with :WHICH behind it where there are several (docs/reference/devices.md); of "
+              "plugins by their "
+              "names alone, never a path."),
       choice<S, HeldFinger>("finger", &S::finger, "The one that it holds: the scene's first or second."),
       number<S>("scale", &S::scale, between(0.05, 20), "Millimetres of the body a millimetre of the device."),
       point3<S>("turn_deg", &S::turn_deg, between(-360, 360),
@@ -158,6 +170,7 @@ Section fingerSection() {
     finger.line = entry.line();
     readTable(table, entry.name, entry.file, fingerKeys(), finger);
     checkFinger(finger, entry);
+    pressNamedPlace(table, finger);
     return finger;
   };
   return listSection<Finger>("finger", "Who touches it: any number of fingers, each on its own.", &Scene::fingers, read,

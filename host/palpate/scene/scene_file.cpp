@@ -27,6 +27,20 @@ void readSections(const TomlNode& root, std::string_view file, Scene& scene) {
   }
 }
 
+/// Those of a hand, as far as they are free.
+void nameFingers(Scene& scene) {
+  constexpr std::string_view kOfAHand[] = {"index", "middle", "ring", "little", "thumb"};
+  const auto is_taken = [&](const std::string& name) {
+    return std::ranges::any_of(scene.fingers, [&](const Finger& finger) { return finger.name == name; });
+  };
+  for (Finger& finger : scene.fingers) {
+    for (std::size_t i = 0; finger.name.empty(); ++i) {
+      std::string name = i < std::size(kOfAHand) ? std::string(kOfAHand[i]) : fmt::format("finger{}", i + 1);
+      if (!is_taken(name)) finger.name = std::move(name);
+    }
+  }
+}
+
 void requireNamesApart(const Scene& scene, std::string_view name) {
   std::set<std::string> names;
   for (const Finger& finger : scene.fingers) {
@@ -50,6 +64,7 @@ Scene parse(std::string_view toml_text, std::string_view name) {
   scene.file = pathOf(name);
   readTable(root, "", name, topKeys(), scene, sectionNames());
   readSections(root, name, scene);
+  nameFingers(scene);
   requireNamesApart(scene, name);
   return scene;
 }
