@@ -44,6 +44,12 @@ bool beginsWith(const std::vector<std::string>& words, std::string_view command)
   return false;
 }
 
+int become(const std::filesystem::path& program, const std::vector<std::string>& words) {
+  const int exit_code = system::becomeProgram(program, kCalled, words);
+  if (exit_code >= 0) return exit_code;
+  throw Error::inFile(program.string(), "cannot be started: " + std::generic_category().message(errno));
+}
+
 }  // namespace
 
 const std::vector<FamilyCommand>& familyCommands() {
@@ -74,9 +80,12 @@ int becomeFamily(const FamilyCommand& command, const std::vector<std::string>& w
         "cmake --build BUILD --target palpate_{}_family",
         command.command, command.family, command.command, command.family));
   }
-  const int exit_code = system::becomeProgram(program, kCalled, words);
-  if (exit_code >= 0) return exit_code;
-  throw Error::inFile(program.string(), "cannot be started: " + std::generic_category().message(errno));
+  return become(program, words);
+}
+
+int becomeCommand(const std::vector<std::string>& words) {
+  return become(system::ownProgram().parent_path() / pathOf(fmt::format("{}{}", kCalled, system::kProgramExtension)),
+                words);
 }
 
 bool runFamily(std::string_view family, const std::vector<std::string>& words) {

@@ -30,6 +30,9 @@ std::filesystem::path familyProgram(std::string_view family);
 /// Throws Error, which says which package is missing and how it is built.
 int becomeFamily(const FamilyCommand& command, const std::vector<std::string>& words);
 
+/// This process becomes `palpate`, beside its own program, with these words. Throws Error.
+int becomeCommand(const std::vector<std::string>& words);
+
 /// Runs it to its end, silently. False where it is not installed or has failed.
 bool runFamily(std::string_view family, const std::vector<std::string>& words);
 

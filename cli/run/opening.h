@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "palpate/engine/world_builder.h"
@@ -13,8 +14,9 @@ namespace palpate::app {
 
 /// What the window was asked for while its body was being built.
 struct Opening {
-  std::shared_ptr<const scene::World> world;  ///< null: it was closed
-  bool page = false;                          ///< the start page is still open
+  std::shared_ptr<const scene::World> world;     ///< null: it was closed
+  bool page = false;                             ///< the start page is still open
+  std::optional<viewer::Activity> awaited = {};  ///< the page opens it when it is built
   std::vector<viewer::Request> requests = {};
   std::vector<window::Action> actions = {};
 };

@@ -21,6 +21,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/run/control_lines.h"
 #include "cli/run/opening.h"
+#include "cli/run/other_programs.h"
 #include "cli/run/playback.h"
 #include "cli/run/run_modes.h"
 #include "palpate/base/error.h"
@@ -50,6 +51,7 @@ std::vector<OfferedMode>& offeredModes() {
 struct RunOptions {
   std::string scene;
   std::string preset;
+  std::string begin;  ///< measuring or class; empty: neither
   std::string play;
   std::string out = ".";
   std::string replay;
@@ -220,15 +222,33 @@ void followHead(HeadSource& heads, viewer::Viewer& viewer, double now_s) {
 /// The user has asked for nothing in particular.
 bool wantsStartPage(const RunOptions& options, const viewer::ViewState& state) {
   const bool asked_for = !options.scene.empty() || !options.preset.empty() || !options.replay.empty() ||
-                         !options.play.empty() || !options.devices.empty() || options.frames > 0;
+                         !options.play.empty() || !options.devices.empty() || !options.begin.empty() ||
+                         options.frames > 0;
   return state.start_page && !options.no_intro && !asked_for;
 }
 
-/// Becomes the window of the training, which is another program.
-void becomeTraining(bool verbose) {
-  std::vector<std::string> words = {"train"};
-  if (verbose) words.emplace_back("--verbose");
-  becomeFamily({.group = {}, .command = "train", .family = "teach", .what = {}}, words);
+/// Becomes the program that holds the part: the training's, or the window anew, with what has been built since.
+void giveWay(viewer::Activity activity, const RunOptions& options) {
+  using viewer::Activity;
+  const bool trains = activity == Activity::training;
+  std::vector<std::string> words = {trains ? "train" : "run"};
+  if (options.verbose) words.emplace_back("--verbose");
+  if (!options.language.empty()) words.insert(words.end(), {"--language", options.language});
+  if (trains) {
+    becomeFamily({.group = {}, .command = "train", .family = "teach", .what = {}}, words);
+    return;
+  }
+  words.insert(words.end(), {"--begin", activity == Activity::measuring ? "measuring" : "class", "--out", options.out});
+  if (options.no_state) words.emplace_back("--no-state");
+  if (options.no_recording) words.emplace_back("--no-session");
+  if (!options.recordings.empty()) words.insert(words.end(), {"--sessions", options.recordings});
+  becomeCommand(words);
+}
+
+/// As --begin says.
+void beginWith(const std::string& activity, viewer::ViewerState& viewer) {
+  if (activity == "measuring") viewer.asks.act(window::Action::measure_person);
+  if (activity == "class") viewer.request(viewer::ShowClass{});
 }
 
 void runWindow(const RunOptions& options) {
@@ -257,14 +277,13 @@ void runWindow(const RunOptions& options) {
   if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
   if (!options.head_tracker.empty()) view_state.head.on = true;
   for (const ModeMaker& make : options.modes) settings.modes.push_back(make());
-  bool trains = false;
+  std::optional<viewer::Activity> wanted;
   viewer::ViewerHost host = hostOf(window);
   host.teach_program = familyProgram("teach");
-  if (!host.teach_program.empty()) host.start_training = [&trains] { trains = true; };
-  const viewer::OpeningView::Offers offers{.page = wantsStartPage(options, view_state),
-                                           .training = bool(host.start_training),
-                                           .measuring = !settings.modes.empty(),
-                                           .classes = !host.teach_program.empty()};
+  OtherPrograms others({.measuring = !settings.modes.empty(), .classes = !host.teach_program.empty()});
+  host.activities = [&others] { return others.now(); };
+  host.give_way = [&wanted](viewer::Activity activity) { wanted = activity; };
+  const viewer::OpeningView::Offers offers{.page = wantsStartPage(options, view_state), .activities = host.activities};
   ControlLines controls;
   bool page_told = false;
   const auto tell_page = [&] {
@@ -276,15 +295,18 @@ void runWindow(const RunOptions& options) {
     controls.tell(window.contentScale() * view_state.text_size);
   });
   if (!opening.world) {
-    if (endAskedBy() == 0 && !opening.requests.empty()) becomeTraining(options.verbose);
+    if (endAskedBy() != 0 || opening.requests.empty()) return;
+    if (const auto* way = std::get_if<viewer::GiveWay>(&opening.requests.back())) giveWay(way->activity, options);
     return;
   }
   if (!options.devices.empty()) settings.devices = openedFor(*opening.world, options.devices);
   viewer::Viewer viewer(opening.world, std::move(view_state), std::move(settings), std::move(host));
   viewer.state().state.shown.start = opening.page;
+  viewer.state().awaited = opening.awaited;
   if (options.no_intro) viewer.state().hint = viewer::kNoHint;
   for (const viewer::Request& request : opening.requests) viewer.state().request(request);
   for (const window::Action action : opening.actions) viewer.state().asks.act(action);
+  beginWith(options.begin, viewer.state());
   if (!state.note.empty()) viewer.state().report(viewer::Severity::warning, state.note);
   if (!options.replay.empty()) viewer.state().request(viewer::OpenFile{options.replay});
   viewer.state().beside_at_first = options.beside;
@@ -300,7 +322,7 @@ void runWindow(const RunOptions& options) {
   keepChanges(viewer);
   keepState(options, viewer, window);
   finishViewer(options, viewer);
-  if (trains) becomeTraining(options.verbose);
+  if (wanted) giveWay(*wanted, options);
 }
 
 }  // namespace
@@ -315,6 +337,7 @@ void addRunCommand(Command& app) {
   const auto options = std::make_shared<RunOptions>();
   command->add_option("SCENE", options->scene, "Scene (TOML) or mesh file; without one: the built-in trunk");
   addPresetOption(*command, options->preset);
+  takesOneOf({"measuring", "class"}, command->add_option("--begin", options->begin, "What to open first"));
   command->footer(
       "Examples:\n"
       "  palpate run --preset vhb                 The dissertation's Virtual Haptic Back\n"

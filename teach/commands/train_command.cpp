@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cli/kit/commands.h"
+#include "cli/kit/families.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/progress_line.h"
 #include "cli/run/control_lines.h"
@@ -51,6 +52,7 @@ viewer::TrainingSettings trainingSettings(const TrainOptions& options) {
     if (!code) throw Error(fmt::format("--code '{}' is not a code: a letter of it is wrong", options.code));
     settings.sign_in.code = *code;
   }
+  settings.leads_back = !settings.member && options.code.empty();
   settings.thimble = options.thimble;
   settings.seed = options.seed;
   settings.recording_files = !options.no_recording_file;
@@ -97,7 +99,8 @@ class ScreenTeller {
   std::string before_;
 };
 
-void trainInWindow(const TrainOptions& options) {
+/// True where the start page is to open in its place.
+bool trainInWindow(const TrainOptions& options) {
   Playback playback(options.play);
   viewer::TrainingSettings of_training = trainingSettings(options);
   viewer::ViewerSettings settings;
@@ -123,6 +126,7 @@ void trainInWindow(const TrainOptions& options) {
   messages.markRead();
   viewer.finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));
   if (messages.unread() > 0) throw Error(messages.all().back().text);
+  return training.goesBack() && endAskedBy() == 0;
 }
 
 void showScreens(const TrainOptions& options) {
@@ -150,7 +154,14 @@ void addTrainCommand(Command& app) {
     if (!command->get_subcommands().empty()) return;  // the results were asked for
     useLanguage(options->language);
     if (!options->screens.empty()) return showScreens(*options);
-    if (options->trainee.empty()) return trainInWindow(*options);
+    if (options->trainee.empty()) {
+      if (!trainInWindow(*options)) return;
+      std::vector<std::string> words = {"run"};
+      if (options->verbose) words.emplace_back("--verbose");
+      if (!options->language.empty()) words.insert(words.end(), {"--language", options->language});
+      becomeCommand(words);
+      return;
+    }
     const int code = runTrainee(*options, *simulated);
     if (code != 0) throw ExitWith(code);
   });

@@ -29,6 +29,9 @@ class SignIn {
   /// The store must outlive it.
   SignIn(training::Store& store, training::Protocol protocol, SignInSettings settings);
 
+  /// Nobody has signed in, and none has begun to.
+  bool asksForCode() const { return stage_ == TrainingStage::sign_in; }
+
   // Typing, while a code is asked for.
   void type(std::string_view letters);
   void erase();

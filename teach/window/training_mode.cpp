@@ -270,6 +270,7 @@ TrainingView TrainingMode::view() const {
   TrainingView view;
   sign_in_.describe(view);
   if (kind_) view.stage = TrainingStage::thimble;
+  view.leads_back = settings_.leads_back;
   view.over = over();
   view.trouble = trouble_;
   view.message = message_;
@@ -483,6 +484,8 @@ void TrainingMode::handle(const TrainingClick& click, ViewerState& viewer, LiveS
       kind_.reset();
       sign_in_.comeBack();
     }
+  } else if (settings_.leads_back && click.act == TrainingAct::no && sign_in_.asksForCode()) {
+    quit_ = goes_back_ = true;
   } else {
     try {
       sign_in_.act(click.act, click.value);

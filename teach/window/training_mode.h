@@ -34,6 +34,7 @@ struct TrainingSettings {
   bool recording_files = true;                   ///< trials are kept tick by tick
   std::optional<std::string> speech = {};        ///< program
   std::optional<classroom::Member> member = {};  ///< of a class that is told live
+  bool leads_back = false;                       ///< to the start page, from the sign-in
 };
 
 class TrainingMode : public Mode {
@@ -64,6 +65,8 @@ class TrainingMode : public Mode {
   /// Obeys what was asked for, keeps rows, has the world changed that a trial needs.
   void advance(const ModeWork& work) override;
   bool wantsToQuit() const override { return quit_; }
+  /// To the start page, once the window is closed.
+  bool goesBack() const { return goes_back_; }
   /// Skin as it is, and nothing that would give a place away.
   void adjust(view::PictureSettings& picture) const override;
   /// How far the mouse's finger sinks, as rings: the eye stands in for the hand.
@@ -146,6 +149,7 @@ class TrainingMode : public Mode {
   std::string message_;
   std::string trouble_;
   bool quit_ = false;
+  bool goes_back_ = false;
   TrainingScreen screen_;
   std::vector<SeenSite> seen_;
   std::size_t focus_ = 0;

@@ -30,12 +30,15 @@ std::string withCapitalLetter(std::string text) {
 // --- the front desk
 
 TrainingScreen signInScreen(const TrainingView& view) {
-  return {.title = tr("Welcome"),
-          .lines = {tr("Type the code on your card, then press Enter.")},
-          .entry = TrainingScreen::Entry{tr("Code"), view.typed},
-          .buttons = {button(TrainingAct::sign_in, tr("Sign in")),
-                      button(TrainingAct::make_code, tr("I have no code"), tr("Makes one for you to write down."))},
-          .keys = tr("Letters and digits type, Enter signs in.")};
+  TrainingScreen screen = {
+      .title = tr("Welcome"),
+      .lines = {tr("Type the code on your card, then press Enter.")},
+      .entry = TrainingScreen::Entry{tr("Code"), view.typed},
+      .buttons = {button(TrainingAct::sign_in, tr("Sign in")),
+                  button(TrainingAct::make_code, tr("I have no code"), tr("Makes one for you to write down."))},
+      .keys = tr("Letters and digits type, Enter signs in.")};
+  if (view.leads_back) screen.buttons.push_back(button(TrainingAct::no, tr("Back"), tr("To the start page.")));
+  return screen;
 }
 
 TrainingScreen newCodeScreen(const TrainingView& view) {

@@ -92,6 +92,7 @@ struct TrainingView {
   TrainingStage stage = TrainingStage::sign_in;
   TrainingOver over = TrainingOver::none;
   std::string typed = {};
+  bool leads_back = false;   ///< from the sign-in to the start page
   std::string notice = {};   ///< a sentence of the front desk or of the window
   std::string trouble = {};  ///< what could not be done
   std::string message = {};  ///< of the instructor

@@ -16,7 +16,7 @@ bool CameraControl::act(window::Action action) {
   switch (action) {
     case Action::centre_on_finger:
       if (const auto& place = pointer_.placeOf(viewer_.active_finger)) {
-        flyTo(view::centredOn(viewer_.camera, place->point));
+        flyTo(centredInFreePart(viewer_.camera, place->point, viewer_.state.shown, viewer_.size_points));
       }
       return true;
     case Action::next_view:
@@ -52,17 +52,19 @@ void CameraControl::flyTo(const view::Camera& camera) {
   pointer_.fly(camera, viewer_, kFlightS);
 }
 
-void CameraControl::flyToPlace(const Vec3& point) {
+bool CameraControl::flyToPlace(const Vec3& point) {
   constexpr double kReachMm = 60.0;  // of a place beside a landmark from the skin
   constexpr double kCloser = 0.4;    // a hand's breadth around it
   const auto place = view::skinNear(world_->surface, point, kReachMm);
-  if (!place) return;
+  if (!place) return false;
   const bool behind = place->normal.z() >= 0.0;
   const auto side = behind ? view::StandardView::back : view::StandardView::front;
   view::Camera camera = homeView(*world_, viewer_.state.shown, side, viewer_.size_points);
   camera.distance_mm *= kCloser;
-  flyTo(view::centredOn(camera, place->point));
-  if (!pointer_.pressed(viewer_.active_finger)) pointer_.demonstrate(viewer_.active_finger, *place, false);
+  flyTo(centredInFreePart(camera, place->point, viewer_.state.shown, viewer_.size_points));
+  if (pointer_.pressed(viewer_.active_finger)) return false;
+  pointer_.put(viewer_.active_finger, *place);
+  return true;
 }
 
 void CameraControl::showBody(const view::Camera& camera) {

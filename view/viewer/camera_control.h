@@ -20,8 +20,9 @@ class CameraControl {
   /// Of the whole body, or of the part that a mode is about.
   void setView(view::StandardView side);
   void flyTo(const view::Camera& camera);
-  /// Close to a place of the skin, from the side where it is seen; the active finger hovers there.
-  void flyToPlace(const Vec3& point);
+  /// Close to a place of the skin, from the side where it is seen. True if the active finger waits there from now on;
+  /// one that presses stays where it is.
+  bool flyToPlace(const Vec3& point);
   /// Another body is seen from its back, or as its scene says.
   void showBody(const view::Camera& camera);
 

@@ -19,7 +19,7 @@ struct LeavesTheScene {
   bool operator()(const OpenPreset& request) const { return !request.sure; }
   bool operator()(const Reload& request) const { return !request.sure; }
   bool operator()(const Quit& request) const { return !request.sure; }
-  bool operator()(const StartTraining& request) const { return !request.sure; }
+  bool operator()(const GiveWay& request) const { return !request.sure; }
   template <class Other>
   bool operator()(const Other& /*request*/) const {
     return false;
@@ -33,7 +33,7 @@ std::string nameOf(const ViewerState& viewer) {
 }  // namespace
 
 bool mustAskFirst(const Request& request, ViewerState& viewer) {
-  const bool closes = std::holds_alternative<Quit>(request) || std::holds_alternative<StartTraining>(request);
+  const bool closes = std::holds_alternative<Quit>(request) || std::holds_alternative<GiveWay>(request);
   if (closes && viewer.class_shown.anything()) {
     viewer.ask({.kind = Question::Kind::end_class,
                 .words = toTranslate("The class ends with this window. What was collected is kept."),

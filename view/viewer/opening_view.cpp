@@ -28,6 +28,7 @@ bool OpeningView::isBeingClicked() const { return page_ && ImGui::IsMouseDown(Im
 std::span<const window::InputEvent> OpeningView::frame(const Frame& frame, std::span<const window::InputEvent> events,
                                                        const std::optional<engine::BuildProgress>& building) {
   const bool first = !target_;
+  if (page_ && offers_.activities) activities_ = offers_.activities();
   if (first || target_->width() != frame.width || target_->height() != frame.height) {
     target_ = std::make_unique<view::Target>(std::max(1, frame.width), std::max(1, frame.height));
   }
@@ -36,9 +37,7 @@ std::span<const window::InputEvent> OpeningView::frame(const Frame& frame, std::
   const auto draw = [&](std::span<const window::InputEvent> pass) {
     gui_.begin(Vec2(frame.width, frame.height) / points, points, frame.elapsed_s, pass);
     if (!page_) progress(building);
-    startPage(
-        {state_.recent, state_.start_page, pictures_, offers_.training, offers_.measuring, offers_.classes, building},
-        page_, asks_);
+    startPage({state_.recent, state_.start_page, pictures_, activities_, awaited_, building}, page_, asks_);
     gui_.end();
   };
   // A dialog knows its size, and is seen, from its second pass on.

@@ -3,6 +3,7 @@
 //   run ─► OpeningView::frame, until the body is built ─► its asks, `page` ─► Viewer
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,10 +19,8 @@ namespace palpate::viewer {
 class OpeningView {
  public:
   struct Offers {
-    bool page = true;  ///< the start page; else the progress alone
-    bool training = false;
-    bool measuring = false;
-    bool classes = false;
+    bool page = true;                             ///< the start page; else the progress alone
+    std::function<Activities()> activities = {};  ///< asked while the page is shown
   };
   /// `state` must outlive it.
   OpeningView(ViewState& state, const Offers& offers) : state_(state), offers_(offers), page_(offers.page) {}
@@ -41,11 +40,15 @@ class OpeningView {
   /// The page is still open.
   bool page() const { return page_; }
   Asks& asks() { return asks_; }
+  /// What the page waits for, to open it.
+  std::optional<Activity> awaited() const { return awaited_; }
 
  private:
   ViewState& state_;
   Offers offers_;
   bool page_;
+  Activities activities_ = {};
+  std::optional<Activity> awaited_;
   Asks asks_;
   window::Gui gui_;
   ExamplePictures pictures_;

@@ -155,8 +155,8 @@ void RequestHandler::fulfil(const GoToPlace& request) {
   ViewerState& viewer = parts_.viewer;
   try {
     const body::NamedPlace place = body::placeNamed(viewer.world.landmarks, request.words);
-    parts_.camera.flyToPlace(place.point);
-    viewer.report(Severity::info, trf("At {}. Enter presses the finger there", place.name));
+    const bool waits = parts_.camera.flyToPlace(place.point);
+    viewer.report(Severity::info, waits ? trf("At {}. Enter presses the finger there", place.name) : place.name);
   } catch (const Error& error) {
     viewer.report(Severity::warning, error.what());
   }
@@ -180,9 +180,9 @@ void RequestHandler::fulfil(const PasteView& /*request*/) {
 
 void RequestHandler::fulfil(const Quit& /*request*/) { quits_ = true; }
 
-void RequestHandler::fulfil(const StartTraining& /*request*/) {
-  if (!parts_.host.start_training) return parts_.viewer.report(Severity::warning, "The training is not installed");
-  parts_.host.start_training();
+void RequestHandler::fulfil(const GiveWay& request) {
+  if (!parts_.host.give_way) return;
+  parts_.host.give_way(request.activity);
   quits_ = true;
 }
 

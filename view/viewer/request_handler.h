@@ -32,8 +32,10 @@ struct ViewerHost {
   std::function<void(const std::string&)> set_title;
   /// Framebuffer 0 has a picture for each eye; the viewer then draws quad-buffer stereo into it (drawsItself).
   bool quad_buffer = false;
-  /// Lets the training open once this window is closed; empty: it is not installed.
-  std::function<void()> start_training = {};
+  /// What there is of Palpate beside this window, asked while the start page is shown; empty: nothing.
+  std::function<Activities()> activities = {};
+  /// Lets the program that holds the activity open once this window is closed.
+  std::function<void(Activity)> give_way = {};
   /// What runs classes; empty: it is not installed.
   std::filesystem::path teach_program = {};
 };
@@ -97,7 +99,7 @@ class RequestHandler {
   void fulfil(const StopDevices& request);
   void fulfil(const ReleaseStop& request);
   void fulfil(const Quit& request);
-  void fulfil(const StartTraining& request);
+  void fulfil(const GiveWay& request);
   void fulfil(const StartFilm& request);
   void fulfil(const StopFilm& request);
   void fulfil(const ShowClass& request);

@@ -51,7 +51,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
   takeFacts();
   viewer_.profile.knots = world->deformation.normal_profile.knots;
   viewer_.held = servo_.abilities();
-  viewer_.offers_training = bool(host_.start_training);
+  if (host_.activities) viewer_.activities = host_.activities();
   viewer_.class_shown.offered = class_run_.offered();
   viewer_.ticks_per_s = servo_.thread().ticksPerS();
   world_swap_.planNow(viewer_);  // tells the viewer's state what the limits are
@@ -228,6 +228,7 @@ void Viewer::useChanges(double elapsed_s) {
   devices_.advance(viewer_, *world_);
   keeper_.advance(viewer_);
   class_run_.advance(viewer_.now_s, viewer_.class_shown);
+  if (viewer_.state.shown.start && host_.activities) viewer_.activities = host_.activities();
   for (const auto& mode : modes_) {
     mode->advance({viewer_, servo_, world_swap_, *world_, elapsed_s});
     quit_ = quit_ || mode->wantsToQuit();

@@ -22,6 +22,9 @@ bool ownsKeyboard(const ViewerState& viewer) { return dialogShown() || viewer.pl
 /// What opens to be typed into gets the keyboard before the next event.
 void Viewer::drawGuiPasses(std::span<const window::InputEvent> events, double points, double elapsed_s) {
   constexpr double kInstantS = 1e-4;
+  // A dialog knows its place from its second pass on; who clicked on the page while the viewer was made meant this one.
+  const int passes_before = !seen_ && viewer_.state.shown.start ? 2 : 0;
+  for (int i = 0; i < passes_before; ++i) drawGuiPass({}, points, kInstantS);
   for (const std::span<const window::InputEvent> pass : window::guiPasses(events)) {
     const bool owned = ownsKeyboard(viewer_);
     drawGuiPass(pass, points, std::exchange(elapsed_s, kInstantS));
@@ -53,6 +56,7 @@ void Viewer::handle(std::span<const window::InputEvent> events) {
     using EventKind = window::InputEvent::Kind;
     const bool typing = gui_.wantsText() || ownsKeyboard(viewer_);
     if (devices_.handle(event, typing, viewer_)) continue;
+    if (event.kind == EventKind::key && event.down && event.key == window::Key::escape && closeMenus()) continue;
     if (event.kind == EventKind::drop && !modes_.claims().window) viewer_.request(OpenFile{event.text});
     if (event.kind == EventKind::move || event.kind == EventKind::button) intro_.end(pointer_);
     if (viewer_.question && event.kind == EventKind::key) {
@@ -85,10 +89,12 @@ void Viewer::handle(const window::Command& command) {
     pointer_.apply(zoom, viewer_);
     return;
   }
-  if (command.kind == Kind::press) {
-    if (const auto place = pointer_.skinAt(command.at)) viewer_.reading = readVertex(*world_, place->point);
+  if (pointer_.apply(command, viewer_)) {
+    const auto& place = pointer_.placeOf(viewer_.active_finger);
+    const bool presses = command.kind == Kind::press || command.kind == Kind::hold;
+    if (presses && place) viewer_.reading = readVertex(*world_, place->point);
+    return;
   }
-  if (pointer_.apply(command, viewer_)) return;
   if (viewer_.ruler.active) return measure(command);
   const auto place = pointer_.skinAt(command.at);
   std::optional<Vec2> on_map;

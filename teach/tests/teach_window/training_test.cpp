@@ -367,6 +367,13 @@ TEST(TrainingKeys, EveryButtonOfEveryScreenCanBePressedWithoutAMouse) {
   }
 }
 
+TEST(TrainingKeys, EscAtTheSignInLeadsBackWhereAStartPageIs) {
+  TrainingView view;
+  EXPECT_EQ(strokeOf(pressOf(Key::escape), screenOf(view)).kind, TrainingStroke::Kind::nothing);
+  view.leads_back = true;
+  EXPECT_EQ(strokeOf(pressOf(Key::escape), screenOf(view)).click.act, TrainingAct::no);
+}
+
 TEST(TrainingKeys, ArrowsWalkFromPlaceToPlaceOnBothSides) {
   const training::SiteSet sites = training::flatTwelve();
   EXPECT_EQ(siteTowards(sites, 0, Vec2(0, -1)), 1);

@@ -172,13 +172,13 @@ void Input::keyDown(const InputEvent& event, const Situation& situation, std::ve
   if (!settings.shortcuts && !always) return;
   const bool steps = bindingOf(pressed->action).fine_with_shift;
   if (event.repeat && !steps) return;  // a switch flips once however long its key is down
-  act(*pressed, commands);
+  act(*pressed, situation, commands);
 }
 
-void Input::act(const PressedKey& pressed, std::vector<Command>& commands) {
+void Input::act(const PressedKey& pressed, const Situation& situation, std::vector<Command>& commands) {
   switch (pressed.action) {
     case Action::hold:
-      return hold(commands);
+      return hold(situation, commands);
     case Action::deeper:
     case Action::lighter: {
       const double notch = pressed.fine ? kFineNotch : 1.0;
@@ -203,7 +203,7 @@ void Input::act(const PressedKey& pressed, std::vector<Command>& commands) {
   commands.push_back(command);
 }
 
-void Input::hold(std::vector<Command>& commands) {
+void Input::hold(const Situation& situation, std::vector<Command>& commands) {
   if (held_[active_]) {
     held_[active_] = false;
     if (drag_ == Drag::touch) return;  // the button still presses it
@@ -212,7 +212,10 @@ void Input::hold(std::vector<Command>& commands) {
     return;
   }
   held_[active_] = true;
-  if (!pressed_[active_]) commands.push_back(at(Command::Kind::press, last_));
+  if (!pressed_[active_]) {
+    commands.push_back(at(Command::Kind::hold, last_));
+    commands.back().over_gui = situation.over_gui;
+  }
   pressed_[active_] = true;
 }
 

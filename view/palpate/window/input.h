@@ -46,6 +46,7 @@ struct Command {
     act,        ///< `action`, `fine`
     hover,      ///< the ring goes to `at`
     press,      ///< the active finger goes down at `at`
+    hold,       ///< it goes down where its ring is
     slide,      ///< it is dragged to `at`
     lift,       ///< it goes up
     lift_all,   ///< every finger goes up
@@ -65,6 +66,7 @@ struct Command {
   Kind kind = Kind::act;
   Action action = Action::cancel;
   bool fine = false;
+  bool over_gui = false;  ///< hold: what is under the mouse is no body
   Vec2 at = Vec2::Zero();
   Vec2 by = Vec2::Zero();
   double amount = 0.0;
@@ -110,8 +112,8 @@ class Input {
   void buttonUp(const InputEvent& event, std::vector<Command>& commands);
   void scroll(const InputEvent& event, const Situation& situation, std::vector<Command>& commands);
   void keyDown(const InputEvent& event, const Situation& situation, std::vector<Command>& commands);
-  void act(const PressedKey& pressed, std::vector<Command>& commands);
-  void hold(std::vector<Command>& commands);
+  void act(const PressedKey& pressed, const Situation& situation, std::vector<Command>& commands);
+  void hold(const Situation& situation, std::vector<Command>& commands);
   void take(std::size_t finger, std::vector<Command>& commands);
   void begin(Drag drag, const InputEvent& event, std::vector<Command>& commands);
   void endDrag(std::vector<Command>& commands);

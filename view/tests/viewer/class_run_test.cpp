@@ -30,7 +30,10 @@ class ClassInTheWindow : public testing::Test {
   Stage stage() const {
     ViewerHost host;
     host.teach_program = folder_ / "palpate-teach";
-    host.start_training = [] {};
+    host.activities = [] {
+      constexpr ActivityState kHere = {.kind = ActivityState::Kind::here};
+      return Activities{kHere, kHere, kHere};
+    };
     return Stage(Stage::quiet(), std::move(host));
   }
   std::string classFolder() const { return (folder_ / "osteo").string(); }

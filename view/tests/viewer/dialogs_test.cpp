@@ -1,10 +1,14 @@
 // Dialogs own mouse and keyboard while they are open, however few frames come; and the start page.
 #include "stage.h"
 
+#include <imgui.h>
+
 #include "palpate/base/text.h"
 #include "palpate/scene/presets.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/start_page.h"
+#include "view/viewer/state/free_area.h"
+#include "view/viewer/state/home_view.h"
 
 namespace palpate::viewer {
 namespace {
@@ -176,17 +180,58 @@ TEST(StartPage, AsksBeforeAnExampleTakesThePlaceOfChanges) {
   EXPECT_EQ(stage.state().scene.contact.finger.mu_static, 0.9);
 }
 
-TEST(StartPage, StartsTheTrainingWhereItIsInstalled) {
-  bool started = false;
-  ViewerHost host;
-  host.start_training = [&started] { started = true; };
-  Stage stage(Stage::quiet(), std::move(host));
+/// A window whose training is another program, in any state.
+struct TrainingBeside {
+  ActivityState training;
+  std::optional<Activity> given_way_to;
+  ViewerHost host() {
+    ViewerHost host;
+    host.activities = [this] { return Activities{training, {}, {}}; };
+    host.give_way = [this](Activity activity) { given_way_to = activity; };
+    return host;
+  }
+};
+
+TEST(StartPage, GivesWayToTheTrainingWhereItIsInstalled) {
+  TrainingBeside beside{.training = {.kind = ActivityState::Kind::elsewhere}, .given_way_to = {}};
+  Stage stage(Stage::quiet(), beside.host());
   stage.state().state.shown.start = true;
   stage.frame();
   stage.click("start/train");
   stage.frame();
-  EXPECT_TRUE(started);
+  EXPECT_EQ(beside.given_way_to, Activity::training);
   EXPECT_TRUE(stage.viewer->wantsToQuit());
+}
+
+TEST(StartPage, OpensWhatWasAskedForAsSoonAsItIsBuilt) {
+  TrainingBeside beside{.training = {.kind = ActivityState::Kind::being_built, .done = 3, .of = 9}, .given_way_to = {}};
+  Stage stage(Stage::quiet(), beside.host());
+  stage.state().state.shown.start = true;
+  stage.frame();
+  stage.click("start/train");
+  stage.frame();
+  EXPECT_EQ(stage.state().awaited, Activity::training);
+  EXPECT_FALSE(beside.given_way_to);
+  stage.click("start/train");  // not any more
+  stage.frame();
+  EXPECT_FALSE(stage.state().awaited);
+  stage.click("start/train");
+  beside.training.kind = ActivityState::Kind::elsewhere;
+  stage.frame();
+  stage.frame();
+  EXPECT_EQ(beside.given_way_to, Activity::training);
+  EXPECT_TRUE(stage.viewer->wantsToQuit());
+}
+
+TEST(StartPage, OffersNothingThatIsMissing) {
+  TrainingBeside beside;
+  Stage stage(Stage::quiet(), beside.host());
+  stage.state().state.shown.start = true;
+  stage.frame();
+  stage.click("start/train");
+  stage.frame();
+  EXPECT_TRUE(stage.state().state.shown.start);
+  EXPECT_FALSE(beside.given_way_to);
 }
 
 TEST(StartPage, HasAPictureOfEveryExample) {
@@ -194,6 +239,21 @@ TEST(StartPage, HasAPictureOfEveryExample) {
     EXPECT_FALSE(pictureBytes(preset.name).empty()) << preset.name;
     EXPECT_NO_THROW(scene::presetScene(preset.name)) << preset.name;
   }
+}
+
+TEST(Menus, EscClosesOneThatIsOpenAndNothingElse) {
+  Stage stage;
+  stage.state().state.shown.help = false;
+  stage.click("menu/File");
+  stage.frame();
+  ASSERT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
+  stage.key(window::Key::escape);
+  stage.frame();
+  EXPECT_FALSE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel));
+  stage.click("menu/View");
+  stage.frame();
+  EXPECT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+      << "the next click does its work";
 }
 
 TEST(PlaceField, OffersNamesThatHoldWhatWasTyped) {
@@ -232,6 +292,27 @@ TEST(PlaceField, FliesToTheFirstNameThatFits) {
   for (int i = 0; i < 10; ++i) frame({});
   EXPECT_LT(viewer.state().camera.distance_mm, 0.6 * far);
   EXPECT_EQ(viewer.state().place_words, "T9");
+  events.clear();
+  addTap(events, window::Key::enter);
+  frame(events);
+  for (int i = 0; i < 5; ++i) frame({});
+  EXPECT_TRUE(viewer.pointer().pressed(viewer.state().active_finger));
+  EXPECT_EQ(viewer.state().place_words, "T9") << "with the mouse at rest elsewhere";
+}
+
+TEST(PlaceField, CentresThePlaceInWhatPanelAndPlotsLeaveFree) {
+  constexpr float kWidth = 1280.0f, kHeight = 800.0f;
+  Shown shown;
+  shown.panel = shown.plots = true;
+  view::Camera camera;
+  camera.distance_mm = 500.0;
+  const Vec3 place(30, 40, 0);
+  const view::Camera centred = centredInFreePart(camera, place, shown, Vec2(kWidth, kHeight));
+  const view::Frustum eye = view::frustumOf(view::screenOf(centred, kWidth / kHeight), centred.eye(), 10.0, 2000.0);
+  const Vec2 seen = view::seenAt(eye, place).cwiseProduct(Vec2(kWidth, kHeight));
+  const FreeArea free = freeArea(shown, kWidth, kHeight);
+  EXPECT_NEAR(seen.x(), 0.5 * (free.left + free.right), 1.0);
+  EXPECT_NEAR(seen.y(), 0.5 * (free.top + free.below), 1.0);
 }
 
 }  // namespace

@@ -33,6 +33,22 @@ TEST(OpeningView, LeavesWhatComesAfterItsPageToTheBody) {
   EXPECT_EQ(view.frame(frame, click, {}).size(), click.size()) << "nor is what comes later";
 }
 
+TEST(Viewer, HearsAClickOnItsStartPageInItsFirstFrame) {
+  Stage seen;
+  seen.state().state.shown.start = true;
+  seen.frame();
+  seen.frame();
+  const auto [left, top, right, below] = widgetPlaces().at("start/touch");
+  const Vec2 touch(0.5 * (left + right), 0.5 * (top + below));
+  Viewer viewer(scene::build(sheetScene(seen.folder)), Stage::quiet(), {}, {});
+  viewer.state().state.shown.start = true;
+  EventList click;
+  addButton(click, touch, true);
+  addButton(click, touch, false);
+  viewer.frame(kStageWidth, kStageHeight, 1.0, 0.0, click);
+  EXPECT_FALSE(viewer.state().state.shown.start);
+}
+
 TEST(Viewer, LooksHomeOnceHoweverMuchHappensInItsFirstFrame) {
   Stage seen;
   const double home_mm = seen.state().camera.distance_mm;

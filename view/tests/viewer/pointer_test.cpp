@@ -83,6 +83,53 @@ TEST_F(PointerOn, AHeldFingerDoesNotFollowTheMouse) {
   EXPECT_EQ(pointer.placeOf(0)->point, place);
 }
 
+TEST_F(PointerOn, ANamedPlaceIsPressedUntilTheMouseReallyMoves) {
+  const Vec2 middle = 0.5 * kSize;
+  send(Kind::hover, middle);
+  const SkinPlace under_the_mouse = *pointer.placeOf(0);
+  const SkinPlace named = *pointer.skinAt(Vec2(620, 330));
+  pointer.put(0, named);
+  send(Kind::hover, middle + Vec2(2, 1));  // the hand that typed touches the mouse
+  send(Kind::hold, middle + Vec2(2, 1));
+  EXPECT_TRUE(pointer.pressed(0));
+  EXPECT_EQ(pointer.placeOf(0)->point, named.point);
+  send(Kind::lift, middle);
+  send(Kind::hover, middle + Vec2(9, 0));
+  send(Kind::hover, middle);
+  send(Kind::hold, middle);
+  EXPECT_EQ(pointer.placeOf(0)->point, under_the_mouse.point);
+}
+
+TEST_F(PointerOn, ARingThatKeysHaveMovedIsPressedWhereItIs) {
+  send(Kind::hover, 0.5 * kSize);
+  pointer.step(window::Action::ring_right, false, viewer);
+  const Vec3 stepped = pointer.placeOf(0)->point;
+  send(Kind::hold, 0.5 * kSize);
+  EXPECT_EQ(pointer.placeOf(0)->point, stepped);
+}
+
+TEST_F(PointerOn, NoPressGoesThroughAPanel) {
+  send(Kind::hover, Vec2(600, 400));
+  const Vec3 seen = pointer.placeOf(0)->point;
+  window::Command command;
+  command.kind = Kind::hold;
+  command.at = 0.5 * kSize;  // the skin behind the panel
+  command.over_gui = true;
+  pointer.apply(command, viewer);
+  EXPECT_TRUE(pointer.pressed(0));
+  EXPECT_EQ(pointer.placeOf(0)->point, seen);
+}
+
+TEST_F(PointerOn, AKeyPressesWhatLiesUnderTheMouseOfABodyThatWasTurned) {
+  send(Kind::hover, 0.5 * kSize);
+  viewer.camera.yaw_rad += 1.0;
+  look();
+  const Vec3 now = pointer.skinAt(0.5 * kSize)->point;
+  ASSERT_GT((now - pointer.placeOf(0)->point).norm(), 10.0);
+  send(Kind::hold, 0.5 * kSize);
+  EXPECT_EQ(pointer.placeOf(0)->point, now);
+}
+
 TEST_F(PointerOn, DepthAndForceStayWithinTheirLimits) {
   send(Kind::deepen, 0.5 * kSize, 1000.0);
   EXPECT_EQ(viewer.state.touch.depth_mm, kMaxDepthMm);

@@ -143,7 +143,18 @@ TEST(Input, EnterHoldsTheFingerAndLiftsItAgain) {
   hand.type(window::Key::enter);
   EXPECT_EQ(hand.kinds(), std::vector{Kind::lift});
   hand.type(window::Key::enter);  // without any button: the keyboard's way to press
-  EXPECT_EQ(hand.kinds(), std::vector{Kind::press});
+  EXPECT_EQ(hand.kinds(), std::vector{Kind::hold});
+}
+
+TEST(Input, EnterSaysWhetherTheMouseIsOverAPanel) {
+  Hand hand;
+  hand.type(window::Key::enter);
+  EXPECT_FALSE(hand.commands.back().over_gui);
+  hand.type(window::Key::enter);
+  hand.situation.over_gui = true;
+  hand.type(window::Key::enter);
+  EXPECT_EQ(hand.commands.back().kind, Kind::hold);
+  EXPECT_TRUE(hand.commands.back().over_gui);
 }
 
 TEST(Input, TheOtherFingerStaysWhereItWasPut) {
@@ -234,7 +245,7 @@ struct Believed {
   std::size_t active = 0;
 
   void take(const window::Command& command) {
-    if (command.kind == Kind::press) pressed[active] = true;
+    if (command.kind == Kind::press || command.kind == Kind::hold) pressed[active] = true;
     if (command.kind == Kind::lift) pressed[active] = false;
     if (command.kind == Kind::lift_all) pressed.fill(false);
     if (command.kind == Kind::take_finger) active = command.finger;

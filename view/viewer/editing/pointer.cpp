@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "view/viewer/state/home_view.h"
+
 namespace palpate::viewer {
 
 namespace {
@@ -14,6 +16,8 @@ constexpr double kFineRingStepMm = 0.2;
 constexpr double kCentreFlightS = 0.2;
 /// A finger that slides off the skin's outline follows the nearest skin within this, mm.
 constexpr double kEdgeReachMm = 60.0;
+/// A hand that lies on the mouse moves it by less, pixels.
+constexpr double kAtRestPixels = 6.0;
 /// Force at which a resisting cursor moves half as fast, N.
 constexpr double kHalfSpeedN = 8.0;
 
@@ -42,6 +46,8 @@ std::optional<SkinPlace> Pointer::skinAt(const Vec2& pixel) const {
 void Pointer::moveFinger(std::size_t finger, const Vec2& pixel) {
   auto place = skinAt(pixel);
   Finger& moved = fingers_[finger];
+  moved.mouse_at_rest.reset();
+  moved.named = false;
   if (!place && moved.pressed && moved.place) {
     const view::Ray ray = rayAt(pixel);
     const double along = (moved.place->point - ray.origin).dot(ray.direction);
@@ -49,6 +55,16 @@ void Pointer::moveFinger(std::size_t finger, const Vec2& pixel) {
   }
   if (place) moved.place = place;
 }
+
+void Pointer::hover(std::size_t finger, const Vec2& pixel) {
+  mouse_ = pixel;
+  const Finger& hovering = fingers_[finger];
+  if (hovering.pressed) return;  // it stays where it was put
+  if (hovering.mouse_at_rest && (pixel - *hovering.mouse_at_rest).norm() < kAtRestPixels) return;
+  moveFinger(finger, pixel);
+}
+
+void Pointer::press(Finger& finger) { finger.pressed = finger.fresh = finger.place.has_value(); }
 
 Vec3 Pointer::pivotAt(const Vec2& pixel, const ViewerState& viewer) const {
   const auto place = skinAt(pixel);
@@ -69,12 +85,16 @@ bool Pointer::apply(const window::Command& command, ViewerState& viewer) {
   view::Camera& camera = viewer.camera;
   switch (command.kind) {
     case Kind::hover:
-      // A held finger stays where it was put.
-      if (!fingers_[active].pressed) moveFinger(active, command.at);
+      hover(active, command.at);
       return true;
     case Kind::press:
       moveFinger(active, command.at);
-      fingers_[active].pressed = fingers_[active].fresh = fingers_[active].place.has_value();
+      press(fingers_[active]);
+      return true;
+    case Kind::hold:
+      // Where the mouse has led it, what lies under the mouse by now: the body may have been turned.
+      if (!command.over_gui && !fingers_[active].mouse_at_rest) moveFinger(active, command.at);
+      press(fingers_[active]);
       return true;
     case Kind::slide:
       moveFinger(active, command.at);
@@ -116,7 +136,8 @@ bool Pointer::apply(const window::Command& command, ViewerState& viewer) {
       viewer.opened.camera_moved = true;
       return true;
     case Kind::centre:
-      if (const auto place = skinAt(command.at)) fly(view::centredOn(camera, place->point), viewer, kCentreFlightS);
+      if (const auto place = skinAt(command.at))
+        fly(centredInFreePart(camera, place->point, viewer.state.shown, viewer.size_points), viewer, kCentreFlightS);
       viewer.opened.camera_moved = true;
       return true;
     default:
@@ -154,13 +175,24 @@ bool Pointer::step(window::Action action, bool fine, ViewerState& viewer) {
   if (!place || (place->point - wanted).norm() > kEdgeReachMm) {
     place = view::skinNear(world_->surface, wanted, kEdgeReachMm);
   }
-  if (place) finger.place = place;
+  if (place) rest(finger, *place);
   return true;
 }
 
 void Pointer::demonstrate(std::size_t finger, const SkinPlace& place, bool pressed) {
   fingers_[finger].place = place;
   fingers_[finger].pressed = pressed;
+}
+
+void Pointer::put(std::size_t finger, const SkinPlace& place) {
+  rest(fingers_[finger], place);
+  fingers_[finger].named = true;
+}
+
+void Pointer::rest(Finger& finger, const SkinPlace& place) {
+  finger.place = place;
+  finger.mouse_at_rest = mouse_;
+  finger.named = false;
 }
 
 device::FingerTarget Pointer::target(std::size_t finger, const ViewerState& viewer) const {

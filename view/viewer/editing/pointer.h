@@ -40,10 +40,14 @@ class Pointer {
   bool step(window::Action action, bool fine, ViewerState& viewer);
   /// A press by nobody's hand: the first seconds' demonstration.
   void demonstrate(std::size_t finger, const SkinPlace& place, bool pressed);
+  /// A place that was named: the finger waits there, whatever lies under the mouse, until that really moves.
+  void put(std::size_t finger, const SkinPlace& place);
 
   /// To be sent to the servo. Depth, force and radius come from the settings.
   device::FingerTarget target(std::size_t finger, const ViewerState& viewer) const;
   const std::optional<SkinPlace>& placeOf(std::size_t finger) const { return fingers_[finger].place; }
+  /// It waits, or presses, where it was put: until the mouse leads it elsewhere.
+  bool isAtNamedPlace(std::size_t finger) const { return fingers_[finger].named; }
   bool pressed(std::size_t finger) const { return fingers_[finger].pressed; }
   /// Once a frame, when all targets have been sent: a tap that began and ended within the frame has been felt.
   void targetsSent();
@@ -55,6 +59,9 @@ class Pointer {
  private:
   struct Finger {
     std::optional<SkinPlace> place;
+    /// Its place was named or stepped to by keys, with the mouse here. Empty: it follows the mouse.
+    std::optional<Vec2> mouse_at_rest;
+    bool named = false;
     bool pressed = false;
     bool fresh = false;   ///< pressed in this frame: no target has said so yet
     bool tapped = false;  ///< and lifted in it: pressed until the next frame
@@ -63,12 +70,16 @@ class Pointer {
   };
 
   void moveFinger(std::size_t finger, const Vec2& pixel);
+  void hover(std::size_t finger, const Vec2& pixel);
+  static void press(Finger& finger);
+  void rest(Finger& finger, const SkinPlace& place);
   void deepen(ViewerState& viewer, double notches);
   Vec3 pivotAt(const Vec2& pixel, const ViewerState& viewer) const;
 
   PickScreen screen_;
   std::shared_ptr<const scene::World> world_;
   std::array<Finger, kFingers> fingers_;
+  Vec2 mouse_ = Vec2::Zero();  ///< pixels
   Vec3 pivot_ = Vec3::Zero();
   struct Flight {
     view::Camera from, to;
@@ -85,7 +96,7 @@ class Pointer {
 inline constexpr std::array<view::Paint, kFingers> kFingerPaint = {{{110, 165, 255, 230}, {255, 120, 105, 230}}};
 
 /// A ring under each finger that has been over the skin, as large as the finger, tilted with the skin; thicker the
-/// deeper it presses.
+/// deeper it presses. A wider one round a place that was named, which the finger would hide.
 std::vector<view::Lines> fingerRings(const ViewerState& viewer, const Pointer& pointer);
 
 /// The rims of the dysfunctions, laid on the skin; the selected one bold. Where the pointer is on free skin, dashed:

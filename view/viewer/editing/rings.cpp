@@ -18,6 +18,7 @@ constexpr int kRingPoints = 48;
 /// Above the skin, so that it does not seem to sink in, mm.
 constexpr double kLiftMm = 0.5;
 constexpr double kPointRadiusMm = 2.0;  ///< of the ring of a finger without size
+constexpr double kNamedPlaceMm = 24.0;  ///< of the ring round a named place: three fingertips wide
 constexpr view::Paint kDysfunctionPaint{240, 170, 60, 255};
 constexpr view::Paint kLumpRingPaint{170, 135, 255, 255};
 
@@ -90,6 +91,7 @@ std::vector<view::Lines> fingerRings(const ViewerState& viewer, const Pointer& p
     const double radius = std::max(kPointRadiusMm, fingerRadius(viewer.scene, i));
     const double depth = std::clamp(viewer.fingers[i].depth_mm, 0.0, 10.0);
     rings.push_back(ringOn(*place, radius, 1.6 + 0.25 * depth, kFingerPaint[i]));
+    if (pointer.isAtNamedPlace(i)) rings.push_back(ringOn(*place, kNamedPlaceMm, 2.0, kFingerPaint[i]));
   }
   return rings;
 }

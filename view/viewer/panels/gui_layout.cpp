@@ -181,15 +181,13 @@ void drawModeWindow(Mode& mode, ViewerState& viewer, const FreeArea& free) {
 namespace {
 
 /// A question comes first.
-void drawStartPage(ViewerState& viewer, const Modes& modes, ExamplePictures& pictures) {
+void drawStartPage(ViewerState& viewer, ExamplePictures& pictures) {
   if (viewer.question) return;
-  const auto has_item = [](const auto& mode) { return mode->menuItem().has_value(); };
   startPage({.recent = viewer.state.recent,
              .shown_at_start = viewer.state.start_page,
              .pictures = pictures,
-             .offers_training = viewer.offers_training,
-             .offers_measuring = std::ranges::any_of(modes, has_item),
-             .offers_class = viewer.class_shown.offered},
+             .activities = viewer.activities,
+             .awaited = viewer.awaited},
             viewer.state.shown.start, viewer.asks);
 }
 
@@ -223,7 +221,7 @@ void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& picture
   filmDialog(viewer.output_folder, shown.film_dialog, viewer.asks);
   classDialog(viewer.class_shown, viewer.output_folder, shown.class_dialog, viewer.asks);
   manualDialog(viewer.manual, shown.manual);
-  drawStartPage(viewer, modes, pictures.examples);
+  drawStartPage(viewer, pictures.examples);
   questionDialog(viewer.question, viewer.asks);
 }
 

@@ -184,6 +184,18 @@ void rulerNotice(const Ruler& ruler, const FreeArea& free) {
 
 bool dialogShown() { return ImGui::GetTopMostPopupModal() != nullptr; }
 
+bool closeMenus() {
+  const ImVector<ImGuiPopupData>& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+  int of_dialogs = 0;
+  for (int i = 0; i < popups.Size; ++i) {
+    const ImGuiWindow* window = popups[i].Window;
+    if (window != nullptr && (window->Flags & ImGuiWindowFlags_Modal) != 0) of_dialogs = i + 1;
+  }
+  if (of_dialogs == popups.Size) return false;
+  ImGui::ClosePopupToLevel(of_dialogs, true);
+  return true;
+}
+
 void questionDialog(const std::optional<Question>& question, Asks& asks) {
   constexpr const char* kName = "question";
   constexpr float kQuestionWidth = 420.0f;

@@ -113,12 +113,14 @@ void viewButtons(Asks& asks) {
       view::StandardView::above, view::StandardView::below, view::StandardView::table};
   for (const view::StandardView side : kOrder) {
     const std::string name(wordFor(side));
-    const float width = ImGui::CalcTextSize(tr(name.c_str())).x + 8.0f;
+    // "table" is a law of the tissue, too, and another word in other languages.
+    const std::string label = side == view::StandardView::table ? toTranslate("on a table") : name;
+    const float width = ImGui::CalcTextSize(tr(label.c_str())).x + 8.0f;
     const float left = ImGui::GetItemRectMax().x + 3.0f;
     const float end = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
     if (side != kOrder.front() && left + width <= end) ImGui::SameLine(0.0f, 3.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0f, 2.0f});
-    if (buttonWidget(fmt::format("view/{}", name).c_str(), name.c_str(), "See the whole body from this side.")) {
+    if (buttonWidget(fmt::format("view/{}", name).c_str(), label.c_str(), "See the whole body from this side.")) {
       asks.request(SetView{side});
     }
     ImGui::PopStyleVar();

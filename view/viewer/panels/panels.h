@@ -185,6 +185,8 @@ std::vector<std::filesystem::path> newestHere();
 std::vector<std::filesystem::path> photographsHere();
 /// A dialog is open in the current gui: it owns mouse and keyboard.
 bool dialogShown();
+/// Closes the menus and lists that are open over the body or over a dialog. False where there are none.
+bool closeMenus();
 /// What is asked before something is lost; the answer is a request.
 void questionDialog(const std::optional<Question>& question, Asks& asks);
 /// In the colour of how much they matter.

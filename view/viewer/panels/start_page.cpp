@@ -41,7 +41,7 @@ void wordsAt(const ImVec2& at, float size, ImGuiCol colour, std::string_view wor
 struct Choice {
   const char* path;
   const char* title;
-  const char* what;
+  std::string_view what;  ///< translated
   bool offered = true;
 };
 
@@ -53,38 +53,69 @@ bool choiceButton(const Choice& choice) {
   ImGui::BeginDisabled(!choice.offered);
   const bool pressed = ImGui::Button(fmt::format("##{}", choice.path).c_str(), {width, kChoiceHeight});
   ImGui::EndDisabled();
-  notePlace(choice.path, choice.what);
+  notePlace(choice.path, std::string(choice.what));
   const ImGuiCol ink = choice.offered ? ImGuiCol_Text : ImGuiCol_TextDisabled;
   wordsAt({at.x + kInset, at.y + 5.0f}, ImGui::GetFontSize(), ink, tr(choice.title), 0.0f);
-  wordsAt({at.x + kInset, at.y + 25.0f}, smaller(), ImGuiCol_TextDisabled, tr(choice.what), 0.0f);
+  wordsAt({at.x + kInset, at.y + 25.0f}, smaller(), ImGuiCol_TextDisabled, choice.what, 0.0f);
   return pressed;
 }
 
-void choices(const StartPage& page, bool& open, Asks& asks) {
-  if (choiceButton({"start/touch", "Touch", "Press the built-in back with the mouse"})) open = false;
-  if (choiceButton({"start/train", "Train",
-                    page.offers_training ? "Find what is stiffer, and be measured" : "Not installed: palpate-teach",
-                    page.offers_training})) {
-    asks.request(StartTraining{});
-    open = false;
+/// A choice whose program may be another, still being built, or not there.
+struct ActivityChoice {
+  Activity activity;
+  const char* path;
+  const char* title;
+  const char* what;
+  const char* package;  ///< that holds it
+};
+
+std::string whatOf(const ActivityChoice& choice, const ActivityState& state, bool awaited) {
+  switch (state.kind) {
+    case ActivityState::Kind::missing:
+      return trf("Not here: install the package {}", choice.package);
+    case ActivityState::Kind::being_built:
+      if (state.of == 0) return tr(awaited ? "Opens when it is built" : "Being built");
+      return awaited ? trf("Opens when it is built: {} of {}", state.done, state.of)
+                     : trf("Being built: {} of {}", state.done, state.of);
+    default:
+      return tr(choice.what);
   }
-  if (choiceButton({"start/open", "Open my mesh ...", "A scan, a scene or a recording"})) {
+}
+
+/// True when it is to open in this window. What is being built can be asked for, and not any more.
+bool activityChoice(const ActivityChoice& choice, const StartPage& page, bool& open, Asks& asks) {
+  using Kind = ActivityState::Kind;
+  const ActivityState& state = stateOf(choice.activity, page.activities);
+  const bool awaited = page.awaited == choice.activity;
+  const std::string what = whatOf(choice, state, awaited);
+  const bool pressed = choiceButton({choice.path, choice.title, what, state.kind != Kind::missing});
+  if (state.kind == Kind::being_built) {
+    if (pressed) page.awaited = awaited ? std::nullopt : std::optional(choice.activity);
+    return false;
+  }
+  if (!pressed && !(awaited && state.kind != Kind::missing)) return false;
+  page.awaited.reset();
+  open = false;
+  if (state.kind == Kind::here) return true;
+  asks.request(GiveWay{choice.activity});
+  return false;
+}
+
+void choices(const StartPage& page, bool& open, Asks& asks) {
+  if (choiceButton({"start/touch", "Touch", tr("Press the built-in back with the mouse")})) open = false;
+  constexpr ActivityChoice kTrain = {Activity::training, "start/train", toTranslate("Train"),
+                                     toTranslate("Find what is stiffer, and be measured"), "palpate-teach"};
+  activityChoice(kTrain, page, open, asks);  // always another program
+  if (choiceButton({"start/open", "Open my mesh ...", tr("A scan, a scene or a recording")})) {
     asks.act(window::Action::open);
     open = false;
   }
-  if (choiceButton(
-          {"start/measure", "Measure a person ...",
-           page.offers_measuring ? "How far skin follows, from two photographs" : "Not installed: palpate-measure",
-           page.offers_measuring})) {
-    asks.act(window::Action::measure_person);
-    open = false;
-  }
-  if (choiceButton({"start/class", "Class ...",
-                    page.offers_class ? "Teach several trainees, watch, or take part" : "Not installed: palpate-teach",
-                    page.offers_class})) {
-    asks.request(ShowClass{});
-    open = false;
-  }
+  constexpr ActivityChoice kMeasure = {Activity::measuring, "start/measure", toTranslate("Measure a person ..."),
+                                       toTranslate("How far skin follows, from two photographs"), "palpate-measure"};
+  if (activityChoice(kMeasure, page, open, asks)) asks.act(window::Action::measure_person);
+  constexpr ActivityChoice kClass = {Activity::classes, "start/class", toTranslate("Class ..."),
+                                     toTranslate("Teach several trainees, watch, or take part"), "palpate-teach"};
+  if (activityChoice(kClass, page, open, asks)) asks.request(ShowClass{});
 }
 
 /// A line that opens a file. True when it was pressed.

@@ -11,6 +11,7 @@
 #include "palpate/engine/world_builder.h"
 #include "palpate/view/layers/embedded_file.h"
 #include "palpate/view/offscreen.h"
+#include "view/viewer/state/activities.h"
 #include "view/viewer/state/requests.h"
 
 namespace palpate::viewer {
@@ -34,9 +35,8 @@ struct StartPage {
   std::span<const std::string> recent;  ///< files, newest first
   bool& shown_at_start;
   ExamplePictures& pictures;
-  bool offers_training = false;
-  bool offers_measuring = false;
-  bool offers_class = false;
+  const Activities& activities;
+  std::optional<Activity>& awaited;                    ///< opens when it is built
   std::optional<engine::BuildProgress> building = {};  ///< of the body behind it
 };
 

@@ -28,12 +28,17 @@ FreePart freePart(const Shown& shown, const Vec2& size_points) {
           0.5 * Vec2(free.left + free.right - width, free.top + free.below - height), height};
 }
 
-/// A camera made for the free part alone; the window shows more, so the same size there needs a camera further away.
-view::Camera intoPart(view::Camera camera, const FreePart& part) {
-  camera.distance_mm *= part.window_height / part.size.y();
+/// What was in the window's middle comes into that of the free part.
+view::Camera movedAside(view::Camera camera, const FreePart& part) {
   const double mm_per_pixel = 2.0 * camera.distance_mm * std::tan(0.5 * camera.height_rad) / part.window_height;
   camera.centre += mm_per_pixel * (part.aside.y() * camera.up() - part.aside.x() * camera.right());
   return camera;
+}
+
+/// A camera made for the free part alone; the window shows more, so the same size there needs a camera further away.
+view::Camera intoPart(view::Camera camera, const FreePart& part) {
+  camera.distance_mm *= part.window_height / part.size.y();
+  return movedAside(camera, part);
 }
 
 view::Camera outOfPart(view::Camera camera, const FreePart& part) {
@@ -47,6 +52,11 @@ view::Camera outOfPart(view::Camera camera, const FreePart& part) {
 
 view::Camera cameraOfFreePart(const view::Camera& camera, const Shown& shown, const Vec2& size_points) {
   return outOfPart(camera, freePart(shown, size_points));
+}
+
+view::Camera centredInFreePart(const view::Camera& camera, const Vec3& place, const Shown& shown,
+                               const Vec2& size_points) {
+  return movedAside(view::centredOn(camera, place), freePart(shown, size_points));
 }
 
 view::Camera viewOf(const Eigen::AlignedBox3d& box, const Shown& shown, view::StandardView side,

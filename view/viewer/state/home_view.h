@@ -13,6 +13,10 @@ view::Camera homeView(const scene::World& world, const Shown& shown, view::Stand
 view::Camera viewOf(const Eigen::AlignedBox3d& box, const Shown& shown, view::StandardView side,
                     const Vec2& size_points);
 
+/// The same camera with a place in the middle of the free part, which turns about it.
+view::Camera centredInFreePart(const view::Camera& camera, const Vec3& place, const Shown& shown,
+                               const Vec2& size_points);
+
 /// The camera of a picture that shows just the free part: what a scene says about its camera. takeSceneLook goes back.
 view::Camera cameraOfFreePart(const view::Camera& camera, const Shown& shown, const Vec2& size_points);
 

@@ -16,6 +16,7 @@
 #include "palpate/scene/scene.h"
 #include "palpate/view/camera.h"
 #include "palpate/window/keys.h"
+#include "view/viewer/state/activities.h"
 #include "view/viewer/state/messages.h"
 
 namespace palpate::viewer {
@@ -118,8 +119,9 @@ struct ReleaseStop {};
 struct Quit {
   bool sure = false;
 };
-/// The window closes and that of the training opens.
-struct StartTraining {
+/// The window closes, and that of the program which holds the activity opens.
+struct GiveWay {
+  Activity activity = Activity::training;
   bool sure = false;
 };
 /// The dialog of a class.
@@ -146,8 +148,8 @@ using Request =
     std::variant<OpenFile, OpenBeside, OpenPreset, Reload, CancelBuild, SaveScene, CopyScene, ResetScene, Undo, Redo,
                  UseProfile, AnswerQuestion, TakeScreenshot, TakeClearScreenshot, ToggleSequence, PlayScript, SavePlots,
                  ToggleForces, KeepRecording, SetMark, GoHome, GoToPlace, SetView, ToggleFullScreen, CopyView,
-                 PasteView, OpenDevice, CloseDevice, FindDevices, StopDevices, ReleaseStop, Quit, StartTraining,
-                 StartFilm, StopFilm, ShowClass, StartClass, WatchClass, JoinClass, EndClass>;
+                 PasteView, OpenDevice, CloseDevice, FindDevices, StopDevices, ReleaseStop, Quit, GiveWay, StartFilm,
+                 StopFilm, ShowClass, StartClass, WatchClass, JoinClass, EndClass>;
 
 /// The same once the user has been asked.
 inline Request madeSure(Request request) {

@@ -74,9 +74,10 @@ struct ViewerState {
   Recording recording;
   ClassShown class_shown;
   Performance performance;
-  bool simple_shading = false;       ///< drawn smooth for now, whatever state.look says
-  bool offers_training = false;      ///< it is installed
-  bool quad_buffer_offered = false;  ///< the window has a picture for each eye
+  bool simple_shading = false;           ///< drawn smooth for now, whatever state.look says
+  Activities activities = {};            ///< of Palpate, that the start page leads to
+  std::optional<Activity> awaited = {};  ///< opens when it is built
+  bool quad_buffer_offered = false;      ///< the window has a picture for each eye
   Messages messages;
 
   void request(Request request) { asks.request(std::move(request)); }

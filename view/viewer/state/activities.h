@@ -1,0 +1,30 @@
+// What the start page leads to and another program of Palpate may hold.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace palpate::viewer {
+
+enum class Activity { training, measuring, classes };
+
+struct ActivityState {
+  enum class Kind {
+    here,       ///< this window shows it
+    elsewhere,  ///< another program holds it, to which the window gives way
+    being_built,
+    missing,
+  };
+  Kind kind = Kind::missing;
+  int done = 0;  ///< steps of its build, of so many; 0 of 0: not known
+  int of = 0;
+};
+
+/// One of each Activity.
+using Activities = std::array<ActivityState, 3>;
+
+constexpr const ActivityState& stateOf(Activity activity, const Activities& activities) {
+  return activities[static_cast<std::size_t>(activity)];
+}
+
+}  // namespace palpate::viewer
