@@ -16,6 +16,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "palpate/base/nearest_name.h"
+#include "palpate/base/system/files.h"
 #include "palpate/base/system/process.h"
 #include "palpate/base/system/signals.h"
 
@@ -225,6 +226,7 @@ Command& commandGroup(Command& app, const std::string& name) {
 }
 
 int runCommandLine(Command& app, const std::vector<std::string>& words) {
+  system::holdStandardStreams();
   system::returnLargeArrays();
   listenForSignals();
   const int exit_code = runToTheEnd(app, words);

@@ -227,25 +227,27 @@ class Weight(unittest.TestCase):
     def test_measured_figures_have_room_for_noise(self):
         self.run_tool("--renew")
         was = self.scale("core", "tests_all", 1 / 1.4)
-        self.assertEqual(self.run_tool("--check")[0], 0)
+        self.assertEqual(self.run_tool("--check", "--clock")[0], 0)
         self.scale("core", "tests_all", 1.4 / 1.6)
-        code, printed = self.run_tool("--check")
+        code, printed = self.run_tool("--check", "--clock")
         self.assertEqual(code, 1, printed + self.weights.read_text())
         self.assertIn(f"core: tests_all was {was / 1.6:.2f}", printed)
-        self.assertEqual(self.run_tool("--check", "--quick")[0], 0)  # without a clock they are not judged
+        self.assertEqual(self.run_tool("--check")[0], 0)  # named, and no more: other work doubles them
+        self.assertIn(f"core: tests_all was {was / 1.6:.2f}", self.run_tool("--check")[1])
+        self.assertEqual(self.run_tool("--check", "--clock", "--quick")[0], 0)  # without a clock they are not judged
         self.scale("core", "tests_all", 1.6)
         self.scale("core", "tests_first", 1 / 1.45)  # 15.0: less than 5 units more
-        self.assertEqual(self.run_tool("--check")[0], 0)
+        self.assertEqual(self.run_tool("--check", "--clock")[0], 0)
         self.scale("core", "tests_first", 1.45 / 1.6)
-        self.assertEqual(self.run_tool("--check")[0], 1)
+        self.assertEqual(self.run_tool("--check", "--clock")[0], 1)
 
     def test_measured_figures_are_not_judged_beside_other_work(self):
         self.run_tool("--renew")
         self.scale("core", "tests_all", 1 / 1.6)
-        self.assertEqual(self.run_tool("--check")[0], 1)
+        self.assertEqual(self.run_tool("--check", "--clock")[0], 1)
         type(self).wall_s = 3.5
         self.addCleanup(setattr, type(self), "wall_s", 2.0)
-        code, printed = self.run_tool("--check")
+        code, printed = self.run_tool("--check", "--clock")
         self.assertEqual(code, 0)
         before = self.weights.read_text()
         self.assertIn("measured figures stay", self.run_tool("--renew")[1])

@@ -147,7 +147,7 @@ std::vector<view::FingerMark> FramePainter::fingerMarks(const FrameParts& frame)
     const double radius = has_radius ? recorded->radius_mm[i] : fingerRadius(viewer.scene, i);
     const bool left = i == 0;
     marks.push_back({.contact = viewer.fingers[i],
-                     .radius_mm = recorded != nullptr && radius <= 0.0 ? kDrawnPointMm : radius,
+                     .radius_mm = radius <= 0.0 ? kDrawnPointMm : radius,
                      .colour = left ? view::kLeftFinger : view::kRightFinger,
                      .haptic_radius_mm = radius,
                      .left = left,

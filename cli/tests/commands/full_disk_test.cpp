@@ -11,6 +11,7 @@
 
 #include "palpate/mesh/files/save.h"
 #include "palpate/trace/forces_csv.h"
+#include "palpate/trace/forces_table.h"
 #include "support/mesh_zoo.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
@@ -167,6 +168,24 @@ INSTANTIATE_TEST_SUITE_P(Commands, FullDisk, testing::ValuesIn(kCommands), nameO
 INSTANTIATE_TEST_SUITE_P(Studies, FullDisk, testing::ValuesIn(kStudies), nameOfRow);
 INSTANTIATE_TEST_SUITE_P(Commands, DiskOfThreeSizes, testing::ValuesIn(kCommands), nameOfRow);
 INSTANTIATE_TEST_SUITE_P(Studies, DiskOfThreeSizes, testing::ValuesIn(kStudies), nameOfRow);
+
+/// What is told of the progress once went into the first file that was opened. 600 s take long enough to be told of.
+TEST(StandardOutputOfALongRun, ThatWasClosedAtTheStartIsNoFile) {
+  const support::TemporaryFolder folder;
+  const auto end =
+      support::runProgram("/bin/sh",
+                          "-c \"'" PALPATE_BINARY_DIR
+                          "/palpate' simulate --preset vhb --seconds 600 --no-pictures --no-plot --out results 2>&-\"",
+                          folder.path());
+  EXPECT_EQ(end.exit_code, 0);
+  EXPECT_EQ(trace::readForcesTable(folder / "results/forces.csv").front().time_s.size(), 600000u);
+}
+
+TEST(StandardOutput, ThatWasClosedAtTheStartIsTold) {
+  const auto end = support::runProgram("/bin/sh", "-c \"'" PALPATE_BINARY_DIR "/palpate' run --keys >&-\"");
+  EXPECT_EQ(end.exit_code, 2);
+  EXPECT_EQ(end.err, "palpate: standard output: cannot be written: Bad file descriptor\n");
+}
 
 TEST(StandardOutput, ThatCannotBeWrittenIsToldToo) {
   const auto end = support::runProgram("/bin/sh", "-c \"'" PALPATE_BINARY_DIR "/palpate' run --keys > /dev/full\"");

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "stage.h"
 #include "view/viewer/state/viewer_state.h"
 
 namespace palpate::viewer {
@@ -76,6 +79,30 @@ TEST(FingerForm, FollowsTheUserWhoChose) {
   EXPECT_EQ(after(5.0), view::FingerShape::ball);
   viewer.state.look.finger = view::FingerShape::automatic;
   EXPECT_EQ(after(1.0), view::FingerShape::finger) << "begins again";
+}
+
+/// Pixels of the left finger's blue around the middle of the body.
+int bluePixels(const view::Image& picture, const Vec2& middle) {
+  constexpr int kReach = 120;
+  int blue = 0;
+  for (int y = -kReach; y < kReach; ++y) {
+    for (int x = -kReach; x < kReach; ++x) {
+      const view::Pixel& p = picture.at(static_cast<int>(middle.x()) + x, static_cast<int>(middle.y()) + y);
+      blue += p[2] > p[0] + 60 ? 1 : 0;
+    }
+  }
+  return blue;
+}
+
+TEST(LiveFinger, OfNoRadiusIsDrawnAsLargeAsAFingertip) {
+  const support::TemporaryFolder folder;
+  scene::Scene scene = sheetScene(folder);
+  scene.contact.source = scene::ContactSource::hdb;  // it knows points only
+  Stage stage(scene);
+  stage.move(stage.middle());
+  stage.button(true);
+  ASSERT_TRUE(stage.until([&] { return stage.finger().touch != contact::Touch::free; }));
+  EXPECT_GT(bluePixels(stage.picture(), stage.middle()), 1000) << "a ring alone has less than 200";
 }
 
 }  // namespace

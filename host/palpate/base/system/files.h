@@ -53,4 +53,8 @@ std::filesystem::path makeTemporaryFolder(std::string_view stem);
 /// Where a running program keeps what only its own user may see; it need not be there.
 std::filesystem::path runtimeFolder();
 
+/// Where whoever started us has closed standard input, output or error, the next file that is opened would stand for it
+/// and get its words. Each is given a device that refuses reads, or writes. Before any file is opened.
+void holdStandardStreams() noexcept;
+
 }  // namespace palpate::system

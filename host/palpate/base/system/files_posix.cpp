@@ -112,4 +112,12 @@ fs::path runtimeFolder() {
   return fs::temp_directory_path() / fmt::format("palpate-{}", ::geteuid());
 }
 
+void holdStandardStreams() noexcept {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
+    // The lowest free number: this one. What is written there fails, and is told to fail.
+    [[maybe_unused]] const int held = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
 }  // namespace palpate::system

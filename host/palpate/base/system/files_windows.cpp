@@ -209,4 +209,6 @@ fs::path runtimeFolder() {
   return (own.empty() ? fs::temp_directory_path() : pathOf(own)) / "palpate-run";
 }
 
+void holdStandardStreams() noexcept {}
+
 }  // namespace palpate::system

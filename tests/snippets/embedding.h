@@ -1,0 +1,17 @@
+// What docs/howto/embedding.md takes for given.
+#pragma once
+
+#include "palpate/engine/live_simulator.h"
+#include "palpate/engine/recorder.h"
+
+namespace palpate::snippet {
+extern const Vec3 tip;
+extern const std::vector<float> xyz;
+extern const std::vector<int> corners;
+extern const std::vector<double> stiffness_per_vertex;
+extern const scene::Scene scene;
+extern const std::shared_ptr<const scene::World> world, other_world;
+extern engine::LiveSimulator simulator;
+template <class... Parts>
+void upload(const Parts&... parts);
+}  // namespace palpate::snippet
