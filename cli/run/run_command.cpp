@@ -227,7 +227,7 @@ bool wantsStartPage(const RunOptions& options, const viewer::ViewState& state) {
   return state.start_page && !options.no_intro && !asked_for;
 }
 
-/// Becomes the program that holds the part: the training's, or the window anew, with what has been built since.
+/// Becomes the program that holds the activity: the training's, or the window anew, with what has been built since.
 void giveWay(viewer::Activity activity, const RunOptions& options) {
   using viewer::Activity;
   const bool trains = activity == Activity::training;

@@ -216,6 +216,11 @@ TEST(StartPage, OpensWhatWasAskedForAsSoonAsItIsBuilt) {
   stage.frame();
   EXPECT_FALSE(stage.state().awaited);
   stage.click("start/train");
+  stage.click("start/close");
+  EXPECT_FALSE(stage.state().awaited) << "nor after the page was closed";
+  stage.state().state.shown.start = true;
+  stage.frame();
+  stage.click("start/train");
   beside.training.kind = ActivityState::Kind::elsewhere;
   stage.frame();
   stage.frame();

@@ -241,7 +241,10 @@ void startPage(const StartPage& page, bool& open, Asks& asks) {
   if (ImGui::BeginChild("examples")) examples(page, open, asks);
   ImGui::EndChild();
   if (!page.building && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) open = false;
-  if (!open) ImGui::CloseCurrentPopup();
+  if (!open) {
+    page.awaited.reset();  // whoever has closed the page does something else
+    ImGui::CloseCurrentPopup();
+  }
   ImGui::EndPopup();
 }
 
