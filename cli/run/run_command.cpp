@@ -126,7 +126,9 @@ viewer::OpenedScene namedScene(const RunOptions& options) {
   if (!options.preset.empty() && !options.scene.empty()) {
     throw Error(options.scene + " and --preset " + options.preset + ": one scene at a time");
   }
-  if (!options.preset.empty()) return {scene::presetScene(options.preset), {}};
+  if (!options.preset.empty()) {
+    return {scene::presetScene(options.preset), {.title = std::string(scene::presetNamed(options.preset).title)}};
+  }
   const scene::Scene standard = scene::standardScene();
   if (options.scene.empty()) return {standard, {}};
   viewer::OpenedScene opened = viewer::sceneFromFile(options.scene, standard);

@@ -27,7 +27,9 @@ struct LeavesTheScene {
 };
 
 std::string nameOf(const ViewerState& viewer) {
-  return viewer.document.file.empty() ? viewer.world.name : viewer.document.file.filename().string();
+  const SceneDocument& document = viewer.document;
+  if (!document.file.empty()) return document.file.filename().string();
+  return document.title.empty() ? viewer.world.name : tr(document.title.c_str());
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ void RequestHandler::askForUnit(OpenFile request, const std::optional<double>& l
 
 void RequestHandler::fulfil(const OpenPreset& request) {
   parts_.world_swap.open(scene::presetScene(request.name), parts_.viewer);
+  parts_.viewer.document.title = scene::presetNamed(request.name).title;
 }
 
 /// The scene's file, else the mesh's, else the built-in body.

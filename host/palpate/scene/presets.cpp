@@ -53,11 +53,16 @@ std::vector<std::string> presetNames() {
   return names;
 }
 
-Scene presetScene(std::string_view name) {
+const Preset& presetNamed(std::string_view name) {
   const auto preset = std::ranges::find(kPresets, name, &Preset::name);
   if (preset == kPresets.end()) throw Error(unknownName("preset", std::string(name), "--preset", presetNames()));
-  Scene scene = sceneOf(preset->file);
-  if (preset->as_printed) {
+  return *preset;
+}
+
+Scene presetScene(std::string_view name) {
+  const Preset& preset = presetNamed(name);
+  Scene scene = sceneOf(preset.file);
+  if (preset.as_printed) {
     scene.fidelity.setAll(true);
     scene.title += ", as printed";
   }

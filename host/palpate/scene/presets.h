@@ -25,6 +25,8 @@ std::vector<std::string> presetNames();
 
 /// Of no file: there is none that it could be saved to. Throws Error for another name.
 Scene presetScene(std::string_view name);
+/// Throws Error for an unknown name.
+const Preset& presetNamed(std::string_view name);
 
 /// Of scenes/<file>.toml, compiled in (host/CMakeLists.txt); empty if there is none.
 std::string_view presetText(std::string_view file);

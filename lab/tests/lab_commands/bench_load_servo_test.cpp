@@ -132,13 +132,15 @@ TEST(BenchRecordingCommand, MeasuresWhatARecordingCosts) {
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_EQ(json["fingers"], 2);
   EXPECT_EQ(json["identical"], true);
-  EXPECT_EQ(json["dropped"], 0);
   EXPECT_TRUE(json["record_us_per_tick"].is_number());  // a difference of medians: below 0 beside other work
   EXPECT_GT(json["bytes_per_tick"].get<double>(), 10.0);
   EXPECT_LT(json["bytes_per_tick"].get<double>(), 400.0);
   EXPECT_GT(json["replay_times_real_time"].get<double>(), 0.0);
   EXPECT_GT(json["seek_s"].get<double>(), 0.0);
   if (!support::timesAreJudged()) return;
+  // Its ticks wait for nobody: beside other work the recorder may come too late. engine.RecorderOf keeps time, and
+  // loses nothing.
+  EXPECT_EQ(json["dropped"], 0);
   EXPECT_GT(json["record_us_per_tick"].get<double>(), 0.0);
   EXPECT_LT(json["record_us_per_tick"].get<double>(), 0.25) << "0.09 us on a quiet core (docs/reference/benchmarks.md)";
   EXPECT_GT(json["replay_times_real_time"].get<double>(), 100.0) << "250 times on a quiet core";

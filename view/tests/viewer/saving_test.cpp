@@ -208,6 +208,17 @@ TEST(Saving, TheTitleHasAStarWhileThereIsSomethingToSave) {
   EXPECT_EQ(title, "hand.toml - Palpate") << "turning is looking";
 }
 
+TEST(Saving, TheTitleNamesThePresetUntilItIsAFile) {
+  std::string title;
+  ViewerHost host;
+  host.set_title = [&](const std::string& words) { title = words; };
+  Stage stage(Stage::quiet(), host);
+  stage.state().request(OpenPreset{"vhb"});
+  ASSERT_TRUE(stage.until([&] { return title == "Virtual Haptic Back - Palpate"; })) << title;
+  stage.state().request(SaveScene{.file = (stage.folder / "mine.toml").string()});
+  ASSERT_TRUE(stage.until([&] { return title == "mine.toml - Palpate"; })) << title;
+}
+
 TEST(Leaving, WithoutChangesNothingIsAsked) {
   Stage stage;
   stage.key(window::key('Q'), kCtrl);

@@ -18,6 +18,7 @@ struct ViewerState;
 struct SceneDocument {
   std::filesystem::path file = {};  ///< absolute; empty: none yet
   std::string text = {};
+  std::string title = {};  ///< of a preset, which has no file: "Virtual Haptic Back"; tr() shows it
 };
 /// Of a scene file; of none, or one that cannot be read, an empty one.
 SceneDocument documentOf(const std::filesystem::path& file);
