@@ -8,6 +8,7 @@
 #include "cli/kit/families.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/system/process.h"
+#include "palpate/base/text.h"
 
 namespace palpate::app {
 
@@ -21,20 +22,19 @@ constexpr std::string_view kBegins = "build-later: ";
 constexpr std::string_view kFailed = "build-later: failed";
 
 /// Of a line of ninja: "[37/120] Building ...".
-bool readSteps(std::string_view line, ActivityState& state) {
+void readSteps(std::string_view line, ActivityState& state) {
   const std::size_t slash = line.find('/');
-  if (!line.starts_with('[') || slash == std::string_view::npos) return false;
+  if (!line.starts_with('[') || slash == std::string_view::npos) return;
   int done = 0, of = 0;
   const char* const end = line.data() + line.size();
   const auto [after, error] = std::from_chars(line.data() + 1, end, done);
   const auto [closed, second] = std::from_chars(line.data() + slash + 1, end, of);
   if (error != std::errc() || second != std::errc() || after != line.data() + slash || closed == end ||
       *closed != ']') {
-    return false;
+    return;
   }
   state.done = done;
   state.of = of;
-  return true;
 }
 
 std::string textOf(const std::filesystem::path& file) {
@@ -47,10 +47,7 @@ std::string textOf(const std::filesystem::path& file) {
 ActivityState stateOfBuild(std::string_view log, std::string_view family) {
   ActivityState state{.kind = ActivityState::Kind::being_built};
   bool is_ours = false;
-  while (!log.empty()) {
-    const std::size_t end = log.find('\n');
-    const std::string_view line = log.substr(0, end);
-    log.remove_prefix(end == std::string_view::npos ? log.size() : end + 1);
+  for (const std::string_view line : split(log, '\n')) {
     if (line == kFailed) return {};
     if (line.starts_with(kBegins)) {
       is_ours = line.substr(kBegins.size()) == family;

@@ -253,6 +253,33 @@ void beginWith(const std::string& activity, viewer::ViewerState& viewer) {
   if (activity == "class") viewer.request(viewer::ShowClass{});
 }
 
+/// All but the document, and the devices, which want a body.
+viewer::ViewerSettings viewerSettings(const RunOptions& options, const viewer::StateReading& state) {
+  viewer::ViewerSettings settings;
+  settings.intro = !options.no_intro && !state.remembered && options.play.empty();
+  settings.output_folder = pathOf(options.out);
+  settings.recording_folder = recordingFolder(options);
+  settings.default_scene = scene::standardScene();
+  for (const ModeMaker& make : options.modes) settings.modes.push_back(make());
+  return settings;
+}
+
+viewer::ViewState viewState(const RunOptions& options, const viewer::StateReading& state) {
+  viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};
+  view_state.input.shortcuts = !options.no_shortcuts;
+  if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
+  if (!options.head_tracker.empty()) view_state.head.on = true;
+  return view_state;
+}
+
+/// The viewer goes on where the start page was when the body came.
+void takeOver(const Opening& opening, viewer::ViewerState& viewer) {
+  viewer.state.shown.start = opening.page;
+  viewer.awaited = opening.awaited;
+  for (const viewer::Request& request : opening.requests) viewer.request(request);
+  for (const window::Action action : opening.actions) viewer.asks.act(action);
+}
+
 void runWindow(const RunOptions& options) {
   const auto started = Clock::now();
   const viewer::StateReading state = remembered(options);
@@ -268,17 +295,9 @@ void runWindow(const RunOptions& options) {
   if (window::displayOffered()) building.request({.scene = opened.scene, .body = nullptr, .read = {}});
   window::Window window(windowFor(options, state));
   const FinishesInOrder in_order;
-  viewer::ViewerSettings settings;
+  viewer::ViewerSettings settings = viewerSettings(options, state);
   settings.document = std::move(opened.document);
-  settings.intro = !options.no_intro && !state.remembered && options.play.empty();
-  settings.output_folder = pathOf(options.out);
-  settings.recording_folder = recordingFolder(options);
-  settings.default_scene = scene::standardScene();
-  viewer::ViewState view_state = state.remembered ? state.remembered->state : viewer::ViewState{};
-  view_state.input.shortcuts = !options.no_shortcuts;
-  if (!options.stereo.empty()) view_state.stereo.mode = view::stereoModeNamed(options.stereo);
-  if (!options.head_tracker.empty()) view_state.head.on = true;
-  for (const ModeMaker& make : options.modes) settings.modes.push_back(make());
+  viewer::ViewState view_state = viewState(options, state);
   std::optional<viewer::Activity> wanted;
   viewer::ViewerHost host = hostOf(window);
   host.teach_program = familyProgram("teach");
@@ -303,11 +322,8 @@ void runWindow(const RunOptions& options) {
   }
   if (!options.devices.empty()) settings.devices = openedFor(*opening.world, options.devices);
   viewer::Viewer viewer(opening.world, std::move(view_state), std::move(settings), std::move(host));
-  viewer.state().state.shown.start = opening.page;
-  viewer.state().awaited = opening.awaited;
+  takeOver(opening, viewer.state());
   if (options.no_intro) viewer.state().hint = viewer::kNoHint;
-  for (const viewer::Request& request : opening.requests) viewer.state().request(request);
-  for (const window::Action action : opening.actions) viewer.state().asks.act(action);
   beginWith(options.begin, viewer.state());
   if (!state.note.empty()) viewer.state().report(viewer::Severity::warning, state.note);
   if (!options.replay.empty()) viewer.state().request(viewer::OpenFile{options.replay});

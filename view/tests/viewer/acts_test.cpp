@@ -86,5 +86,13 @@ TEST(Hints, ComeOneAfterTheOtherAndThenNoMore) {
   EXPECT_FALSE(viewer.state.hints);
 }
 
+TEST(Hints, APressByAKeyIsOneAsWell) {
+  ViewerState viewer;
+  window::Command command;
+  command.kind = window::Command::Kind::hold;
+  countHint(command, viewer.hint, viewer.state.hints);
+  EXPECT_EQ(viewer.hint, 1);
+}
+
 }  // namespace
 }  // namespace palpate::viewer

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "stage.h"
 #include "view/viewer/state/viewer_state.h"
 
