@@ -11,6 +11,7 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@
 #include "support/mesh_zoo.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
+#include "support/terminal.h"
 #include "support/wait_for.h"
 
 namespace palpate {
@@ -41,7 +43,7 @@ class Signals : public testing::Test {
     kill(child, signal);
     int status = 0;
     waitpid(child, &status, 0);
-    EXPECT_TRUE(came) << support::contentOf(folder_ / "err");
+    EXPECT_TRUE(came) << (terminal_ ? terminal_->shown() : support::contentOf(folder_ / "err"));
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   }
 
@@ -53,9 +55,23 @@ class Signals : public testing::Test {
     if (chdir(folder_.path().c_str()) != 0) _exit(99);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::signal(number, SIG_DFL);
     dup2(open("out", O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
-    dup2(open("err", O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
+    dup2(terminal_ ? terminal_->programSide() : open("err", O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
     execv(words.front(), words.data());
     _exit(99);
+  }
+
+  /// The same with the command's messages on a terminal: the signal comes as soon as they name this work. Seconds until
+  /// its end are put into `took_s`.
+  int endedDuring(const std::string& work, std::vector<std::string> arguments, double& took_s) {
+    terminal_.emplace();
+    Clock::time_point asked;
+    const int end = ended(std::move(arguments), SIGINT, [&] {
+      asked = Clock::now();
+      return terminal_->shown().find(work) != std::string::npos;
+    });
+    took_s = secondsSince(asked);
+    terminal_.reset();
+    return end;
   }
 
   /// Whether the process has taken the signal over: before that it ends as every process does. SIGKILL cannot be
@@ -76,6 +92,7 @@ class Signals : public testing::Test {
   nlohmann::json report() const { return nlohmann::json::parse(support::contentOf(folder_ / "results/report.json")); }
 
   support::TemporaryFolder folder_;
+  std::optional<support::Terminal> terminal_;  ///< for messages, instead of the file "err"
 };
 
 /// A suite of its own: studies need not run on every change.
@@ -190,15 +207,10 @@ TEST_F(Signals, WhoStillBuildsItsBodyEndsAtOnce) {
   for (const std::vector<std::string>& command : {std::vector<std::string>{"simulate", "large.toml", "--out", "made"},
                                                   {"recording", "new", "large.toml", "--out", "made.session"}}) {
     SCOPED_TRACE(command.front());
-    Clock::time_point asked;
-    const int end = ended(command, SIGINT, [&] {
-      asked = Clock::now();
-      return support::contentOf(folder_ / "err").find("building the ") != std::string::npos;
-    });
-    EXPECT_EQ(end, 130) << support::contentOf(folder_ / "err");
-    EXPECT_LT(secondsSince(asked), 1.0);
+    double took_s = 0.0;
+    EXPECT_EQ(endedDuring("building the ", command, took_s), 130);
+    EXPECT_LT(took_s, 1.0);
     EXPECT_FALSE(fs::exists(folder_ / "made") || fs::exists(folder_ / "made.session"));
-    fs::remove(folder_ / "err");
   }
   unsetenv("PALPATE_BODY_CACHE_MB");
 }
@@ -206,13 +218,10 @@ TEST_F(Signals, WhoStillBuildsItsBodyEndsAtOnce) {
 /// The same for what contact needs of a mesh file: tree, sides, deformable skin.
 TEST_F(Signals, WhoStillPreparesTheSkinOfALargeMeshEndsAtOnce) {
   mesh::save(folder_ / "large.ply", zoo::grid(900, 300.0));
-  Clock::time_point asked;
-  const int end = ended({"simulate", "--mesh", "large.ply", "--out", "made"}, SIGINT, [&] {
-    asked = Clock::now();
-    return support::contentOf(folder_ / "err").find("building the contact surface") != std::string::npos;
-  });
-  EXPECT_EQ(end, 130) << support::contentOf(folder_ / "err");
-  EXPECT_LT(secondsSince(asked), 1.0);
+  double took_s = 0.0;
+  EXPECT_EQ(endedDuring("building the contact surface", {"simulate", "--mesh", "large.ply", "--out", "made"}, took_s),
+            130);
+  EXPECT_LT(took_s, 1.0);
   EXPECT_FALSE(fs::exists(folder_ / "made"));
 }
 
