@@ -278,15 +278,19 @@ struct Inspection {
   ValidationReport report;
   std::optional<TriangleShapes> shapes;
   std::vector<FileNumber> numbers;
+  std::string left_out;
 };
 
 Inspection inspect(const InfoArguments& arguments) {
   ProgressLine progress;
   mesh::LoadOptions options = arguments.mesh.options;
   options.keep_wrong_indices = true;  // to be counted, not refused
-  const auto [surface, channels] = mesh::loadWithChannels(pathOf(arguments.mesh.file), options, progress.callback());
-  Inspection found{
-      mesh::validate(surface, {.self_intersections = !arguments.quick}, progress.callback()), {}, numbersOf(channels)};
+  const auto [surface, channels, left_out] =
+      mesh::loadWithChannels(pathOf(arguments.mesh.file), options, progress.callback());
+  Inspection found{mesh::validate(surface, {.self_intersections = !arguments.quick}, progress.callback()),
+                   {},
+                   numbersOf(channels),
+                   left_out};
   const bool can_be_measured = found.report.wrong_indices.count == 0 && found.report.non_finite_vertices.count == 0;
   if (arguments.shape && can_be_measured) found.shapes = triangleShapes(surface);
   return found;
@@ -308,10 +312,13 @@ void runInfo(const InfoArguments& arguments) {
     Json json = {{"file", arguments.mesh.file}};
     json.update(jsonOf(found.report));
     json["numbers"] = jsonOf(found.numbers);
+    if (!found.left_out.empty()) json["left_out"] = found.left_out;
     if (found.shapes) json["shape"] = asJson(*found.shapes);
     fmt::print("{}\n", jsonDump(json, 2));
   } else {
-    printReadable((found.shapes ? asText(*found.shapes) : "") + textOf(found.numbers) + textOf(found.report));
+    const std::string left_out = found.left_out.empty() ? "" : found.left_out + "\n";
+    printReadable(left_out + (found.shapes ? asText(*found.shapes) : "") + textOf(found.numbers) +
+                  textOf(found.report));
   }
 }
 

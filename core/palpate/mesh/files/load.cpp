@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "palpate/base/error.h"
@@ -81,10 +82,17 @@ void follow(VertexChannels* channels, const std::vector<Index>& source_vertex) {
   if (channels != nullptr) *channels = followed(*channels, source_vertex);
 }
 
-TriangleMesh loadChecked(const MeshFile& file, Format format, VertexChannels* channels) {
+/// `left_out` gets one line if anything was.
+TriangleMesh loadChecked(MeshFile file, Format format, VertexChannels* channels, std::string* left_out) {
   if (file.bytes.empty()) throw Error::inFile(file.name, "the file is empty");
+  LeftOut counts;
+  file.left_out = &counts;
   TriangleMesh mesh = read(file, format, channels);
-  if (mesh.triangles.empty()) throw Error::inFile(file.name, "no triangles in it");
+  const std::string words = counts.inWords();
+  if (mesh.triangles.empty()) {
+    throw Error::inFile(file.name, "no triangles in it" + (words.empty() ? words : "; " + words));
+  }
+  if (left_out != nullptr) *left_out = words;
   // STL welds while it reads.
   const bool repeats_vertices = isGltf(format) || format == Format::foreign;
   if (format != Format::stl && file.options.weld.value_or(repeats_vertices)) {
@@ -97,6 +105,23 @@ TriangleMesh loadChecked(const MeshFile& file, Format format, VertexChannels* ch
 }
 
 }  // namespace
+
+void LeftOut::add(std::string_view what, std::size_t count) {
+  constexpr std::size_t kMostNames = 12;  // of a stranger's file: enough to understand it
+  const auto found = std::find_if(counts_.begin(), counts_.end(), [&](const auto& one) { return one.first == what; });
+  if (found != counts_.end()) {
+    found->second += count;
+  } else if (counts_.size() < kMostNames) {
+    counts_.emplace_back(what, count);
+  }
+}
+
+std::string LeftOut::inWords() const {
+  std::string words;
+  for (const auto& [what, count] : counts_)
+    words += fmt::format("{}{} ({})", words.empty() ? "left out: " : ", ", what, count);
+  return words;
+}
 
 TriangleMesh readForeign(const MeshFile& file, const std::string& extension) {
   return foreignReader()(file, extension);
@@ -126,13 +151,14 @@ void checkTriangleCount(std::size_t triangles, std::string_view name) {
 
 TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress) {
   report(progress, "reading", 0.0);
-  return withMeshFile(file, options, progress,
-                      [](const MeshFile& mesh_file, Format format) { return loadChecked(mesh_file, format, nullptr); });
+  return withMeshFile(file, options, progress, [](const MeshFile& mesh_file, Format format) {
+    return loadChecked(mesh_file, format, nullptr, nullptr);
+  });
 }
 
 TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name, const LoadOptions& options,
                             const Progress& progress) {
-  return loadChecked({bytes, name, options, progress, {}}, format, nullptr);
+  return loadChecked({bytes, name, options, progress, {}, nullptr}, format, nullptr, nullptr);
 }
 
 MeshWithChannels loadWithChannels(const std::filesystem::path& file, const LoadOptions& options,
@@ -140,7 +166,7 @@ MeshWithChannels loadWithChannels(const std::filesystem::path& file, const LoadO
   report(progress, "reading", 0.0);
   MeshWithChannels loaded;
   loaded.mesh = withMeshFile(file, options, progress, [&](const MeshFile& mesh_file, Format format) {
-    return loadChecked(mesh_file, format, &loaded.channels);
+    return loadChecked(mesh_file, format, &loaded.channels, &loaded.left_out);
   });
   return loaded;
 }
@@ -148,7 +174,7 @@ MeshWithChannels loadWithChannels(const std::filesystem::path& file, const LoadO
 MeshWithChannels loadWithChannelsFromMemory(std::string_view bytes, Format format, std::string_view name,
                                             const LoadOptions& options, const Progress& progress) {
   MeshWithChannels loaded;
-  loaded.mesh = loadChecked({bytes, name, options, progress, {}}, format, &loaded.channels);
+  loaded.mesh = loadChecked({bytes, name, options, progress, {}, nullptr}, format, &loaded.channels, &loaded.left_out);
   return loaded;
 }
 

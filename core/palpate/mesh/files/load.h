@@ -56,6 +56,9 @@ TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_v
 struct MeshWithChannels {
   TriangleMesh mesh;
   VertexChannels channels;
+  /// What the file holds beside triangles and is no part of the mesh, as "left out: lines (3), points (1)"; mostly
+  /// empty.
+  std::string left_out{};
 };
 
 /// `load`, with the numbers and colours that a PLY file has for its vertices: colours from red, green, blue (with or

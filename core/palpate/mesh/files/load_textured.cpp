@@ -42,7 +42,7 @@ TexturedMesh loadTextured(const std::filesystem::path& file, const LoadOptions& 
 
 TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::string_view name,
                                     const LoadOptions& options, const Progress& progress) {
-  return loadFrom({bytes, name, options, progress, {}}, format);
+  return loadFrom({bytes, name, options, progress, {}, nullptr}, format);
 }
 
 std::string basePictureOf(const std::filesystem::path& file) {

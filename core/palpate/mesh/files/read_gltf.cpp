@@ -1,15 +1,19 @@
-// glTF and GLB: all triangles of the default scene, moved by their nodes into one mesh. Materials, skins, morph
-// targets, animations, cameras, lights, points and lines are passed over.
+// glTF and GLB: all triangles of the scene that the file wants shown, as it wants them shown: moved by their nodes or
+// by the joints of their skin, morphed by their weights, in all their instances, in one mesh. Materials, animations,
+// cameras and lights are passed over; points, lines and what the scene does not show are left out and told.
 //
 // Not read through assimp: version 5.2.5 overflows the stack on deeply nested JSON and on long chains of nodes, and its
 // errors name no place. Checking a file so well that neither can happen is nearly all of the work of reading it.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "palpate/mesh/files/detail/gltf_data.h"
+#include "palpate/mesh/files/detail/gltf_pose.h"
 #include "palpate/mesh/files/detail/json.h"
 #include "palpate/mesh/files/detail/readers.h"
 
@@ -17,42 +21,63 @@ namespace palpate::mesh {
 
 namespace {
 
-enum Mode : int { kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6 };
-
-/// A node may show a mesh again and again, so a short file can ask for any number of triangles. What is more than this
-/// many times the bytes of the file and its buffers is an attack, not a mesh.
-constexpr std::size_t kMaxPerByte = 8;
+enum Mode : int { kPoints = 0, kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6 };
 
 constexpr std::size_t kMaxTextureSets = 64;
+/// Each brings four joints a vertex. Programs write two at most.
+constexpr std::size_t kMaxJointSets = 16;
 
-Eigen::Affine3d matrixOf(JsonValue node) {
-  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
-  const auto numbers = node["matrix"].items();
-  if (numbers.size() != 16) node["matrix"].fail("a matrix needs 16 numbers");
-  for (Eigen::Index i = 0; i < 16; ++i) {
-    transform.matrix()(i % 4, i / 4) = numbers[static_cast<std::size_t>(i)].number();
+/// Extensions that change nothing about the surface, or that are read here. One that a file requires and that is not
+/// among them may be anything: another place, another packing.
+constexpr auto kKnownExtensions = std::to_array<std::string_view>(
+    {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing", "KHR_lights_punctual", "KHR_xmp", "KHR_xmp_json_ld",
+     "KHR_animation_pointer", "EXT_lights_image_based", "EXT_lights_ies", "MSFT_lod", "EXT_mesh_features",
+     "EXT_structural_metadata", "EXT_mesh_manifold", "FB_ngon_encoding", "CESIUM_primitive_outline"});
+/// Families of extensions that only colour the surface.
+constexpr auto kKnownFamilies =
+    std::to_array<std::string_view>({"KHR_materials_", "EXT_materials_", "ADOBE_materials_", "NV_materials_",
+                                     "KHR_texture_", "EXT_texture_", "MSFT_texture_", "MSFT_packing_"});
+constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
+constexpr auto kCompressions =
+    std::to_array<std::string_view>({kDraco, "EXT_meshopt_compression", "KHR_meshopt_compression"});
+
+template <class Names>
+bool isAmong(const Names& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool isKnown(std::string_view extension) {
+  const auto begins = [&](std::string_view family) { return extension.starts_with(family); };
+  return isAmong(kKnownExtensions, extension) || std::any_of(kKnownFamilies.begin(), kKnownFamilies.end(), begins);
+}
+
+/// Before anything is read: what a file of another version or with an extension holds means nothing without it.
+void checkNeeds(JsonValue root) {
+  const JsonValue asset = root["asset"];
+  for (const char* name : {"version", "minVersion"}) {
+    const JsonValue version = asset[name];
+    const bool is_needed = version && (std::string_view(name) == "minVersion" || !asset["minVersion"]);
+    if (!is_needed) continue;
+    const std::string words = version.text();
+    if (words != "2" && !words.starts_with("2."))
+      version.fail(fmt::format("glTF {} cannot be read, glTF 2 can", shown(words)));
   }
-  transform.makeAffine();
-  return transform;
+  for (const JsonValue extension : root["extensionsRequired"].items()) {
+    const std::string name = extension.text();
+    if (isAmong(kCompressions, name)) extension.fail(fmt::format("geometry compressed with {} cannot be read", name));
+    if (!isKnown(name))
+      extension.fail(fmt::format("the file needs the extension {}, which cannot be read", shown(name)));
+  }
 }
 
-template <int Size>
-Eigen::Matrix<double, Size, 1> vectorOr(JsonValue array, const Eigen::Matrix<double, Size, 1>& fallback) {
-  if (!array) return fallback;
-  const auto numbers = array.items();
-  if (numbers.size() != Size) array.fail(fmt::format("{} numbers are expected", Size));
-  Eigen::Matrix<double, Size, 1> result;
-  for (std::size_t i = 0; i < Size; ++i) result[static_cast<Eigen::Index>(i)] = numbers[i].number();
-  return result;
-}
-
-Eigen::Affine3d transformOf(JsonValue node) {
-  if (node["matrix"]) return matrixOf(node);
-  const Vec3 move = vectorOr<3>(node["translation"], Vec3::Zero());
-  const Eigen::Vector4d turn = vectorOr<4>(node["rotation"], Eigen::Vector4d(0, 0, 0, 1));
-  const Vec3 scale = vectorOr<3>(node["scale"], Vec3::Ones());
-  const Eigen::Quaterniond rotation(turn.w(), turn.x(), turn.y(), turn.z());
-  return Eigen::Translation3d(move) * rotation.normalized() * Eigen::Scaling(scale);
+/// Where glTF puts the picture's coordinates (KHR_texture_transform).
+Eigen::Affine2f placingOf(JsonValue base_colour) {
+  const JsonValue transform = base_colour["extensions"]["KHR_texture_transform"];
+  const JsonValue turn = transform["rotation"];
+  // v points down: a turn that is counter-clockwise as it is written here is what the extension's matrix says.
+  const Eigen::Rotation2Df rotation(turn ? static_cast<float>(turn.number()) : 0.0f);
+  return Eigen::Translation2f(vectorOr<2>(transform["offset"], Vec2::Zero()).cast<float>()) * rotation *
+         Eigen::Scaling(Eigen::Vector2f(vectorOr<2>(transform["scale"], Vec2::Ones()).cast<float>()));
 }
 
 class GltfReader {
@@ -62,143 +87,238 @@ class GltfReader {
         places_(places),
         root_(document.root()),
         accessors_(file, root_, parts.binary),
-        nodes_(root_["nodes"].items()),
+        pose_(root_),
         meshes_(root_["meshes"].items()),
-        primitives_(meshes_.size()),
-        visited_(nodes_.size(), false) {
+        primitives_(meshes_.size()) {
     if (places_ != nullptr) base_colours_ = baseColours(root_);
-    budget_ = 1000 + kMaxPerByte * accessors_.bytes();
   }
 
   TriangleMesh read() {
-    refuseCompression();
-    if (nodes_.empty()) {
-      for (std::size_t m = 0; m < meshes_.size(); ++m) addMesh(m, Eigen::Affine3d::Identity());
+    if (pose_.nodes() == 0) {
+      for (std::size_t m = 0; m < meshes_.size(); ++m) addMesh(m, {}, {Eigen::Affine3d::Identity()});
     } else {
-      addNodes(roots());
+      pose_.showScene([this](JsonValue node, const Eigen::Affine3d& transform) { showNode(node, transform); });
+      tellWhatIsNotShown();
     }
     return std::move(mesh_);
   }
 
  private:
-  void refuseCompression() const {
-    for (const JsonValue extension : root_["extensionsRequired"].items()) {
-      const std::string name = extension.text();
-      if (name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression") {
-        extension.fail(fmt::format("geometry compressed with {} cannot be read", name));
-      }
+  void showNode(JsonValue node, const Eigen::Affine3d& transform) {
+    const JsonValue mesh = node["mesh"];
+    if (!mesh) return;
+    const JsonValue instances = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+    addMesh(mesh.index(meshes_.size(), "mesh"), node,
+            instances && !node["skin"] ? instancesOf(instances, transform) : std::vector{transform});
+  }
+
+  /// EXT_mesh_gpu_instancing: the node's mesh once for each of these.
+  std::vector<Eigen::Affine3d> instancesOf(JsonValue attributes, const Eigen::Affine3d& transform) {
+    const auto moves = vectorsOf<Vec3>(attributes["TRANSLATION"]);
+    const auto turns = vectorsOf<Eigen::Vector4d>(attributes["ROTATION"]);
+    const auto scales = vectorsOf<Vec3>(attributes["SCALE"]);
+    const std::size_t count = std::max({moves.size(), turns.size(), scales.size()});
+    for (const std::size_t size : {moves.size(), turns.size(), scales.size()}) {
+      if (size != 0 && size != count) attributes.fail("attributes of instances need one count");
     }
-  }
-
-  /// The nodes of the scene that the file wants shown; without scenes all that are nobody's children.
-  std::vector<std::size_t> roots() const {
-    const auto scenes = root_["scenes"].items();
-    if (scenes.empty()) return orphans();
-    const JsonValue chosen = root_["scene"];
-    return nodeIndices(scenes[chosen ? chosen.index(scenes.size(), "scene") : 0]["nodes"]);
-  }
-
-  std::vector<std::size_t> orphans() const {
-    std::vector<bool> is_child(nodes_.size(), false);
-    for (const JsonValue node : nodes_) {
-      for (std::size_t child : nodeIndices(node["children"])) is_child[child] = true;
+    spend(count, attributes);
+    std::vector<Eigen::Affine3d> instances;
+    for (std::size_t i = 0; i < count; ++i) {
+      instances.push_back(transform * composed(moves.empty() ? Vec3(Vec3::Zero()) : moves[i],
+                                               turns.empty() ? Eigen::Vector4d(0, 0, 0, 1) : turns[i],
+                                               scales.empty() ? Vec3(Vec3::Ones()) : scales[i]));
     }
-    std::vector<std::size_t> result;
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-      if (!is_child[n]) result.push_back(n);
+    return instances;
+  }
+
+  template <class Vector>
+  std::vector<Vector> vectorsOf(JsonValue accessor) {
+    return accessor ? accessors_.vectors<Vector>(accessor) : std::vector<Vector>();
+  }
+
+  void tellWhatIsNotShown() const {
+    std::vector<bool> is_named(meshes_.size(), false);
+    for (std::size_t n = 0; n < pose_.nodes(); ++n) {
+      const JsonValue mesh = pose_.node(n)["mesh"];
+      if (!mesh) continue;
+      is_named[mesh.index(meshes_.size(), "mesh")] = true;
+      if (!pose_.isShown(n)) leaveOut(file_, "nodes with a mesh that the scene does not show");
     }
-    return result;
+    const auto unnamed = std::count(is_named.begin(), is_named.end(), false);
+    if (unnamed > 0) leaveOut(file_, "meshes that no node shows", static_cast<std::size_t>(unnamed));
   }
 
-  std::vector<std::size_t> nodeIndices(JsonValue list) const {
-    std::vector<std::size_t> indices;
-    for (const JsonValue item : list.items()) indices.push_back(item.index(nodes_.size(), "node"));
-    return indices;
-  }
-
-  /// Depth first with a stack of its own: a chain of a million nodes is legal.
-  void addNodes(const std::vector<std::size_t>& roots) {
-    struct Pending {
-      std::size_t node;
-      Eigen::Affine3d parent;
-    };
-    std::vector<Pending> pending;
-    const auto push = [&](std::vector<std::size_t> nodes, const Eigen::Affine3d& parent) {
-      std::reverse(nodes.begin(), nodes.end());  // the first comes off the stack first
-      for (const std::size_t node : nodes) {
-        if (visited_[node]) nodes_[node].fail("the node is shown twice: nodes must form a tree");
-        visited_[node] = true;
-        pending.push_back({node, parent});
-      }
-    };
-    push(roots, Eigen::Affine3d::Identity());
-    while (!pending.empty()) {
-      const Pending next = pending.back();
-      pending.pop_back();
-      const JsonValue node = nodes_[next.node];
-      const Eigen::Affine3d transform = next.parent * transformOf(node);
-      if (const JsonValue mesh = node["mesh"]) addMesh(mesh.index(meshes_.size(), "mesh"), transform);
-      push(nodeIndices(node["children"]), transform);
-    }
-  }
-
-  /// A primitive as the file holds it, before a node moves it.
+  /// A primitive as the file holds it, before anything moves it.
   struct Primitive {
     JsonValue where;
     int mode = kTriangles;
     std::vector<Vec3> positions;
     std::vector<Index> indices;
-    TexturePlaces places;  // when they are asked for
+    std::vector<JsonValue> morph_targets;
+    std::vector<std::pair<JsonValue, JsonValue>> joint_sets;  // JOINTS_n and WEIGHTS_n
+    TexturePlaces places;                                     // when they are asked for
   };
 
-  void addMesh(std::size_t mesh, const Eigen::Affine3d& transform) {
+  void addMesh(std::size_t mesh, JsonValue node, const std::vector<Eigen::Affine3d>& instances) {
     if (!primitives_[mesh]) primitives_[mesh] = readPrimitives(meshes_[mesh]);
-    for (const Primitive& primitive : *primitives_[mesh]) addPrimitive(primitive, transform);
+    const std::vector<double> weights = weightsOf(node["weights"] ? node["weights"] : meshes_[mesh]["weights"]);
+    for (const Primitive& primitive : *primitives_[mesh]) {
+      const std::vector<Vec3> morphed = morphedBy(weights, primitive);
+      if (const JsonValue skin = node["skin"]) {
+        // The node of a skinned mesh moves nothing: its joints say where it is (section 3.7.3.3).
+        addSkinned(primitive, morphed, pose_.jointsOf(skin, accessors_));
+        continue;
+      }
+      for (const Eigen::Affine3d& transform : instances) addMoved(primitive, morphed, transform);
+    }
     report(file_.progress, "reading", 0.5);
+  }
+
+  std::vector<double> weightsOf(JsonValue list) {
+    std::vector<double> weights;
+    for (const JsonValue weight : list.items()) weights.push_back(weight.number());
+    spend(weights.size(), list);
+    return weights;
   }
 
   std::vector<Primitive> readPrimitives(JsonValue mesh) {
     std::vector<Primitive> primitives;
     for (const JsonValue json : mesh["primitives"].items()) {
       const auto mode = static_cast<int>(json["mode"].indexOr(kTriangles, kTriangleFan + 1, "mode"));
-      if (mode < kTriangles) continue;
-      const JsonValue attribute = json["attributes"]["POSITION"];
-      if (!attribute) json.fail("a primitive without POSITION");
-      Primitive primitive{json, mode, accessors_.positions(attribute), {}, {}};
+      const JsonValue attributes = json["attributes"];
+      const JsonValue attribute = attributes["POSITION"];
+      if (mode < kTriangles) leaveOut(file_, mode == kPoints ? "primitives of points" : "primitives of lines");
+      if (mode >= kTriangles && !attribute) leaveOut(file_, "primitives without POSITION");  // section 3.7.2.1
+      if (mode < kTriangles || !attribute) continue;
+      if (json["extensions"][kDraco] && accessors_.isWithoutView(attribute)) {
+        json.fail(fmt::format("geometry compressed with {} cannot be read", kDraco));
+      }
+      Primitive primitive{json, mode, accessors_.vectors<Vec3>(attribute), {}, {}, {}, {}};
       primitive.indices = indicesOf(json, primitive.positions.size());
+      checkTriangles(primitive);
+      for (const JsonValue target : json["targets"].items()) primitive.morph_targets.push_back(target["POSITION"]);
+      for (std::size_t set = 0; set < kMaxJointSets; ++set) {
+        const JsonValue joints = attributes[fmt::format("JOINTS_{}", set)];
+        const JsonValue weights = attributes[fmt::format("WEIGHTS_{}", set)];
+        if (joints && weights) primitive.joint_sets.emplace_back(joints, weights);
+      }
       if (places_ != nullptr) primitive.places = placesOf(json, primitive.positions.size());
-      spend(primitive);
+      spend(itemsOf(primitive), json);
       primitives.push_back(std::move(primitive));
     }
     return primitives;
   }
 
+  static void checkTriangles(const Primitive& primitive) {
+    const std::size_t corners = primitive.indices.size();
+    if (primitive.mode == kTriangles && corners % 3 != 0) {
+      primitive.where.fail(fmt::format("{} corners are no whole number of triangles", corners));
+    }
+    if (corners == 1 || corners == 2) primitive.where.fail("a strip or fan of triangles needs at least 3 corners");
+  }
+
+  std::vector<Vec3> morphedBy(const std::vector<double>& weights, const Primitive& primitive) {
+    std::vector<Vec3> positions = primitive.positions;
+    for (std::size_t t = 0; t < std::min(weights.size(), primitive.morph_targets.size()); ++t) {
+      const JsonValue target = primitive.morph_targets[t];
+      if (weights[t] == 0.0 || !target) continue;
+      const std::vector<Vec3> moves = accessors_.vectors<Vec3>(target);
+      spend(moves.size(), target);
+      if (moves.size() != positions.size()) target.fail("a morph target needs one move for each vertex");
+      for (std::size_t v = 0; v < moves.size(); ++v) positions[v] += weights[t] * moves[v];
+    }
+    return positions;
+  }
+
   /// Where the base colour lies; none where there is no such attribute. glTF counts v downwards.
-  TexturePlaces placesOf(JsonValue primitive, std::size_t vertices) const {
+  TexturePlaces placesOf(JsonValue primitive, std::size_t vertices) {
     const JsonValue base_colour = baseColourOf(base_colours_, primitive);
-    const std::size_t set = base_colour["texCoord"].indexOr(0, kMaxTextureSets, "texCoord");
-    const JsonValue attribute = primitive["attributes"][fmt::format("TEXCOORD_{}", set)];
-    TexturePlaces places;
-    if (attribute) places = accessors_.places(attribute);
-    for (TexturePlace& place : places) place.y() = 1.0f - place.y();
+    const JsonValue moved_set = base_colour["extensions"]["KHR_texture_transform"]["texCoord"];
+    const std::size_t set = (moved_set ? moved_set : base_colour["texCoord"]).indexOr(0, kMaxTextureSets, "texCoord");
+    TexturePlaces places = vectorsOf<Vec2f>(primitive["attributes"][fmt::format("TEXCOORD_{}", set)]);
+    const Eigen::Affine2f placing = placingOf(base_colour);
+    for (TexturePlace& place : places) {
+      place = placing * place;
+      place.y() = 1.0f - place.y();
+    }
     places.resize(vertices, noTexturePlace());
     return places;
   }
 
-  void addPrimitive(const Primitive& primitive, const Eigen::Affine3d& transform) {
-    spend(primitive);
-    const std::size_t first = mesh_.positions.size();
-    if (first + primitive.positions.size() >= kNoIndex) {
-      primitive.where.fail("more vertices than 32-bit indices can name");
+  void addMoved(const Primitive& primitive, const std::vector<Vec3>& morphed, const Eigen::Affine3d& transform) {
+    std::vector<Vec3> positions;
+    positions.reserve(morphed.size());
+    for (const Vec3& position : morphed) positions.push_back(transform * position);
+    addPrimitive(primitive, positions, transform.linear().determinant() < 0.0);
+  }
+
+  void addSkinned(const Primitive& primitive, const std::vector<Vec3>& morphed,
+                  const std::vector<Eigen::Affine3d>& joints) {
+    const std::vector<Eigen::Affine3d> carriers = carriersOf(primitive, joints);
+    std::vector<Vec3> positions;
+    double turned = 0.0;
+    for (std::size_t v = 0; v < morphed.size(); ++v) {
+      positions.push_back(carriers[v] * morphed[v]);
+      turned += carriers[v].linear().determinant() < 0.0 ? 1.0 : -1.0;
     }
-    for (const Vec3& position : primitive.positions) mesh_.positions.push_back(transform * position);
+    addPrimitive(primitive, positions, turned > 0.0);
+  }
+
+  /// The mean of its joints for each vertex, by its weights. A vertex of no weight follows its first joint.
+  std::vector<Eigen::Affine3d> carriersOf(const Primitive& primitive, const std::vector<Eigen::Affine3d>& joints) {
+    const std::size_t vertices = primitive.positions.size();
+    if (primitive.joint_sets.empty()) primitive.where.fail("a skinned primitive without JOINTS_0 and WEIGHTS_0");
+    Eigen::Affine3d nothing;
+    nothing.matrix().setZero();
+    std::vector<Eigen::Affine3d> carriers(vertices, nothing);
+    std::vector<double> sums(vertices, 0.0);
+    std::vector<std::size_t> first_joints(vertices, 0);
+    for (const auto& [joint_accessor, weight_accessor] : primitive.joint_sets) {
+      const auto numbers = accessors_.vectors<Eigen::Vector4d>(joint_accessor);
+      const auto weights = accessors_.vectors<Eigen::Vector4d>(weight_accessor);
+      spend(numbers.size() + weights.size(), primitive.where);
+      if (numbers.size() != vertices || weights.size() != vertices) {
+        joint_accessor.fail("joints and weights need one entry for each vertex");
+      }
+      const bool is_first = &joint_accessor == &primitive.joint_sets.front().first;
+      for (std::size_t v = 0; v < vertices; ++v) {
+        if (is_first) first_joints[v] = jointAt(numbers[v][0], joints.size(), joint_accessor);
+        for (Eigen::Index i = 0; i < 4; ++i) {
+          if (weights[v][i] == 0.0) continue;
+          carriers[v].matrix() +=
+              weights[v][i] * joints[jointAt(numbers[v][i], joints.size(), joint_accessor)].matrix();
+          sums[v] += weights[v][i];
+        }
+      }
+    }
+    for (std::size_t v = 0; v < vertices; ++v) {
+      if (sums[v] > 0.0) {
+        carriers[v].matrix() /= sums[v];
+      } else {
+        carriers[v] = joints[first_joints[v]];
+      }
+    }
+    return carriers;
+  }
+
+  static std::size_t jointAt(double number, std::size_t joints, JsonValue where) {
+    if (number >= 0.0 && number < static_cast<double>(joints) && number == std::floor(number)) {
+      return static_cast<std::size_t>(number);
+    }
+    where.fail(fmt::format("joint {} is none of the skin's {}", number, joints));
+  }
+
+  void addPrimitive(const Primitive& primitive, const std::vector<Vec3>& positions, bool mirrored) {
+    spend(itemsOf(primitive), primitive.where);
+    const std::size_t first = mesh_.positions.size();
+    if (first + positions.size() >= kNoIndex) primitive.where.fail("more vertices than 32-bit indices can name");
+    mesh_.positions.insert(mesh_.positions.end(), positions.begin(), positions.end());
     if (places_ != nullptr) places_->insert(places_->end(), primitive.places.begin(), primitive.places.end());
-    const bool mirrored = transform.linear().determinant() < 0.0;
     addTriangles(primitive, static_cast<Index>(first), mirrored);
     checkTriangleCount(mesh_.triangles.size(), file_.name);
   }
 
-  std::vector<Index> indicesOf(JsonValue primitive, std::size_t vertices) const {
+  std::vector<Index> indicesOf(JsonValue primitive, std::size_t vertices) {
     const JsonValue accessor = primitive["indices"];
     std::vector<Index> indices(accessor ? 0 : vertices);
     for (Index i = 0; i < indices.size(); ++i) indices[i] = i;
@@ -213,10 +333,13 @@ class GltfReader {
     return indices;
   }
 
-  void spend(const Primitive& primitive) {
-    const std::size_t amount = 1 + primitive.positions.size() + primitive.indices.size();
-    if (amount > budget_) primitive.where.fail("meshes are shown more often than a file of this size can mean");
-    budget_ -= amount;
+  static std::size_t itemsOf(const Primitive& primitive) {
+    return 1 + primitive.positions.size() + primitive.indices.size();
+  }
+
+  void spend(std::size_t items, JsonValue where) {
+    spent_ += items;
+    if (spent_ > accessors_.mostItems()) where.fail("meshes are shown more often than a file of this size can mean");
   }
 
   void addTriangles(const Primitive& primitive, Index first, bool mirrored) {
@@ -236,11 +359,10 @@ class GltfReader {
   JsonValue root_;
   GltfAccessors accessors_;
   std::vector<JsonValue> base_colours_;  // of each material, when places are asked for
-  std::vector<JsonValue> nodes_;
+  GltfPose pose_;
   std::vector<JsonValue> meshes_;
   std::vector<std::optional<std::vector<Primitive>>> primitives_;  // of each mesh, read when first shown
-  std::vector<bool> visited_;
-  std::size_t budget_ = 0;  // vertices and indices that may still be read or shown
+  std::size_t spent_ = 0;  // vertices, indices, moves and weights that were read or shown
   TriangleMesh mesh_;
 };
 
@@ -249,6 +371,7 @@ class GltfReader {
 TriangleMesh readGltf(const MeshFile& file, TexturePlaces* places) {
   const GltfParts parts = splitGltf(file);
   const JsonDocument document(parts.json, {file.name, !parts.is_glb, parts.json_offset});
+  checkNeeds(document.root());
   return GltfReader(file, parts, document, places).read();
 }
 

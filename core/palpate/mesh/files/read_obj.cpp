@@ -1,5 +1,5 @@
-// OBJ: `v`, `f`, `g` and `o` are read, `vt` when it is asked for; normals, materials, lines, points and free-form
-// surfaces are passed over.
+// OBJ: `v`, `f`, `g` and `o` are read, `vt` when it is asked for; normals and materials are passed over; lines, points
+// and free-form surfaces are left out and told.
 //
 // An OBJ face names vertices and places in the picture apart. Where the texture is asked for, each corner of a face
 // becomes a vertex of its own, with both.
@@ -25,6 +25,20 @@ constexpr auto kPassedOver = std::to_array<std::string_view>(
      "cstype", "deg",  "curv", "curv2",      "surf",      "parm",     "trim",     "hole",   "scrv", "sp",
      "end",    "con",  "bmat", "step",       "bevel",     "c_interp", "d_interp", "lod",    "mg",   "ctech",
      "stech",  "call", "csh",  "shadow_obj", "trace_obj", "bsp",      "bzp",      "cdc",    "cdp",  "res"});
+
+struct LeftOutWord {
+  std::string_view keyword;
+  std::string_view what;
+};
+/// Of the words above, those that are shape. Free-form curves and surfaces have a newer and an older spelling.
+constexpr auto kLeftOut = std::to_array<LeftOutWord>({{"l", "lines"},
+                                                      {"p", "points"},
+                                                      {"curv", "free-form curves"},
+                                                      {"surf", "free-form surfaces"},
+                                                      {"cdc", "free-form curves"},
+                                                      {"cdp", "free-form surfaces"},
+                                                      {"bzp", "free-form surfaces"},
+                                                      {"bsp", "free-form surfaces"}});
 
 class ObjReader {
  public:
@@ -56,7 +70,14 @@ class ObjReader {
     } else if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) == kPassedOver.end()) {
       text_.fail(fmt::format("'{}' is not an OBJ keyword", shown(keyword)));
     } else {
+      tellOf(keyword);
       passOver();
+    }
+  }
+
+  void tellOf(std::string_view keyword) const {
+    for (const LeftOutWord& word : kLeftOut) {
+      if (word.keyword == keyword) leaveOut(file_, word.what);
     }
   }
 

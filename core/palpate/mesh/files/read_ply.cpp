@@ -1,7 +1,7 @@
-// PLY, text and binary in both byte orders: x, y, z of the element `vertex`, the index list of the element `face`, and
-// where they are asked for the colours and numbers of the vertices.
+// PLY, text and binary in both byte orders: x, y, z of the element `vertex`, the index lists of the elements `face` and
+// `tristrips`, and where they are asked for the colours and numbers of the vertices.
 //
-// Everything else in the file (normals, other elements) is passed over as its header declares it. The header's
+// Everything else in the file is passed over as its header declares it; other elements are told. The header's
 // counts are never trusted: memory is taken for what the bytes that are left can hold.
 #include <fmt/format.h>
 
@@ -335,6 +335,13 @@ class BodyReader {
   void readOthers(const Element& element) {
     if (element.properties.empty()) return;
     const bool are_faces = element.name == "face";
+    const bool are_strips = element.name == "tristrips";
+    const auto& all = element.properties;
+    const bool have_indices = std::any_of(all.begin(), all.end(), isIndexList);
+    if (element.count > 0 && !((are_faces || are_strips) && have_indices)) {
+      leaveOut(file_, fmt::format("elements '{}'{}", shown(element.name), are_faces ? " without vertex_indices" : ""),
+               static_cast<std::size_t>(element.count));
+    }
     const bool wanted = are_faces && channels_ != nullptr && channels_->of_faces.empty();
     const auto columns = wanted ? startFaceScalars(element, *channels_) : std::vector<std::size_t>();
     std::vector<double> values(element.properties.size());
@@ -343,6 +350,8 @@ class BodyReader {
         const Property& property = element.properties[p];
         if (are_faces && isIndexList(property)) {
           readPolygon(property);
+        } else if (are_strips && isIndexList(property)) {
+          readStrips(property);
         } else {
           values[p] = readOrPassOver(property);
         }
@@ -356,15 +365,39 @@ class BodyReader {
     return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
   }
 
+  static Index cornerOf(double index) {
+    const bool possible = index >= 0.0 && index < kNoIndex && index == std::floor(index);
+    return possible ? static_cast<Index>(index) : kNoIndex;
+  }
+
   void readPolygon(const Property& property) {
     const std::size_t place = values_.place();
     const std::size_t count = readLength(property);
+    for (std::size_t i = 0; i < count; ++i) polygons_.addCorner(cornerOf(values_.value(property.type)));
+    polygons_.close(place);
+  }
+
+  /// Strips of triangles, each winding the other way than the one before; -1 begins a new strip.
+  void readStrips(const Property& property) {
+    const std::size_t place = values_.place();
+    const std::size_t count = readLength(property);
+    std::array<Index, 2> last{};
+    std::size_t corners = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const double index = values_.value(property.type);
-      const bool possible = index >= 0.0 && index < kNoIndex && index == std::floor(index);
-      polygons_.addCorner(possible ? static_cast<Index>(index) : kNoIndex);
+      if (index == -1.0) {
+        corners = 0;
+        continue;
+      }
+      const Index corner = cornerOf(index);
+      if (corners >= 2) {
+        const std::size_t turned = corners % 2;
+        for (const Index v : {last[turned], last[1 - turned], corner}) polygons_.addCorner(v);
+        polygons_.close(place);
+      }
+      last = {last[1], corner};
+      ++corners;
     }
-    polygons_.close(place);
   }
 
   /// The value of a scalar; 0 for a list.

@@ -36,7 +36,7 @@ std::string oneLine(std::string text) {
   return text;
 }
 
-void addTriangles(const aiMesh& part, TriangleMesh& mesh) {
+void addTriangles(const aiMesh& part, const MeshFile& file, TriangleMesh& mesh) {
   const auto first = static_cast<Index>(mesh.positions.size());
   for (unsigned v = 0; v < part.mNumVertices; ++v) {
     const aiVector3D& p = part.mVertices[v];
@@ -44,7 +44,10 @@ void addTriangles(const aiMesh& part, TriangleMesh& mesh) {
   }
   for (unsigned f = 0; f < part.mNumFaces; ++f) {
     const aiFace& face = part.mFaces[f];
-    if (face.mNumIndices != 3) continue;
+    if (face.mNumIndices != 3) {
+      leaveOut(file, face.mNumIndices == 1 ? "points" : "lines");
+      continue;
+    }
     mesh.triangles.push_back({first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
   }
 }
@@ -99,7 +102,7 @@ Scene importedOrNamed(const MeshFile& file, const std::string& extension) {
 TriangleMesh readByAssimp(const MeshFile& file, const std::string& extension) {
   const Scene scene = importedOrNamed(file, extension);
   TriangleMesh mesh;
-  for (unsigned m = 0; m < scene->mNumMeshes; ++m) addTriangles(*scene->mMeshes[m], mesh);
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) addTriangles(*scene->mMeshes[m], file, mesh);
   checkTriangleCount(mesh.triangles.size(), file.name);
   return mesh;
 }

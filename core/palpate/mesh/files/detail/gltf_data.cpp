@@ -1,15 +1,17 @@
 // GLB chunks, base64 and files beside the glTF, accessors by component type, and the picture of the first base colour.
 //
 // Based on: Khronos Group, glTF 2.0 specification, 3.6 (buffers, accessors), 3.8 (textures), 4 (GLB); RFC 4648
-// (base64).
+// (base64), RFC 2397 (data URIs), RFC 3986 (relative references).
 #include "palpate/mesh/files/detail/gltf_data.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -22,6 +24,9 @@
 namespace palpate::mesh {
 
 namespace {
+
+/// Extensions that pack the bytes of a view. Based on: EXT_meshopt_compression, KHR_meshopt_compression.
+constexpr std::array<std::string_view, 2> kViewCompressions = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
 
 constexpr std::size_t kGlbHeaderBytes = 12;
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
@@ -77,12 +82,6 @@ double componentAt(const char* data, int component_type, bool normalised) {
 
 // --- where a buffer's bytes come from ---
 
-std::string decodeBase64(std::string_view digits, JsonValue where) {
-  std::optional<std::string> bytes = bytesOfBase64(digits);
-  if (!bytes) where.fail("a data URI that is not base64");
-  return *std::move(bytes);
-}
-
 /// %20 and the like.
 std::string decodePercent(std::string_view uri) {
   std::string result;
@@ -99,22 +98,51 @@ std::string decodePercent(std::string_view uri) {
   return result;
 }
 
+/// "file:", "https:"; not the colon of "./a:b.bin".
+bool hasScheme(std::string_view uri) { return uri.substr(0, uri.find_first_of("/?#")).find(':') != uri.npos; }
+
 /// Files beside the glTF file or in folders below it; a stranger's file does not get to read anything else.
 std::filesystem::path pathBeside(const MeshFile& file, const std::string& uri, JsonValue where) {
   const std::string name = decodePercent(uri);
-  const std::filesystem::path relative(pathOf(name));
-  const bool leaves_folder = std::find(relative.begin(), relative.end(), "..") != relative.end();
+  const std::filesystem::path relative = pathOf(name).lexically_normal();
+  const bool leaves_folder = !relative.empty() && *relative.begin() == "..";
   if (file.folder.empty()) where.fail("it refers to another file, and there is no folder to look in");
-  if (relative.is_absolute() || leaves_folder || uri.find(':') != std::string::npos) {
+  if (relative.has_root_path() || leaves_folder || hasScheme(uri)) {
     where.fail("a buffer may only be a file in the same folder or below");
   }
   if (name.find('\0') != std::string::npos) where.fail("a file's name cannot hold a zero byte");
   return file.folder / relative;
 }
 
-constexpr std::string_view kBase64 = ";base64,";
+constexpr std::string_view kData = "data:";
 
-bool isData(std::string_view uri) { return uri.starts_with("data:") && uri.find(kBase64) != std::string_view::npos; }
+bool isData(std::string_view uri) { return inSmallLetters(uri.substr(0, kData.size())) == kData; }
+
+/// `data:[media type][;base64],bytes`: of any media type, escaped by percent signs or not; base64 may have line breaks.
+std::string bytesOfData(std::string_view uri, JsonValue where) {
+  const std::size_t comma = uri.find(',');
+  if (comma == std::string_view::npos) where.fail("a data URI without a comma");
+  std::string data = decodePercent(uri.substr(comma + 1));
+  if (!inSmallLetters(uri.substr(0, comma)).ends_with(";base64")) return data;
+  std::erase_if(data, [](char c) { return std::string_view(" \t\r\n\f").find(c) != std::string_view::npos; });
+  std::optional<std::string> bytes = bytesOfBase64(data);
+  if (!bytes) where.fail("a data URI that is not base64");
+  return *std::move(bytes);
+}
+
+std::size_t countOf(JsonValue where, JsonValue count) {
+  if (!count) where.fail("an accessor needs a count");
+  return count.index(kAnySize, "count");
+}
+
+template <class Vector>
+constexpr std::string_view typeOf() {
+  constexpr std::array<std::string_view, 5> kTypes = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
+  return Vector::SizeAtCompileTime == 16 ? "MAT4" : kTypes[Vector::SizeAtCompileTime];
+}
+
+/// Padded with blanks, by some programs with zeros.
+std::string_view withoutPadding(std::string_view json) { return json.substr(0, json.find_last_not_of('\0') + 1); }
 
 // --- the picture ---
 
@@ -149,10 +177,12 @@ GltfParts splitGltf(const MeshFile& file) {
   ByteReader bytes(file.bytes, file.name, 4);
   if (bytes.number<std::uint32_t>() != 2) throw Error::atByte(file.name, 4, "only version 2 of GLB can be read");
   const auto promised = bytes.number<std::uint32_t>();
-  if (promised != file.bytes.size()) {
+  if (promised > file.bytes.size() || promised < kGlbHeaderBytes) {
     throw Error::atByte(file.name, 8,
                         fmt::format("the header promises {} bytes, the file has {}", promised, file.bytes.size()));
   }
+  if (promised < file.bytes.size()) leaveOut(file, "bytes behind the end of the GLB", file.bytes.size() - promised);
+  bytes = ByteReader(file.bytes.substr(0, promised), file.name, kGlbHeaderBytes);
   for (std::size_t chunk = 0; bytes.bytesLeft() > 0; ++chunk) {
     const auto length = bytes.number<std::uint32_t>();
     const auto type = bytes.number<std::uint32_t>();
@@ -160,7 +190,7 @@ GltfParts splitGltf(const MeshFile& file) {
       throw Error::atByte(file.name, kGlbHeaderBytes, "the first chunk is not JSON");
     const std::size_t start = bytes.position();
     const auto content = bytes.take(length, "a chunk is longer than the file");
-    if (chunk == 0) std::tie(parts.json, parts.json_offset) = std::pair(content, start);
+    if (chunk == 0) std::tie(parts.json, parts.json_offset) = std::pair(withoutPadding(content), start);
     if (chunk == 1 && type == kBinaryChunk) parts.binary = content;
   }
   return parts;
@@ -168,50 +198,31 @@ GltfParts splitGltf(const MeshFile& file) {
 
 std::string bytesOfUri(const MeshFile& file, JsonValue uri, std::uint64_t max_bytes) {
   const std::string text = uri.text();
-  if (!isData(text)) return readFile(pathBeside(file, text, uri), max_bytes);
-  return decodeBase64(std::string_view(text).substr(text.find(kBase64) + kBase64.size()), uri);
+  return isData(text) ? bytesOfData(text, uri) : readFile(pathBeside(file, text, uri), max_bytes);
 }
 
 GltfAccessors::GltfAccessors(const MeshFile& file, JsonValue root, std::string_view binary)
-    : bytes_(file.bytes.size()) {
-  const auto buffers = root["buffers"].items();
-  owned_.reserve(buffers.size());  // buffers_ points into its strings: they must not move
-  for (std::size_t i = 0; i < buffers.size(); ++i) {
-    buffers_.push_back(readBuffer(file, buffers[i], i == 0, binary));
-  }
-  for (const JsonValue view : root["bufferViews"].items()) views_.push_back(readView(view));
+    : file_(file), binary_(binary), bytes_(file.bytes.size()) {
+  for (const JsonValue buffer : root["buffers"].items()) buffers_.push_back({.where = buffer});
+  for (const JsonValue view : root["bufferViews"].items()) views_.push_back(outlineOfView(view));
   for (const JsonValue accessor : root["accessors"].items()) accessors_.push_back(outlineOf(accessor));
 }
 
-std::string_view GltfAccessors::readBuffer(const MeshFile& file, JsonValue buffer, bool may_be_binary_chunk,
-                                           std::string_view binary) {
-  const JsonValue uri = buffer["uri"];
-  const JsonValue length = buffer["byteLength"];
-  if (!length) buffer.fail("a buffer without byteLength");
-  std::string_view bytes = may_be_binary_chunk ? binary : std::string_view();
-  if (uri) {
-    owned_.push_back(bytesOfUri(file, uri, file.options.max_bytes - bytes_));
-    bytes = owned_.back();
-    if (!isData(uri.text())) bytes_ += bytes.size();
+// What is missing or wrong is only said when it is used: animations may hold what meshes may not.
+
+GltfAccessors::View GltfAccessors::outlineOfView(JsonValue view) {
+  View outline{.where = view,
+               .buffer = view["buffer"],
+               .length = view["byteLength"],
+               .offset = view["byteOffset"],
+               .stride = view["byteStride"],
+               .compression = {}};
+  for (const std::string_view name : kViewCompressions) {
+    if (view["extensions"][name]) outline.compression = name;
   }
-  const std::size_t promised = length.index(kAnySize, "byteLength");
-  if (promised > bytes.size()) {
-    length.fail(fmt::format("the buffer promises {} bytes, there are {}", promised, bytes.size()));
-  }
-  return bytes.substr(0, promised);
+  return outline;
 }
 
-GltfAccessors::View GltfAccessors::readView(JsonValue view) const {
-  const JsonValue buffer = view["buffer"];
-  const JsonValue length = view["byteLength"];
-  if (!buffer || !length) view.fail("a bufferView needs buffer and byteLength");
-  const std::string_view bytes = buffers_[buffer.index(buffers_.size(), "buffer")];
-  const std::size_t start = view["byteOffset"].indexOr(0, bytes.size() + 1, "byteOffset");
-  const std::size_t size = length.index(bytes.size() - start + 1, "byteLength");
-  return {bytes.substr(start, size), view["byteStride"].indexOr(0, kAnySize, "byteStride")};
-}
-
-/// What is missing or wrong is only said when the accessor is used: animations may hold what meshes may not.
 GltfAccessors::Accessor GltfAccessors::outlineOf(JsonValue accessor) {
   return {.where = accessor,
           .view = accessor["bufferView"],
@@ -220,74 +231,147 @@ GltfAccessors::Accessor GltfAccessors::outlineOf(JsonValue accessor) {
           .count = accessor["count"],
           .offset = accessor["byteOffset"],
           .normalised = accessor["normalized"].isTrue(),
-          .sparse = static_cast<bool>(accessor["sparse"])};
+          .sparse = accessor["sparse"]};
 }
 
-GltfAccessors::Elements GltfAccessors::elements(JsonValue accessor_index, std::string_view type,
-                                                std::size_t components) const {
-  const Accessor& accessor = accessors_[accessor_index.index(accessors_.size(), "accessor")];
-  if (accessor.sparse) accessor.where.fail("sparse accessors cannot be read");
-  if (!accessor.view) accessor.where.fail("an accessor without bufferView cannot be read");
-  if (!accessor.component_type || !accessor.count) accessor.where.fail("an accessor needs componentType and count");
-  if (!accessor.type || accessor.type.text() != type) accessor.where.fail(fmt::format("type {} is expected", type));
-  const View& view = views_[accessor.view.index(views_.size(), "bufferView")];
+const GltfAccessors::Accessor& GltfAccessors::accessorAt(JsonValue accessor_index) const {
+  return accessors_[accessor_index.index(accessors_.size(), "accessor")];
+}
 
-  Elements found{};
-  found.normalised = accessor.normalised;
-  found.component_type = static_cast<int>(accessor.component_type.index(kFloat + 1, "componentType"));
-  const std::size_t size = bytesOf(found.component_type) * components;
-  if (size == 0) accessor.component_type.fail("not a component type");
-  found.stride = view.stride == 0 ? size : view.stride;
-  if (found.stride < size) accessor.where.fail("byteStride is smaller than one element");
+std::string_view GltfAccessors::bytesOfBuffer(JsonValue buffer_index) {
+  Buffer& buffer = buffers_[buffer_index.index(buffers_.size(), "buffer")];
+  if (!buffer.is_read) readBuffer(buffer);
+  return buffer.bytes;
+}
 
-  const std::size_t start = accessor.offset.indexOr(0, view.bytes.size() + 1, "byteOffset");
-  const std::size_t room = view.bytes.size() - start;
-  const std::size_t most = room < size ? 0 : (room - size) / found.stride + 1;
-  found.count = accessor.count.index(kAnySize, "count");
-  if (found.count > most) {
-    accessor.where.fail(fmt::format("{} elements are promised, the bufferView holds {}", found.count, most));
+void GltfAccessors::readBuffer(Buffer& buffer) {
+  const JsonValue length = buffer.where["byteLength"];
+  if (!length) buffer.where.fail("a buffer without byteLength");
+  if (const JsonValue uri = buffer.where["uri"]) {
+    buffer.owned = bytesOfUri(file_, uri, file_.options.max_bytes - bytes_);
+    buffer.bytes = buffer.owned;
+    if (!isData(uri.text())) bytes_ += buffer.bytes.size();
+  } else if (&buffer == buffers_.data()) {
+    buffer.bytes = binary_;
   }
-  found.data = view.bytes.data() + start;
+  const std::size_t promised = length.index(kAnySize, "byteLength");
+  if (promised > buffer.bytes.size()) {
+    length.fail(fmt::format("the buffer promises {} bytes, there are {}", promised, buffer.bytes.size()));
+  }
+  buffer.bytes = buffer.bytes.substr(0, promised);
+  buffer.is_read = true;
+}
+
+/// What a packed view refers to beside its packed bytes may be a copy that is not packed; a buffer that only stands for
+/// one has no bytes.
+std::string_view GltfAccessors::bytesOfView(JsonValue view_index) {
+  const View& view = views_[view_index.index(views_.size(), "bufferView")];
+  if (!view.buffer || !view.length) view.where.fail("a bufferView needs buffer and byteLength");
+  const std::size_t buffer = view.buffer.index(buffers_.size(), "buffer");
+  const bool is_there = buffers_[buffer].where["uri"] || (buffer == 0 && !binary_.empty());
+  if (!view.compression.empty() && !is_there) {
+    view.where.fail(fmt::format("geometry compressed with {} cannot be read", view.compression));
+  }
+  const std::string_view bytes = bytesOfBuffer(view.buffer);
+  const std::size_t start = view.offset.indexOr(0, bytes.size() + 1, "byteOffset");
+  return bytes.substr(start, view.length.index(bytes.size() - start + 1, "byteLength"));
+}
+
+GltfAccessors::Elements GltfAccessors::elements(JsonValue where, JsonValue view_index, JsonValue offset,
+                                                JsonValue component_type, std::size_t count, std::size_t components) {
+  const std::string_view bytes = bytesOfView(view_index);
+  if (!component_type) where.fail("an accessor needs a componentType");
+  Elements found{};
+  found.component_type = static_cast<int>(component_type.index(kFloat + 1, "componentType"));
+  const std::size_t size = bytesOf(found.component_type) * components;
+  if (size == 0) component_type.fail("not a component type");
+  const JsonValue stride = views_[view_index.index(views_.size(), "bufferView")].stride;
+  found.stride = stride.indexOr(size, kAnySize, "byteStride");
+  if (found.stride == 0) found.stride = size;
+  if (found.stride < size) where.fail("byteStride is smaller than one element");
+
+  const std::size_t start = offset.indexOr(0, bytes.size() + 1, "byteOffset");
+  const std::size_t room = bytes.size() - start;
+  const std::size_t most = room < size ? 0 : (room - size) / found.stride + 1;
+  found.count = count;
+  if (found.count > most) {
+    where.fail(fmt::format("{} elements are promised, the bufferView holds {}", found.count, most));
+  }
+  found.data = bytes.data() + start;
+  return found;
+}
+
+GltfAccessors::Sparse GltfAccessors::sparseOf(const Accessor& accessor, std::size_t count, std::size_t components) {
+  const JsonValue sparse = accessor.sparse;
+  const JsonValue indices = sparse["indices"];
+  const JsonValue values = sparse["values"];
+  if (!indices["bufferView"] || !values["bufferView"]) sparse.fail("a sparse accessor needs indices and values");
+  const std::size_t changed = countOf(sparse, sparse["count"]);
+  const Elements at =
+      elements(sparse, indices["bufferView"], indices["byteOffset"], indices["componentType"], changed, 1);
+  Sparse found{
+      {}, elements(sparse, values["bufferView"], values["byteOffset"], accessor.component_type, changed, components)};
+  for (std::size_t i = 0; i < changed; ++i) {
+    const double place = componentAt(at.data + i * at.stride, at.component_type, false);
+    if (!(place >= 0.0 && place < static_cast<double>(count))) {
+      sparse.fail(fmt::format("a sparse accessor changes element {} of {}", place, count));
+    }
+    found.places.push_back(static_cast<Index>(place));
+  }
   return found;
 }
 
 template <class Vector>
-std::vector<Vector> GltfAccessors::vectors(JsonValue accessor_index, std::string_view type) const {
-  constexpr std::size_t kAxes = Vector::RowsAtCompileTime;
-  const Elements found = elements(accessor_index, type, kAxes);
-  const std::size_t bytes = bytesOf(found.component_type);
-  std::vector<Vector> result(found.count);
-  for (std::size_t i = 0; i < found.count; ++i) {
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      const char* data = found.data + i * found.stride + axis * bytes;
-      const double value = componentAt(data, found.component_type, found.normalised);
-      result[i][static_cast<Eigen::Index>(axis)] = static_cast<typename Vector::Scalar>(value);
-    }
+std::vector<Vector> GltfAccessors::vectors(JsonValue accessor_index) {
+  using Scalar = typename Vector::Scalar;
+  constexpr std::size_t kNumbers = Vector::SizeAtCompileTime;
+  const Accessor& accessor = accessorAt(accessor_index);
+  if (!accessor.type || accessor.type.text() != typeOf<Vector>()) {
+    accessor.where.fail(fmt::format("type {} is expected", typeOf<Vector>()));
   }
+  const std::size_t count = countOf(accessor.where, accessor.count);
+  const auto read = [&](const Elements& found, std::size_t i) {
+    const std::size_t bytes = bytesOf(found.component_type);
+    Vector vector;
+    for (std::size_t k = 0; k < kNumbers; ++k) {
+      const char* data = found.data + i * found.stride + k * bytes;
+      vector(static_cast<Eigen::Index>(k)) =
+          static_cast<Scalar>(componentAt(data, found.component_type, accessor.normalised));
+    }
+    return vector;
+  };
+
+  std::vector<Vector> result;
+  if (accessor.view) {
+    const Elements found =
+        elements(accessor.where, accessor.view, accessor.offset, accessor.component_type, count, kNumbers);
+    result.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) result.push_back(read(found, i));
+  }
+  const Sparse sparse = accessor.sparse ? sparseOf(accessor, count, kNumbers) : Sparse{};
+  if (!accessor.view) {
+    if (count > mostItems())
+      accessor.where.fail(fmt::format("{} zeros, more than a file of this size can mean", count));
+    result.assign(count, Vector::Zero());
+  }
+  for (std::size_t i = 0; i < sparse.places.size(); ++i) result[sparse.places[i]] = read(sparse.values, i);
   return result;
 }
 
-std::vector<Vec3> GltfAccessors::positions(JsonValue accessor_index) const {
-  return vectors<Vec3>(accessor_index, "VEC3");
-}
+template std::vector<Vec3> GltfAccessors::vectors(JsonValue);
+template std::vector<Vec2f> GltfAccessors::vectors(JsonValue);
+template std::vector<Eigen::Vector4d> GltfAccessors::vectors(JsonValue);
+template std::vector<Eigen::Matrix4d> GltfAccessors::vectors(JsonValue);
 
-std::vector<Vec2f> GltfAccessors::places(JsonValue accessor_index) const {
-  return vectors<Vec2f>(accessor_index, "VEC2");
-}
-
-std::string_view GltfAccessors::bytesOfView(JsonValue view_index) const {
-  return views_[view_index.index(views_.size(), "bufferView")].bytes;
-}
-
-std::vector<Index> GltfAccessors::indices(JsonValue accessor_index) const {
-  const Elements found = elements(accessor_index, "SCALAR", 1);
-  const int type = found.component_type;
-  if (type != kUnsignedByte && type != kUnsignedShort && type != kUnsignedInt) {
+std::vector<Index> GltfAccessors::indices(JsonValue accessor_index) {
+  const JsonValue type = accessorAt(accessor_index).component_type;
+  const std::size_t number = type.indexOr(0, kFloat + 1, "componentType");
+  if (number != kUnsignedByte && number != kUnsignedShort && number != kUnsignedInt) {
     accessor_index.fail("indices must be unsigned whole numbers");
   }
-  std::vector<Index> result(found.count);
-  for (std::size_t i = 0; i < found.count; ++i) {
-    result[i] = static_cast<Index>(componentAt(found.data + i * found.stride, type, false));
+  std::vector<Index> result;
+  for (const auto& scalar : vectors<Eigen::Matrix<double, 1, 1>>(accessor_index)) {
+    result.push_back(static_cast<Index>(scalar.value()));
   }
   return result;
 }

@@ -25,29 +25,47 @@ struct GltfParts {
 /// Takes a GLB apart; anything that does not start with "glTF" is JSON as a whole. Throws Error at a byte.
 GltfParts splitGltf(const MeshFile& file);
 
-/// What a URI stands for: base64 in the file, or a file beside it. Throws Error.
+/// What a URI stands for: data in the URI itself (RFC 2397), or a file beside it. Throws Error.
 std::string bytesOfUri(const MeshFile& file, JsonValue uri, std::uint64_t max_bytes);
 
+/// A node may show a mesh again and again, and an accessor may promise zeros that take no bytes, so a short file can
+/// ask for any number of triangles. What is more than this many times the bytes of the file and its buffers is an
+/// attack, not a mesh.
+inline constexpr std::size_t kMaxGltfItemsPerByte = 8;
+
+/// A buffer is read when the first accessor needs it: what only animations or pictures use never decides about a mesh.
 class GltfAccessors {
  public:
-  /// Reads buffers that lie in the file or beside it, and the outline of every accessor once: a file in which many
-  /// things refer to one object with many members must not cost their product. Throws Error.
+  /// Looks once at the outline of every buffer, view and accessor: a file in which many things refer to one object with
+  /// many members must not cost their product. `binary` is the chunk of a GLB. Throws Error.
   GltfAccessors(const MeshFile& file, JsonValue root, std::string_view binary);
 
-  /// A VEC3 of any component type, normalised if the accessor says so, in the file's unit.
-  std::vector<Vec3> positions(JsonValue accessor_index) const;
-  /// A VEC2, likewise.
-  std::vector<Vec2f> places(JsonValue accessor_index) const;
+  /// Vectors of the accessor's type, VEC3 for Vec3, of any component type, normalised if the accessor says so; sparse
+  /// ones filled in. Throws Error.
+  template <class Vector>
+  std::vector<Vector> vectors(JsonValue accessor_index);
   /// A SCALAR of unsigned whole numbers.
-  std::vector<Index> indices(JsonValue accessor_index) const;
-  std::string_view bytesOfView(JsonValue view_index) const;
-  /// Bytes of the file and of all its buffers: what there is to make a mesh of.
-  std::size_t bytes() const { return bytes_; }
+  std::vector<Index> indices(JsonValue accessor_index);
+  std::string_view bytesOfView(JsonValue view_index);
+  /// No bytes are said to hold it: all zero, but for what a sparse accessor or an extension gives.
+  bool isWithoutView(JsonValue accessor_index) const { return !accessorAt(accessor_index).view; }
+  /// How many items may be made of the file and the buffers read so far.
+  std::size_t mostItems() const { return 1000 + kMaxGltfItemsPerByte * bytes_; }
 
  private:
+  struct Buffer {
+    JsonValue where;
+    bool is_read = false;
+    std::string_view bytes{};
+    std::string owned{};  // what was decoded or read for `bytes`
+  };
   struct View {
-    std::string_view bytes;
-    std::size_t stride;  // 0: elements follow each other closely
+    JsonValue where;
+    JsonValue buffer;
+    JsonValue length;
+    JsonValue offset;
+    JsonValue stride;
+    std::string_view compression;  // the extension that has packed it; empty: none
   };
   struct Accessor {
     JsonValue where;
@@ -57,7 +75,7 @@ class GltfAccessors {
     JsonValue count;
     JsonValue offset;
     bool normalised;
-    bool sparse;
+    JsonValue sparse;
   };
   /// Checked: count elements of this component type lie within the file.
   struct Elements {
@@ -65,21 +83,26 @@ class GltfAccessors {
     std::size_t count;
     std::size_t stride;
     int component_type;
-    bool normalised;
   };
-  std::string_view readBuffer(const MeshFile& file, JsonValue buffer, bool may_be_binary_chunk,
-                              std::string_view binary);
-  View readView(JsonValue view) const;
+  struct Sparse {
+    std::vector<Index> places;
+    Elements values;
+  };
+  static View outlineOfView(JsonValue view);
   static Accessor outlineOf(JsonValue accessor);
-  Elements elements(JsonValue accessor_index, std::string_view type, std::size_t components) const;
-  template <class Vector>
-  std::vector<Vector> vectors(JsonValue accessor_index, std::string_view type) const;
+  const Accessor& accessorAt(JsonValue accessor_index) const;
+  std::string_view bytesOfBuffer(JsonValue buffer_index);
+  void readBuffer(Buffer& buffer);
+  Elements elements(JsonValue where, JsonValue view_index, JsonValue offset, JsonValue component_type,
+                    std::size_t count, std::size_t components);
+  Sparse sparseOf(const Accessor& accessor, std::size_t count, std::size_t components);
 
-  std::vector<std::string_view> buffers_;
-  std::vector<std::string> owned_;  // what was decoded or read for buffers_
+  const MeshFile& file_;
+  std::string_view binary_;
+  std::vector<Buffer> buffers_;
   std::vector<View> views_;
   std::vector<Accessor> accessors_;
-  std::size_t bytes_ = 0;
+  std::size_t bytes_;
 };
 
 // The picture that a glTF file gives its surface: the base colour of a material.

@@ -8,11 +8,81 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 
 namespace palpate::mesh {
+
+// --- escapes of strings ---
+
+namespace {
+
+/// What an escape stands for, and how many characters of the text it takes.
+struct Escape {
+  char32_t letter;
+  std::size_t length;
+};
+
+std::optional<char32_t> unitAt(std::string_view text) {
+  unsigned value = 0;
+  if (text.size() < 6 || !text.starts_with("\\u")) return std::nullopt;
+  const char* end = text.data() + 6;
+  if (std::from_chars(text.data() + 2, end, value, 16).ptr != end) return std::nullopt;
+  return value;
+}
+
+/// At a backslash; none where no escape of JSON stands there. Letters beyond 16 bits are two units, a half of such a
+/// pair alone is no letter and becomes U+FFFD.
+std::optional<Escape> escapeAt(std::string_view text) {
+  constexpr std::string_view kShort = "\"\\/bfnrt";
+  constexpr std::string_view kMeant = "\"\\/\b\f\n\r\t";
+  if (text.size() < 2) return std::nullopt;
+  if (const auto found = kShort.find(text[1]); found != std::string_view::npos)
+    return Escape{char32_t(kMeant[found]), 2};
+  const auto first = unitAt(text);
+  if (!first) return std::nullopt;
+  if (*first < 0xd800 || *first > 0xdfff) return Escape{*first, 6};
+  const auto second = unitAt(text.substr(6));
+  const bool is_pair = *first < 0xdc00 && second && *second >= 0xdc00 && *second <= 0xdfff;
+  if (!is_pair) return Escape{0xfffd, 6};
+  return Escape{0x10000 + ((*first - 0xd800) << 10) + (*second - 0xdc00), 12};
+}
+
+void appendUtf8(std::string& text, char32_t letter) {
+  const auto more = [&](unsigned shift) { text += static_cast<char>(0x80 | ((letter >> shift) & 0x3f)); };
+  if (letter < 0x80) {
+    text += static_cast<char>(letter);
+  } else if (letter < 0x800) {
+    text += static_cast<char>(0xc0 | letter >> 6);
+    more(0);
+  } else if (letter < 0x10000) {
+    text += static_cast<char>(0xe0 | letter >> 12);
+    more(6), more(0);
+  } else {
+    text += static_cast<char>(0xf0 | letter >> 18);
+    more(12), more(6), more(0);
+  }
+}
+
+/// The text of a string whose escapes are sound.
+std::string unescaped(std::string_view raw) {
+  std::string result;
+  result.reserve(raw.size());
+  while (!raw.empty()) {
+    const std::size_t plain = std::min(raw.find('\\'), raw.size());
+    result += raw.substr(0, plain);
+    raw.remove_prefix(plain);
+    if (raw.empty()) break;
+    const Escape escape = escapeAt(raw).value();
+    appendUtf8(result, escape.letter);
+    raw.remove_prefix(escape.length);
+  }
+  return result;
+}
+
+}  // namespace
 
 // --- parsing ---
 
@@ -21,6 +91,7 @@ class JsonParser {
   explicit JsonParser(JsonDocument& document) : document_(document), text_(document.text_) {}
 
   void parse() {
+    if (text_.starts_with("\xef\xbb\xbf")) position_ = 3;  // a byte order mark; a reader may pass it over (section 8.1)
     if (text_.size() >= std::numeric_limits<std::uint32_t>::max()) fail("more than 4 GiB of JSON");
     readValue(0);
     skipBlanks();
@@ -115,12 +186,10 @@ class JsonParser {
     const std::size_t start = position_;
     while (position_ < text_.size() && text_[position_] != '"') {
       if (static_cast<unsigned char>(text_[position_]) < ' ') fail("a control character within a string");
+      if (text_[position_] == '\\' && !escapeAt(text_.substr(position_))) fail("not an escape of a JSON string");
       position_ += text_[position_] == '\\' ? 2 : 1;
     }
-    if (position_ >= text_.size()) {
-      position_ = text_.size();
-      fail("the JSON text ends within a string");
-    }
+    if (position_ >= text_.size()) fail("the JSON text ends within a string");
     closeNode(node, position_ - start);
     ++position_;
   }
@@ -136,11 +205,28 @@ class JsonParser {
   Kind kindOf(std::string_view word) const {
     if (word == "true" || word == "false") return Kind::boolean;
     if (word == "null") return Kind::null;
-    // parseNumber also takes "inf", "nan" and a plus sign, JSON does not.
-    const bool starts_as_number =
-        !word.empty() && std::string_view("-0123456789").find(word[0]) != std::string_view::npos;
-    if (!starts_as_number || !parseNumber(word)) fail("not a JSON value");
+    if (!isNumber(word) || !parseNumber(word)) fail("not a JSON value");
     return Kind::number;
+  }
+
+  /// parseNumber also takes "inf", "nan", a plus sign, zeros in front and a bare point; JSON does not (section 6).
+  static bool isNumber(std::string_view word) {
+    if (word.starts_with('-')) word.remove_prefix(1);
+    if (word.size() > 1 && word[0] == '0' && isDigit(word[1])) return false;
+    if (!takeDigits(word)) return false;
+    if (word.starts_with('.') && (word.remove_prefix(1), !takeDigits(word))) return false;
+    if (word.empty()) return true;
+    if (word[0] != 'e' && word[0] != 'E') return false;
+    word.remove_prefix(1);
+    if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
+    return takeDigits(word) && word.empty();
+  }
+
+  static bool isDigit(char c) { return c >= '0' && c <= '9'; }
+  static bool takeDigits(std::string_view& word) {
+    const auto digits = std::find_if_not(word.begin(), word.end(), isDigit) - word.begin();
+    word.remove_prefix(static_cast<std::size_t>(digits));
+    return digits > 0;
   }
 
   JsonDocument& document_;
@@ -170,7 +256,9 @@ JsonValue JsonValue::operator[](std::string_view name) const {
   if (!*this) return {};
   if (node().kind != JsonDocument::Kind::object) fail("an object is expected");
   for (std::uint32_t key = node_ + 1; key < node().end; key = document_->nodes_[key + 1].end) {
-    if (JsonValue(document_, key).slice() == name) return {document_, key + 1};
+    const std::string_view raw = JsonValue(document_, key).slice();
+    const bool is_escaped = raw.find('\\') != std::string_view::npos;
+    if (is_escaped ? unescaped(raw) == name : raw == name) return {document_, key + 1};
   }
   return {};
 }
@@ -204,17 +292,7 @@ bool JsonValue::isTrue() const { return *this && slice() == "true"; }
 
 std::string JsonValue::text() const {
   if (node().kind != JsonDocument::Kind::string) fail("a string is expected");
-  std::string result;
-  const auto raw = slice();
-  for (std::size_t i = 0; i < raw.size(); ++i) {
-    // File names and base64 need no other escapes than these three.
-    const bool escaped = raw[i] == '\\';
-    if (escaped && (++i == raw.size() || std::string_view("\"\\/").find(raw[i]) == std::string_view::npos)) {
-      fail("an escape in this string is not understood");
-    }
-    result += raw[i];
-  }
-  return result;
+  return unescaped(slice());
 }
 
 void JsonValue::fail(std::string_view cause) const { document_->fail(node().position, cause); }

@@ -1,9 +1,10 @@
 // A small strict JSON reader for glTF that knows the place of every value and bounds its memory by the text.
 //
-// Own rather than the library that reads Haply's messages: a mesh file of a stranger needs what general readers do not
-// give: a limit of nesting, the place of each mistake, and flat storage (16 bytes a value). Any bytes at all give
-// values or one Error (tests/fuzz). It reads what glTF needs, no more: the only escapes are \" \\ and \/, and of two
-// members with one name the first counts. Based on: RFC 8259.
+// Own rather than nlohmann-json, which the host reads messages with, or cgltf and tinygltf, which stand on such
+// readers: a mesh file of a stranger needs what they do not give: a limit of nesting, the place of each mistake, and
+// flat storage (16 bytes a value) read without a copy; and the core, which a web page carries, stands on no JSON
+// library. It reads all of RFC 8259 (a host test holds its strings against nlohmann-json's); any bytes at all give
+// values or one Error (tests/fuzz). Of two members with one name the first counts.
 #pragma once
 
 #include <cstddef>
