@@ -42,19 +42,17 @@ struct Hold {
 Hold holdOf(const Surface& surface, const Pressure& press, const GripLimits& limits, double most_n,
             FingerState& state) noexcept;
 
-// The friction anchor as (2.6) prints it, kept to show what it does.
-//
-// "A = P - (F_t / F_n) P_d" with every symbol a vector: P_d, from the proxy to the tip, is normal to the skin, so that
-// A slides along the normal instead of along the skin, out of the body by depth |F_t| / F_n. The corrected anchor of
-// the same force is A = P + (p / F_n) F_t. Based on: Ji, dissertation 2008, (2.5), (2.6); E1.
-
-/// The proxy itself when nothing presses. `normal` is the unit outward normal, `force` what the user feels.
-inline Vec3 literalAnchorOfForce(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const Vec3& force) noexcept {
+/// The friction anchor that a force leads back to, (2.6): A = P - (F_t / F_n) P_d. The text calls every symbol a
+/// vector, which would put A on the normal line; it can be computed with F_t a vector along the skin and with P_d and
+/// F_n numbers along the outward unit `normal`. (2.5) takes the force to point at A, which it does where the spring
+/// along the skin is as stiff as the one into it; `stiffness_ratio` > 0 is k_t / k_n. A lies in the plane of contact.
+/// The proxy itself when nothing presses. Based on: Ji, dissertation 2008, (2.4) to (2.6); E1.
+inline Vec3 anchorOfForce(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const Vec3& force,
+                          double stiffness_ratio = 1.0) noexcept {
   const double normal_force = force.dot(normal);
   const double depth = (proxy - tip).dot(normal);
-  if (!(normal_force > 0.0) || !(depth > 0.0)) return proxy;
-  const double tangential_force = (force - normal_force * normal).norm();
-  return proxy + depth * tangential_force / normal_force * normal;
+  if (!(normal_force > 1e-9 * force.norm()) || !(depth > 0.0) || !(stiffness_ratio > 0.0)) return proxy;
+  return proxy + depth / (stiffness_ratio * normal_force) * (force - normal_force * normal);
 }
 
 }  // namespace palpate::contact

@@ -30,9 +30,9 @@ constexpr auto kOwnChoice = ByDefault::own_choice;
 // (ErratumText::choice).
 constexpr std::array<ErratumText, kErrata> kTexts = {{
     {Erratum::E1_anchor, kWrong, kSwitch, kCorrected,
-     "(2.5), (2.6): the anchor as P - (F_t/F_n) P_d with vectors lies on the normal line",
-     "A = P + (depth / F_n) F_t, tangential; the engine keeps the anchor as state",
-     "the centre and the drag of the deformation"},
+     "(2.5), (2.6): the anchor as P - (F_t/F_n) P_d with all symbols vectors lies on the normal line",
+     "the engine keeps the anchor as state, on the skin",
+     "the anchor of the deformation: (2.6) of each moment's force, with F_t a vector and F_n, P_d along the normal"},
     {Erratum::E2_drag_spring, kAmbiguous, kSetting, kOwnChoice,
      "20 mm of drag at 10 mm depth are beyond the friction cone",
      "the tangential spring has a stiffness of its own: 1 times the normal one, within the 0.6 to 1.1 of tissue; 0.23 "

@@ -22,10 +22,14 @@ namespace palpate::scene {
 
 namespace {
 
-/// The finger with the anchor that (2.6) prints; the search for the region then starts under the proxy. // E1
-contact::FingerOutput withLiteralAnchor(contact::FingerOutput finger) noexcept {
-  finger.anchor = contact::literalAnchorOfForce(finger.proxy, finger.tip, finger.normal, finger.force);
-  finger.anchor_triangle = finger.triangle;
+/// The finger with the anchor that (2.6) derives from the force of this moment: as far from the proxy as the engine's
+/// own, which is a state, but in the plane of contact instead of on the skin. Lumps push beside friction.  // E1
+contact::FingerOutput withDerivedAnchor(const World& world, contact::FingerOutput finger) noexcept {
+  const tissue::PressedPlace place{finger.tissue_mm, finger.finger_mm};
+  const double ratio = world.scene.contact.finger.stiffness_ratio *
+                       tissue::respond(world.surface.force_law, 1.0, finger.depth_mm, place).tangential;
+  finger.anchor =
+      contact::anchorOfForce(finger.proxy, finger.tip, finger.normal, finger.force - finger.lump_force, ratio);
   return finger;
 }
 
@@ -125,7 +129,7 @@ Vec3 normalOf(const mesh::TriangleMesh& skin, Index triangle) noexcept {
 std::optional<deform::Contact> contactOf(const World& world, const contact::FingerOutput& finger) noexcept {
   if (finger.touch == contact::Touch::free) return std::nullopt;
   const bool literal = world.deformation.fidelity.literal(Erratum::E1_anchor);
-  contact::FingerOutput meant = literal ? withLiteralAnchor(finger) : finger;
+  contact::FingerOutput meant = literal ? withDerivedAnchor(world, finger) : finger;
   if (finger.rest_mm > 0.0) {
     meant.depth_mm = std::max(meant.depth_mm, depthAtRest(world, finger.rest_mm, finger.triangle, finger.finger_mm));
   }

@@ -9,18 +9,12 @@
 
 namespace palpate::contact {
 
-namespace {
-
-/// The anchor of a force that was measured rather than computed, (2.5) and (2.6) as E1 corrects them:
-/// A = P + (p / F_n) F_t, P when nothing presses.
-Vec3 anchorOfForce(const Vec3& proxy, const Vec3& tip, const Vec3& normal, const Vec3& force) {
-  const double depth = (proxy - tip).dot(normal);
-  const double normal_force = force.dot(normal);
-  if (!(depth > 0.0) || !(normal_force > 1e-9 * force.norm())) return proxy;
-  return proxy + (depth / normal_force) * (force - normal_force * normal);
+TEST(Friction, TheAnchorOfAForceIsTheGoldenFiles) {  // (2.6), E1
+  for (const auto& c : test::goldenRows("friction_anchor", "cases")) {
+    const Vec3 anchor = anchorOfForce(test::vec3(c["P"]), test::vec3(c["D"]), test::vec3(c["n"]), test::vec3(c["F"]));
+    EXPECT_LT((anchor - test::vec3(c["expected_A"])).norm(), 1e-9) << c;
+  }
 }
-
-}  // namespace
 
 TEST(Friction, HeldAtTheGoldenFilesAnchorsAFingerFeelsItsForces) {
   FingerSettings settings;
@@ -146,6 +140,8 @@ TEST(Friction, ASofterTangentialSpringFollowsFarther) {
   EXPECT_EQ(output.touch, Touch::slip);
   EXPECT_NEAR(ratioOf(output), 0.44, 1e-9);
   EXPECT_NEAR((output.proxy - output.anchor).norm(), 0.44 * 10 / 0.23, 1e-6) << "19 mm at 10 mm depth (E2)";
+  const Vec3 derived = anchorOfForce(output.proxy, output.tip, output.normal, output.force, soft.stiffness_ratio);
+  EXPECT_NEAR((derived - output.anchor).norm(), 0, 1e-6);
 }
 
 TEST(Friction, NoneWithoutCoefficients) {

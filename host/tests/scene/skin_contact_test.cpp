@@ -65,13 +65,17 @@ TEST(SkinContact, FreeFingerTouchesNothing) {
   EXPECT_FALSE(contactOf(world, finger));
 }
 
-TEST(SkinContact, PrintedAnchorLiesOnTheNormal) {  // E1
-  const World world = worldWith("fidelity.E1 = \"literal\"\n");
-  const contact::FingerOutput finger = dragging(world);
+TEST(SkinContact, PrintedAnchorIsDerivedFromTheForce) {  // E1
+  World world = worldWith("fidelity.E1 = \"literal\"\n");
+  contact::FingerOutput finger = dragging(world);
+  finger.force = 3.0 * finger.normal + 1.0 * (finger.anchor - finger.proxy).normalized();
+  const Vec3 along = (finger.anchor - finger.proxy).normalized();
   const auto contact = contactOf(world, finger);
   ASSERT_TRUE(contact);
-  EXPECT_LT((contact->anchor - (finger.proxy + 2.0 * finger.normal)).norm(), 1e-9) << "6 mm x 1 N / 3 N";
-  EXPECT_LT((contact->drag_mm + 2.0 * finger.normal).norm(), 1e-9);
+  EXPECT_LT((contact->anchor - (finger.proxy + 2.0 * along)).norm(), 1e-9) << "6 mm x 1 N / 3 N";
+  EXPECT_LT((contact->drag_mm + 2.0 * along).norm(), 1e-9);
+  world.scene.contact.finger.stiffness_ratio = 0.25;
+  EXPECT_LT((contactOf(world, finger)->drag_mm + 8.0 * along).norm(), 1e-9) << "of a spring four times as soft";
 }
 
 TEST(SkinContact, PressEllipseGrowsInProportionToTheDepth) {  // 4.2
