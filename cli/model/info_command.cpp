@@ -146,8 +146,9 @@ std::string thinWarning(const ValidationReport& report) {
   return fmt::format("{:.3g} mm is thin for a body: are all three axes in one unit?", thickness);
 }
 
-std::vector<std::string> warningsOf(const ValidationReport& report) {
-  std::vector<std::string> warnings;
+/// `notes`: what was passed over or guessed while the file was read.
+std::vector<std::string> warningsOf(const ValidationReport& report, std::vector<std::string> notes = {}) {
+  std::vector<std::string> warnings = std::move(notes);
   for (std::string warning : {sizeWarning(report), thinWarning(report)}) {
     if (!warning.empty()) warnings.push_back(std::move(warning));
   }
@@ -186,17 +187,17 @@ Json traitsOf(const ValidationReport& report) {
   return traits;
 }
 
-std::string textOf(const ValidationReport& report) {
+std::string textOf(const ValidationReport& report, const std::vector<std::string>& notes) {
   std::string text = fmt::format(
       "triangles   {}\nvertices    {}\nbox         {}\nsurface     {}\nmemory      {:.1f} MB\n", report.triangles,
       report.vertices, boxLine(report), surfaceLine(report), 1e-6 * static_cast<double>(memoryBytes(report)));
   for (const std::string& sentence : mesh::describe(report)) text += "found       " + sentence + "\n";
   if (!report.self_intersections_checked) text += "not checked self-intersections\n";
-  for (const std::string& warning : warningsOf(report)) text += "warning     " + warning + "\n";
+  for (const std::string& warning : warningsOf(report, notes)) text += "warning     " + warning + "\n";
   return text + verdictOn(report);
 }
 
-Json jsonOf(const ValidationReport& report) {
+Json jsonOf(const ValidationReport& report, const std::vector<std::string>& notes) {
   Json json;
   json["triangles"] = report.triangles;
   json["vertices"] = report.vertices;
@@ -213,7 +214,7 @@ Json jsonOf(const ValidationReport& report) {
   json["fillable_holes"] = report.fillable_holes;
   json["fit"] = report.fit();
   json["sound"] = report.sound();
-  json["warnings"] = warningsOf(report);
+  json["warnings"] = warningsOf(report, notes);
   json["self_intersections_checked"] = report.self_intersections_checked;
   json["memory_bytes"] = memoryBytes(report);
   json["traits"] = traitsOf(report);
@@ -278,19 +279,19 @@ struct Inspection {
   ValidationReport report;
   std::optional<TriangleShapes> shapes;
   std::vector<FileNumber> numbers;
-  std::string left_out;
+  std::vector<std::string> notes;
 };
 
 Inspection inspect(const InfoArguments& arguments) {
   ProgressLine progress;
   mesh::LoadOptions options = arguments.mesh.options;
   options.keep_wrong_indices = true;  // to be counted, not refused
-  const auto [surface, channels, left_out] =
+  const auto [surface, channels, notes] =
       mesh::loadWithChannels(pathOf(arguments.mesh.file), options, progress.callback());
   Inspection found{mesh::validate(surface, {.self_intersections = !arguments.quick}, progress.callback()),
                    {},
                    numbersOf(channels),
-                   left_out};
+                   notes};
   const bool can_be_measured = found.report.wrong_indices.count == 0 && found.report.non_finite_vertices.count == 0;
   if (arguments.shape && can_be_measured) found.shapes = triangleShapes(surface);
   return found;
@@ -310,15 +311,13 @@ void runInfo(const InfoArguments& arguments) {
   const Inspection found = inspect(arguments);
   if (arguments.json) {
     Json json = {{"file", arguments.mesh.file}};
-    json.update(jsonOf(found.report));
+    json.update(jsonOf(found.report, found.notes));
     json["numbers"] = jsonOf(found.numbers);
-    if (!found.left_out.empty()) json["left_out"] = found.left_out;
     if (found.shapes) json["shape"] = asJson(*found.shapes);
     fmt::print("{}\n", jsonDump(json, 2));
   } else {
-    const std::string left_out = found.left_out.empty() ? "" : found.left_out + "\n";
-    printReadable(left_out + (found.shapes ? asText(*found.shapes) : "") + textOf(found.numbers) +
-                  textOf(found.report));
+    printReadable((found.shapes ? asText(*found.shapes) : "") + textOf(found.numbers) +
+                  textOf(found.report, found.notes));
   }
 }
 

@@ -120,7 +120,7 @@ mesh::RepairResult repairFile(const RepairArguments& arguments, mesh::VertexChan
                                       .fill_holes = !arguments.keep_holes};
     mesh::RepairResult result = mesh::repair(std::move(loaded.mesh), options, progress.callback());
     channels = mesh::followed(loaded.channels, result.source_vertex);
-    if (!loaded.left_out.empty()) result.warnings.push_back(loaded.left_out);
+    result.warnings.insert(result.warnings.begin(), loaded.notes.begin(), loaded.notes.end());
     return result;
   } catch (const Error& error) {
     throw Error::inFile(arguments.mesh.file, error.what());

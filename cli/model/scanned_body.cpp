@@ -58,7 +58,7 @@ ScannedBody readScan(const std::filesystem::path& file, mesh::LoadOptions option
   options.keep_wrong_indices = true;
   mesh::MeshWithChannels loaded = mesh::loadWithChannels(file, options, progress);
   ScannedBody scan;
-  if (!loaded.left_out.empty()) scan.notes.push_back(loaded.left_out);
+  scan.notes = std::move(loaded.notes);
   scan.unit_mm = options.unit_mm;
   scan.mm_per_unit = options.unit_mm > 0 ? options.unit_mm : isInMetres(file) ? 1000 : 1;
   try {

@@ -16,7 +16,7 @@ struct ScannedBody {
   mesh::VertexChannels channels;   ///< of its vertices
   double unit_mm = 0;              ///< of the file, as it was read; 0: as its format says
   double mm_per_unit = 1;          ///< the same as a factor
-  std::vector<std::string> notes;  ///< a unit that was guessed
+  std::vector<std::string> notes;  ///< a unit that was guessed, what was passed over in its file
 };
 
 /// Where `options` says no unit and the size is nobody's, a unit that makes it somebody's is taken, and noted. Throws

@@ -147,8 +147,8 @@ BodyParts makeMeshParts(const BodySettings& settings, const Progress& progress) 
     if (!settings.repair) requireFit(mesh, progress);
     std::vector<Index> source_vertex;
     parts = mendedBody(std::move(mesh), settings.file.filename().string(), progress, source_vertex);
-    if (!loaded.left_out.empty()) parts.notes.push_back(loaded.left_out);
     parts.channels = skinChannels(loaded.channels, std::move(source_vertex));
+    parts.notes.insert(parts.notes.begin(), loaded.notes.begin(), loaded.notes.end());
   } catch (const Error& error) {
     throw Error::inFile(settings.file.string(), error.what());
   }

@@ -1,86 +1,18 @@
 // Exact orientation of four points: a floating-point filter first, exact sums of triple products when it cannot decide.
 //
-// Every function here relies on each operation being rounded once, to nearest: never compile it with contraction
-// (-ffp-contract=off, set for the whole project) or -ffast-math.
-//
-// Based on: Shewchuk (1997) for the filter's bound and the growing expansion, Dekker (1971) for the exact product,
-// Knuth (TAOCP 2, 4.2.2) for the exact sum.
+// Based on: Shewchuk (1997) for the filter's bound.
 #include "palpate/tree/exact_predicates.h"
 
-#include <array>
 #include <cmath>
+
+#include "palpate/base/exact_sum.h"
 
 namespace palpate::tree {
 
 namespace {
 
-/// Half an ulp of 1: the largest relative rounding error of one operation.
-constexpr double kUnitRoundoff = 0x1.0p-53;
 /// Rounding of the 3x3 determinant of rounded differences, relative to its permanent (Shewchuk 1997, section 4.3).
 constexpr double kFilterBound = (7.0 + 56.0 * kUnitRoundoff) * kUnitRoundoff;
-/// 2^27 + 1 splits a double into two halves of 26 bits whose products are exact (Dekker).
-constexpr double kSplitter = 134217729.0;
-
-/// A number as the unevaluated sum high + low, low being what rounding took away from high.
-struct Pair {
-  double high;
-  double low;
-};
-
-Pair exactSum(double a, double b) {
-  const double sum = a + b;
-  const double b_part = sum - a;
-  const double a_part = sum - b_part;
-  return {sum, (a - a_part) + (b - b_part)};
-}
-
-Pair split(double a) {
-  const double scaled = kSplitter * a;
-  const double high = scaled - (scaled - a);
-  return {high, a - high};
-}
-
-Pair exactProduct(double a, double b) {
-  const double product = a * b;
-  const Pair sa = split(a);
-  const Pair sb = split(b);
-  const double error = ((product - sa.high * sb.high) - sa.low * sb.high) - sa.high * sb.low;
-  return {product, sa.low * sb.low - error};
-}
-
-/// An exact sum of doubles: terms that do not overlap, smallest first, without zeros. The largest carries the sign.
-class ExactSum {
- public:
-  void add(double value) {
-    int kept = 0;
-    for (int i = 0; i < size_; ++i) {
-      const Pair sum = exactSum(value, terms_[i]);
-      if (sum.low != 0.0) terms_[kept++] = sum.low;
-      value = sum.high;
-    }
-    if (value != 0.0) terms_[kept++] = value;
-    size_ = kept;
-  }
-
-  /// Adds a b c, which needs four doubles.
-  void addProduct(double a, double b, double c) {
-    const Pair ab = exactProduct(a, b);
-    for (const Pair part : {exactProduct(ab.low, c), exactProduct(ab.high, c)}) {
-      add(part.low);
-      add(part.high);
-    }
-  }
-
-  int sign() const {
-    if (size_ == 0) return 0;
-    return terms_[size_ - 1] > 0.0 ? 1 : -1;
-  }
-
- private:
-  static constexpr int kMaxTerms = 96;  // 24 triple products of 4 doubles
-  std::array<double, kMaxTerms> terms_;
-  int size_ = 0;
-};
 
 /// Adds sign * det(u, v, w), six triple products.
 void addDeterminant(ExactSum& sum, double sign, const Vec3& u, const Vec3& v, const Vec3& w) {

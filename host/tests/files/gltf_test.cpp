@@ -177,7 +177,7 @@ TEST(GltfBuffers, OfAGlbMayBePaddedWithZerosAndFollowedByBytes) {
   const std::string glb = support::glbAround(json, "");
   EXPECT_EQ(loadFromMemory(glb, Format::glb, "x").triangles.size(), 12u);
   const auto followed = loadWithChannelsFromMemory(glb + "abc", Format::glb, "x");
-  EXPECT_EQ(followed.left_out, "left out: bytes behind the end of the GLB (3)");
+  EXPECT_EQ(followed.notes, std::vector<std::string>{"x: left out: bytes behind the end of the GLB (3)"});
 }
 
 // --- accessors ---
@@ -309,9 +309,10 @@ TEST(GltfNeeds, PointsLinesAndWhatTheSceneDoesNotShowAreTold) {
   triangle.mesh = R"(},{"primitives":[])";
   triangle.nodes = R"(,{"mesh":0})";
   EXPECT_EQ(
-      gltfFrom(triangle.json()).left_out,
-      "left out: primitives of points (1), primitives of lines (1), primitives without POSITION (1), nodes with a "
-      "mesh that the scene does not show (1), meshes that no node shows (1)");
+      gltfFrom(triangle.json()).notes,
+      std::vector<std::string>{
+          "x: left out: primitives of points (1), primitives of lines (1), primitives without POSITION (1), nodes with "
+          "a mesh that the scene does not show (1), meshes that no node shows (1)"});
   triangle = {};
   triangle.primitive += R"(,"mode":1)";
   EXPECT_EQ(gltfRefusal(triangle.json()), "x: no triangles in it; left out: primitives of lines (1)");
@@ -335,11 +336,11 @@ TEST(GltfNeeds, StripsAndFansAreReadAndHalfATriangleIsRefused) {
 TEST(LeftOut, ShapesThatAreNoTrianglesAreToldInEveryFormat) {
   const auto obj = loadWithChannelsFromMemory("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\np 1\nsurf 0 1 0 1 1 2 3\n",
                                               Format::obj, "x");
-  EXPECT_EQ(obj.left_out, "left out: lines (1), points (1), free-form surfaces (1)");
+  EXPECT_EQ(obj.notes, std::vector<std::string>{"x: left out: lines (1), points (1), free-form surfaces (1)"});
   const auto ply =
       loadWithChannelsFromMemory(support::plyBytes(zoo::cube(), support::PlyFormat::text), Format::ply, "x");
-  EXPECT_EQ(ply.left_out, "left out: elements 'edge' (1)");
-  EXPECT_EQ(gltfFrom(support::gltfBytes(zoo::cube())).left_out, "");
+  EXPECT_EQ(ply.notes, std::vector<std::string>{"x: left out: elements 'edge' (1)"});
+  EXPECT_TRUE(gltfFrom(support::gltfBytes(zoo::cube())).notes.empty());
 }
 
 TEST(LeftOut, StripsOfAPlyAreTriangles) {

@@ -250,7 +250,6 @@ TEST(LoadErrors, NameTheLineOfATextFile) {
   EXPECT_EQ(refusal("v 0 0 0\n\nf 1 2 3\n", Format::obj), "x:3: the face uses vertex 2, but there are 1 vertices");
   EXPECT_EQ(refusal("v 0 0 0\nf 1 -5 1\n", Format::obj),
             "x:2: the face uses a vertex below the first, but there are 1 vertices");
-  EXPECT_EQ(refusal("v 0 0 0\nf 1 1\n", Format::obj), "x:2: a face needs at least 3 corners");
   EXPECT_EQ(refusal("once upon a time\n", Format::obj), "x:1: 'once' is not an OBJ keyword");
   EXPECT_EQ(refusal("v 0 0 0\n", Format::obj), "x: no triangles in it");
   EXPECT_EQ(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n", Format::off),

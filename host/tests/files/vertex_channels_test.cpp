@@ -34,7 +34,7 @@ VertexChannels heightsOf(const TriangleMesh& mesh) {
 }
 
 TEST(VertexChannels, AreReadByTheirNamesWhereverTheyStand) {
-  const auto [mesh, channels, left_out] = plyOf(
+  const auto [mesh, channels, notes] = plyOf(
       "property float quality\nproperty float x\nproperty float nx\nproperty float y\nproperty float z\n"
       "property list uchar int ring\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nproperty int "
       "label\n",
@@ -50,7 +50,7 @@ TEST(VertexChannels, AreReadByTheirNamesWhereverTheyStand) {
 }
 
 TEST(VertexChannels, TakeColoursInTheOtherWaysTheyAreWritten) {
-  const auto [mesh, channels, left_out] = plyOf(
+  const auto [mesh, channels, notes] = plyOf(
       "property float x\nproperty float y\nproperty float z\nproperty float diffuse_red\nproperty float diffuse_green\n"
       "property float diffuse_blue\n",
       "0 0 0 1 0 0.5\n1 0 0 2 -1 0.2\n0 1 0 0 0 0\n");
@@ -63,7 +63,7 @@ TEST(VertexChannels, ComeBackAsTheyWereSaved) {
   const TriangleMesh torus = zoo::torus();
   const VertexChannels saved = heightsOf(torus);
   save(folder / "torus.ply", torus, saved);
-  const auto [mesh, channels, left_out] = loadWithChannels(folder / "torus.ply");
+  const auto [mesh, channels, notes] = loadWithChannels(folder / "torus.ply");
   EXPECT_EQ(mesh.positions, torus.positions);
   ASSERT_EQ(channels.scalars.size(), 1u);
   EXPECT_EQ(channels.scalars[0].values, saved.scalars[0].values);
@@ -83,7 +83,7 @@ TEST(VertexChannels, StayWithTheirVerticesThroughWeldingAndRepair) {
   for (const bool weld : {false, true}) {
     LoadOptions options;
     options.weld = weld;
-    auto [mesh, channels, left_out] = loadWithChannels(folder / "torn.ply", options);
+    auto [mesh, channels, notes] = loadWithChannels(folder / "torn.ply", options);
     ASSERT_EQ(channels.colours.size(), mesh.positions.size());
     const RepairResult repaired = repair(std::move(mesh));
     const VertexChannels after = followed(channels, repaired.source_vertex);

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "palpate/base/error.h"
@@ -82,17 +81,13 @@ void follow(VertexChannels* channels, const std::vector<Index>& source_vertex) {
   if (channels != nullptr) *channels = followed(*channels, source_vertex);
 }
 
-/// `left_out` gets one line if anything was.
-TriangleMesh loadChecked(MeshFile file, Format format, VertexChannels* channels, std::string* left_out) {
+TriangleMesh loadChecked(const MeshFile& file, Format format, VertexChannels* channels) {
   if (file.bytes.empty()) throw Error::inFile(file.name, "the file is empty");
-  LeftOut counts;
-  file.left_out = &counts;
   TriangleMesh mesh = read(file, format, channels);
-  const std::string words = counts.inWords();
   if (mesh.triangles.empty()) {
-    throw Error::inFile(file.name, "no triangles in it" + (words.empty() ? words : "; " + words));
+    const std::string left_out = file.passed_over.leftOut();
+    throw Error::inFile(file.name, "no triangles in it" + (left_out.empty() ? "" : "; " + left_out));
   }
-  if (left_out != nullptr) *left_out = words;
   // STL welds while it reads.
   const bool repeats_vertices = isGltf(format) || format == Format::foreign;
   if (format != Format::stl && file.options.weld.value_or(repeats_vertices)) {
@@ -104,24 +99,14 @@ TriangleMesh loadChecked(MeshFile file, Format format, VertexChannels* channels,
   return mesh;
 }
 
+MeshWithChannels loadTold(const MeshFile& file, Format format) {
+  MeshWithChannels loaded;
+  loaded.mesh = loadChecked(file, format, &loaded.channels);
+  loaded.notes = file.passed_over.sentences(file.name);
+  return loaded;
+}
+
 }  // namespace
-
-void LeftOut::add(std::string_view what, std::size_t count) {
-  constexpr std::size_t kMostNames = 12;  // of a stranger's file: enough to understand it
-  const auto found = std::find_if(counts_.begin(), counts_.end(), [&](const auto& one) { return one.first == what; });
-  if (found != counts_.end()) {
-    found->second += count;
-  } else if (counts_.size() < kMostNames) {
-    counts_.emplace_back(what, count);
-  }
-}
-
-std::string LeftOut::inWords() const {
-  std::string words;
-  for (const auto& [what, count] : counts_)
-    words += fmt::format("{}{} ({})", words.empty() ? "left out: " : ", ", what, count);
-  return words;
-}
 
 TriangleMesh readForeign(const MeshFile& file, const std::string& extension) {
   return foreignReader()(file, extension);
@@ -151,31 +136,26 @@ void checkTriangleCount(std::size_t triangles, std::string_view name) {
 
 TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress) {
   report(progress, "reading", 0.0);
-  return withMeshFile(file, options, progress, [](const MeshFile& mesh_file, Format format) {
-    return loadChecked(mesh_file, format, nullptr, nullptr);
-  });
+  return withMeshFile(file, options, progress,
+                      [](const MeshFile& mesh_file, Format format) { return loadChecked(mesh_file, format, nullptr); });
 }
 
 TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name, const LoadOptions& options,
                             const Progress& progress) {
-  return loadChecked({bytes, name, options, progress, {}, nullptr}, format, nullptr, nullptr);
+  PassedOver passed_over;
+  return loadChecked({bytes, name, options, progress, {}, passed_over}, format, nullptr);
 }
 
 MeshWithChannels loadWithChannels(const std::filesystem::path& file, const LoadOptions& options,
                                   const Progress& progress) {
   report(progress, "reading", 0.0);
-  MeshWithChannels loaded;
-  loaded.mesh = withMeshFile(file, options, progress, [&](const MeshFile& mesh_file, Format format) {
-    return loadChecked(mesh_file, format, &loaded.channels, &loaded.left_out);
-  });
-  return loaded;
+  return withMeshFile(file, options, progress, loadTold);
 }
 
 MeshWithChannels loadWithChannelsFromMemory(std::string_view bytes, Format format, std::string_view name,
                                             const LoadOptions& options, const Progress& progress) {
-  MeshWithChannels loaded;
-  loaded.mesh = loadChecked({bytes, name, options, progress, {}, nullptr}, format, &loaded.channels, &loaded.left_out);
-  return loaded;
+  PassedOver passed_over;
+  return loadTold({bytes, name, options, progress, {}, passed_over}, format);
 }
 
 }  // namespace palpate::mesh

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "palpate/base/progress.h"
 #include "palpate/mesh/files/vertex_channels.h"
@@ -56,9 +57,8 @@ TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_v
 struct MeshWithChannels {
   TriangleMesh mesh;
   VertexChannels channels;
-  /// What the file holds beside triangles and is no part of the mesh, as "left out: lines (3), points (1)"; mostly
-  /// empty.
-  std::string left_out{};
+  /// What was passed over or guessed while it was read, a sentence each with its place in the file.
+  std::vector<std::string> notes = {};
 };
 
 /// `load`, with the numbers and colours that a PLY file has for its vertices: colours from red, green, blue (with or

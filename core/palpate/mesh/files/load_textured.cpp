@@ -42,7 +42,8 @@ TexturedMesh loadTextured(const std::filesystem::path& file, const LoadOptions& 
 
 TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::string_view name,
                                     const LoadOptions& options, const Progress& progress) {
-  return loadFrom({bytes, name, options, progress, {}, nullptr}, format);
+  PassedOver passed_over;  // told by who reads the surface
+  return loadFrom({bytes, name, options, progress, {}, passed_over}, format);
 }
 
 std::string basePictureOf(const std::filesystem::path& file) {

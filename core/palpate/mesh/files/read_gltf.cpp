@@ -142,10 +142,10 @@ class GltfReader {
       const JsonValue mesh = pose_.node(n)["mesh"];
       if (!mesh) continue;
       is_named[mesh.index(meshes_.size(), "mesh")] = true;
-      if (!pose_.isShown(n)) leaveOut(file_, "nodes with a mesh that the scene does not show");
+      if (!pose_.isShown(n)) file_.passed_over.leaveOut("nodes with a mesh that the scene does not show");
     }
     const auto unnamed = std::count(is_named.begin(), is_named.end(), false);
-    if (unnamed > 0) leaveOut(file_, "meshes that no node shows", static_cast<std::size_t>(unnamed));
+    if (unnamed > 0) file_.passed_over.leaveOut("meshes that no node shows", static_cast<std::size_t>(unnamed));
   }
 
   /// A primitive as the file holds it, before anything moves it.
@@ -187,8 +187,10 @@ class GltfReader {
       const auto mode = static_cast<int>(json["mode"].indexOr(kTriangles, kTriangleFan + 1, "mode"));
       const JsonValue attributes = json["attributes"];
       const JsonValue attribute = attributes["POSITION"];
-      if (mode < kTriangles) leaveOut(file_, mode == kPoints ? "primitives of points" : "primitives of lines");
-      if (mode >= kTriangles && !attribute) leaveOut(file_, "primitives without POSITION");  // section 3.7.2.1
+      if (mode < kTriangles)
+        file_.passed_over.leaveOut(mode == kPoints ? "primitives of points" : "primitives of lines");
+      if (mode >= kTriangles && !attribute)
+        file_.passed_over.leaveOut("primitives without POSITION");  // section 3.7.2.1
       if (mode < kTriangles || !attribute) continue;
       if (json["extensions"][kDraco] && accessors_.isWithoutView(attribute)) {
         json.fail(fmt::format("geometry compressed with {} cannot be read", kDraco));

@@ -51,7 +51,7 @@ class ObjReader {
     } while (text_.nextLine());
     if (!file_.options.group.empty() && !group_found_) failForGroup();
     if (places_ != nullptr) spreadCorners();
-    polygons_.cut(mesh_, {file_.name, FileCounting::Place::line, 1}, file_.options.keep_wrong_indices);
+    polygons_.cut(mesh_, {file_.name, FilePlace::line, 1}, file_.options.keep_wrong_indices, file_.passed_over);
     return std::move(mesh_);
   }
 
@@ -77,7 +77,7 @@ class ObjReader {
 
   void tellOf(std::string_view keyword) const {
     for (const LeftOutWord& word : kLeftOut) {
-      if (word.keyword == keyword) leaveOut(file_, word.what);
+      if (word.keyword == keyword) file_.passed_over.leaveOut(word.what);
     }
   }
 
@@ -123,7 +123,6 @@ class ObjReader {
     for (auto corner = word(); !corner.empty() && corner.front() != '#'; corner = word()) {
       polygons_.addCorner(places_ == nullptr ? readCorner(corner) : newCorner(corner));
     }
-    if (polygons_.openCorners() < 3) text_.fail("a face needs at least 3 corners");
     if (file_.options.group.empty() || in_group_) {
       polygons_.close(text_.line());
     } else {

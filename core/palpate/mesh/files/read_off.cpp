@@ -70,7 +70,7 @@ TriangleMesh readOff(const MeshFile& file) {
     toNextRow(text, "faces", counts.faces);
     readPolygon(text, polygons);
   }
-  polygons.cut(mesh, {file.name, FileCounting::Place::line, 0}, file.options.keep_wrong_indices);
+  polygons.cut(mesh, {file.name, FilePlace::line, 0}, file.options.keep_wrong_indices, file.passed_over);
   return mesh;
 }
 

@@ -125,7 +125,7 @@ Header readHeader(TextReader& text) {
 /// Values of a text file: one number a word.
 class TextValues {
  public:
-  static constexpr FileCounting::Place kPlace = FileCounting::Place::line;
+  static constexpr FilePlace kPlace = FilePlace::line;
   TextValues(TextReader& text, Encoding) : text_(text) {}
 
   double value(Type) {
@@ -144,7 +144,7 @@ class TextValues {
 
 class BinaryValues {
  public:
-  static constexpr FileCounting::Place kPlace = FileCounting::Place::byte;
+  static constexpr FilePlace kPlace = FilePlace::byte;
   BinaryValues(ByteReader bytes, Encoding encoding)
       : bytes_(bytes), order_(encoding == Encoding::big ? std::endian::big : std::endian::little) {}
 
@@ -295,7 +295,7 @@ class BodyReader {
         readOthers(element);
       }
     }
-    polygons_.cut(mesh_, {file_.name, Values::kPlace, 0}, file_.options.keep_wrong_indices);
+    polygons_.cut(mesh_, {file_.name, Values::kPlace, 0}, file_.options.keep_wrong_indices, file_.passed_over);
     if (channels_ != nullptr && vertex_elements_ > 1) *channels_ = {};  // they need not have the same properties
     return std::move(mesh_);
   }
@@ -339,8 +339,9 @@ class BodyReader {
     const auto& all = element.properties;
     const bool have_indices = std::any_of(all.begin(), all.end(), isIndexList);
     if (element.count > 0 && !((are_faces || are_strips) && have_indices)) {
-      leaveOut(file_, fmt::format("elements '{}'{}", shown(element.name), are_faces ? " without vertex_indices" : ""),
-               static_cast<std::size_t>(element.count));
+      file_.passed_over.leaveOut(
+          fmt::format("elements '{}'{}", shown(element.name), are_faces ? " without vertex_indices" : ""),
+          static_cast<std::size_t>(element.count));
     }
     const bool wanted = are_faces && channels_ != nullptr && channels_->of_faces.empty();
     const auto columns = wanted ? startFaceScalars(element, *channels_) : std::vector<std::size_t>();

@@ -45,7 +45,7 @@ void addTriangles(const aiMesh& part, const MeshFile& file, TriangleMesh& mesh) 
   for (unsigned f = 0; f < part.mNumFaces; ++f) {
     const aiFace& face = part.mFaces[f];
     if (face.mNumIndices != 3) {
-      leaveOut(file, face.mNumIndices == 1 ? "points" : "lines");
+      file.passed_over.leaveOut(face.mNumIndices == 1 ? "points" : "lines");
       continue;
     }
     mesh.triangles.push_back({first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});

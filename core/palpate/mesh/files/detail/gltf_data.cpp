@@ -181,7 +181,8 @@ GltfParts splitGltf(const MeshFile& file) {
     throw Error::atByte(file.name, 8,
                         fmt::format("the header promises {} bytes, the file has {}", promised, file.bytes.size()));
   }
-  if (promised < file.bytes.size()) leaveOut(file, "bytes behind the end of the GLB", file.bytes.size() - promised);
+  if (promised < file.bytes.size())
+    file.passed_over.leaveOut("bytes behind the end of the GLB", file.bytes.size() - promised);
   bytes = ByteReader(file.bytes.substr(0, promised), file.name, kGlbHeaderBytes);
   for (std::size_t chunk = 0; bytes.bytesLeft() > 0; ++chunk) {
     const auto length = bytes.number<std::uint32_t>();

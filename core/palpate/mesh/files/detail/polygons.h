@@ -8,20 +8,25 @@
 #include <string_view>
 #include <vector>
 
+#include "palpate/mesh/files/detail/passed_over.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::mesh {
 
-/// Appends corners - 2 triangles with the polygon's winding; none for fewer than 3 corners. A square is cut along the
-/// diagonal that folds it least. Indices may be out of range or repeated: then it is cut as a fan from its first
-/// corner, like every polygon of more than 64 corners (clipping may cost the cube of their number).
-void triangulate(const std::vector<Vec3>& positions, std::span<const Index> polygon, std::vector<Triangle>& triangles);
+/// What became of a polygon. `guessed`: it has no area of its own to cut (it crosses itself, seen along its mean
+/// normal) and got the surface of least area over its corners. `impossible`: the same with too many corners for that.
+enum class PolygonCut : std::uint8_t { exact, guessed, impossible };
+
+/// Appends triangles over the polygon's corners, with its winding; none for fewer than 3 corners. A square is cut along
+/// the diagonal that folds it least, a longer one to the area of its outline (outline_cut.h), with holes where bridges
+/// lead to them. Corners may be out of range or unusable: then it is cut as a fan, for `validate` to count.
+PolygonCut triangulate(const std::vector<Vec3>& positions, std::span<const Index> polygon,
+                       std::vector<Triangle>& triangles);
 
 /// How a file counts: what its places are called and which number its first vertex has.
 struct FileCounting {
-  enum class Place : std::uint8_t { line, byte };
   std::string_view name;
-  Place place = Place::line;
+  FilePlace place = FilePlace::line;
   Index first_vertex = 0;
 };
 
@@ -34,9 +39,10 @@ class PolygonList {
   void dropOpen() { corners_.resize(polygons_.empty() ? 0 : polygons_.back().end); }
   std::size_t openCorners() const { return corners_.size() - (polygons_.empty() ? 0 : polygons_.back().end); }
 
-  /// Cuts all polygons into `mesh.triangles`. Throws Error at the place of the first one with a wrong index, unless
-  /// those are to be kept.
-  void cut(TriangleMesh& mesh, const FileCounting& counting, bool keep_wrong_indices) const;
+  /// Cuts all polygons into `mesh.triangles`; of fewer than three corners there is nothing to cut, which is noted in
+  /// `passed_over` as is what was guessed. Throws Error at the place of the first one with a wrong index, unless those
+  /// are to be kept, and of one that cannot be cut.
+  void cut(TriangleMesh& mesh, const FileCounting& counting, bool keep_wrong_indices, PassedOver& passed_over) const;
 
  private:
   struct Polygon {

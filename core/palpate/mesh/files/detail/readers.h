@@ -5,24 +5,12 @@
 #include <limits>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "palpate/base/text.h"
+#include "palpate/mesh/files/detail/passed_over.h"
 #include "palpate/mesh/files/load.h"
 
 namespace palpate::mesh {
-
-/// What a file holds of its body and a reader does not read, counted by name: points, lines, curved surfaces.
-class LeftOut {
- public:
-  void add(std::string_view what, std::size_t count);
-  /// "left out: lines (3), points (1)"; empty for nothing.
-  std::string inWords() const;
-
- private:
-  std::vector<std::pair<std::string, std::size_t>> counts_;
-};
 
 struct MeshFile {
   std::string_view bytes;
@@ -30,12 +18,8 @@ struct MeshFile {
   const LoadOptions& options;
   const Progress& progress;
   std::filesystem::path folder;  ///< where files lie that this one refers to; empty: there are none
-  LeftOut* left_out = nullptr;   ///< null: nobody asks
+  PassedOver& passed_over;       ///< what a reader leaves out is told here
 };
-
-inline void leaveOut(const MeshFile& file, std::string_view what, std::size_t count = 1) {
-  if (file.left_out != nullptr) file.left_out->add(what, count);
-}
 
 /// Asked for `places`, the readers of formats with texture note a place in the picture for each vertex, not finite
 /// where there is none; the mesh then shares no vertex where the texture does not go on.
@@ -64,7 +48,8 @@ auto withMeshFile(const std::filesystem::path& file, const LoadOptions& options,
                   const Use& use) {
   const std::string bytes = readFile(file, options.max_bytes);
   const std::string name = file.string();
-  return use(MeshFile{bytes, name, options, progress, file.parent_path() / ".", nullptr},
+  PassedOver passed_over;
+  return use(MeshFile{bytes, name, options, progress, file.parent_path() / ".", passed_over},
              formatOf(file, bytes, options.allow_foreign));
 }
 /// Moves a mesh from the units of its file to mm (LoadOptions::unit_mm).

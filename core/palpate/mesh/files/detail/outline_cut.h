@@ -1,0 +1,21 @@
+// The area within a plane outline -> triangles over its own corners.
+//
+// Any simple outline, and what modellers write for one with holes: a bridge from the rim to each hole that the outline
+// runs to and fro. Corners at one place, corners on another side and sides that lie on each other are taken as they
+// are. n corners take n log n time. Every decision is an exact sign, so the result is the same with every compiler.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "palpate/base/vec.h"
+
+namespace palpate::mesh {
+
+/// Triangles of numbers of corners, counter-clockwise, for an outline that runs counter-clockwise; of corners at one
+/// place the first is named. None where two sides cross, or the outline does not run around every place either once or
+/// not at all. Coordinates: of magnitude 1e-90 to 1, or zero.
+std::optional<std::vector<Triangle>> cutOutline(std::span<const Vec2> corners);
+
+}  // namespace palpate::mesh
