@@ -7,9 +7,9 @@ add_library(palpate_test_build INTERFACE)
 target_link_libraries(palpate_test_build INTERFACE palpate_build Eigen3::Eigen GTest::gtest rapidcheck nlohmann_json::nlohmann_json
                                                    fmt::fmt Threads::Threads)
 target_compile_options(palpate_test_build INTERFACE ${PALPATE_LIGHTLY_OPTIMISED})
-target_compile_definitions(palpate_test_build INTERFACE PALPATE_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data"
-                           PALPATE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" PALPATE_BINARY_DIR="${CMAKE_BINARY_DIR}"
-                           $<$<BOOL:${PALPATE_ASSIMP}>:PALPATE_ASSIMP>)
+target_compile_definitions(palpate_test_build INTERFACE $<$<BOOL:${PALPATE_ASSIMP}>:PALPATE_ASSIMP>)
+# A test names its own file: below the repository, so that every clone compiles the same text (ccache).
+target_compile_options(palpate_test_build INTERFACE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
 target_include_directories(palpate_test_build INTERFACE ${PROJECT_SOURCE_DIR}/tests)
 
 # The second circle: names of suites, and `folder.*` for whole programs (tests/circles.tsv).
@@ -39,6 +39,8 @@ set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY TEST_INCLUDE_FILES 
 # Helpers of many tests, and the one precompiled header of all.
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/support/*.cpp)
 add_library(palpate_test_support STATIC ${sources})
+set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/places.cpp PROPERTIES COMPILE_DEFINITIONS
+                            "PALPATE_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\";PALPATE_BINARY_DIR=\"${CMAKE_BINARY_DIR}\"")
 target_link_libraries(palpate_test_support PRIVATE palpate_test_build)
 palpate_precompile(palpate_test_support palpate_test_support <gtest/gtest.h>)
 

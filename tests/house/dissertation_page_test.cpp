@@ -9,6 +9,7 @@
 #include "palpate/base/text.h"
 #include "palpate/scene/errata.h"
 #include "palpate/scene/words.h"
+#include "support/places.h"
 
 namespace palpate {
 
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = PALPATE_SOURCE_DIR;
+const fs::path kRoot = support::sourceFolder();
 
 std::string page() { return readFile(kRoot / "docs/reference/dissertation.md", 1 << 20); }
 

@@ -10,11 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "support/places.h"
+
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRepository = PALPATE_SOURCE_DIR;
+const fs::path kRepository = support::sourceFolder();
 constexpr std::size_t kMaxReadmeLinks = 12;
 
 struct Link {

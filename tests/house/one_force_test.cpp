@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -21,7 +22,7 @@ using Lines = std::vector<std::string>;
 /// C++ sources below a folder of the tree, those of tests apart.
 std::vector<fs::path> sourcesBelow(const char* folder) {
   std::vector<fs::path> sources;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(PALPATE_SOURCE_DIR) / folder)) {
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(support::sourceFolder() / folder)) {
     const bool is_source = entry.path().extension() == ".cpp" || entry.path().extension() == ".h";
     if (is_source && entry.path().string().find("/tests/") == std::string::npos) sources.push_back(entry.path());
   }
@@ -33,7 +34,7 @@ std::string codeOf(const std::string& text) { return std::regex_replace(text, st
 
 std::string placeOf(const fs::path& file, const std::string& code, std::size_t at) {
   const auto line = 1 + std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-  return file.lexically_relative(PALPATE_SOURCE_DIR).string() + ":" + std::to_string(line);
+  return file.lexically_relative(support::sourceFolder()).string() + ":" + std::to_string(line);
 }
 
 /// Functions whose last bit is the C library's choice. sqrt, fmod and what rounds are exact.
@@ -89,7 +90,8 @@ TEST(OneForce, TheEngineTakesNoInexactFunctionOfTheCLibrary) {
 
 // Eigen's functions and builtins of the compiler end there, too.
 TEST(OneForce, TheCoreLinksNoInexactFunctionOfTheCLibrary) {
-  const auto symbols = support::runProgram("/usr/bin/nm", "-u " PALPATE_BINARY_DIR "/core/libpalpate_core.a");
+  const auto symbols =
+      support::runProgram("/usr/bin/nm", "-u " + (support::buildFolder() / "core/libpalpate_core.a").string());
   ASSERT_EQ(symbols.exit_code, 0) << symbols.err;
   ASSERT_NE(symbols.out.find(" U fmod\n"), std::string::npos) << "it looks at something";
   const std::regex inexact("U (?:" + std::string(kInexact) + ")f?\n");

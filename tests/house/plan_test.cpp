@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/places.h"
 #include "support/run_command.h"
 
 namespace palpate {
@@ -11,7 +12,7 @@ namespace {
 /// The tool reads every file of the repository, seconds long: it runs once.
 const nlohmann::json& planOfTheHouse() {
   static const nlohmann::json plan = [] {
-    const auto answer = support::runProgram(std::filesystem::path(PALPATE_SOURCE_DIR) / "tools/house", "--json");
+    const auto answer = support::runProgram(support::sourceFolder() / "tools/house", "--json");
     EXPECT_EQ(answer.exit_code, 0) << answer.err;
     return nlohmann::json::parse(answer.out);
   }();

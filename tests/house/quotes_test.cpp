@@ -9,11 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "support/places.h"
+
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSources = PALPATE_SOURCE_DIR;
+const fs::path kSources = support::sourceFolder();
 constexpr std::string_view kBegin = "<!--=";
 constexpr std::string_view kBeginEnd = "-->";
 constexpr std::string_view kEnd = "<!--=-->";

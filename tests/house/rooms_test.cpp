@@ -10,11 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "support/places.h"
+
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = PALPATE_SOURCE_DIR;
+const fs::path kRoot = support::sourceFolder();
 const std::vector<std::string> kHouses = {"core",    "host",  "view",         "report", "cli",
                                           "measure", "teach", "dissertation", "solve",  "lab"};
 

@@ -11,11 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "support/places.h"
+
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSourceFolder = PALPATE_SOURCE_DIR;
+const fs::path kSourceFolder = support::sourceFolder();
 /// The libraries: what is below <house>/palpate.
 const std::vector<fs::path> kLibraries = [] {
   std::vector<fs::path> folders;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -27,8 +28,8 @@ constexpr const char* kEverywhere[] = {"core/palpate", "host/palpate", "view",  
 Places matching(const std::regex& wanted, const std::regex& but) {
   Places found;
   for (const char* folder : kEverywhere) {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(fs::path(PALPATE_SOURCE_DIR) / folder)) {
-      const std::string name = entry.path().lexically_relative(PALPATE_SOURCE_DIR).string();
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(support::sourceFolder() / folder)) {
+      const std::string name = entry.path().lexically_relative(support::sourceFolder()).string();
       const bool is_source = entry.path().extension() == ".cpp" || entry.path().extension() == ".h";
       if (!is_source || name.find("/tests/") != std::string::npos || std::regex_search(name, but)) continue;
       const std::string code = std::regex_replace(support::contentOf(entry.path()), std::regex("//[^\n]*"), "");

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "support/places.h"
 #include "support/run_command.h"
 
 namespace palpate {
@@ -29,7 +30,7 @@ std::string openingComment(const std::string& text) {
 
 TEST(Tools, SayWhatTheyDoWhenAskedForHelpAndDoNothing) {
   std::size_t asked = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(PALPATE_SOURCE_DIR) / "tools")) {
+  for (const auto& entry : fs::directory_iterator(support::sourceFolder() / "tools")) {
     const fs::path& tool = entry.path();
     const std::string text = support::contentOf(tool);
     if (!isOfTheShell(text) || tool.filename() == "bench-kernels")

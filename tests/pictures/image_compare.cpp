@@ -9,6 +9,7 @@
 
 #include "palpate/base/text.h"
 #include "pictures/read_png.h"
+#include "support/places.h"
 
 namespace palpate::support {
 
@@ -92,7 +93,7 @@ Image sideBySide(const Image& a, const Image& b, const Image& c) {
 }
 
 fs::path keptFile(const std::string& renderer, const std::string& name) {
-  return fs::path(PALPATE_TEST_DATA) / "pictures" / renderer / (name + ".png");
+  return support::testData() / "pictures" / renderer / (name + ".png");
 }
 
 bool isToBeBlessed(const std::string& name) {
@@ -111,7 +112,7 @@ void bless(const fs::path& file, const Image& actual) {
 }
 
 fs::path leaveEvidence(const std::string& name, const Image& expected, const Image& actual) {
-  const fs::path folder = fs::path(PALPATE_BINARY_DIR) / "pictures";
+  const fs::path folder = support::buildFolder() / "pictures";
   fs::create_directories(folder);
   view::writePng(folder / (name + "_expected.png"), expected);
   view::writePng(folder / (name + "_actual.png"), actual);

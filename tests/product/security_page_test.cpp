@@ -18,6 +18,7 @@
 #include "palpate/scene/detail/toml_node.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/servo/device_limits.h"
+#include "support/places.h"
 
 namespace palpate {
 namespace {
@@ -75,7 +76,7 @@ std::vector<LimitRow> limitRows() {
 TEST(SecurityPage, TableOfPortsAndLimitsIsThatOfTheCode) {
   std::string table;
   for (const LimitRow& row : limitRows()) table += fmt::format("| {} | {} | {} |\n", row.where, row.what, row.value);
-  const std::string page = readFile(std::filesystem::path(PALPATE_SOURCE_DIR) / "docs/reference/security.md", 1 << 20);
+  const std::string page = readFile(support::sourceFolder() / "docs/reference/security.md", 1 << 20);
   const std::string head = "| where | what | value |\n|---|---|---|\n";
   const std::size_t begin = page.find(head);
   ASSERT_NE(begin, std::string::npos);

@@ -8,12 +8,13 @@
 #include <string>
 
 #include "palpate/base/vec.h"
+#include "support/places.h"
 
 namespace palpate::test {
 
 /// The file tests/data/golden/<name>.json.
 inline nlohmann::json golden(const std::string& name) {
-  std::ifstream file(std::string(PALPATE_TEST_DATA) + "/golden/" + name + ".json");
+  std::ifstream file(support::testData() / "golden" / (name + ".json"));
   if (!file) throw std::runtime_error("golden file missing: " + name);
   return nlohmann::json::parse(file);
 }

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string>
 
+#include "support/places.h"
+
 namespace palpate::support {
 
 struct CommandResult {
@@ -43,17 +45,17 @@ inline CommandResult runProgram(const std::filesystem::path& program, const std:
 }
 
 inline CommandResult runPalpate(const std::string& arguments, const std::filesystem::path& in = ".") {
-  return runProgram(std::filesystem::path(PALPATE_BINARY_DIR) / "palpate", arguments, in);
+  return runProgram(support::buildFolder() / "palpate", arguments, in);
 }
 
 /// Whether this build has the program that holds the command which the arguments begin with (cli/kit/families.tsv):
 /// without a family its commands are not tested.
 inline bool hasProgramOf(const std::string& arguments) {
-  std::ifstream table(std::filesystem::path(PALPATE_SOURCE_DIR) / "cli/kit/families.tsv");
+  std::ifstream table(support::sourceFolder() / "cli/kit/families.tsv");
   for (std::string group, command, family, what; std::getline(table, group, '\t');) {
     if (!std::getline(table, command, '\t') || !std::getline(table, family, '\t') || !std::getline(table, what)) break;
     if (!(arguments + " ").starts_with(command + " ")) continue;
-    return std::filesystem::exists(std::filesystem::path(PALPATE_BINARY_DIR) / ("palpate-" + family));
+    return std::filesystem::exists(support::buildFolder() / ("palpate-" + family));
   }
   return true;
 }

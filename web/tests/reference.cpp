@@ -127,9 +127,9 @@ void runOnTrunk(const std::filesystem::path& folder, std::size_t triangles) {
   fmt::print("{{\"ticks_of_aim\":{},\"triangles\":{}}}\n", kTicksOfAim, body.world().body->skin.triangles.size());
 }
 
-/// Throws Error where the page's lumps are not those of the preset.
-void compareLumps() {
-  const auto preset = palpate::scene::load(PALPATE_SOURCE_DIR "/scenes/lumps.toml").lumps;
+/// Throws Error where the page's lumps are not those of this scene.
+void compareLumps(const char* scene) {
+  const auto preset = palpate::scene::load(scene).lumps;
   const auto page = palpate::web::presetLumps();
   bool same = page.size() == preset.size();
   for (std::size_t i = 0; same && i < page.size(); ++i) {
@@ -139,19 +139,19 @@ void compareLumps() {
            one.young_kpa == other.young_kpa && one.edge == other.edge && one.raise_mm == other.raise_mm &&
            one.mobility_mm_per_n == other.mobility_mm_per_n && one.mobility_limit_mm == other.mobility_limit_mm;
   }
-  if (!same) throw palpate::Error("the page's lumps (web/engine/live_body.cpp) are not those of scenes/lumps.toml");
+  if (!same) throw palpate::Error("the page's lumps (web/engine/live_body.cpp) are not those of the scene");
 }
 
 }  // namespace
 
 int main(int count, char** words) {
   if (count != 2 && count != 3) {
-    std::fputs("usage: web_reference FOLDER [TRIANGLES] | --lumps | --press TRIANGLES\n", stderr);
+    std::fputs("usage: web_reference FOLDER [TRIANGLES] | --lumps SCENE | --press TRIANGLES\n", stderr);
     return 2;
   }
   try {
-    if (std::string_view(words[1]) == "--lumps") {
-      compareLumps();
+    if (count == 3 && std::string_view(words[1]) == "--lumps") {
+      compareLumps(words[2]);
       return 0;
     }
     if (count == 3 && std::string_view(words[1]) == "--press") {

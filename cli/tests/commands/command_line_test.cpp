@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -59,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// On a machine without a display.
 support::CommandResult withoutDisplay(const std::string& arguments, const std::filesystem::path& in) {
   return support::runProgram("/usr/bin/env",
-                             "-u DISPLAY -u WAYLAND_DISPLAY " PALPATE_BINARY_DIR "/palpate " + arguments, in);
+                             "-u DISPLAY -u WAYLAND_DISPLAY " + support::builtProgram() + " " + arguments, in);
 }
 
 TEST(CommandLine, WithoutACommandItSaysWhatThereIs) {
@@ -97,7 +98,7 @@ TEST(CommandLine, AnEarlierNameOfACommandStillWorksAndSaysTheNewOne) {
 
 TEST(CommandLine, WhatAMissingProgramHoldsSaysWhichPackageAndHowItIsBuilt) {
   const support::TemporaryFolder folder;
-  std::filesystem::copy_file(std::filesystem::path(PALPATE_BINARY_DIR) / "palpate", folder / "palpate");
+  std::filesystem::copy_file(support::buildFolder() / "palpate", folder / "palpate");
   const support::CommandResult result = support::runProgram(folder / "palpate", "train --trainee weber=0.2");
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_EQ(

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -35,9 +36,9 @@ TEST(Completion, AsksTheProgramThatHoldsTheCommand) {
 }
 
 TEST(Completion, OfBashTakesTheWordsFromTheCommand) {
-  const std::string script = std::string("-c 'source ") + PALPATE_SOURCE_DIR +
-                             "/packaging/completions/palpate.bash; COMP_WORDS=(" + PALPATE_BINARY_DIR +
-                             "/palpate recording re); COMP_CWORD=2; _palpate; echo \"${COMPREPLY[*]}\"'";
+  const std::string script = "-c 'source " + support::sourceFolder().string() +
+                             "/packaging/completions/palpate.bash; COMP_WORDS=(" + support::builtProgram() +
+                             " recording re); COMP_CWORD=2; _palpate; echo \"${COMPREPLY[*]}\"'";
   const auto result = support::runProgram("/bin/bash", script);
   EXPECT_EQ(result.out.substr(0, 6), "replay") << result.err;
 }
@@ -52,7 +53,7 @@ TEST(ManPage, HasEveryCommandWithItsOptions) {
 }
 
 TEST(ManPage, IsWrittenWithEachProgramAndGroffTakesItWithoutAWarning) {
-  const std::filesystem::path folder = std::filesystem::path(PALPATE_BINARY_DIR) / "man";
+  const std::filesystem::path folder = support::buildFolder() / "man";
   ASSERT_TRUE(std::filesystem::exists(folder / "palpate.1"));
   if (!std::filesystem::exists("/usr/bin/groff")) GTEST_SKIP() << "groff is not installed";
   for (const auto& page : std::filesystem::directory_iterator(folder)) {

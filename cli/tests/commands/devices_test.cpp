@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "host/tests/device/doubles/double_library.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -288,7 +289,7 @@ class SimulateWithAProgram : public SimulateWithADevice {
   void expectItPresses(const std::string& more_words) {
     const std::string port = std::to_string(20000 + ::getpid() % 20000);
     const std::string example =
-        "python3 " + std::string(PALPATE_SOURCE_DIR) + "/examples/remote_finger.py --seconds 2 --port " + port;
+        "python3 " + support::sourceFolder().string() + "/examples/remote_finger.py --seconds 2 --port " + port;
     const std::string log = (folder_ / "example.txt").string();
     int python = -1;
     std::thread program([&] { python = std::system((example + more_words + " >'" + log + "' 2>&1").c_str()); });

@@ -13,6 +13,7 @@
 #include "palpate/trace/forces_csv.h"
 #include "palpate/trace/forces_table.h"
 #include "support/mesh_zoo.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -106,7 +107,7 @@ class FullDisk : public testing::TestWithParam<WritingCommand> {
                                          << prepare << "printf '"
                                          << "what was there before\\n"
                                          << "' > disk/" << GetParam().file << "\n(" << limit << "exec '"
-                                         << PALPATE_BINARY_DIR << "/palpate' " << GetParam().arguments
+                                         << support::builtProgram() << "' " << GetParam().arguments
                                          << " > /dev/null)\ncode=$?\ncp -r disk after\nexit $code\n";
     return support::runProgram("/usr/bin/env", (prepare.empty() ? "" : "unshare -m ") + std::string("sh script.sh"),
                                folder_.path());
@@ -174,21 +175,21 @@ TEST(StandardOutputOfALongRun, ThatWasClosedAtTheStartIsNoFile) {
   const support::TemporaryFolder folder;
   const auto end =
       support::runProgram("/bin/sh",
-                          "-c \"'" PALPATE_BINARY_DIR
-                          "/palpate' simulate --preset vhb --seconds 600 --no-pictures --no-plot --out results 2>&-\"",
+                          "-c \"'" + support::builtProgram() +
+                              "' simulate --preset vhb --seconds 600 --no-pictures --no-plot --out results 2>&-\"",
                           folder.path());
   EXPECT_EQ(end.exit_code, 0);
   EXPECT_EQ(trace::readForcesTable(folder / "results/forces.csv").front().time_s.size(), 600000u);
 }
 
 TEST(StandardOutput, ThatWasClosedAtTheStartIsTold) {
-  const auto end = support::runProgram("/bin/sh", "-c \"'" PALPATE_BINARY_DIR "/palpate' run --keys >&-\"");
+  const auto end = support::runProgram("/bin/sh", "-c \"'" + support::builtProgram() + "' run --keys >&-\"");
   EXPECT_EQ(end.exit_code, 2);
   EXPECT_EQ(end.err, "palpate: standard output: cannot be written: Bad file descriptor\n");
 }
 
 TEST(StandardOutput, ThatCannotBeWrittenIsToldToo) {
-  const auto end = support::runProgram("/bin/sh", "-c \"'" PALPATE_BINARY_DIR "/palpate' run --keys > /dev/full\"");
+  const auto end = support::runProgram("/bin/sh", "-c \"'" + support::builtProgram() + "' run --keys > /dev/full\"");
   EXPECT_EQ(end.exit_code, 2);
   EXPECT_EQ(end.err, "palpate: standard output: cannot be written: No space left on device\n");
 }

@@ -10,6 +10,7 @@
 #include "palpate/mesh/files/save.h"
 #include "palpate/trace/forces_table.h"
 #include "support/mesh_zoo.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -91,7 +92,7 @@ TEST_F(RecordingCommands, WrongInputIsOneLineAndExitTwo) {
 
 /// The code of the page.
 std::string pythonOfThePage() {
-  const std::string page = readFile(std::string(PALPATE_SOURCE_DIR) + "/docs/reference/recordings.md", 1 << 20);
+  const std::string page = readFile(support::sourceFolder() / "docs/reference/recordings.md", 1 << 20);
   const std::string fence = "```python\n";
   const std::size_t begin = page.find(fence) + fence.size();
   return page.substr(begin, page.find("```", begin) - begin);
@@ -120,8 +121,8 @@ TEST_F(RecordingCommands, ThirtyLinesOfPythonReadTheSameForces) {
 }
 
 TEST_F(RecordingCommands, RecordWritesWhatIsFeltAndTheMarksThatAreTyped) {
-  std::ofstream(folder_ / "type.sh") << "(sleep 0.5; echo 'T6 right'; sleep 0.3; echo) | '" << PALPATE_BINARY_DIR
-                                     << "/palpate' record dome.obj --seconds 1.5 -o r.session "
+  std::ofstream(folder_ / "type.sh") << "(sleep 0.5; echo 'T6 right'; sleep 0.3; echo) | '" << support::builtProgram()
+                                     << "' record dome.obj --seconds 1.5 -o r.session "
                                      << "--notes 'a <test>' --tags 'one two' --json\n";
   const CommandResult result = support::runProgram("/bin/sh", "type.sh", folder_.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;

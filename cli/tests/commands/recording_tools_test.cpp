@@ -12,6 +12,7 @@
 #include "palpate/mesh/files/save.h"
 #include "palpate/trace/recording_reader.h"
 #include "support/mesh_zoo.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -409,7 +410,7 @@ TEST_F(RecordingTools, ARecordingIsDrawnAsTheRunWas) {
 
 TEST_F(RecordingTools, ARecordingOfEveryVersionIsSalvagedWhole) {
   int versions = 0;
-  for (const auto& version : std::filesystem::directory_iterator(PALPATE_TEST_DATA "/sessions")) {
+  for (const auto& version : std::filesystem::directory_iterator(support::testData() / "sessions")) {
     if (!version.is_directory()) continue;
     for (const auto& file : std::filesystem::directory_iterator(version)) {
       if (file.path().extension() != ".session") continue;

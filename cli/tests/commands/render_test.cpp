@@ -6,6 +6,7 @@
 
 #include "pictures/read_png.h"
 #include "support/expect_each.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -106,10 +107,9 @@ TEST_F(Render, WritesASequence) {
 class RenderFilm : public Render {
  protected:
   CommandResult film(const std::string& arguments) const {
-    const std::string line = "PATH=" + (folder_ / "bin").string() +
-                             ":/usr/bin-without-ffmpeg " PALPATE_BINARY_DIR
-                             "/palpate render dome.toml --supersampling 1 --size 160x120 --at 0.5 --fps 10 " +
-                             arguments;
+    const std::string line = "PATH=" + (folder_ / "bin").string() + ":/usr/bin-without-ffmpeg " +
+                             support::builtProgram() +
+                             " render dome.toml --supersampling 1 --size 160x120 --at 0.5 --fps 10 " + arguments;
     return support::runProgram("/usr/bin/env", line, folder_.path());
   }
   /// Shell lines as ffmpeg. "$last" is the file that it is to write.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "palpate/base/text.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -15,7 +16,7 @@ using nlohmann::json;
 using support::CommandResult;
 using support::runPalpate;
 
-const std::string kRequest = PALPATE_TEST_DATA "/safety/wish_stiffness_cap.toml";
+const std::string kRequest = (support::testData() / "safety/wish_stiffness_cap.toml").string();
 
 class SafetyLimits : public testing::Test {
  protected:

@@ -21,6 +21,7 @@
 #include "palpate/trace/recording_reader.h"
 #include "support/lump_field.h"
 #include "support/mesh_zoo.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 #include "support/terminal.h"
@@ -48,7 +49,7 @@ class Signals : public testing::Test {
   }
 
   [[noreturn]] void runInFolder(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), PALPATE_BINARY_DIR "/palpate");
+    arguments.insert(arguments.begin(), support::builtProgram());
     std::vector<char*> words;
     for (std::string& argument : arguments) words.push_back(argument.data());
     words.push_back(nullptr);
@@ -123,8 +124,8 @@ TEST_F(Signals, AProgramThatAnotherHasStartedEndsInOrderWithIt) {
   if (starter == 0) {
     if (chdir(folder_.path().c_str()) != 0) _exit(99);
     ::signal(SIGINT, SIG_IGN);  // as a shell in a script does for what it lets run beside it
-    const system::FedProgram program(PALPATE_BINARY_DIR "/palpate", {"palpate", "simulate", "--mesh", "dome.ply",
-                                                                     "--seconds", "2000", "--out", "results"});
+    const system::FedProgram program(support::builtProgram(), {"palpate", "simulate", "--mesh", "dome.ply", "--seconds",
+                                                               "2000", "--out", "results"});
     for (;;) pause();
   }
   EXPECT_TRUE(support::waitFor([&] { return hasBytes("results/forces.csv.partial"); }));
@@ -137,9 +138,8 @@ TEST_F(Signals, AProgramThatAnotherHasStartedEndsInOrderWithIt) {
 TEST_F(Signals, AProgramThatAnotherHasStartedHearsThatItShallEnd) {
   const auto before = ::signal(SIGINT, SIG_IGN);
   const std::string out = (folder_ / "results").string();
-  system::FedProgram program(
-      PALPATE_BINARY_DIR "/palpate",
-      {"palpate", "simulate", "--mesh", (folder_ / "dome.ply").string(), "--seconds", "2000", "--out", out});
+  system::FedProgram program(support::builtProgram(), {"palpate", "simulate", "--mesh", (folder_ / "dome.ply").string(),
+                                                       "--seconds", "2000", "--out", out});
   ::signal(SIGINT, before);
   ASSERT_TRUE(support::waitFor([&] { return hasBytes("results/forces.csv.partial"); }));
   program.askToEnd();

@@ -11,6 +11,7 @@
 #include "palpate/mesh/files/save.h"
 #include "pictures/read_png.h"
 #include "support/mesh_zoo.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -93,10 +94,10 @@ TEST_F(Simulate, LeavesAPlotOfWhatWasFeltUnlessToldNotTo) {
 }
 
 TEST_F(Simulate, GoesOnWherePicturesCannotBeDrawn) {
-  const CommandResult result = support::runProgram("/usr/bin/env",
-                                                   "MESA_GL_VERSION_OVERRIDE=2.1 " PALPATE_BINARY_DIR
-                                                   "/palpate simulate --mesh dome.obj --trajectory path.csv",
-                                                   folder_.path());
+  const CommandResult result = support::runProgram(
+      "/usr/bin/env",
+      "MESA_GL_VERSION_OVERRIDE=2.1 " + support::builtProgram() + " simulate --mesh dome.obj --trajectory path.csv",
+      folder_.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_NE(result.out.find("no pictures.png: cannot draw: needs OpenGL 3.3, found "), std::string::npos) << result.out;
 }
@@ -152,7 +153,7 @@ TEST_F(Simulate, TouchesThroughTheDetectingBoxAsThroughTheWholeSkin) {
 }
 
 TEST_F(Simulate, RunsTheDissertationsContactAndRefusesItASphere) {
-  const std::string scene = std::string(PALPATE_SOURCE_DIR) + "/scenes/dissertation_contact.toml";
+  const std::string scene = support::sourceFolder().string() + "/scenes/dissertation_contact.toml";
   ASSERT_EQ(simulate(scene).exit_code, 0);
   EXPECT_GT(report()["fingers"][0]["touching_share"], 0.7);
   EXPECT_EQ(errorOf(scene + " --radius-mm 8"),

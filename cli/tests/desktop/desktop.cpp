@@ -1,4 +1,5 @@
 #include "desktop.h"
+#include "support/places.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -166,7 +167,7 @@ std::map<std::string, std::string> valuesOf(const std::string& line) {
 namespace {
 
 std::vector<std::string> commandLine(const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {PALPATE_BINARY_DIR "/palpate", "run", "--verbose", "--no-intro", "--out", "."};
+  std::vector<std::string> words = {support::builtProgram(), "run", "--verbose", "--no-intro", "--out", "."};
   words.insert(words.end(), arguments.begin(), arguments.end());
   return words;
 }

@@ -13,6 +13,7 @@
 #include "palpate/mesh/files/save.h"
 #include "pictures/read_png.h"
 #include "support/mesh_zoo.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::desktop {
@@ -285,7 +286,7 @@ TEST_F(Window, ShortcutsCanBeSwitchedOff) {
 }
 
 TEST(WindowFailure, WithoutADisplayItSaysWhatToDo) {
-  Child child({PALPATE_BINARY_DIR "/palpate", "run"}, {}, {"DISPLAY", "WAYLAND_DISPLAY"});
+  Child child({support::builtProgram(), "run"}, {}, {"DISPLAY", "WAYLAND_DISPLAY"});
   EXPECT_EQ(child.exitCode(), 2);
   EXPECT_EQ(child.errors(),
             "palpate: there is no display to open a window on; `palpate render` makes pictures and `palpate simulate` "
@@ -293,14 +294,14 @@ TEST(WindowFailure, WithoutADisplayItSaysWhatToDo) {
 }
 
 TEST(WindowFailure, ADisplayThatIsNotThereIsTheSame) {
-  Child child({PALPATE_BINARY_DIR "/palpate", "run"}, {{"DISPLAY", ":4242"}}, {"WAYLAND_DISPLAY"});
+  Child child({support::builtProgram(), "run"}, {{"DISPLAY", ":4242"}}, {"WAYLAND_DISPLAY"});
   EXPECT_EQ(child.exitCode(), 2);
   EXPECT_NE(child.errors().find("there is no display"), std::string::npos) << child.errors();
 }
 
 TEST(WindowFailure, AHeadTrackerThatIsNotThereIsNamedBeforeTheWindowOpens) {
   const auto error_of = [](const char* tracker, const std::string& loader) {
-    Child child({PALPATE_BINARY_DIR "/palpate", "run", "--head-tracker", tracker}, {{"PALPATE_OPENXR_LOADER", loader}},
+    Child child({support::builtProgram(), "run", "--head-tracker", tracker}, {{"PALPATE_OPENXR_LOADER", loader}},
                 {"DISPLAY", "WAYLAND_DISPLAY"});
     EXPECT_EQ(child.exitCode(), 2) << tracker;
     return child.errors();
@@ -308,14 +309,15 @@ TEST(WindowFailure, AHeadTrackerThatIsNotThereIsNamedBeforeTheWindowOpens) {
   EXPECT_EQ(error_of("openxt", ""), "palpate: head tracker: 'openxt' must be [ADDRESS:]PORT or openxr\n");
   EXPECT_NE(error_of("openxr", "/nowhere/loader.so").find("palpate: head tracker openxr: the OpenXR loader"),
             std::string::npos);
-  const std::string with_double = error_of("openxr", PALPATE_BINARY_DIR "/tests/doubles/openxr/libopenxr_loader.so");
+  const std::string with_double =
+      error_of("openxr", (support::buildFolder() / "tests/doubles/openxr/libopenxr_loader.so").string());
   EXPECT_NE(with_double.find("there is no display"), std::string::npos) << with_double;
 }
 
 TEST_F(Window, AnOpenGlThatIsTooOldIsNamed) {
   auto environment = desktop->environment();
   environment["MESA_GL_VERSION_OVERRIDE"] = "2.1";
-  Child child({PALPATE_BINARY_DIR "/palpate", "run", "--no-state"}, environment, {"WAYLAND_DISPLAY"});
+  Child child({support::builtProgram(), "run", "--no-state"}, environment, {"WAYLAND_DISPLAY"});
   EXPECT_EQ(child.exitCode(), 2);
   EXPECT_NE(child.errors().find("needs OpenGL 3.3 and found OpenGL 2.1"), std::string::npos) << child.errors();
   EXPECT_EQ(std::count(child.errors().begin(), child.errors().end(), '\n'), 1);
@@ -323,7 +325,7 @@ TEST_F(Window, AnOpenGlThatIsTooOldIsNamed) {
 
 TEST_F(Window, AScriptThatMakesNoSenseIsRefusedBeforeTheWindowOpens) {
   writeFile(folder / "bad.csv", "0, wave\n");
-  Child child({PALPATE_BINARY_DIR "/palpate", "run", "--no-state", "--play", "bad.csv"}, desktop->environment(),
+  Child child({support::builtProgram(), "run", "--no-state", "--play", "bad.csv"}, desktop->environment(),
               {"WAYLAND_DISPLAY"}, folder.path());
   EXPECT_EQ(child.exitCode(), 2);
   EXPECT_EQ(child.errors(), "palpate: bad.csv:1: there is no event 'wave'\n");

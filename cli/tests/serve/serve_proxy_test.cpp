@@ -8,6 +8,7 @@
 #include "cli/tests/serve/served_command.h"
 #include "palpate/base/text.h"
 #include "palpate/engine/contact_stream.h"
+#include "support/places.h"
 
 namespace palpate {
 namespace {
@@ -25,7 +26,7 @@ std::string nginxProgram() {
 
 /// The configuration of the page.
 std::string nginxOfThePage() {
-  const std::string page = readFile(std::string(PALPATE_SOURCE_DIR) + "/docs/howto/serve.md", 1 << 20);
+  const std::string page = readFile(support::sourceFolder() / "docs/howto/serve.md", 1 << 20);
   const std::string fence = "```nginx\n";
   const std::size_t begin = page.find(fence) + fence.size();
   return page.substr(begin, page.find("```", begin) - begin);

@@ -16,6 +16,7 @@
 #include "palpate/mesh/files/save.h"
 #include "support/lump_field.h"
 #include "support/mesh_zoo.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
@@ -97,7 +98,7 @@ class ServedCommand {
   }
   [[noreturn]] void runInFolder(std::vector<std::string> words) const {
     const char* other = std::getenv("PALPATE_COMMAND");  // one that is instrumented: tools/sanitize-serve
-    words.insert(words.begin(), other != nullptr ? other : PALPATE_BINARY_DIR "/palpate");
+    words.insert(words.begin(), other != nullptr ? other : support::builtProgram());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);

@@ -9,12 +9,13 @@
 #include "palpate/body/back.h"
 #include "palpate/body/bicubic_spline.h"
 #include "palpate/body/skin_table.h"
+#include "support/places.h"
 
 namespace palpate::body {
 namespace {
 
 std::vector<Vec3> scanSample() {
-  const std::string file = PALPATE_TEST_DATA "/body/back_scan_sample.csv";
+  const std::string file = (support::testData() / "body/back_scan_sample.csv").string();
   std::vector<Vec3> points;
   forEachCsvRow(readFile(file, 1 << 20), file, [&](const CsvRow& row) {
     if (looksLikeCsvHeader(row)) return;

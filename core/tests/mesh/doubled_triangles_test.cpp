@@ -17,6 +17,7 @@
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/winding.h"
 #include "support/mesh_zoo.h"
+#include "support/places.h"
 
 namespace palpate::mesh {
 
@@ -81,7 +82,7 @@ TriangleMesh cubeWithTetrahedronOnAnEdge(bool facing_in) {
 }  // namespace
 
 TEST(Doubled, TwoOneWayAndOneTheOtherAreOne) {
-  TriangleMesh mesh = load(PALPATE_TEST_DATA "/mesh/tripled_dragon.obj");
+  TriangleMesh mesh = load(support::testData() / "mesh/tripled_dragon.obj");
   const DoubledRemoved removed = removeDoubled(mesh);
   EXPECT_EQ(removed.cancelled, 3u);
   EXPECT_EQ(removed.duplicates + removed.opposite_pairs + removed.sides, 0u);
@@ -94,7 +95,7 @@ TEST(Doubled, TwoOneWayAndOneTheOtherAreOne) {
 }
 
 TEST(Doubled, ACubeWithTripledTrianglesIsThatCube) {
-  const auto result = repair(load(PALPATE_TEST_DATA "/mesh/tripled_cube.obj"));
+  const auto result = repair(load(support::testData() / "mesh/tripled_cube.obj"));
   expectWatertight(result, "cube");
   EXPECT_EQ(result.mesh.triangles.size(), 12u);
   EXPECT_NEAR(signedVolume(result.mesh), 1e6, 1e-6);

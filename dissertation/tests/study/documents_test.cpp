@@ -9,6 +9,7 @@
 #include "dissertation/numbers/numbers_study.h"
 #include "palpate/base/text.h"
 #include "palpate/scene/errata.h"
+#include "support/places.h"
 
 namespace palpate::study {
 
@@ -16,7 +17,7 @@ namespace {
 
 /// Line breaks of a document as spaces.
 std::string pageText(const char* file) {
-  std::string text = readFile(std::filesystem::path(PALPATE_SOURCE_DIR) / file, 1 << 20);
+  std::string text = readFile(support::sourceFolder() / file, 1 << 20);
   std::replace(text.begin(), text.end(), '\n', ' ');
   for (std::size_t at = 0; (at = text.find("  ", at)) != std::string::npos;) text.erase(at, 1);
   return text;

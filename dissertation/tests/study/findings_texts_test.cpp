@@ -8,6 +8,7 @@
 
 #include "palpate/base/text.h"
 #include "report/page/findings_text.h"
+#include "support/places.h"
 
 namespace palpate::study {
 
@@ -94,7 +95,7 @@ void expectAllTextsToRead(const FindingsFile& file) {
 TEST(FindingsTexts, ReadToTheEndWithEveryChoice) {
   std::size_t files = 0;
   for (const char* house : {"dissertation", "measure", "teach"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(PALPATE_SOURCE_DIR) / house)) {
+    for (const auto& entry : fs::recursive_directory_iterator(support::sourceFolder() / house)) {
       const std::string name = entry.path().filename().string();
       if (!name.ends_with("_findings.txt")) continue;
       const std::string text = readFile(entry.path(), 1U << 20U);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 class StudyCommand : public testing::Test {
  protected:
   support::CommandResult study(const std::string& arguments) const {
-    return support::runProgram(fs::path(PALPATE_BINARY_DIR) / "palpate", "study " + arguments, folder.path());
+    return support::runProgram(support::buildFolder() / "palpate", "study " + arguments, folder.path());
   }
 
   const support::TemporaryFolder folder;

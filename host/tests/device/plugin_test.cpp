@@ -14,6 +14,7 @@
 #include "palpate/device/hardware/plugin_checks.h"
 #include "palpate/device/hardware/plugin_driver.h"
 #include "support/error_message.h"
+#include "support/places.h"
 
 namespace palpate::device {
 namespace {
@@ -40,7 +41,7 @@ std::string doubleFile() { return doubles::libraryOf("plugin"); }
 /// What an author outside of this tree does: the header alone, and one line for the compiler.
 std::string compile(const support::TemporaryFolder& folder, const std::string& source, const std::string& name) {
   std::filesystem::create_directories(folder / "include/palpate/device");
-  std::filesystem::copy_file(std::string(PALPATE_SOURCE_DIR) + "/core/palpate/device/palpate_device.h",
+  std::filesystem::copy_file(support::sourceFolder() / "core/palpate/device/palpate_device.h",
                              folder / "include/palpate/device/palpate_device.h",
                              std::filesystem::copy_options::overwrite_existing);
   const std::string file = (folder / name).string();
@@ -50,7 +51,7 @@ std::string compile(const support::TemporaryFolder& folder, const std::string& s
   return file;
 }
 
-std::string exampleSource() { return std::string(PALPATE_SOURCE_DIR) + "/examples/device_plugin/point_mass.c"; }
+std::string exampleSource() { return support::sourceFolder().string() + "/examples/device_plugin/point_mass.c"; }
 
 // --- the doctor ---
 
@@ -295,7 +296,7 @@ TEST(PluginExample, IsBuiltByOneLineFromTheHeaderAloneAndMoves) {
 }
 
 TEST(PluginExample, TheOneThatTheBuildMakesLoadsToo) {
-  const std::string file = std::string(PALPATE_BINARY_DIR) + "/examples/point_mass.so";
+  const std::string file = support::buildFolder().string() + "/examples/point_mass.so";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "built without the examples";
   EXPECT_TRUE(probedPlugin(file).available) << probedPlugin(file).reason;
 }

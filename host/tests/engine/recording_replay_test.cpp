@@ -14,6 +14,7 @@
 #include "palpate/engine/fingers.h"
 #include "palpate/engine/recording_settings.h"
 #include "palpate/engine/servo_thread.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
 
@@ -172,7 +173,7 @@ TEST_F(RecordingReplay, ComparesOnlyTheSpanThatIsAskedFor) {
 /// A kept file, open in a copy: a reader may leave files beside what it reads.
 struct Kept {
   Kept(const char* version, const char* file)
-      : folder(std::filesystem::path(PALPATE_TEST_DATA) / "sessions" / version), recording(copied(file)) {}
+      : folder(support::testData() / "sessions" / version), recording(copied(file)) {}
 
   std::filesystem::path folder;
   support::TemporaryFolder copy;

@@ -21,6 +21,7 @@
 #include "palpate/base/hash.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/ready_body.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -345,7 +346,7 @@ TEST_F(BodyStoreFiles, MayBeWrittenByManyProcessesAtOnce) {
 
 /// Whoever changes how a body is made must not get what the code before has made.
 TEST_F(BodyStoreFiles, BearTheNameOfTheSourcesThatMadeThem) {
-  const fs::path source(PALPATE_SOURCE_DIR);
+  const fs::path source = support::sourceFolder();
   const auto makers_of = [&](const fs::path& root) {
     const fs::path output = folder_ / "makers.cpp";
     const auto run = support::runProgram("cmake", "'-DROOT=" + root.string() + "' '-DOUTPUT=" + output.string() +
@@ -354,7 +355,7 @@ TEST_F(BodyStoreFiles, BearTheNameOfTheSourcesThatMadeThem) {
     return support::contentOf(output);
   };
   const std::string built = makers_of(source);
-  EXPECT_EQ(support::contentOf(fs::path(PALPATE_BINARY_DIR) / "host/body_makers.cpp"), built) << "of this build";
+  EXPECT_EQ(support::contentOf(support::buildFolder() / "host/body_makers.cpp"), built) << "of this build";
   const fs::path copy = folder_ / "copy";
   fs::create_directories(copy / "core/palpate");
   for (const char* room : {"base", "mesh", "body", "scene"}) {

@@ -10,6 +10,7 @@
 #include "palpate/base/error.h"
 #include "support/error_message.h"
 #include "support/expect_each.h"
+#include "support/places.h"
 
 namespace palpate::scene {
 namespace {
@@ -241,7 +242,7 @@ TEST(SceneFile, EveryDefaultInTheTableIsAcceptedWhenWrittenOut) {
 }
 
 TEST(SceneFile, TheDocumentationHoldsExactlyTheTableOfKeys) {
-  std::ifstream stream(PALPATE_SOURCE_DIR "/docs/reference/scene-files.md");
+  std::ifstream stream(support::sourceFolder() / "docs/reference/scene-files.md");
   std::ostringstream page;
   page << stream.rdbuf();
   EXPECT_NE(page.str().find(keysAsMarkdown()), std::string::npos)

@@ -7,6 +7,7 @@
 #include "palpate/base/text.h"
 #include "palpate/scene/scene_edit.h"
 #include "palpate/scene/scene_file.h"
+#include "support/places.h"
 
 namespace palpate::scene {
 namespace {
@@ -51,7 +52,7 @@ std::string changed(const std::string& text, const Change& change) {
 TEST(ScenePatch, LeavesAFileThatSaysTheSameAsItIs) {
   EXPECT_EQ(changed(kText, [](Scene&) {}), kText);
   for (const char* name : {"default.toml", "dissertation_contact.toml"}) {
-    const fs::path file = fs::path(PALPATE_SOURCE_DIR) / "scenes" / name;
+    const fs::path file = support::sourceFolder() / "scenes" / name;
     const std::string text = readFile(file, kMaxSceneBytes);
     EXPECT_EQ(patchedScene(text, load(file), file), text) << name;
   }

@@ -12,6 +12,7 @@
 #include "lab/hunt/kept_case.h"
 #include "lab/tests/contact_bars/bars.h"
 #include "palpate/mesh/files/load.h"
+#include "support/places.h"
 
 namespace palpate::bars {
 namespace {
@@ -72,7 +73,7 @@ TEST(Hunt, FindsNothingOnMeshesOfAFolder) {
 
 TEST(KeptCases, StayMended) {
   std::size_t cases = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(PALPATE_TEST_DATA) / "hunt")) {
+  for (const auto& entry : fs::directory_iterator(support::testData() / "hunt")) {
     if (!entry.is_directory()) continue;
     ++cases;
     const lab::KeptCase kept = lab::readCase(entry.path());

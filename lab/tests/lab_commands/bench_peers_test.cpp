@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -79,7 +80,7 @@ TEST(BenchPeers, WithoutTheirProgramAreSkippedAndNoPackageIsBlamed) {
   const support::TemporaryFolder folder;
   const auto copy = folder.path() / "palpate";
   for (const char* program : {"palpate", "palpate-study"}) {
-    std::filesystem::copy_file(std::filesystem::path(PALPATE_BINARY_DIR) / program, folder.path() / program);
+    std::filesystem::copy_file(support::buildFolder() / program, folder.path() / program);
   }
   const std::string run =
       "study bench contact --mesh back_2962 --trajectory back_slide --from 2.2 --to 3 --peers --peer-seconds 0.2";

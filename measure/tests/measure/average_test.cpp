@@ -9,11 +9,12 @@
 
 #include "palpate/maps/ellipse_map.h"
 #include "support/error_message.h"
+#include "support/places.h"
 
 namespace palpate::measure {
 namespace {
 
-const std::string kAppendixC = std::string(PALPATE_SOURCE_DIR) + "/scenes/measured/appendix_c.csv";
+const std::string kAppendixC = support::sourceFolder().string() + "/scenes/measured/appendix_c.csv";
 
 PressRow press(const std::string& point, double half_major_mm, double ratio, double direction_deg,
                std::optional<double> drag_deg = {}, const std::string& subject = "") {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "palpate/maps/key_points.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -24,7 +25,7 @@ struct PageCommand {
 
 /// Lines "palpate ..." of its blocks of sh; "# exits 1" says how one ends.
 std::vector<PageCommand> commandsOfPage() {
-  std::istringstream page(support::contentOf(fs::path(PALPATE_SOURCE_DIR) / "docs/howto/measure-a-person.md"));
+  std::istringstream page(support::contentOf(support::sourceFolder() / "docs/howto/measure-a-person.md"));
   const std::regex ending("# exits ([0-9]+)");
   std::vector<PageCommand> commands;
   bool inside = false;
@@ -46,7 +47,7 @@ std::string smallerPicture(const std::string& arguments) {
 
 TEST(MeasureAPerson, EveryCommandOfThePageDoesWhatThePageSays) {
   const support::TemporaryFolder folder;
-  fs::copy_file(fs::path(PALPATE_SOURCE_DIR) / "scenes/measured/appendix_c.csv", folder / "appendix_c.csv");
+  fs::copy_file(support::sourceFolder() / "scenes/measured/appendix_c.csv", folder / "appendix_c.csv");
   std::ofstream forces(folder / "forces.csv");
   forces << "place,x_mm,y_mm,press,depth_mm,force_n\n";
   for (int i = 1; i <= 12; ++i) forces << fmt::format("P1,0,73,1,{},{:.4f}\n", i, 0.4 * i * std::pow(i / 8.0, 0.6));

@@ -7,13 +7,14 @@
 #include <fstream>
 
 #include "support/error_message.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::lab {
 namespace {
 
 TEST(LumpJudge, FindsTheModelNearIndependentFiniteElements) {
-  const LumpFindings findings = judgeLumps(readLumpCases(std::string(PALPATE_TEST_DATA) + "/golden/lumps.json"), {});
+  const LumpFindings findings = judgeLumps(readLumpCases(support::testData() / "golden/lumps.json"), {});
   ASSERT_EQ(findings.cases.size(), 43u);
   EXPECT_LT(findings.force.worst, 10.0);
   EXPECT_LT(findings.force.p90, 4.0);

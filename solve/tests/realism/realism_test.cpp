@@ -9,6 +9,7 @@
 
 #include "palpate/elements/finger_solver.h"
 #include "palpate/tissue/layered_library.h"
+#include "support/places.h"
 
 namespace palpate::lab {
 namespace {
@@ -26,7 +27,7 @@ std::map<std::string, tissue::LayeredTable> tablesOf(const FemCases& cases) {
 }
 
 TEST(Realism, TheSkinOverLayersIsThatOfFiniteElements) {
-  const FemCases cases = readFemCases(std::filesystem::path(PALPATE_TEST_DATA) / "golden/fem_profiles.json");
+  const FemCases cases = readFemCases(support::testData() / "golden/fem_profiles.json");
   EXPECT_EQ(cases.left_out.size(), 4u) << "sticking";
   const auto tables = tablesOf(cases);
   for (const FemCase& one : cases.cases) {

@@ -8,6 +8,7 @@
 
 #include "palpate/elements/stack_solver.h"
 #include "palpate/tissue/layered_library.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -15,7 +16,7 @@ namespace palpate {
 namespace {
 
 TEST(RealismCommand, JudgesOnePress) {
-  const std::filesystem::path golden = std::filesystem::path(PALPATE_TEST_DATA) / "golden/fem_profiles.json";
+  const std::filesystem::path golden = support::testData() / "golden/fem_profiles.json";
   auto cases = nlohmann::json::parse(support::contentOf(golden));
   std::erase_if(cases.at("cases").get_ref<nlohmann::json::array_t&>(), [](const nlohmann::json& one) {
     return one.at("name") != "bony" || one.at("depth") != 2.0;  // thin and shallow: a second of work
@@ -34,7 +35,7 @@ TEST(RealismCommand, JudgesOnePress) {
 // RealismBars: minutes of solving, in the second circle (tests/circles.tsv).
 
 TEST(RealismBars, AreMetOnSolvedPresses) {
-  const std::filesystem::path cases = std::filesystem::path(PALPATE_TEST_DATA) / "golden/fem_profiles.json";
+  const std::filesystem::path cases = support::testData() / "golden/fem_profiles.json";
   const auto result = support::runPalpate("tissue realism --json --cases " + cases.string());
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);

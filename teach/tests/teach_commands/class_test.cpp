@@ -9,6 +9,7 @@
 #include "palpate/classroom/broker_process.h"
 #include "palpate/training/records/store.h"
 #include "palpate/training/records/trainee_code.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
@@ -22,7 +23,7 @@ using support::TemporaryFolder;
 /// The command beside the test, until it ends by itself.
 void startPalpate(const std::string& arguments, const std::filesystem::path& in) {
   const std::string line =
-      "cd '" + in.string() + "' && '" + PALPATE_BINARY_DIR + "/palpate' " + arguments + " >serve.log 2>&1 </dev/null &";
+      "cd '" + in.string() + "' && '" + support::builtProgram() + "' " + arguments + " >serve.log 2>&1 </dev/null &";
   ASSERT_EQ(std::system(line.c_str()), 0);
 }
 

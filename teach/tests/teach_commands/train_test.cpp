@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "palpate/training/records/trainee_code.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
@@ -14,7 +15,7 @@ namespace {
 support::CommandResult train(const std::string& arguments, const std::filesystem::path& in) {
   return support::runProgram(
       "/usr/bin/env",
-      "-u DISPLAY -u WAYLAND_DISPLAY PALPATE_SPEECH=off " PALPATE_BINARY_DIR "/palpate train " + arguments, in);
+      "-u DISPLAY -u WAYLAND_DISPLAY PALPATE_SPEECH=off " + support::builtProgram() + " train " + arguments, in);
 }
 
 class TrainCommand : public testing::Test {

@@ -13,6 +13,7 @@
 
 #include "palpate/training/protocol.h"
 #include "palpate/training/records/store.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"
@@ -49,7 +50,7 @@ class TrainTrainee : public testing::Test {
       ::signal(SIGINT, SIG_DFL);
       dup2(open("out", O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
       dup2(open("err", O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-      execl(PALPATE_BINARY_DIR "/palpate", "palpate", "train", "small.toml", "--trainee", "weber=0.2", "--protocol",
+      execl(support::builtProgram().c_str(), "palpate", "train", "small.toml", "--trainee", "weber=0.2", "--protocol",
             "short.toml", "--records", "r.results", "--verbose", nullptr);
       _exit(99);
     }

@@ -12,6 +12,7 @@
 
 #include "palpate/training/records/export.h"
 #include "palpate/training/records/sqlite_sql.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 #include "teach/report/training_figures.h"
@@ -131,7 +132,9 @@ class TrainingReport : public testing::Test {
 
   CommandResult check(const std::string& report) const {
     return support::runProgram(
-        "/usr/bin/env", "python3 '" PALPATE_SOURCE_DIR "/tools/check_report.py' " + report + " tables", folder_.path());
+        "/usr/bin/env",
+        "python3 '" + (support::sourceFolder() / "tools/check_report.py").string() + "' " + report + " tables",
+        folder_.path());
   }
 
   support::TemporaryFolder folder_;

@@ -10,6 +10,7 @@
 
 #include "palpate/training/marginal_psi.h"
 #include "palpate/training/psychometric.h"
+#include "support/places.h"
 
 namespace palpate::training {
 
@@ -20,7 +21,7 @@ constexpr double kAgreement = 1e-9;
 
 const nlohmann::json& computedElsewhere() {
   static const nlohmann::json read = [] {
-    std::ifstream file(PALPATE_TEST_DATA "/training/posterior.json");
+    std::ifstream file(support::testData() / "training/posterior.json");
     return nlohmann::json::parse(file);
   }();
   return read;

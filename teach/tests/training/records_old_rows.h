@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "palpate/base/text.h"
+#include "support/places.h"
 #include "teach/tests/training/records_samples.h"
 
 namespace palpate::training::old_rows {
 
 inline std::string text(const std::string& name) {
-  return readFile(std::filesystem::path(PALPATE_TEST_DATA) / "training/records" / name, 1u << 20);
+  return readFile(support::testData() / "training/records" / name, 1u << 20);
 }
 
 /// Version 1 knew nothing of the forces of searching and palpating, nor of lumps.

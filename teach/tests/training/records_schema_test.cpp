@@ -7,6 +7,7 @@
 #include "palpate/base/text.h"
 #include "palpate/trace/database.h"
 #include "palpate/training/records/store.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 #include "teach/tests/training/records_old_rows.h"
 #include "teach/tests/training/records_suite.h"
@@ -86,8 +87,7 @@ TEST(RecordsSchema, LaterColumnsHaveADefault) {
 
 /// The page that others read shows the tables as they are made.
 TEST(RecordsSchema, ThePageShowsTheTables) {
-  const std::string page =
-      readFile(std::filesystem::path(PALPATE_SOURCE_DIR) / "docs/reference/results-schema.md", 1u << 20);
+  const std::string page = readFile(support::sourceFolder() / "docs/reference/results-schema.md", 1u << 20);
   const std::string begin = "<!-- tables: generated, tested -->\n\n";
   const std::size_t at = page.find(begin);
   ASSERT_NE(at, std::string::npos);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "stage.h"
+#include "support/places.h"
 
 namespace palpate::viewer {
 namespace {
@@ -17,7 +18,7 @@ std::string firstFor(std::string_view words) {
 }
 
 TEST(Manual, HoldsEveryDocument) {
-  const fs::path docs = fs::path(PALPATE_SOURCE_DIR) / "docs";
+  const fs::path docs = support::sourceFolder() / "docs";
   std::size_t count = 0;
   for (const auto& entry : fs::recursive_directory_iterator(docs)) {
     if (entry.path().extension() != ".md") continue;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "palpate/base/text.h"
+#include "support/places.h"
 
 namespace palpate::window {
 namespace {
@@ -76,7 +77,7 @@ TEST(Keys, AreNamedAsOnAKeyboard) {
 }
 
 TEST(Keys, AreDocumentedAsTheyAre) {
-  const std::string page = readFile(std::string(PALPATE_SOURCE_DIR) + "/docs/reference/viewer.md", 1 << 20);
+  const std::string page = readFile(support::sourceFolder() / "docs/reference/viewer.md", 1 << 20);
   EXPECT_NE(page.find(window::keysAsMarkdown()), std::string::npos)
       << "put the output of `palpate run --keys` into docs/reference/viewer.md";
 }

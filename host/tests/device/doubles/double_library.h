@@ -9,6 +9,7 @@
 
 #include "host/tests/device/doubles/double_control.h"
 #include "host/tests/device/doubles/haply_double.h"
+#include "support/places.h"
 
 namespace palpate::doubles {
 
@@ -19,7 +20,7 @@ inline std::string libraryOf(const std::string& kind) {
   std::string name = kind.starts_with("openhaptics") ? "libHD.so" : "libdhd.so";
   if (kind.starts_with("plugin")) name = "libdouble.so";
   if (kind == "openxr") name = "libopenxr_loader.so";
-  return std::string(PALPATE_BINARY_DIR) + "/tests/doubles/" + kind + "/" + name;
+  return support::buildFolder().string() + "/tests/doubles/" + kind + "/" + name;
 }
 
 /// The control of a double that this process has open, or opens hereby.
