@@ -30,9 +30,16 @@ bool isTokenLetter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
 }
 
-bool isHostLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '.' || c == ':' || c == '[' || c == ']';
-}
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+bool isNameLetter(char c) { return (c >= 'a' && c <= 'z') || isDigit(c) || c == '-' || c == '.' || c == '_'; }
+
+bool isHostLetter(char c) { return isNameLetter(c) || c == ':' || c == '[' || c == ']'; }
+
+bool isAddressLetter(char c) { return isDigit(c) || (c >= 'a' && c <= 'f') || c == ':' || c == '.'; }
+
+constexpr std::size_t kMaxHost = 255;
+constexpr std::size_t kMaxPortDigits = 5;
 
 std::string tokenOf(const Json& json, const char* name) {
   return json.contains(name) && json[name].is_string() ? json[name].get<std::string>() : std::string();
@@ -118,6 +125,19 @@ Tokens readTokens(const std::filesystem::path& file) {
   }
 }
 
+bool isHost(std::string_view host) {
+  const std::string lower = inSmallLetters(host);
+  const bool is_v6 = lower.starts_with('[');
+  const std::size_t end = std::min(lower.size(), is_v6 ? lower.find(']') : lower.find(':'));
+  const std::string_view name = std::string_view(lower).substr(is_v6 ? 1 : 0, end - (is_v6 ? 1 : 0));
+  std::string_view port = std::string_view(lower).substr(end);
+  if (is_v6 && !port.empty()) port.remove_prefix(1);
+  const bool has_port = port.empty() || (port.front() == ':' && port.size() <= 1 + kMaxPortDigits &&
+                                         std::all_of(port.begin() + 1, port.end(), isDigit));
+  return !name.empty() && lower.size() <= kMaxHost && has_port && (!is_v6 || end < lower.size()) &&
+         std::all_of(name.begin(), name.end(), is_v6 ? isAddressLetter : isNameLetter);
+}
+
 bool isLoopback(std::string_view address) {
   if (address == "localhost" || address == "::1" || address == "[::1]") return true;
   if (!address.starts_with("127.")) return false;
@@ -136,7 +156,7 @@ std::string originOf(std::string_view url) {
   if (host.ends_with(standard) && host.find(':') == host.size() - standard.size()) {
     host.resize(host.size() - standard.size());
   }
-  if (host.empty() || host.size() > 255 || !std::all_of(host.begin(), host.end(), isHostLetter)) return {};
+  if (host.empty() || host.size() > kMaxHost || !std::all_of(host.begin(), host.end(), isHostLetter)) return {};
   return name + "://" + host;
 }
 

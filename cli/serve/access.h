@@ -50,6 +50,9 @@ Tokens readTokens(const std::filesystem::path& file);
 /// 127.0.0.0/8 and ::1; a name is none but "localhost".
 bool isLoopback(std::string_view address);
 
+/// What a request may name as its Host: a name or an address, IPv6 in brackets, with or without a port.
+bool isHost(std::string_view host);
+
 /// "https://place.example:8443" in small letters, without what follows; the scheme's own port left out. Empty for what
 /// is no origin of a page.
 std::string originOf(std::string_view url);

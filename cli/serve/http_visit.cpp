@@ -61,6 +61,22 @@ std::string_view pathOfRequest(const HttpRequest& request) {
   return target.substr(0, target.find('?'));
 }
 
+/// RFC 9112, 3.2: a request of HTTP/1.1 without a Host, with two, or with one that is none is answered 400: a proxy in
+/// front may have taken the other.
+bool namesOneHost(const HttpRequest& request) {
+  const std::size_t hosts = request.count(http::field::host);
+  if (hosts == 0) return request.version() < 11;
+  return hosts == 1 && isHost(viewOf(request[http::field::host]));
+}
+
+/// Of the first line and the others together: the parser's own limit counts them apart.
+std::size_t headBytes(const HttpRequest& request) {
+  constexpr std::string_view kVersionAndEnds = "  HTTP/1.1\r\n\r\n";
+  std::size_t bytes = request.method_string().size() + request.target().size() + kVersionAndEnds.size();
+  for (const auto& line : request) bytes += line.name_string().size() + line.value().size() + 4;  // ": " and its end
+  return bytes;
+}
+
 /// An answer on its way.
 template <class Body>
 struct Delivery {
@@ -114,12 +130,19 @@ class Visit : public std::enable_shared_from_this<Visit> {
     request_ = parser_->release();
     hall_.book.moved(id_, hall_.now());
     if (status) {
-      ++hall_.counts.malformed;
-      request_.keep_alive(false);
-      return refuse(status == http::error::header_limit ? http::status::request_header_fields_too_large
-                                                        : http::status::bad_request);
+      return refuseMalformed(status == http::error::header_limit ? http::status::request_header_fields_too_large
+                                                                 : http::status::bad_request);
     }
+    if (headBytes(request_) > kMaxHeaderBytes) return refuseMalformed(http::status::request_header_fields_too_large);
+    if (!namesOneHost(request_)) return refuseMalformed(http::status::bad_request);
     answer();
+  }
+
+  /// Whoever sends this may mean something else by what follows.
+  void refuseMalformed(http::status status) {
+    ++hall_.counts.malformed;
+    request_.keep_alive(false);
+    refuse(status);
   }
 
   void answer() {
@@ -138,6 +161,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
   bool comesFromAfar() {
     Status ignored;
     const std::string local = line().socket().local_endpoint(ignored).address().to_string();
+    if (request_.count(http::field::origin) > 1) return true;
     return !originAllowed(viewOf(request_[http::field::origin]), hall_.settings.origins,
                           {wire_.isTls() ? "https" : "http", local, hall_.port});
   }

@@ -61,6 +61,7 @@ std::vector<LimitRow> limitRows() {
       {"`serve`", "silence until a page's finger is lifted, s", fmt::format("{}", control.silence_s)},
       {"`class`", "port of the broker, TCP with TLS", fmt::format("{}", classroom::kStandardPort)},
       {"`class`", "bytes of a message", fmt::format("{}", classroom::kMaxMessageBytes)},
+      {"`class`", "bytes of a row's message", fmt::format("{}", classroom::kMaxRowMessageBytes)},
       {"`class`", "a row may be dated after now by, s", fmt::format("{}", classroom::kClockSkewMs / 1000)},
       {"`class`", "disk of a station between two purges, MB", fmt::format("{}", classroom::kStationBytes >> 20)},
       {"device", "force where its type is unknown, N", fmt::format("{}", DeviceProfile{}.force_n)},

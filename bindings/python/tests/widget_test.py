@@ -11,6 +11,7 @@ import http.server
 import json
 import pathlib
 import shutil
+import socket
 import subprocess
 import threading
 import urllib.parse
@@ -70,6 +71,13 @@ class Page:
         text = answer.read()
         connection.close()
         return answer.status, text, answer
+
+    def raw(self, *lines: str) -> int:
+        """The status of a request of these lines."""
+        name, port = self.host.split(":")
+        with socket.create_connection((name, int(port)), timeout=10) as link:
+            link.sendall("\r\n".join([*lines, "", ""]).encode())
+            return int(link.recv(64).split()[1])
 
     def exchange(self, rows=(), answers=(), **headers: str) -> tuple[int, list]:
         body = json.dumps({"body": "built-in trunk", "rows": list(rows), "answers": list(answers)}).encode()
@@ -134,6 +142,8 @@ def test_only_who_has_the_token_and_comes_by_the_right_name_is_heard(widget):
     assert page.exchange(rows=[ROW], Host="elsewhere.example")[0] == 403, "a name that leads here"
     assert page.exchange(rows=[ROW], Origin="http://elsewhere.example")[0] == 403
     assert page.get("/", Host="elsewhere.example")[0] == 403
+    for lines in ([], [f"Host: {page.host}", "Host: elsewhere.example"], [f"Host: {page.host}"] + ["Origin: http://" + page.host] * 2):
+        assert page.raw("GET /notebook/mesh HTTP/1.1", f"Authorization: Bearer {page.token}", *lines) == 403, lines
     assert page.get("/notebook/mesh")[0] == 401
     assert page.request("POST", "/notebook/exchange", b"{}", {"Authorization": "Bearer"})[0] == 401
     assert len(widget.felt) == 0

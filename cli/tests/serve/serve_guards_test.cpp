@@ -44,6 +44,50 @@ TEST(ServeGuards, TheSchemeBearerMayBeWrittenInAnyLetters) {
   }
 }
 
+/// The status of a request of these lines; 0: none came.
+int statusOf(int port, const std::string& first_line, const std::string& lines) {
+  PlainWire wire(port);
+  wire.send(first_line + "\r\n" + lines + "\r\n");
+  const auto head = wire.receiveUntil("\r\n", 10.0);
+  return head && head->size() > 12 ? std::stoi(head->substr(9, 3)) : 0;
+}
+
+TEST(ServeGuards, ARequestNamesOneHost) {
+  const ServedCommand server;
+  const auto status = [&](const std::string& lines) { return statusOf(server.port(), "GET / HTTP/1.1", lines); };
+  for (const char* host :
+       {"localhost", "127.0.0.1:8080", "[::1]:8080", "[::1]", "Palpate.Example.org", "a_b:", "x:1"}) {
+    EXPECT_EQ(status(std::string("Host: ") + host + "\r\n"), 200) << host;
+  }
+  EXPECT_EQ(status(""), 400);
+  EXPECT_EQ(status("Host: localhost\r\nHost: localhost\r\n"), 400);
+  EXPECT_EQ(status("Host: localhost\r\nX: y\r\nhost: evil.example\r\n"), 400);
+  for (const char* host :
+       {"", " ", "local host", "localhost/", "a@b", "a,b", "a:b", "a:1:2", "localhost:123456", "[::1", "::1", "[]",
+        "[::1]8", "[localhost]", "local\r\n host", "http://localhost", "\xc3\xa4"}) {
+    EXPECT_EQ(status(std::string("Host: ") + host + "\r\n"), 400) << host;
+  }
+  EXPECT_EQ(status("Host: " + std::string(256, 'a') + "\r\n"), 400);
+  EXPECT_EQ(statusOf(server.port(), "GET / HTTP/1.0", ""), 200) << "which has none";
+  EXPECT_EQ(statusOf(server.port(), "GET / HTTP/1.0", "Host: a\r\nHost: b\r\n"), 400);
+}
+
+TEST(ServeGuards, AStrangeNameThatLeadsHereOpensNothing) {
+  const ServedCommand server;
+  const std::string port = std::to_string(server.port());
+  const std::string evil = "evil.example:" + port;
+  const auto status = [&](const std::string& host, const std::string& origins) {
+    const std::string lines = "Host: " + host + "\r\n" + origins + withToken("Bearer ", support::kLookToken);
+    return statusOf(server.port(), "GET /served/skin HTTP/1.1", lines);
+  };
+  const std::string own = "Origin: http://127.0.0.1:" + port + "\r\n";
+  EXPECT_EQ(status("127.0.0.1:" + port, own), 200);
+  EXPECT_EQ(status(evil, "Origin: http://" + evil + "\r\n"), 403) << "the browser's own word for such a page";
+  EXPECT_EQ(status("127.0.0.1:" + port, "Origin: http://" + evil + "\r\n"), 403);
+  EXPECT_EQ(status(evil, own + "Origin: http://" + evil + "\r\n"), 403);
+  EXPECT_EQ(status(evil, "Origin: http://" + evil + "\r\n" + own), 403);
+}
+
 TEST(ServeGuards, OnAllInterfacesItNamesAddressesThatCanBeOpenedAndSaysThatItIsPlain) {
   const ServedCommand server({"--host", "0.0.0.0"});
   const auto& line = server.firstLine();

@@ -198,9 +198,11 @@ TEST(RemoteKey, IsReadFromAFileOfTheOwnerAlone) {
   EXPECT_EQ(readRemoteKey(file_with(kSecret, 0400)), kSecret);
   EXPECT_THROW(readRemoteKey(file_with(kSecret, 0640)), Error);
   EXPECT_THROW(readRemoteKey(file_with(kSecret, 0604)), Error);
-  EXPECT_THROW(readRemoteKey(file_with("short", 0600)), Error);
+  EXPECT_THROW(readRemoteKey(file_with(std::string(31, 'a'), 0600)), Error);
+  EXPECT_EQ(readRemoteKey(file_with(std::string(32, 'a') + "\n", 0600)), std::string(32, 'a'));
+  EXPECT_EQ(readRemoteKey(file_with(std::string(128, 'a') + "\n", 0600)), std::string(128, 'a'));
+  EXPECT_THROW(readRemoteKey(file_with(std::string(129, 'a') + "\n", 0600)), Error);
   EXPECT_THROW(readRemoteKey(file_with(kSecret + "\n" + kSecret, 0600)), Error);
-  EXPECT_THROW(readRemoteKey(file_with(std::string(kMaxKeyBytes + 1, 'a'), 0600)), Error);
   EXPECT_THROW(readRemoteKey(folder / "nothing"), Error);
 }
 

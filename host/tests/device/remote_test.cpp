@@ -119,6 +119,19 @@ TEST(Remote, RefusesWhatIsNoPoseAndSaysHowMuchOfIt) {
   EXPECT_EQ(device.explain(), "2 messages were not \"p x y z\"");
 }
 
+TEST(Remote, AMessageHasTwoHundredAndFiftySixBytesAtMost) {
+  const Device device = opened();
+  const Client client;
+  std::string message = "p 1 0 0";
+  message.resize(256, ' ');
+  client.send(message);
+  EXPECT_EQ(device.read_tip(0).x(), 1.0);
+  message.replace(2, 1, "2");
+  client.send(message + " ");
+  EXPECT_EQ(device.read_tip(1).x(), 1.0);
+  EXPECT_EQ(device.explain(), "1 messages were not \"p x y z\"");
+}
+
 TEST(Remote, AnythingWhateverIsNoPoseOrAFinitePlace) {
   Random random(3);
   const std::string letters = "p 0123456789.eE+-nainf\n\t\xff";

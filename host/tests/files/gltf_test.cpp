@@ -14,13 +14,14 @@
 #include "support/error_message.h"
 #include "support/mesh_bytes.h"
 #include "support/mesh_zoo.h"
+#include "support/places.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::mesh {
 
 namespace {
 
-const std::filesystem::path kCases = PALPATE_TEST_DATA "/mesh/gltf";
+const std::filesystem::path kCases = support::testData() / "mesh/gltf";
 
 /// `bytes` with the first `old_text` replaced.
 std::string changed(std::string bytes, std::string_view old_text, std::string_view new_text) {

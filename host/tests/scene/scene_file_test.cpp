@@ -8,12 +8,24 @@
 
 #include "host/tests/scene/scene_text.h"
 #include "palpate/base/error.h"
+#include "palpate/base/text.h"
 #include "support/error_message.h"
 #include "support/expect_each.h"
 #include "support/places.h"
+#include "support/temporary_folder.h"
 
 namespace palpate::scene {
 namespace {
+
+TEST(SceneFile, HasOneMebibyteAtMost) {
+  const support::TemporaryFolder folder;
+  std::string text = "title = \"long\"\n#";
+  text.resize(1'048'576, ' ');
+  writeFile(folder / "scene.toml", text);
+  EXPECT_EQ(load(folder / "scene.toml").title, "long");
+  writeFile(folder / "scene.toml", text + " ");
+  EXPECT_THROW(load(folder / "scene.toml"), Error);
+}
 
 TEST(SceneFile, TheSmallestSceneIsOneFingerWithAScript) {
   const Scene scene = parse(kFinger, "s.toml");

@@ -130,6 +130,66 @@ TEST(Limiter, SendsNothingInTheTickOfAFault) {
   expectStop(kEmergencyStop, reported(kEmergencyStop));
 }
 
+/// The status of this tick of a finger that has been in light contact.
+template <class Last>
+std::uint32_t statusAfterContact(Last&& last) {
+  Finger finger;
+  finger.at(0.1);
+  for (int i = 0; i <= 10; ++i) finger.at(-0.1 * i);
+  EXPECT_EQ(finger.state.status, 0u);
+  last(finger);
+  return finger.state.status;
+}
+
+TEST(Limiter, StopsJustOverEachLimitAndNotJustUnderIt) {
+  const auto aged = [](double ticks) {
+    return statusAfterContact([&](Finger& f) { f.tick({0, 0, -1}, {0, 0, 0.5}, ticks); });
+  };
+  EXPECT_EQ(aged(2.0), 0u) << "ticks old";
+  EXPECT_EQ(aged(2.01), kTipStale);
+  const auto moved = [](double mm) { return statusAfterContact([&](Finger& f) { f.tick({mm, 0, -1}, {0, 0, 0.5}); }); };
+  EXPECT_EQ(moved(9.99), 0u) << "mm in a tick";
+  EXPECT_EQ(moved(10.01), kTipJumped);
+  const auto moved_unseen = [](double mm, std::uint64_t missed) {
+    return statusAfterContact([&](Finger& f) {
+      f.next += missed;
+      f.tick({mm, 0, -1}, {0, 0, 0.5});
+    });
+  };
+  EXPECT_EQ(moved_unseen(29.9, 9), 0u) << "3 m/s for ten ticks";
+  EXPECT_EQ(moved_unseen(30.1, 9), kTipJumped);
+  const auto grown = [](double newtons, std::uint64_t missed) {
+    return statusAfterContact([&](Finger& f) {
+      f.settings.force_n = 100.0;
+      f.next += missed;
+      f.tick({0, 0, -1}, {0, 0, 0.5 + newtons});
+    });
+  };
+  EXPECT_EQ(grown(5.99, 0), 0u) << "N in a millisecond";
+  EXPECT_EQ(grown(6.01, 0), kForceJumped);
+  EXPECT_EQ(grown(11.9, 1), 0u) << "and twice as much in two";
+  EXPECT_EQ(grown(12.1, 1), kForceJumped);
+  const auto pressed = [](double newtons) {
+    return statusAfterContact([&](Finger& f) { f.tick({0, 0, -1}, {0, 0, newtons}); });
+  };
+  EXPECT_EQ(pressed(3.3), 0u) << "N at most, where no device is known";
+  EXPECT_EQ(pressed(3.31), kClamped);
+}
+
+TEST(Limiter, ARampTakesHalfASecond) {
+  Finger finger;
+  finger.settings.start = scene::StartRule::ramp;
+  double before = 0.0;
+  for (int i = 1; i <= 500; ++i) {
+    const double felt = finger.at(-1.0).z();
+    EXPECT_GT(felt, before);
+    EXPECT_NEAR(felt, 0.5 * i / 500.0, 1e-12);
+    before = felt;
+  }
+  EXPECT_EQ(finger.at(-1.0).z(), 0.5);
+  EXPECT_EQ(finger.state.status, 0u);
+}
+
 TEST(Limiter, TakesATipThatWasNotSeenForSomeTicksAtItsSpeed) {
   Finger finger;
   finger.at(0.1);
@@ -396,6 +456,62 @@ TEST(DeviceLimits, GuardsStayTightWhereAHandMayBe) {
   loose.unsafe_stiffness = true;
   EXPECT_FALSE(limiterSettings(loose, open, 0.001).passivity.on);
   EXPECT_EQ(limiterSettings(loose, open, 0.001).max_jump_mm, held.max_jump_mm) << "no consent loosens a guard";
+}
+
+TEST(DeviceLimits, AGuardMayBeFourTimesAsLooseAndARampATenthOfASecond) {
+  const device::DeviceProfile open{.open = true};
+  const auto held = [&](double scene::SafetySettings::*key, double asked) {
+    scene::SafetySettings safety;
+    safety.*key = asked;
+    return heldSafety(safety, open).*key;
+  };
+  using Safety = scene::SafetySettings;
+  EXPECT_EQ(held(&Safety::max_age_ticks, 7.9), 7.9);
+  EXPECT_EQ(held(&Safety::max_age_ticks, 8.1), 8.0);
+  EXPECT_EQ(held(&Safety::max_jump_mm, 39.9), 39.9);
+  EXPECT_EQ(held(&Safety::max_jump_mm, 40.1), 40.0);
+  EXPECT_EQ(held(&Safety::max_tip_speed_mm_per_s, 11'999.0), 11'999.0);
+  EXPECT_EQ(held(&Safety::max_tip_speed_mm_per_s, 12'001.0), 12'000.0);
+  EXPECT_EQ(held(&Safety::max_force_rate_n_per_ms, 23.9), 23.9);
+  EXPECT_EQ(held(&Safety::max_force_rate_n_per_ms, 24.1), 24.0);
+  EXPECT_EQ(held(&Safety::max_force_rate_n_per_ms, 0.1), 0.1) << "stricter at will";
+  EXPECT_EQ(held(&Safety::ramp_s, 0.11), 0.11);
+  EXPECT_EQ(held(&Safety::ramp_s, 0.09), 0.1);
+  EXPECT_EQ(held(&Safety::ramp_s, 60.0), 60.0);
+
+  device::DeviceProfile scaled = open;
+  scaled.motion_scale = 3.0;
+  scene::SafetySettings wide;
+  wide.max_jump_mm = 119.0;
+  EXPECT_EQ(heldSafety(wide, scaled).max_jump_mm, 119.0) << "a hand's motion is three times as long in the body";
+  wide.max_jump_mm = 121.0;
+  EXPECT_EQ(heldSafety(wide, scaled).max_jump_mm, 120.0);
+  scaled.motion_scale = 0.1;
+  EXPECT_EQ(heldSafety(wide, scaled).max_jump_mm, 40.0) << "and never held tighter than in the body's own size";
+}
+
+TEST(DeviceLimits, APartOfATickOfDelayCountsAsAWholeOne) {
+  const device::DeviceProfile omni = device::profileOf(scene::DeviceModel::omni);
+  for (const double rate : {250.0, 500.0, 1000.0, 2000.0, 4000.0}) {
+    for (double whole = 0.0; whole <= 6.0; ++whole) {
+      const double later = stableStiffness(1.0 / rate, whole + 1.0, omni);
+      for (const double part : {0.001, 0.5, 0.999}) EXPECT_EQ(stableStiffness(1.0 / rate, whole + part, omni), later);
+    }
+  }
+  EXPECT_EQ(stableStiffness(0.001, 1.0 + 1e-12, omni), 1.1) << "a rounding is none";
+  EXPECT_EQ(stableStiffness(0.001, 1.2, omni), 0.5);
+  EXPECT_EQ(stableStiffness(0.00101, 0.0, omni), 1.0) << "a slower loop has the row below";
+  device::DeviceProfile open = omni;
+  open.open = true;
+  scene::SafetySettings safety;
+  safety.delay_ticks = 2.0;
+  EXPECT_NO_THROW(requireStable(open, safety, 0.001));
+  safety.delay_ticks = 2.1;
+  EXPECT_THROW(requireStable(open, safety, 0.001), Error);
+  EXPECT_EQ(limiterSettings(safety, open, 0.001).force_n, 0.0);
+  open.delay_ticks = 2.1;
+  safety.delay_ticks = 0.0;
+  EXPECT_THROW(requireStable(open, safety, 0.001), Error) << "nor less than its back end knows of";
 }
 
 TEST(DeviceLimits, CapTheStiffnessByDelayAndRate) {

@@ -9,7 +9,9 @@
 #include <cstdlib>
 
 #include "measure/tests/measure/handmade_pictures.h"
+#include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "palpate/measure/pictures/picture_header.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
 
@@ -281,6 +283,14 @@ TEST(Photograph, ColoursOfPrintAreRefused) {
             "it.jpg: is a TIFF in the colours of print (CMYK): save it in RGB, as cameras do");
   EXPECT_EQ(pictureRefusal(tiffBytes({.sample_format = 3, .pixels = cardPixels()})),
             "it.jpg: is a TIFF of signed or fractional 8 bits a channel: save it with 8");
+}
+
+TEST(Photograph, AreOfFiftyTwoMillionPixelsAtMostAndTwoHundredASideAtLeast) {
+  EXPECT_NO_THROW(checkPictureSize({.width_px = 10'000, .height_px = 5'200}, "it.jpg"));
+  EXPECT_THROW(checkPictureSize({.width_px = 10'000, .height_px = 5'201}, "it.jpg"), Error);
+  EXPECT_NO_THROW(checkPictureSize({.width_px = 200, .height_px = 200}, "it.jpg"));
+  EXPECT_THROW(checkPictureSize({.width_px = 199, .height_px = 200}, "it.jpg"), Error);
+  EXPECT_THROW(checkPictureSize({.width_px = 200, .height_px = 199}, "it.jpg"), Error);
 }
 
 TEST(Photograph, HugeAndTinyOnesAreRefusedByTheirHeader) {

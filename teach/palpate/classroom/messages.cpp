@@ -37,8 +37,6 @@ constexpr int kMaxTrials = 100000;
 constexpr std::size_t kMaxStatusText = 400;  // a device's name is not longer
 /// A row's text that is longer travels compressed; with its envelope it then still fits.
 constexpr std::size_t kMaxPlainRow = kMaxMessageBytes - 150;
-/// A compressed row, as text: 64 kB that do not compress.
-constexpr std::size_t kMaxRowMessage = 100000;
 constexpr std::size_t kKeysInAck = 90;
 constexpr std::size_t kMarksInMessage = 55;
 constexpr std::size_t kMaxWhy = 300;
@@ -354,10 +352,10 @@ std::string rowText(const Envelope& envelope, const std::string& body) {
 }
 
 std::optional<RowMessage> parseRowMessage(std::string_view text) {
-  MessageReader reader(text, kMaxRowMessage);
+  MessageReader reader(text, kMaxRowMessageBytes);
   RowMessage message{reader.envelope(), {}};
   if (reader.has("z")) {
-    auto row = unpacked(reader.text("z", kMaxRowMessage));
+    auto row = unpacked(reader.text("z", kMaxRowMessageBytes));
     if (!row) return std::nullopt;
     message.body = std::move(*row);
   } else if (const Json* row = reader.member("row"); row != nullptr) {

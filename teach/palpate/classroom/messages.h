@@ -27,6 +27,8 @@ namespace palpate::classroom {
 
 inline constexpr std::size_t kMaxLiveBytes = 200;
 inline constexpr std::size_t kMaxMessageBytes = 4096;
+/// A compressed row, as text: 64 kB that do not compress.
+inline constexpr std::size_t kMaxRowMessageBytes = 100000;
 
 struct Topic {
   std::string class_id;

@@ -120,6 +120,26 @@ TEST(ClassMessages, RowOfAnyLengthComesBackWithinFourKilobytes) {
   }
 }
 
+TEST(ClassMessages, AMessageHasFourThousandAndNinetySixBytesAtMost) {
+  const auto blanks = [](const std::string& text, std::size_t bytes) {
+    std::string longer = text;
+    longer.insert(text.find('{') + 1, bytes - text.size(), ' ');
+    return longer;
+  };
+  const std::string live = liveText(kEnvelope, aLiveSample());
+  EXPECT_TRUE(parseLive(blanks(live, 200)));
+  EXPECT_FALSE(parseLive(blanks(live, 201))) << "many a second";
+  const std::string state = stateText(kEnvelope, aState());
+  EXPECT_TRUE(parseState(blanks(state, 4096)));
+  EXPECT_FALSE(parseState(blanks(state, 4097)));
+  const std::string row = rowText(kEnvelope, training::rowJson(samples::trainee()));
+  EXPECT_TRUE(parseRowMessage(blanks(row, 100'000)));
+  EXPECT_FALSE(parseRowMessage(blanks(row, 100'001)));
+  const std::string ack = ackTexts(kEnvelope, std::vector{samples::id(8, 1)}).front();
+  EXPECT_TRUE(parseAck(blanks(ack, 4096)));
+  EXPECT_FALSE(parseAck(blanks(ack, 4097)));
+}
+
 TEST(ClassMessages, ARowThatUnpacksToMoreThanAnyRowIsRefused) {
   const std::string bomb = rowText(kEnvelope, "\"" + std::string(1'000'000, 'a') + "\"");
   EXPECT_LT(bomb.size(), kMaxMessageBytes);  // it would be taken for its size

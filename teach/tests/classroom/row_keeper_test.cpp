@@ -181,6 +181,32 @@ TEST_P(RowKeeperTest, NothingIsDatedAfterNow) {
   EXPECT_EQ(keep("s01", rows).keys.size(), rows.size()) << "clocks of a class differ a little";
 }
 
+TEST_P(RowKeeperTest, ClocksMayDifferByTwoMinutes) {
+  auto trainee = std::get<training::TraineeRow>(day("s01", "A", 1)[2]);
+  keep("s01", {station("s01")});
+  constexpr std::int64_t kSlowTestMs = 60'000;
+  trainee.created_ms = training::utcMs() + 119'900;
+  EXPECT_EQ(why("s01", trainee), "");
+  trainee.id = keeping::trainee("B").id;
+  trainee.created_ms = training::utcMs() + 120'000 + kSlowTestMs;
+  EXPECT_EQ(why("s01", trainee).rfind("dated ", 0), 0u) << why("s01", trainee);
+}
+
+TEST_P(RowKeeperTest, AStationHasTwoHundredAndFiftySixMegabytes) {
+  RowKeeper usual(tables(), KeeperRules{"osteo-1"});
+  const auto refused = [&](const std::string& name, const AnyRow& row, std::size_t bytes) {
+    const std::vector<SentRow> sent = {from(name, row, bytes)};
+    return usual.keep(sent).refused.size();
+  };
+  constexpr std::size_t kInTheDatabase = 200;  // each row takes so much more there
+  constexpr std::size_t kShare = (std::size_t{256} << 20) - kInTheDatabase;
+  EXPECT_EQ(refused("s01", station("s01"), kShare - 500), 0u);
+  EXPECT_EQ(refused("s01", keeping::trainee("A"), 500), 0u) << "the last bytes of it";
+  EXPECT_EQ(refused("s01", keeping::trainee("B"), 1), 1u);
+  EXPECT_EQ(refused("s02", station("s02"), kShare - 500), 0u);
+  EXPECT_EQ(refused("s02", keeping::trainee("C"), 501), 1u);
+}
+
 TEST_P(RowKeeperTest, AStationsNoticeTakesAwayItsOwnRowsAndSaysWhatIsLeft) {
   keep("s01", day("s01", "A", 1));
   keep("s02", day("s02", "A", 2));
