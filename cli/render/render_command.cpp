@@ -322,7 +322,8 @@ void addLookOptions(Command& command, RenderOptions& options) {
   addNumber(command, "--opacity", options.opacity, between(0.0, 1.0), "Of the skin; below 1 the bones show");
   addNumber(command, "--skin-tone", options.skin_tone, between(1.0, 6.0), "Of the skin, very light to very dark");
   addNumber(command, "--dent-contrast", options.dent_contrast, between(0.0, 5.0),
-            "How strongly dents are shaded; 1 is as it would be, above it is exaggerated");
+            "How strongly dents are shaded; 1 is as it would be, with contours 0.5, 2.5, 4.5 ... mm deep on one that "
+            "is small in the picture; above it is exaggerated; 0 leaves shading and contours out");
   command.add_flag("--lens", options.lens, "A close view from beside the finger in the lower left corner");
   command.add_flag("--muscles", options.muscles,
                    "Draw trapezius, latissimus dorsi and erector spinae on the skin, with their names");

@@ -76,7 +76,9 @@ Section viewSection() {
       number<V>(
           "dent_contrast", &V::dent_contrast, between(0, 5),
           "How strongly dents are shaded: 0 not at all, 1 as it would be near by and stronger where the dent is small "
-          "in the picture; above 1 all of it is exaggerated, and the picture says so."),
+          "in the picture, which then has contours 0.5, 2.5, 4.5 ... mm deep; above 1 all of it is exaggerated, and "
+          "the "
+          "picture says so."),
       choice<V, FingerShape>(
           "finger", &V::finger,
           "What a finger looks like: auto draws fingers, and in the window hands where they are drawn fast "

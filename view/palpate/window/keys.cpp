@@ -78,7 +78,7 @@ constexpr KeyBinding kTable[] = {
     {A::performance, G::window, f(3), kNone, false, toTranslate("Performance"), toTranslate("Show how fast and how punctual everything is.")},
     {A::plots, G::window, f(4), kNone, false, toTranslate("Plots"), toTranslate("Show force, depth and speed over time.")},
     {A::full_screen, G::window, f(11), kNone, false, toTranslate("Full screen"), toTranslate("Fill the screen, or go back to a window.")},
-    {A::screenshot, G::window, f(12), kNone, false, toTranslate("Save a picture"), toTranslate("Save a picture (PNG) without messages, menus, dialogs.")},
+    {A::screenshot, G::window, f(12), kNone, false, toTranslate("Save a picture"), toTranslate("Save a picture (PNG) without messages and dialogs.")},
     {A::screenshot_with_pop_ups, G::window, {functionKey(12), kShift}, kNone, false, toTranslate("Save a picture with pop-ups"), toTranslate("The same with messages, menus and dialogs.")},
     {A::clear_screenshot, G::window, {functionKey(12), kCtrl}, kNone, false, toTranslate("Save a picture without background"), toTranslate("Save the body alone as a PNG file, the rest transparent.")},
     {A::panel, G::window, plain(Key::tab), kNone, false, toTranslate("Side panel"), toTranslate("Show or hide the panel.")},

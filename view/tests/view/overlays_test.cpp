@@ -209,6 +209,11 @@ TEST(OverlayKey, SaysWhenDentsAreShadedMoreThanLightWould) {
   EXPECT_TRUE(overlayKey(look).empty()) << "colours that mean something know no dent contrast";
 }
 
+TEST(OverlayKey, SaysHowDeepTheContoursOfADentAre) {
+  ASSERT_EQ(overlayKey({}, true).size(), 1u);
+  EXPECT_EQ(overlayKey({}, true)[0].words, "dent 0.5, 2.5, 4.5 ... mm deep");
+}
+
 /// Steps along edges from the nearest corner of a triangle, for every vertex.
 std::vector<int> stepsFrom(const scene::World& world, Index triangle) {
   std::vector<int> steps(world.body->skin.positions.size(), 1000);

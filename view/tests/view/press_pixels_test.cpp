@@ -6,9 +6,14 @@
 #include <cmath>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "palpate/device/finger_path.h"
 #include "palpate/engine/living_skin.h"
+#include "palpate/scene/presets.h"
+#include "palpate/servo/loop.h"
+#include "palpate/servo/scripted_rig.h"
 #include "palpate/tree/triangle_tree.h"
 #include "palpate/view/picture.h"
 #include "palpate/view/scene_view.h"
@@ -114,9 +119,9 @@ TEST_F(PressPixels, AreOfTheShadingOfDentsThatCanBeTurnedOff) {
   for (const Shading shading : {Shading::gouraud, Shading::skin}) {
     Look look = fingerless();
     look.shading = shading;
-    const Image shaded = take(place, look, skin.surface(), {});
+    const Image shaded = take(place, look, skin.surface(), std::span(&finger, 1));
     look.dent_contrast = 0.0;
-    const Image plain = take(place, look, skin.surface(), {});
+    const Image plain = take(place, look, skin.surface(), std::span(&finger, 1));
     int differing = 0;
     for (std::size_t i = 0; i < shaded.pixels.size(); ++i) {
       if (difference(shaded.pixels[i], plain.pixels[i]) > kSeenLevels) ++differing;
@@ -124,6 +129,46 @@ TEST_F(PressPixels, AreOfTheShadingOfDentsThatCanBeTurnedOff) {
     EXPECT_GE(differing, kEnoughPixels) << wordFor(shading);
   }
 }
+
+/// How many pixels of a picture of the whole body the help for small dents changes, with the fingers of a scene at this
+/// moment of its run.
+int helpedPixels(const std::string& preset, double at_s) {
+  const std::shared_ptr<const scene::World> world = scene::build(scene::presetScene(preset));
+  const device::FingerPaths paths = device::pathsOf(*world);
+  servo::Rig rig = servo::scriptedRig(*world, paths);
+  std::vector<FingerMark> fingers;
+  engine::LivingSkin skin(*world, {.strain = false, .fingers = world->scene.fingers.size()});
+  const auto ticks = static_cast<std::uint64_t>(at_s * 1000.0);
+  servo::runHeadless(rig, ticks, [&](std::span<const trace::Sample> samples) {
+    if (samples.front().tick + 1 < ticks) return;
+    skin.follow(samples);
+    for (const trace::Sample& sample : samples) fingers.push_back({.contact = sample.contact});
+  });
+  Studio studio(world);
+  const auto picture = [&](double contrast) {
+    PictureSettings settings = pictureSettings(*world, kWholeBodyAspect);
+    settings.look.skin_opacity = 1.0;
+    settings.look.finger = FingerShape::none;
+    settings.look.dent_contrast = contrast;
+    settings.labels = LabelSettings::none();
+    return studio.take(skin.surface(), {.fingers = fingers, .time_s = 0.0}, settings, {800, 500, 2}).image;
+  };
+  const Image helped = picture(1.0), plain = picture(0.0);
+  int changed = 0;
+  for (std::size_t i = 0; i < helped.pixels.size(); ++i) {
+    if (difference(helped.pixels[i], plain.pixels[i]) > kSeenLevels) ++changed;
+  }
+  return changed;
+}
+
+// Two dents of 50 mm; the drag of 16 mm moves skin 300 mm across, whose contours would be 5,000 pixels.
+TEST(DentContours, AreOfAPressAndNotOfItsDrag) {
+  const int changed = helpedPixels("vhb", 4.5);
+  EXPECT_GT(changed, 500);
+  EXPECT_LT(changed, 4300);
+}
+
+TEST(DentContours, AreNotOfAPressThatMovesTheWholeBack) { EXPECT_EQ(helpedPixels("vhb-literal", 4.5), 0); }
 
 }  // namespace
 }  // namespace palpate::view

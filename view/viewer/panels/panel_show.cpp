@@ -55,9 +55,9 @@ void lookWidgets(const ShowPanel& panel) {
                {"show/opacity", "skin opacity", "%.2f", 0.0, 1.0, 1.0, "Below 1 the bones show through (key O)."});
   numberWidget(look.skin_tone, {"show/tone", "skin tone", "%.1f", 1.0, 6.0, 3.0,
                                 "From 1, very light, to 6, very dark, about as Fitzpatrick's types."});
-  numberWidget(look.dent_contrast,
-               {"show/dents", "dent contrast", "%.1f x", 0.0, 5.0, 1.0,
-                "1 is as it would be near by; above, dents are drawn deeper than light would show them."});
+  numberWidget(look.dent_contrast, {"show/dents", "dent contrast", "%.1f x", 0.0, 5.0, 1.0,
+                                    "1 is as it would be near by, with contours on small dents; above, dents are drawn "
+                                    "deeper than light shows them."});
   const bool has_colours = panel.world.channels && !panel.world.channels->colours.empty();
   if (panel.world.has_picture) {
     flagWidget("show/picture", "picture on the skin", look.texture, "The one that the scene names.");

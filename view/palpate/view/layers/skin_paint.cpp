@@ -24,8 +24,8 @@ constexpr float kWidthRadii = 1.5f;
 constexpr float kWidening = 0.17f;
 /// The rim of a mark, in its radii (blanched() in the shader).
 constexpr float kMarkRadii = 2.3f;
-/// And the skin round it that may lie deep enough for a contour (contoursAt() in the shader), mm.
-constexpr float kDentReachMm = 70.0f;
+/// How far a drag may carry the skin of a dent, mm.
+constexpr float kFarthestDragMm = 20.0f;
 
 std::string vertexSource(std::string_view main) {
   return std::string(kSkinAttributes).append(kSkinOpacity).append(main);
@@ -64,6 +64,8 @@ void start(const Program& program, const Look& look, const Viewpoint& viewpoint,
   program.set("skin_sheen", tone.sheen);
   program.set("dent_contrast", static_cast<float>(look.dent_contrast));
   program.set("mm_a_point", viewpoint.pixels_per_point / viewpoint.pixels_per_radian);
+  program.set("least_help_mm", static_cast<float>(kLeastHelpMm));
+  program.set("full_help_mm", static_cast<float>(kFullHelpMm));
   program.set("skin_opacity", static_cast<float>(std::min(1.0, look.skin_opacity)));
   program.set("picture", 0);
   program.set("made_white", needs.made ? kMadeSkinWhite : 0.0f);
@@ -106,6 +108,19 @@ void setMarks(const Program& program, std::span<const PressMark> marks) {
   program.set("mark_strength", std::span<const float>(strengths).first(marks.size()));
 }
 
+void setDents(const Program& program, std::span<const SkinDent> dents) {
+  dents = dents.first(std::min(kMaxFingers, dents.size()));
+  std::array<Eigen::Vector4f, kMaxFingers> places;
+  std::array<Eigen::Vector4f, kMaxFingers> ways;
+  for (std::size_t i = 0; i < dents.size(); ++i) {
+    places[i] << dents[i].place, dents[i].share;
+    ways[i] << dents[i].normal, dents[i].reach_mm;
+  }
+  program.set("dent_count", static_cast<int>(dents.size()));
+  program.set("dent_at", std::span<const Eigen::Vector4f>(places).first(dents.size()));
+  program.set("dent_way", std::span<const Eigen::Vector4f>(ways).first(dents.size()));
+}
+
 }  // namespace
 
 std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights) {
@@ -119,7 +134,9 @@ std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights
     }
   }
   for (const PressMark& mark : touch.marks)
-    influences.push_back({mark.place, mark.place, std::max(kDentReachMm, kMarkRadii * mark.radius_mm)});
+    influences.push_back({mark.place, mark.place, kMarkRadii * mark.radius_mm + kFarthestDragMm});
+  for (const SkinDent& dent : touch.dents)
+    if (dent.share > 0.0f) influences.push_back({dent.place, dent.place, 1.3f * dent.reach_mm + kFarthestDragMm});
   return influences;
 }
 
@@ -179,6 +196,7 @@ void SkinPaint::useTouched(const Look& look, const Viewpoint& viewpoint, const S
   program.set("pixels_a_point", viewpoint.pixels_per_point);
   setFingers(program, touch.casters);
   setMarks(program, touch.marks);
+  setDents(program, touch.dents);
 }
 
 }  // namespace palpate::view

@@ -13,6 +13,7 @@
 #include "palpate/base/vec.h"
 #include "palpate/view/layers/gl_objects.h"
 #include "palpate/view/layers/skin_chunks.h"
+#include "palpate/view/layers/skin_dents.h"
 #include "palpate/view/layers/viewpoint.h"
 #include "palpate/view/look.h"
 
@@ -72,6 +73,7 @@ struct ShadowCaster {
 struct SkinTouch {
   std::span<const ShadowCaster> casters;
   std::span<const PressMark> marks;
+  std::span<const SkinDent> dents;
 };
 
 /// The places whose colour it changes: near a finger, in its shadow, where it pressed.

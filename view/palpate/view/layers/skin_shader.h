@@ -28,20 +28,48 @@ uniform float skin_opacity;
 uniform float made_white;   // kMadeSkinWhite where the picture has factors on the skin's colour; 0: it has colours
 uniform float dent_contrast;  // 1: as it would be near by; above, what a dent does to normals and light is exaggerated
 uniform float mm_a_point;     // of the picture, 1 mm from the eye
+uniform float least_help_mm, full_help_mm;  // kLeastHelpMm, kFullHelpMm
 
 vec3 placeHere() { return vec3(x, y, z + lift_mm * breath_share); }
+#ifdef TOUCHED
+uniform int dent_count;
+uniform vec4 dent_at[8];   // SkinDent: place and how much it is a dent
+uniform vec4 dent_way[8];  // normal and reach
+
+// x: how deep the place lies under where it was, mm, both along the press that made the dent and along the skin's own
+// normal: a drag that goes straight is none by the first, one that follows the skin by the second. y: how much the
+// place belongs to that dent.
+vec2 dentHere() {
+  vec3 sunk = rest_place - vec3(x, y, z);
+  vec2 deepest = vec2(0.0);
+  for (int i = 0; i < dent_count; ++i) {
+    float reach = dent_way[i].w;
+    float belongs = dent_at[i].w * (1.0 - smoothstep(reach, 1.3 * reach, distance(rest_place, dent_at[i].xyz))) *
+                    smoothstep(0.1, 0.5, dot(rest_normal, dent_way[i].xyz));  // the other wall of a fold does not
+    float depth = min(dot(sunk, dent_way[i].xyz), dot(sunk, rest_normal));
+    if (belongs * depth > deepest.x * deepest.y) deepest = vec2(depth, belongs);
+  }
+  return deepest;
+}
 // What a dent needs to be seen: nothing near by, all of it where a dent of 40 mm is 50 points wide.
-float helpAt(vec3 place) { return smoothstep(0.25, 0.8, mm_a_point * dot(eye - place, backward)); }
-float contrastAt(vec3 place) { return dent_contrast * (1.0 + 1.2 * helpAt(place)); }
+float helpAt(vec3 place, vec2 dent) {
+  return dent.y * smoothstep(least_help_mm, full_help_mm, mm_a_point * dot(eye - place, backward));
+}
+float contrastAt(vec3 place, vec2 dent) { return dent_contrast * (1.0 + 1.2 * helpAt(place, dent)); }
+// The share of light that the walls of a dent leave.
+float lightLeftByDent(float contrast, vec2 dent) {
+  return 1.0 - dent.y * min(0.9, 0.34 * contrast) * smoothstep(0.2, 9.0, dent.x);
+}
+#else
+vec2 dentHere() { return vec2(0.0); }
+float contrastAt(vec3 place, vec2 dent) { return dent_contrast; }
+float lightLeftByDent(float contrast, vec2 dent) { return 1.0; }
+#endif
 // Normals that have turned since rest turn farther.
 vec3 normalHere(float contrast) {
   vec3 normal = vec3(nx, ny, nz);
   return normal + max(contrast - 1.0, 0.0) * (normal - rest_normal);
 }
-// How deep the place lies under where it was, mm.
-float sunkHere() { return dot(rest_place - vec3(x, y, z), rest_normal); }
-// The share of light that the walls of a dent leave, by that.
-float lightLeftByDent(float contrast) { return 1.0 - min(0.9, 0.34 * contrast) * smoothstep(0.2, 9.0, sunkHere()); }
 #ifdef COLOURS
 layout(location = 11) in vec4 given_colour;  // sRGB
 vec3 albedoHere() {
@@ -92,16 +120,17 @@ out vec2 at;
 void main() {
   place = placeHere();
   gl_Position = clip_from_body * vec4(place, 1.0);
-  float contrast = contrastAt(place);
+  vec2 sunk = dentHere();
+  float contrast = contrastAt(place, sunk);
   normal = normalize(normalHere(contrast));
 #ifdef TOUCHED
-  contour = vec2(sunkHere(), helpAt(place) * min(dent_contrast, 1.0));
+  contour = vec2(sunk.x, helpAt(place, sunk) * min(dent_contrast, 1.0));
 #endif
   vec3 to_eye = normalize(eye - place);
   vec3 wrap = wrapOf(tint.a, skin_scatter);
   float facing = dot(normal, to_eye);
   float slant = 1.0 - saturate(facing);
-  float dent = lightLeftByDent(contrast);
+  float dent = lightLeftByDent(contrast, sunk);
   vec3 light = skinLight(normal, wrap, dent, dent) + rim_light * (0.5 * slant * slant * slant);
   vec3 light_behind = skinLight(-normal, wrap, 0.5, 0.5) * 0.5;
   float shine = skin_sheen * dent * sheenOf(normal, to_key, to_eye, 0.60, 0.50);
@@ -154,7 +183,7 @@ inline constexpr std::string_view kDentContours = R"(
 uniform float pixels_a_point;
 // x: depth under rest, mm; y: how much is seen. Colours are encoded.
 vec3 contoured(vec3 skin, vec2 contour) {
-  const float rim = 0.5;    // mm: the outermost contour
+  const float rim = 0.5;    // kOutermostContourMm
   const float apart = 2.0;  // mm
   const float width = 1.1;  // points
   float slope = max(fwidth(contour.x), 1e-5);
@@ -217,13 +246,14 @@ out vec2 at;
 #endif
 void main() {
   place = placeHere();
-  float contrast = contrastAt(place);
+  vec2 sunk = dentHere();
+  float contrast = contrastAt(place, sunk);
   normal = normalHere(contrast);
   rest = rest_place;
   albedo = vec4(albedoHere(), tint.a);
-  dent = lightLeftByDent(contrast);
+  dent = lightLeftByDent(contrast, sunk);
 #ifdef TOUCHED
-  contour = vec2(sunkHere(), helpAt(place) * min(dent_contrast, 1.0));
+  contour = vec2(sunk.x, helpAt(place, sunk) * min(dent_contrast, 1.0));
 #endif
 #ifdef PICTURE
   at = picture_place;

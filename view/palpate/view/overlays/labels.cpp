@@ -8,6 +8,7 @@
 
 #include "palpate/base/language.h"
 #include "palpate/view/layers/finger_layer.h"
+#include "palpate/view/layers/skin_dents.h"
 #include "palpate/view/overlays/legend.h"
 #include "palpate/view/overlays/lens.h"
 #include "palpate/view/overlays/plates.h"
@@ -224,8 +225,21 @@ const FingerMark* chartedFinger(const LabelScene& scene, const LabelSettings& se
   return finger == nullptr || finger->contact.touch == contact::Touch::free ? nullptr : finger;
 }
 
+/// Whether a press is so small in the picture that contours are drawn on its dent, and deep enough for one of them.
+bool hasDentContours(const Drawing& page, const LabelScene& scene) {
+  const bool deep = std::ranges::any_of(scene.frame.fingers, [](const FingerMark& finger) {
+    return finger.contact.touch != contact::Touch::free && finger.contact.depth_mm > kOutermostContourMm;
+  });
+  if (!deep || scene.look.colouring != Colouring::plain || !(scene.look.dent_contrast > 0.0)) return false;
+  const double mm_a_point = 2.0 * std::tan(0.5 * scene.camera.height_rad) / page.size().y();
+  return std::ranges::any_of(dentsOf(scene.frame.fingers, scene.world, scene.frame.lift_mm), [&](const SkinDent& dent) {
+    const double away_mm = (scene.camera.eye() - dent.place.cast<double>()).dot(scene.camera.backward());
+    return dent.share > 0.5f && mm_a_point * away_mm > 0.5 * (kLeastHelpMm + kFullHelpMm);
+  });
+}
+
 /// What the look shows of this body: a key of what the body lacks would explain nothing.
-std::vector<KeyEntry> keyOf(const LabelScene& scene) {
+std::vector<KeyEntry> keyOf(const Drawing& page, const LabelScene& scene) {
   const auto named = [&](bool muscle) {
     return std::ranges::any_of(scene.names, [&](const BodyName& n) { return (n.kind == NameKind::muscle) == muscle; });
   };
@@ -233,7 +247,7 @@ std::vector<KeyEntry> keyOf(const LabelScene& scene) {
   look.show(Overlay::names, look.shows(Overlay::names) && named(false));
   look.show(Overlay::muscles, look.shows(Overlay::muscles) && named(true));
   look.show(Overlay::lumps, look.shows(Overlay::lumps) && !scene.world.lumps.empty());
-  return overlayKey(look);
+  return overlayKey(look, hasDentContours(page, scene));
 }
 
 /// Below the title, down to the scale bar or the chart over it.
@@ -245,7 +259,7 @@ void drawKey(Drawing& page, const LabelScene& scene, const LabelSettings& settin
   const float chart = chartedFinger(scene, settings) != nullptr ? sectionSize(page).y() : 0.0f;
   const float right = scaleOf(scene.look.colouring) ? kColours : kMargin;
   place.room = page.size() - place.corner - Vec2f(right, kScaleBarHeight + chart);
-  const LabelBox covered = drawOverlayKey(page, keyOf(scene), place, inksFor(scene.look));
+  const LabelBox covered = drawOverlayKey(page, keyOf(page, scene), place, inksFor(scene.look));
   if (covered.opposite != covered.corner) taken.push_back(covered);
 }
 

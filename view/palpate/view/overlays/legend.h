@@ -73,9 +73,9 @@ struct KeyEntry {
   std::string words;
 };
 
-/// A row for everything that the look draws over the skin, in the order of the overlays, and one for dents that are
-/// shaded more strongly than light would.
-std::vector<KeyEntry> overlayKey(const Look& look);
+/// A row for everything that the look draws over the skin, in the order of the overlays, one for dents that are
+/// shaded more strongly than light would, and one for the contours of dents where the picture has some.
+std::vector<KeyEntry> overlayKey(const Look& look, bool dent_contours = false);
 
 /// Where the plate may lie, points: rows go down, then to the right; those that find no room are left out.
 struct KeyPlace {

@@ -84,7 +84,7 @@ void drawSign(Drawing& page, const KeyEntry& entry, const Vec2f& corner, float h
 
 }  // namespace
 
-std::vector<KeyEntry> overlayKey(const Look& look) {
+std::vector<KeyEntry> overlayKey(const Look& look, bool dent_contours) {
   std::vector<KeyEntry> entries;
   for (const KeyRow& row : kOverlayKeyRows) {
     if (look.shows(row.overlay)) entries.push_back({row.sign, row.paint, tr(row.words)});
@@ -92,6 +92,7 @@ std::vector<KeyEntry> overlayKey(const Look& look) {
   if (look.colouring == Colouring::plain && look.dent_contrast > 1.0) {
     entries.push_back({Sign::patch, kDentPaint, trf("dent contrast x{:g}", look.dent_contrast)});
   }
+  if (dent_contours) entries.push_back({Sign::line, kDentPaint, tr("dent 0.5, 2.5, 4.5 ... mm deep")});
   return entries;
 }
 

@@ -13,6 +13,7 @@
 #include "palpate/view/layers/finger_layer.h"
 #include "palpate/view/layers/gl_objects.h"
 #include "palpate/view/layers/line_layer.h"
+#include "palpate/view/layers/skin_dents.h"
 #include "palpate/view/layers/skin_layer.h"
 #include "palpate/view/layers/skin_paint.h"
 #include "palpate/view/layers/support_layer.h"
@@ -137,16 +138,16 @@ struct Renderer::Impl {
 
   /// What hides comes first where nothing shines through, so that hidden pixels are never shaded; transparent skin
   /// comes last, over what it covers.
-  void drawBody(const Look& look, const Viewpoint& viewpoint, std::span<const PressMark> marks) {
+  void drawBody(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch) {
     const bool opaque = look.skin_opacity >= 1.0;
-    if (opaque) skin.draw(look, viewpoint, {casters, marks});
+    if (opaque) skin.draw(look, viewpoint, touch);
     drawFingers(look, viewpoint);
     if (!hidesBones(look, viewpoint)) bones.draw(look, viewpoint);
     const float support_opacity = support.opacityFor(look, viewpoint);
     if (support_opacity == 1.0f) support.draw(viewpoint, 1.0f);
     background.draw(look);
     if (!opaque) lines.draw(shown->solid, viewpoint, PatchDepth::solid);
-    if (!opaque) skin.draw(look, viewpoint, {casters, marks});
+    if (!opaque) skin.draw(look, viewpoint, touch);
     if (support_opacity < 1.0f) support.draw(viewpoint, support_opacity);  // seen from below, over the body
     drawHands(look, viewpoint, FingerLayer::Part::fading);
   }
@@ -204,11 +205,12 @@ void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum
   impl_->drawn.lift(viewpoint.lift_mm);
   impl_->poseFingers(frame, seen);
   const auto marks = impl_->blanching.at(frame.time_s, pressesOf(frame, impl_->world->breath));
+  const std::vector<SkinDent> dents = dentsOf(frame.fingers, *impl_->world, frame.lift_mm);
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
   setWinding(frustum);
   impl_->shown = &impl_->overlays->shapes(seen, impl_->drawn, frame.fingers);
-  impl_->drawBody(seen, viewpoint, marks);
+  impl_->drawBody(seen, viewpoint, {impl_->casters, marks, dents});
   impl_->drawOverlays(frame, seen, viewpoint);
   glBindVertexArray(0);
   glFrontFace(GL_CCW);
