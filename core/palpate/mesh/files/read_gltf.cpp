@@ -16,6 +16,7 @@
 #include "palpate/mesh/files/detail/gltf_pose.h"
 #include "palpate/mesh/files/detail/json.h"
 #include "palpate/mesh/files/detail/readers.h"
+#include "palpate/mesh/files/detail/text_reader.h"
 
 namespace palpate::mesh {
 
