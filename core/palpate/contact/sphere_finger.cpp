@@ -33,9 +33,11 @@ constexpr int kMaxAdvances = 32;
 constexpr double kArrived = 1e-5;
 
 /// Whether the skin lies between the centre and the foot. From inside a body the fronts of other parts may be near, but
-/// only through the body.
+/// only through the body. The way begins off the foot: a sheet that lies in its plane is not between.
 bool isHidden(const Surface& surface, const SurfacePoint& foot, const Vec3& centre) {
-  return firstFrontCrossingIf(surface.geometry->tree, foot.position, centre, [&](Index t) {
+  constexpr double kOffTheFoot = 1e-6;
+  const Vec3 begin = foot.position + kOffTheFoot * (centre - foot.position);
+  return firstFrontCrossingIf(surface.geometry->tree, begin, centre, [&](Index t) {
            return !touchesFeature(surface, t, foot);
          }).triangle != kNoIndex;
 }

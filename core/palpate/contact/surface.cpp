@@ -142,8 +142,53 @@ bool anyPlaceTwice(const mesh::TriangleMesh& mesh) {
   return false;
 }
 
-/// Marks what has a vertex in common with an edge that pierces or with a triangle that is pierced: a ring more than
-/// where sheets meet, so that a small sphere fits wherever a walk arrives there.
+/// Whether two triangles in one plane have more in common than their rims.
+bool overlapInPlane(const TriangleRecord& one, const TriangleRecord& other, const Vec3& normal, double rounding) {
+  for (const TriangleRecord* record : {&one, &other}) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 across = (record->corners[(i + 1) % 3] - record->corners[i]).cross(normal).stableNormalized();
+      double low[2], high[2];
+      for (int k = 0; k < 2; ++k) {
+        const auto& [a, b, c] = (k == 0 ? one : other).corners;
+        const double at[3] = {across.dot(a), across.dot(b), across.dot(c)};
+        low[k] = *std::min_element(at, at + 3);
+        high[k] = *std::max_element(at, at + 3);
+      }
+      if (std::min(high[0], high[1]) - std::max(low[0], low[1]) <= rounding) return false;
+    }
+  }
+  return true;
+}
+
+/// Marks the vertices of triangles that lie on each other in one plane, front to front or back to back: the caps of a
+/// fold. They do not pierce, but one of the two is inside out or buried. About 1 us a triangle.
+void markDoubled(const SurfaceGeometry& geometry, std::vector<std::uint8_t>& at_crossing) {
+  constexpr double kInOnePlane = 1e-9;  // of the diagonal: what files round away, and far less than a finger feels
+  const double rounding = kInOnePlane * geometry.tree.diagonal;
+  const auto& records = geometry.tree.records;
+  for (Index t = 0; t < records.size(); ++t) {
+    const auto& [a, b, c] = records[t].corners;
+    const Vec3 normal = mesh::areaVector2(a, b, c).stableNormalized();
+    const auto look_at = [&](Index other) {
+      if (other == t) return;
+      const auto& corners = records[other].corners;
+      if (mesh::areaVector2(corners[0], corners[1], corners[2]).dot(normal) >= 0.0) return;
+      for (const Vec3& p : corners) {
+        if (!(std::abs((p - a).dot(normal)) <= rounding)) return;
+      }
+      if (!overlapInPlane(records[t], records[other], normal, rounding)) return;
+      for (const Index which : {t, other}) {
+        for (const Index vertex : records[which].vertices) at_crossing[vertex] = 1;
+      }
+    };
+    for (int i = 0; i < 3; ++i) {
+      visitTrianglesAlong(geometry.tree, records[t].corners[i], records[t].corners[(i + 1) % 3], look_at);
+    }
+  }
+}
+
+/// Marks what has a vertex in common with an edge that pierces or with a triangle that is pierced, or lies doubled: a
+/// ring more than where sheets meet, so that a small sphere fits wherever a walk arrives there.
 void findEntangled(const mesh::TriangleMesh& mesh, SurfaceGeometry& geometry, const Progress& progress) {
   const mesh::Intersections found = mesh::findIntersections(mesh, progress);
   // What could not be searched to the end is dense with overlaps: everything counts.
@@ -153,6 +198,7 @@ void findEntangled(const mesh::TriangleMesh& mesh, SurfaceGeometry& geometry, co
     for (const Index vertex : mesh.triangles[crossing.triangle]) at_crossing[vertex] = 1;
   }
   if (found.complete && found.crossings.empty()) return;
+  markDoubled(geometry, at_crossing);
   geometry.entangled.reserve(geometry.tree.records.size());
   for (const TriangleRecord& record : geometry.tree.records) {
     const auto [a, b, c] = record.vertices;

@@ -24,8 +24,8 @@ struct SurfaceGeometry {
   std::vector<Vec3> vertex_normals;            ///< unit, weighted by angle: their side test is exact at a vertex
   std::vector<std::uint8_t> vertex_on_border;  ///< 1 where the sheet ends
   bool self_intersecting = false;
-  /// Per record: 1 in and next to the sheets that pierce each other, where a point is felt as a very small sphere
-  /// (docs/explanation/contact.md). Empty where none do.
+  /// Per record: 1 in and next to the sheets that pierce each other or lie doubled in one plane, where a point is felt
+  /// as a very small sphere (docs/explanation/contact.md). Empty where none pierce.
   std::vector<std::uint8_t> entangled;
   bool closed = false;  ///< no border anywhere
   /// Two fans share a vertex's place, or two joints share an edge's: the body touches itself there without piercing, as
