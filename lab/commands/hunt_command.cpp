@@ -39,6 +39,7 @@ struct HuntArguments {
   double unit_mm = 0.0, fit_mm = -1.0;
   std::string group;
   bool generated = false;
+  std::vector<std::string> kinds;
   std::size_t bodies = 0;
   double scale = 1.0;
   std::size_t lumps = 0;
@@ -84,6 +85,7 @@ void addBodyOptions(Command& command, HuntArguments& a) {
             "Scale each file's body to this diagonal; 0: never (default: to 400 mm where it is below 20 mm or "
             "above 10 m)");
   command.add_flag("--generated", a.generated, "Generated bodies too, beside --mesh");
+  command.add_option("--kind", a.kinds, "Generated bodies of this kind alone, repeatable (docs/explanation/hunt.md)");
   addSetting(command, "--bodies", a.bodies, between(0, 1e9), "Generated bodies; 0: one for every 20,000 ticks");
   addSetting(command, "--scale", a.scale, between(1e-6, 1e6),
              "Everything so many times as large: bodies, paths and fingers");
@@ -120,7 +122,8 @@ lab::HuntPlan planOf(const HuntArguments& arguments, const Progress& progress) {
   plan.seed = arguments.seed;
   if (!arguments.radii_mm.empty()) plan.radii_mm = arguments.radii_mm;
   for (const std::string& name : arguments.meshes) plan.meshes.push_back(outsideBody(name, arguments, progress));
-  plan.generated = arguments.generated || arguments.meshes.empty();
+  plan.generated = arguments.generated || arguments.meshes.empty() || !arguments.kinds.empty();
+  plan.kinds = arguments.kinds;
   plan.bodies = arguments.bodies;
   plan.scale = arguments.scale;
   plan.lumps = arguments.lumps;
@@ -214,6 +217,7 @@ Json huntJson(const lab::HuntPlan& plan, const lab::HuntResult& result, const st
   json["wrong_forces"] = ticksOf(result, lab::Fault::wrong_force);
   json["steps_over_bound"] = ticksOf(result, lab::Fault::step);
   json["held_in_air"] = ticksOf(result, lab::Fault::held_in_air);
+  json["held_in_air_open"] = result.held_in_air_open_ticks;
   json["lump_forces"] = ticksOf(result, lab::Fault::lump_force);
   json["lump_steps"] = ticksOf(result, lab::Fault::lump_step);
   json["lumps_moved"] = ticksOf(result, lab::Fault::lump_moved);
@@ -224,6 +228,7 @@ Json huntJson(const lab::HuntPlan& plan, const lab::HuntResult& result, const st
     json["failing_paths"].push_back(failingJson(result.failing[i], files[i]));
   json["paths"] = result.paths;
   json["touching_ticks"] = result.touching_ticks;
+  json["open_ticks"] = result.open_ticks;
   json["seed"] = plan.seed;
   json["scale"] = plan.scale;
   json["lumps"] = plan.lumps;
@@ -242,7 +247,8 @@ std::string huntText(const lab::HuntResult& result, const std::vector<std::strin
   text += fmt::format("missed contacts   {}\n", ticksOf(result, lab::Fault::missed_contact));
   text += fmt::format("wrong forces      {}\n", ticksOf(result, lab::Fault::wrong_force));
   text += fmt::format("steps over bound  {}\n", ticksOf(result, lab::Fault::step));
-  text += fmt::format("held in air       {}\n", ticksOf(result, lab::Fault::held_in_air));
+  text += fmt::format("held in air       {} ({} on bodies with a border)\n", ticksOf(result, lab::Fault::held_in_air),
+                      result.held_in_air_open_ticks);
   text += fmt::format("lumps             {} wrong forces, {} steps over the bound, {} wrong motions\n",
                       ticksOf(result, lab::Fault::lump_force), ticksOf(result, lab::Fault::lump_step),
                       ticksOf(result, lab::Fault::lump_moved));

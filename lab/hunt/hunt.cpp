@@ -4,6 +4,7 @@
 #include "lab/hunt/hunt.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
@@ -48,15 +49,19 @@ struct JobResult {
 
 std::string bodyName(const HuntPlan& plan, std::size_t body) {
   if (body < plan.meshes.size()) return plan.meshes[body].name;
-  const std::vector<std::string> kinds = huntedBodyKinds();
+  const std::vector<std::string> kinds = plan.kinds.empty() ? huntedBodyKinds() : plan.kinds;
   const std::size_t k = body - plan.meshes.size();
   // Neighbours differ, and so do the first kinds of different seeds: 17 is prime to the number of kinds.
   return fmt::format("{}#{}", kinds[(17 * k + plan.seed % kinds.size()) % kinds.size()], mixed(plan.seed, k, 1));
 }
 
-void addPath(const FailingPath& path, const HuntReport& report, HuntResult& sum) {
+void addPath(const FailingPath& path, const HuntReport& report, bool closed, HuntResult& sum) {
   ++sum.paths;
   sum.ticks += report.ticks;
+  if (!closed) {
+    sum.open_ticks += report.ticks;
+    sum.held_in_air_open_ticks += report.of(Fault::held_in_air).ticks;
+  }
   sum.touching_ticks += report.touching_ticks;
   sum.held_through_ticks += report.held_through_ticks;
   sum.events += report.events;
@@ -72,6 +77,8 @@ void addPath(const FailingPath& path, const HuntReport& report, HuntResult& sum)
 
 void addAll(const HuntResult& more, HuntResult& sum) {
   sum.ticks += more.ticks;
+  sum.open_ticks += more.open_ticks;
+  sum.held_in_air_open_ticks += more.held_in_air_open_ticks;
   sum.touching_ticks += more.touching_ticks;
   sum.held_through_ticks += more.held_through_ticks;
   sum.events += more.events;
@@ -160,7 +167,8 @@ class Hunt {
       std::vector<Vec3> tips = huntedTips(world.body, now.seed, now.radius_mm, plan_.scale);
       tips.resize(std::min(tips.size(), job.ticks - sum.ticks));
       now.ticks = tips.size();
-      addPath(now, huntAlong(world, huntedFinger(now.radius_mm, plan_.scale), tips), sum);
+      const HuntReport report_of_path = huntAlong(world, huntedFinger(now.radius_mm, plan_.scale), tips);
+      addPath(now, report_of_path, world.body.closed(), sum);
       done_ += tips.size();
       report(progress);
     }
@@ -189,6 +197,11 @@ class Hunt {
 void check(const HuntPlan& plan) {
   if (plan.meshes.empty() && !plan.generated) throw Error("a hunt needs a body");
   if (plan.radii_mm.empty()) throw Error("a hunt needs a radius");
+  const std::vector<std::string> kinds = huntedBodyKinds();
+  for (const std::string& kind : plan.kinds) {
+    if (std::ranges::find(kinds, kind) == kinds.end())
+      throw Error(fmt::format("no kind of hunted body is called '{}'; there are {}", kind, fmt::join(kinds, ", ")));
+  }
   if (plan.ticks == 0 && !plan.seconds) throw Error("a hunt needs a tick");
   if (!(plan.scale > 0.0) || !std::isfinite(plan.scale)) throw Error("the scale must be above 0");
   if (plan.lumps > contact::kMaxLumps) throw Error("a body has no room for so many lumps");

@@ -27,11 +27,12 @@ struct HuntPlan {
   std::uint64_t seed = 1;
   std::vector<double> radii_mm{0.0, 0.5, 2.0, 5.0, 8.0};
   std::vector<NamedBody> meshes;
-  bool generated = true;    ///< bodies of hunted_bodies.h
-  std::size_t bodies = 0;   ///< generated ones; 0: one for every 20,000 ticks
-  double scale = 1.0;       ///< a millimetre is so many units
-  std::size_t lumps = 0;    ///< under the skin of each body, felt by two fingers; at scale 1 only
-  std::size_t threads = 0;  ///< 0: as many as there are processors
+  bool generated = true;           ///< bodies of hunted_bodies.h
+  std::vector<std::string> kinds;  ///< of them alone; none: all kinds
+  std::size_t bodies = 0;          ///< generated ones; 0: one for every 20,000 ticks
+  double scale = 1.0;              ///< a millimetre is so many units
+  std::size_t lumps = 0;           ///< under the skin of each body, felt by two fingers; at scale 1 only
+  std::size_t threads = 0;         ///< 0: as many as there are processors
   /// Asked before every path, by any thread: ends the hunt with what it has. May be empty.
   std::function<bool()> stop;
 };
@@ -48,6 +49,8 @@ struct FailingPath {
 
 struct HuntResult {
   std::size_t ticks = 0, touching_ticks = 0, held_through_ticks = 0, events = 0, paths = 0;
+  std::size_t open_ticks = 0;              ///< of `ticks`, on bodies that have a border
+  std::size_t held_in_air_open_ticks = 0;  ///< of those of Fault::held_in_air, the ticks on such bodies
   std::size_t bodies = 0;
   std::array<std::size_t, kFaults> fault_ticks{};
   std::vector<FailingPath> failing;

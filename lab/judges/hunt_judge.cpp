@@ -28,6 +28,10 @@ constexpr double kProxyAndTip = 3.0;
 constexpr double kOffTheProxy = 1e-6;
 /// Beside a border a force fades and a finger may be let go: within this share of the diagonal nothing is said.
 constexpr double kBorderShare = 0.02;
+/// Far from its openings the winding number of an open body is a whole number but for their solid angle: up to here.
+constexpr double kSurelyWhole = 0.1;
+/// Half of all directions lead out of an opening from its plane, fewer from beyond it.
+constexpr double kBeyondAnOpening = 0.5;
 
 bool touches(const contact::FingerOutput& o) { return o.touch != contact::Touch::free; }
 
@@ -97,7 +101,7 @@ void HuntJudge::add(const contact::FingerOutput& o) {
   if (isEvent(o.status)) {
     ++report_.events;
   } else {
-    if (first_ && body_.closed()) let_be_ = body_.inside(o.tip);
+    if (first_) let_be_ = body_.inside(o.tip);
     if (!first_) judgeStep(o);
     if (touches(o)) {
       ++report_.touching_ticks;
@@ -206,11 +210,10 @@ void HuntJudge::judgeAfloat(const contact::FingerOutput& o) {
 /// itself, and what is let go farther from any border than the proxy can go in this tick, is a fault. A proxy that was
 /// on its way, or a sphere beyond the border, may have gone through the opening already.
 void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
-  const double moved = (o.tip - tip_ball_.centre).norm();
-  if (moved + settings_.radius_mm < tip_ball_.radius && !tip_ball_.inside && past_ == Past::outside) return;
   const double distance = body_.nearest(o.tip).distance;
   if (distance <= body_.tolerance()) return;
-  const bool inside = insideBall(o.tip, distance, tip_ball_);
+  const bool inside = body_.inside(o.tip);  // it may become so with no surface on the way
+  if (inside && let_be_) return;
   const bool let_go = inside && wasHeldFarFromBorder(o.tip);
   // A sphere that is inside already is there by the opening, and its tip may join it by any way.
   const std::optional<Vec3> was_afloat = std::exchange(last_afloat_, std::nullopt);
@@ -221,10 +224,16 @@ void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   if (!inside) {
     judgeOverlapBesideBorder(o, distance);
     past_ = Past::outside;
+    let_be_ = body_.winding(o.tip) > kBeyondAnOpening;  // in doubt: in the opening, or past it already
     return;
   }
-  past_ = came_through || let_go || past_ == Past::fallen ? Past::fallen : Past::unknown;
-  if (past_ == Past::fallen) found(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
+  if (came_through || let_go || past_ == Past::fallen) {
+    past_ = Past::fallen;
+    found(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
+    return;
+  }
+  past_ = Past::unknown;
+  let_be_ = true;  // it came in by an opening
 }
 
 void HuntJudge::judgeOverlapBesideBorder(const contact::FingerOutput& o, double distance) {
@@ -241,7 +250,7 @@ void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
     if (depth > body_.tolerance() && body_.inside(o.tip))
       found(Fault::missed_contact, "depth of a tip that came in without force, mm", depth, 0.0);
   }
-  if (let_be_ && !isOnItsWay(o.status) && !body_.inside(o.tip)) let_be_ = false;
+  if (let_be_ && !isOnItsWay(o.status) && body_.winding(o.tip) <= kBeyondAnOpening) let_be_ = false;
   const bool is_finite = std::isfinite(o.force.sum() + o.proxy.sum() + o.normal.sum() + o.depth_mm);
   if (is_finite && !body_.closed()) judgeAfloat(o);
   past_ = Past::held;
@@ -250,7 +259,7 @@ void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
     return;
   }
   if (isOnItsWay(o.status)) return;
-  if (body_.closed() && has_force && !let_be_) judgeHeldInAir(o);
+  if (has_force && !let_be_) judgeHeldInAir(o);
   judgeForce(o);
   if (settings_.radius_mm > 0.0) {
     judgeSphere(o);
@@ -272,11 +281,23 @@ bool HuntJudge::isSkinBetween(const Vec3& from, const Vec3& to) const {
   return false;
 }
 
+/// Of an embedded body the nearest skin tells, if it is not that of a part within; where sheets pierce each other the
+/// winding number.
+bool HuntJudge::isOutFarFromBorders(const contact::FingerOutput& o) {
+  const Vec3 centre = o.proxy + settings_.radius_mm * o.normal;
+  const double reach = (centre - o.tip).norm() + settings_.radius_mm;
+  if (body_.slow().distanceToBorder(o.tip) <= reach) return false;
+  if (body_.selfIntersecting()) return std::abs(body_.winding(o.tip)) < kSurelyWhole;
+  const NearestPoint nearest = body_.slow().nearestTo(o.tip);
+  return nearest.pseudo_normal.dot(o.tip - nearest.point) > body_.tolerance() &&
+         body_.winding(o.tip) < kBeyondAnOpening;
+}
+
 void HuntJudge::judgeHeldInAir(const contact::FingerOutput& o) {
   const double clear = body_.nearest(o.tip).distance;
   const double rounding = body_.selfIntersecting() ? kTinySphereShare * body_.diagonal() : 10.0 * body_.tolerance();
   if (clear <= std::max(settings_.radius_mm, rounding)) return;
-  if (insideBall(o.tip, clear, tip_ball_)) return;
+  if (body_.closed() ? insideBall(o.tip, clear, tip_ball_) : !isOutFarFromBorders(o)) return;
   if (isSkinBetween(o.proxy + kOffTheProxy * (o.tip - o.proxy), o.tip)) {
     ++report_.held_through_ticks;
   } else {

@@ -209,7 +209,8 @@ class HuntJudge {
   std::optional<Vec3> afloatAt(const contact::FingerOutput& o) const;
   void judgeAfloat(const contact::FingerOutput& o);
   void judgeTouching(const contact::FingerOutput& o);
-  /// Closed bodies only: an open one has no outside that a winding number tells.
+  /// Of an open body only where every border is farther from the tip than its lag and its radius.
+  bool isOutFarFromBorders(const contact::FingerOutput& o);
   void judgeHeldInAir(const contact::FingerOutput& o);
   bool isSkinBetween(const Vec3& from, const Vec3& to) const;
   void judgeForce(const contact::FingerOutput& o);
@@ -224,8 +225,9 @@ class HuntJudge {
   contact::FingerSettings settings_;
   double stiffness_, force_tolerance_;
   std::size_t tick_ = 0;
-  bool first_ = true, let_be_ = false;  ///< inside from the start
-  std::optional<Vec3> last_afloat_;     ///< a sphere's centre beyond a border, over the sheet continued flat
+  bool first_ = true;
+  bool let_be_ = false;              ///< inside from the start, or by an opening
+  std::optional<Vec3> last_afloat_;  ///< a sphere's centre beyond a border, over the sheet continued flat
   Past past_ = Past::unknown;
   Vec3 last_tip_ = Vec3::Zero(), last_force_ = Vec3::Zero(), last_proxy_ = Vec3::Zero();
   std::uint32_t last_status_ = 0;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -260,12 +261,99 @@ mesh::TriangleMesh insideOutOpen(Random& random) {
   return mesh;
 }
 
+/// Takes away what lies beyond a plane near one end: an opening that is far from most of the body.
+mesh::TriangleMesh openAtOneEnd(mesh::TriangleMesh mesh, Random& random) {
+  const Vec3 axis = random.below(2) == 0 ? anyDirection(random) : Vec3(Vec3::Unit(static_cast<int>(random.below(3))));
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Vec3& p : mesh.positions) low = std::min(low, p.dot(axis)), high = std::max(high, p.dot(axis));
+  const double cut = high - random.uniform(0.03, 0.2) * (high - low);
+  std::erase_if(mesh.triangles, [&](const Triangle& t) { return mesh::centreOf(mesh, t).dot(axis) > cut; });
+  return mesh;
+}
+
+/// What a scan is: a whole body but for one cut, a hand at the wrist. Half of them have gaps that a finger is pressed
+/// through.
+mesh::TriangleMesh farHole(Random& random) {
+  constexpr std::array kWithGaps{"comb", "fingers", "crossing_crevices", "plates", "limbs"};
+  const std::size_t pick = random.below(2 * kWithGaps.size());
+  mesh::TriangleMesh mesh = pick < kWithGaps.size() ? huntedShape(kWithGaps[pick], random) : someShape(random);
+  if (random.below(3) == 0) shake(mesh, std::pow(10.0, random.uniform(-2.5, -0.5)), random);
+  return openAtOneEnd(std::move(mesh), random);
+}
+
+mesh::TriangleMesh farHoleOfParts(Random& random) {
+  return openAtOneEnd(random.below(2) == 0 ? parts(random, 4, 30, 35) : limbThroughBody(random), random);
+}
+
+/// A band drawn along a bend that is tighter than the band is wide, and made a body: on the inner side its two flat
+/// caps lie doubled in their planes, one of the sheets inside out.
+mesh::TriangleMesh doubledCaps(Random& random) {
+  const double half = random.uniform(6, 18), thickness = random.uniform(5, 60), bend = random.uniform(0.2, 1.2) * half,
+               turn = random.uniform(0.8, 4.5);
+  const auto columns = static_cast<Index>(16 + random.below(40)), rows = static_cast<Index>(1 + random.below(12));
+  mesh::TriangleMesh mesh;
+  const auto ring = 2 * (rows + 1);
+  for (Index i = 0; i <= columns; ++i) {
+    const double along = (static_cast<double>(i) / columns - 0.5) * 2.0;  // of it the middle half is the bend
+    const double angle = turn * std::clamp(along, -0.5, 0.5);
+    const Vec3 out(std::sin(angle), std::cos(angle), 0.0);
+    const double straight = 80.0 * (along - std::clamp(along, -0.5, 0.5));
+    const Vec3 middle = bend * out + straight * Vec3(std::cos(angle), -std::sin(angle), 0.0);
+    for (Index j = 0; j < ring; ++j) {
+      const Index row = j <= rows ? j : ring - 1 - j;
+      const double up = thickness * row / rows;
+      mesh.positions.push_back(middle + (j <= rows ? half : -half) * out + up * Vec3::UnitZ());
+    }
+  }
+  const auto at = [&](Index i, Index j) { return i * ring + j % ring; };
+  for (Index i = 0; i < columns; ++i) {
+    for (Index j = 0; j < ring; ++j) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  for (Index j = 0; j < rows; ++j) {
+    for (const Index end : {Index{0}, columns}) {
+      Triangle one{at(end, j), at(end, j + 1), at(end, ring - 2 - j)};
+      Triangle other{at(end, j), at(end, ring - 2 - j), at(end, ring - 1 - j)};
+      if (end != 0) std::swap(one[1], one[2]), std::swap(other[1], other[2]);
+      mesh.triangles.push_back(one);
+      mesh.triangles.push_back(other);
+    }
+  }
+  return mesh;
+}
+
+/// Plates side by side with a crack between them, straight or jagged, that is a real one: wider than repair joins.
+mesh::TriangleMesh cracks(Random& random) {
+  const double gap = std::pow(10.0, random.uniform(-1.8, -0.5));
+  const double jag = random.below(2) == 0 ? 0.0 : random.uniform(0.1, 3.0);
+  constexpr int kCells = 16;
+  mesh::TriangleMesh left = plateMesh(60, 25, kCells);
+  for (Vec3& p : left.positions) {
+    const double side = std::max(0.0, p.x() - 30.0) / 30.0;
+    p.x() += side * jag * std::sin(1.7 * p.y());
+  }
+  mesh::TriangleMesh right = left;
+  for (Vec3& p : right.positions) p.x() = 120.0 + gap - p.x();
+  for (Triangle& t : right.triangles) std::swap(t[1], t[2]);
+  if (jag > 0.0) {  // the right one's edge runs along with the left one's
+    for (Vec3& p : right.positions) {
+      const double side = std::max(0.0, 90.0 + gap - p.x()) / 30.0;
+      p.x() += 2.0 * side * jag * std::sin(1.7 * p.y());
+    }
+  }
+  mesh::append(right, left);
+  return left;
+}
+
 struct BodyKind {
   const char* name;
   mesh::TriangleMesh (*make)(Random& random);
 };
 
-constexpr std::array<BodyKind, 24> kMade{{
+constexpr std::array<BodyKind, 28> kMade{{
     {"leaf", leaf},
     {"coarse", coarse},
     {"slivers", slivers},
@@ -295,6 +383,10 @@ constexpr std::array<BodyKind, 24> kMade{{
     {"hairline_parts", hairlineParts},
     {"thin_parts", thinParts},
     {"inside_out_open", insideOutOpen},
+    {"far_hole", farHole},
+    {"far_hole_of_parts", farHoleOfParts},
+    {"doubled_caps", doubledCaps},
+    {"cracks", cracks},
 }};
 
 }  // namespace

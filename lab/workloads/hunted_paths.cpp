@@ -328,12 +328,31 @@ void burrow(PathWriter& w) {
   }
 }
 
+/// Through a gap that is about as wide as the finger, between fingers or the teeth of a comb, and back or not.
+void gap(PathWriter& w) {
+  w.start(height(w));
+  const double widest = 2.2 * std::max(w.radius, w.mm);
+  for (int i = 0; i < 60; ++i) {
+    const SkinSpot place = w.anyPlace();
+    const BoxTree::Crossing wall =
+        w.body.tree().crossing(place.point + 1e-3 * widest * place.normal, place.point + widest * place.normal);
+    if (!wall.entry) continue;
+    const Vec3 middle = 0.5 * (place.point + *wall.entry);
+    const Vec3 way = w.mm * w.random.uniform(5, 50) * w.tangent(place.normal);
+    if (!w.isClear(middle - way) || !w.isClear(middle + way) || w.body.inside(middle - way)) continue;
+    w.go(middle - way, kLongestJumpMm * w.mm);
+    w.go(middle + way, w.anySpeed());
+    if (w.random.below(2) == 0) w.go(middle - way, w.anySpeed());
+    return;
+  }
+}
+
 struct PathKind {
   const char* name;
   void (*write)(PathWriter& w);
 };
 
-constexpr std::array<PathKind, 15> kPathKinds{{{"press", press},
+constexpr std::array<PathKind, 16> kPathKinds{{{"press", press},
                                                {"drag", drag},
                                                {"stab", stab},
                                                {"jump", jump},
@@ -347,7 +366,8 @@ constexpr std::array<PathKind, 15> kPathKinds{{{"press", press},
                                                {"exact", exact},
                                                {"graze", graze},
                                                {"burrow", burrow},
-                                               {"slow", slow}}};
+                                               {"slow", slow},
+                                               {"gap", gap}}};
 
 /// Of one path in four: a device's noise, microns.
 void addNoise(std::vector<Vec3>& tips, double mm, Random& random) {

@@ -100,7 +100,9 @@ struct FingerState {
   bool knows_tip = false;  ///< false until the first usable tip
   bool touching = false;
   bool slipping = false;
-  bool from_inside = false;    ///< the session began inside of overlapping parts, and nothing was felt since
+  /// The session began inside of overlapping parts, and nothing was felt since. Of an open body: the finger was inside
+  /// when it last landed.
+  bool from_inside = false;
   Vec3 tip = Vec3::Zero();     ///< of the last usable tick
   SurfacePoint proxy;          ///< point: P. Sphere: where it touches
   SurfacePoint anchor;         ///< on the skin

@@ -26,7 +26,7 @@ FingerOutput tickBy(const Surface& surface, const FingerSettings& settings, Fing
   state.knows_tip = true;
   state.tip = tip;
   if (press.touching) {
-    state.from_inside = false;
+    if (surface.geometry->closed) state.from_inside = false;
     prefetchNeighbours(surface, state.proxy.triangle, state.proxy.triangle != triangle_before);
   }
   return feltOutput(surface, settings, press, tip, tip_moved_mm, state, lumps);

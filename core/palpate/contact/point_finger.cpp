@@ -136,6 +136,7 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
   if (!state.touching) {
     const tree::Crossing entry = tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip);
     if (entry.triangle == kNoIndex) return {};
+    noteWhereItComesFrom(surface, state);
     land(entry, state);
   }
   const double path = pathBound(settings, (tip - state.tip).norm());
@@ -154,7 +155,7 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
         return {};
       }
     }
-    if (!leaves && boundsTwoSectors(surface, state.proxy) && isInAir(surface, state.proxy.position, tip)) {
+    if (!leaves && boundsTwoSectors(surface, state.proxy) && isInAir(surface, state.proxy.position, tip, lag)) {
       state.touching = false;
       return {};
     }
@@ -165,7 +166,7 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
       if (!(press.status & kAtBorder) || press.felt_depth_mm > 0.0) return press;
     }
     if (landsElsewhere(surface, tip, state)) continue;
-    if (!isInside(surface, tip)) return {};
+    if (!isInside(surface, state, tip, lag + path)) return {};
     holdInside(surface, tip, path, state);
     return pressAt(surface, settings, state.proxy, tip);
   }

@@ -1,6 +1,8 @@
 // The winding number names its sources.
 #include "palpate/contact/sides.h"
 
+#include <cmath>
+
 #include "palpate/contact/press.h"
 #include "palpate/contact/surface_walk.h"
 #include "palpate/tree/triangle_tree.h"
@@ -15,37 +17,64 @@ constexpr double kSurelyOutside = 0.25;
 constexpr double kInside = 0.5;
 constexpr double kSurelyInside = 0.9;
 
+/// Far from its borders an open body's winding number is whole but for the solid angle of its openings, as a share of
+/// all directions. Above this, of which a third may be the number's own 0.05, it may be the side of a sheet.
+constexpr double kSurelyNoSheet = 0.15;
+
 /// The way from a place of the skin begins this share of it off the place, so that the place itself is no obstacle.
 constexpr double kOffThePlace = 1e-6;
 
-}  // namespace
+/// Inside an open body beyond doubt: the openings take less than a quarter of all directions. From the plane of an
+/// opening on they take a half.
+constexpr double kInsideThoughOpen = 0.75;
+constexpr double kPastAnOpening = 0.5;
 
-bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept {
-  if (!(tree::windingNumber(surface.geometry->tree, tip) < kSurelyOutside)) return false;
-  if (surface.geometry->closed) return true;
-  const tree::NearestPoint nearest = nearestPoint(surface.geometry->tree, tip, lag);
-  if (nearest.triangle == kNoIndex) return false;
-  const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
-  return !onBorder(surface, place) && inFrontOf(surface, place, tip);
+/// Looks at every triangle within reach: 10 us on a dense mesh.
+bool isFarFromBorders(const Surface& surface, const Vec3& tip, double reach) {
+  const auto is_border = [&](Index triangle, const tree::ClosestOnTriangle& closest) {
+    return onBorder(surface, {closest.point, triangle, closest.feature});
+  };
+  return nearestPointIf(surface.geometry->tree, tip, reach, is_border).triangle == kNoIndex;
 }
 
-bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip) noexcept {
+}  // namespace
+
+bool isOutside(const Surface& surface, const Vec3& tip, double reach) noexcept {
+  const SurfaceGeometry& geometry = *surface.geometry;
+  const double turns = tree::windingNumber(geometry.tree, tip);
+  if (!(turns < (geometry.closed || geometry.self_intersecting ? kSurelyOutside : kPastAnOpening))) return false;
+  if (geometry.closed) return true;
+  const tree::NearestPoint nearest = nearestPoint(geometry.tree, tip, (1.0 + kOffThePlace) * reach);
+  if (nearest.triangle == kNoIndex) return true;  // afloat beyond a border: the finger stands on nothing
+  const SurfacePoint place{nearest.closest.point, nearest.triangle, nearest.closest.feature};
+  if (onBorder(surface, place)) return false;
+  if (inFrontOf(surface, place, tip)) return true;
+  return geometry.self_intersecting && std::abs(turns) < kSurelyNoSheet && isFarFromBorders(surface, tip, reach);
+}
+
+bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip, double reach) noexcept {
   const Vec3 way = tip - place;
-  const double lag = way.norm();
-  if (!(kOffThePlace * lag > releaseSlack(surface))) return false;
+  if (!(kOffThePlace * way.norm() > releaseSlack(surface))) return false;
   const Vec3 begin = place + kOffThePlace * way;
   return tree::firstFrontCrossing(surface.geometry->tree, begin, tip).triangle == kNoIndex &&
          tree::firstFrontCrossing(surface.geometry->tree, tip, begin).triangle == kNoIndex &&
-         isOutside(surface, tip, lag);
+         isOutside(surface, tip, reach);
 }
 
-bool isInside(const Surface& surface, const Vec3& tip) noexcept {
-  return surface.geometry->closed && tree::windingNumber(surface.geometry->tree, tip) > kInside;
+bool isInside(const Surface& surface, const FingerState& state, const Vec3& tip, double reach) noexcept {
+  if (surface.geometry->closed) return tree::windingNumber(surface.geometry->tree, tip) > kInside;
+  return !state.from_inside && tree::windingNumber(surface.geometry->tree, tip) > kInsideThoughOpen &&
+         isFarFromBorders(surface, tip, reach);
 }
 
 bool isBuried(const Surface& surface, const Vec3& place) noexcept {
   return surface.geometry->self_intersecting && surface.geometry->closed &&
          tree::windingNumber(surface.geometry->tree, place) > kSurelyInside;
+}
+
+void noteWhereItComesFrom(const Surface& surface, FingerState& state) noexcept {
+  if (surface.geometry->closed) return;
+  state.from_inside = tree::windingNumber(surface.geometry->tree, state.tip) > kPastAnOpening;
 }
 
 }  // namespace palpate::contact

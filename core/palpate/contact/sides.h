@@ -7,14 +7,16 @@
 
 namespace palpate::contact {
 
-/// Whether a tip whose proxy is `lag` mm away, too deep to be felt, is out of the body. A closed surface tells by its
-/// winding number, of parts that overlap too. Of a body with holes, or a sheet, that tells less: there the tip has to
-/// be in front of the nearest place besides, and that must not be the border. About 1 us (tree/triangle_tree.h).
-bool isOutside(const Surface& surface, const Vec3& tip, double lag) noexcept;
+/// Whether a tip is out of the body, whose finger stands on skin nearer than `reach` to it. A closed surface tells by
+/// its winding number, of parts that overlap too. Of a body with holes, or a sheet, that tells less: there the tip has
+/// to be in front of the nearest place besides, and that must not be the border. Where that place is next to sheets
+/// that pierce each other, it may be the back of a fold: then the winding number alone, where every border is farther
+/// than `reach`. About 1 us (tree/triangle_tree.h), at a fold some more.
+bool isOutside(const Surface& surface, const Vec3& tip, double reach) noexcept;
 
 /// Whether a tip that is held at `place` is in free air with nothing between: it is out of the body, and the straight
-/// way to the place meets no skin. False within rounding of the place.
-bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip) noexcept;
+/// way to the place meets no skin. False within rounding of the place. `reach`: as isOutside has it.
+bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip, double reach) noexcept;
 
 /// Whether that has to be asked of a proxy on the skin: only where the body touches itself. At the edge of two boxes
 /// that share it the skin bounds two empty sectors, and the proxy may be in the one while the tip came out into the
@@ -23,12 +25,17 @@ inline bool boundsTwoSectors(const Surface& surface, const SurfacePoint& place) 
   return surface.geometry->touches_itself && place.feature != tree::Feature::face;
 }
 
-/// Whether a tip that is about to be let go is inside a closed body. False for an open sheet.
-bool isInside(const Surface& surface, const Vec3& tip) noexcept;
+/// Whether a tip that is about to be let go is inside the body and must not be: of an open one only where the finger
+/// came from outside and every border is farther than `reach`, so that it cannot have come in by an opening.
+bool isInside(const Surface& surface, const FingerState& state, const Vec3& tip, double reach) noexcept;
 
 /// Whether a place in front of one sheet is inside a body: sheets that pierce each other are buried in part, and a tip
-/// that starts a session inside must not be held by them. False for all other surfaces, and on the surface itself
-/// mostly; who has been outside knows better and does not ask.
+/// that starts a session inside must not be held by them. False for all other surfaces, open ones among them, and on
+/// the surface itself mostly; who has been outside knows better and does not ask.
 bool isBuried(const Surface& surface, const Vec3& place) noexcept;
+
+/// Before a free finger lands on an open body: whether it is inside, where it came in by an opening or began. Then it
+/// may be free inside after the contact as well. A closed body has no way in.
+void noteWhereItComesFrom(const Surface& surface, FingerState& state) noexcept;
 
 }  // namespace palpate::contact

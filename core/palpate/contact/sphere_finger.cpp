@@ -99,6 +99,7 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
     foot = nearestFront(surface, centre, kUnbounded);
   }
   if (foot.triangle == kNoIndex || (state.from_inside && isBuried(surface, centre))) return false;
+  noteWhereItComesFrom(surface, state);
   state.touching = true;
   state.slipping = false;
   state.fits = false;  // to be seen
@@ -210,13 +211,13 @@ Press pressWith(const FingerSettings& settings, const SphereTask& task, const Mo
 /// ordinary place the tip is behind the skin, and nothing has to be asked.
 bool isHeldInAir(const SphereTask& task, const Move& move, const Vec3& proxy) noexcept {
   const Surface& surface = task.surface;
-  if (boundsTwoSectors(surface, move.under_tip) && isInAir(surface, move.under_tip.position, task.tip)) return true;
-  // Through an opening the winding number does not tell inside from outside: an open body holds on until it is too
-  // deep.
-  if (!surface.geometry->closed || (task.tip - move.foot.position).norm() < task.radius) return false;
+  const double reach = (move.centre - task.tip).norm() + task.radius;  // the feet are nearer
+  const auto is_in_air = [&](const Vec3& place) { return isInAir(surface, place, task.tip, reach); };
+  if (boundsTwoSectors(surface, move.under_tip) && is_in_air(move.under_tip.position)) return true;
+  if ((task.tip - move.foot.position).norm() < task.radius) return false;
   const bool ordinary = surface.geometry->entangled.empty() || surface.geometry->entangled[move.foot.triangle] == 0;
-  if (move.on_one_place && ordinary) return false;
-  return isInAir(surface, proxy, task.tip);
+  if (move.on_one_place && ordinary && !onBorder(surface, move.foot)) return false;
+  return is_in_air(proxy);
 }
 
 /// A tip that is inside although nothing holds its sphere: between sheets that pierce each other a way may be missed.
@@ -228,7 +229,18 @@ Press heldByNearest(const Surface& surface, const FingerSettings& settings, doub
   const Vec3 normal = normalAt(surface, state.proxy);
   state.centre = state.proxy.position + radius * normal;
   state.fits = false;
-  return pressTowards(surface, settings, state.proxy.position, state.proxy, tip);
+  Press press = pressTowards(surface, settings, state.proxy.position, state.proxy, tip);
+  press.status = kStartedInside;  // other skin may be nearer than the radius there
+  return press;
+}
+
+/// Whether a tip that its sphere has reached is inside, though it came from outside and by no opening: only between
+/// sheets that pierce each other.
+bool hasFallenIn(const SphereTask& task, const Move& move, const FingerState& state) {
+  const SurfaceGeometry& geometry = *task.surface.geometry;
+  if (geometry.closed) return !state.from_inside && isBuried(task.surface, task.tip);
+  return geometry.self_intersecting && !onBorder(task.surface, move.foot) &&
+         isInside(task.surface, state, task.tip, task.radius + task.path);
 }
 
 /// What ends a contact.
@@ -246,13 +258,14 @@ Ending pressOnce(const Surface& surface, const FingerSettings& settings, double 
   state.centre = move.centre;
   state.fits = (move.status & kStartedInside) == 0;
   if (lag <= directionlessDepth(surface) && state.fits) {
-    if (state.from_inside || !isBuried(surface, tip)) return Ending::reached;
+    if (!hasFallenIn(task, move, state)) return Ending::reached;
     press = heldByNearest(surface, settings, radius, tip, state);
     return Ending::none;
   }
   press = pressWith(settings, task, move, state);
   if ((press.status & kAtBorder) != 0 && press.felt_depth_mm <= 0.0) return Ending::at_border;
-  const bool away = too_deep ? isOutside(surface, tip, lag) : state.fits && isHeldInAir(task, move, press.proxy);
+  const bool away =
+      too_deep ? isOutside(surface, tip, lag + radius) : state.fits && isHeldInAir(task, move, press.proxy);
   return away && !overlapsFront(surface, tip, radius, nearby) ? Ending::in_air : Ending::none;
 }
 

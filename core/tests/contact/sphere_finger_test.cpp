@@ -15,6 +15,66 @@ FingerSettings slick(double radius_mm) {
   return settings;
 }
 
+/// A palm from x = 0 to 40 with fingers to x = 100, 20 mm thick; `sides` are the two sides in y of each finger in turn.
+/// The wrist at x = 0 is closed or cut.
+mesh::TriangleMesh handOf(const std::vector<double>& sides, bool is_cut) {
+  mesh::TriangleMesh mesh;
+  const auto add_face = [&](const Vec3& corner, const Vec3& u, const Vec3& v) {  // seen from u x v
+    const auto first = static_cast<Index>(mesh.positions.size());
+    for (const Vec3& p : {corner, Vec3(corner + u), Vec3(corner + u + v), Vec3(corner + v)})
+      mesh.positions.push_back(p);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+  };
+  const Vec3 up(0, 0, 20);
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const bool is_finger = i % 2 == 0;
+    const Vec3 wide(0, sides[i + 1] - sides[i], 0);
+    const auto add_slab = [&](double from, double to) {
+      const Vec3 corner(from, sides[i], 0), along(to - from, 0, 0);
+      add_face(corner + up, along, wide);
+      add_face(corner, wide, along);
+    };
+    add_slab(0, 40);
+    if (is_finger) add_slab(40, 100);
+    if (!is_cut) add_face({0, sides[i], 0}, up, wide);
+    add_face({is_finger ? 100.0 : 40.0, sides[i], 0}, wide, up);
+  }
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const bool begins = i % 2 == 0;
+    const double from = i == 0 || i + 1 == sides.size() ? 0.0 : 40.0;
+    const auto add_wall = [&](double x, double length) {
+      const Vec3 corner(x, sides[i], 0), along(length, 0, 0);
+      begins ? add_face(corner, along, up) : add_face(corner, up, along);
+    };
+    add_wall(40, 60);
+    if (from == 0.0) add_wall(0, 40);
+  }
+  return mesh;
+}
+
+/// Presses an 8 mm finger through every gap of the closed and of the cut hand and out below: the cut, 80 mm away,
+/// changes nothing.
+void expectTheSameOfACutHand(const std::vector<double>& sides) {
+  const Surface whole = surfaceOf(handOf(sides, false)), cut = surfaceOf(handOf(sides, true));
+  ASSERT_TRUE(whole.geometry->closed);
+  ASSERT_FALSE(cut.geometry->closed);
+  for (std::size_t gap = 1; gap + 2 < sides.size(); gap += 2) {
+    const double y = 0.5 * (sides[gap] + sides[gap + 1]) + 0.1;
+    FingerTrack of_whole(whole, sphereOf(8.0)), of_cut(cut, sphereOf(8.0));
+    double most = 0.0, below = 0.0;
+    for (int tick = 0; tick < 400; ++tick) {
+      const Vec3 tip(80, y, 31 - 0.15 * tick);
+      const FingerOutput output = of_cut.to(tip);
+      EXPECT_EQ(output.force, of_whole.to(tip).force) << tip.transpose();
+      most = std::max(most, output.force.norm());
+      if (tip.z() < -25.0) below = std::max(below, output.force.norm());
+    }
+    EXPECT_GT(most, 5.0) << "it does not fit through";
+    EXPECT_EQ(below, 0.0) << "N in free air, after what was felt has faded";
+  }
+}
+
 }  // namespace
 
 TEST(SphereFinger, TouchesAtItsRadius) {
@@ -170,6 +230,44 @@ TEST(SphereFinger, IsLetGoWhereItsCentreIsPastAGapAndInFreeAir) {
   EXPECT_GT(output.force.z(), 5.0) << "it does not fit through";
   finger.slide({0.1, 5, -6.0}, 0.1);
   for (int i = 0; i < 500; ++i) output = finger.to({0.1, 5, -6.0});
+  EXPECT_FALSE(touches(output)) << output.force.norm() << " N";
+}
+
+TEST(SphereFinger, IsLetGoBelowASlotOfABodyThatIsOpenFarAway) { expectTheSameOfACutHand({0, 27, 33, 60}); }
+
+TEST(SphereFinger, IsLetGoBetweenTheFingersOfAHandThatIsOpenAtTheWrist) {
+  expectTheSameOfACutHand({0, 16, 24, 41, 51, 66, 72, 85});
+}
+
+TEST(SphereFinger, IsLetGoFarBeyondABorderThatItSlidOver) {
+  // 52 mm below a sheet of 100 x 100 mm, continued flat, the force would fade until 60 mm beyond its border.
+  const Surface sheet = surfaceOf(zoo::grid());
+  FingerSettings deep = sphereOf(8.0);
+  deep.max_depth_mm = 100.0;
+  FingerTrack finger(sheet, deep);
+  finger.to({90, 50, 9});
+  finger.slide({95, 50, -52}, 0.5);
+  EXPECT_GT(finger.slide({130, 50, -52}, 0.5).force.z(), 10.0);
+  finger.slide({152, 50, -52}, 0.5);
+  FingerOutput output;
+  for (int i = 0; i < 300; ++i) output = finger.to({152, 50, -52});
+  EXPECT_FALSE(touches(output)) << output.force.norm() << " N";
+}
+
+TEST(SphereFinger, APointThatCameInByAnOpeningIsFreeInsideAfterItTouchedWhatIsThere) {
+  // A box that is open at one end, with a smaller one in it: as an organ in a trunk.
+  mesh::TriangleMesh trunk = handOf({0, 60}, true);
+  for (Vec3& p : trunk.positions) p.z() *= 3.0;
+  mesh::append(zoo::cube(10.0, {60, 25, 25}), trunk);
+  const Surface surface = surfaceOf(trunk);
+  ASSERT_FALSE(surface.geometry->closed);
+  FingerTrack finger(surface);
+  finger.to({-20, 30, 30});
+  EXPECT_FALSE(touches(finger.slide({59, 30, 30}, 0.5)));
+  EXPECT_NEAR(finger.slide({62, 30, 30}, 0.5).force.x(), -2.0 * kTestStiffness, 1e-9);
+  finger.slide({55, 30, 30}, 0.5);
+  FingerOutput output;
+  for (int i = 0; i < 100; ++i) output = finger.to({55, 30, 30});
   EXPECT_FALSE(touches(output)) << output.force.norm() << " N";
 }
 

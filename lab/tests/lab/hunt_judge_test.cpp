@@ -212,6 +212,29 @@ TEST(HuntJudgementOfTornBodies, WhatIsLetGoInsideFarFromTheHoleHasFallenAndWhatC
   EXPECT_EQ(falls({freeOutputAt({0, 0, 70}), held, freeOutputAt({0, 0, -49})}), 0u) << "let go at the hole";
 }
 
+/// A box of 100 x 100 x 30 mm without its face at y = 100: what is in the air 80 mm from that opening.
+TEST(HuntJudgementOfTornBodies, AForceInFreeAirFarFromTheOpeningIsAFaultAndOneBesideItOrWithinIsNot) {
+  mesh::TriangleMesh open = plateMesh(100, 30, 12);
+  std::erase_if(open.triangles, [&](const Triangle& t) { return mesh::centreOf(open, t).y() > 99.9; });
+  JudgedBody box(open, false);
+  ASSERT_FALSE(box.closed());
+  const auto held_in_air = [&](const Vec3& tip, double y) {
+    contact::FingerOutput o = freeOutputAt(tip);
+    o.touch = contact::Touch::stick;
+    o.proxy = {100, y, 30};
+    o.depth_mm = (o.proxy - tip).norm();
+    o.normal = (o.proxy - tip) / o.depth_mm;
+    o.force = kStiffness * o.depth_mm * o.normal;
+    HuntJudge judge(box, {}, kStiffness);
+    judge.add(freeOutputAt({90, y, 31}));
+    judge.add(o);
+    return judge.report().of(Fault::held_in_air).ticks;
+  };
+  EXPECT_EQ(held_in_air({103, 20, 26}, 20), 1u);
+  EXPECT_EQ(held_in_air({97, 20, 26}, 20), 0u) << "inside";
+  EXPECT_EQ(held_in_air({103, 97, 26}, 97), 0u) << "the border is nearer than the proxy";
+}
+
 /// Over a sheet of 100 x 100 mm: where a sphere of 2 mm goes over the border, and from where it is let go under it.
 TEST(HuntJudgementOfSheets, ASphereMayBeLetGoBeyondABorderThatItWentOverAndLeavesTheSkinNowhereElse) {
   JudgedBody sheet(flatMesh(), false);

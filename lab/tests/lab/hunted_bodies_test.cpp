@@ -57,7 +57,10 @@ TEST(HuntedBodies, HaveWhatTheirKindsAreNamedFor) {
     EXPECT_FALSE(mesh::repair(huntedBody(kind, 2), {.fill_holes = false}).closed) << kind;
     EXPECT_TRUE(repaired(kind).closed) << kind << ": its holes are small";
   }
-  EXPECT_FALSE(repaired("inside_out_open").closed);
+  for (const char* kind : {"inside_out_open", "far_hole", "far_hole_of_parts"})
+    EXPECT_FALSE(repaired(kind).closed) << kind;
+  EXPECT_TRUE(repaired("doubled_caps").closed);
+  EXPECT_EQ(repaired("cracks").components, 2u) << "too wide to be joined";
   EXPECT_GT(mesh::signedVolume(repaired("inside_out_open").mesh), 0.0) << "repair has found its outside";
   EXPECT_GT(mesh::validate(huntedBody("voxels", 2)).coincident_vertices.count, 0u);
   EXPECT_TRUE(repaired("voxels").closed);

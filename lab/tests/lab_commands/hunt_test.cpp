@@ -27,8 +27,8 @@ TEST_F(HuntCommand, CountsWhatItFindsAndSaysSoByItsExitCode) {
   const auto json = nlohmann::json::parse(end.out);
   EXPECT_EQ(json["ticks"], 20000);
   EXPECT_EQ(json["bodies"], 3);
-  for (const char* key :
-       {"falls", "missed_contacts", "wrong_forces", "steps_over_bound", "held_in_air", "held_through_body", "events"})
+  for (const char* key : {"falls", "missed_contacts", "wrong_forces", "steps_over_bound", "held_in_air",
+                          "held_in_air_open", "open_ticks", "held_through_body", "events"})
     EXPECT_TRUE(json[key].is_number_unsigned()) << key;
   EXPECT_EQ(end.exit_code, json["failing_paths"].empty() ? 0 : 1);
   for (const auto& path : json["failing_paths"]) {
@@ -59,6 +59,16 @@ TEST_F(HuntCommand, TakesMeshesAloneOrBesideTheGenerated) {
   EXPECT_EQ(nlohmann::json::parse(palpate(start + " --scale 0.001").out)["scale"], 0.001);
   const auto fitted = palpate("study hunt --mesh cube.obj --ticks 2000");
   EXPECT_NE(fitted.err.find("cube.obj: 17.3 mm across"), std::string::npos) << fitted.err;
+}
+
+TEST_F(HuntCommand, TakesBodiesOfOneKindAndCountsTicksOnThoseWithABorder) {
+  const auto open = nlohmann::json::parse(palpate("study hunt --kind open_sheet --ticks 4000 --bodies 2 --json").out);
+  EXPECT_EQ(open["open_ticks"], 4000);
+  const auto closed = nlohmann::json::parse(palpate("study hunt --kind torus --ticks 4000 --bodies 1 --json").out);
+  EXPECT_EQ(closed["open_ticks"], 0);
+  const auto wrong = palpate("study hunt --kind nose --ticks 4000");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.err.find("no kind of hunted body is called 'nose'"), std::string::npos) << wrong.err;
 }
 
 TEST_F(HuntCommand, EndsByTheClockToo) {
