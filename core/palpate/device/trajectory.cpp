@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
@@ -22,8 +23,7 @@ constexpr double kMaxTicks = 5e7;
 /// Rows this close to a tick, in ticks, are on it: times are written in decimal and so are off by rounding.
 constexpr double kOnTick = 1e-6;
 
-/// Finer clocks than a nanosecond's are no longer distinguished beyond this.
-constexpr NumberRange kTimesS{-1e9, 1e9};
+constexpr NumberRange kTimesS{-kMaxTimeS, kMaxTimeS};
 constexpr NumberRange kCoordinatesMm{-kMaxCoordinateMm, kMaxCoordinateMm};
 
 void appendRow(const CsvRow& row, Trajectory& trajectory) {
@@ -60,11 +60,17 @@ std::string formatTime(double time_s) {
   return whole ? fmt::format("{:.3f}", time_s) : fmt::format("{}", time_s);
 }
 
+/// How far a row may be beside a tick and still be on it, s: times since 1970 are 0.2 microseconds apart as doubles.
+double onTickS(const Trajectory& trajectory, double tick_s) {
+  const double latest = std::max(std::abs(trajectory.time_s.front()), std::abs(trajectory.time_s.back()));
+  return std::max(kOnTick * tick_s, 2.0 * std::numeric_limits<double>::epsilon() * latest);
+}
+
 /// The position at `time`, between row `before` and the next.
-Vec3 interpolated(const Trajectory& trajectory, std::size_t before, double time, double tick_s) {
+Vec3 interpolated(const Trajectory& trajectory, std::size_t before, double time, double on_tick_s) {
   const std::vector<double>& t = trajectory.time_s;
-  if (std::abs(time - t[before]) <= kOnTick * tick_s || before + 1 == t.size()) return trajectory.tip_mm[before];
-  if (std::abs(time - t[before + 1]) <= kOnTick * tick_s) return trajectory.tip_mm[before + 1];
+  if (std::abs(time - t[before]) <= on_tick_s || before + 1 == t.size()) return trajectory.tip_mm[before];
+  if (std::abs(time - t[before + 1]) <= on_tick_s) return trajectory.tip_mm[before + 1];
   const double share = (time - t[before]) / (t[before + 1] - t[before]);
   return (1.0 - share) * trajectory.tip_mm[before] + share * trajectory.tip_mm[before + 1];
 }
@@ -107,7 +113,8 @@ Trajectory resampled(const Trajectory& trajectory, double tick_s) {
   if (!(tick_s > 0.0)) throw Error("the tick must be longer than 0 s");
   if (trajectory.time_s.empty()) throw Error("a trajectory without rows cannot be resampled");
   const double start = trajectory.time_s.front();
-  const double ticks = std::floor((trajectory.time_s.back() - start) / tick_s + kOnTick);
+  const double on_tick_s = onTickS(trajectory, tick_s);
+  const double ticks = std::floor((trajectory.time_s.back() - start + on_tick_s) / tick_s);
   if (!(ticks < kMaxTicks))
     throw Error(fmt::format("a trajectory of {} ticks is too long: at most {}", readableNumber(ticks),
                             readableNumber(kMaxTicks)));
@@ -118,7 +125,7 @@ Trajectory resampled(const Trajectory& trajectory, double tick_s) {
     const double time = start + static_cast<double>(k) * tick_s;
     while (before + 1 < trajectory.size() && trajectory.time_s[before + 1] <= time) ++before;
     result.time_s.push_back(time);
-    result.tip_mm.push_back(interpolated(trajectory, before, time, tick_s));
+    result.tip_mm.push_back(interpolated(trajectory, before, time, on_tick_s));
   }
   return result;
 }

@@ -15,8 +15,13 @@ namespace palpate::device {
 /// The header that names columns and units; optional in files that are read, always written.
 inline constexpr std::string_view kTrajectoryHeader = "t_s,x_mm,y_mm,z_mm";
 
-/// Largest coordinate in a file, mm: a body is 10^3 mm long, and the sixth power of this still fits a double.
-inline constexpr double kMaxCoordinateMm = 1e9;
+/// Largest coordinate in a file, mm: map coordinates reach 2e10 mm (the northing of a map of the world), the last bit
+/// of a double is here 0.02 micrometres, and the sixth power still fits.
+inline constexpr double kMaxCoordinateMm = 1e11;
+
+/// Largest time in a file, s: clocks that count from 1970, 1900 or the year 1. What counts is the time since the first
+/// row; a double tells times here 0.02 ms apart.
+inline constexpr double kMaxTimeS = 1e11;
 
 /// Longest time from the first row of a file to its last: 14 hours. More is a mistake in the time column.
 inline constexpr double kLongestTrajectoryS = 5e4;
@@ -28,9 +33,9 @@ struct Trajectory {
 };
 
 /// Reads `t_s,x_mm,y_mm,z_mm` rows. Blank lines and `#` comments are skipped. Throws Error (file:line: cause) for a
-/// wrong header, a wrong number of fields, a field that is no finite number, a coordinate beyond kMaxCoordinateMm, time
-/// that does not increase or lasts longer than kLongestTrajectoryS, binary content, and a file without rows or larger
-/// than 1 GiB.
+/// wrong header, a wrong number of fields, a field that is no finite number, a coordinate beyond kMaxCoordinateMm, a
+/// time beyond kMaxTimeS, time that does not increase or lasts longer than kLongestTrajectoryS, binary content, and a
+/// file without rows or larger than 1 GiB.
 Trajectory readTrajectory(const std::filesystem::path& file);
 
 /// The same from text; `name` stands for the file in messages.

@@ -33,8 +33,9 @@ constexpr std::size_t kDevice = 17;
 constexpr std::size_t kContactStatus = 20;
 constexpr std::size_t kSafetyStatus = 21;
 
-/// What writes these tables writes times, places and forces of a body's size; larger ones are no record of a touch.
-constexpr NumberRange kRecorded{-1e9, 1e9};
+/// As far as trajectories reach (device/trajectory.h): places in map coordinates, times since 1970. Larger ones are no
+/// record of a touch.
+constexpr NumberRange kRecorded{-1e11, 1e11};
 
 Vec3 vectorFrom(const CsvRow& row, std::size_t column, std::string_view name) {
   return {csvNumber(row, column, name, kRecorded), csvNumber(row, column + 1, name, kRecorded),

@@ -1,5 +1,6 @@
 #include "palpate/device/trajectory.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/error_message.h"
@@ -22,17 +23,18 @@ TEST(Trajectory, ReadsRowsWithAndWithoutHeader) {
 
 TEST(Trajectory, NamesTheLineAndTheCause) {
   support::expectEach(
-      messageOf, {{"0,1,2,3\n1,1,2\n", "path.csv:2: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 3"},
-                  {"0,1,2,3,4\n", "path.csv:1: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 5"},
-                  {"0,1,2,3\n1,1,two,3\n", "path.csv:2: y_mm is not a number: 'two'"},
-                  {"0,1,2,3\n1,,2,3\n", "path.csv:2: x_mm is not a number: ''"},
-                  {"0,1,2,nan\n", "path.csv:1: z_mm is nan"},
-                  {"0,1,2,inf\n", "path.csv:1: z_mm is inf"},
-                  {"0,1,2,3\n\n0,1,2,3\n", "path.csv:3: time does not increase: 0 s after 0 s"},
-                  {"t_ms,x,y,z\n0,1,2,3\n", "path.csv:1: expected the header t_s,x_mm,y_mm,z_mm or numbers"},
-                  {"0,1,2,2e9\n", "path.csv:1: z_mm = 2000000000 is out of range: -1,000,000,000 to 1,000,000,000"},
-                  {"5,1,2,3\n60005,1,2,3\n",
-                   "path.csv:2: t_s = 60005 is 60000 s after the first row: a trajectory lasts at most 50,000 s"}});
+      messageOf,
+      {{"0,1,2,3\n1,1,2\n", "path.csv:2: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 3"},
+       {"0,1,2,3,4\n", "path.csv:1: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 5"},
+       {"0,1,2,3\n1,1,two,3\n", "path.csv:2: y_mm is not a number: 'two'"},
+       {"0,1,2,3\n1,,2,3\n", "path.csv:2: x_mm is not a number: ''"},
+       {"0,1,2,nan\n", "path.csv:1: z_mm is nan"},
+       {"0,1,2,inf\n", "path.csv:1: z_mm is inf"},
+       {"0,1,2,3\n\n0,1,2,3\n", "path.csv:3: time does not increase: 0 s after 0 s"},
+       {"t_ms,x,y,z\n0,1,2,3\n", "path.csv:1: expected the header t_s,x_mm,y_mm,z_mm or numbers"},
+       {"0,1,2,2e11\n", "path.csv:1: z_mm = 200000000000 is out of range: -100,000,000,000 to 100,000,000,000"},
+       {"5,1,2,3\n60005,1,2,3\n",
+        "path.csv:2: t_s = 60005 is 60000 s after the first row: a trajectory lasts at most 50,000 s"}});
   EXPECT_EQ(messageOf(std::string_view("0,1,2,3\n\0\1\2,,,\n", 15)), "path.csv:2: not a text table (byte 0x00)");
   EXPECT_EQ(messageOf("t_s,x_mm,y_mm,z_mm\n"), "path.csv: empty trajectory: no rows");
   EXPECT_EQ(messageOf(""), "path.csv: empty trajectory: no rows");
@@ -69,6 +71,24 @@ TEST(Trajectory, ResamplingKeepsRowsThatFallOnTicks) {
   }
   EXPECT_EQ(resampled(parseTrajectory(formatTrajectory(path), "path.csv"), 0.001).size(), path.size());
   EXPECT_EQ(resampled(path, 0.001).tip_mm, path.tip_mm);
+}
+
+TEST(Trajectory, TimesSince1970AndMapCoordinatesAreResampledAsTheSamePathNearZeroIs) {
+  constexpr double kThen = 1305031102.1758;
+  const Vec3 there(4e8, 4.08e9, 75);
+  std::string near = "", far = "";
+  for (int k = 0; k <= 1500; ++k) {
+    near += fmt::format("{:.3f},{},10,{}\n", 1e-3 * k, 20 + 0.004 * k, 75 - 0.02 * k);
+    far += fmt::format("{:.4f},{:.3f},{},{}\n", kThen + 1e-3 * k, there.x() + 20 + 0.004 * k, there.y() + 10,
+                       75 - 0.02 * k);
+  }
+  const Trajectory expected = resampled(parseTrajectory(near, "path.csv"), 1e-3);
+  const Trajectory found = resampled(parseTrajectory(far, "path.csv"), 1e-3);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Vec3 moved = found.tip_mm[k] - Vec3(there.x(), there.y(), 0);
+    ASSERT_LT((moved - expected.tip_mm[k]).norm(), 2e-6) << k;
+  }
 }
 
 TEST(Trajectory, ResamplingIsLinearBetweenRows) {

@@ -19,6 +19,7 @@ namespace {
 constexpr double kMaxForceN = 1000.0;
 constexpr double kMaxStiffnessNPerMm = 1e6;
 constexpr double kMaxRateHz = 1e6;
+constexpr double kMaxPlaceMm = 1e9;  // in the device's own frame, which is no map
 constexpr double kMaxSpeedMmS = 1e6;
 constexpr double kMaxReachMm = 1e5;
 
@@ -97,7 +98,7 @@ DriverReading readingOf(int answer, const palpate_device_reading& reading, const
   }
   const Vec3 tip = vectorOf(reading.tip_mm);
   const Vec3 velocity = vectorOf(reading.velocity_mm_s);
-  found.tip = isWithin(tip, kMaxCoordinateMm) ? frame.placeInBody(tip) : kNoPlace;
+  found.tip = isWithin(tip, kMaxPlaceMm) ? frame.placeInBody(tip) : kNoPlace;
   found.velocity = isWithin(velocity, kMaxSpeedMmS) ? frame.motionInBody(velocity) : Vec3::Zero();
   found.buttons = reading.buttons;
   found.notes = reading.notes & kKnownNotes;
