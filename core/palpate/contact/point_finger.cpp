@@ -155,7 +155,8 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
         return {};
       }
     }
-    if (!leaves && boundsTwoSectors(surface, state.proxy) && isInAir(surface, state.proxy.position, tip, lag)) {
+    const SurfacePoint& proxy = state.proxy;
+    if (!leaves && boundsTwoSectors(surface, proxy) && isInAir(surface, proxy.position, tip, lag, proxy)) {
       state.touching = false;
       return {};
     }

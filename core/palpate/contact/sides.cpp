@@ -1,6 +1,7 @@
 // The winding number names its sources.
 #include "palpate/contact/sides.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "palpate/contact/press.h"
@@ -29,6 +30,24 @@ constexpr double kOffThePlace = 1e-6;
 constexpr double kInsideThoughOpen = 0.75;
 constexpr double kPastAnOpening = 0.5;
 
+/// Whether the way goes into the skin at a place, at its triangle or one that shares the place's edge or corner: what
+/// is between in nearly every tick, without a search of the tree.
+bool meetsSkinBeside(const Surface& surface, const SurfacePoint& place, const Vec3& from, const Vec3& to) {
+  const auto& records = surface.geometry->tree.records;
+  const auto meets = [&](Index t) {
+    tree::Crossing crossing;
+    return t != kNoIndex && tree::detail::crossingOf(records[t], from, to, crossing);
+  };
+  if (meets(place.triangle) || std::ranges::any_of(records[place.triangle].neighbours, meets)) return true;
+  if (!tree::isCorner(place.feature)) return false;
+  bool met = false;
+  visitFan(surface, place.triangle, tree::indexOf(place.feature), [&](Index t, int) {
+    met = meets(t);
+    return !met;
+  });
+  return met;
+}
+
 /// Looks at every triangle within reach: 10 us on a dense mesh.
 bool isFarFromBorders(const Surface& surface, const Vec3& tip, double reach) {
   const auto is_border = [&](Index triangle, const tree::ClosestOnTriangle& closest) {
@@ -52,11 +71,13 @@ bool isOutside(const Surface& surface, const Vec3& tip, double reach) noexcept {
   return geometry.self_intersecting && std::abs(turns) < kSurelyNoSheet && isFarFromBorders(surface, tip, reach);
 }
 
-bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip, double reach) noexcept {
+bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip, double reach,
+             const SurfacePoint& beside) noexcept {
   const Vec3 way = tip - place;
   if (!(kOffThePlace * way.norm() > releaseSlack(surface))) return false;
   const Vec3 begin = place + kOffThePlace * way;
-  return tree::firstFrontCrossing(surface.geometry->tree, begin, tip).triangle == kNoIndex &&
+  return !meetsSkinBeside(surface, beside, begin, tip) &&
+         tree::firstFrontCrossing(surface.geometry->tree, begin, tip).triangle == kNoIndex &&
          tree::firstFrontCrossing(surface.geometry->tree, tip, begin).triangle == kNoIndex &&
          isOutside(surface, tip, reach);
 }

@@ -15,8 +15,10 @@ namespace palpate::contact {
 bool isOutside(const Surface& surface, const Vec3& tip, double reach) noexcept;
 
 /// Whether a tip that is held at `place` is in free air with nothing between: it is out of the body, and the straight
-/// way to the place meets no skin. False within rounding of the place. `reach`: as isOutside has it.
-bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip, double reach) noexcept;
+/// way to the place meets no skin. False within rounding of the place. `reach`: as isOutside has it. `beside`:
+/// where the way probably meets the skin, which saves time and changes nothing.
+bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip, double reach,
+             const SurfacePoint& beside) noexcept;
 
 /// Whether that has to be asked of a proxy on the skin: only where the body touches itself. At the edge of two boxes
 /// that share it the skin bounds two empty sectors, and the proxy may be in the one while the tip came out into the

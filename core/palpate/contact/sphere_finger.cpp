@@ -206,18 +206,30 @@ Press pressWith(const FingerSettings& settings, const SphereTask& task, const Mo
   return press;
 }
 
+/// Whether the way to the tip begins behind the skin, at a proxy on it: of an embedded body the side of the place is
+/// exact, and the tip is inside or has skin between. What nearly every tick finds, without a search of the tree.
+bool leadsBehind(const SphereTask& task, const SurfacePoint& under_proxy, const Vec3& proxy) {
+  const SurfaceGeometry& geometry = *task.surface.geometry;
+  if (geometry.self_intersecting || geometry.touches_itself) return false;
+  constexpr double kOffTheProxy = 1e-6;
+  const Vec3 begin = proxy + kOffTheProxy * (task.tip - proxy);
+  return (begin - under_proxy.position).norm() <= kFit * task.radius && !inFrontOf(task.surface, under_proxy, begin);
+}
+
 /// Whether a tip came out elsewhere and is in free air, seen from where the sphere is held: by an edge that two boxes
 /// share, by a gap that the sphere was pressed against and that its centre has passed, or by the back of a fold. On one
 /// ordinary place the tip is behind the skin, and nothing has to be asked.
-bool isHeldInAir(const SphereTask& task, const Move& move, const Vec3& proxy) noexcept {
+/// `under_proxy`: the skin nearest to the proxy.
+bool isHeldInAir(const SphereTask& task, const Move& move, const Vec3& proxy,
+                 const SurfacePoint& under_proxy) noexcept {
   const Surface& surface = task.surface;
   const double reach = (move.centre - task.tip).norm() + task.radius;  // the feet are nearer
-  const auto is_in_air = [&](const Vec3& place) { return isInAir(surface, place, task.tip, reach); };
+  const auto is_in_air = [&](const Vec3& place) { return isInAir(surface, place, task.tip, reach, under_proxy); };
   if (boundsTwoSectors(surface, move.under_tip) && is_in_air(move.under_tip.position)) return true;
   if ((task.tip - move.foot.position).norm() < task.radius) return false;
   const bool ordinary = surface.geometry->entangled.empty() || surface.geometry->entangled[move.foot.triangle] == 0;
   if (move.on_one_place && ordinary && !onBorder(surface, move.foot)) return false;
-  return is_in_air(proxy);
+  return !leadsBehind(task, under_proxy, proxy) && is_in_air(proxy);
 }
 
 /// A tip that is inside although nothing holds its sphere: between sheets that pierce each other a way may be missed.
@@ -264,8 +276,8 @@ Ending pressOnce(const Surface& surface, const FingerSettings& settings, double 
   }
   press = pressWith(settings, task, move, state);
   if ((press.status & kAtBorder) != 0 && press.felt_depth_mm <= 0.0) return Ending::at_border;
-  const bool away =
-      too_deep ? isOutside(surface, tip, lag + radius) : state.fits && isHeldInAir(task, move, press.proxy);
+  const bool away = too_deep ? isOutside(surface, tip, lag + radius)
+                             : state.fits && isHeldInAir(task, move, press.proxy, state.proxy);
   return away && !overlapsFront(surface, tip, radius, nearby) ? Ending::in_air : Ending::none;
 }
 
