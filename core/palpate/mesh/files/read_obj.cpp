@@ -1,5 +1,5 @@
-// OBJ: `v`, `f`, `g` and `o` are read, `vt` when it is asked for; normals and materials are passed over; lines, points
-// and free-form surfaces are left out and told.
+// OBJ: `v`, `f`, `g` and `o` are read, `vt` when it is asked for; normals and materials are passed over; lines, points,
+// free-form curves and surfaces and unknown words too, which is told.
 //
 // An OBJ face names vertices and places in the picture apart. Where the texture is asked for, each corner of a face
 // becomes a vertex of its own, with both.
@@ -19,37 +19,34 @@ namespace palpate::mesh {
 
 namespace {
 
-/// Keywords that carry nothing for a triangle surface. A word that is in neither list makes the file no OBJ file.
-constexpr auto kPassedOver = std::to_array<std::string_view>(
-    {"vt",     "vn",   "vp",   "s",          "usemtl",    "mtllib",   "usemap",   "maplib", "l",    "p",
-     "cstype", "deg",  "curv", "curv2",      "surf",      "parm",     "trim",     "hole",   "scrv", "sp",
-     "end",    "con",  "bmat", "step",       "bevel",     "c_interp", "d_interp", "lod",    "mg",   "ctech",
-     "stech",  "call", "csh",  "shadow_obj", "trace_obj", "bsp",      "bzp",      "cdc",    "cdp",  "res"});
+/// Keywords that carry nothing for a triangle surface.
+constexpr auto kNoSurface = std::to_array<std::string_view>(
+    {"vt",    "vn",     "vp",  "s",    "usemtl", "mtllib",     "usemap",    "maplib",  "l",
+     "p",     "cstype", "deg", "curv", "curv2",  "parm",       "trim",      "hole",    "scrv",
+     "sp",    "end",    "con", "bmat", "step",   "bevel",      "c_interp",  "lod",     "mg",
+     "ctech", "stech",  "csh", "cdc",  "res",    "shadow_obj", "trace_obj", "d_interp"});
+/// Keywords that carry a surface which is not read.
+constexpr auto kOtherSurfaces = std::to_array<std::string_view>({"surf", "bzp", "bsp", "cdp", "call"});
 
-struct LeftOutWord {
+/// Of the words that carry none, those that are shape all the same.
+struct Shape {
   std::string_view keyword;
   std::string_view what;
 };
-/// Of the words above, those that are shape. Free-form curves and surfaces have a newer and an older spelling.
-constexpr auto kLeftOut = std::to_array<LeftOutWord>({{"l", "lines"},
-                                                      {"p", "points"},
-                                                      {"curv", "free-form curves"},
-                                                      {"surf", "free-form surfaces"},
-                                                      {"cdc", "free-form curves"},
-                                                      {"cdp", "free-form surfaces"},
-                                                      {"bzp", "free-form surfaces"},
-                                                      {"bsp", "free-form surfaces"}});
+constexpr auto kShapes =
+    std::to_array<Shape>({{"l", "lines"}, {"p", "points"}, {"curv", "free-form curves"}, {"cdc", "free-form curves"}});
 
 class ObjReader {
  public:
   ObjReader(const MeshFile& file, TexturePlaces* places)
-      : file_(file), text_(file.bytes, file.name, file.progress), places_(places) {}
+      : file_(file), text_(file.bytes, file.name, file.progress, {'#', true}), places_(places) {}
 
   TriangleMesh read() {
     do {
       readLine();
     } while (text_.nextLine());
     if (!file_.options.group.empty() && !group_found_) failForGroup();
+    if (polygons_.empty()) failForNoFace();
     if (places_ != nullptr) spreadCorners();
     polygons_.cut(mesh_, {file_.name, FilePlace::line, 1}, file_.options.keep_wrong_indices, file_.passed_over);
     return std::move(mesh_);
@@ -58,73 +55,77 @@ class ObjReader {
  private:
   void readLine() {
     const auto keyword = text_.word();
-    if (keyword.empty() || keyword.front() == '#') return;
-    if (keyword == "v") {
+    if (keyword.empty()) return;
+    const auto is = [keyword](std::string_view word) { return isWord(keyword, word); };
+    if (is("v")) {
       readVertex();
-    } else if (keyword == "f") {
+    } else if (is("f") || is("fo")) {
       readFace();
-    } else if (keyword == "g" || keyword == "o") {
-      readGroup();
-    } else if (keyword == "vt" && places_ != nullptr) {
+    } else if (is("g")) {
+      in_group_ = namesTheGroup();
+    } else if (is("o")) {
+      in_object_ = namesTheGroup();
+    } else if (is("vt") && places_ != nullptr) {
       readTexturePlace();
-    } else if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) == kPassedOver.end()) {
-      text_.fail(fmt::format("'{}' is not an OBJ keyword", shown(keyword)));
+    } else if (std::any_of(kOtherSurfaces.begin(), kOtherSurfaces.end(), is)) {
+      passOver(fmt::format("'{}' brings a surface that is not read: only faces are", shown(keyword)));
+    } else if (std::none_of(kNoSurface.begin(), kNoSurface.end(), is)) {
+      if (first_unknown_.empty()) first_unknown_ = keyword;
+      if (unknown_line_ == 0) unknown_line_ = text_.line();
+      passOver(fmt::format("'{}' is not an OBJ keyword: the line is passed over", shown(keyword)));
     } else {
-      tellOf(keyword);
-      passOver();
+      tellShape(keyword);
     }
   }
 
-  void tellOf(std::string_view keyword) const {
-    for (const LeftOutWord& word : kLeftOut) {
-      if (word.keyword == keyword) file_.passed_over.leaveOut(word.what);
+  void tellShape(std::string_view keyword) {
+    for (const Shape& shape : kShapes) {
+      if (isWord(keyword, shape.keyword)) file_.passed_over.leaveOut(shape.what);
     }
   }
 
-  /// A line that ends in a backslash goes on in the next one.
-  void passOver() {
-    while (text_.restOfLine().ends_with('\\') && text_.nextLine()) {
-    }
-  }
-
-  std::string_view word() {
-    auto found = text_.word();
-    while (found == "\\" && text_.nextLine()) found = text_.word();
-    return found;
-  }
+  void passOver(std::string_view what) { file_.passed_over.add(what, text_.line()); }
 
   void readVertex() {
     Vec3 position;
-    for (double& value : position) value = text_.number(word(), "a coordinate");
+    for (double& value : position) value = text_.number(text_.word(), "a coordinate");
     mesh_.positions.push_back(position);
-    passOver();  // a weight or a colour may follow
     if (mesh_.positions.size() >= kNoIndex) text_.fail("more vertices than 32-bit indices can name");
+    std::size_t more = 0;
+    bool are_numbers = true;
+    for (auto word = text_.word(); !word.empty(); word = text_.word(), ++more) {
+      are_numbers &= word.find_first_not_of("0123456789+-.eEnaifNAIF") == std::string_view::npos;
+    }
+    // A weight, a colour, or both.
+    if (!are_numbers || more == 2 || more > 4) passOver("what stands behind a vertex's place is passed over");
   }
 
-  /// `vt u [v [w]]`
+  /// `vt u [v [w]]`. One that is no number has no place in the picture.
   void readTexturePlace() {
-    const auto u = static_cast<float>(text_.number(word(), "a texture coordinate"));
-    const std::string_view v = word();
-    texture_.emplace_back(
-        u, v.empty() || v.front() == '#' ? 0.0f : static_cast<float>(text_.number(v, "a texture coordinate")));
-    passOver();
+    const auto u = static_cast<float>(numberOrNone(text_.word()));
+    const std::string_view v = text_.word();
+    texture_.emplace_back(u, v.empty() ? 0.0f : static_cast<float>(numberOrNone(v)));
   }
 
-  void readGroup() {
-    in_group_ = false;
-    for (auto name = word(); !name.empty(); name = word()) {
-      in_group_ |= name == file_.options.group;
+  /// The line of a group or object: several names, or one with blanks in it. Groups go on through objects, and objects
+  /// through groups.
+  bool namesTheGroup() {
+    bool is_named = text_.restOfLine() == file_.options.group;
+    for (auto name = text_.nameWord(); !name.empty(); name = text_.nameWord()) {
+      is_named |= name == file_.options.group;
       if (groups_.size() < kMaxGroupsShown) groups_.emplace(name, groups_.size());
     }
-    group_found_ |= in_group_;
+    group_found_ |= is_named;
+    return is_named;
   }
 
   void readFace() {
-    for (auto corner = word(); !corner.empty() && corner.front() != '#'; corner = word()) {
+    const std::size_t line = text_.line();
+    for (auto corner = text_.word(); !corner.empty(); corner = text_.word()) {
       polygons_.addCorner(places_ == nullptr ? readCorner(corner) : newCorner(corner));
     }
-    if (file_.options.group.empty() || in_group_) {
-      polygons_.close(text_.line());
+    if (file_.options.group.empty() || in_group_ || in_object_) {
+      polygons_.close(line);
     } else {
       polygons_.dropOpen();
     }
@@ -149,7 +150,8 @@ class ObjReader {
     const std::size_t slash = std::min(corner.find('/'), corner.size());
     const std::string_view rest = corner.substr(std::min(slash + 1, corner.size()));
     const std::string_view texture = rest.substr(0, rest.find('/'));
-    corners_.push_back({vertex, texture.empty() ? kNoIndex : fromZero(texture, "texture", texture_.size())});
+    const bool has_texture = texture.find_first_of("123456789") != std::string_view::npos;
+    corners_.push_back({vertex, has_texture ? fromZero(texture, "texture", texture_.size()) : kNoIndex});
     if (corners_.size() >= kNoIndex) text_.fail("more corners than 32-bit indices can name");
     return static_cast<Index>(corners_.size() - 1);
   }
@@ -174,6 +176,15 @@ class ObjReader {
                                                 names.empty() ? "the file names none" : "there are: " + names));
   }
 
+  [[noreturn]] void failForNoFace() const {
+    if (!file_.options.group.empty()) {
+      throw Error::inFile(file_.name, fmt::format("the group or object '{}' has no faces", file_.options.group));
+    }
+    if (unknown_line_ == 0) throw Error::inFile(file_.name, "no triangles in it");
+    throw Error::atLine(file_.name, unknown_line_,
+                        fmt::format("'{}' is not an OBJ keyword, and no face follows", shown(first_unknown_)));
+  }
+
   static constexpr long long kHighest = 0xfffffffe;
   static constexpr std::size_t kMaxGroupsShown = 12;
 
@@ -190,7 +201,10 @@ class ObjReader {
   TriangleMesh mesh_;
   PolygonList polygons_;
   std::map<std::string_view, std::size_t> groups_;
+  std::string_view first_unknown_;
+  std::size_t unknown_line_ = 0;
   bool in_group_ = false;
+  bool in_object_ = false;
   bool group_found_ = false;
 };
 

@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 
+#include "palpate/base/text.h"
 #include "palpate/mesh/files/detail/byte_reader.h"
 #include "palpate/mesh/files/detail/polygons.h"
 #include "palpate/mesh/files/detail/readers.h"
@@ -21,6 +22,8 @@ namespace palpate::mesh {
 namespace {
 
 enum class Type : std::uint8_t { i8, u8, i16, u16, i32, u32, f32, f64 };
+
+enum class Encoding : std::uint8_t { text, little, big };
 
 struct TypeName {
   std::string_view name;
@@ -57,7 +60,8 @@ struct Element {
   std::vector<Property> properties;
 };
 
-enum class Encoding : std::uint8_t { text, little, big };
+/// Blank bytes before the word "ply" that are looked over.
+constexpr std::size_t kLongestBeginning = 64;
 
 struct Header {
   Encoding encoding = Encoding::text;
@@ -66,30 +70,35 @@ struct Header {
 
 // --- header ---
 
-Type readType(TextReader& text) {
-  const auto word = text.word();
-  const auto found = std::find_if(kTypeNames.begin(), kTypeNames.end(), [&](const auto& t) { return t.name == word; });
-  if (found == kTypeNames.end()) text.fail(fmt::format("'{}' is not a PLY type", shown(word)));
-  return found->type;
+/// In text a type says nothing that the digits do not say, so an unknown one is a number.
+Type readType(TextReader& text, std::string_view word, Encoding encoding) {
+  const auto* found =
+      std::find_if(kTypeNames.begin(), kTypeNames.end(), [&](const auto& t) { return isWord(word, t.name); });
+  if (found != kTypeNames.end()) return found->type;
+  if (encoding == Encoding::text && !word.empty()) return Type::f64;
+  text.fail(fmt::format("'{}' is not a PLY type", shown(word)));
 }
 
 Encoding readEncoding(TextReader& text) {
   const auto word = text.word();
-  if (word == "ascii") return Encoding::text;
-  if (word == "binary_little_endian") return Encoding::little;
-  if (word == "binary_big_endian") return Encoding::big;
+  if (isWord(word, "ascii")) return Encoding::text;
+  if (isWord(word, "binary_little_endian")) return Encoding::little;
+  if (isWord(word, "binary_big_endian")) return Encoding::big;
   text.fail(fmt::format("'{}' is not a PLY format", shown(word)));
 }
 
-Property readProperty(TextReader& text) {
+Property readProperty(TextReader& text, Encoding encoding) {
   Property property;
-  property.is_list = text.restOfLine().starts_with("list ");
+  auto type = text.word();
+  property.is_list = isWord(type, "list");
   if (property.is_list) {
-    text.word();
-    property.count_type = readType(text);
-    if (property.count_type >= Type::f32) text.fail("the length of a list cannot be a fraction");
+    property.count_type = readType(text, text.word(), encoding);
+    if (property.count_type == Type::f32 || (property.count_type == Type::f64 && encoding != Encoding::text)) {
+      text.fail("the length of a list cannot be a fraction");
+    }
+    type = text.word();
   }
-  property.type = readType(text);
+  property.type = readType(text, type, encoding);
   property.name = text.word();
   return property;
 }
@@ -100,21 +109,23 @@ Element readElement(TextReader& text) {
   return {name, static_cast<std::uint64_t>(text.whole(text.word(), "the number of elements", 0, kHighest)), {}};
 }
 
-/// Leaves the reader at the end of the line "end_header".
-Header readHeader(TextReader& text) {
+/// Leaves the reader behind the word "end_header".
+Header readHeader(TextReader& text, PassedOver& passed_over) {
   Header header;
-  if (text.word() != "ply") text.fail("not a PLY file: it does not start with 'ply'");
+  if (!isWord(text.wordAnywhere(), "ply")) text.fail("not a PLY file: it does not start with 'ply'");
   while (text.nextLine()) {
     const auto keyword = text.word();
-    if (keyword == "end_header") return header;
-    if (keyword == "format") header.encoding = readEncoding(text);
-    if (keyword == "element") header.elements.push_back(readElement(text));
-    if (keyword == "property") {
+    if (isWord(keyword, "end_header")) return header;
+    if (isWord(keyword, "format")) {
+      header.encoding = readEncoding(text);
+    } else if (isWord(keyword, "element")) {
+      header.elements.push_back(readElement(text));
+    } else if (isWord(keyword, "property")) {
       if (header.elements.empty()) text.fail("a property before the first element");
-      header.elements.back().properties.push_back(readProperty(text));
-    } else if (keyword != "format" && keyword != "element" && keyword != "comment" && keyword != "obj_info" &&
-               !keyword.empty()) {
-      text.fail(fmt::format("'{}' is not a keyword of a PLY header", shown(keyword)));
+      header.elements.back().properties.push_back(readProperty(text, header.encoding));
+    } else if (!keyword.empty() && !isWord(keyword, "comment") && !isWord(keyword, "obj_info")) {
+      passed_over.add(fmt::format("'{}' is not a keyword of a PLY header: the line is passed over", shown(keyword)),
+                      text.line());
     }
   }
   text.fail("the file ends before 'end_header'");
@@ -122,23 +133,47 @@ Header readHeader(TextReader& text) {
 
 // --- values ---
 
-/// Values of a text file: one number a word.
+/// Values of a text file: one number a word, one row of an element a line. A row never takes a value of the next line,
+/// and what a line has beyond its row is passed over and told: else one wrong count would shift all that follows.
 class TextValues {
  public:
   static constexpr FilePlace kPlace = FilePlace::line;
   TextValues(TextReader& text, Encoding) : text_(text) {}
 
-  double value(Type) {
-    const auto word = text_.wordAnywhere();
-    if (word.empty()) fail("the file ends before all its elements are there");
-    return text_.number(word, "a value");
+  void startRow() {
+    if (!text_.nextFilledLine()) fail("the file ends before all its elements are there");
   }
+  double value(Type) { return text_.number(next(), "a value"); }
+  /// One that nobody needs: it may be anything.
+  double anyValue(Type) { return numberOrNone(next()); }
+  void endRow(PassedOver& passed_over) {
+    if (!text_.word().empty()) {
+      passed_over.add("the row has more values than the header names: they are passed over", text_.line());
+    }
+  }
+  /// Rows of an element that nobody needs.
+  bool passOverRows(std::uint64_t count) {
+    for (std::uint64_t row = 0; row < count; ++row) startRow();
+    return true;
+  }
+  void end(PassedOver& passed_over) {
+    while (text_.nextFilledLine()) {
+      passed_over.add("a line behind the last row that the header names is passed over", text_.line());
+    }
+  }
+
   static std::size_t leastBytes(Type) { return 2; }
   std::size_t bytesLeft() const { return text_.bytesLeft() + 1; }
   std::size_t place() const { return text_.line(); }
   [[noreturn]] void fail(std::string_view cause) const { text_.fail(cause); }
 
  private:
+  std::string_view next() {
+    const auto word = text_.word();
+    if (word.empty()) fail("the row has fewer values than the header names");
+    return word;
+  }
+
   TextReader& text_;
 };
 
@@ -169,6 +204,17 @@ class BinaryValues {
     }
     return 0.0;
   }
+  void startRow() {}
+  double anyValue(Type type) { return value(type); }
+  void endRow(PassedOver&) {}
+  /// Their bytes must be counted.
+  static bool passOverRows(std::uint64_t) { return false; }
+  void end(PassedOver& passed_over) {
+    if (bytes_.bytesLeft() == 0) return;
+    passed_over.add("bytes behind the last row that the header names are passed over", bytes_.position(),
+                    FilePlace::byte);
+  }
+
   static std::size_t leastBytes(Type type) {
     constexpr std::array<std::size_t, 8> kBytes = {1, 1, 2, 2, 4, 4, 4, 8};
     return kBytes[static_cast<std::size_t>(type)];
@@ -202,7 +248,8 @@ double fullLightOf(Type type) {
 
 std::optional<std::size_t> scalarColumn(const Element& element, std::string_view name) {
   for (std::size_t p = 0; p < element.properties.size(); ++p) {
-    if (element.properties[p].name == name && !element.properties[p].is_list) return p;
+    const std::string_view own = element.properties[p].name;
+    if ((own == name || isWord(own, name)) && !element.properties[p].is_list) return p;
   }
   return std::nullopt;
 }
@@ -222,7 +269,7 @@ bool isNumberOfItsOwn(std::string_view name) {
   constexpr auto kOthers =
       std::to_array<std::string_view>({"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha", "diffuse_red",
                                        "diffuse_green", "diffuse_blue", "diffuse_alpha"});
-  return std::find(kOthers.begin(), kOthers.end(), name) == kOthers.end();
+  return std::none_of(kOthers.begin(), kOthers.end(), [name](auto other) { return isWord(name, other); });
 }
 
 /// Prepares the channels for these vertices.
@@ -289,12 +336,13 @@ class BodyReader {
   TriangleMesh read(const Header& header) {
     for (const Element& element : header.elements) {
       checkCount(element);
-      if (element.name == "vertex") {
+      if (isWord(element.name, "vertex")) {
         readVertices(element);
       } else {
         readOthers(element);
       }
     }
+    values_.end(file_.passed_over);
     polygons_.cut(mesh_, {file_.name, Values::kPlace, 0}, file_.options.keep_wrong_indices, file_.passed_over);
     if (channels_ != nullptr && vertex_elements_ > 1) *channels_ = {};  // they need not have the same properties
     return std::move(mesh_);
@@ -320,7 +368,12 @@ class BodyReader {
     const bool wanted = channels_ != nullptr && vertex_elements_++ == 0;
     const ChannelColumns columns = wanted ? startChannels(element, *channels_) : ChannelColumns();
     for (std::size_t v = 0; v < element.count; ++v) {
-      for (std::size_t p = 0; p < row.size(); ++p) row[p] = readOrPassOver(element.properties[p]);
+      values_.startRow();
+      for (std::size_t p = 0; p < row.size(); ++p) {
+        const bool is_place = std::find(place.begin(), place.end(), p) != place.end();
+        row[p] = is_place ? values_.value(element.properties[p].type) : readOrPassOver(element.properties[p]);
+      }
+      values_.endRow(file_.passed_over);
       mesh_.positions.emplace_back(row[place[0]], row[place[1]], row[place[2]]);
       if (wanted) addChannels(row, columns, *channels_);
       reportProgress(v);
@@ -334,19 +387,23 @@ class BodyReader {
 
   void readOthers(const Element& element) {
     if (element.properties.empty()) return;
-    const bool are_faces = element.name == "face";
-    const bool are_strips = element.name == "tristrips";
-    const auto& all = element.properties;
-    const bool have_indices = std::any_of(all.begin(), all.end(), isIndexList);
-    if (element.count > 0 && !((are_faces || are_strips) && have_indices)) {
-      file_.passed_over.leaveOut(
-          fmt::format("elements '{}'{}", shown(element.name), are_faces ? " without vertex_indices" : ""),
-          static_cast<std::size_t>(element.count));
+    const bool are_faces = isWord(element.name, "face");
+    const bool are_strips = isWord(element.name, "tristrips");
+    const bool bring_surface = are_faces || are_strips;
+    if (!bring_surface && element.count > 0) {
+      file_.passed_over.leaveOut(fmt::format("elements '{}'", shown(element.name)),
+                                 static_cast<std::size_t>(element.count));
+    }
+    if (!bring_surface && values_.passOverRows(element.count)) return;
+    if (bring_surface && element.count > 0 &&
+        std::none_of(element.properties.begin(), element.properties.end(), isIndexList)) {
+      values_.fail(fmt::format("'{}' has no list 'vertex_indices'", shown(element.name)));
     }
     const bool wanted = are_faces && channels_ != nullptr && channels_->of_faces.empty();
     const auto columns = wanted ? startFaceScalars(element, *channels_) : std::vector<std::size_t>();
     std::vector<double> values(element.properties.size());
     for (std::size_t row = 0; row < element.count; ++row) {
+      values_.startRow();
       for (std::size_t p = 0; p < values.size(); ++p) {
         const Property& property = element.properties[p];
         if (are_faces && isIndexList(property)) {
@@ -357,16 +414,18 @@ class BodyReader {
           values[p] = readOrPassOver(property);
         }
       }
+      values_.endRow(file_.passed_over);
       if (!columns.empty()) addFaceScalars(values, columns, *channels_);
       reportProgress(row);
     }
   }
 
   static bool isIndexList(const Property& property) {
-    return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
+    return property.is_list && (isWord(property.name, "vertex_indices") || isWord(property.name, "vertex_index"));
   }
 
-  static Index cornerOf(double index) {
+  Index readIndex(const Property& property) {
+    const double index = values_.value(property.type);
     const bool possible = index >= 0.0 && index < kNoIndex && index == std::floor(index);
     return possible ? static_cast<Index>(index) : kNoIndex;
   }
@@ -374,38 +433,38 @@ class BodyReader {
   void readPolygon(const Property& property) {
     const std::size_t place = values_.place();
     const std::size_t count = readLength(property);
-    for (std::size_t i = 0; i < count; ++i) polygons_.addCorner(cornerOf(values_.value(property.type)));
+    for (std::size_t i = 0; i < count; ++i) polygons_.addCorner(readIndex(property));
     polygons_.close(place);
   }
 
-  /// Strips of triangles, each winding the other way than the one before; -1 begins a new strip.
+  /// Each vertex makes a triangle with the two before it, every second one turned; -1 begins another strip. So VRIP
+  /// and Stanford's scans have it.
   void readStrips(const Property& property) {
     const std::size_t place = values_.place();
     const std::size_t count = readLength(property);
-    std::array<Index, 2> last{};
-    std::size_t corners = 0;
+    std::array<Index, 2> before{};
+    std::size_t length = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      const double index = values_.value(property.type);
-      if (index == -1.0) {
-        corners = 0;
+      const Index vertex = readIndex(property);
+      if (vertex == kNoIndex) {
+        length = 0;
         continue;
       }
-      const Index corner = cornerOf(index);
-      if (corners >= 2) {
-        const std::size_t turned = corners % 2;
-        for (const Index v : {last[turned], last[1 - turned], corner}) polygons_.addCorner(v);
+      if (length >= 2 && vertex != before[0] && vertex != before[1] && before[0] != before[1]) {
+        const bool turned = length % 2 == 1;
+        for (const Index corner : {before[turned ? 1 : 0], before[turned ? 0 : 1], vertex}) polygons_.addCorner(corner);
         polygons_.close(place);
       }
-      last = {last[1], corner};
-      ++corners;
+      before = {before[1], vertex};
+      ++length;
     }
   }
 
   /// The value of a scalar; 0 for a list.
   double readOrPassOver(const Property& property) {
-    if (!property.is_list) return values_.value(property.type);
+    if (!property.is_list) return values_.anyValue(property.type);
     const std::size_t count = readLength(property);
-    for (std::size_t i = 0; i < count; ++i) values_.value(property.type);
+    for (std::size_t i = 0; i < count; ++i) values_.anyValue(property.type);
     return 0.0;
   }
 
@@ -432,14 +491,23 @@ class BodyReader {
 
 }  // namespace
 
+bool beginsAsPly(std::string_view bytes) {
+  const std::string_view text = trimmed(withoutByteOrderMark(bytes).substr(0, kLongestBeginning));
+  return isWord(text.substr(0, 3), "ply") && std::string_view(" \t\r\n").find(text.substr(3, 1)) != std::string::npos;
+}
+
 TriangleMesh readPly(const MeshFile& file, VertexChannels* channels) {
   TextReader text(file.bytes, file.name, file.progress);
-  const Header header = readHeader(text);
-  text.nextLine();
+  const Header header = readHeader(text, file.passed_over);
   if (header.encoding == Encoding::text)
     return BodyReader(TextValues(text, header.encoding), file, channels).read(header);
-  ByteReader bytes(file.bytes, file.name, text.position());
-  return BodyReader(BinaryValues(bytes, header.encoding), file, channels).read(header);
+  // Where lines end in CR alone, the first byte of the rows may be that of a LF.
+  const std::size_t first_end = file.bytes.find_first_of("\r\n");
+  const bool by_cr = file.bytes[first_end] == '\r' && file.bytes.substr(first_end + 1, 1) != "\n";
+  std::size_t start = file.bytes.find(by_cr ? '\r' : '\n', text.position());
+  start = start == std::string_view::npos ? file.bytes.size() : start + 1;
+  return BodyReader(BinaryValues(ByteReader(file.bytes, file.name, start), header.encoding), file, channels)
+      .read(header);
 }
 
 }  // namespace palpate::mesh

@@ -1,13 +1,16 @@
 // STL, binary and text: a soup of triangles, welded while it is read.
 //
 // A file is binary when its length is what its own count promises (84 + 50 per triangle), even if it starts with
-// "solid" as many binary files do; otherwise it is text when it starts with "solid"; otherwise it is binary and broken.
+// "solid" as many binary files do; otherwise it is text when it starts with "solid" or "facet", in capitals or not, and
+// holds no byte that no text has where a binary file has its first triangles; otherwise it is binary. Bytes behind the
+// promised triangles are passed over, which is told; fewer than promised are refused.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
+#include "palpate/base/text.h"
 #include "palpate/mesh/files/detail/byte_reader.h"
+#include "palpate/mesh/files/detail/polygons.h"
 #include "palpate/mesh/files/detail/readers.h"
 #include "palpate/mesh/files/detail/text_reader.h"
 #include "palpate/mesh/weld.h"
@@ -24,9 +27,14 @@ constexpr std::size_t kTrianglesPerReport = std::size_t{1} << 17;
 /// Shortest text of a triangle: "facet normal 0 0 0 outer loop" and so on, well below what any writer makes.
 constexpr std::size_t kMinTextBytes = 80;
 
-bool startsWithSolid(std::string_view bytes) {
-  const auto start = bytes.find_first_not_of(" \t\r\n");
-  return start != std::string_view::npos && bytes.substr(start, 5) == "solid";
+bool looksLikeText(std::string_view bytes) {
+  constexpr std::size_t kLooked = 512;  // a binary file's count and floats have control bytes here
+  const std::string_view text = trimmed(withoutByteOrderMark(bytes).substr(0, kLooked));
+  const bool begins = isWord(text.substr(0, 5), "solid") || isWord(text.substr(0, 5), "facet");
+  return begins && std::none_of(text.begin(), text.end(), [](char c) {
+           return static_cast<unsigned char>(c) < ' ' &&
+                  std::string_view("\t\r\n\v\f").find(c) == std::string_view::npos;
+         });
 }
 
 /// More than 32 bits hold, when the count is a lie.
@@ -35,7 +43,7 @@ std::uint64_t promisedBytes(std::string_view bytes) {
 }
 
 bool isBinary(std::string_view bytes) {
-  return !startsWithSolid(bytes) || (bytes.size() >= kHeaderBytes && bytes.size() == promisedBytes(bytes));
+  return !looksLikeText(bytes) || (bytes.size() >= kHeaderBytes && bytes.size() == promisedBytes(bytes));
 }
 
 /// Joins equal corners while they come in, or just numbers them.
@@ -62,21 +70,26 @@ Vec3 cornerAt(const char* bytes) {
   return {numberFromBytes<float>(bytes), numberFromBytes<float>(bytes + 4), numberFromBytes<float>(bytes + 8)};
 }
 
-void checkBinarySize(const MeshFile& file) {
+/// The number of triangles.
+std::size_t checkBinarySize(const MeshFile& file) {
   if (file.bytes.size() < kHeaderBytes) {
     throw Error::atByte(file.name, file.bytes.size(), "the file ends within the 84 bytes of an STL header");
   }
   const std::uint64_t promised = promisedBytes(file.bytes);
-  if (promised == file.bytes.size()) return;
   const auto count = (promised - kHeaderBytes) / kTriangleBytes;
+  if (promised < file.bytes.size()) {
+    file.passed_over.add(
+        fmt::format("{} bytes behind the {} triangles are passed over", file.bytes.size() - promised, count),
+        static_cast<std::size_t>(promised), FilePlace::byte);
+  }
+  if (promised <= file.bytes.size()) return static_cast<std::size_t>(count);
   throw Error::atByte(file.name, kCountOffset,
                       fmt::format("not an STL file, or damaged: {} triangles need {} bytes, the file has {}", count,
                                   promised, file.bytes.size()));
 }
 
 TriangleMesh readBinary(const MeshFile& file) {
-  checkBinarySize(file);
-  const std::size_t count = (file.bytes.size() - kHeaderBytes) / kTriangleBytes;
+  const std::size_t count = checkBinarySize(file);
   checkTriangleCount(count, file.name);
   TriangleMesh mesh;
   mesh.triangles.reserve(count);
@@ -97,70 +110,90 @@ TriangleMesh readBinary(const MeshFile& file) {
   return mesh;
 }
 
-/// Keywords of text STL come in either case.
-bool sameWord(std::string_view word, std::string_view keyword) {
-  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
-                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
-}
+class TextStl {
+ public:
+  explicit TextStl(const MeshFile& file)
+      : file_(file),
+        text_(file.bytes, file.name, file.progress),
+        corners_(file.bytes.size() / kMinTextBytes, file.options.weld.value_or(true)) {}
 
-void expect(TextReader& text, std::string_view keyword) {
-  const auto word = text.wordAnywhere();
-  if (word.empty()) text.fail(fmt::format("the file ends where '{}' is expected", keyword));
-  if (!sameWord(word, keyword)) text.fail(fmt::format("'{}' is expected, not '{}'", keyword, shown(word)));
-}
-
-Vec3 readThree(TextReader& text, std::string_view what) {
-  Vec3 result;
-  for (double& value : result) value = text.number(text.wordAnywhere(), what);
-  return result;
-}
-
-/// The words after "facet" up to "endfacet".
-Triangle readFacet(TextReader& text, Corners& corners) {
-  expect(text, "normal");
-  readThree(text, "a normal");
-  expect(text, "outer");
-  expect(text, "loop");
-  Triangle triangle;
-  for (Index& corner : triangle) {
-    expect(text, "vertex");
-    corner = corners.add(readThree(text, "a coordinate"));
+  /// The name behind "solid" and "endsolid" is free text to the end of the line.
+  TriangleMesh read() {
+    mesh_.triangles.reserve(file_.bytes.size() / kMinTextBytes);
+    bool within = false;
+    for (auto word = text_.wordAnywhere(); !word.empty(); word = text_.wordAnywhere()) {
+      if (isWord(word, "facet")) {
+        within = true;
+        readFacet();
+        continue;
+      }
+      const bool ends = isWord(word, "endsolid");
+      if (ends || isWord(word, "solid")) {
+        within = !ends;
+      } else {  // a colour, say
+        file_.passed_over.add(fmt::format("'{}' is not a word of STL: the line is passed over", shown(word)),
+                              text_.line());
+      }
+      text_.nextLine();
+    }
+    if (within) text_.fail("the file ends before 'endsolid'");
+    mesh_.positions = corners_.takePositions();
+    polygons_.cut(mesh_, {file_.name, FilePlace::line, 1}, false, file_.passed_over);
+    return std::move(mesh_);
   }
-  expect(text, "endloop");
-  expect(text, "endfacet");
-  return triangle;
-}
 
-/// Facets up to "endsolid"; the name after "solid" and "endsolid" is free text to the end of the line.
-void readSolid(TextReader& text, Corners& corners, TriangleMesh& mesh, std::string_view name) {
-  text.nextLine();
-  while (true) {
-    const auto word = text.wordAnywhere();
-    if (word.empty()) text.fail("the file ends before 'endsolid'");
-    if (sameWord(word, "endsolid")) break;
-    if (!sameWord(word, "facet")) text.fail(fmt::format("'facet' is expected, not '{}'", shown(word)));
-    checkTriangleCount(mesh.triangles.size(), name);
-    mesh.triangles.push_back(readFacet(text, corners));
+ private:
+  void expect(std::string_view keyword) {
+    const auto word = text_.wordAnywhere();
+    if (word.empty()) text_.fail(fmt::format("the file ends where '{}' is expected", keyword));
+    if (!isWord(word, keyword)) text_.fail(fmt::format("'{}' is expected, not '{}'", keyword, shown(word)));
   }
-  text.nextLine();
-}
 
-TriangleMesh readText(const MeshFile& file) {
-  TriangleMesh mesh;
-  const std::size_t most = file.bytes.size() / kMinTextBytes;
-  mesh.triangles.reserve(most);
-  Corners corners(most, file.options.weld.value_or(true));
-  TextReader text(file.bytes, file.name, file.progress);
-  for (auto word = text.wordAnywhere(); !word.empty(); word = text.wordAnywhere()) {
-    if (!sameWord(word, "solid")) text.fail(fmt::format("'solid' is expected, not '{}'", shown(word)));
-    readSolid(text, corners, mesh, file.name);
+  /// The normal is not used, whatever it is: "nan(ind)" of Windows, or missing.
+  void passOverNormal() {
+    constexpr int kMostWords = 4;  // "normal" and three numbers
+    for (int words = 0; words <= kMostWords; ++words) {
+      const auto word = text_.wordAnywhere();
+      if (isWord(word, "outer")) return;
+      if (word.empty() || words == kMostWords) text_.fail(fmt::format("'outer' is expected, not '{}'", shown(word)));
+    }
   }
-  mesh.positions = corners.takePositions();
-  return mesh;
-}
+
+  /// The words behind "facet" up to "endfacet". The format knows triangles alone; others are taken as they are.
+  void readFacet() {
+    const std::size_t line = text_.line();
+    passOverNormal();
+    expect("loop");
+    loop_.clear();
+    for (auto word = text_.wordAnywhere(); !isWord(word, "endloop"); word = text_.wordAnywhere()) {
+      if (word.empty()) text_.fail("the file ends where 'endloop' is expected");
+      if (!isWord(word, "vertex")) text_.fail(fmt::format("'vertex' is expected, not '{}'", shown(word)));
+      Vec3& corner = loop_.emplace_back();
+      for (double& value : corner) value = text_.number(text_.wordAnywhere(), "a coordinate");
+    }
+    expect("endfacet");
+    checkTriangleCount(mesh_.triangles.size(), file_.name);
+    if (loop_.size() == 3) {
+      const Index a = corners_.add(loop_[0]);
+      const Index b = corners_.add(loop_[1]);
+      const Index c = corners_.add(loop_[2]);
+      mesh_.triangles.push_back({a, b, c});
+      return;
+    }
+    for (const Vec3& corner : loop_) polygons_.addCorner(corners_.add(corner));
+    polygons_.close(line);
+  }
+
+  const MeshFile& file_;
+  TextReader text_;
+  Corners corners_;
+  TriangleMesh mesh_;
+  PolygonList polygons_;
+  std::vector<Vec3> loop_;
+};
 
 }  // namespace
 
-TriangleMesh readStl(const MeshFile& file) { return isBinary(file.bytes) ? readBinary(file) : readText(file); }
+TriangleMesh readStl(const MeshFile& file) { return isBinary(file.bytes) ? readBinary(file) : TextStl(file).read(); }
 
 }  // namespace palpate::mesh

@@ -189,7 +189,7 @@ PolygonCut triangulate(const std::vector<Vec3>& positions, std::span<const Index
 
 void PolygonList::cut(TriangleMesh& mesh, const FileCounting& counting, bool keep_wrong_indices,
                       PassedOver& passed_over) const {
-  mesh.triangles.reserve(corners_.size() - std::min(corners_.size(), 2 * polygons_.size()));
+  mesh.triangles.reserve(mesh.triangles.size() + corners_.size() - std::min(corners_.size(), 2 * polygons_.size()));
   std::size_t first = 0;
   for (const auto& [end, place] : polygons_) {
     const std::span<const Index> polygon(corners_.data() + first, end - first);

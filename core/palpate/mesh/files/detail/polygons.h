@@ -37,7 +37,7 @@ class PolygonList {
   void close(std::size_t place) { polygons_.push_back({corners_.size(), place}); }
   /// Forgets the corners that were added since the last `close`.
   void dropOpen() { corners_.resize(polygons_.empty() ? 0 : polygons_.back().end); }
-  std::size_t openCorners() const { return corners_.size() - (polygons_.empty() ? 0 : polygons_.back().end); }
+  bool empty() const { return polygons_.empty(); }
 
   /// Cuts all polygons into `mesh.triangles`; of fewer than three corners there is nothing to cut, which is noted in
   /// `passed_over` as is what was guessed. Throws Error at the place of the first one with a wrong index, unless those

@@ -30,6 +30,9 @@ TriangleMesh readStl(const MeshFile& file);
 /// Asked for `channels`, it notes numbers and colours, a vertex of the mesh each.
 TriangleMesh readPly(const MeshFile& file, VertexChannels* channels = nullptr);
 TriangleMesh readOff(const MeshFile& file);
+/// What decides that a file is of a format is no stricter than its reader.
+bool beginsAsOff(std::string_view bytes);
+bool beginsAsPly(std::string_view bytes);
 TriangleMesh readGltf(const MeshFile& file, TexturePlaces* places = nullptr);
 /// Reads every other format; `extension` without its dot tells it. Throws Error where no host has brought a reader.
 TriangleMesh readForeign(const MeshFile& file, const std::string& extension);

@@ -1,6 +1,7 @@
 // Walks through the text of a mesh file word by word and knows the line it is in.
 //
-// Shared by the readers of OBJ, PLY, OFF and text STL, so that all of them tell the place of a mistake the same way.
+// Shared by the readers of OBJ, PLY, OFF and text STL, so that all of them open a file the same way (a byte order mark,
+// lines that end in LF, CR LF or CR, words in capitals) and tell the place of a mistake the same way.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +12,33 @@
 
 namespace palpate::mesh {
 
+/// What a format knows besides words and lines.
+struct TextRules {
+  char comment = '\0';     ///< a word that begins with it and the rest of its line say nothing; '\0': there is none
+  bool continues = false;  ///< a backslash at the end of a line, glued to a word or not: the line goes on in the next
+};
+
 class TextReader {
  public:
   /// `name` is the file in messages. Text, name and progress must outlive the reader, which is why none has a default:
-  /// it would be gone at the end of the statement. Starts on line 1.
-  TextReader(std::string_view text, std::string_view name, const Progress& progress);
+  /// it would be gone at the end of the statement. Starts on line 1, behind a byte order mark. Throws Error for UTF-16.
+  TextReader(std::string_view text, std::string_view name, const Progress& progress, TextRules rules = {});
 
-  /// The next word of this line; empty at its end.
+  /// The next word of this line; empty at its end or where a comment begins.
   std::string_view word();
+  /// The next word of this line, be it a comment elsewhere: a name.
+  std::string_view nameWord();
   /// The next word in this line or a later one; empty at the end of the text.
   std::string_view wordAnywhere();
-  /// What is left of this line.
+  /// What is left of this line of the file, comments and all.
   std::string_view restOfLine() const;
   /// To the start of the next line; false when there is none.
   bool nextLine();
-  /// To the next line that holds a word and does not start with `comment`; false when there is none.
-  bool nextFilledLine(char comment);
+  /// To the next line that holds a word; false when there is none.
+  bool nextFilledLine();
 
-  /// A number out of a word; `what` names it in the message.
+  /// A number out of a word; `what` names it in the message. What Windows' older library writes for "not a number"
+  /// (-1.#IND, 1.#QNAN, 1.#INF) is none, too.
   double number(std::string_view word, std::string_view what) const;
   /// A whole number within [low, high] out of a word.
   long long whole(std::string_view word, std::string_view what, long long low, long long high) const;
@@ -42,15 +52,29 @@ class TextReader {
   [[noreturn]] void fail(std::string_view cause) const;
 
  private:
+  std::string_view wordUpTo(char comment);
+  /// Behind the line end that a backslash at `at` takes away; 0: there is none.
+  std::size_t behindContinuation(std::size_t at) const;
+  std::size_t behindLineEnd(std::size_t at) const;
   void reportProgress();
 
   std::string_view text_;
   std::string_view name_;
   const Progress& progress_;
+  TextRules rules_;
   std::size_t position_ = 0;
   std::size_t line_ = 1;
   std::size_t next_report_ = 0;
 };
+
+/// The number that a word is, or one that is not finite: for values that nobody needs.
+double numberOrNone(std::string_view word);
+
+/// Whether the word is the keyword, which is in small letters, in either case.
+bool isWord(std::string_view word, std::string_view keyword);
+
+/// The text behind a byte order mark of UTF-8.
+std::string_view withoutByteOrderMark(std::string_view text);
 
 /// A word of the file as a message may show it: short, and without bytes that a terminal would act on.
 std::string shown(std::string_view word);
