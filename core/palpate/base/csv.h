@@ -2,8 +2,9 @@
 // line.
 //
 // A table is plain text: one row a line, fields between commas, `#` starts a comment, blank lines are skipped, a byte
-// order mark and Windows line ends are accepted. Quoted fields are not: the tables of this project hold numbers and
-// names.
+// order mark and lines that end in LF, CR LF or CR are accepted, and so are what spreadsheets add: quotes around a
+// field and commas behind the last column. Other separators, quotes within quotes and UTF-16 are refused by their own
+// reason.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +13,7 @@
 #include <string>
 #include <string_view>
 
+#include "palpate/base/error.h"
 #include "palpate/base/number_range.h"
 
 namespace palpate {
@@ -22,7 +24,8 @@ struct CsvRow {
   std::span<const std::string_view> fields;  ///< trimmed; valid during the visit only
 };
 
-/// Calls `visit` for every row that holds something. Throws Error at the first control byte (a binary file).
+/// Calls `visit` for every row that holds something. Throws Error at the first control byte (a binary file), and where
+/// the first row shows that fields are separated by something else than commas.
 void forEachCsvRow(std::string_view text, std::string_view file, const std::function<void(const CsvRow&)>& visit);
 
 /// The finite number in `column`. Throws Error naming the line and the column otherwise.
@@ -30,6 +33,9 @@ double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_
 
 /// The same for a number that must be in a range.
 double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_name, const NumberRange& range);
+
+/// "expected the header a,b, found 'a;b'": what a reader says to another header, with the line.
+Error unexpectedHeader(const CsvRow& row, std::string_view expected);
 
 /// True when the row names columns instead of holding values, that is when its first field is not a number.
 bool looksLikeCsvHeader(const CsvRow& row);

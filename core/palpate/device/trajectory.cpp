@@ -51,7 +51,7 @@ void requireFields(const CsvRow& row) {
 /// A header must name these columns, for it also names the units.
 void requireHeader(const CsvRow& row) {
   if (std::ranges::equal(row.fields, split(kTrajectoryHeader, ','))) return;
-  throw Error::atLine(row.file, row.line, fmt::format("expected the header {} or numbers", kTrajectoryHeader));
+  throw unexpectedHeader(row, fmt::format("{} or numbers", kTrajectoryHeader));
 }
 
 /// Times on whole milliseconds are written as such; others need every digit, or rows of a faster device would coincide.

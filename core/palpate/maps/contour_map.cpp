@@ -46,7 +46,7 @@ std::size_t radiiOf(const CsvRow& row, std::size_t wanted) {
 void requireHeader(const CsvRow& row, std::size_t radii) {
   const std::string expected = header(radii);
   if (fmt::format("{}", fmt::join(row.fields, ",")) == expected) return;
-  throw Error::atLine(row.file, row.line, fmt::format("expected the header {}", expected));
+  throw unexpectedHeader(row, expected);
 }
 
 double radiusOf(const CsvRow& row, std::size_t i) {

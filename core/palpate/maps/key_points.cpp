@@ -66,7 +66,7 @@ FurtherColumns readHeader(const CsvRow& row) {
   const bool starts_well = row.fields.size() >= kFields && std::ranges::equal(row.fields.subspan(0, kFields), expected);
   const bool has_stranger = starts_well && !std::ranges::all_of(row.fields.subspan(kFields), isFurtherColumn);
   if (!starts_well || (has_stranger && row.fields.size() == kFields + 1)) {
-    throw Error::atLine(row.file, row.line, fmt::format("expected the header {}[,{}]", kHeader, kStiffnessColumn));
+    throw unexpectedHeader(row, fmt::format("{}[,{}]", kHeader, kStiffnessColumn));
   }
   FurtherColumns further;
   const bool is_plain =

@@ -52,7 +52,8 @@ TEST(KeyPoints, ErrorsNameTheLineAndTheCause) {
        {"P1,0,0,100,1,1e12\n", "keys.csv:1: direction_deg = 1000000000000 is out of range: -360 to 360"},
        {"name,x_cm,y_mm,half_major_mm,major_over_minor,direction_deg\n",
         "keys.csv:1: expected the header "
-        "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]"}});
+        "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm], found "
+        "'name,x_cm,y_mm,half_major_mm,major_over_minor,direction_deg'"}});
 }
 
 TEST(KeyPoints, ATableOfMeasurementsIsReadByItsHeader) {

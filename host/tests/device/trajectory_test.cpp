@@ -31,7 +31,7 @@ TEST(Trajectory, NamesTheLineAndTheCause) {
        {"0,1,2,nan\n", "path.csv:1: z_mm is nan"},
        {"0,1,2,inf\n", "path.csv:1: z_mm is inf"},
        {"0,1,2,3\n\n0,1,2,3\n", "path.csv:3: time does not increase: 0 s after 0 s"},
-       {"t_ms,x,y,z\n0,1,2,3\n", "path.csv:1: expected the header t_s,x_mm,y_mm,z_mm or numbers"},
+       {"t_ms,x,y,z\n0,1,2,3\n", "path.csv:1: expected the header t_s,x_mm,y_mm,z_mm or numbers, found 't_ms,x,y,z'"},
        {"0,1,2,2e11\n", "path.csv:1: z_mm = 200000000000 is out of range: -100,000,000,000 to 100,000,000,000"},
        {"5,1,2,3\n60005,1,2,3\n",
         "path.csv:2: t_s = 60005 is 60000 s after the first row: a trajectory lasts at most 50,000 s"}});

@@ -26,8 +26,10 @@ TEST(DotTable, IsReadWithAndWithoutAreas) {
 }
 
 TEST(DotTable, ErrorsNameTheLineAndTheCause) {
-  EXPECT_EQ(tableRefusal("before,1,2\n"), "dots.csv:1: expected the header picture,x_px,y_px[,area_px]");
-  EXPECT_EQ(tableRefusal("picture,x_px,y_px,colour\n"), "dots.csv:1: expected the header picture,x_px,y_px[,area_px]");
+  EXPECT_EQ(tableRefusal("before,1,2\n"),
+            "dots.csv:1: expected the header picture,x_px,y_px[,area_px], found 'before,1,2'");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px,colour\n"),
+            "dots.csv:1: expected the header picture,x_px,y_px[,area_px], found 'picture,x_px,y_px,colour'");
   EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,2,3\n"),
             "dots.csv:2: expected the 3 fields of the header, found 4");
   EXPECT_EQ(tableRefusal("picture,x_px,y_px\nlater,1,2\n"), "dots.csv:2: picture 'later' is neither before nor after");

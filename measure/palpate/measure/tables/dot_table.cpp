@@ -27,7 +27,7 @@ bool readHeader(const CsvRow& row) {
   const bool has_area = row.fields.size() == kFields + 1 && row.fields[kFields] == kArea;
   const bool has_length = row.fields.size() == kFields || has_area;
   if (!has_length || !std::equal(expected.begin(), expected.end(), row.fields.begin())) {
-    throw Error::atLine(row.file, row.line, fmt::format("expected the header {}[,{}]", kHeader, kArea));
+    throw unexpectedHeader(row, fmt::format("{}[,{}]", kHeader, kArea));
   }
   return has_area;
 }
