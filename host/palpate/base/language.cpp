@@ -28,15 +28,25 @@ const Language* languageOf(std::string_view code) {
   return found == kLanguages.end() ? nullptr : found;
 }
 
-/// "de" of "de_AT.UTF-8"; gettext's LANGUAGE may list several.
+bool isC(std::string_view locale) { return locale == "C" || locale == "POSIX"; }
+
+/// The locale of messages: the first that is set and not empty (POSIX.1-2017, section 8.2).
+std::string localeOfTheSystem() {
+  for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+    if (std::string locale = system::variable(name); !locale.empty()) return locale;
+  }
+  return "C";
+}
+
+/// As GNU gettext has it (its manual, "The LANGUAGE variable"): LANGUAGE lists languages in the order of one's liking
+/// and stands for the locale's, but says nothing in the locale "C"; an entry "C" ends the list. "de" of "de_AT.UTF-8".
 const Language& ofTheSystem() {
-  for (const char* name : {"LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"}) {
-    const std::string asked = system::variable(name);
-    if (asked.empty()) continue;
-    for (const std::string_view wanted : split(asked, ':')) {
-      if (const Language* known = languageOf(wanted.substr(0, wanted.find_first_of("_.@")))) return *known;
-    }
-    if (name != std::string_view("LANGUAGE")) break;  // the first that is set decides
+  const std::string locale = localeOfTheSystem();
+  const std::string list = isC(locale) ? "" : system::variable("LANGUAGE");
+  for (const std::string_view wanted : split(list.empty() ? locale : list, ':')) {
+    const std::string_view code = wanted.substr(0, wanted.find_first_of("_.@"));
+    if (isC(code)) break;
+    if (const Language* known = languageOf(code)) return *known;
   }
   return kLanguages.front();
 }

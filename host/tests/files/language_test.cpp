@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -97,15 +99,45 @@ TEST_F(LanguageTest, RefusesALanguageWithoutACatalogueAndNamesTheOthers) {
   }
 }
 
-TEST_F(LanguageTest, FollowsTheSystemWhereNoneIsAskedFor) {
-  setenv("LANGUAGE", "fr:de_AT.UTF-8", 1);
-  useLanguage("", folder_.path());
-  EXPECT_EQ(language().code, "de");
-  setenv("LANGUAGE", "", 1);
-  setenv("LC_ALL", "es_ES.UTF-8", 1);
-  useLanguage("", folder_.path());
-  EXPECT_EQ(language().code, "es");
-  unsetenv("LC_ALL");
+/// The language for these variables; those that are not given are not set.
+std::string languageFor(const std::map<std::string, std::string>& variables, const fs::path& folder) {
+  const auto set = [](const std::string& name, const char* value) {
+    value == nullptr ? unsetenv(name.c_str()) : setenv(name.c_str(), value, 1);
+  };
+  std::map<std::string, std::optional<std::string>> before;
+  for (const std::string name : {"LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"}) {
+    const char* value = std::getenv(name.c_str());
+    if (value != nullptr) before[name] = value;
+    const auto given = variables.find(name);
+    set(name, given == variables.end() ? nullptr : given->second.c_str());
+  }
+  useLanguage("", folder);
+  for (const std::string name : {"LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"}) {
+    set(name, before[name] ? before[name]->c_str() : nullptr);
+  }
+  return std::string(language().code);
+}
+
+TEST_F(LanguageTest, FollowsTheSystemByTheRulesOfGettext) {
+  const auto chosen = [this](const std::map<std::string, std::string>& variables) {
+    return languageFor(variables, folder_.path());
+  };
+  EXPECT_EQ(chosen({}), "en");
+  EXPECT_EQ(chosen({{"LANG", "de_AT.UTF-8"}}), "de");
+  EXPECT_EQ(chosen({{"LANG", "de_DE"}, {"LC_MESSAGES", "es_ES@euro"}}), "es");
+  EXPECT_EQ(chosen({{"LANG", "de_DE"}, {"LC_MESSAGES", ""}}), "de") << "empty is not set";
+  EXPECT_EQ(chosen({{"LANG", "de_DE"}, {"LC_ALL", "es_ES.UTF-8"}}), "es");
+  EXPECT_EQ(chosen({{"LANG", "de_DE"}, {"LC_ALL", "C"}}), "en");
+  EXPECT_EQ(chosen({{"LANG", "en_GB"}, {"LANGUAGE", "fr:de_AT.UTF-8"}}), "de") << "the first that there is";
+  EXPECT_EQ(chosen({{"LANG", "de_DE"}, {"LANGUAGE", ""}}), "de");
+  EXPECT_EQ(chosen({{"LANG", "de_DE"}, {"LANGUAGE", "fr"}}), "en") << "LANGUAGE stands for the locale";
+  EXPECT_EQ(chosen({{"LANG", "es_ES"}, {"LANGUAGE", "C:de"}}), "en") << "C ends the list";
+  for (const char* c : {"C", "POSIX"}) {
+    EXPECT_EQ(chosen({{"LANG", "de_DE"}, {"LC_ALL", c}, {"LANGUAGE", "de"}}), "en") << "LANGUAGE is nothing in " << c;
+  }
+  EXPECT_EQ(chosen({{"LANGUAGE", "de"}}), "en") << "without a locale it is C";
+  EXPECT_EQ(chosen({{"LANG", "C.UTF-8"}, {"LANGUAGE", "de"}}), "de");
+  EXPECT_EQ(chosen({{"LANG", "C.UTF-8"}}), "en");
 }
 
 }  // namespace
