@@ -300,7 +300,7 @@ PALPATE_API int32_t palpate_skin_apply(palpate_skin* skin, const palpate_touch* 
 PALPATE_API size_t palpate_skin_vertices(const palpate_skin* skin) PALPATE_NOEXCEPT;
 /* One value a vertex of the world's skin, in its order; `axis` 0, 1, 2 = x, y, z. Null for a null skin and for another
  * axis. The place stays until release, what is in it until the next apply. On a body that breathes as if it held its
- * breath: palpate_skin_lift_mm tells how far the breath has lifted it. */
+ * breath: palpate_skin_lift_mm tells how far the breath has lifted it. Positions count from palpate_skin_origin_mm. */
 PALPATE_API const float* palpate_skin_positions(const palpate_skin* skin, int32_t axis) PALPATE_NOEXCEPT;
 PALPATE_API const float* palpate_skin_normals(const palpate_skin* skin, int32_t axis) PALPATE_NOEXCEPT;
 PALPATE_API const float* palpate_skin_displacements(const palpate_skin* skin, int32_t axis) PALPATE_NOEXCEPT;
@@ -309,6 +309,9 @@ PALPATE_API const float* palpate_skin_strain(const palpate_skin* skin) PALPATE_N
 /* What the last apply wrote, as `count` pairs: first vertex, end. Upload these. There until the next apply. */
 PALPATE_API const uint32_t* palpate_skin_changed(const palpate_skin* skin, size_t* count) PALPATE_NOEXCEPT;
 PALPATE_API double palpate_skin_lift_mm(const palpate_skin* skin) PALPATE_NOEXCEPT;
+/* x, y, z that the positions count from: zeros, but for a body farther than 10 m from the origin of its frame (a scan in
+ * map coordinates), where floats would be millimetres apart. There until release; null for a null skin. */
+PALPATE_API const double* palpate_skin_origin_mm(const palpate_skin* skin) PALPATE_NOEXCEPT;
 PALPATE_API void palpate_skin_release(palpate_skin* skin) PALPATE_NOEXCEPT;
 
 /* ---- sessions: recorded runs, read back (docs/reference/recordings.md) ----------------------------------------------

@@ -99,4 +99,8 @@ const uint32_t* palpate_skin_changed(const palpate_skin* skin, size_t* count) no
 
 double palpate_skin_lift_mm(const palpate_skin* skin) noexcept { return skin == nullptr ? 0.0 : skin->living.lift(); }
 
+const double* palpate_skin_origin_mm(const palpate_skin* skin) noexcept {
+  return skin == nullptr ? nullptr : skin->living.surface().origin().data();
+}
+
 void palpate_skin_release(palpate_skin* skin) noexcept { delete skin; }

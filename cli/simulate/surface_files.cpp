@@ -12,7 +12,7 @@ mesh::TriangleMesh deformedMesh(const scene::World& world, const engine::LivingS
   const deform::DeformedSurface& surface = skin.surface();
   mesh::TriangleMesh mesh{std::vector<Vec3>(surface.vertices()), world.body->skin.triangles};
   for (Index v = 0; v < surface.vertices(); ++v) {
-    mesh.positions[v] = surface.positionAt(v).cast<double>();
+    mesh.positions[v] = surface.placeAt(v);
     if (world.breath) mesh.positions[v].z() += skin.lift() * world.breath->share(world.body->skin.positions[v]);
   }
   return mesh;

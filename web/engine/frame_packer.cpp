@@ -21,8 +21,11 @@ void FramePacker::add(const deform::DeformedSurface& surface, deform::VertexRang
   const std::size_t start = values_.size();
   values_.resize(start + (range.end - range.first) * kFloatsOfVertex);
   float* out = values_.data() + start;
+  const Vec3f origin = surface.origin().cast<float>();
   for (Index v = range.first; v < range.end; ++v) {
-    for (const std::span<const float> stream : streams) *out++ = stream[v];
+    for (std::size_t i = 0; i < streams.size(); ++i) {
+      *out++ = i < 3 ? origin[static_cast<Eigen::Index>(i)] + streams[i][v] : streams[i][v];
+    }
   }
 }
 

@@ -274,6 +274,9 @@ static void testSkin(palpate_world* world) {
   CHECK(palpate_skin_changed(skin, &count) != NULL && count > 0);
   CHECK(palpate_skin_normals(skin, 2) != NULL && palpate_skin_displacements(skin, 0) != NULL);
   CHECK(palpate_skin_strain(skin) != NULL && palpate_skin_lift_mm(skin) == 0.0);
+  const double* origin = palpate_skin_origin_mm(skin);
+  CHECK(origin != NULL && origin[0] == 0.0 && origin[1] == 0.0 && origin[2] == 0.0);
+  CHECK(palpate_skin_origin_mm(NULL) == NULL);
   CHECK(palpate_skin_positions(skin, 3) == NULL && palpate_skin_positions(skin, -1) == NULL);
   CHECK(palpate_skin_positions(NULL, 0) == NULL && palpate_skin_strain(NULL) == NULL);
   CHECK(palpate_skin_changed(NULL, &count) == NULL && count == 0 && palpate_skin_vertices(NULL) == 0);

@@ -402,10 +402,10 @@ class Skin:
         The interpreter's lock is kept. Raises TypeError for other things than touches, ValueError for more of them than there is room for, RuntimeError while another thread reads the skin (view.render).
         """
     def copy(self) -> dict[str, numpy.typing.NDArray[Any]]:
-        """A dict of fresh arrays, whole even beside `apply` in another thread: positions, normals, displacement (V, 3) and strain (V,), float32. Raises RuntimeError while another thread reads the skin (view.render)."""
+        """A dict of fresh arrays, whole even beside `apply` in another thread: positions, normals, displacement (V, 3) and strain (V,), float32; positions float64 of a body farther than 10 m from the origin. Raises RuntimeError while another thread reads the skin (view.render)."""
     @property
-    def positions(self) -> numpy.typing.NDArray[numpy.float32]:
-        """(V, 3) float32, mm; a live view, not contiguous (an axis after the other in memory)."""
+    def positions(self) -> numpy.typing.NDArray[Any]:
+        """(V, 3) float32, mm; a live view, not contiguous (an axis after the other in memory). Of a body farther than 10 m from the origin, as in map coordinates, a fresh float64 array."""
     @property
     def normals(self) -> numpy.typing.NDArray[numpy.float32]:
         """(V, 3) float32, unit; a live view."""

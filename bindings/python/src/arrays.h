@@ -48,6 +48,10 @@ struct ArrayName {
                                py::detail::npy_format_descriptor<Number>::name + py::detail::const_name("]");
 };
 
+struct FloatingArrayName {
+  static constexpr auto name = py::detail::const_name("numpy.typing.NDArray[Any]");
+};
+
 /// Whatever numpy.asarray takes.
 using ArrayLike = Named<ArrayLikeName>;
 /// A place: words ("T6 right 30 mm") or three numbers, mm.
@@ -57,6 +61,8 @@ using MaybeFields = Named<MaybeFieldsName>;
 using FeltDict = Named<FeltArraysName>;
 using FloatArray = Named<ArrayName<double>>;
 using Float32Array = Named<ArrayName<float>>;
+/// Of single or double precision.
+using FloatingArray = Named<FloatingArrayName>;
 using Int32Array = Named<ArrayName<std::int32_t>>;
 using IndexArray = Named<ArrayName<std::int64_t>>;
 

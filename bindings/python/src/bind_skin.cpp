@@ -23,6 +23,20 @@ const deform::DeformedSurface& surfaceOf(const py::object& self) {
   return self.cast<const SkinHandle&>().skin().surface();
 }
 
+/// Places of a body far from the origin: a float of the body frame would be millimetres off.
+py::array_t<double> placesOf(const deform::DeformedSurface& surface) {
+  py::array_t<double> places({static_cast<py::ssize_t>(surface.vertices()), py::ssize_t{3}});
+  double* to = places.mutable_data();
+  for (Index v = 0; v < surface.vertices(); ++v) Eigen::Map<Vec3>{to + std::size_t{3} * v} = surface.placeAt(v);
+  return places;
+}
+
+FloatingArray positionsOf(const py::object& self) {
+  const deform::DeformedSurface& surface = surfaceOf(self);
+  if (!surface.origin().isZero(0.0)) return py::object(placesOf(surface));
+  return py::object(pointsOver(surface.position(0), surface.position(1), surface.position(2), self));
+}
+
 /// Copied here and not by numpy, which lets other threads in while it copies; and all arrays are there before the first
 /// is written, because making one may let them in too.
 py::dict copied(SkinHandle& self) {
@@ -32,19 +46,23 @@ py::dict copied(SkinHandle& self) {
   py::array_t<float> normals({vertices, py::ssize_t{3}});
   py::array_t<float> displacement({vertices, py::ssize_t{3}});
   py::array_t<float> strain(vertices);
+  const bool is_far = !surface.origin().isZero(0.0);
+  py::array_t<double> places({is_far ? vertices : py::ssize_t{0}, py::ssize_t{3}});
+  double* to_places = places.mutable_data();
   float* to[] = {positions.mutable_data(), normals.mutable_data(), displacement.mutable_data()};
   float* to_strain = strain.mutable_data();
   {
     const Busy::Guard guard(self.busy(), "Skin");
     for (Index v = 0; v < surface.vertices(); ++v) {
       Eigen::Map<Vec3f>{to[0] + std::size_t{3}* v} = surface.positionAt(v);
+      if (is_far) Eigen::Map<Vec3>{to_places + std::size_t{3} * v} = surface.placeAt(v);
       Eigen::Map<Vec3f>{to[1] + std::size_t{3}* v} = surface.normalAt(v);
       Eigen::Map<Vec3f>{to[2] + std::size_t{3}* v} = surface.displacementAt(v);
     }
     std::copy(surface.strain().begin(), surface.strain().end(), to_strain);
   }
   py::dict copy;
-  copy["positions"] = std::move(positions);
+  copy["positions"] = surface.origin().isZero(0.0) ? py::object(std::move(positions)) : py::object(std::move(places));
   copy["normals"] = std::move(normals);
   copy["displacement"] = std::move(displacement);
   copy["strain"] = std::move(strain);
@@ -96,14 +114,12 @@ void bindSkin(py::module_& module) {
       "copy", [](SkinHandle& self) { return FeltDict(copied(self)); },
       "A dict of fresh arrays, whole even beside `apply` in another thread: positions, normals, displacement (V, 3) "
       "and "
-      "strain (V,), float32. Raises RuntimeError while another thread reads the skin (view.render).");
+      "strain (V,), float32; positions float64 of a body farther than 10 m from the origin. Raises RuntimeError while another thread reads the skin (view.render).");
   skin.def_property_readonly(
       "positions",
-      [](const py::object& self) {
-        const auto& surface = surfaceOf(self);
-        return pointsOver(surface.position(0), surface.position(1), surface.position(2), self);
-      },
-      "(V, 3) float32, mm; a live view, not contiguous (an axis after the other in memory).");
+      &positionsOf,
+      "(V, 3) float32, mm; a live view, not contiguous (an axis after the other in memory). Of a body farther than 10 m "
+      "from the origin, as in map coordinates, a fresh float64 array.");
   skin.def_property_readonly(
       "normals",
       [](const py::object& self) {

@@ -115,6 +115,26 @@ def test_what_mending_drops_has_no_place():
     assert any("repaired" in note for note in world.notes)
 
 
+def test_the_skin_of_a_body_in_map_coordinates_is_where_the_body_is():
+    vertices, faces = dome(12)
+
+    def pressed(offset):
+        world = palpate.World.from_arrays(vertices + offset, faces)
+        skin = palpate.Skin(world)
+        np.testing.assert_allclose(skin.positions, world.positions, atol=1e-3)
+        finger = palpate.Finger(world)
+        for height in np.linspace(22.0, 15.0, 200):
+            touch = finger.step(offset + [3.1, 2.3, height])  # within a triangle: on a vertex rounding would choose another
+        skin.apply([touch])
+        np.testing.assert_allclose(skin.positions, world.positions + skin.displacement, atol=1e-3)
+        np.testing.assert_array_equal(skin.copy()["positions"], skin.positions)
+        return skin.displacement[world.built_vertex]
+
+    nearby = pressed(np.zeros(3))
+    assert np.abs(nearby).max() > 3.0
+    np.testing.assert_allclose(pressed(np.array([4e8, 4.08e9, 0.0])), nearby, atol=1e-2)
+
+
 def test_a_world_without_a_given_mesh_has_no_maps(torso):
     with pytest.raises(palpate.Error, match="made of no mesh"):
         _ = torso.source_vertex

@@ -19,8 +19,8 @@
 
 namespace palpate {
 
-/// No place, length, force or coefficient is larger; mm, N.
-inline constexpr double kMaxWire = 1e9;
+/// No place, length, force or coefficient is larger; mm, N. Places in map coordinates reach 2e10 mm.
+inline constexpr double kMaxWire = 1e11;
 
 namespace wire {
 

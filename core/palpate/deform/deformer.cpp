@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "palpate/deform/fast_displacement.h"
@@ -134,9 +135,10 @@ void Deformer::Pipeline<Displacement>::frameContacts(std::span<const Contact> co
       report.status |= reason;
     } else if (plan.frames.size() == forms_.common.max_contacts) {
       report.status |= kIgnoredOverCapacity;
-    } else if (const auto frame = displacement_.frame(contact); frame.wantsPress() || frame.wantsDrag()) {
+    } else if (auto frame = displacement_.frame(contact); frame.wantsPress() || frame.wantsDrag()) {
       report.status |= degenerateParts(frame);
-      plan.frames.push_back(frame);
+      frame.anchor -= skin_.origin;
+      plan.frames.push_back(std::move(frame));
     }
   }
 }

@@ -23,10 +23,22 @@ void requireVerticesOfTriangles(const mesh::TriangleMesh& mesh) {
   }
 }
 
+/// Vertices that are not finite are nowhere.
+Vec3 originOf(const mesh::TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& position : mesh.positions) {
+    if (position.allFinite()) box.extend(position);
+  }
+  const bool is_near = box.isEmpty() || box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff() <= kNearMm;
+  return is_near ? Vec3(Vec3::Zero()) : Vec3(box.center().array().round());
+}
+
 void storeRestPositions(const mesh::TriangleMesh& mesh, Skin& skin) {
   skin.rest = FloatStreams(kRestStreams, std::size_t{skin.blocks} * kBlockVertices, 0);
   for (Index v = 0; v < skin.vertices; ++v) {
-    for (int axis = 0; axis < 3; ++axis) skin.rest[axis][v] = static_cast<float>(mesh.positions[v][axis]);
+    for (int axis = 0; axis < 3; ++axis) {
+      skin.rest[axis][v] = static_cast<float>(mesh.positions[v][axis] - skin.origin[axis]);
+    }
   }
 }
 
@@ -114,6 +126,7 @@ Skin buildSkin(const mesh::TriangleMesh& mesh, const Progress& progress) {
   next();
   skin.neighbours = mesh::neighboursOfVertices(mesh, skin.triangles_of_vertex);
   next();
+  skin.origin = originOf(mesh);
   storeRestPositions(mesh, skin);
   next();
   storeRestNormals(skin);

@@ -61,12 +61,19 @@ std::uint64_t grownWithin(const GroupGraph& graph, Index group, std::uint64_t st
 /// The things of the linked group that have an edge to one of `from`.
 std::uint64_t acrossLink(const GroupGraph& graph, const GroupLink& link, std::uint64_t from) noexcept;
 
+/// Bodies that lie within this of the body frame's origin along each axis count from there; the last bit of a float is
+/// a micrometre here. Others, scans in map coordinates, count from the middle of their box, in whole millimetres.
+inline constexpr double kNearMm = 1e4;
+
 /// Of the rest shape: x, y, z, nx, ny, nz.
 inline constexpr std::size_t kRestStreams = 6;
 
 struct Skin {
   Index vertices = 0;
   Index blocks = 0;
+  /// What all positions here and of the surfaces of this skin count from, mm: zero, but for a body that lies farther
+  /// from the body frame's origin than a float tells micrometres (kNearMm).
+  Vec3 origin = Vec3::Zero();
   FloatStreams rest;                    ///< kRestStreams, padded to whole blocks with zeros
   std::span<const Triangle> triangles;  ///< of the mesh that it was built from
   mesh::IndexRows neighbours;
@@ -107,7 +114,7 @@ struct Skin {
     const float* room = room_beside_staying.data() + std::size_t{block} * kBlockVertices;
     return {restBlock(block), room, fold_bounds[block].longest_mm};
   }
-  /// A ball that holds all triangles at the vertices of a block.
+  /// A ball that holds all triangles at the vertices of a block; about the origin, as all here.
   Vec3 centreOf(Index block) const {
     return Vec3f(bounds[0][block], bounds[1][block], bounds[2][block]).cast<double>();
   }
@@ -116,6 +123,8 @@ struct Skin {
     return static_cast<double>(half.norm()) + static_cast<double>(fold_bounds[block].longest_mm);
   }
   Vec3f restPosition(Index v) const { return {rest[0][v], rest[1][v], rest[2][v]}; }
+  /// In the body frame.
+  Vec3 restPlace(Index v) const { return origin + restPosition(v).cast<double>(); }
   Vec3f restNormal(Index v) const { return {rest[3][v], rest[4][v], rest[5][v]}; }
 };
 

@@ -11,6 +11,7 @@ namespace palpate::deform {
 
 DeformedSurface::DeformedSurface(const Skin& skin)
     : vertices_(skin.vertices),
+      origin_(skin.origin),
       // the rest shape's arrays take the phases before (FloatStreams)
       streams_(kStreams, std::size_t{skin.blocks} * kBlockVertices, kRestStreams),
       written_(skin.blocks) {

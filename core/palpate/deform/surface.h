@@ -21,7 +21,9 @@ class DeformedSurface {
   explicit DeformedSurface(const Skin& skin);
 
   Index vertices() const { return vertices_; }
-  /// Axis 0, 1, 2 = x, y, z; mm. Vertices that no contact touches hold the rest shape bit by bit.
+  /// What the positions count from: the skin's origin, zero but for a body far away (Skin::origin).
+  const Vec3& origin() const { return origin_; }
+  /// Axis 0, 1, 2 = x, y, z; mm from the origin. Vertices that no contact touches hold the rest shape bit by bit.
   std::span<const float> position(int axis) const { return view(kPosition + axis); }
   /// Unit normals.
   std::span<const float> normal(int axis) const { return view(kNormal + axis); }
@@ -32,6 +34,8 @@ class DeformedSurface {
   std::span<const float> strain() const { return view(kStrain); }
 
   Vec3f positionAt(Index v) const { return at(kPosition, v); }
+  /// In the body frame.
+  Vec3 placeAt(Index v) const { return origin_ + positionAt(v).cast<double>(); }
   Vec3f normalAt(Index v) const { return at(kNormal, v); }
   Vec3f displacementAt(Index v) const { return at(kDisplacement, v); }
 
@@ -57,6 +61,7 @@ class DeformedSurface {
   void listChange(Index block);
 
   Index vertices_ = 0;
+  Vec3 origin_ = Vec3::Zero();
   FloatStreams streams_;  // x y z, nx ny nz, dx dy dz, strain
   BlockSet written_;      // blocks that do not hold the rest shape
   bool has_strain_ = false;

@@ -30,7 +30,7 @@ std::optional<BoneCover> BoneCoverMeter::of(const deform::DeformedSurface& surfa
     const double least = cover ? cover->least_mm : std::numeric_limits<double>::infinity();
     const double at_least = world_.body->anatomy.depth_mm[v] - moved;
     if (!(at_least < least)) continue;
-    const Vec3 now = surface.positionAt(v).cast<double>();
+    const Vec3 now = surface.placeAt(v);
     const tree::NearestPoint nearest = tree::nearestPoint(*bones_, now, world_.body->anatomy.depth_mm[v] + moved + 1.0);
     if (nearest.triangle == kNoIndex) continue;
     const bool inside = tree::firstFrontCrossing(*bones_, world_.body->skin.positions[v], now).triangle != kNoIndex;

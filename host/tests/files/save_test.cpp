@@ -55,6 +55,11 @@ TEST(Save, RefusesWhatTheFormatCannotHold) {
   const VertexChannels channels{{{"depth", {1, 2, 3}}}, {}};
   EXPECT_THROW(save(folder / "t.obj", zoo::oneTriangle(), channels), Error);
   EXPECT_THROW(save(folder / "t.xyz", zoo::oneTriangle()), Error);
+  TriangleMesh far = zoo::oneTriangle();
+  for (Vec3& position : far.positions) position.x() += 4e8;
+  EXPECT_EQ(
+      support::messageOf([&] { save(folder / "t.stl", far); }),
+      (folder / "t.stl").string() + ": an STL file would round places so far from the origin: write .ply or .obj");
   EXPECT_THROW(save(folder / "t.ply", zoo::cube(), channels), Error);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }

@@ -97,8 +97,16 @@ Ray rayThrough(const Screen& screen, const Vec3& eye, double x, double y) {
   return {eye, (place - eye).normalized()};
 }
 
+Mat4f Frustum::clipFrom(const Vec3& origin) const {
+  if (origin.isZero(0.0)) return clip();
+  Mat4f moved = view;
+  const Mat3 turn = view.block<3, 3>(0, 0).cast<double>();
+  moved.block<3, 1>(0, 3) = (turn * (origin - eye)).cast<float>();
+  return projection * moved;
+}
+
 Vec2 seenAt(const Frustum& frustum, const Vec3& point) {
-  const Eigen::Vector4f clip = frustum.clip() * point.cast<float>().homogeneous();
+  const Eigen::Vector4f clip = frustum.clipFrom(point) * Vec3f::Zero().homogeneous();
   if (!(clip.w() > 0.0f)) return Vec2::Constant(std::numeric_limits<double>::quiet_NaN());
   return {0.5 + 0.5 * clip.x() / clip.w(), 0.5 - 0.5 * clip.y() / clip.w()};
 }

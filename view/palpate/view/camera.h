@@ -57,6 +57,8 @@ struct Frustum {
   Mat4f projection = Mat4f::Identity();  ///< eye frame -> clip
   Vec3 eye = Vec3::Zero();
   Mat4f clip() const { return projection * view; }
+  /// Places that count from `origin` -> clip: for bodies so far away that floats of the body frame are too coarse.
+  Mat4f clipFrom(const Vec3& origin) const;
 };
 
 /// The frustum of an eye before a screen (Kooima). Throws Error for an eye that is not in front of the screen.

@@ -17,6 +17,7 @@ class DrawnSkin {
     for (const deform::VertexRange& range : changed_) copy(surface, range);
   }
   void copyAll(const deform::DeformedSurface& surface) {
+    origin_ = surface.origin();
     places_.resize(surface.vertices());
     normals_.resize(surface.vertices());
     changed_ = {{0, surface.vertices()}};
@@ -28,7 +29,7 @@ class DrawnSkin {
   void lift(float lift_mm) { lift_mm_ = lift_mm; }
   double liftMm() const { return lift_mm_; }
   Vec3 at(Index v) const {
-    const Vec3 place = places_[v].cast<double>();
+    const Vec3 place = origin_ + places_[v].cast<double>();
     return breath_.empty() ? place : Vec3(place + Vec3(0, 0, lift_mm_ * breath_[v]));
   }
   Vec3 normalAt(Index v) const { return normals_[v].cast<double>(); }
@@ -44,6 +45,7 @@ class DrawnSkin {
     }
   }
 
+  Vec3 origin_ = Vec3::Zero();
   std::vector<Vec3f> places_, normals_;
   std::vector<float> breath_;
   float lift_mm_ = 0.0f;

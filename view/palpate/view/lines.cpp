@@ -48,7 +48,7 @@ void Lines::addCross(const Vec3& centre, double half_mm, Paint paint) {
 }
 
 void Patches::addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, Paint paint) {
-  for (const Vec3& corner : {a, b, c}) points.push_back({corner.cast<float>(), paint});
+  for (const Vec3& corner : {a, b, c}) points.push_back({corner, paint});
 }
 
 void Patches::addQuad(const std::array<Vec3, 4>& corners, Paint paint) {

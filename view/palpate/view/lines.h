@@ -13,7 +13,7 @@ namespace palpate::view {
 using Paint = std::array<std::uint8_t, 4>;
 
 struct PaintedPoint {
-  Vec3f place;
+  Vec3 place;
   Paint paint;
 };
 
@@ -23,8 +23,8 @@ struct Lines {
   std::vector<PaintedPoint> points;
 
   void add(const Vec3& from, const Vec3& to, Paint paint) {
-    points.push_back({from.cast<float>(), paint});
-    points.push_back({to.cast<float>(), paint});
+    points.push_back({from, paint});
+    points.push_back({to, paint});
   }
   void addPath(std::span<const Vec3> path, Paint paint);
   void addBox(const Eigen::AlignedBox3d& box, Paint paint);

@@ -27,7 +27,7 @@ TEST(ContactMarks, DrawTenMillimetresAnNewtonAndBreakAtSixty) {
     contact.force = newton * Vec3::UnitZ();
     Lines lines;
     addContactMarks(contact, lines);
-    float highest = 0.0f;
+    double highest = 0.0;
     for (const auto& point : lines.points) {
       if (point.paint == kForcePaint) highest = std::max(highest, point.place.z());
     }
@@ -72,11 +72,12 @@ TEST(PartitionMarks, HoldEveryTriangleWhoseBoxMeetsTheDetectingBox) {
   contact.proxy = {40.0, 60.0, 0.0};
   Patches patches;
   addHapticTriangles(shown, *world, skin, contact, patches);
+  const auto in_floats = [](const Vec3& p) { return std::array{static_cast<float>(p.x()), static_cast<float>(p.y())}; };
   std::set<std::array<float, 2>> corners;
-  for (const auto& point : patches.points) corners.insert({point.place.x(), point.place.y()});
+  for (const auto& point : patches.points) corners.insert(in_floats(point.place));
   for (const Vec3& p : world->body->skin.positions) {
     if ((p - contact.proxy).head<2>().lpNorm<Eigen::Infinity>() < 10.0) {
-      EXPECT_TRUE(corners.contains({static_cast<float>(p.x()), static_cast<float>(p.y())}));
+      EXPECT_TRUE(corners.contains(in_floats(p)));
     }
   }
   EXPECT_LT(patches.points.size(), 3 * world->body->skin.triangles.size()) << "and not the whole skin";
@@ -118,12 +119,12 @@ TEST(SkinMarks, ShowTheArrowsOfAStraightPressToAnEyeThatLooksAlongThem) {
   addDisplacements(*world, skin, 6.0, arrows);
   ASSERT_FALSE(arrows.points.empty());
   // Every stroke of the largest arrow, seen along z: how far it reaches from the arrow's middle.
-  float widest = 0.0f;
+  double widest = 0.0;
   for (std::size_t i = 0; i < arrows.points.size(); i += 2) {
-    const Vec3f stroke = arrows.points[i + 1].place - arrows.points[i].place;
+    const Vec3 stroke = arrows.points[i + 1].place - arrows.points[i].place;
     widest = std::max(widest, stroke.head<2>().norm());
   }
-  EXPECT_GT(widest, 4.0f) << "mm across; the barbs alone have less than 2";
+  EXPECT_GT(widest, 4.0) << "mm across; the barbs alone have less than 2";
 }
 
 /// Of the deformed and of the resting curve of a cut, as drawn.
@@ -144,12 +145,12 @@ TEST(SectionMarks, DrawNoLineInTheSkinNorTwoInOnePlace) {
   const auto [deformed, rest] = cutLines(*world, pressedFinger(*world, {51.0, 49.0, 0.0}, 6.0));
   ASSERT_FALSE(deformed.points.empty());
   ASSERT_FALSE(rest.points.empty());
-  float farthest = 0.0f;
-  for (const PaintedPoint& point : rest.points) farthest = std::max(farthest, std::abs(point.place.x() - 51.0f));
-  EXPECT_LT(farthest, 30.0f) << "at rest only over the dent, not where both lines are one";
+  double farthest = 0.0;
+  for (const PaintedPoint& point : rest.points) farthest = std::max(farthest, std::abs(point.place.x() - 51.0));
+  EXPECT_LT(farthest, 30.0) << "at rest only over the dent, not where both lines are one";
   for (const PaintedPoint& point : deformed.points) {
-    if (std::abs(point.place.x() - 51.0f) < 30.0f) continue;
-    EXPECT_NEAR(point.place.z(), 0.5f, 1e-3f) << "out of the skin";
+    if (std::abs(point.place.x() - 51.0) < 30.0) continue;
+    EXPECT_NEAR(point.place.z(), 0.5, 1e-3) << "out of the skin";
   }
 }
 
@@ -165,7 +166,7 @@ TEST(SectionMarks, ReachAsFarAsTheirChartAndShowTheDeepestFingerAlone) {
   look.show(Overlay::section);
   Overlays overlays(*world);
   const OverlayShapes& shapes = overlays.shapes(look, skin, fingers);
-  float low = 100.0f, high = 0.0f;
+  double low = 100.0, high = 0.0;
   for (const PaintedPoint& point : shapes.bold.points) {
     EXPECT_NEAR(point.place.y(), 70.0f, 1.0f);
     low = std::min(low, point.place.x());

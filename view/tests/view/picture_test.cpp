@@ -73,6 +73,27 @@ TEST(Picture, ShowsAPlaceToBothEyesWithTheParallaxOfItsDistance) {
   }
 }
 
+TEST(Picture, OfABodyInMapCoordinatesIsThatOfTheSameBodyNearby) {
+  const auto pictureAt = [](const Vec3& place) {
+    mesh::TriangleMesh sheet = zoo::grid(50, 100.0);
+    for (Vec3& position : sheet.positions) position += place - Vec3(50.0, 50.0, 0.0);
+    const auto world = worldOf(std::move(sheet));
+    const FingerMark finger = pressedFinger(*world, place, 8.0, Vec3(6.0, 0.0, 0.0));
+    PictureSettings settings;
+    settings.camera.centre = place;
+    settings.camera.yaw_rad = 0.4;
+    settings.camera.distance_mm = 300.0;
+    settings.labels = LabelSettings::none();
+    settings.look.show(Overlay::section);
+    return picture(world, deformedBy(*world, {&finger, 1}), {{&finger, 1}, 0.0}, settings, kPictureSize);
+  };
+  const Image nearby = pictureAt(Vec3::Zero());
+  for (const Vec3& place : {Vec3(4e8, 4e8, 0.0), Vec3(5e8, 4.08e9, 1e6)}) {
+    const support::Comparison found = support::compare(nearby, pictureAt(place));
+    EXPECT_TRUE(found.same) << found.words();
+  }
+}
+
 TEST(Picture, ChangesNothingOutsideOfItsLens) {
   const auto world = flatWorld();
   Studio studio(world);

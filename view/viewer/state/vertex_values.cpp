@@ -47,7 +47,7 @@ view::Lines vertexMark(const VertexReading& reading, const scene::World& world,
   constexpr view::Paint kPaint{255, 225, 60, 255};
   view::Lines mark{2.0, {}};
   const double half_mm = kShareOfBody * mesh::boundingBox(world.body->skin).diagonal().norm();
-  mark.addCross(surface.positionAt(reading.vertex).cast<double>(), half_mm, kPaint);
+  mark.addCross(surface.placeAt(reading.vertex), half_mm, kPaint);
   return mark;
 }
 

@@ -63,6 +63,15 @@ void writeObj(const TriangleMesh& mesh, Buffer& out) {
   for (const auto& [a, b, c] : mesh.triangles) out.add(fmt::format("f {} {} {}\n", a + 1, b + 1, c + 1));
 }
 
+/// The floats of an STL are 0.06 mm apart a kilometre away; a scan in map coordinates would become blocks.
+void requirePlacesForFloats(const TriangleMesh& mesh, const std::filesystem::path& file) {
+  constexpr double kFarthestMm = 1e6;
+  for (const Vec3& position : mesh.positions) {
+    if (!position.allFinite() || position.cwiseAbs().maxCoeff() <= kFarthestMm) continue;
+    throw Error::inFile(file.string(), "an STL file would round places so far from the origin: write .ply or .obj");
+  }
+}
+
 void writeStl(const TriangleMesh& mesh, Buffer& out) {
   std::string header = "Palpate, millimetres";  // must not start with "solid": that is the text format
   header.resize(80, ' ');
@@ -125,6 +134,7 @@ void save(const std::filesystem::path& file, const TriangleMesh& mesh, const Ver
   if (extension != ".obj" && extension != ".stl" && extension != ".ply") {
     throw Error::inFile(file.string(), "meshes are written as .obj, .stl or .ply");
   }
+  if (extension == ".stl") requirePlacesForFloats(mesh, file);
   if (extension != ".ply" && hasChannels(channels)) {
     throw Error::inFile(file.string(), "values per vertex need a .ply file");
   }

@@ -11,8 +11,8 @@
 namespace palpate::mesh {
 
 /// Writes by extension: .obj and .ply keep positions exactly (double), .stl rounds them to float. Millimetres. Only
-/// .ply has room for channels. Throws Error: unknown extension, folder missing, disk full, a channel whose size is not
-/// the number of vertices.
+/// .ply has room for channels. Throws Error: unknown extension, an .stl of places farther than a kilometre from the
+/// origin, folder missing, disk full, a channel whose size is not the number of vertices.
 void save(const std::filesystem::path& file, const TriangleMesh& mesh, const VertexChannels& channels = {});
 
 }  // namespace palpate::mesh

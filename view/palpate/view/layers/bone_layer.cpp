@@ -66,7 +66,8 @@ void append(const body::Bone& bone, const scene::World& world, std::vector<BoneV
     const Vec3& place = bone.mesh.positions[v];
     const auto nearest = tree::nearestPoint(world.surface.geometry->tree, place, kDeepestMm);
     const Vec3 to_skin = nearest.triangle == kNoIndex ? Vec3(Vec3::Zero()) : Vec3(nearest.closest.point - place);
-    vertices.push_back({place.cast<float>(), normals[v].cast<float>(), to_skin.cast<float>()});
+    vertices.push_back(
+        {(place - world.deformable->origin).cast<float>(), normals[v].cast<float>(), to_skin.cast<float>()});
   }
   for (const Triangle& t : bone.mesh.triangles) triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
 }
@@ -108,7 +109,8 @@ void BoneLayer::findHidden(const Vec3f& eye) {
     const std::vector<Vec3>& points = world_->body->anatomy.bones[b].mesh.positions;
     bones_[b].hidden = true;
     for (std::size_t v = 0; v < points.size() && bones_[b].hidden; v += kStride) {
-      const auto skin = tree::firstFrontCrossing(world_->surface.geometry->tree, eye.cast<double>(), points[v]);
+      const auto skin = tree::firstFrontCrossing(world_->surface.geometry->tree,
+                                                 world_->deformable->origin + eye.cast<double>(), points[v]);
       bones_[b].hidden = skin.triangle != kNoIndex;
     }
   }

@@ -104,14 +104,16 @@ LineLayer::LineLayer()
       patches_("patches", kSharedShader, kPointVertex, kPatchFragment) {
   glBindVertexArray(vertex_array_.get());
   glBindBuffer(GL_ARRAY_BUFFER, points_.get());
-  attributeAt(0, 3, GL_FLOAT, sizeof(PaintedPoint));
-  attributeAt(1, 4, GL_UNSIGNED_BYTE, sizeof(PaintedPoint), offsetof(PaintedPoint, paint));
+  attributeAt(0, 3, GL_FLOAT, sizeof(UploadedPoint));
+  attributeAt(1, 4, GL_UNSIGNED_BYTE, sizeof(UploadedPoint), offsetof(UploadedPoint, paint));
   glBindVertexArray(0);
 }
 
-void LineLayer::upload(std::span<const PaintedPoint> points) {
+void LineLayer::upload(std::span<const PaintedPoint> points, const Viewpoint& viewpoint) {
+  uploaded_.clear();
+  for (const PaintedPoint& point : points) uploaded_.push_back({viewpoint.drawn(point.place), point.paint});
   glBindVertexArray(vertex_array_.get());
-  fillBuffer(GL_ARRAY_BUFFER, points_.get(), points, GL_STREAM_DRAW);
+  fillBuffer<UploadedPoint>(GL_ARRAY_BUFFER, points_.get(), uploaded_, GL_STREAM_DRAW);
 }
 
 void LineLayer::begin(const Program& program, const Viewpoint& viewpoint) {
@@ -133,7 +135,7 @@ void LineLayer::end() {
 
 void LineLayer::draw(const Lines& lines, const Viewpoint& viewpoint, double pixels_per_point) {
   if (lines.points.empty()) return;
-  upload(lines.points);
+  upload(lines.points, viewpoint);
   begin(lines_, viewpoint);
   const auto scale = static_cast<float>(pixels_per_point);
   lines_.set("width", static_cast<float>(lines.width_px) * scale);
@@ -150,7 +152,7 @@ void LineLayer::draw(const Lines& lines, const Viewpoint& viewpoint, double pixe
 
 void LineLayer::draw(const Patches& patches, const Viewpoint& viewpoint, PatchDepth depth) {
   if (patches.points.empty()) return;
-  upload(patches.points);
+  upload(patches.points, viewpoint);
   begin(patches_, viewpoint);
   glDepthFunc(depth == PatchDepth::seen_through ? GL_ALWAYS : GL_LEQUAL);
   if (depth == PatchDepth::solid) glDepthMask(GL_TRUE);

@@ -36,7 +36,12 @@ class LineLayer {
   }
 
  private:
-  void upload(std::span<const PaintedPoint> points);
+  /// A PaintedPoint on the graphics card.
+  struct UploadedPoint {
+    Vec3f place;
+    Paint paint;
+  };
+  void upload(std::span<const PaintedPoint> points, const Viewpoint& viewpoint);
   void begin(const Program& program, const Viewpoint& viewpoint);
   void beginEdges(const Viewpoint& viewpoint, double width_px, Paint paint);
   static void end();
@@ -44,6 +49,7 @@ class LineLayer {
   Program lines_, edges_, patches_;
   GlVertexArray vertex_array_;
   GlBuffer points_;
+  std::vector<UploadedPoint> uploaded_;  // of the draw under way
 };
 
 }  // namespace palpate::view

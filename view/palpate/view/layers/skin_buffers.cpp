@@ -118,7 +118,7 @@ SkinBuffers::SkinBuffers(const scene::World& world)
     : world_(&world),
       drawn_(drawnVerticesOf(world)),
       stiffness_(world.surface.stiffness_n_per_mm->begin(), world.surface.stiffness_n_per_mm->end()),
-      box_(mesh::boundingBox(world.body->skin).cast<float>()) {
+      box_(mesh::boundingBox(world.body->skin).translated(-world.deformable->origin).cast<float>()) {
   const std::vector<Vec3f> places = drawn_.withCopies<Vec3f>(restPlaces(*world.deformable));
   fillBuffer<Vec3f>(GL_ARRAY_BUFFER, rest_.get(), places);
   fillBuffer<PackedNormal>(GL_ARRAY_BUFFER, rest_normals_.get(),

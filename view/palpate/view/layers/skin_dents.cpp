@@ -63,7 +63,7 @@ std::vector<SkinDent> dentsOf(std::span<const FingerMark> fingers, const scene::
   for (std::size_t i = 0; i < presses.size(); ++i) {
     const Vec3& anchor = presses[i].anchor;
     const Vec3 place = world.breath ? world.breath->rest(anchor, lift_mm) : anchor;
-    dents.push_back(dentOf(presses[i], place, wayOf(presses[i], presses), radii_mm[i]));
+    dents.push_back(dentOf(presses[i], place - world.deformable->origin, wayOf(presses[i], presses), radii_mm[i]));
   }
   return dents;
 }

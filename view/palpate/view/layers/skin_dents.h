@@ -19,7 +19,7 @@ inline constexpr double kFullHelpMm = 0.8;
 /// mm: the outermost contour of a dent; the next ones are 2 mm apart.
 inline constexpr double kOutermostContourMm = 0.5;
 
-/// A press as a dent that has to be seen, in coordinates of the skin at rest.
+/// A press as a dent that has to be seen, in coordinates of the skin at rest, from its origin.
 struct SkinDent {
   Vec3f place = Vec3f::Zero();
   Vec3f normal = Vec3f::UnitZ();  ///< unit, against the press and across every drag: what sinks along it is a dent

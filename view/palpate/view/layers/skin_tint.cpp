@@ -87,7 +87,7 @@ double tanAt(double up) {
 std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)); }
 
 TintBytes tintAt(const scene::World& world, Index vertex, double open, double tan) {
-  const Vec3& place = world.body->skin.positions[vertex];
+  const Vec3 place = world.body->skin.positions[vertex] - world.deformable->origin;
   const BoneInfluence bone = boneInfluence(world.body->anatomy, vertex);
   // Blood varies more than pigment: the red channel least in value, so blotches read as warmer and cooler.
   const double blood = 0.6 * mottlingAt(place) + 1.1 * (bone.red - 0.35) * (bone.red > 0.0 ? 1.0 : 0.0);

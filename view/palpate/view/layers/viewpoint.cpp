@@ -25,10 +25,11 @@ Lights lightsFor(const Frustum& frustum) {
   return {axes * kKeyLight, axes * kFillLight};
 }
 
-Viewpoint viewpointOf(const Frustum& frustum, int width, int height) {
+Viewpoint viewpointOf(const Frustum& frustum, int width, int height, const Vec3& origin) {
   Viewpoint viewpoint;
-  viewpoint.clip = frustum.clip();
-  viewpoint.eye = frustum.eye.cast<float>();
+  viewpoint.origin = origin;
+  viewpoint.clip = frustum.clipFrom(origin);
+  viewpoint.eye = viewpoint.drawn(frustum.eye);
   viewpoint.backward = frustum.view.block<1, 3>(2, 0).transpose();
   viewpoint.lights = lightsFor(frustum);
   viewpoint.pixels = {static_cast<float>(width), static_cast<float>(height)};

@@ -26,8 +26,10 @@ struct Lights {
 Lights lightsFor(const Frustum& frustum);
 
 struct Viewpoint {
-  Mat4f clip = Mat4f::Identity();  ///< body frame -> clip
-  Vec3f eye = Vec3f::Zero();
+  /// What places on the graphics card count from, mm of the body frame: the skin's origin (deform/skin.h).
+  Vec3 origin = Vec3::Zero();
+  Mat4f clip = Mat4f::Identity();   ///< places there -> clip
+  Vec3f eye = Vec3f::Zero();        ///< likewise
   Vec3f backward = Vec3f::UnitZ();  ///< unit, from the picture to the eye
   Lights lights;
   Vec2f pixels = Vec2f::Ones();    ///< of the viewport
@@ -36,13 +38,17 @@ struct Viewpoint {
   float pixels_per_point = 1.0f;   ///< Frame::pixels_per_point
   float pixels_per_radian = 1.0f;  ///< in the middle of the picture: pixels of 1 mm at 1 mm, divide by the distance
 
-  /// At the nearest place of a box; infinite within it.
+  /// A place of the body frame on the graphics card.
+  Vec3f drawn(const Vec3& place) const { return (place - origin).cast<float>(); }
+
+  /// At the nearest place of a box on the graphics card; infinite within it.
   float pixelsPerMm(const Eigen::AlignedBox3f& box) const { return pixels_per_radian / box.exteriorDistance(eye); }
 };
 
-Viewpoint viewpointOf(const Frustum& frustum, int width, int height);
+Viewpoint viewpointOf(const Frustum& frustum, int width, int height, const Vec3& origin = Vec3::Zero());
 
-/// GLSL that every shader starts with. Lengths in mm of the body frame, colours linear unless their name says encoded.
+/// GLSL that every shader starts with. Lengths in mm, places from Viewpoint::origin, colours linear unless their name
+/// says encoded.
 inline constexpr std::string_view kSharedShader = R"(
 uniform mat4 clip_from_body;
 uniform vec3 eye;

@@ -61,7 +61,7 @@ std::vector<BodyName> bodyNames(const scene::World& world) {
 Vec3 placeOf(const BodyName& name, const scene::World& world, const deform::DeformedSurface& surface, double lift_mm) {
   Vec3 place = Vec3::Zero();
   for (int corner = 0; corner < 3; ++corner) {
-    place += name.shares[corner] * surface.positionAt(world.body->skin.triangles[name.triangle][corner]).cast<double>();
+    place += name.shares[corner] * surface.placeAt(world.body->skin.triangles[name.triangle][corner]);
   }
   if (world.breath) place.z() += lift_mm * world.breath->share(place);
   return place;

@@ -233,7 +233,8 @@ bool hasDentContours(const Drawing& page, const LabelScene& scene) {
   if (!deep || scene.look.colouring != Colouring::plain || !(scene.look.dent_contrast > 0.0)) return false;
   const double mm_a_point = 2.0 * std::tan(0.5 * scene.camera.height_rad) / page.size().y();
   return std::ranges::any_of(dentsOf(scene.frame.fingers, scene.world, scene.frame.lift_mm), [&](const SkinDent& dent) {
-    const double away_mm = (scene.camera.eye() - dent.place.cast<double>()).dot(scene.camera.backward());
+    const Vec3 place = scene.world.deformable->origin + dent.place.cast<double>();
+    const double away_mm = (scene.camera.eye() - place).dot(scene.camera.backward());
     return dent.share > 0.5f && mm_a_point * away_mm > 0.5 * (kLeastHelpMm + kFullHelpMm);
   });
 }

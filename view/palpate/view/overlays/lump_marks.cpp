@@ -50,7 +50,7 @@ void addLump(const contact::Lump& lump, const Vec3& middle, Patches& solid) {
       const std::array<Vec3, 4> at = {onSphere(band, sector), onSphere(band + 1, sector),
                                       onSphere(band + 1, sector + 1), onSphere(band, sector + 1)};
       for (const std::size_t i : {0u, 1u, 2u, 0u, 2u, 3u}) {
-        solid.points.push_back({placed(at[i]).cast<float>(), paint(at[i])});
+        solid.points.push_back({placed(at[i]), paint(at[i])});
       }
     }
   }
@@ -77,7 +77,7 @@ Vec3 middleOf(const scene::World& world, std::size_t lump, std::span<const Finge
   if (spot) {
     Vec3 rest = Vec3::Zero();
     for (int i = 0; i < 3; ++i) {
-      rest += static_cast<double>(spot->weights[i]) * world.deformable->restPosition(spot->vertices[i]).cast<double>();
+      rest += static_cast<double>(spot->weights[i]) * world.deformable->restPlace(spot->vertices[i]);
     }
     down = placeOf(*spot, skin) - rest;
   }

@@ -35,7 +35,7 @@ void findSilhouette(const deform::DeformedSurface& surface, const PageSight& sig
   ground.body_left = ground.page.opposite.x();
   ground.body_right = ground.page.corner.x();
   for (Index v = 0; v < surface.vertices(); v += step) {
-    const Vec2f at = sight.of(surface.positionAt(v).cast<double>());
+    const Vec2f at = sight.of(surface.placeAt(v));
     if (!at.allFinite() || at.y() < ground.page.corner.y() || at.y() > ground.page.opposite.y()) continue;
     ground.body_left = std::min(ground.body_left, at.x());
     ground.body_right = std::max(ground.body_right, at.x());

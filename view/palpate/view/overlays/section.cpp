@@ -173,7 +173,7 @@ std::vector<SectionPoint> sectionCurve(const scene::World& world, const Deformed
 std::vector<SectionPoint> sectionCurve(const scene::World& world, const deform::DeformedSurface& surface,
                                        const SectionPlane& plane, double half_width_mm) {
   return sectionCurve(
-      world, [&](Index v) { return Vec3(surface.positionAt(v).cast<double>()); }, plane, half_width_mm);
+      world, [&](Index v) { return surface.placeAt(v); }, plane, half_width_mm);
 }
 
 }  // namespace palpate::view

@@ -33,8 +33,8 @@ std::vector<Moved> movedVertices(const deform::Skin& rest, const DrawnSkin& skin
   std::vector<Moved> moved;
   for (const deform::VertexRange& range : skin.changed()) {
     for (Index v = range.first; v < range.end; ++v) {
-      const Vec3 place = rest.restPosition(v).cast<double>();
-      if ((skin.at(v) - place).norm() > kMinMm) moved.push_back({cellOf(place, spacing), v});
+      const Vec3 place = rest.restPlace(v);
+      if ((skin.at(v) - place).norm() > kMinMm) moved.push_back({cellOf(place - rest.origin, spacing), v});
     }
   }
   return moved;
@@ -109,7 +109,7 @@ void addDisplacements(const scene::World& world, const DrawnSkin& skin, double s
   for (std::size_t i = 0; i < moved.size(); ++i) {
     if (i > 0 && moved[i].cell == moved[i - 1].cell) continue;
     const Index v = moved[i].vertex;
-    addDisplacement(world.deformable->restPosition(v).cast<double>(), skin.at(v), lines);
+    addDisplacement(world.deformable->restPlace(v), skin.at(v), lines);
   }
 }
 

@@ -114,7 +114,7 @@ struct Painter::Impl {
     }
     if (look.shows(Overlay::cut)) {
       if (!cutter) cutter.emplace(*world);
-      const auto deformed = [&](Index v) { return Vec3(job.surface.positionAt(v).cast<double>()); };
+      const auto deformed = [&](Index v) { return job.surface.placeAt(v); };
       job.cut = cutter->cut(job.frame.fingers, deformed);
     }
   }

@@ -35,14 +35,14 @@ FingerLayer::Form formOf(const Look& look) {
   return look.finger == FingerShape::hand ? FingerLayer::Form::hand : FingerLayer::Form::finger;
 }
 
-/// Where the skin is at rest.
-std::vector<Press> pressesOf(const Frame& frame, const std::optional<body::BreathField>& breath) {
+/// Where the skin is at rest, from its origin.
+std::vector<Press> pressesOf(const Frame& frame, const std::optional<body::BreathField>& breath, const Vec3& origin) {
   std::vector<Press> presses;
   for (const FingerMark& finger : frame.fingers) {
     if (finger.contact.touch == contact::Touch::free) continue;
     const Vec3& anchor = finger.contact.anchor;
     presses.push_back(
-        {breath ? breath->rest(anchor, frame.lift_mm) : anchor, finger.radius_mm, finger.contact.depth_mm});
+        {(breath ? breath->rest(anchor, frame.lift_mm) : anchor) - origin, finger.radius_mm, finger.contact.depth_mm});
   }
   return presses;
 }
@@ -103,6 +103,10 @@ struct Renderer::Impl {
     if (look.finger == FingerShape::none) return;
     for (const FingerMark& finger : frame.fingers) poses.push_back(poseOf(*world, drawn, finger));
     for (FingerPose& pose : poses) pose.outline *= frame.pixels_per_point;
+    if (look.finger != FingerShape::ball) {
+      for (const FingerPose& pose : poses) hands.push_back(fingers.handPose(*world, formOf(look), pose));
+    }
+    countFromOrigin();
     if (look.finger == FingerShape::ball) {
       for (const FingerPose& pose : poses) {
         const Vec3f centre = pose.centre.cast<float>();
@@ -110,10 +114,14 @@ struct Renderer::Impl {
       }
       return;
     }
-    for (const FingerPose& pose : poses) {
-      hands.push_back(fingers.handPose(*world, formOf(look), pose));
-      fingers.addCasters(formOf(look), pose, hands.back(), casters);
-    }
+    for (std::size_t i = 0; i < hands.size(); ++i) fingers.addCasters(formOf(look), poses[i], hands[i], casters);
+  }
+
+  /// As all that goes to the graphics card.
+  void countFromOrigin() {
+    const Vec3& origin = world->deformable->origin;
+    for (FingerPose& pose : poses) pose.centre -= origin;
+    for (HandPose& hand : hands) hand.origin -= origin;
   }
 
   void drawFingers(const Look& look, const Viewpoint& viewpoint) {
@@ -198,13 +206,13 @@ void Renderer::setPartition(std::shared_ptr<const hdb::Partition> partition, con
 void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height,
                     const Frustum* lit_as) {
   const Look seen = impl_->seenLook(look);
-  Viewpoint viewpoint = viewpointOf(frustum, width, height);
+  Viewpoint viewpoint = viewpointOf(frustum, width, height, impl_->world->deformable->origin);
   if (lit_as != nullptr) viewpoint.lights = lightsFor(*lit_as);
   viewpoint.lift_mm = static_cast<float>(frame.lift_mm);
   viewpoint.pixels_per_point = static_cast<float>(frame.pixels_per_point);
   impl_->drawn.lift(viewpoint.lift_mm);
   impl_->poseFingers(frame, seen);
-  const auto marks = impl_->blanching.at(frame.time_s, pressesOf(frame, impl_->world->breath));
+  const auto marks = impl_->blanching.at(frame.time_s, pressesOf(frame, impl_->world->breath, viewpoint.origin));
   const std::vector<SkinDent> dents = dentsOf(frame.fingers, *impl_->world, frame.lift_mm);
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
