@@ -302,6 +302,25 @@ TEST(Limiter, GivesAFastFirstTouchAToeAndASlowOneNone) {
   EXPECT_EQ(second(0.1).state.soft.toe_mm, 0.0) << "palpation itself is unchanged";
 }
 
+TEST(Limiter, TheToeOfABentLawIsThatLawAtALesserDepth) {
+  tissue::ForceLaw law;
+  law.kind = tissue::ForceLaw::Kind::power;
+  law.exponent = 2.0;  // F = k d^2 / 8
+  LimiterSettings settings;
+  settings.steepest = 4.0;
+  LimiterState state;
+  state.closes_loop = false;
+  std::uint64_t tick = 0;
+  for (const double z : {1.6, 1.1, 0.6, 0.1, -0.4, -0.9, -1.4}) {
+    guardTip(settings, state, {.tip = {0, 0, z}, .tick = tick++});
+    limitForce(settings, state, touchOf({0, 0, z}, {0, 0, z < 0.0 ? 4.0 * z * z / 8.0 : 0.0}), law);
+  }
+  ASSERT_GT(state.soft.toe_mm, 0.0);
+  const double felt_mm = toeDepth(state.soft.toe_mm, 1.4);
+  ASSERT_LT(felt_mm, 1.4);
+  EXPECT_NEAR(state.force.z(), 4.0 * felt_mm * felt_mm / 8.0, 1e-12);
+}
+
 TEST(Limiter, TheToeMakesNoEnergy) {
   // In and out again at other speeds: a function of the depth alone.
   Finger finger;
@@ -606,6 +625,7 @@ TEST(DeviceLimits, PlacesKeepTheirRatiosUpToTheForceAtWhichPeopleCompare) {
     const LimiterSettings settings = limiterSettings(*world, profile);
     const double cap = stiffnessCap(world->scene.safety, profile, settings.tick_s);
     const tissue::ForceLaw& law = world->surface.force_law;
+    double first_held_n = 100.0;
     for (std::size_t v = 0; v < world->surface.stiffness_n_per_mm->size(); v += 7) {
       const double stiffness = settings.stiffness_factor * (*world->surface.stiffness_n_per_mm)[v];
       const tissue::PressedPlace place{world->surface.tissue_mm[v], tissue::kFingertipMm};
@@ -617,17 +637,21 @@ TEST(DeviceLimits, PlacesKeepTheirRatiosUpToTheForceAtWhichPeopleCompare) {
         ASSERT_LE(now - felt, 0.1 * cap * (1.0 + 1e-9));
         ASSERT_TRUE(whole > settings.compared_n || std::abs(now - whole) <= 1e-6 * whole)
             << place.tissue_mm << " mm, " << depth;
+        if (now < whole * (1.0 - 1e-6)) first_held_n = std::min(first_held_n, whole);
         felt = now;
       }
     }
     EXPECT_LE(settings.stiffness_factor * settings.stiffness_n_per_mm, cap * (1.0 + 1e-9));
     EXPECT_GE(settings.compared_n, kComparedForceN * (1.0 - 1e-9));
+    if (settings.cap_n_per_mm > 0.0) {
+      EXPECT_LT(first_held_n, 1.5 * settings.compared_n) << "and not longer";
+    }
   }
 }
 
 TEST(DeviceLimits, TheFactorLooksAtTheSteepestPartThatTheForceReaches) {
   tissue::ForceLaw law;
-  EXPECT_EQ(stiffnessFactor(law, 1.0, 40.0, 3.3, 2.0), 1.0);
+  EXPECT_EQ(stiffnessFactor(law, 1.99, 40.0, 3.3, 2.0), 1.0);
   EXPECT_NEAR(stiffnessFactor(law, 4.0, 40.0, 3.3, 2.0), 0.5, 1e-9);
   law.kind = tissue::ForceLaw::Kind::power;
   law.exponent = 2.0;  // F = k d^2 / 8

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -93,6 +95,17 @@ TEST(HeadlessLoop, RunsEveryTickOfEveryFingerInOrder) {
   EXPECT_GT(report.compute.p50_us, 0.0);
 }
 
+TEST(HeadlessLoop, CountsTheTicksThatTookLongerThanATick) {
+  const contact::Surface surface = plate();
+  const auto slow_ticks = [&](double tick_s) {
+    Rig rig = rigOn(surface, 50);
+    rig.tick_s = tick_s;
+    return runHeadless(rig, 50, [](std::span<const trace::Sample>) {}).slow_ticks;
+  };
+  EXPECT_EQ(slow_ticks(100.0), 0u);
+  EXPECT_EQ(slow_ticks(1e-12), 50u);
+}
+
 TEST(HeadlessLoop, GivesTheSameBitsTwice) {
   const contact::Surface surface = plate();
   const auto forces = [&] {
@@ -144,15 +157,31 @@ TEST(PacedLoop, StopsWhenAskedAndLetsGoOfEveryDevice) {
   const contact::Surface surface = plate();
   Rig rig = rigOn(surface, 100);
   LoopLinks links(rig.fingers.size());
-  Vec3 last_force(1, 1, 1);
-  rig.fingers[1].device.write_force = [&](const Vec3& force) {
-    last_force = force;
-    if (links.heartbeat_ns.load() != 0) links.stop = true;
-  };
+  std::array<Vec3, 2> last_force;
+  std::array<double, 2> largest_n{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    rig.fingers[i].device.write_force = [&, i](const Vec3& force) {
+      last_force[i] = force;
+      largest_n[i] = std::max(largest_n[i], force.norm());
+      if (std::min(largest_n[0], largest_n[1]) > 0.2) links.stop = true;
+    };
+  }
   const LoopReport report = runPaced(rig, 1'000'000, quick(), links);
-  EXPECT_LT(report.ticks, 1000u);
-  EXPECT_EQ(last_force, Vec3::Zero());
+  EXPECT_LT(report.ticks, 100'000u);
+  EXPECT_GT(std::min(largest_n[0], largest_n[1]), 0.2) << "it stopped while they pressed";
+  EXPECT_EQ(last_force[0], Vec3::Zero());
+  EXPECT_EQ(last_force[1], Vec3::Zero());
   EXPECT_TRUE(links.finished.load());
+}
+
+TEST(PacedLoop, SaysHowManySamplesNobodyTook) {
+  const contact::Surface surface = plate();
+  Rig rig = rigOn(surface, 100);
+  LoopLinks links(rig.fingers.size(), 4);
+  PacedSettings settings = quick();
+  std::uint64_t ticks = 0;
+  settings.before_tick = [&](Rig&) { links.stop = ++ticks == 20; };
+  EXPECT_GE(runPaced(rig, 1'000'000, settings, links).dropped_samples, 2u * 20u - 4u);
 }
 
 TEST(PacedLoop, SendsNoForceAfterTheEmergencyStop) {
@@ -223,6 +252,7 @@ TEST(PacedLoop, PublishesItsVitalsEveryThousandTicks) {
   EXPECT_GT(vitals.ticks_per_s, 100.0);  // as slow as a busy machine, but no tick comes before its time
   EXPECT_LT(vitals.ticks_per_s, 1020.0);
   EXPECT_GT(vitals.compute.p50_us, 0.0);
+  EXPECT_GT(vitals.lateness.max_us, 0.0);
   EXPECT_GE(vitals.lateness.max_us, vitals.lateness.p99_us);
 }
 
