@@ -70,6 +70,12 @@ TEST(DeviceProfile, OfSeveralTheLeastOfEveryLimitHolds) {
   EXPECT_EQ(least.stiffness_n_per_mm, 1.0);
   EXPECT_EQ(least.damping_n_s_per_mm, profileOf(DeviceModel::touch_x).damping_n_s_per_mm);
   EXPECT_EQ(least.encoder_mm, 0.064);
+  for (const auto limit : {&DeviceProfile::friction_n, &DeviceProfile::mass_kg, &DeviceProfile::damping_n_s_per_mm}) {
+    const double of_falcon = profileOf(DeviceModel::falcon).*limit;
+    const double of_touch_x = profileOf(DeviceModel::touch_x).*limit;
+    ASSERT_NE(of_falcon, of_touch_x);
+    EXPECT_EQ(least.*limit, std::min(of_falcon, of_touch_x));
+  }
   const std::array<Capabilities, 2> silent = {openDevice(DeviceModel::premium_3_0, 22.0),
                                               openDevice(DeviceModel::unknown, 0.0)};
   EXPECT_EQ(profileOf(DeviceModel::unknown, silent).force_n, 3.3) << "one that says nothing of itself is the weakest";

@@ -1,6 +1,7 @@
 // The protocol of `remote` without a socket: how much is answered, who holds the finger, and what a key keeps out.
 #include "palpate/device/detail/remote_device.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -147,6 +148,23 @@ TEST(RemoteGate, AnswersAreSignedAndCountUp) {
   ASSERT_TRUE(gate.take(pose(nonce, 1), kFirst, 0));
   EXPECT_EQ(gate.answer({0.5, 0, -1}), signedBy(kSecret, "f 0.500000 0.000000 -1.000000 " + nonce + " 1") + "\n");
   EXPECT_EQ(gate.answer({0, 0, 0}), signedBy(kSecret, "f 0.000000 0.000000 0.000000 " + nonce + " 2") + "\n");
+}
+
+TEST(RemoteGate, AForceThatHasNoRoomInAnAnswerIsNotSent) {
+  RemoteGate gate(kSecret, seed(), kHandoverTicks);
+  const std::string nonce = nonceOf(gate, 0);
+  std::size_t sent = 0;
+  int pose_number = 0;
+  int answer_number = 0;
+  for (double force = 1.0; force < 1e300; force *= 10.0) {
+    ASSERT_TRUE(gate.take(pose(nonce, ++pose_number), kFirst, 0));
+    const std::string answer(gate.answer({force, 0, 0}));
+    const std::string text = fmt::format("f {:.6f} 0.000000 0.000000 {} {}", force, nonce, ++answer_number);
+    const std::string whole = signedBy(kSecret, text) + "\n";
+    EXPECT_EQ(answer, whole.size() <= kMaxDatagramBytes ? whole : "") << force;
+    sent += answer.empty() ? 0 : 1;
+  }
+  EXPECT_GT(sent, 100u);
 }
 
 TEST(RemoteGate, NoBytesOfAStrangerMoveAKeyedFinger) {

@@ -166,6 +166,7 @@ TEST(Remote, CloseSendsALastZero) {
   device.write_force({0, 0, 2});
   EXPECT_EQ(client.answer(), "");
   EXPECT_FALSE(device.read_tip(1).allFinite());
+  EXPECT_EQ(device.state().faults, kClosed);
 }
 
 TEST(Remote, AsksForNeitherMemoryNorLocks) {
