@@ -6,6 +6,19 @@ out of the back. docs/reference/python.md is the manual.
 
 from __future__ import annotations
 
+def _is_in_the_main_interpreter() -> bool:
+    for name in ("_interpreters", "_xxsubinterpreters"):  # from Python 3.13 on, before
+        try:
+            interpreters = __import__(name)
+        except ImportError:
+            continue
+        return bool(interpreters.get_current() == interpreters.get_main())
+    return True
+
+
+if not _is_in_the_main_interpreter():  # pybind11 would wait there for a lock that is never given
+    raise ImportError("palpate works in the main interpreter of a process alone, not in a sub-interpreter")
+
 from palpate._core import Error, Finger, Fingers, FingerSettings, Lump, Session, Skin, Touch, World, __version__, _world_of
 
 TYPE_CHECKING = False  # typing itself takes two milliseconds to import

@@ -373,7 +373,7 @@ class Fingers:
     def touches(self) -> list[Touch]:
         """A list of n Touch of the last ticks, for Skin.apply. Raises RuntimeError while another call is at work."""
     def close(self) -> None:
-        """Ends its threads; the next call that needs them makes new ones."""
+        """Ends its threads. Whatever is asked of it afterwards raises ValueError; closed again is closed."""
     def __enter__(self) -> Fingers:
         """Itself."""
     def __exit__(self, *args: Any) -> None:

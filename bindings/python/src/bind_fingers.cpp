@@ -41,6 +41,7 @@ class FingersHandle {
 
   FeltDict step(const ArrayLike& given, std::size_t substeps, const MaybeFields& fields, const MaybeOut& out) {
     const Busy::Guard guard(busy_, "Fingers");
+    requireOpen();
     const auto tips = floatsOf(given, "tips", 3);
     if (tips.ndim() != 2 || static_cast<std::size_t>(tips.shape(0)) != size()) {
       throw py::value_error(fmt::format("tips: must be ({}, 3)", size()));
@@ -54,6 +55,7 @@ class FingersHandle {
 
   TouchList touches() {
     const Busy::Guard guard(busy_, "Fingers");
+    requireOpen();
     py::list all;
     for (const contact::FingerOutput& felt : felt_) all.append(py::cast(felt));
     return TouchList(all);
@@ -63,6 +65,7 @@ class FingersHandle {
   template <class Change>
   void forMasked(const py::object& mask, const Change& change) {
     const Busy::Guard guard(busy_, "Fingers");
+    requireOpen();
     if (mask.is_none()) {
       for (std::size_t i = 0; i < size(); ++i) change(i);
       return;
@@ -92,11 +95,15 @@ class FingersHandle {
 
   void close() {
     const Busy::Guard guard(busy_, "Fingers");
+    closed_ = true;
     const Unlocked free;
     pool_.close();
   }
 
  private:
+  void requireOpen() const {
+    if (closed_) throw py::value_error("Fingers are closed");
+  }
   static Vec3 nowhere() { return Vec3::Constant(std::numeric_limits<double>::quiet_NaN()); }
   void forget(std::size_t i) {
     commanded_[i] = nowhere();
@@ -136,6 +143,7 @@ class FingersHandle {
   std::vector<contact::FingerOutput> felt_;  ///< of each one's last tick
   ThreadPool pool_;
   Busy busy_;
+  bool closed_ = false;
 };
 
 }  // namespace
@@ -176,7 +184,7 @@ void bindFingers(py::module_& module) {
   fingers.def(
       "touches", &FingersHandle::touches,
       "A list of n Touch of the last ticks, for Skin.apply. Raises RuntimeError while another call is at work.");
-  fingers.def("close", &FingersHandle::close, "Ends its threads; the next call that needs them makes new ones.");
+  fingers.def("close", &FingersHandle::close, "Ends its threads. Whatever is asked of it afterwards raises ValueError; closed again is closed.");
   fingers.def(
       "__enter__", [](const py::object& self) { return self; }, "Itself.");
   fingers.def(

@@ -176,6 +176,7 @@ WorldPointer newWorld(const MaybeLumps& lumps, const std::string& body, std::siz
     throw py::value_error("body: 'trunk' or 'torso'; World.from_file and from_arrays make others");
   }
   scene.body.triangles = triangles;
+  scene = scene::parse(scene::sceneAsToml(scene), "World");  // a pickle is such a text, with its limits
   scene.lumps = settingsOfLumps(lumps);
   return worldOfScene(scene);
 }

@@ -14,6 +14,7 @@
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/validate.h"
 #include "palpate/scene/scene_file.h"
+#include "palpate/scene/scene_writer.h"
 #include "palpate/tree/closest_on_triangle.h"
 #include "palpate/tree/triangle_tree.h"
 #include "world_handle.h"
@@ -37,11 +38,12 @@ WorldPointer load(const std::filesystem::path& file) { return worldOfScene(scene
 
 WorldPointer parse(const std::string& toml, const std::string& name) { return worldOfScene(scene::parse(toml, name)); }
 
+/// What no scene file may ask for is refused here too: a pickle is such a text.
 WorldPointer builtIn(scene::BodyKind kind, std::size_t triangles) {
   scene::Scene scene;
   scene.body.kind = kind;
   scene.body.triangles = triangles;
-  return worldOfScene(scene);
+  return parse(scene::sceneAsToml(scene), "World");
 }
 
 /// Everything but the mesh. What is given as stiffness: one number is the scene's, an array has one a vertex.

@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 
 #include "bindings.h"
+#include "uninitialised.h"
 
 PYBIND11_MODULE(_core, module) {
   using namespace palpate::python;  // NOLINT(google-build-using-namespace): of one function
@@ -20,4 +21,5 @@ PYBIND11_MODULE(_core, module) {
   bindSessions(module);
   bindTissue(module);
   bindDevices(module);
+  refuseUninitialised(module);
 }

@@ -27,6 +27,60 @@ def test_import_loads_no_library_for_foreign_meshes():
     assert "/_core." in maps and "assimp" not in maps and "draco" not in maps
 
 
+def test_a_sub_interpreter_is_told_that_it_cannot_have_it():
+    text = ("import importlib\n"
+            "for name in ('_interpreters', '_xxsubinterpreters'):\n"
+            "    try: interpreters = importlib.import_module(name); break\n"
+            "    except ImportError: pass\n"
+            "import sys, palpate\n"
+            "words = f'import sys; sys.path[:] = {sys.path!r}\\n'\n"
+            "for module in ('palpate', 'palpate._core', 'palpate.view'):\n"
+            "    words += f'try: import {module}\\nexcept ImportError as error: print(error, flush=True)\\n'\n"
+            "interpreters.run_string(interpreters.create(), words)\n"
+            "print(palpate.World.torso().name)\n")
+    told = run("-c", text, check=True, timeout=60).stdout.splitlines()
+    assert told[:3] == ["palpate works in the main interpreter of a process alone, not in a sub-interpreter"] * 3
+    assert len(told) == 4, "and who had it goes on"
+
+
+def classes():
+    for name in MODULES:
+        for member, value in vars(importlib.import_module("palpate." + name)).items():
+            if inspect.isclass(value) and not issubclass(value, BaseException):
+                yield pytest.param(value, id=f"{name}.{member}")
+
+
+@pytest.mark.parametrize("made", classes())
+def test_an_object_without_its_init_is_refused_wherever_it_is_used(made):
+    """In a process of its own: it ended there."""
+    text = f"""
+import importlib, inspect
+made = importlib.import_module({made.__module__!r}).{made.__qualname__}
+empty, used = made.__new__(made), 0
+for name, value in inspect.getmembers(made):
+    if name in ("__class__", "__new__", "__init__", "__del__") or isinstance(inspect.getattr_static(made, name), staticmethod):
+        continue
+    if getattr(object, name, None) is value or getattr(type(made).__base__, name, None) is value:
+        continue
+    try:
+        use = getattr(empty, name)
+        use = use() if callable(use) else use
+    except (TypeError, RuntimeError) as error:
+        used += "__init__() was not called" in str(error) or "non-held" in str(error)
+        continue
+    if not name.startswith("__") or name == "__repr__":
+        raise SystemExit(f"{{name}} gave {{use!r}}")
+try:
+    repr(empty)
+except TypeError as error:
+    used += 1
+print(used)
+"""
+    done = run("-c", text, timeout=60)
+    assert done.returncode == 0, (done.returncode, done.stdout, done.stderr)
+    assert int(done.stdout) > 0, "nothing asked for what is in it"
+
+
 def test_a_world_can_be_made_without_numpy():
     text = ("import sys, palpate; w = palpate.World.torso(); f = palpate.Finger(w); t = f.lift(); "
             "print('numpy' in sys.modules, w.words is None)")

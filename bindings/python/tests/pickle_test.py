@@ -35,6 +35,8 @@ def test_a_world_of_arrays_feels_the_same_in_another_process():
 
 @pytest.mark.parametrize("make", [
     palpate.World.torso,
+    lambda: palpate.World.torso(triangles=4500),
+    lambda: palpate.World(body="torso", triangles=4999),
     lambda: palpate.World.torso().rebuilt("[stiffness]\nsource = 'constant'\nconstant_n_per_mm = 0.8\n"),
     lambda: palpate.World(body="trunk", triangles=12000, lumps=[palpate.Lump(at="T9 right 30 mm", depth_mm=6)]),
     lambda: palpate.World.from_arrays(*dome(20)).rebuilt("[stiffness]\nsource = 'constant'\nconstant_n_per_mm = 0.8\n"),
@@ -44,6 +46,19 @@ def test_whatever_made_it_the_hash_is_kept(make):
     again = pickle.loads(pickle.dumps(world))
     assert np.array_equal(again.positions, world.positions) and np.array_equal(again.stiffness, world.stiffness)
     assert [lump["name"] for lump in again.lumps] == [lump["name"] for lump in world.lumps]
+
+
+@pytest.mark.parametrize("make", [
+    lambda: palpate.World.torso(triangles=4499),
+    lambda: palpate.World(body="torso", triangles=4499),
+    lambda: palpate.World.torso(triangles=4_000_001),
+    lambda: palpate.World(body="torso", triangles=4_000_001),
+    lambda: palpate.World.trunk(triangles=4_000_002),
+    lambda: palpate.World.trunk(triangles=83_163),
+])
+def test_what_no_text_could_ask_for_is_not_made_either(make):
+    with pytest.raises(palpate.Error, match="triangles|even number"):
+        make()
 
 
 def test_it_is_built_once_a_process():

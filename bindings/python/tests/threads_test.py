@@ -33,6 +33,19 @@ def test_a_second_call_is_told(dome_world):
     fingers.step(tips[:, 1])  # and is free again
 
 
+@pytest.mark.parametrize("close", [lambda fingers: fingers.close(), lambda fingers: fingers.__exit__(None, None, None)])
+def test_closed_fingers_are_told_apart(dome_world, close):
+    fingers = palpate.Fingers(dome_world, 2, threads=2)
+    tips = wander(2, 1)[:, 0]
+    fingers.step(tips)
+    close(fingers)
+    for call in (lambda: fingers.step(tips), fingers.reset, fingers.lift, fingers.touches, lambda: fingers.step("nonsense")):
+        with pytest.raises(ValueError, match="Fingers are closed"):
+            call()
+    fingers.close()
+    assert fingers.world is dome_world
+
+
 def test_a_failed_call_leaves_nothing_taken(dome_world):
     fingers = palpate.Fingers(dome_world, 2)
     for _ in range(2):
@@ -72,7 +85,7 @@ def test_hammering_from_many_threads(dome_world):
         assert world.rebuilt("").positions.shape == (49, 3)
 
     bodies = [roll, lambda: skin.apply([finger.step(0, 0, 14)]), lambda: skin.copy()["positions"].sum(),
-              lambda: fingers.step(tips[:, 30], substeps=900), build, lambda: (fingers.touches(), fingers.close())]
+              lambda: fingers.step(tips[:, 30], substeps=900), build, fingers.touches]
     threads = [threading.Thread(target=loop, args=(i % 6, bodies[i % 6])) for i in range(12)]
     for thread in threads:
         thread.start()

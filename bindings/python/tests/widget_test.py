@@ -76,8 +76,8 @@ class Page:
         """The status of a request of these lines."""
         name, port = self.host.split(":")
         with socket.create_connection((name, int(port)), timeout=10) as link:
-            link.sendall("\r\n".join([*lines, "", ""]).encode())
-            return int(link.recv(64).split()[1])
+            link.sendall("\r\n".join([*lines, "Connection: close", "", ""]).encode())
+            return int(link.makefile("rb").read().split()[1])
 
     def exchange(self, rows=(), answers=(), **headers: str) -> tuple[int, list]:
         body = json.dumps({"body": "built-in trunk", "rows": list(rows), "answers": list(answers)}).encode()

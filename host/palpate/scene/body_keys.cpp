@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include "palpate/body/outline_mesher.h"
+#include "palpate/body/torso.h"
 #include "palpate/scene/detail/scene_keys.h"
 #include "palpate/scene/words.h"
 
 namespace palpate::scene {
 
 namespace {
-
-constexpr std::size_t kFewestTriangles = 5000;  // of a torso that reads as one
 
 /// Remembers where it stands: what is wrong with the picture is found when the body is built.
 Key<BodySettings> textureKey() {
@@ -31,7 +30,7 @@ Key<BodySettings> textureKey() {
 
 std::size_t fewestTriangles(BodyKind kind) {
   if (kind == BodyKind::trunk) return body::kFewestTrunkTriangles;
-  return kind == BodyKind::back ? body::kFewestTriangles : kFewestTriangles;
+  return kind == BodyKind::back ? body::kFewestTriangles : body::kFewestTorsoTriangles;
 }
 
 /// What a built-in body can be made of.

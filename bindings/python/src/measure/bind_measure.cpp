@@ -19,6 +19,7 @@
 #include "palpate/base/error.h"
 #include "palpate/measure/key_row.h"
 #include "palpate/measure/measurement.h"
+#include "uninitialised.h"
 
 namespace palpate::python {
 
@@ -252,6 +253,7 @@ PYBIND11_MODULE(_measure, module) {
   bindAverages(module);
   bindStencil(module);
   bindSynthesis(module);
+  refuseUninitialised(module);
 }
 
 }  // namespace palpate::python
