@@ -1,6 +1,4 @@
 // `palpate`: reads the command line and hands over to the chosen subcommand, or to the program that holds it.
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -8,7 +6,7 @@
 #include "cli/kit/command_pages.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/families.h"
-#include "cli/kit/progress_line.h"
+#include "cli/kit/program.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/system/process.h"
@@ -18,8 +16,6 @@
 namespace {
 
 using namespace palpate::app;
-
-constexpr int kWrongInput = 2;
 
 /// For whom no window can be opened.
 constexpr const char* kFirstSteps =
@@ -79,21 +75,10 @@ std::optional<int> handOver(const std::vector<std::string>& words) {
   return std::nullopt;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const std::vector<std::string> typed = palpate::system::commandLine(argc, argv);
-  if (typed.empty() && !palpate::window::displayOffered()) {
-    fmt::print("{}", kFirstSteps);
-    return 0;
-  }
+int runWords(const std::vector<std::string>& typed) {
+  if (typed.empty() && !palpate::window::displayOffered()) return printed(kFirstSteps);
   const std::vector<std::string> words = withMeantCommand(withPresentCommand(typed));
-  try {
-    if (const std::optional<int> exit_code = handOver(words)) return *exit_code;
-  } catch (const std::exception& error) {
-    say(fmt::format("palpate: {}\n", error.what()));
-    return kWrongInput;
-  }
+  if (const std::optional<int> exit_code = handOver(words)) return *exit_code;
   Command app{"Palpate: feel, see and measure touch on a soft human body.", "palpate"};
   app.allow_windows_style_options(false);  // "/tmp" is a folder
   app.set_version_flag("--version", PALPATE_VERSION);
@@ -106,4 +91,10 @@ int main(int argc, char** argv) {
       "  palpate run my_scan.stl                  Touch any mesh with the mouse\n"
       "  palpate simulate --preset vhb --json     Palpate without a window or device, and print what was felt");
   return runCommandLine(app, words);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return runProgram([&] { return runWords(palpate::system::commandLine(argc, argv)); });
 }

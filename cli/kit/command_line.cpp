@@ -13,8 +13,10 @@
 #include "cli/kit/command_pages.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
+#include "cli/kit/program.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
+#include "palpate/base/error_text.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/base/system/files.h"
 #include "palpate/base/system/process.h"
@@ -146,7 +148,7 @@ int runToTheEnd(Command& app, const std::vector<std::string>& words) {
     if (std::ferror(stdout) != 0) return flushed(kWrongInput);
     say(fmt::format("palpate: {}\n", error.what()));
   } catch (const std::exception& error) {  // it may quote a stranger's file
-    say(readableText(fmt::format("palpate: {}\n", error.what())));
+    say(readableText(fmt::format("palpate: {}\n", palpate::textOf(error))));
   }
   return kWrongInput;
 }
@@ -225,9 +227,24 @@ Command& commandGroup(Command& app, const std::string& name) {
   return added;
 }
 
-int runCommandLine(Command& app, const std::vector<std::string>& words) {
+int printed(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  return flushed(0);
+}
+
+int runProgram(const std::function<int()>& body) {
   system::holdStandardStreams();
+  system::makeFailedWritesErrors();
   system::returnLargeArrays();
+  try {
+    return body();
+  } catch (const std::exception& error) {
+    say(fmt::format("palpate: {}\n", palpate::textOf(error)));
+  }
+  return kWrongInput;
+}
+
+int runCommandLine(Command& app, const std::vector<std::string>& words) {
   listenForSignals();
   const int exit_code = runToTheEnd(app, words);
   return endAskedBy() == 0 ? exit_code : exitCodeOf(endAskedBy());

@@ -1,6 +1,7 @@
 // `palpate_peers`: the benchmark commands of `palpate` that know --peers, linked with the libraries that are compared.
 // `palpate study bench ... --peers` runs this program; why it is one of its own says lab/commands/peers_report.h.
 #include "cli/kit/commands.h"
+#include "cli/kit/program.h"
 #include "lab/commands/peers_report.h"
 #include "lab/peers/peer.h"
 #include "palpate/base/system/process.h"
@@ -15,5 +16,6 @@ int main(int argc, char** argv) {
   bench.require_subcommand(1);
   palpate::app::addBenchContactCommand(bench, palpate::bench::linkedPeers(), palpate::bench::linkedToolPeers());
   palpate::app::addBenchPartitionCommand(bench, palpate::bench::linkedPeers());
-  return palpate::app::runCommandLine(app, palpate::system::commandLine(argc, argv));
+  return palpate::app::runProgram(
+      [&] { return palpate::app::runCommandLine(app, palpate::system::commandLine(argc, argv)); });
 }

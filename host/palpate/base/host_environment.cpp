@@ -63,9 +63,11 @@ void writeWholeFile(const std::filesystem::path& file, std::string_view content)
 
 StartedWork startOnAThread(std::function<void()> work) {
   // This policy falls back on doing the work in `join` where the system refuses a thread. Such a piece is never `done`:
-  // there is nothing to wait for.
+  // there is nothing to wait for. Of work that is moved in, libstdc++ 12 falls back on what the refused thread has
+  // left: an empty function. So it is copied.
+  const std::function<void()> copied = std::move(work);
   const auto future =
-      std::make_shared<std::future<void>>(std::async(std::launch::async | std::launch::deferred, std::move(work)));
+      std::make_shared<std::future<void>>(std::async(std::launch::async | std::launch::deferred, copied));
   return {[future] { return future->wait_for(std::chrono::seconds(0)) != std::future_status::timeout; },
           [future] { future->get(); }};
 }

@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "palpate/base/error_text.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/system/thread.h"
 
@@ -100,7 +101,7 @@ BuildResult WorldBuilder::build(BuildRequest request, std::uint64_t number) {
     if (check_) check_(*result.world);
   } catch (const std::exception& error) {
     result.world = nullptr;
-    result.error = error.what();
+    result.error = textOf(error);
   }
   return result;
 }

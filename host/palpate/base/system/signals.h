@@ -12,9 +12,12 @@ inline constexpr int kTerminate = 15;   ///< anybody else
 inline constexpr int kBrokenPipe = 13;  ///< the reader of the output has left
 
 /// `ask` is called with the signal: in its handler, so that it may do only what a handler may (lock-free numbers, tell,
-/// endNow); on Windows on a thread of its own. A signal that was ignored when the program started stays ignored. A file
-/// that grows over a limit and a reader of a pipe that has left become errors of the write.
+/// endNow); on Windows on a thread of its own. A signal that was ignored when the program started stays ignored.
 void whenAskedToEnd(void (*ask)(int signal));
+
+/// A file that grows over a limit and a reader of a pipe that has left become errors of the write instead of the
+/// program's end. First of all in a program; a library leaves its host's signals as they are.
+void makeFailedWritesErrors() noexcept;
 
 /// In the environment of a program that another of ours has started: the other's number.
 inline constexpr const char* kStarterVariable = "PALPATE_STARTER";

@@ -25,6 +25,9 @@ void whenAskedToEnd(void (*ask)(int signal)) {
     action.sa_flags = SA_RESTART;
     ::sigaction(signal, &action, nullptr);
   }
+}
+
+void makeFailedWritesErrors() noexcept {
   ::signal(SIGXFSZ, SIG_IGN);
   ::signal(SIGPIPE, SIG_IGN);
 }

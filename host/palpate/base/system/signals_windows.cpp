@@ -30,6 +30,8 @@ void whenAskedToEnd(void (*ask)(int signal)) {
   ::SetConsoleCtrlHandler(handle, TRUE);
 }
 
+void makeFailedWritesErrors() noexcept {}
+
 void endWithStarter() {}
 
 std::int64_t clockInHandlerNs() { return monotonicNs(); }

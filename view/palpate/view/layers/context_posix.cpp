@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "palpate/base/error.h"
+#include "palpate/base/system/library.h"
 #include "palpate/view/layers/gl_objects.h"
 #include "palpate/view/offscreen.h"
 
@@ -24,6 +25,14 @@ struct OffscreenContext::Handles {
 };
 
 namespace {
+
+/// epoxy ends the program where it cannot load this library: it is missing, or memory has run out. Never closed, since
+/// epoxy keeps it open too.
+void requireEgl() {
+  const system::OpenedLibrary egl = system::openLibrary("libEGL.so.1");
+  if (egl.handle != nullptr) return;
+  throw Error(fmt::format("cannot draw: {} (on Debian: apt install libegl1 libgl1-mesa-dri)", egl.words));
+}
 
 EGLDisplay surfacelessDisplay() {
   const EGLDisplay display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
@@ -54,6 +63,7 @@ std::string versionOffered(EGLDisplay display) {
 }  // namespace
 
 OffscreenContext::OffscreenContext(Profile profile) : handles_(std::make_unique<Handles>()) {
+  requireEgl();
   handles_->display = surfacelessDisplay();
   if (handles_->display == EGL_NO_DISPLAY || !eglInitialize(handles_->display, nullptr, nullptr)) {
     handles_->display = EGL_NO_DISPLAY;
