@@ -86,6 +86,29 @@ void keepBonesAbove(double y, Torso& body) {
   std::erase_if(body.landmarks, is_gone);
 }
 
+/// The piece is cut narrower than the shoulders and through the third lumbar vertebra of the man under it. His shoulder
+/// blades are set this share as wide, from their medial edge, and what lies near the lower edge is moved up over it: by
+/// some millimetres, so that no bone is seen beyond the skin.
+constexpr double kScapulaWidth = 0.93;
+constexpr double kLowEdgeMm = 45.0;  ///< of a man of 1750 mm: how far above the edge bones are moved
+constexpr double kEdgeMarginMm = 4.0;
+
+void setInside(const mesh::TriangleMesh& skin, double scale, Torso& body) {
+  const double edge = mesh::boundingBox(skin).min().y();
+  double lowest = edge;
+  for (const Bone& bone : body.bones) lowest = std::min(lowest, mesh::boundingBox(bone.mesh).min().y());
+  const double from = edge + scale * kLowEdgeMm;
+  const double shrink = (from - edge - scale * kEdgeMarginMm) / (from - lowest);
+  for (Bone& bone : body.bones) {
+    const Eigen::AlignedBox3d box = mesh::boundingBox(bone.mesh);
+    const double medial = box.center().x() > 0.0 ? box.min().x() : box.max().x();
+    for (Vec3& point : bone.mesh.positions) {
+      if (bone.kind == BoneKind::scapula) point.x() = medial + kScapulaWidth * (point.x() - medial);
+      if (point.y() < from) point.y() = from + shrink * (point.y() - from);
+    }
+  }
+}
+
 }  // namespace
 
 Torso makeTorso(const TorsoSettings& settings) {
@@ -102,6 +125,7 @@ Torso makeBackOverBones(const BackSettings& settings) {
   const std::size_t bone_triangles = std::clamp<std::size_t>(as_fine / 2 * 2, kReliefBoneTriangles, kMaxBoneTriangles);
   Torso back = bodyOf(settings.shape, SkinExtent::patch, settings.triangles, bone_triangles);
   keepBonesAbove(mesh::boundingBox(back.skin.mesh).min().y(), back);
+  setInside(back.skin.mesh, settings.shape.stature_mm / 1750.0, back);
   setDepths(back);
   return back;
 }

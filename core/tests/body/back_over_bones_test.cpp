@@ -64,6 +64,27 @@ TEST(BackOverBones, HasVertebraeRibsAndShoulderBlades) {
   }
 }
 
+/// As one looks at it from behind: crossings of a ray along x with the outline.
+bool isInside(const Skin& skin, const Vec3& p) {
+  bool inside = false;
+  for (Index i = 0, j = skin.border - 1; i < skin.border; j = i++) {
+    const Vec3& a = skin.mesh.positions[i];
+    const Vec3& b = skin.mesh.positions[j];
+    if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      inside = !inside;
+  }
+  return inside;
+}
+
+TEST(BackOverBones, NoBoneIsSeenBeyondTheSkin) {
+  const Torso& back = backOf(kSizes[0].triangles);
+  for (const Bone& bone : back.bones) {
+    const auto beyond =
+        std::ranges::count_if(bone.mesh.positions, [&](const Vec3& p) { return !isInside(back.skin, p); });
+    EXPECT_EQ(beyond, 0) << bone.name << " of " << bone.mesh.positions.size();
+  }
+}
+
 /// Whether the nearest skin is at its border: there is no telling which side a point beyond the sheet is on.
 bool nearestIsBorder(const Skin& skin, const mesh::NearestTriangle::Hit& hit) {
   const Triangle& corners = skin.mesh.triangles[hit.triangle];
