@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -97,7 +98,40 @@ std::size_t textLinks(const std::string& page) {
       std::count_if(links.begin(), links.end(), [](const Link& link) { return !link.is_image; }));
 }
 
+/// The folders that programs of tests are named after: <house>/tests/FOLDER, and tests/FOLDER
+/// (cmake/PalpateTests.cmake).
+std::set<std::string> testPrograms() {
+  std::set<std::string> programs;
+  for (const auto& house : fs::directory_iterator(kRepository)) {
+    const fs::path tests = house.path().filename() == "tests" ? house.path() : house.path() / "tests";
+    if (!fs::is_directory(tests)) continue;
+    for (const auto& folder : fs::directory_iterator(tests))
+      programs.insert("test_" + folder.path().filename().string());
+  }
+  return programs;
+}
+
+/// The programs of tests that a page names and nobody builds.
+std::set<std::string> unknownTestPrograms(const std::string& page) {
+  static const std::set<std::string> known = testPrograms();
+  static const std::regex kName("`test_[a-z_]+");
+  std::set<std::string> unknown;
+  for (std::sregex_iterator at(page.begin(), page.end(), kName), end; at != end; ++at) {
+    const std::string name = at->str().substr(1);
+    if (!known.contains(name)) unknown.insert(name);
+  }
+  return unknown;
+}
+
 }  // namespace
+
+TEST(Docs, EveryTestProgramThatIsNamedIsBuilt) {
+  EXPECT_EQ(unknownTestPrograms("`test_apps --gtest_filter=Map*` and `test_house`"),
+            std::set<std::string>{"test_apps"});
+  for (const fs::path& page : allPages()) {
+    for (const std::string& name : unknownTestPrograms(textOf(page))) ADD_FAILURE() << page << " names " << name;
+  }
+}
 
 TEST(Docs, EveryRelativeLinkLeadsSomewhere) {
   const std::vector<fs::path> pages = allPages();
