@@ -192,6 +192,7 @@ void Gui::Impl::feed(const InputEvent& event) {
   if (event.kind == Kind::focus && !event.down) {
     down.fill(false);
     std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    io.KeyCtrl = io.KeyShift = false;
   }
 }
 

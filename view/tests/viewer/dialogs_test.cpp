@@ -5,6 +5,7 @@
 
 #include "palpate/base/text.h"
 #include "palpate/scene/presets.h"
+#include "view/viewer/files/input_script.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/start_page.h"
 #include "view/viewer/state/free_area.h"
@@ -303,6 +304,18 @@ TEST(PlaceField, FliesToTheFirstNameThatFits) {
   for (int i = 0; i < 5; ++i) frame({});
   EXPECT_TRUE(viewer.pointer().pressed(viewer.state().active_finger));
   EXPECT_EQ(viewer.state().place_words, "T9") << "with the mouse at rest elsewhere";
+}
+
+TEST(PlaceField, TakesWhatAScriptTypes) {
+  const scene::Scene scene = scene::presetScene("vhb");
+  Stage stage(scene);
+  const double far = stage.state().camera.distance_mm;
+  for (const ScriptEvent& event : parseInputScript("0, key, Ctrl+F\n1, text, T9\n2, key, Enter\n", "s.csv")) {
+    stage.frame({event.input});
+    stage.frame();
+  }
+  for (int i = 0; i < 10; ++i) stage.frame();
+  EXPECT_LT(stage.state().camera.distance_mm, 0.6 * far);
 }
 
 TEST(PlaceField, CentresThePlaceInWhatPanelAndPlotsLeaveFree) {

@@ -24,6 +24,7 @@ TEST(InputScript, ReadsWhatAHandDid) {
   EXPECT_TRUE(events[4].input.modifiers.ctrl);
   EXPECT_TRUE(events[4].input.down);
   EXPECT_FALSE(events[5].input.down);
+  EXPECT_FALSE(events[5].input.modifiers.ctrl) << "or no field takes what the script types next";
   EXPECT_EQ(events[6].input.text, "folder/a.obj");
   EXPECT_EQ(events[7].width, 800);
   EXPECT_EQ(events[8].kind, ScriptEvent::Kind::close);
