@@ -273,6 +273,14 @@ TEST(PlaceField, OffersNamesThatHoldWhatWasTyped) {
   EXPECT_TRUE(placesLike(landmarks, "knee").empty());
 }
 
+TEST(PlaceField, NamesPlacesThatTheBodyHas) {
+  const auto at = [](const char* name) { return body::SkinLandmark{name, "", {0, 0, 0}, Vec3::UnitZ(), {}}; };
+  EXPECT_EQ(examplePlaces(std::vector{at("spinous_T1"), at("spinous_T6"), at("psis_left")}), "T6, left PSIS");
+  EXPECT_EQ(examplePlaces(std::vector{at("spinous_T6"), at("rib_7_left_angle")}), "T6, left rib 7 angle");
+  EXPECT_EQ(examplePlaces(std::vector{at("spinous_L1")}).find("PSIS"), std::string::npos);
+  EXPECT_EQ(examplePlaces({}), "");
+}
+
 TEST(PlaceField, FliesToTheFirstNameThatFits) {
   const support::TemporaryFolder folder;
   const view::OffscreenContext context;

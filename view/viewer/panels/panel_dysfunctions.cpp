@@ -52,7 +52,8 @@ void dysfunctionPanel(const DysfunctionPanel& panel) {
                toTranslate("Click the skin to place one, drag to move it, wheel for its size, Shift and wheel for its "
                            "strength, Delete to remove it."));
   listOf(edit);
-  newField("dysfunctions", edit, tr("Where: T9 left 51 mm, left PSIS, right site 4. Enter places one, +50 %."));
+  newField("dysfunctions", edit,
+           trf("Where: {}, or so many mm from it. Enter places one, +50 %.", examplePlaces(edit.landmarks)));
   if (maps::Dysfunction* item = selectedOf(edit)) {
     fieldsOf(edit, *item, nameOfSelected(edit));
     if (buttonWidget("dysfunctions/delete", "Delete")) deleteSelected(edit);

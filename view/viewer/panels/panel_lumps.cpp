@@ -91,7 +91,8 @@ void lumpPanel(const LumpPanel& panel) {
                toTranslate("Click the skin to place one, drag to move it, wheel for its size, Shift and wheel for its "
                            "hardness, Delete to remove it."));
   listOf(edit);
-  newField("lumps", edit, tr("Where: T9 left 51 mm, left PSIS, right site 4. Enter places a lump of 10 mm."));
+  newField("lumps", edit,
+           trf("Where: {}, or so many mm from it. Enter places a lump of 10 mm.", examplePlaces(edit.landmarks)));
   if (scene::LumpSettings* item = selectedOf(edit)) {
     fieldsOf(edit, *item, nameOfSelected(edit));
     if (buttonWidget("lumps/delete", "Delete")) deleteSelected(edit);

@@ -139,6 +139,10 @@ void menuBar(const MenuBar& menu, Asks& asks);
 
 /// Names of places that hold all words typed, those that begin with them first; a few.
 std::vector<std::string> placesLike(std::span<const body::SkinLandmark> landmarks, std::string_view typed);
+/// Two places that this body has, for a hint: "T6, left PSIS" where it has these. Empty without named places.
+std::string examplePlaces(std::span<const body::SkinLandmark> landmarks);
+/// The first of them.
+std::string firstExample(std::span<const body::SkinLandmark> landmarks);
 /// Behind the menus: the name of a place to go to, and `here`, where the active finger is. Nothing where the body has
 /// no names.
 struct PlaceField {

@@ -44,6 +44,21 @@ std::vector<std::string> placesLike(std::span<const body::SkinLandmark> landmark
   return like;
 }
 
+std::string firstExample(std::span<const body::SkinLandmark> landmarks) {
+  const std::vector<std::string> names = body::placeNames(landmarks);
+  if (names.empty()) return {};
+  return std::ranges::find(names, "T6") != names.end() ? "T6" : names.front();
+}
+
+std::string examplePlaces(std::span<const body::SkinLandmark> landmarks) {
+  const std::string first = firstExample(landmarks);
+  const std::vector<std::string> names = body::placeNames(landmarks);
+  const auto is_of_a_side = [](const std::string& name) { return name.starts_with("left "); };
+  auto second = std::ranges::find(names, "left PSIS");
+  if (second == names.end()) second = std::ranges::find_if(names, is_of_a_side);
+  return second == names.end() || *second == first ? first : first + ", " + *second;
+}
+
 namespace {
 
 constexpr auto kPlain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -51,11 +66,11 @@ constexpr auto kPlain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove 
                         ImGuiWindowFlags_NoNav;
 
 /// The field itself: a window over the menu bar, whose own items cannot be given the keyboard. True for Enter.
-bool searchLine(PlaceSearch& search, const std::string& here) {
+bool searchLine(PlaceSearch& search, const std::string& here, const std::string& examples) {
   constexpr float kWidth = 180.0f;
   if (search.open && !search.focused) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(kWidth);
-  const bool entered = ImGui::InputTextWithHint("##place", tr("Go to: T6, left PSIS ..."), &search.typed,
+  const bool entered = ImGui::InputTextWithHint("##place", trf("Go to: {} ...", examples).c_str(), &search.typed,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace("menu/place");
   const bool active = ImGui::IsItemActive();
@@ -99,7 +114,7 @@ void placeField(const PlaceField& field, Asks& asks) {
   ImVec2 below;
   if (ImGui::Begin("panel_place", nullptr, (kPlain & ~ImGuiWindowFlags_NoNav) | ImGuiWindowFlags_NoBackground)) {
     below = {ImGui::GetWindowPos().x, ImGui::GetWindowPos().y + ImGui::GetWindowHeight()};
-    entered = searchLine(search, field.here);
+    entered = searchLine(search, field.here, examplePlaces(field.landmarks));
   }
   ImGui::End();
   ImGui::PopStyleVar(2);

@@ -12,6 +12,7 @@
 #include "palpate/base/language.h"
 #include "palpate/body/places.h"
 #include "view/viewer/editing/place_editor.h"
+#include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {
@@ -62,13 +63,13 @@ void placeField(const std::string& panel, const PlaceEdit<Item>& edit, Item& ite
 
 /// Typed in words, a new one is there: the short way to "T9 left".
 template <class Item>
-void newField(const std::string& panel, const PlaceEdit<Item>& edit, const char* meaning) {
+void newField(const std::string& panel, const PlaceEdit<Item>& edit, const std::string& meaning) {
   if (edit.landmarks.empty()) return;
   static std::string typed;
-  const bool entered =
-      ImGui::InputTextWithHint(tr("new"), "T9 left 51 mm", &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint(tr("new"), (firstExample(edit.landmarks) + " left 20 mm").c_str(),
+                                                &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace(panel + "/new");
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", meaning);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", meaning.c_str());
   if (!entered || typed.empty()) return;
   try {
     placeAt(edit, body::placeNamed(edit.landmarks, typed));
