@@ -13,6 +13,7 @@
 #include "palpate/base/text.h"
 #include "palpate/body/places.h"
 #include "palpate/measure/key_row.h"
+#include "palpate/view/overlays/place_words.h"
 
 namespace palpate::viewer {
 
@@ -37,7 +38,7 @@ void resolvePlace(AcceptForm& form, std::span<const body::SkinLandmark> landmark
   form.at_mm = twoNumbers(form.place);
   if (!form.at_mm) {
     try {
-      const body::NamedPlace place = body::placeNamed(landmarks, form.place);
+      const body::NamedPlace place = body::placeNamed(landmarks, view::placeInEnglish(landmarks, form.place));
       form.at_mm = Vec2(place.point.x(), place.point.y());
       form.place_name = place.name;
     } catch (const Error& error) {
@@ -45,8 +46,8 @@ void resolvePlace(AcceptForm& form, std::span<const body::SkinLandmark> landmark
       return;
     }
   }
-  form.place_words = fmt::format("{}{}x {:.0f}, y {:.0f} mm", form.place_name, form.place_name.empty() ? "" : ": ",
-                                 form.at_mm->x(), form.at_mm->y());
+  form.place_words = fmt::format("{}{}x {:.0f}, y {:.0f} mm", view::placeInLanguage(form.place_name),
+                                 form.place_name.empty() ? "" : ": ", form.at_mm->x(), form.at_mm->y());
 }
 
 fs::path tableOf(const MeasuringView& view, const ViewerState& viewer) {

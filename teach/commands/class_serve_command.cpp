@@ -10,12 +10,14 @@
 #include <thread>
 #include <vector>
 
+#include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
+#include "palpate/base/language.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/broker_process.h"
@@ -37,6 +39,7 @@ struct ClassServeArguments {
   bool broker = false;
   double seconds = 0.0;
   bool json = false;
+  std::string language = "en";
 };
 
 std::unique_ptr<classroom::RowSink> sinkFor(const ClassServeArguments& arguments,
@@ -67,11 +70,11 @@ Json jsonOf(const classroom::CollectorReport& report, bool broker) {
 }
 
 std::string textOf(const classroom::CollectorReport& report) {
-  std::string text = fmt::format("{} station{}, {} rows, {} trials", report.stations, report.stations == 1 ? "" : "s",
-                                 report.rows, report.trials);
-  if (report.refused > 0) text += fmt::format(", {} refused", report.refused);
-  if (!report.connected) text += "; no broker";
-  if (!report.database) text += "; no database";
+  std::string text = trnf("{} station, {} rows, {} trials", "{} stations, {} rows, {} trials", report.stations,
+                          report.stations, report.rows, report.trials);
+  if (report.refused > 0) text += trf(", {} refused", report.refused);
+  if (!report.connected) text += tr("; no broker");
+  if (!report.database) text += tr("; no database");
   if (!report.trouble.empty()) text += fmt::format(" ({})", report.trouble);
   return text;
 }
@@ -127,6 +130,7 @@ class BrokerKeeper {
 };
 
 void runClassServe(const ClassServeArguments& arguments) {
+  useLanguage(arguments.language);
   const classroom::ClassFolder folder = classroom::readClassFolder(arguments.folder);
   classroom::Member member = classroom::readMember(folder.ingest());
   const FinishesInOrder in_order;
@@ -187,6 +191,7 @@ void addClassServeCommand(Command& parent) {
   command.add_flag("--broker", arguments.broker, "Run mosquitto too, with the class's configuration");
   addNumber(command, "--seconds", arguments.seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");
   command.add_flag("--json", arguments.json, "Print a JSON object each second");
+  addLanguage(command, arguments.language);
 }
 
 }  // namespace palpate::app

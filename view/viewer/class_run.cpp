@@ -34,6 +34,9 @@ std::string lastWordsOf(std::string_view words) {
   return last.starts_with(kProgram) ? last.substr(kProgram.size()) : last;
 }
 
+/// They speak as this window does.
+std::string languageCode() { return std::string(language().code); }
+
 void endInOrder(std::unique_ptr<system::FedProgram>& program) {
   if (!program) return;
   program->askToEnd();
@@ -77,7 +80,7 @@ void ClassRun::start(const StartClass& request, ClassShown& shown) {
 }
 
 void ClassRun::serve(ClassShown& shown) {
-  serve_ = started({"class", "serve", shown.folder, "--broker"}, shown);
+  serve_ = started({"class", "serve", shown.folder, "--broker", "--language", languageCode()}, shown);
   shown.runs = bool(serve_);
 }
 
@@ -89,7 +92,7 @@ void ClassRun::watch(const std::string& folder, ClassShown& shown) {
     shown.trouble = trf("{} holds no class.toml or instructor.toml", whole);
     return;
   }
-  watch_ = started({"class", "watch", whole}, shown);
+  watch_ = started({"class", "watch", whole, "--language", languageCode()}, shown);
   shown.watched = bool(watch_);
 }
 
@@ -101,7 +104,7 @@ void ClassRun::join(const std::string& folder, ClassShown& shown) {
     shown.trouble = trf("{} holds no station.toml: name a station's folder, such as stations/s01", whole);
     return;
   }
-  join_ = started({"train", "--class", whole}, shown);
+  join_ = started({"train", "--class", whole, "--language", languageCode()}, shown);
   shown.joined = bool(join_);
 }
 

@@ -12,6 +12,7 @@
 #include "palpate/scene/presets.h"
 #include "palpate/trace/forces_table.h"
 #include "palpate/trace/recording_reader.h"
+#include "palpate/view/overlays/place_words.h"
 #include "view/viewer/files/scene_snippet.h"
 
 namespace palpate::viewer {
@@ -155,9 +156,11 @@ void RequestHandler::fulfil(const SetView& request) { parts_.camera.setView(requ
 void RequestHandler::fulfil(const GoToPlace& request) {
   ViewerState& viewer = parts_.viewer;
   try {
-    const body::NamedPlace place = body::placeNamed(viewer.world.landmarks, request.words);
+    const body::NamedPlace place =
+        body::placeNamed(viewer.world.landmarks, view::placeInEnglish(viewer.world.landmarks, request.words));
     const bool waits = parts_.camera.flyToPlace(place.point);
-    viewer.report(Severity::info, waits ? trf("At {}. Enter presses the finger there", place.name) : place.name);
+    const std::string name = view::placeInLanguage(place.name);
+    viewer.report(Severity::info, waits ? trf("At {}. Enter presses the finger there", name) : name);
   } catch (const Error& error) {
     viewer.report(Severity::warning, error.what());
   }

@@ -1,5 +1,6 @@
 // What the viewer hears: the events of a frame, pass by pass, become commands, and commands what they mean.
 #include "palpate/body/places.h"
+#include "palpate/view/overlays/place_words.h"
 #include "palpate/window/gui_passes.h"
 #include "view/viewer/editing/acts.h"
 #include "view/viewer/editing/dysfunction_editor.h"
@@ -43,7 +44,8 @@ void Viewer::drawGuiPass(std::span<const window::InputEvent> events, double poin
   pointer_.advance(viewer_);
   placeRulerLabel();
   const auto& place = pointer_.placeOf(viewer_.active_finger);
-  viewer_.place_words = place ? body::inWords(viewer_.world.landmarks, place->point) : std::string();
+  viewer_.place_words =
+      place ? view::placeInLanguage(body::inWords(viewer_.world.landmarks, place->point)) : std::string();
   drawGui(viewer_, modes_, {example_pictures_, file_preview_});
   gui_.end();
 }

@@ -51,7 +51,7 @@ TEST_F(ClassInTheWindow, IsMadeStartedWatchedAndEndedInOrder) {
   EXPECT_EQ(stage.state().class_shown.words, "2 stations, 0 rows");
   EXPECT_NE(said().find("class init " + classFolder() + " --class osteo-1 --stations 2 --host teacher\n"),
             std::string::npos);
-  EXPECT_NE(said().find("class serve " + classFolder() + " --broker\n"), std::string::npos) << said();
+  EXPECT_NE(said().find("class serve " + classFolder() + " --broker --language en\n"), std::string::npos) << said();
   stage.state().request(JoinClass{classFolder() + "/stations/s01"});
   ASSERT_TRUE(stage.until([&] { return said().find("train --class") != std::string::npos; }));
   stage.state().request(Quit{});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "palpate/base/language.h"
 #include "stage.h"
 #include "support/places.h"
 
@@ -17,6 +18,18 @@ std::string firstFor(std::string_view words) {
   return results.empty() ? std::string("nothing") : results.front().page->file;
 }
 
+TEST(Manual, TitlesAreInTheLanguageOfTheWindow) {
+  useLanguage("de");
+  EXPECT_EQ(plainText(blocksInLanguage(*manualPage("howto/class.md")).front()), "Eine Klasse im Netz durchführen");
+  std::string contents;
+  for (const Block& block : blocksInLanguage(*manualPage(kManualContents))) contents += plainText(block) + "\n";
+  EXPECT_NE(contents.find("Einen Menschen im Fenster messen"), std::string::npos);
+  EXPECT_EQ(contents.find("Run a class over the network"), std::string::npos);
+  EXPECT_EQ(firstFor("klasse durchführen"), "howto/class.md");
+  useLanguage("en");
+  EXPECT_EQ(plainText(blocksInLanguage(*manualPage("howto/class.md")).front()), "Run a class over the network");
+}
+
 TEST(Manual, HoldsEveryDocument) {
   const fs::path docs = support::sourceFolder() / "docs";
   std::size_t count = 0;
@@ -28,6 +41,7 @@ TEST(Manual, HoldsEveryDocument) {
     ASSERT_NE(page, nullptr) << name;
     EXPECT_FALSE(page->blocks.empty()) << name;
     EXPECT_NE(page->title, page->file) << "its first heading";
+    EXPECT_TRUE(isKnownTitle(page->title)) << page->title << ": view/viewer/manual/titles.cpp, for the catalogues";
   }
   EXPECT_EQ(count, manualPages().size());
   EXPECT_GT(count, 80u);

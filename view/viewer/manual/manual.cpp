@@ -98,9 +98,16 @@ double scoreOf(const Part& part, const SoughtWords& words) {
   return score;
 }
 
+/// In English or in the language of the window.
+bool titleHolds(const Indexed& page, const std::string& word) {
+  constexpr std::size_t kNowhere = std::string_view::npos;
+  return findWord(page.lower_title, word) != kNowhere ||
+         findWord(inLowerCase(titleInLanguage(page.page->title)), word) != kNowhere;
+}
+
 bool pageHolds(const Indexed& page, const std::string& word) {
   constexpr std::size_t kNowhere = std::string_view::npos;
-  if (findWord(page.lower_title, word) != kNowhere) return true;
+  if (titleHolds(page, word)) return true;
   return std::any_of(page.parts.begin(), page.parts.end(), [&](const Part& part) {
     return findWord(part.lower_heading, word) != kNowhere || findWord(part.lower_text, word) != kNowhere;
   });
@@ -132,7 +139,7 @@ std::optional<ManualResult> resultOf(const Indexed& page, const SoughtWords& wor
     }
   }
   for (const std::string& word : words) {
-    if (findWord(page.lower_title, word) != std::string_view::npos) result.score += kTitleScore;
+    if (titleHolds(page, word)) result.score += kTitleScore;
   }
   result.heading = best->heading;
   result.excerpt = excerptOf(*best, words);

@@ -15,9 +15,13 @@ namespace palpate::viewer {
 /// As they were built in, named by their place below docs/: "howto/class.md".
 std::span<const view::EmbeddedFile> manualFiles();
 
+/// Of a page, by its first heading in English; as it is where the catalogues do not know it.
+std::string titleInLanguage(const std::string& title);
+bool isKnownTitle(std::string_view title);
+
 struct ManualPage {
   std::string file;
-  std::string title;
+  std::string title;  ///< in English, as the page itself
   std::vector<Block> blocks;
 };
 /// All of them; read when they are first asked for.
@@ -34,6 +38,9 @@ struct ManualLink {
   std::string anchor = {};           ///< of the heading; empty: the page's begin
 };
 ManualLink linkFrom(const ManualPage& page, std::string_view target);
+
+/// The page's blocks with the titles in the language of the window: its own, and on the contents those of the pages.
+std::vector<Block> blocksInLanguage(const ManualPage& page);
 
 struct ManualResult {
   const ManualPage* page;

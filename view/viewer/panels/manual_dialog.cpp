@@ -4,6 +4,8 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "palpate/base/language.h"
 #include "view/viewer/manual/manual.h"
@@ -49,8 +51,8 @@ bool searchBar(ManualShown& manual, bool& open) {
 
 /// Two lines on one row.
 bool resultRow(const ManualResult& result, std::size_t number) {
-  const std::string title =
-      result.heading.empty() ? result.page->title : fmt::format("{} - {}", result.page->title, result.heading);
+  std::string title = titleInLanguage(result.page->title);
+  if (!result.heading.empty()) title += " - " + result.heading;
   const float height = 2.0f * ImGui::GetTextLineHeight() + 6.0f;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const bool chosen = ImGui::Selectable(fmt::format("##result{}", number).c_str(), number == 0, 0, {0.0f, height});
@@ -75,7 +77,9 @@ void results(ManualShown& manual, bool entered) {
 void pageShown(ManualShown& manual) {
   const ManualPage* page = manualPage(manual.page);
   if (page == nullptr) page = manualPage(kManualContents);
-  const std::string target = drawBlocks(page->blocks, std::exchange(manual.heading, {}));
+  static std::pair<const ManualPage*, std::vector<Block>> shown;  // of the display's thread
+  if (shown.first != page) shown = {page, blocksInLanguage(*page)};
+  const std::string target = drawBlocks(shown.second, std::exchange(manual.heading, {}));
   if (target.empty()) return;
   const ManualLink link = linkFrom(*page, target);
   if (link.page != nullptr) return goTo(manual, *link.page, link.anchor);
@@ -93,6 +97,7 @@ void manualDialog(ManualShown& manual, bool& open) {
                           ImGuiWindowFlags_NoSavedSettings;
   if (!ImGui::BeginPopupModal(title, &open, kFlags)) return;
   const bool entered = searchBar(manual, open);
+  if (language().code != "en") remark("The manual's pages are in English.");
   if (!manual.outside.empty()) remark(trf("Not a page of the manual: {}", manual.outside));
   const bool searches = !manual.searched.empty();
   // A page keeps its own place when it is left and returned to.

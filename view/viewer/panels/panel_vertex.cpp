@@ -11,6 +11,7 @@
 #include "palpate/base/language.h"
 #include "palpate/body/places.h"
 #include "palpate/scene/skin_channels.h"
+#include "palpate/view/overlays/place_words.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -86,14 +87,14 @@ void vertexPanel(const VertexPanel& panel) {
   flagWidget("vertex/mark", "cross on the skin", panel.marked, "Where the vertex is that was read.");
   if (!panel.reading) return remark("Press on the skin: the nearest vertex is read here.");
   const VertexReading& reading = *panel.reading;
-  if (!reading.where.empty()) ImGui::TextWrapped("%s", reading.where.c_str());
+  if (!reading.where.empty()) ImGui::TextWrapped("%s", view::placeInLanguage(reading.where).c_str());
   valueLine("vertex of the skin", fmt::format("{}", reading.vertex));
   if (reading.in_file) valueLine("in the file", fmt::format("{}", *reading.in_file));
   valueLine("x, y, z",
             fmt::format("{:.1f}, {:.1f}, {:.1f} mm", reading.place.x(), reading.place.y(), reading.place.z()));
   valueLine("stiffness", fmt::format("{:.3f} N/mm", reading.stiffness_n_per_mm));
   if (reading.bone_depth_mm) {
-    const std::string bone = reading.bone.empty() ? "" : ", " + body::spokenName(reading.bone);
+    const std::string bone = reading.bone.empty() ? "" : ", " + view::placeInLanguage(body::spokenName(reading.bone));
     valueLine("skin to bone", fmt::format("{:.1f} mm{}", *reading.bone_depth_mm, bone));
   }
   for (const VertexReading::Scalar& scalar : reading.scalars) {

@@ -8,6 +8,7 @@
 #include "palpate/base/language.h"
 #include "palpate/base/text.h"
 #include "palpate/body/places.h"
+#include "palpate/view/overlays/place_words.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -19,7 +20,7 @@ constexpr std::size_t kMaxSuggestions = 6;
 
 bool isPlace(std::span<const body::SkinLandmark> landmarks, const std::string& typed) {
   try {
-    body::placeNamed(landmarks, typed);
+    body::placeNamed(landmarks, view::placeInEnglish(landmarks, typed));
     return true;
   } catch (const Error&) {
     return false;
@@ -34,12 +35,13 @@ std::vector<std::string> placesLike(std::span<const body::SkinLandmark> landmark
   if (wanted.empty()) return like;
   const auto words = split(wanted, ' ');
   for (std::string& name : body::placeNames(landmarks)) {
-    const std::string lower = inSmallLetters(name);
+    const std::string lower = inSmallLetters(name + " " + view::placeInLanguage(name));
     const auto has = [&](std::string_view word) { return lower.find(word) != std::string::npos; };
     if (std::ranges::all_of(words, has)) like.push_back(std::move(name));
   }
-  std::stable_partition(like.begin(), like.end(),
-                        [&](const std::string& name) { return inSmallLetters(name).starts_with(wanted); });
+  std::stable_partition(like.begin(), like.end(), [&](const std::string& name) {
+    return inSmallLetters(name).starts_with(wanted) || inSmallLetters(view::placeInLanguage(name)).starts_with(wanted);
+  });
   if (like.size() > kMaxSuggestions) like.resize(kMaxSuggestions);
   return like;
 }
@@ -56,7 +58,9 @@ std::string examplePlaces(std::span<const body::SkinLandmark> landmarks) {
   const auto is_of_a_side = [](const std::string& name) { return name.starts_with("left "); };
   auto second = std::ranges::find(names, "left PSIS");
   if (second == names.end()) second = std::ranges::find_if(names, is_of_a_side);
-  return second == names.end() || *second == first ? first : first + ", " + *second;
+  std::string examples = view::placeInLanguage(first);
+  if (second != names.end() && *second != first) examples += ", " + view::placeInLanguage(*second);
+  return examples;
 }
 
 namespace {
@@ -90,7 +94,7 @@ std::string suggestions(const std::vector<std::string>& names, bool& over_list) 
   std::string chosen;
   ImGui::Begin("places", nullptr, kPlain);
   for (const std::string& name : names) {
-    if (ImGui::Selectable(name.c_str())) chosen = name;
+    if (ImGui::Selectable(view::placeInLanguage(name).c_str())) chosen = name;
     notePlace("places/" + name);
   }
   over_list = ImGui::IsWindowHovered();

@@ -11,6 +11,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/language.h"
 #include "palpate/body/places.h"
+#include "palpate/view/overlays/place_words.h"
 #include "view/viewer/editing/place_editor.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
@@ -35,7 +36,7 @@ void editorSwitch(const char* path, const PlaceEdit<Item>& edit, const char* mea
 
 template <class Item>
 std::string placeOf(const Item& item) {
-  return item.at.empty() ? fmt::format("({:.0f}, {:.0f}) mm", item.x_mm, item.y_mm) : item.at;
+  return item.at.empty() ? fmt::format("({:.0f}, {:.0f}) mm", item.x_mm, item.y_mm) : view::placeInLanguage(item.at);
 }
 
 /// Typed in words; Enter puts the item there.
@@ -44,13 +45,13 @@ void placeField(const std::string& panel, const PlaceEdit<Item>& edit, Item& ite
   if (edit.landmarks.empty()) return;
   static std::string typed;
   static const Item* of = nullptr;
-  if (of != &item || !ImGui::IsAnyItemActive()) typed = item.at;
+  if (of != &item || !ImGui::IsAnyItemActive()) typed = view::placeInLanguage(item.at);
   of = &item;
   const bool entered = ImGui::InputText(tr("place"), &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace(panel + "/place");
   if (!entered) return;
   try {
-    const body::NamedPlace place = body::placeNamed(edit.landmarks, typed);
+    const body::NamedPlace place = body::placeNamed(edit.landmarks, view::placeInEnglish(edit.landmarks, typed));
     item.at = place.name;
     item.x_mm = place.point.x();
     item.y_mm = place.point.y();
@@ -66,13 +67,14 @@ template <class Item>
 void newField(const std::string& panel, const PlaceEdit<Item>& edit, const std::string& meaning) {
   if (edit.landmarks.empty()) return;
   static std::string typed;
-  const bool entered = ImGui::InputTextWithHint(tr("new"), (firstExample(edit.landmarks) + " left 20 mm").c_str(),
-                                                &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  const std::string example = view::placeInLanguage(firstExample(edit.landmarks) + " left 20 mm");
+  const bool entered =
+      ImGui::InputTextWithHint(tr("new"), example.c_str(), &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   notePlace(panel + "/new");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", meaning.c_str());
   if (!entered || typed.empty()) return;
   try {
-    placeAt(edit, body::placeNamed(edit.landmarks, typed));
+    placeAt(edit, body::placeNamed(edit.landmarks, view::placeInEnglish(edit.landmarks, typed)));
     typed.clear();
   } catch (const Error& error) {
     edit.asks.tell(Severity::warning, error.what());

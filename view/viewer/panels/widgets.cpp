@@ -252,7 +252,7 @@ bool numberWidget(double& value, const NumberWidget& widget) {
   const Slid slid = slider(value, {tr(widget.label), widget.format, widget.low, widget.high});
   bool changed = slid.changed;
   notePlaceOnly(widget.path);
-  if (resetMenu(fmt::format("{:g}", widget.fallback))) {
+  if (resetMenu(fmt::format("{:g}", WrittenNumber{widget.fallback}))) {
     value = widget.fallback;
     changed = true;
   }

@@ -2,15 +2,40 @@
 
 #include <algorithm>
 
+#include "palpate/base/language.h"
+#include "palpate/body/torso.h"
+#include "palpate/body/trunk/trunk.h"
 #include "palpate/scene/world.h"
 
 namespace palpate::viewer {
+
+namespace {
+
+/// What the engine calls the body, in the language of the window; a mesh is called by its file.
+std::string nameOf(const scene::World& world) {
+  const scene::BodySettings& body = world.scene.body;
+  const auto triangles = [&](std::size_t by_itself) { return body.triangles != 0 ? body.triangles : by_itself; };
+  switch (body.kind) {
+    case scene::BodyKind::trunk:
+      return trf("built-in trunk, {} triangles with bones", triangles(body::TrunkSettings().triangles));
+    case scene::BodyKind::torso:
+      return trf("built-in torso, {} triangles with bones", triangles(body::TorsoSettings().triangles));
+    case scene::BodyKind::back:
+      return trf("built-in back, {} triangles over {} bones", triangles(body::kDissertationBackTriangles),
+                 world.body->anatomy.bones.size());
+    case scene::BodyKind::mesh:
+      break;
+  }
+  return world.body->name;
+}
+
+}  // namespace
 
 WorldFacts factsOf(const scene::World& world) {
   const Vec3 size = mesh::boundingBox(world.body->skin).sizes();
   const auto [soft, stiff] =
       std::minmax_element(world.surface.stiffness_n_per_mm->begin(), world.surface.stiffness_n_per_mm->end());
-  return {.name = world.body->name,
+  return {.name = nameOf(world),
           .triangles = world.body->skin.triangles.size(),
           .vertices = world.body->skin.positions.size(),
           .width_mm = size.x(),

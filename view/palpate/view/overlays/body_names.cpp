@@ -8,6 +8,7 @@
 
 #include "palpate/body/places.h"
 #include "palpate/tree/triangle_tree.h"
+#include "palpate/view/overlays/place_words.h"
 #include "palpate/view/skin_place.h"
 
 namespace palpate::view {
@@ -49,11 +50,11 @@ std::vector<BodyName> bodyNames(const scene::World& world) {
   for (const body::SkinLandmark& mark : landmarks) {
     const SkinPlace place = nearestOnSkin(world, mark.position);
     if ((place.point - mark.position).norm() > kFarthestFromSkinMm) continue;
-    names.push_back(nameAt(world, body::spokenName(mark.name), nameKindOf(mark.name), place));
+    names.push_back(nameAt(world, placeInLanguage(body::spokenName(mark.name)), nameKindOf(mark.name), place));
   }
   const std::vector<std::string> all = body::placeNames(landmarks);
   for (std::size_t site = landmarks.size(); site < all.size(); ++site) {  // they follow the landmarks
-    names.push_back(nameAt(world, all[site], NameKind::site, skinPlace(world, all[site])));
+    names.push_back(nameAt(world, placeInLanguage(all[site]), NameKind::site, skinPlace(world, all[site])));
   }
   return names;
 }

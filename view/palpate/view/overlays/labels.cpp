@@ -84,7 +84,8 @@ void drawScaleBar(Drawing& page, const Eyes& eyes, const LabelInks& inks, Taken&
     page.line({kMargin, y - kEnd}, {kMargin, y + kEnd}, ink, thickness);
     page.line({kMargin + length, y - kEnd}, {kMargin + length, y + kEnd}, ink, thickness);
   }
-  const std::string words = length_mm >= 1.0 ? fmt::format("{:.0f} mm", length_mm) : fmt::format("{} mm", length_mm);
+  const std::string words =
+      length_mm >= 1.0 ? fmt::format("{:.0f} mm", length_mm) : fmt::format("{:g} mm", WrittenNumber{length_mm});
   writeLabel(page, {kMargin + 0.5f * length, y - kEnd - 18.0f}, words, inks, Align::centre);
   taken.push_back({{kMargin, y - kEnd - 18.0f}, {kMargin + length, page.size().y()}});
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/language.h"
+
 namespace palpate::view {
 
 namespace {
@@ -48,7 +50,7 @@ std::vector<double> roundMarks(double low, double high, int most) {
 std::string markText(double value, double step) {
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - kSlack)), 0, 6);
   const double rounded = std::abs(value) < 0.5 * step * kSlack ? 0.0 : value;
-  std::string text = fmt::format("{:.{}f}", rounded, decimals);
+  std::string text = fmt::format("{:.{}f}", WrittenNumber{rounded}, decimals);
   if (text.front() == '-') text.replace(0, 1, "\u2212");
   return text;
 }

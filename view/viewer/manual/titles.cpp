@@ -1,0 +1,141 @@
+// What the documents are called, for the catalogues; a test holds it against their first headings.
+#include <algorithm>
+#include <array>
+
+#include "palpate/base/language.h"
+#include "view/viewer/manual/manual.h"
+
+namespace palpate::viewer {
+
+namespace {
+
+constexpr std::array kTitles = {toTranslate("Regions that follow the anatomy"),
+                                toTranslate("The back and the torso"),
+                                toTranslate("Bones"),
+                                toTranslate("The engine in a browser"),
+                                toTranslate("The haptic finger"),
+                                toTranslate("Credibility: why the figures of a release may be trusted"),
+                                toTranslate("Deformation: how the skin follows the finger"),
+                                toTranslate("Contact through the haptic detecting box"),
+                                toTranslate("How a body is fitted to a scan"),
+                                toTranslate("How tissue is fitted"),
+                                toTranslate("Force laws"),
+                                toTranslate("The hand"),
+                                toTranslate("The hunt for faults"),
+                                toTranslate("Lumps under a finger"),
+                                toTranslate("Lumps that people find"),
+                                toTranslate("Lumps"),
+                                toTranslate("Maps: which ellipse and which stiffness belong to which place"),
+                                toTranslate("Measuring: from two photographs to the key ellipse"),
+                                toTranslate("Partitions and the haptic detecting box"),
+                                toTranslate("Beside other libraries"),
+                                toTranslate("Profiles: the curve from the finger to the rim"),
+                                toTranslate("Realism: how far skin and force are from solved tissue"),
+                                toTranslate("Relaxation: force that falls while it is held"),
+                                toTranslate("Rendering: from the deformed skin to pixels"),
+                                toTranslate("Safety"),
+                                toTranslate("The same bits everywhere"),
+                                toTranslate("The servo loop"),
+                                toTranslate("Stability: a loop that is safe to touch"),
+                                toTranslate("Studies: the dissertation's questions, measured again"),
+                                toTranslate("The solver of layered tissue"),
+                                toTranslate("Layered tissue"),
+                                toTranslate("Tools of several pads"),
+                                toTranslate("Training methods: how thresholds are measured"),
+                                toTranslate("What training results mean"),
+                                toTranslate("The triangle tree"),
+                                toTranslate("The trunk"),
+                                toTranslate("How the window is made"),
+                                toTranslate("Run a class over the network"),
+                                toTranslate("Deform a mesh in a program"),
+                                toTranslate("Feel through the detecting box"),
+                                toTranslate("Connect a haptic device"),
+                                toTranslate("Palpate in another program"),
+                                toTranslate("Examine with 18 lumps"),
+                                toTranslate("Fit bones and names to a scanned body"),
+                                toTranslate("Get a tissue from measurements"),
+                                toTranslate("Follow a head before the screen"),
+                                toTranslate("Hunt for faults"),
+                                toTranslate("Use Palpate in JavaScript"),
+                                toTranslate("Use Palpate in another language, and translate it"),
+                                toTranslate("Make a body"),
+                                toTranslate("Measure a person: from photographs to a map that is felt"),
+                                toTranslate("Measure a person in the window"),
+                                toTranslate("Build for Windows and for ARM64"),
+                                toTranslate("Look at a partition"),
+                                toTranslate("Draw pictures"),
+                                toTranslate("Write a device plugin"),
+                                toTranslate("Record and replay"),
+                                toTranslate("Make a release, and verify one"),
+                                toTranslate("Show a body in browsers"),
+                                toTranslate("Put a picture on the skin"),
+                                toTranslate("Make a tissue table"),
+                                toTranslate("Teach and examine with Palpate"),
+                                toTranslate("Run the engine in a browser"),
+                                toTranslate("palpate study bench: what it measures"),
+                                toTranslate("Benchmarks"),
+                                toTranslate("Palpate in C, C# and other languages"),
+                                toTranslate("The protocol of a class"),
+                                toTranslate("Commands"),
+                                toTranslate("Forms of the deformation"),
+                                toTranslate("Devices"),
+                                toTranslate("The dissertation, section by section"),
+                                toTranslate("Figures"),
+                                toTranslate("The trunk in pictures"),
+                                toTranslate("Maps: the files and the command"),
+                                toTranslate("Tables of measured presses"),
+                                toTranslate("Accuracy of measuring"),
+                                toTranslate("Meshes: loading, checking, repairing"),
+                                toTranslate("Names of places"),
+                                toTranslate("The plugin interface"),
+                                toTranslate("Palpate in Python"),
+                                toTranslate("Realism in figures"),
+                                toTranslate("Recordings"),
+                                toTranslate("A finger that another program moves"),
+                                toTranslate("palpate render: what a picture shows"),
+                                toTranslate("What the records hold"),
+                                toTranslate("Scene files"),
+                                toTranslate("Edges, threats and limits"),
+                                toTranslate("The server: palpate serve"),
+                                toTranslate("Palpating without a device: palpate simulate"),
+                                toTranslate("Stability in figures"),
+                                toTranslate("palpate tissue solve"),
+                                toTranslate("Tissue tables"),
+                                toTranslate("Accuracy of the training"),
+                                toTranslate("The report of a training"),
+                                toTranslate("Training sessions"),
+                                toTranslate("The viewer"),
+                                toTranslate("A class in an hour"),
+                                toTranslate("First touch"),
+                                toTranslate("Hide a lump, find it, see it"),
+                                toTranslate("Palpating real shapes"),
+                                toTranslate("Documents of Palpate")};
+
+}  // namespace
+
+std::string titleInLanguage(const std::string& title) {
+  const auto* known = std::ranges::find(kTitles, title, [](const char* one) { return std::string_view(one); });
+  return known == kTitles.end() ? title : tr(*known);
+}
+
+std::vector<Block> blocksInLanguage(const ManualPage& page) {
+  std::vector<Block> blocks = page.blocks;
+  if (language().code == "en") return blocks;
+  const auto title = std::ranges::find(blocks, Block::Kind::heading, &Block::kind);
+  if (title != blocks.end()) title->words = {{.text = titleInLanguage(page.title)}};
+  if (page.file != kManualContents) return blocks;
+  for (Block& block : blocks) {
+    for (Inline& words : block.words) {
+      if (words.kind != Inline::Kind::link) continue;
+      const ManualLink link = linkFrom(page, words.target);
+      if (link.page != nullptr && link.anchor.empty()) words.text = titleInLanguage(link.page->title);
+    }
+  }
+  return blocks;
+}
+
+bool isKnownTitle(std::string_view title) {
+  return std::ranges::any_of(kTitles, [&](const char* one) { return one == title; });
+}
+
+}  // namespace palpate::viewer
