@@ -21,10 +21,15 @@ TrainingButton buttonFor(TrainingAct act, std::string label, int value = 0) {
   return {.act = act, .value = value, .label = std::move(label)};
 }
 
-TrainingScreen cardFor(const training::LumpSession& session) {
+TrainingScreen cardFor(const LumpView& view) {
   TrainingScreen screen;
-  if (session.screen() == LumpScreen::instruction) {
+  if (view.session->screen() == LumpScreen::instruction) {
     screen.lines = {tr("A place is named by touching it: touch it last, then press Here.")};
+    if (view.by_mouse) {
+      screen.lines.emplace_back(
+          tr("With the mouse the eye stands in for the hand: rings show how far the finger sinks, fewer over a lump. "
+             "Lumps that lie deep need a device."));
+    }
     screen.buttons = {buttonFor(TrainingAct::next, tr("Start")), buttonFor(TrainingAct::leave, tr("Leave"))};
   } else {
     screen.buttons = {buttonFor(TrainingAct::next, tr("Finish"))};
@@ -41,6 +46,14 @@ std::string keysOf(const LumpView& view) {
   }
   if (shown == LumpScreen::trial) return keys + " " + tr("P pauses, Esc leaves.");
   return shown == LumpScreen::instruction || shown == LumpScreen::feedback ? keys + " " + tr("Esc leaves.") : keys;
+}
+
+/// The mouse gives the hand nothing: the eye sees how far the finger sinks, by the same force everywhere. Rings and
+/// close view are of the skin alone, so they tell no more than a hand would feel.
+void addSink(const LumpView& view, TrainingScreen& screen) {
+  if (!view.by_mouse) return;
+  screen.shows_sink = true;
+  screen.lines.emplace_back(tr("Watch how far it sinks: fewer rings over something hard. Right-drag turns the body."));
 }
 
 void addButtons(const LumpView& view, TrainingScreen& screen) {
@@ -169,7 +182,7 @@ TrainingScreen LumpSitting::screen(const std::string& corner, bool waiting, bool
 TrainingScreen lumpScreenOf(const LumpView& view) {
   const LumpScreen shown = view.session->screen();
   const bool on_body = shown == LumpScreen::trial || shown == LumpScreen::feedback;
-  TrainingScreen screen = on_body ? TrainingScreen() : cardFor(*view.session);
+  TrainingScreen screen = on_body ? TrainingScreen() : cardFor(view);
   screen.corner = view.corner;
   screen.title = view.session->said().text;
   screen.keys = keysOf(view);
@@ -187,6 +200,7 @@ TrainingScreen lumpScreenOf(const LumpView& view) {
     if (mark.is_own) mark.word = tr("your answer");
     screen.sites.push_back(std::move(mark));
   }
+  addSink(view, screen);
   addButtons(view, screen);
   return screen;
 }

@@ -101,6 +101,36 @@ TEST_F(LumpWindow, WhileItIsPausedThereIsNothingToBeFoundAndTheQuestionStays) {
   stage.viewer->finish();
 }
 
+TEST_F(LumpWindow, TheMouseShowsHowFarItSinksAndNothingOfTheLumps) {
+  for (const auto kind : {training::SessionKind::lump, training::SessionKind::lump_exam}) {
+    TrainingSeat stage(folder / (std::string(wordFor(kind)) + ".results"), kind, withLumps());
+    stage.comeIn();
+    EXPECT_NE(stage.words().find("need a device"), std::string::npos) << stage.words();
+    stage.key(window::Key::enter);
+    ASSERT_TRUE(stage.settled());
+    EXPECT_TRUE(stage.training->screen().shows_sink);
+    EXPECT_NE(stage.words().find("fewer rings"), std::string::npos) << stage.words();
+    view::PictureSettings picture;
+    stage.training->adjust(picture);
+    EXPECT_TRUE(picture.look.lens);
+    EXPECT_FALSE(picture.look.shows(view::Overlay::lumps));
+    for (int i = 0; i < 12; ++i) stage.key(window::Key::left);
+    stage.key(window::key('T'));
+    EXPECT_TRUE(stage.until([&] {
+      return !stage.training->marks(stage.viewer->world(), stage.viewer->state()).empty();
+    })) << "rings";
+    stage.viewer->finish();
+  }
+}
+
+TEST_F(LumpWindow, AHandThatFeelsIsNotHelpedByTheEye) {
+  TrainingSeat stage(records, training::SessionKind::lump_exam, training::builtInLumpProtocol());
+  start(stage);
+  const LumpView view{.session = stage.training->lumpSession(), .by_mouse = false};
+  EXPECT_FALSE(lumpScreenOf(view).shows_sink);
+  stage.viewer->finish();
+}
+
 bool showsPressure(const TrainingSeat& stage) {
   view::PictureSettings picture;
   picture.look.overlays.set();
