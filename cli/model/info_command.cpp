@@ -156,6 +156,9 @@ std::vector<std::string> warningsOf(const ValidationReport& report, std::vector<
 }
 
 const char* verdictOn(const ValidationReport& report) {
+  if (report.fit() && report.doubtful_parts.count > 0) {
+    return "fit to be felt as it is; if it is inside out, `palpate body repair --turn-over doubtful` turns it\n";
+  }
   if (report.fit()) {
     return warningsOf(report).empty() ? "fit to be felt as it is\n" : "fit to be felt, if that is its true size\n";
   }

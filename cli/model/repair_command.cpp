@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "cli/kit/choice_option.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/mesh_arguments.h"
@@ -102,6 +103,7 @@ struct RepairArguments {
   double weld_distance_mm = 0.0;
   bool no_weld = false;
   bool keep_orientation = false;
+  mesh::TurnOver turn_over = mesh::TurnOver::none;
   bool keep_holes = false;
   bool json = false;
 };
@@ -117,6 +119,7 @@ mesh::RepairResult repairFile(const RepairArguments& arguments, mesh::VertexChan
     const mesh::RepairOptions options{.weld = !arguments.no_weld,
                                       .weld_distance_mm = arguments.weld_distance_mm,
                                       .orient_outwards = !arguments.keep_orientation,
+                                      .turn_over = arguments.turn_over,
                                       .fill_holes = !arguments.keep_holes};
     mesh::RepairResult result = mesh::repair(std::move(loaded.mesh), options, progress.callback());
     channels = mesh::followed(loaded.channels, result.source_vertex);
@@ -229,6 +232,10 @@ void addRepairCommand(Command& group) {
              "Weld also vertices nearer than this; 0: the same place only");
   command.add_flag("--keep-orientation", arguments->keep_orientation,
                    "Do not turn closed parts outside out that face inwards");
+  addChoice(command, "--turn-over", arguments->turn_over,
+            {{"none", mesh::TurnOver::none}, {"doubtful", mesh::TurnOver::doubtful}, {"open", mesh::TurnOver::open}},
+            "Open parts to turn over: doubtful, those of which it is said that they may be inside out; open, all, such "
+            "as a sheet that was given from its back");
   command.add_flag("--keep-holes", arguments->keep_holes, "Leave the small holes of nearly closed parts open");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &command] {

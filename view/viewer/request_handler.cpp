@@ -37,6 +37,7 @@ void RequestHandler::fulfil(const OpenFile& request) {
 /// How large it is, beside the display: a body of 1.8 mm is one of 1.8 m. What takes long or is broken is opened as it
 /// is, and says so itself.
 void RequestHandler::advance() {
+  lookAtSides();
   static constexpr PreviewLimits kLook{
       .max_bytes = std::uint64_t{256} << 20, .max_seconds = 3.0, .width = 1, .height = 1};
   const auto seen = look_.take();
@@ -44,6 +45,40 @@ void RequestHandler::advance() {
   if (!to_look_at_ || look_.busy()) return;
   looked_at_ = *std::exchange(to_look_at_, std::nullopt);
   look_.start([file = pathOf(looked_at_.file)] { return previewOf(file, kLook); });
+}
+
+/// Each mesh once, when it is there; beside the display.
+void RequestHandler::lookAtSides() {
+  ViewerState& viewer = parts_.viewer;
+  const std::shared_ptr<const scene::Body>& body = parts_.world->body;
+  const bool is_file = parts_.world->scene.body.kind == scene::BodyKind::mesh;
+  if (const auto turned = turning_.take()) {
+    if (!turned->value) return viewer.report(Severity::error, turned->error);
+    viewer.scene.body.file = *turned->value;
+    viewer.scene.body.unit = scene::Unit::millimetre;
+    viewer.scene.body.group.clear();
+    viewer.asks.changed |= kBodyChange;
+    viewer.report(Severity::info, trf("Turned over: {}", turned->value->string()));
+  }
+  if (const auto doubt = sides_.take()) {
+    turn_over_ = doubt->value.value_or(mesh::TurnOver::none);
+    if (turn_over_ != mesh::TurnOver::none && !viewer.question) {
+      viewer.ask({.kind = Question::Kind::turn,
+                  .words = toTranslate("This body may be inside out: its inner side is felt and seen. Turn it over?"),
+                  .answers = {toTranslate("Turn it over"), toTranslate("As it is")}});
+    }
+  }
+  if (body.get() == looked_at_body_ || sides_.busy() || parts_.modes.claims().window) return;
+  looked_at_body_ = body.get();
+  if (!is_file || body->closed || scene::isMadeScan(parts_.world->scene.body)) return;
+  const bool was_turned = parts_.world->scene.body.file.stem().string().ends_with("_turned");
+  if (was_turned) return;
+  // A scene may show any side on purpose; a bare mesh is shown from behind.
+  const bool bare = viewer.document.file.empty();
+  sides_.start([body, bare] {
+    const mesh::TurnOver doubt = doubtfulSides(body->skin, Vec3::UnitZ());
+    return bare || doubt != mesh::TurnOver::open ? doubt : mesh::TurnOver::none;
+  });
 }
 
 /// Where millimetres are doubtful.
@@ -107,6 +142,12 @@ void RequestHandler::fulfil(const AnswerQuestion& request) {
   const std::string& chosen = request.answer;
   if (question.kind == Question::Kind::of_mode) return parts_.modes.answer(question, chosen, viewer);
   if (chosen == question.answers.back()) return;
+  if (question.kind == Question::Kind::turn) {
+    turning_.start([body = viewer.scene.body, turn_over = turn_over_, folder = parts_.outputs.folder()] {
+      return writeTurned(body, turn_over, folder);
+    });
+    return;
+  }
   if (question.kind == Question::Kind::unit) {
     OpenFile opened = std::get<OpenFile>(*question.then);
     if (chosen != question.answers.front()) opened.unit = scene::Unit::millimetre;

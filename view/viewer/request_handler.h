@@ -14,6 +14,7 @@
 #include "view/viewer/files/file_preview.h"
 #include "view/viewer/files/outputs.h"
 #include "view/viewer/files/recording_keeper.h"
+#include "view/viewer/files/turned_mesh.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/replay_player.h"
 #include "view/viewer/state/async_task.h"
@@ -109,6 +110,7 @@ class RequestHandler {
   void fulfil(const EndClass& request);
   void saveThen(const SaveScene& request, const std::optional<Request>& then);
 
+  void lookAtSides();
   void askForUnit(OpenFile request, const std::optional<double>& longest_units);
 
   RequestParts parts_;
@@ -116,6 +118,10 @@ class RequestHandler {
   std::optional<OpenFile> to_look_at_;  ///< a mesh whose unit is not known
   OpenFile looked_at_;
   AsyncTask<FilePreview> look_;
+  const scene::Body* looked_at_body_ = nullptr;  ///< which way it faces was asked; compared alone
+  AsyncTask<mesh::TurnOver> sides_;
+  mesh::TurnOver turn_over_ = mesh::TurnOver::none;  ///< if the answer is yes
+  AsyncTask<std::filesystem::path> turning_;
 };
 
 // What has to be asked before it is done, because something would be lost by it.

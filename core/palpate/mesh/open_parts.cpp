@@ -109,15 +109,14 @@ OpenParts findOpenParts(const TriangleMesh& mesh, const EdgeUses& edges) {
       area += 0.5 * areaVector2(pa, pb, pc).norm();
     }
     const double ball = elementary::pow(area + caps[part].area, 1.5) / (6.0 * std::sqrt(std::numbers::pi));
-    if (!(volume < -kMinFullness * ball) || caps[part].area > kDoubtfulCaps * area) continue;
-    work += mesh.triangles.size();
-    const Index first = triangles[part][0];
-    if (work > kMaxWork || (parts.count > 1 && liesInside(mesh, parts, part, first))) continue;
-    if (caps[part].area > kBodyCaps * area) {
-      found.doubtful.push_back(first);
-    } else {
-      found.inside_out.emplace_back(triangles[part].begin(), triangles[part].end());
-    }
+    const bool faces_inwards = volume < -kMinFullness * ball && caps[part].area <= kDoubtfulCaps * area;
+    if (faces_inwards) work += mesh.triangles.size();
+    const bool is_outer =
+        work <= kMaxWork && (parts.count == 1 || !faces_inwards || !liesInside(mesh, parts, part, triangles[part][0]));
+    auto& kind = !faces_inwards || !is_outer          ? found.as_given
+                 : caps[part].area > kBodyCaps * area ? found.doubtful
+                                                      : found.inside_out;
+    kind.emplace_back(triangles[part].begin(), triangles[part].end());
   }
   return found;
 }

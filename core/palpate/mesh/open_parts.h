@@ -15,8 +15,10 @@ namespace palpate::mesh {
 struct OpenParts {
   /// Triangles of bodies with openings that face inwards, part by part; the wall of a hollow is not among them.
   std::vector<std::vector<Index>> inside_out;
-  /// First triangles of parts that may be inside out, but are as much a bowl as a body.
-  std::vector<Index> doubtful;
+  /// Parts that may be inside out, but are as much a bowl as a body.
+  std::vector<std::vector<Index>> doubtful;
+  /// All the other open ones.
+  std::vector<std::vector<Index>> as_given;
 };
 
 /// The winding must be consistent within each part; `edges` must be those of the mesh as it is wound. Closed parts are

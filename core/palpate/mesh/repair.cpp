@@ -137,15 +137,25 @@ class Repairing {
     if (!options_.orient_outwards) return;
     note("closed parts turned outside out", turnOutwards(result_.mesh, edges_, patches_));
     const OpenParts open = findOpenParts(result_.mesh, edges_);
-    for (const std::vector<Index>& part : open.inside_out) {
+    turnOver(open.inside_out);
+    note("open parts turned outside out", open.inside_out.size());
+    if (options_.turn_over != TurnOver::none) {
+      turnOver(open.doubtful);
+      if (options_.turn_over == TurnOver::open) turnOver(open.as_given);
+      note("open parts turned over as asked",
+           open.doubtful.size() + (options_.turn_over == TurnOver::open ? open.as_given.size() : 0));
+    } else if (!open.doubtful.empty()) {
+      result_.warnings.push_back(
+          fmt::format("{} open part{} may be inside out (first triangle: {}): felt from the inside "
+                      "of its bowl; `palpate body repair --turn-over doubtful` turns it if the outside is meant",
+                      open.doubtful.size(), open.doubtful.size() == 1 ? "" : "s", open.doubtful[0][0]));
+    }
+  }
+
+  void turnOver(const std::vector<std::vector<Index>>& parts) {
+    for (const std::vector<Index>& part : parts) {
       for (const Index t : part) std::swap(result_.mesh.triangles[t][1], result_.mesh.triangles[t][2]);
     }
-    note("open parts turned outside out", open.inside_out.size());
-    if (open.doubtful.empty()) return;
-    result_.warnings.push_back(
-        fmt::format("{} open part{} may be inside out (first triangle: {}): felt from the inside "
-                    "of its bowl; turn the triangles if the outside is meant",
-                    open.doubtful.size(), open.doubtful.size() == 1 ? "" : "s", open.doubtful[0]));
   }
 
   void separateFans() {

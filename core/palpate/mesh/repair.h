@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,13 @@
 
 namespace palpate::mesh {
 
+/// Open parts that are turned over beside those that are plainly inside out.
+enum class TurnOver : std::uint8_t {
+  none,
+  doubtful,  ///< those of which validate says that they may be inside out
+  open       ///< every open part: a sheet that was given from its back
+};
+
 struct RepairOptions {
   /// Join vertices at equal coordinates first, so that seams of texture or shading are no borders.
   bool weld = true;
@@ -23,6 +31,8 @@ struct RepairOptions {
   double weld_distance_mm = 0.0;
   /// Turn closed parts outside out, and open ones that are bodies with openings (open_parts.h).
   bool orient_outwards = true;
+  /// Wants orient_outwards.
+  TurnOver turn_over = TurnOver::none;
   /// Fill the small holes of nearly closed parts (holes.h).
   bool fill_holes = true;
   /// Look for self-intersections of the result (costs more than all the rest).

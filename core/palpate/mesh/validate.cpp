@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "palpate/mesh/components.h"
 #include "palpate/mesh/doubled_triangles.h"
@@ -173,7 +174,20 @@ void checkOpenParts(const Sound& sound, const EdgeUses& edges, ValidationReport&
   if (found.closed || found.inconsistent_edges.count > 0) return;  // repair makes the winding consistent first
   const OpenParts open = findOpenParts(sound.mesh, edges);
   for (const std::vector<Index>& part : open.inside_out) found.inside_out_parts.add(sound.original[part[0]]);
-  for (const Index triangle : open.doubtful) found.doubtful_parts.add(sound.original[triangle]);
+  for (const std::vector<Index>& part : open.doubtful) found.doubtful_parts.add(sound.original[part[0]]);
+}
+
+/// Closed parts among others: the volume of all together says nothing of one.
+void checkClosedParts(const Sound& sound, const EdgeUses& edges, ValidationReport& found) {
+  if (found.inconsistent_edges.count > 0 || found.components < 2) return;
+  TriangleMesh turned = sound.mesh;
+  turnOutwards(turned, edges, findPatches(turned, edges));
+  const Components parts = partsAcrossEdges(turned, edges);
+  std::vector<std::uint8_t> told(parts.count, 0);
+  for (Index t = 0; t < turned.triangles.size(); ++t) {
+    if (turned.triangles[t] == sound.mesh.triangles[t] || std::exchange(told[parts.of_triangle[t]], 1)) continue;
+    found.inside_out_parts.add(sound.original[t]);
+  }
 }
 
 void checkIntersections(const Sound& sound, const Progress& progress, ValidationReport& found) {
@@ -227,6 +241,7 @@ ValidationReport validate(const TriangleMesh& mesh, const ValidateOptions& optio
   report(progress, "checking", 0.6);
   checkFans(sound, found);
   found.components = findComponents(sound.mesh).count;
+  checkClosedParts(sound, edges, found);
   found.volume_mm3 = found.closed ? signedVolume(sound.mesh) : 0.0;
   report(progress, "checking", 1.0);
   if (options.self_intersections) checkIntersections(sound, progress, found);
@@ -250,8 +265,8 @@ std::vector<std::string> describe(const ValidationReport& found) {
               "edges of inconsistent winding, at triangles");
   if (found.one_sided) s.emplace_back("a part is one-sided (a Moebius strip): it cannot be wound consistently");
   if (found.volume_mm3 < 0.0) s.emplace_back("closed, but inside out: its volume is negative");
-  addSentence(s, found.inside_out_parts, "open part that is inside out, at triangle",
-              "open parts that are inside out, at triangles");
+  addSentence(s, found.inside_out_parts, "part that is inside out, at triangle",
+              "parts that are inside out, at triangles");
   addSentence(s, found.doubtful_parts, "open part that may be inside out, at triangle",
               "open parts that may be inside out, at triangles");
   addSentence(s, found.self_intersections, "edge that pierces the mesh itself, at triangle",

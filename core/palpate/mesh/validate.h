@@ -61,8 +61,8 @@ struct ValidationReport {
   Trait border_edges;            ///< one triangle
   std::size_t border_loops = 0;  ///< connected runs of border edges
 
-  Trait inside_out_parts;      ///< open parts that face inwards (open_parts.h); `first` names a triangle of each
-  Trait doubtful_parts;        ///< open parts that may: as much a bowl as a body
+  Trait inside_out_parts;  ///< parts that face inwards (open_parts.h, turnOutwards); `first` names a triangle of each
+  Trait doubtful_parts;    ///< open parts that may: as much a bowl as a body
   std::size_t components = 0;  ///< parts that share no vertex
   Closure closure = Closure::open;
   std::size_t fillable_holes = 0;  ///< small holes of nearly closed parts, that `repair` fills

@@ -255,6 +255,42 @@ TEST(Repair, ABowlThatMayBeInsideOutIsReportedAndASheetIsNot) {
   }
 }
 
+TEST(Repair, WhatMayBeInsideOutIsTurnedWhereThatIsAsked) {
+  const auto bowl = repair(insideOutBowl(0.0), {.turn_over = TurnOver::doubtful});
+  EXPECT_EQ(countOf(bowl, "turned over as asked"), 1u);
+  EXPECT_TRUE(bowl.warnings.empty());
+  EXPECT_EQ(validate(bowl.mesh).doubtful_parts.count, 0u);
+  EXPECT_EQ(countOf(repair(bowl.mesh, {.turn_over = TurnOver::doubtful}), "turned over as asked"), 0u)
+      << "once is enough";
+  const TriangleMesh sheet = zoo::wavyGrid(20, 100.0, 12.0);
+  EXPECT_EQ(countOf(repair(sheet, {.turn_over = TurnOver::doubtful}), "turned over as asked"), 0u)
+      << "a sheet is as given";
+  const auto turned = repair(sheet, {.turn_over = TurnOver::open});
+  ASSERT_EQ(countOf(turned, "turned over as asked"), 1u);
+  for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
+    EXPECT_LT(areaVector2(turned.mesh.positions[turned.mesh.triangles[t][0]],
+                          turned.mesh.positions[turned.mesh.triangles[t][1]],
+                          turned.mesh.positions[turned.mesh.triangles[t][2]])
+                  .z(),
+              0.0);
+  }
+}
+
+TEST(Repair, APartAmongOthersThatIsInsideOutIsTold) {
+  TriangleMesh mesh = zoo::sphere(20.0, 3);
+  TriangleMesh other = zoo::insideOut();
+  for (Vec3& position : other.positions) position.x() += 60.0;
+  const std::size_t first = mesh.triangles.size();
+  append(other, mesh);
+  EXPECT_EQ(validate(mesh).inside_out_parts.count, 1u) << "the whole encloses more than nothing all the same";
+  EXPECT_EQ(validate(mesh).inside_out_parts.first.at(0), first);
+  EXPECT_FALSE(validate(mesh).sound());
+  EXPECT_EQ(validate(repair(mesh).mesh).inside_out_parts.count, 0u);
+  TriangleMesh hollow = zoo::sphere(40.0, 3);
+  append(zoo::insideOut(), hollow);
+  EXPECT_EQ(validate(hollow).inside_out_parts.count, 0u) << "the wall of a hollow";
+}
+
 TEST(Repair, TheOpenWallOfAHollowKeepsFacingIn) {
   TriangleMesh mesh = zoo::sphere(40.0, 3);
   append(insideOutBowl(14.0), mesh);

@@ -3,6 +3,7 @@
 
 #include "palpate/base/text.h"
 #include "view/viewer/files/file_preview.h"
+#include "view/viewer/files/turned_mesh.h"
 
 namespace palpate::viewer {
 namespace {
@@ -94,6 +95,49 @@ TEST(UnitQuestion, MillimetresAndNothingAreAnswersToo) {
   stage.click("question/Millimetres");
   ASSERT_TRUE(stage.until([&] { return stage.state().world.name == "small.stl"; })) << stage.lastMessage();
   EXPECT_NEAR(stage.state().world.width_mm, 30.0, 1.0);
+}
+
+/// The lower half of a ball of 60 mm, or a sheet; both from their backs.
+mesh::TriangleMesh insideOut(mesh::TriangleMesh mesh) {
+  for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+mesh::TriangleMesh bowl() {
+  mesh::TriangleMesh mesh = zoo::sphere(60.0, 4);
+  std::erase_if(mesh.triangles, [&](const Triangle& t) { return mesh::centreOf(mesh, t).z() < 0.0; });
+  return mesh;
+}
+
+TEST(TurnQuestion, ABodyThatMayBeInsideOutIsTurnedWhereTheUserSaysSo) {
+  for (const auto& mesh : {insideOut(bowl()), insideOut(zoo::wavyGrid(30, 200.0, 3.0))}) {
+    Stage stage;
+    mesh::save(stage.folder / "scan.stl", mesh);
+    stage.drop(stage.folder / "scan.stl");
+    ASSERT_TRUE(stage.until([&] { return stage.state().question.has_value(); }));
+    EXPECT_NE(stage.state().question->words.find("inside out"), std::string::npos);
+    stage.frame();
+    stage.click("question/Turn it over");
+    ASSERT_TRUE(stage.until([&] { return stage.state().world.name == "scan_turned.ply"; })) << stage.lastMessage();
+    stage.until([&] { return stage.state().question.has_value(); }, 1);
+    EXPECT_FALSE(stage.state().question) << "one turned by the user is not asked about again";
+    EXPECT_TRUE(std::filesystem::exists(stage.folder / "scan_turned.ply"));
+    EXPECT_EQ(doubtfulSides(stage.viewer->world().body->skin, Vec3::UnitZ()), mesh::TurnOver::none);
+  }
+}
+
+TEST(TurnQuestion, WhatFacesTheRightWayOrIsToStayIsLeftAsItIs) {
+  for (const auto& mesh : {bowl(), zoo::wavyGrid(30, 200.0, 3.0), insideOut(zoo::sphere(60.0, 4))}) {
+    EXPECT_EQ(doubtfulSides(mesh, Vec3::UnitZ()) != mesh::TurnOver::none, false);
+  }
+  Stage stage;
+  mesh::save(stage.folder / "scan.stl", insideOut(bowl()));
+  stage.drop(stage.folder / "scan.stl");
+  ASSERT_TRUE(stage.until([&] { return stage.state().question.has_value(); }));
+  stage.key(window::Key::escape);
+  stage.until([&] { return stage.state().question.has_value(); }, 1);
+  EXPECT_FALSE(stage.state().question);
+  EXPECT_EQ(stage.state().world.name, "scan.stl");
+  EXPECT_FALSE(std::filesystem::exists(stage.folder / "scan_turned.ply"));
 }
 
 TEST(OpenDialog, AClickShowsAFileAndASecondOneOpensIt) {

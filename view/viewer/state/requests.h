@@ -166,6 +166,7 @@ struct Question {
   enum class Kind : std::uint8_t {
     leave,      ///< changes would be thrown away
     overwrite,  ///< a file would be that is not known here
+    turn,       ///< of a mesh that shows its back: turned over, or as it is
     unit,       ///< of a mesh file, before it is opened: as guessed, millimetres, not at all
     of_mode,    ///< a mode asks, and gets the answer (mode.h)
     end_class,  ///< the class would end with the window
