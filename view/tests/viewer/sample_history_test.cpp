@@ -77,6 +77,23 @@ TEST(SampleHistory, FindsTheSampleUnderTheCursor) {
   EXPECT_FLOAT_EQ(history.near(5.0)->normal_n, 99.0f);
 }
 
+TEST(Plots, PausedOnesGiveThePausedMomentAndSayHowLongAgoItWas) {
+  Plots plots{{SampleHistory(1000.0, 2.0), SampleHistory(1000.0, 2.0)}};
+  const auto feel = [&](std::uint64_t from, std::uint64_t to, double newtons) {
+    for (std::uint64_t tick = from; tick < to; ++tick) plots.fingers[0].add(sampleAt(tick, newtons));
+  };
+  feel(0, 500, 2.0);
+  EXPECT_DOUBLE_EQ(plots.pausedFor(), 0.0);
+  plots.end_s = plots.shownEnd();
+  plots.paused = true;
+  feel(500, 1500, 0.0);
+  EXPECT_FLOAT_EQ(plots.felt(0, plots.shownEnd())->normal_n, 2.0f);
+  EXPECT_NEAR(plots.pausedFor(), 1.0, 1e-9);
+  feel(1500, 3000, 0.0);
+  EXPECT_EQ(plots.felt(0, plots.shownEnd()), nullptr) << "its history has forgotten that moment";
+  EXPECT_EQ(plots.felt(1, plots.shownEnd()), nullptr) << "this one has never felt anything";
+}
+
 TEST(PlotAxis, EndsAtOneTwoOrFive) {
   EXPECT_DOUBLE_EQ(axisEnd(0.3, 1.0), 1.0);
   EXPECT_DOUBLE_EQ(axisEnd(1.2, 1.0), 2.0);

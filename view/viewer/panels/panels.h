@@ -159,6 +159,9 @@ struct PlotStrips {
   double device_limit_n;
   double now_s;
   std::optional<double> frozen_at_s;  ///< the moment that a frozen picture shows
+
+  /// Whose numbers stand above the strips.
+  double timeShown() const { return frozen_at_s ? *frozen_at_s : plots.shownEnd(); }
 };
 void plotStrips(const PlotStrips& panel, const FreeArea& free, Asks& asks);
 

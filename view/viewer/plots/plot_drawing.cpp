@@ -157,15 +157,16 @@ void drawPlotAxes(const PlotArea& area, double end, double window_s) {
   list().AddLine({area.low.x, area.low.y}, {area.high.x, area.low.y}, plotInk(kFaint));
   const float middle = 0.5f * (area.low.y + area.high.y);
   list().AddLine({area.low.x, middle}, {area.high.x, middle}, plotInk(kFaint));
-  smallText({area.low.x + 3.0f, area.low.y + 1.0f}, fmt::format("{:g}", end));
-  smallText({area.low.x + 3.0f, middle + 1.0f}, fmt::format("{:g}", 0.5 * end));
+  smallText({area.low.x + 3.0f, area.low.y + 1.0f}, fmt::format("{:g}", WrittenNumber{end}));
+  smallText({area.low.x + 3.0f, middle + 1.0f}, fmt::format("{:g}", WrittenNumber{0.5 * end}));
   constexpr int kTimes = 2;  // beside the newest
   for (int i = 0; i <= kTimes; ++i) {
     const float share = static_cast<float>(i) / kTimes;
     const float x = area.low.x + share * area.width();
     list().AddLine({x, area.high.y}, {x, area.high.y + 3.0f}, plotInk(0.5f));
     const double ago_s = (1.0 - static_cast<double>(share)) * window_s;
-    smallText({x, area.high.y + 3.0f}, ago_s > 0.0 ? fmt::format("\u2212{:g} s", ago_s) : std::string("0 s"), share);
+    smallText({x, area.high.y + 3.0f},
+              ago_s > 0.0 ? fmt::format("\u2212{:g} s", WrittenNumber{ago_s}) : std::string("0 s"), share);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "palpate/base/language.h"
@@ -65,21 +66,30 @@ Columns columnsOf(const PlotStrips& panel, float width) {
   return columns;
 }
 
-/// What is read, of every finger that is there, in its colour; right-aligned.
-void drawReadouts(const PlotStrips& panel, const PlotArea& area, PlotValue value, double time_s) {
+/// What one finger felt at a time; null where it is not there, or the history has lost it.
+const PlotSample* sampleOf(const PlotStrips& panel, std::size_t finger, double time_s) {
+  return panel.present[finger] ? panel.plots.felt(finger, time_s) : nullptr;
+}
+
+/// Above the strip, of the moment that the picture shows, of every finger that is there, in its colour; right-aligned.
+void drawReadouts(const PlotStrips& panel, const PlotArea& area, PlotValue value) {
   float right = area.high.x;
   for (std::size_t f = panel.present.size(); f-- > 0;) {
-    const PlotSample* sample = panel.plots.fingers[f].near(time_s);
-    if (!panel.present[f] || sample == nullptr) continue;
-    const std::string words = fmt::format("{:.2f}", valueOf(*sample, value));
+    const PlotSample* sample = sampleOf(panel, f, panel.timeShown());
+    if (sample == nullptr) continue;
+    const std::string words = fmt::format("{:.2f}", WrittenNumber{valueOf(*sample, value)});
     right -= ImGui::CalcTextSize(words.c_str()).x;
     ImGui::GetWindowDrawList()->AddText({right, area.low.y - kTitle}, fingerInk(f), words.c_str());
     right -= 10.0f;
   }
 }
 
-void drawTitle(const PlotArea& area, const Strip& strip) {
-  const std::string title = fmt::format("{}, {}", tr(strip.title), strip.unit);
+/// Says of which moment the numbers are, where it is not now.
+void drawTitle(const PlotStrips& panel, const PlotArea& area, const Strip& strip) {
+  std::string title = fmt::format("{}, {}", tr(strip.title), strip.unit);
+  if (const double ago_s = panel.plots.pausedFor(); ago_s > 0.0 && !panel.frozen_at_s) {
+    title += trf(", {:.1f} s ago", ago_s);
+  }
   ImGui::GetWindowDrawList()->AddText({area.low.x, area.low.y - kTitle}, plotInk(), title.c_str());
 }
 
@@ -151,35 +161,63 @@ void useMouse(const PlotStrips& panel, const PlotArea& area) {
   if (io.MouseWheel < 0.0f && now < last) panel.plots.window_s = *std::next(now);
 }
 
-/// The time that is read: under the cursor, else of the frozen picture, else the newest.
-double timeRead(const PlotStrips& panel, std::span<const PlotArea> areas) {
+/// The time under the mouse; nothing where it is beside the strips.
+std::optional<double> timeUnderMouse(const PlotStrips& panel, std::span<const PlotArea> areas) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   for (const PlotArea& area : areas) {
     if (!area.holds(mouse)) continue;
     const double share = (mouse.x - area.low.x) / area.width();
     return panel.plots.shownEnd() - (1.0 - share) * panel.plots.window_s;
   }
-  return panel.frozen_at_s ? *panel.frozen_at_s : panel.plots.shownEnd();
+  return std::nullopt;
+}
+
+std::optional<float> placeOfTime(const PlotStrips& panel, const PlotArea& area, double time_s) {
+  const double ago_s = panel.plots.shownEnd() - time_s;
+  if (ago_s <= 0.0 || ago_s > panel.plots.window_s) return std::nullopt;
+  return area.high.x - static_cast<float>(ago_s / panel.plots.window_s) * area.width();
 }
 
 /// One line through all strips.
-void drawCursor(const PlotStrips& panel, std::span<const PlotArea> areas, double time_s) {
-  const double ago_s = panel.plots.shownEnd() - time_s;
-  if (ago_s <= 0.0 || ago_s > panel.plots.window_s) return;
+void drawMoment(const PlotStrips& panel, std::span<const PlotArea> areas, double time_s) {
   for (const PlotArea& area : areas) {
-    const float x = area.high.x - static_cast<float>(ago_s / panel.plots.window_s) * area.width();
-    ImGui::GetWindowDrawList()->AddLine({x, area.low.y}, {x, area.high.y}, plotInk());
+    const auto x = placeOfTime(panel, area, time_s);
+    if (x) ImGui::GetWindowDrawList()->AddLine({*x, area.low.y}, {*x, area.high.y}, plotInk());
+  }
+}
+
+/// What the curves are there, on plates at the line, on that side of it where there is more room.
+void drawValuesAt(const PlotStrips& panel, std::span<const PlotArea> areas, double time_s) {
+  constexpr float kAway = 4.0f;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const PlotArea& area = areas[i];
+    const auto x = placeOfTime(panel, area, time_s);
+    if (!x) continue;
+    float top = area.low.y + kAway;
+    for (std::size_t f = 0; f < panel.present.size(); ++f) {
+      const PlotSample* sample = sampleOf(panel, f, time_s);
+      if (sample == nullptr) continue;
+      const std::string words = fmt::format("{:.2f}", WrittenNumber{valueOf(*sample, kStrips[i].value)});
+      const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+      const bool to_left = *x > 0.5f * (area.low.x + area.high.x);
+      const ImVec2 low(to_left ? *x - kAway - size.x : *x + kAway, top);
+      ImDrawList& list = *ImGui::GetWindowDrawList();
+      list.AddRectFilled({low.x - 2.0f, low.y}, {low.x + size.x + 2.0f, low.y + size.y},
+                         ImGui::GetColorU32(ImGuiCol_WindowBg));
+      list.AddText(low, fingerInk(f), words.c_str());
+      top += size.y;
+    }
   }
 }
 
 void windowChoice(Plots& plots) {
-  const std::string now = fmt::format("{:g} s", plots.window_s);
+  const std::string now = fmt::format("{:g} s", WrittenNumber{plots.window_s});
   ImGui::SetNextItemWidth(66.0f);
   const bool open = ImGui::BeginCombo("##window", now.c_str());
   open ? notePlaceOnly("plots/window") : notePlace("plots/window");
   if (open) {
     for (const double seconds : kWindows) {
-      if (ImGui::Selectable(fmt::format("{:g} s", seconds).c_str(), seconds == plots.window_s)) {
+      if (ImGui::Selectable(fmt::format("{:g} s", WrittenNumber{seconds}).c_str(), seconds == plots.window_s)) {
         plots.window_s = seconds;
       }
     }
@@ -220,13 +258,17 @@ void strips(const PlotStrips& panel, std::span<const PlotArea> areas) {
     if (ImGui::IsWindowHovered() && area.holds(ImGui::GetIO().MousePos)) useMouse(panel, area);
   }
   const Columns columns = columnsOf(panel, areas.front().width());
-  const double time_s = timeRead(panel, areas);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     drawStrip(panel, i, columns, areas[i]);
-    drawTitle(areas[i], kStrips[i]);
-    drawReadouts(panel, areas[i], kStrips[i].value, time_s);
+    drawTitle(panel, areas[i], kStrips[i]);
+    drawReadouts(panel, areas[i], kStrips[i].value);
   }
-  drawCursor(panel, areas, time_s);
+  if (const auto time_s = timeUnderMouse(panel, areas)) {
+    drawMoment(panel, areas, *time_s);
+    drawValuesAt(panel, areas, *time_s);
+  } else {
+    drawMoment(panel, areas, panel.timeShown());
+  }
 }
 
 }  // namespace

@@ -89,8 +89,17 @@ struct Plots {
   double end_s = 0.0;  ///< of the stretch, while paused
   bool paused = false;
 
+  /// What a finger felt at a time, or null where its history does not reach back so far.
+  const PlotSample* felt(std::size_t finger, double time_s) const {
+    constexpr double kReachS = 0.1;
+    const SampleHistory& history = fingers[finger];
+    return history.size() == 0 || time_s < history.at(0).time_s - kReachS ? nullptr : history.near(time_s);
+  }
+  double newestTime() const { return std::max(fingers[0].newestTime(), fingers[1].newestTime()); }
   /// Where the strips end: the newest sample, or where they were stopped.
-  double shownEnd() const { return paused ? end_s : std::max(fingers[0].newestTime(), fingers[1].newestTime()); }
+  double shownEnd() const { return paused ? end_s : newestTime(); }
+  /// How long ago the end of the strips was, s.
+  double pausedFor() const { return newestTime() - shownEnd(); }
 };
 
 /// The window of both fingers as a table: t_s, then normal_n, tangential_n, depth_mm, speed_mm_per_s, force_n of each.
