@@ -5,7 +5,7 @@
 // too many in one block, or when it is off on average.
 //
 // A picture that fails leaves expected, actual, their difference (times 8) and all three side by side in
-// <build>/pictures. To keep a new one: look at it, then  tools/bless-pictures NAME.
+// <build>/pictures. To keep a new one: look at it, then  tools/draw-pictures tests NAME.
 #pragma once
 
 #include <string>

@@ -82,7 +82,8 @@ void drawEnds(Drawing& page, const Axes& axes, const SectionEnds& ends, const La
 /// Why the dent is shallower than the finger is deep.
 void drawCap(Drawing& page, const Axes& axes, double cap_mm, const LabelInks& inks) {
   page.line(axes.at({axes.low.x(), -cap_mm}), axes.at({axes.high.x(), -cap_mm}), inks.deformed);
-  const std::string words = trf("drawn {:g} mm deep at most", cap_mm);
+  std::string words = trf("drawn {:g} mm deep at most", cap_mm);
+  if (page.measure(words, TextSize::small).x() > axes.extent.x()) words = trf("at most {:g} mm", cap_mm);
   const Vec2f place = axes.at({axes.high.x(), -cap_mm}) - Vec2f(2.0f, -1.0f);
   page.text(place, words, inks.deformed, Align::right, TextSize::small);
 }
