@@ -71,18 +71,23 @@ tissue::LayerStack stackFrom(const SolveArguments& arguments) {
   return stack;
 }
 
-/// "10mm:6mm:60kPa", "10mm:6mm:60kPa:0.5": diameter, depth of its top, modulus, softness of its edge.
+/// "10mm:6mm:60kPa", "12x6mm:6mm:60kPa:0.5": diameter (across x into the body), depth of its top, modulus, softness of
+/// its edge.
 elements::Inclusion lumpFrom(const std::string& words) {
   const std::vector<std::string_view> parts = split(words, ':');
   const bool soft = parts.size() == 4;
   elements::Inclusion lump;
   if (parts.size() == 3 || soft) {
-    const auto diameter = tissue::parseMillimetres(parts[0]);
+    const std::size_t by = parts[0].find('x');
+    const auto across =
+        by == std::string_view::npos ? tissue::parseMillimetres(parts[0]) : parseNumber(parts[0].substr(0, by));
+    const auto into = by == std::string_view::npos ? across : tissue::parseMillimetres(parts[0].substr(by + 1));
     const auto depth = tissue::parseMillimetres(parts[1]);
     lump.young_kpa = tissue::parseKilopascals(parts[2]);
     const auto edge = soft ? parseNumber(parts[3]) : std::optional(0.0);
-    if (diameter && depth && lump.young_kpa && edge) {
-      lump.across_mm = lump.into_mm = 0.5 * *diameter;
+    if (across && into && depth && lump.young_kpa && edge) {
+      lump.across_mm = 0.5 * *across;
+      lump.into_mm = 0.5 * *into;
       lump.top_mm = *depth;
       lump.edge = *edge;
       return lump;
@@ -240,9 +245,11 @@ void addTissueSolveCommand(Command& parent) {
       "--field", a.field,
       "Write the strain energy under each press into the table too, down to the deepest of --depths: lumps need it");
   command
-      .add_option("--lump", a.lump,
-                  "Press over a lump: DIAMETER:DEPTH:MODULUS, its depth being that of its top under the skin, as in "
-                  "10mm:6mm:60kPa; a fourth part, 0 (sharp, default) to 1, makes its edge soft. Without drag and field")
+      .add_option(
+          "--lump", a.lump,
+          "Press over a lump: DIAMETER:DEPTH:MODULUS, its depth being that of its top under the skin, as in "
+          "10mm:6mm:60kPa, 12x6mm:6mm:60kPa if it is flat; a fourth part, 0 (sharp, default) to 1, makes its edge "
+          "soft. Without drag and field")
       ->excludes(&field);
   namesFileToWrite(command.add_option("-o,--out", a.output, "Table to write (JSON)"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");

@@ -20,12 +20,33 @@ namespace {
 constexpr std::uint64_t kMaxLumpBytes = 64u << 20u;
 constexpr double kPercent = 0.01;
 
+/// Of two keys that stand for each other, the one that is given.
+bool hasFirst(const Json& json, const char* first, const char* second) {
+  if (json.contains(first) == json.contains(second))
+    throw Error(fmt::format("a lump takes {} or {}, one of the two", first, second));
+  return json.contains(first);
+}
+
+/// With the keys of [[lump]] in scenes (scene/lump_keys.cpp). Where it lies on a body is no matter here; what would
+/// change the press is refused. Other keys are notes of whoever solved it.
 tissue::LumpShape lumpFrom(const Json& json) {
+  for (const char* key : {"mobility_mm_per_n", "raise_mm"}) {
+    if (json.value(key, 0.0) != 0.0) throw Error(fmt::format("a lump of a solved press has no {}", key));
+  }
   tissue::LumpShape lump;
-  const double radius = 0.5 * json.at("diameter_mm").get<double>();
-  lump.half_axes_mm = {radius, radius, radius};
+  if (hasFirst(json, "half_axes_mm", "diameter_mm")) {
+    const Json& half = json.at("half_axes_mm");
+    if (half.size() != lump.half_axes_mm.size()) throw Error("half_axes_mm must be three numbers");
+    for (std::size_t i = 0; i < half.size(); ++i) lump.half_axes_mm[i] = half.at(i).get<double>();
+  } else {
+    lump.half_axes_mm.fill(0.5 * json.at("diameter_mm").get<double>());
+  }
   lump.depth_mm = json.at("depth_mm").get<double>();
-  lump.young_kpa = json.at("young_kpa").get<double>();
+  if (hasFirst(json, "young_kpa", "stiffness_ratio")) {
+    lump.young_kpa = json.at("young_kpa").get<double>();
+  } else {
+    lump.stiffness_ratio = json.at("stiffness_ratio").get<double>();
+  }
   lump.edge = json.value("edge", 0.0);
   return lump;
 }
@@ -59,9 +80,11 @@ LumpCase caseFrom(const Json& json, const LumpCases& cases) {
     press.depth_mm = from.at("depth_mm").get<double>();
     press.force_n = from.at("force_n").get<double>();
     press.force_without_n = from.at("force_without_n").get<double>();
-    press.contact_radius_mm = from.at("contact_radius_mm").get<double>();
-    press.pressure_kpa = from.at("pressure_kpa").get<std::vector<double>>();
-    if (press.pressure_kpa.empty()) throw Error(one.name + ": pressure_kpa is empty");
+    if (from.contains("pressure_kpa")) {
+      press.contact_radius_mm = from.at("contact_radius_mm").get<double>();
+      press.pressure_kpa = from.at("pressure_kpa").get<std::vector<double>>();
+      if (press.pressure_kpa.empty()) throw Error(one.name + ": pressure_kpa is empty");
+    }
     for (const Json& percent : from.value("surface_change_percent_of_depth", Json::array()))
       press.surface_change_share.push_back(kPercent * percent.get<double>());
     if (press.surface_change_share.size() > cases.surface_radii_mm.size())
@@ -99,23 +122,28 @@ void readField(const Json& root, LumpCases& cases) {
 
 // --- drawn and solved
 
+/// Evenly on a scale of factors.
+double drawnFactor(Random& random, double from, double to) {
+  return std::exp(random.uniform(std::log(from), std::log(to)));
+}
+
+/// Fat from nearly liquid to firm.
 tissue::LayerStack drawnStack(Random& random) {
   tissue::LayerStack stack;
   stack.layers.push_back({"skin", random.uniform(1.0, 2.5), random.uniform(60.0, 150.0)});
-  stack.layers.push_back({"fat", random.uniform(5.0, 18.0), random.uniform(6.0, 20.0)});
+  stack.layers.push_back({"fat", random.uniform(5.0, 18.0), drawnFactor(random, 2.0, 20.0)});
   stack.layers.push_back({"muscle", random.uniform(12.0, 30.0), random.uniform(12.0, 40.0)});
   return stack;
 }
 
+/// From as near under the skin as a lump may lie.
 tissue::LumpShape drawnLump(Random& random, const tissue::LayerStack& stack) {
-  constexpr double kDeepestTopMm = 15.0;
-  constexpr double kShallowest = 0.5;  // mm, beyond what is allowed
+  constexpr double kDeepestTopMm = 12.0;
   tissue::LumpShape lump;
-  const double radius = random.uniform(1.5, 6.0);
-  lump.half_axes_mm = {radius, radius, radius};
+  lump.half_axes_mm.fill(random.uniform(1.5, 7.0));
   const tissue::TopRange top = tissue::topRange(lump, stack);
-  lump.depth_mm = random.uniform(top.from_mm + kShallowest, std::min(kDeepestTopMm, top.to_mm - 1.0));
-  lump.stiffness_ratio = std::exp(random.uniform(std::log(1.5), std::log(20.0)));
+  lump.depth_mm = random.uniform(top.from_mm, std::min(kDeepestTopMm, top.to_mm - 0.5));
+  lump.stiffness_ratio = drawnFactor(random, 1.5, 40.0);
   return lump;
 }
 
@@ -124,14 +152,12 @@ std::vector<double> padded(std::vector<double> pressures, std::size_t count) {
   return pressures;
 }
 
-LumpCase solvedCase(const tissue::LumpShape& lump, const tissue::LayerStack& stack,
-                    const std::vector<double>& surface_radii) {
+void solve(LumpCase& one, const tissue::LayerStack& stack, const std::vector<double>& surface_radii) {
   constexpr std::size_t kRings = 9;
-  elements::PressSettings settings = elements::pressBeside(lump, stack);
+  elements::PressSettings settings = elements::pressBeside(one.lump, stack);
   const elements::PressSolution without = elements::solvePress(stack, settings);
-  settings.lump->young_kpa = tissue::youngOf(lump, stack);
+  settings.lump->young_kpa = tissue::youngOf(one.lump, stack);
   const elements::PressSolution with = elements::solvePress(stack, settings);
-  LumpCase one{.name = {}, .stack = 0, .lump = lump, .presses = {}};
   const std::size_t count = std::min(without.table.shapes.size(), with.table.shapes.size());
   for (std::size_t i = 0; i < count && i < settings.depths_mm.size(); ++i) {
     const tissue::PressedShape& shape = with.table.shapes[i];
@@ -151,7 +177,6 @@ LumpCase solvedCase(const tissue::LumpShape& lump, const tissue::LayerStack& sta
                                            shape.depth_mm);
     }
   }
-  return one;
 }
 
 }  // namespace
@@ -177,26 +202,30 @@ LumpCases parseLumpCases(std::string_view text, const std::filesystem::path& fil
   return cases;
 }
 
-LumpCases solveLumpCases(std::uint64_t seed, std::size_t lumps, const Progress& progress) {
+LumpCases drawLumpCases(std::uint64_t seed, std::size_t lumps) {
   constexpr std::size_t kLumpsAStack = 4;
   Random random(seed);
   LumpCases cases;
   cases.surface_radii_mm = {0, 2, 4, 6, 8, 10, 12, 15, 20, 25, 30, 40};
   while (cases.cases.size() < lumps) {
-    const std::size_t done = cases.cases.size();
-    report(progress, "solving lumps", static_cast<double>(done) / static_cast<double>(lumps));
-    if (done % kLumpsAStack == 0) {
+    if (cases.cases.size() % kLumpsAStack == 0) {
       cases.stacks.push_back(drawnStack(random));
       cases.stack_names.push_back(fmt::format("stack {}", cases.stacks.size()));
       cases.forces_n.emplace_back();
     }
-    const tissue::LayerStack& stack = cases.stacks.back();
-    const tissue::LumpShape lump = drawnLump(random, stack);
-    LumpCase one = solvedCase(lump, stack, cases.surface_radii_mm);
-    one.stack = cases.stacks.size() - 1;
-    one.name = fmt::format("{}: {:.1f} mm, {:.1f} mm deep, ratio {:.1f}", cases.stack_names.back(),
-                           2.0 * lump.half_axes_mm[0], lump.depth_mm, lump.stiffness_ratio);
-    cases.cases.push_back(std::move(one));
+    const tissue::LumpShape lump = drawnLump(random, cases.stacks.back());
+    const std::string name = fmt::format("{}: {:.1f} mm, {:.1f} mm deep, ratio {:.1f}", cases.stack_names.back(),
+                                         2.0 * lump.half_axes_mm[0], lump.depth_mm, lump.stiffness_ratio);
+    cases.cases.push_back({.name = name, .stack = cases.stacks.size() - 1, .lump = lump, .presses = {}});
+  }
+  return cases;
+}
+
+LumpCases solveLumpCases(std::uint64_t seed, std::size_t lumps, const Progress& progress) {
+  LumpCases cases = drawLumpCases(seed, lumps);
+  for (std::size_t i = 0; i < lumps; ++i) {
+    report(progress, "solving lumps", static_cast<double>(i) / static_cast<double>(lumps));
+    solve(cases.cases[i], cases.stacks[cases.cases[i].stack], cases.surface_radii_mm);
   }
   return cases;
 }

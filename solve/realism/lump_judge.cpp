@@ -16,8 +16,9 @@ namespace palpate::lab {
 namespace {
 
 constexpr double kLeastDepthMm = 2.0;
-constexpr double kSmallMm = 12.0;   // diameter
-constexpr double kShallowMm = 3.5;  // of the top
+constexpr double kSmallMm = 12.0;    // diameter
+constexpr double kLargestMm = 14.0;  // whose extra force is judged
+constexpr double kShallowMm = 3.5;   // of the top
 constexpr double kMnPerN = 1e3;
 
 double diameterOf(const tissue::LumpShape& lump) { return 2.0 * lump.half_axes_mm[0]; }
@@ -125,17 +126,19 @@ LumpFindings::One judgeCase(const LumpCase& one, const KnownStack& known, const 
     const double extra = energy.at(0.0, press.depth_mm).d_depth;
     const double truth = press.force_n - press.force_without_n;
     worst.force_percent = std::max(worst.force_percent, 100.0 * std::abs(extra - truth) / press.force_n);
-    if (small && std::abs(truth) > 0.02 * press.force_without_n) findings.extra_ratios.push_back(extra / truth);
-
-    const Rings rings =
-        ringsOver(one.lump, known.stack.layers.front().thickness_mm, form.at(press.depth_mm), press, extra);
-    const double pressure = rmsPercent(rings.with_bump, press);
-    worst.pressure_percent = std::max(worst.pressure_percent, pressure);
-    all.pressure.push_back(pressure);
-    if (small) all.pressure_small.push_back(pressure);
-    if (one.lump.depth_mm <= kShallowMm) {
-      all.shallow.push_back(pressure);
-      all.shallow_scaled.push_back(rmsPercent(rings.scaled, press));
+    if (diameterOf(one.lump) <= kLargestMm && std::abs(truth) > 0.02 * press.force_without_n)
+      findings.extra_ratios.push_back(extra / truth);
+    if (!press.pressure_kpa.empty()) {
+      const Rings rings =
+          ringsOver(one.lump, known.stack.layers.front().thickness_mm, form.at(press.depth_mm), press, extra);
+      const double pressure = rmsPercent(rings.with_bump, press);
+      worst.pressure_percent = std::max(worst.pressure_percent, pressure);
+      all.pressure.push_back(pressure);
+      if (small) all.pressure_small.push_back(pressure);
+      if (one.lump.depth_mm <= kShallowMm) {
+        all.shallow.push_back(pressure);
+        all.shallow_scaled.push_back(rmsPercent(rings.scaled, press));
+      }
     }
     if (press.surface_change_share.empty()) continue;
     const double surface = surfacePercent(surface_radii, press.surface_change_share);

@@ -23,7 +23,7 @@ struct LumpPress {
   double force_n = 0.0;
   double force_without_n = 0.0;
   double contact_radius_mm = 0.0;            ///< seen along the axis
-  std::vector<double> pressure_kpa;          ///< means over rings of 1 mm
+  std::vector<double> pressure_kpa;          ///< means over rings of 1 mm; empty: not known, and not judged
   std::vector<double> surface_change_share;  ///< of the depth, at LumpCases::surface_radii_mm
 };
 
@@ -74,7 +74,10 @@ LumpCases readLumpCases(const std::filesystem::path& file);
 /// The text of such a file; `file` stands for it in messages.
 LumpCases parseLumpCases(std::string_view text, const std::filesystem::path& file);
 
-/// Draws stacks and lumps and solves them (some 10 s a lump): what was never fitted.
+/// Stacks and lumps without presses, four to a stack: skin over fat of 2 to 20 kPa over muscle; balls of 3 to 14
+/// mm, 1.5 to 40 times as stiff as their layer, tops from the shallowest that is allowed to 12 mm.
+LumpCases drawLumpCases(std::uint64_t seed, std::size_t lumps);
+/// Draws them and solves them (some 10 s a lump): what was never fitted.
 LumpCases solveLumpCases(std::uint64_t seed, std::size_t lumps, const Progress& progress);
 
 struct Spread {
@@ -97,7 +100,7 @@ struct LumpFindings {
   std::vector<One> cases;
   Spread force;  ///< % of the total force, of the cases' worst
   Spread force_small;
-  std::vector<double> extra_ratios;  ///< model over truth, small lumps, where the truth is above 2 % of the force
+  std::vector<double> extra_ratios;  ///< model over truth, lumps to 14 mm, where the truth is above 2 % of the force
   Spread pressure;                   ///< RMS over the contact, % of the peak
   Spread pressure_small;
   double pressure_gain = 0.0;  ///< mean error over that of a pattern without bump, tops to 3.5 mm

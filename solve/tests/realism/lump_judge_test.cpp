@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
+#include <string>
+#include <utility>
 
 #include "support/error_message.h"
 #include "support/places.h"
@@ -33,6 +36,61 @@ TEST(LumpJudge, FindsTheModelNearIndependentFiniteElements) {
   for (const LumpFindings::Beside& beside : findings.beside) {
     EXPECT_LT(beside.ratio_percent, 5.0) << beside.name;
     EXPECT_LT(beside.lateral, 0.015) << beside.name;
+  }
+}
+
+TEST(LumpJudge, DrawsSoftFatAndLargeHardShallowLumps) {
+  const LumpCases drawn = drawLumpCases(1, 4000);
+  const auto least = [&](const auto& valueOf) { return valueOf(*std::ranges::min_element(drawn.cases, {}, valueOf)); };
+  const auto most = [&](const auto& valueOf) { return valueOf(*std::ranges::max_element(drawn.cases, {}, valueOf)); };
+  const auto fat = [&](const LumpCase& one) { return drawn.stacks[one.stack].layers[1].young_kpa; };
+  const auto diameter = [](const LumpCase& one) { return 2.0 * one.lump.half_axes_mm[0]; };
+  const auto ratio = [](const LumpCase& one) { return one.lump.stiffness_ratio; };
+  const auto spare = [&](const LumpCase& one) {
+    return one.lump.depth_mm - tissue::topRange(one.lump, drawn.stacks[one.stack]).from_mm;
+  };
+  EXPECT_LT(least(fat), 2.2);
+  EXPECT_GT(most(fat), 18.0);
+  EXPECT_GT(most(diameter), 13.5);
+  EXPECT_GT(most(ratio), 38.0);
+  EXPECT_LT(least(spare), 0.1);
+  for (const LumpCase& one : drawn.cases) EXPECT_NO_THROW(tissue::check(one.lump, drawn.stacks[one.stack])) << one.name;
+}
+
+/// A file of one case whose lump has these keys.
+std::string fileWithLump(const std::string& keys) {
+  return R"({"stacks": [{"name": "S", "layers_mm_kpa": [[2, 150], [8, 10], [30, 27]]}],
+             "cases": [{"name": "a", "stack": "S", "presses": [], "lump": {"depth_mm": 4, )" +
+         keys + "}}]}";
+}
+
+TEST(LumpJudge, ReadsALumpByTheKeysOfScenes) {
+  const auto lump = [](const std::string& keys) { return parseLumpCases(fileWithLump(keys), "s.json").cases[0].lump; };
+  const tissue::LumpShape flat = lump(R"("half_axes_mm": [6, 6, 3], "stiffness_ratio": 8, "edge": 0.5)");
+  EXPECT_EQ(flat.half_axes_mm, (std::array{6.0, 6.0, 3.0}));
+  EXPECT_EQ(flat.stiffness_ratio, 8.0);
+  EXPECT_FALSE(flat.young_kpa);
+  EXPECT_EQ(flat.edge, 0.5);
+  const tissue::LumpShape ball = lump(R"("diameter_mm": 6, "young_kpa": 80, "name": "node", "mobility_mm_per_n": 0)");
+  EXPECT_EQ(ball.half_axes_mm, (std::array{3.0, 3.0, 3.0}));
+  EXPECT_EQ(ball.young_kpa, 80.0);
+}
+
+TEST(LumpJudge, RefusesALumpThatNobodyCanPress) {
+  const auto fault = [](const std::string& keys) {
+    return support::messageOf([&] { parseLumpCases(fileWithLump(keys), "s.json"); });
+  };
+  for (const auto& [keys, words] : {
+           std::pair{R"("half_axes_mm": [6, 6, 3], "diameter_mm": 6, "young_kpa": 9)",
+                     "takes half_axes_mm or diameter_mm, one of the two"},
+           std::pair{R"("diameter_mm": 6)", "takes young_kpa or stiffness_ratio, one of the two"},
+           std::pair{R"("half_axes_mm": [6, 6], "young_kpa": 9)", "half_axes_mm must be three numbers"},
+           std::pair{R"("half_axes_mm": [6, 5, 3], "young_kpa": 9)", "the first two half axes must be equal"},
+           std::pair{R"("half_axes_mm": 6, "young_kpa": 9)", "half_axes_mm must be three numbers"},
+           std::pair{R"("diameter_mm": 6, "young_kpa": 90, "raise_mm": 2)", "has no raise_mm"},
+           std::pair{R"("diameter_mm": 6, "young_kpa": 90, "mobility_mm_per_n": 2)", "has no mobility_mm_per_n"},
+       }) {
+    EXPECT_NE(fault(keys).find(words), std::string::npos) << keys << ": " << fault(keys);
   }
 }
 
