@@ -46,13 +46,12 @@ struct LumpPoint {
   double y = 0.0;
   std::size_t layer = 0;
   double depth_mm = 0.0;
-  double shear_mn = 0.0;   ///< kappa_s mu dV; kPa mm^3 = mN mm
-  double volume_mn = 0.0;  ///< kappa_v lambda dV
+  double share = 0.0;  ///< of the half axes, from the middle
+  double volume_mm3 = 0.0;
 };
 
 /// The slice between two depths of one layer.
-void addSlice(const LumpShape& lump, const Saturation& saturation, std::size_t layer, double from, double to,
-              std::vector<LumpPoint>& points) {
+void addSlice(const LumpShape& lump, std::size_t layer, double from, double to, std::vector<LumpPoint>& points) {
   const double across = lump.half_axes_mm[0];
   const double into = lump.half_axes_mm[2];
   for (std::size_t i = 0; i < kGauss; ++i) {
@@ -65,29 +64,27 @@ void addSlice(const LumpShape& lump, const Saturation& saturation, std::size_t l
       const double radius = disc * out.at;  // in half axes
       const double volume = (to - from) * down.weight * across * across * disc * out.weight * radius * 2.0 *
                             std::numbers::pi / static_cast<double>(kGauss);
-      const Hardening hardening = saturation.at(layer, std::sqrt(height * height + radius * radius));
       for (std::size_t k = 0; k < kGauss; ++k) {
         const double angle = std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(kGauss);
         points.push_back({.x = across * radius * elementary::cos(angle),
                           .y = across * radius * elementary::sin(angle),
                           .layer = layer,
                           .depth_mm = depth,
-                          .shear_mn = hardening.shear_kpa * volume,
-                          .volume_mn = hardening.volume_kpa * volume});
+                          .share = std::sqrt(height * height + radius * radius),
+                          .volume_mm3 = volume});
       }
     }
   }
 }
 
 std::vector<LumpPoint> pointsOf(const LumpShape& lump, const LayerStack& stack) {
-  const Saturation saturation(lump, stack);
   std::vector<LumpPoint> points;
   double top = 0.0;
   for (std::size_t layer = 0; layer < stack.layers.size(); ++layer) {
     const double bottom = top + stack.layers[layer].thickness_mm;
     const double from = std::max(top, lump.depth_mm);
     const double to = std::min(bottom, lump.bottomMm());
-    if (to > from) addSlice(lump, saturation, layer, from, to, points);
+    if (to > from) addSlice(lump, layer, from, to, points);
     top = bottom;
   }
   return points;
@@ -116,16 +113,67 @@ double depthIn(const LayerStack& other, const LayerStack& stack, std::size_t lay
   return by_depth + share * (by_share - by_depth);
 }
 
-/// U at one distance and every solved depth, N mm.
-std::vector<double> energiesOf(const PressField& field, const std::vector<LumpPoint>& points,
-                               const std::vector<FieldRow>& rows, double rho_mm) {
-  std::vector<double> energies(field.depths_mm.size(), 0.0);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const LumpPoint& point = points[i];
-    const FieldPlace place = placeAt(field, rows[i], elementary::hypot(point.x - rho_mm, point.y));
+/// How high the tissue between skin and lump still is under each press of a field, over its height at rest.
+std::vector<double> squeezesOf(const WeightedField& one, const LumpShape& lump, const LayerStack& stack) {
+  constexpr std::size_t kLooks = 16;
+  const PressField& field = *one.field;
+  const double skin = stack.layers.front().thickness_mm;
+  std::vector<double> squeezes(field.depths_mm.size(), 0.0);
+  for (std::size_t i = 0; i < kLooks; ++i) {
+    const double depth = skin + (lump.depth_mm - skin) * (static_cast<double>(i) + 0.5) / kLooks;
+    const FieldRow row = rowAt(field, depthIn(*one.stack, stack, layerAt(stack, depth), depth));
+    const FieldPlace place = placeAt(field, row, 0.0);
+    for (std::size_t press = 0; press < squeezes.size(); ++press)
+      squeezes[press] += stretchAlongAxis(densityAt(field, place, press).shear) / kLooks;
+  }
+  return squeezes;
+}
+
+/// The points of a lump in one field.
+struct PointsInField {
+  const PressField& field;
+  const std::vector<LumpPoint>& points;
+  std::vector<FieldRow> rows;        ///< one per point
+  std::vector<Hardening> hardening;  ///< from the press before to this one: of point i, press k at i * presses + k
+};
+
+PointsInField pointsIn(const WeightedField& one, const LumpShape& lump, const LayerStack& stack,
+                       const std::vector<LumpPoint>& points) {
+  const Saturation saturation(lump, stack);
+  PointsInField found{*one.field, points, {}, {}};
+  const std::vector<double> squeezes = squeezesOf(one, lump, stack);
+  std::vector<std::vector<double>> sigmas(stack.layers.size());
+  for (std::size_t layer = 0; layer < sigmas.size(); ++layer) {
+    double before = 1.0;
+    for (const double squeeze : squeezes) {
+      sigmas[layer].push_back(saturation.sigma(layer, 0.5 * (before + squeeze)));
+      before = squeeze;
+    }
+  }
+  for (const LumpPoint& point : points) {
+    found.rows.push_back(rowAt(*one.field, depthIn(*one.stack, stack, point.layer, point.depth_mm)));
+    for (const double sigma : sigmas[point.layer])
+      found.hardening.push_back(saturation.at(point.layer, point.share, sigma));
+  }
+  return found;
+}
+
+/// U at one distance and every solved depth, N mm: the saturation changes while the tissue above is squeezed, so what
+/// each press adds to the densities has its own.
+std::vector<double> energiesOf(const PointsInField& lump, double rho_mm) {
+  std::vector<double> energies(lump.field.depths_mm.size(), 0.0);
+  for (std::size_t i = 0; i < lump.points.size(); ++i) {
+    const LumpPoint& point = lump.points[i];
+    const Hardening* const hardening = &lump.hardening[i * energies.size()];
+    const FieldPlace place = placeAt(lump.field, lump.rows[i], elementary::hypot(point.x - rho_mm, point.y));
+    StrainDensity before;
+    double energy = 0.0;
     for (std::size_t press = 0; press < energies.size(); ++press) {
-      const StrainDensity density = densityAt(field, place, press);
-      energies[press] += point.shear_mn * density.shear + point.volume_mn * density.volume;
+      const StrainDensity density = densityAt(lump.field, place, press);
+      energy += hardening[press].shear_kpa * (density.shear - before.shear) +
+                hardening[press].volume_kpa * (density.volume - before.volume);
+      energies[press] += point.volume_mm3 * energy;
+      before = density;
     }
   }
   for (double& energy : energies) energy *= kNPerMn;
@@ -448,14 +496,11 @@ EnergyRows LumpEnergy::Table::rowsOf(const LumpShape& lump, const LayerStack& st
   const std::vector<LumpPoint> points = pointsOf(lump, stack);
   EnergyRows sums(kRhos, std::vector<EnergyAndForce>(kDepths));
   for (const WeightedField& one : fields) {
-    std::vector<FieldRow> rows;
-    for (const LumpPoint& point : points) {
-      rows.push_back(rowAt(*one.field, depthIn(*one.stack, stack, point.layer, point.depth_mm)));
-    }
+    const PointsInField found = pointsIn(one, lump, stack, points);
     for (std::size_t i = 0; i < kRhos; ++i) {
       const double rho = rhoOf(i);
       const double share = one.share * windowAt(rho / reach_mm);
-      const DepthCurve curve(one.field->depths_mm, energiesOf(*one.field, points, rows, rho));
+      const DepthCurve curve(one.field->depths_mm, energiesOf(found, rho));
       for (std::size_t k = 0; k < kDepths; ++k) {
         const EnergyAndForce at = curve.at(depth_step.mm * static_cast<double>(k));
         sums[i][k].energy += share * at.energy;

@@ -196,12 +196,54 @@ TEST(LumpEnergy, AsksForNoMemoryInTheTick) {
 TEST(LumpSaturation, FarFromEverythingIsEshelbys) {
   const LayerStack deep{{{"skin", 2.0, 100.0}, {"fat", 400.0, 10.0}}, 0.48};
   const Saturation far(ball(2.0, 150.0, 5.0), deep);
-  EXPECT_NEAR(far.sigma(), 1.0, 0.01);
-  EXPECT_LT(Saturation(ball(10.0, 3.0, 5.0), deep).sigma(), 0.6) << "near the skin a lump cannot relax";
-  const Hardening hard = far.at(1, 0.5);
+  EXPECT_NEAR(far.sigma(1), 1.0, 0.01);
+  EXPECT_LT(Saturation(ball(10.0, 3.0, 5.0), deep).sigma(1), 0.6) << "near the skin a lump cannot relax";
+  const Hardening hard = far.at(1, 0.5, 0.9);
   const double shear = 10.0 / (2.0 * 1.48);
-  EXPECT_NEAR(hard.shear_kpa, shear * 4.0 / (1.0 + 0.4103 * far.sigma() * 4.0), 1e-3);
-  EXPECT_EQ(Saturation({.stiffness_ratio = 5.0, .edge = 0.5}, deep).at(1, 1.0).shear_kpa, 0.0) << "soft to its rim";
+  EXPECT_NEAR(hard.shear_kpa, shear * 4.0 / (1.0 + 0.4103 * 0.9 * 4.0), 1e-3);
+  EXPECT_EQ(Saturation({.stiffness_ratio = 5.0, .edge = 0.5}, deep).at(1, 1.0, 1.0).shear_kpa, 0.0)
+      << "soft to its rim";
+}
+
+TEST(LumpSaturation, OverFirmGroundGrowsWithThePressAndOverSoftGroundDoesNot) {
+  const LumpShape lump{.half_axes_mm = {5.0, 5.0, 5.0}, .depth_mm = 6.0, .young_kpa = 150.0};
+  const LayerStack firm{{{"skin", 2.0, 100.0}, {"fat", 14.0, 4.0}, {"muscle", 20.0, 30.0}}, 0.48};
+  const LayerStack soft{{{"skin", 2.0, 100.0}, {"fat", 34.0, 4.0}}, 0.48};
+  EXPECT_LT(Saturation(lump, firm).sigma(1, 0.5), 0.8 * Saturation(lump, firm).sigma(1));
+  EXPECT_EQ(Saturation(lump, soft).sigma(1, 0.5), Saturation(lump, soft).sigma(1));
+  EXPECT_LT(Saturation(lump, firm).sigma(1), 0.9 * Saturation(lump, soft).sigma(1)) << "the ground itself holds it";
+}
+
+TEST(LumpSaturation, UnderAStifferSkinALumpRelaxesLess) {
+  const LumpShape lump{.half_axes_mm = {5.0, 5.0, 5.0}, .depth_mm = 4.0, .young_kpa = 150.0};
+  const auto under = [&](double skin_kpa) {
+    return Saturation(lump, LayerStack{{{"skin", 2.0, skin_kpa}, {"fat", 34.0, 4.0}}, 0.48}).sigma(1);
+  };
+  EXPECT_LT(under(150.0), under(20.0));
+  EXPECT_GT(under(4.1), 0.95);
+}
+
+TEST(LumpSaturation, OfASofterLumpStaysSafe) {
+  const LayerStack stack{{{"skin", 2.0, 100.0}, {"fat", 10.0, 4.0}, {"muscle", 20.0, 30.0}}, 0.48};
+  const LumpShape cyst{.half_axes_mm = {3.0, 3.0, 3.0}, .depth_mm = 12.1, .stiffness_ratio = 0.2};
+  EXPECT_EQ(Saturation(cyst, stack).sigma(2), 1.0);
+  EXPECT_GT(Saturation(LumpShape{.half_axes_mm = {3.0, 3.0, 3.0}, .depth_mm = 12.1}, stack).sigma(2), 1.0)
+      << "a hard one relaxes more under a softer layer";
+}
+
+TEST(LumpSaturation, ReadsTheStretchOfTissueFromItsEnergy) {
+  for (const double stretch : {1.0, 0.9, 0.5, 0.1}) {
+    EXPECT_NEAR(stretchAlongAxis(0.5 * (stretch * stretch + 2.0 / stretch - 3.0)), stretch, 1e-6);
+  }
+}
+
+TEST(LumpEnergy, OfALumpWhoseMiddlePassesABorderDoesNotJump) {
+  const auto forceAt = [](double depth_mm) {
+    return energyOf({.half_axes_mm = {4.0, 4.0, 4.0}, .depth_mm = depth_mm, .young_kpa = 300.0}).forceAt(0.0, 6.0);
+  };
+  const LayerStack stack = placeStack(40.0, 8.0);
+  const double border = stack.layers[0].thickness_mm + stack.layers[1].thickness_mm;
+  EXPECT_NEAR(forceAt(border - 4.001) / forceAt(border - 3.999), 1.0, 0.002);
 }
 
 TEST(LumpShape, IsRefusedWhereItCannotBe) {
