@@ -144,6 +144,16 @@ bool fitsByFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) {
   return !anyFootLower(task.surface, to, height, task.nearby) && isFreeWay(task, from, to);
 }
 
+/// Whether a sphere that is beyond a border has skin under it again that is no border: the other bank of a hole. Then
+/// that holds it, and the sheet continued flat does not.
+bool hasSkinAgain(const SphereTask& task, const SurfacePoint& border, const Vec3& centre) {
+  if (!(beyondBorder(task.surface, border, task.tip) > 0.0)) return false;
+  Feet feet;
+  findFeet(task.surface, centre, task.radius * (1.0 + kFit), feet, task.nearby);
+  return std::any_of(feet.feet.begin(), feet.feet.begin() + feet.count,
+                     [&](const Foot& foot) { return !onBorder(task.surface, foot.at); });
+}
+
 /// Whether the sphere stands on the one place that a point finger would press. If so, moves it there.
 bool standsOnOnePlace(const SphereTask& task, Move& move) {
   const WalkResult walk = walkToNearest(task.surface, task.last, task.tip, kUnbounded);
@@ -151,7 +161,7 @@ bool standsOnOnePlace(const SphereTask& task, Move& move) {
   const Vec3 centre = centreOver(task, walk.at);
   const bool stands =
       walk.finished && (centre - task.start).norm() <= task.path && fitsByFreeWay(task, move.centre, centre);
-  if (!stands) return false;
+  if (!stands || hasSkinAgain(task, walk.at, centre)) return false;
   move.centre = centre;
   move.foot = walk.at;
   move.on_one_place = true;

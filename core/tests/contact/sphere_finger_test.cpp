@@ -254,6 +254,25 @@ TEST(SphereFinger, IsLetGoFarBeyondABorderThatItSlidOver) {
   EXPECT_FALSE(touches(output)) << output.force.norm() << " N";
 }
 
+TEST(SphereFinger, ThatGoesOverAHoleIsHeldByTheSkinOfTheOtherBank) {
+  // A sheet of 100 x 100 mm with a hole of 20 mm across it.
+  mesh::TriangleMesh sheet = zoo::grid(20);
+  std::erase_if(sheet.triangles, [&](const Triangle& t) {
+    const Vec3 middle = mesh::centreOf(sheet, t);
+    return std::abs(middle.x() - 50.0) < 10.0 && std::abs(middle.y() - 50.0) < 10.0;
+  });
+  const Surface surface = surfaceOf(sheet);
+  ASSERT_FALSE(surface.geometry->closed);
+  FingerTrack finger(surface, sphereOf(5.0));
+  finger.to({30, 50, 8});
+  finger.slide({30, 50, -32}, 0.5);
+  EXPECT_LT(finger.slide({58, 50, -32}, 0.5).force.z(), 12.0) << "beyond the border it fades";
+  FingerOutput output = finger.slide({75, 50, -32}, 0.5);
+  for (int i = 0; i < 100; ++i) output = finger.to({75, 50, -32});
+  ASSERT_TRUE(touches(output));
+  EXPECT_NEAR(output.force.z(), 37.0 * kTestStiffness, 0.1);
+}
+
 TEST(SphereFinger, APointThatCameInByAnOpeningIsFreeInsideAfterItTouchedWhatIsThere) {
   // A box that is open at one end, with a smaller one in it: as an organ in a trunk.
   mesh::TriangleMesh trunk = handOf({0, 60}, true);
