@@ -41,8 +41,7 @@ TEST(LumpJudge, FindsTheModelNearIndependentFiniteElements) {
 
 /// Of 12 mm across and hard, a few millimetres under the skin: solved by palpate tissue solve, none of them fitted to.
 TEST(LumpJudge, FindsHardLumpsInSoftFatNearFiniteElements) {
-  const LumpFindings findings =
-      judgeLumps(readLumpCases(std::string(PALPATE_TEST_DATA) + "/golden/lumps_in_soft_fat.json"), {});
+  const LumpFindings findings = judgeLumps(readLumpCases(support::testData() / "golden/lumps_in_soft_fat.json"), {});
   ASSERT_GE(findings.cases.size(), 8u);
   EXPECT_LT(findings.force.worst, 10.0);
   EXPECT_LT(findings.force.mean, 3.0);
