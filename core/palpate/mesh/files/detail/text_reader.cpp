@@ -100,12 +100,9 @@ bool TextReader::nextLine() {
 
 bool TextReader::nextFilledLine() {
   while (nextLine()) {
-    const std::size_t start = position_;
-    const std::size_t line = line_;
-    if (word().empty()) continue;
-    position_ = start;
-    line_ = line;
-    return true;
+    while (position_ < text_.size() && isBlank(text_[position_])) ++position_;
+    if (position_ == text_.size() || isLineEnd(text_[position_])) continue;
+    if (rules_.comment == '\0' || text_[position_] != rules_.comment) return true;
   }
   return false;
 }
