@@ -3,7 +3,7 @@
 //
 // U is the strain energy density of the press without lump, integrated over the lump, times Eshelby's saturation
 // (m - 1) / (1 + beta (m - 1)) of its stiffness ratio m. First order in the modulus by reciprocity; how the saturation
-// ends near skin, bone and stiffer layers are two fitted numbers (docs/explanation/lumps.md has errors and limits).
+// ends near skin, bone and other layers, and under a deep press, is fitted (docs/explanation/lumps.md: errors, limits).
 #pragma once
 
 #include <array>
