@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRepository = support::sourceFolder();
+const fs::path kRepository = palpate::support::sourceFolder();
 constexpr std::size_t kMaxReadmeLinks = 12;
 
 struct Link {

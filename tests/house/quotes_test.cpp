@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSources = support::sourceFolder();
+const fs::path kSources = palpate::support::sourceFolder();
 constexpr std::string_view kBegin = "<!--=";
 constexpr std::string_view kBeginEnd = "-->";
 constexpr std::string_view kEnd = "<!--=-->";

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = support::sourceFolder();
+const fs::path kRoot = palpate::support::sourceFolder();
 const std::vector<std::string> kHouses = {"core",    "host",  "view",         "report", "cli",
                                           "measure", "teach", "dissertation", "solve",  "lab"};
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kSourceFolder = support::sourceFolder();
+const fs::path kSourceFolder = palpate::support::sourceFolder();
 /// The libraries: what is below <house>/palpate.
 const std::vector<fs::path> kLibraries = [] {
   std::vector<fs::path> folders;

@@ -7,13 +7,14 @@
 
 #include "palpate/base/text.h"
 #include "palpate/trace/forces_table.h"
+#include "support/places.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
 
 namespace palpate {
 namespace {
 
-const std::filesystem::path kWritten = std::filesystem::path(PALPATE_TEST_DATA) / "mesh/written";
+const std::filesystem::path kWritten = support::testData() / "mesh/written";
 
 struct WrittenFile {
   const char* name;
@@ -73,7 +74,9 @@ TEST_F(WrittenFiles, AreTheCubeThatTheySay) {
     EXPECT_NEAR(info["volume_mm3"].get<double>(), 1e6, 1e-3) << name;
     const std::vector<std::string> warnings = info["warnings"];
     ASSERT_EQ(warnings.size(), *told == '\0' ? 0u : 1u) << name;
-    if (*told != '\0') EXPECT_TRUE(warnings[0].ends_with(told)) << warnings[0];
+    if (*told != '\0') {
+      EXPECT_TRUE(warnings[0].ends_with(told)) << warnings[0];
+    }
   }
 }
 
