@@ -197,14 +197,3 @@ TEST(Rooms, PlainRoomsNeedNoLockEither) {
     }
   }
 }
-
-TEST(Rooms, AFolderHasAtMostFortyFiles) {
-  std::map<fs::path, int> files;
-  for (const std::string& house : kHouses) {
-    for (const auto& entry : fs::recursive_directory_iterator(kRoot / house)) {
-      if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") ++files[entry.path().parent_path()];
-    }
-  }
-  ASSERT_GT(files.size(), 20u);
-  for (const auto& [folder, count] : files) EXPECT_LE(count, 40) << folder;
-}

@@ -187,11 +187,10 @@ class _Visit(http.server.BaseHTTPRequestHandler):
     def is_ours(self) -> bool:
         """By the name that it was asked for: a foreign name that leads to 127.0.0.1 is refused."""
         port = self.server.server_address[1]
-        hosts, origins = self.headers.get_all("Host", []), self.headers.get_all("Origin", [None])
-        if len(hosts) != 1 or len(origins) != 1:
+        hosts, origins = self.headers.get_all("Host") or [], self.headers.get_all("Origin") or []
+        if len(hosts) != 1 or len(origins) > 1:
             return False
-        host, origin = hosts[0], origins[0]
-        return host in (f"127.0.0.1:{port}", f"localhost:{port}") and origin in (None, f"http://{host}")
+        return hosts[0] in (f"127.0.0.1:{port}", f"localhost:{port}") and all(o == f"http://{hosts[0]}" for o in origins)
 
     def has_token(self) -> bool:
         given = self.headers.get("Authorization", "")

@@ -58,6 +58,22 @@ TEST(Asks, OfTheModelPanelAreARequestAndADialog) {
   EXPECT_TRUE(std::holds_alternative<OpenPreset>(asks.requests.front()));
 }
 
+TEST(Asks, OfTheFormulaeChangeFidelityWholeAndOneByOne) {
+  scene::Scene scene;
+  Asks asks;
+  OnePanel one;
+  bool open = false;
+  const auto draw = [&] { modelPanel({scene, WorldFacts{}, open}, asks); };
+  one.click("fidelity/errata", draw);
+  EXPECT_EQ(asks.changed, kNothing);
+  one.click("fidelity/E1", draw);
+  EXPECT_TRUE(scene.fidelity.literal(Erratum::E1_anchor));
+  EXPECT_FALSE(scene.fidelity.literal(Erratum::E14_location_ratio));
+  EXPECT_EQ(asks.changed, kMapChange);
+  one.click("fidelity/E1", draw);
+  EXPECT_EQ(scene.fidelity, Fidelity());
+}
+
 TEST(Asks, OfAChangedKeyTellWhatFollowsFromIt) {
   OnePanel one;
   Asks asks;

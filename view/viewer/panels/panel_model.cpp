@@ -1,8 +1,11 @@
-// What is touched, and how its triangles are sorted in space.
+// What is touched, which of the dissertation's formulae act, and how its triangles are sorted in space.
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <array>
+
 #include "palpate/base/language.h"
+#include "palpate/scene/errata.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 
@@ -65,6 +68,42 @@ void partitionWidgets(const SceneKeys& keys) {
   otherKeys(keys, "partition");
 }
 
+/// One erratum, with what is printed and what the engine does.
+bool erratumWidget(const scene::ErratumText& text, Fidelity& fidelity) {
+  bool literal = fidelity.literal(text.erratum);
+  const std::string name = scene::nameOf(text.erratum);
+  const std::string meaning =
+      fmt::format("{}\n{}\n\n[fidelity] {}", trf("printed: {}", text.printed), trf("corrected: {}", text.ours), name);
+  if (!flagWidget(("fidelity/" + name).c_str(), name.c_str(), literal, meaning.c_str())) return false;
+  fidelity.setLiteral(text.erratum, literal);
+  return true;
+}
+
+/// The dissertation's formulae: corrected, as printed, or erratum by erratum.
+void fidelityWidgets(const SceneKeys& keys) {
+  static constexpr std::array<std::string_view, 3> kReadings = {toTranslate("corrected"), toTranslate("as printed"),
+                                                                toTranslate("some as printed")};
+  Fidelity& fidelity = keys.scene.fidelity;
+  Fidelity all;
+  all.setAll(true);
+  const auto now = static_cast<std::size_t>(fidelity == all ? 1 : fidelity == Fidelity() ? 0 : 2);
+  std::size_t chosen = now;
+  const bool whole = choiceWidget("fidelity/all", "formulae", chosen, std::span(kReadings).first(now == 2 ? 3 : 2),
+                                  "The dissertation's formulae with their errata corrected, or as printed; the scene "
+                                  "file's fidelity.");
+  bool changed = whole && chosen != now && chosen < 2;
+  if (changed) fidelity.setAll(chosen == 1);
+  const bool open = ImGui::TreeNode("errata", "%s", tr("one by one"));
+  notePlace("fidelity/errata", "Each erratum that can be read as printed.");
+  if (open) {
+    for (const scene::ErratumText& text : scene::errata()) {
+      if (text.form == scene::LiteralForm::switchable) changed |= erratumWidget(text, fidelity);
+    }
+    ImGui::TreePop();
+  }
+  if (changed) keys.asks.changed |= consequenceOf("fidelity");
+}
+
 }  // namespace
 
 void modelPanel(const ModelPanel& panel, Asks& asks) {
@@ -77,6 +116,8 @@ void modelPanel(const ModelPanel& panel, Asks& asks) {
   if (buttonWidget("model/default", "Built-in body")) asks.request(OpenPreset{"trunk"});
   ImGui::Separator();
   bodyWidgets(keys);
+  ImGui::Separator();
+  fidelityWidgets(keys);
   ImGui::Separator();
   partitionWidgets(keys);
 }

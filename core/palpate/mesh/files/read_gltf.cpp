@@ -76,7 +76,10 @@ Eigen::Affine2f placingOf(JsonValue base_colour) {
   const JsonValue transform = base_colour["extensions"]["KHR_texture_transform"];
   const JsonValue turn = transform["rotation"];
   // v points down: a turn that is counter-clockwise as it is written here is what the extension's matrix says.
-  const Eigen::Rotation2Df rotation(turn ? static_cast<float>(turn.number()) : 0.0f);
+  const double angle = turn ? turn.number() : 0.0;
+  const double sine = elementary::sin(angle);
+  const double cosine = elementary::cos(angle);
+  const Eigen::Matrix2f rotation = (Eigen::Matrix2d() << cosine, -sine, sine, cosine).finished().cast<float>();
   return Eigen::Translation2f(vectorOr<2>(transform["offset"], Vec2::Zero()).cast<float>()) * rotation *
          Eigen::Scaling(Eigen::Vector2f(vectorOr<2>(transform["scale"], Vec2::Ones()).cast<float>()));
 }
