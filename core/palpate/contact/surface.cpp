@@ -167,8 +167,8 @@ void markDoubled(const SurfaceGeometry& geometry, std::vector<std::uint8_t>& at_
   const double rounding = kInOnePlane * geometry.tree.diagonal;
   const auto& records = geometry.tree.records;
   for (Index t = 0; t < records.size(); ++t) {
-    const auto& [a, b, c] = records[t].corners;
-    const Vec3 normal = mesh::areaVector2(a, b, c).stableNormalized();
+    const Vec3& a = records[t].corners[0];  // no binding: Clang 14 lets no lambda have one
+    const Vec3 normal = mesh::areaVector2(a, records[t].corners[1], records[t].corners[2]).stableNormalized();
     const auto look_at = [&](Index other) {
       if (other == t) return;
       const auto& corners = records[other].corners;

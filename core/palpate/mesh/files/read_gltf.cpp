@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "palpate/base/elementary.h"
 #include "palpate/mesh/files/detail/gltf_data.h"
 #include "palpate/mesh/files/detail/gltf_pose.h"
 #include "palpate/mesh/files/detail/json.h"
