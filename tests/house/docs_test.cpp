@@ -114,9 +114,9 @@ std::set<std::string> testPrograms() {
 /// The programs of tests that a page names and nobody builds.
 std::set<std::string> unknownTestPrograms(const std::string& page) {
   static const std::set<std::string> known = testPrograms();
-  static const std::regex kName("`test_[a-z_]+");
+  static const std::regex quoted("`test_[a-z_]+");
   std::set<std::string> unknown;
-  for (std::sregex_iterator at(page.begin(), page.end(), kName), end; at != end; ++at) {
+  for (std::sregex_iterator at(page.begin(), page.end(), quoted), end; at != end; ++at) {
     const std::string name = at->str().substr(1);
     if (!known.contains(name)) unknown.insert(name);
   }

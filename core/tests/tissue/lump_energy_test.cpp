@@ -238,12 +238,12 @@ TEST(LumpSaturation, ReadsTheStretchOfTissueFromItsEnergy) {
 }
 
 TEST(LumpEnergy, OfALumpWhoseMiddlePassesABorderDoesNotJump) {
-  const auto forceAt = [](double depth_mm) {
+  const auto force_at = [](double depth_mm) {
     return energyOf({.half_axes_mm = {4.0, 4.0, 4.0}, .depth_mm = depth_mm, .young_kpa = 300.0}).forceAt(0.0, 6.0);
   };
   const LayerStack stack = placeStack(40.0, 8.0);
   const double border = stack.layers[0].thickness_mm + stack.layers[1].thickness_mm;
-  EXPECT_NEAR(forceAt(border - 4.001) / forceAt(border - 3.999), 1.0, 0.002);
+  EXPECT_NEAR(force_at(border - 4.001) / force_at(border - 3.999), 1.0, 0.002);
 }
 
 TEST(LumpShape, IsRefusedWhereItCannotBe) {

@@ -110,7 +110,7 @@ Outline spiral(std::size_t corners) {
 /// The rim of a maze without loops, on whole numbers: corners on straight sides, and every depth of pockets.
 Outline maze(int size, std::uint64_t seed) {
   const int width = 2 * size - 1;
-  std::vector<char> filled(static_cast<std::size_t>(width * width), 0);
+  std::vector<char> filled(static_cast<std::size_t>(width) * static_cast<std::size_t>(width), 0);
   const auto cell = [&](int x, int y) -> char& { return filled[static_cast<std::size_t>(y * width + x)]; };
   Random random(seed);
   std::vector<std::pair<int, int>> trail = {{0, 0}};
@@ -239,18 +239,20 @@ TEST(Polygons, ThatCrossThemselvesAreToldOrRefusedWithTheirLine) {
     for (std::size_t k = 0; k < corners; ++k) outline.push_back(round[2 * k % corners]);
     return objOf(outline, flat);
   };
-  const auto notesOf = [](const std::string& text) { return loadWithChannelsFromMemory(text, Format::obj, "x").notes; };
-  EXPECT_EQ(notesOf(star(5)),
+  const auto notes_of = [](const std::string& text) {
+    return loadWithChannelsFromMemory(text, Format::obj, "x").notes;
+  };
+  EXPECT_EQ(notes_of(star(5)),
             std::vector<std::string>{"x:6: the outline of the face crosses itself: it is cut to the least area"});
-  EXPECT_EQ(notesOf(objOf({{0, 0}, {1, 0}, {0, 1}, {1, 1}}, flat)).size(), 1u) << "a bow tie";
-  EXPECT_EQ(support::messageOf([&] { notesOf(star(65)); }),
+  EXPECT_EQ(notes_of(objOf({{0, 0}, {1, 0}, {0, 1}, {1, 1}}, flat)).size(), 1u) << "a bow tie";
+  EXPECT_EQ(support::messageOf([&] { notes_of(star(65)); }),
             "x:66: the outline of the face of 65 corners crosses itself: it bounds no surface");
   Outline eight = ring(100, 10.0, [](double) { return 0.0; });
   std::reverse(eight.begin() + 30, eight.begin() + 70);
-  EXPECT_NE(support::messageOf([&] { notesOf(objOf(eight, flat)); }).find("crosses itself"), std::string::npos);
+  EXPECT_NE(support::messageOf([&] { notes_of(objOf(eight, flat)); }).find("crosses itself"), std::string::npos);
   Outline twice = ring(50, 10.0, [](double) { return 0.0; });
   twice.insert(twice.end(), twice.begin(), twice.begin() + 50);
-  EXPECT_NE(support::messageOf([&] { notesOf(objOf(twice, flat)); }).find("crosses itself"), std::string::npos);
+  EXPECT_NE(support::messageOf([&] { notes_of(objOf(twice, flat)); }).find("crosses itself"), std::string::npos);
 }
 
 TEST(Polygons, OnALineHaveNoAreaAndNoFault) {

@@ -215,18 +215,18 @@ TEST(ObjRows, MayHaveWeightsColoursCommentsAndWhatNobodyNeeds) {
 
 TEST(ObjGroups, OfFacesAndObjectsAreTwoThings) {
   const std::string faces = kObj.substr(0, kObj.find('f'));
-  const auto trianglesOf = [&](const std::string& rest, const std::string& group) {
+  const auto triangles_of = [&](const std::string& rest, const std::string& group) {
     return loadFromMemory(faces + rest, Format::obj, "x", {.group = group}).triangles.size();
   };
   const std::string in_object = "o body\ng skin\nf 1 3 2\nf 1 2 4\ng nail\nf 2 3 4\no other\nf 3 1 4\n";
-  EXPECT_EQ(trianglesOf(in_object, "body"), 3u) << "an object goes on through its groups";
-  EXPECT_EQ(trianglesOf(in_object, "skin"), 2u);
-  EXPECT_EQ(trianglesOf(in_object, "nail"), 2u) << "a group goes on through objects";
+  EXPECT_EQ(triangles_of(in_object, "body"), 3u) << "an object goes on through its groups";
+  EXPECT_EQ(triangles_of(in_object, "skin"), 2u);
+  EXPECT_EQ(triangles_of(in_object, "nail"), 2u) << "a group goes on through objects";
   const std::string in_group = "g body\no body_mesh\nf 1 3 2\no rest\nf 1 2 4\ng other\nf 2 3 4\n";
-  EXPECT_EQ(trianglesOf(in_group, "body"), 2u);
-  EXPECT_EQ(trianglesOf(in_group, "body_mesh"), 1u);
-  EXPECT_EQ(trianglesOf("o My body #1\nf 1 3 2\no b\nf 1 2 4\n", "My body #1"), 1u) << "a name with blanks";
-  EXPECT_EQ(support::messageOf([&] { trianglesOf("g none\ng all\nf 1 3 2\n", "none"); }),
+  EXPECT_EQ(triangles_of(in_group, "body"), 2u);
+  EXPECT_EQ(triangles_of(in_group, "body_mesh"), 1u);
+  EXPECT_EQ(triangles_of("o My body #1\nf 1 3 2\no b\nf 1 2 4\n", "My body #1"), 1u) << "a name with blanks";
+  EXPECT_EQ(support::messageOf([&] { triangles_of("g none\ng all\nf 1 3 2\n", "none"); }),
             "x: the group or object 'none' has no faces");
 }
 

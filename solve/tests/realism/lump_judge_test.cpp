@@ -52,8 +52,12 @@ TEST(LumpJudge, FindsHardLumpsInSoftFatNearFiniteElements) {
 
 TEST(LumpJudge, DrawsSoftFatAndLargeHardShallowLumps) {
   const LumpCases drawn = drawLumpCases(1, 4000);
-  const auto least = [&](const auto& valueOf) { return valueOf(*std::ranges::min_element(drawn.cases, {}, valueOf)); };
-  const auto most = [&](const auto& valueOf) { return valueOf(*std::ranges::max_element(drawn.cases, {}, valueOf)); };
+  const auto least = [&](const auto& value_of) {
+    return value_of(*std::ranges::min_element(drawn.cases, {}, value_of));
+  };
+  const auto most = [&](const auto& value_of) {
+    return value_of(*std::ranges::max_element(drawn.cases, {}, value_of));
+  };
   const auto fat = [&](const LumpCase& one) { return drawn.stacks[one.stack].layers[1].young_kpa; };
   const auto diameter = [](const LumpCase& one) { return 2.0 * one.lump.half_axes_mm[0]; };
   const auto ratio = [](const LumpCase& one) { return one.lump.stiffness_ratio; };

@@ -54,25 +54,25 @@ TEST_F(LumpCommand, SolvesAPressOverALumpAndNoFieldUnlessAsked) {
 }
 
 TEST_F(LumpCommand, KnowsFlatLumps) {
-  const auto extraOf = [&](const std::string& shape) {
+  const auto extra_of = [&](const std::string& shape) {
     const CommandResult shown = run("lump show --depth-mm 3 --ratio 20 --json " + shape);
     EXPECT_EQ(shown.exit_code, 0) << shown.err;
     const auto json = nlohmann::json::parse(shown.out);
     EXPECT_EQ(json["bottom_mm"].get<double>(), shape.ends_with("2") ? 7.0 : 13.0) << shape;
     return json["presses"][1]["extra_n"].get<double>();
   };
-  const double ball = extraOf("--half-axes-mm 5,5,5");
-  EXPECT_EQ(ball, extraOf("--diameter-mm 10"));
-  EXPECT_LT(extraOf("--half-axes-mm 5,5,2"), 0.8 * ball);
+  const double ball = extra_of("--half-axes-mm 5,5,5");
+  EXPECT_EQ(ball, extra_of("--diameter-mm 10"));
+  EXPECT_LT(extra_of("--half-axes-mm 5,5,2"), 0.8 * ball);
   refuses("lump show --half-axes-mm 5,5", "three numbers");
   refuses("lump show --half-axes-mm 5,4,3", "the first two half axes must be equal");
 
-  const auto forceOf = [&](const std::string& lump) {
+  const auto force_of = [&](const std::string& lump) {
     const CommandResult solved = run("tissue solve " + layers_ + "--depths 2 --json --lump " + lump);
     EXPECT_EQ(solved.exit_code, 0) << solved.err;
     return nlohmann::json::parse(solved.out)["force_n"][0].get<double>();
   };
-  EXPECT_LT(forceOf("6x3mm:3mm:200kPa"), 0.98 * forceOf("6mm:3mm:200kPa"));
+  EXPECT_LT(force_of("6x3mm:3mm:200kPa"), 0.98 * force_of("6mm:3mm:200kPa"));
 }
 
 TEST_F(LumpCommand, RefusesInOneLine) {
