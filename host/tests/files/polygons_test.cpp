@@ -111,7 +111,9 @@ Outline spiral(std::size_t corners) {
 Outline maze(int size, std::uint64_t seed) {
   const int width = 2 * size - 1;
   std::vector<char> filled(static_cast<std::size_t>(width) * static_cast<std::size_t>(width), 0);
-  const auto cell = [&](int x, int y) -> char& { return filled[static_cast<std::size_t>(y * width + x)]; };
+  const auto cell = [&](int x, int y) -> char& {
+    return filled[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  };
   Random random(seed);
   std::vector<std::pair<int, int>> trail = {{0, 0}};
   cell(0, 0) = 1;
