@@ -17,7 +17,6 @@ namespace palpate {
 
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 /// Longer than any field of ours; keeps a message one readable line when a field is garbage.
 constexpr std::size_t kMaxQuotedField = 40;
 
@@ -117,10 +116,8 @@ class LineEnds {
 }  // namespace
 
 void forEachCsvRow(std::string_view text, std::string_view file, const std::function<void(const CsvRow&)>& visit) {
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
-    throw Error::atLine(file, 1, "the text is UTF-16: save it as UTF-8");
-  }
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  if (isUtf16(text)) throw Error::atLine(file, 1, "the text is UTF-16: save it as UTF-8");
+  text = withoutByteOrderMark(text);
   LineEnds lines(text);
   std::vector<std::string_view> fields;
   std::size_t named = 0;  // columns of the first row up to its last that is not empty

@@ -103,6 +103,29 @@ std::size_t letterBytes(std::string_view text) noexcept {
   return 0;
 }
 
+std::string_view withoutByteOrderMark(std::string_view text) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
+bool isUtf16(std::string_view text) noexcept { return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"); }
+
+void appendLetter(std::string& text, char32_t letter) {
+  const auto more = [&](unsigned shift) { text += static_cast<char>(0x80 | ((letter >> shift) & 0x3f)); };
+  if (letter < 0x80) {
+    text += static_cast<char>(letter);
+  } else if (letter < 0x800) {
+    text += static_cast<char>(0xc0 | letter >> 6);
+    more(0);
+  } else if (letter < 0x10000) {
+    text += static_cast<char>(0xe0 | letter >> 12);
+    more(6), more(0);
+  } else {
+    text += static_cast<char>(0xf0 | letter >> 18);
+    more(12), more(6), more(0);
+  }
+}
+
 std::string wellFormed(std::string_view text) {
   std::string good;
   while (!text.empty()) {

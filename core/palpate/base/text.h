@@ -33,6 +33,15 @@ std::string inSmallLetters(std::string_view text);
 /// The fields between separators, each trimmed; "a,,b" has three fields, "" has one.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// The text behind a byte order mark of UTF-8.
+std::string_view withoutByteOrderMark(std::string_view text);
+
+/// Whether the text begins with a byte order mark of UTF-16, of either byte order.
+bool isUtf16(std::string_view text) noexcept;
+
+/// Appends the letter as UTF-8; at most U+10FFFF.
+void appendLetter(std::string& text, char32_t letter);
+
 /// How many bytes the letter of UTF-8 has that the text begins with; 0: it begins with none. As RFC 3629 has it: no
 /// overlong forms, no surrogates, nothing beyond U+10FFFF.
 std::size_t letterBytes(std::string_view text) noexcept;

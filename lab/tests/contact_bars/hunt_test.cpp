@@ -51,8 +51,8 @@ TEST(Hunt, FindsNothing) {
   expectNothingIn(result);
 }
 
-/// Nothing is held in air there; of the rest no more than is known, which may only fall: 1 fall in 3 million ticks of a
-/// finger that leaps 25 mm in a tick.
+/// Nothing is held in air there. Of the rest no more than a bound that may only fall: this run finds 2 ticks of wrong
+/// forces.
 TEST(Hunt, FindsOnBodiesWithAFarHoleNoMoreThanIsKnown) {
   constexpr std::size_t kKnownPerMillion = 4;
   lab::HuntPlan plan;

@@ -13,6 +13,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/system/process.h"
+#include "palpate/base/text.h"
 #include "palpate/view/layers/gl_objects.h"
 
 namespace palpate::window {
@@ -30,26 +31,6 @@ static_assert(static_cast<int>(Key::pad_enter) == GLFW_KEY_KP_ENTER && static_ca
 static_assert(static_cast<int>(Key::left_bracket) == GLFW_KEY_LEFT_BRACKET && static_cast<int>(key('A')) == GLFW_KEY_A);
 
 Modifiers modifiersOf(int mods) { return {(mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0}; }
-
-std::string utf8(unsigned int code) {
-  std::string text;
-  if (code < 0x80) {
-    text += static_cast<char>(code);
-  } else if (code < 0x800) {
-    text += static_cast<char>(0xc0 | (code >> 6));
-    text += static_cast<char>(0x80 | (code & 0x3f));
-  } else if (code < 0x10000) {
-    text += static_cast<char>(0xe0 | (code >> 12));
-    text += static_cast<char>(0x80 | ((code >> 6) & 0x3f));
-    text += static_cast<char>(0x80 | (code & 0x3f));
-  } else {
-    text += static_cast<char>(0xf0 | (code >> 18));
-    text += static_cast<char>(0x80 | ((code >> 12) & 0x3f));
-    text += static_cast<char>(0x80 | ((code >> 6) & 0x3f));
-    text += static_cast<char>(0x80 | (code & 0x3f));
-  }
-  return text;
-}
 
 /// What OpenGL there is when the one we need is refused: a second try without asking for a version.
 std::string offeredVersion() {
@@ -196,8 +177,8 @@ void Window::Impl::listenToKeys() {
     event.down = down;
     event.repeat = action == GLFW_REPEAT;
   });
-  glfwSetCharCallback(window,
-                      [](GLFWwindow* w, unsigned int code) { of(w).add(InputEvent::Kind::text).text = utf8(code); });
+  glfwSetCharCallback(
+      window, [](GLFWwindow* w, unsigned int code) { appendLetter(of(w).add(InputEvent::Kind::text).text, code); });
 }
 
 void Window::Impl::listenToDesktop() {

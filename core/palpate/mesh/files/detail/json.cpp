@@ -50,22 +50,6 @@ std::optional<Escape> escapeAt(std::string_view text) {
   return Escape{0x10000 + ((*first - 0xd800) << 10) + (*second - 0xdc00), 12};
 }
 
-void appendUtf8(std::string& text, char32_t letter) {
-  const auto more = [&](unsigned shift) { text += static_cast<char>(0x80 | ((letter >> shift) & 0x3f)); };
-  if (letter < 0x80) {
-    text += static_cast<char>(letter);
-  } else if (letter < 0x800) {
-    text += static_cast<char>(0xc0 | letter >> 6);
-    more(0);
-  } else if (letter < 0x10000) {
-    text += static_cast<char>(0xe0 | letter >> 12);
-    more(6), more(0);
-  } else {
-    text += static_cast<char>(0xf0 | letter >> 18);
-    more(12), more(6), more(0);
-  }
-}
-
 /// The text of a string whose escapes are sound.
 std::string unescaped(std::string_view raw) {
   std::string result;
@@ -76,7 +60,7 @@ std::string unescaped(std::string_view raw) {
     raw.remove_prefix(plain);
     if (raw.empty()) break;
     const Escape escape = escapeAt(raw).value();
-    appendUtf8(result, escape.letter);
+    appendLetter(result, escape.letter);
     raw.remove_prefix(escape.length);
   }
   return result;
@@ -91,7 +75,7 @@ class JsonParser {
   explicit JsonParser(JsonDocument& document) : document_(document), text_(document.text_) {}
 
   void parse() {
-    if (text_.starts_with("\xef\xbb\xbf")) position_ = 3;  // a byte order mark; a reader may pass it over (section 8.1)
+    position_ = text_.size() - withoutByteOrderMark(text_).size();  // a reader may pass it over (section 8.1)
     if (text_.size() >= std::numeric_limits<std::uint32_t>::max()) fail("more than 4 GiB of JSON");
     readValue(0);
     skipBlanks();

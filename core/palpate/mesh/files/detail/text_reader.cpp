@@ -24,7 +24,7 @@ bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
 TextReader::TextReader(std::string_view text, std::string_view name, const Progress& progress, TextRules rules)
     : text_(text), name_(name), progress_(progress), rules_(rules) {
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) fail("the text is UTF-16: save it as UTF-8");
+  if (isUtf16(text)) fail("the text is UTF-16: save it as UTF-8");
   position_ = text.size() - withoutByteOrderMark(text).size();
 }
 
@@ -141,11 +141,6 @@ double numberOrNone(std::string_view word) {
 bool isWord(std::string_view word, std::string_view keyword) {
   return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
                     [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
-}
-
-std::string_view withoutByteOrderMark(std::string_view text) {
-  constexpr std::string_view kMark = "\xef\xbb\xbf";
-  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
 }
 
 std::string shown(std::string_view word) {

@@ -73,9 +73,6 @@ double numberOrNone(std::string_view word);
 /// Whether the word is the keyword, which is in small letters, in either case.
 bool isWord(std::string_view word, std::string_view keyword);
 
-/// The text behind a byte order mark of UTF-8.
-std::string_view withoutByteOrderMark(std::string_view text);
-
 /// A word of the file as a message may show it: short, and without bytes that a terminal would act on.
 std::string shown(std::string_view word);
 
