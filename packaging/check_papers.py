@@ -32,7 +32,7 @@ BIB_FIELDS = {
     "book": ("author", "title", "publisher", "year"),
 }
 DOI = re.compile(r"^10\.\d{4,9}/\S+$")
-COMMUNITY_PAGES = ("CODE_OF_CONDUCT.md", "GOVERNANCE.md", "SUPPORT.md")
+COMMUNITY_PAGES = (".github/CODE_OF_CONDUCT.md", ".github/GOVERNANCE.md", ".github/SUPPORT.md")
 COMMUNITY_LINES = 12  # a page that nobody has to scroll
 PAPER_SECTIONS = ("Summary", "Statement of need", "References")
 PAPER_WORDS = (250, 1000)  # what JOSS asks for
@@ -45,7 +45,7 @@ def version_of(root):
 def same_version(root):
     """(file, version that it names)"""
     named = {
-        "CITATION.cff": r"(?m)^version: (\S+)", "codemeta.json": r'"version": "([^"]+)"',
+        "CITATION.cff": r"(?m)^version: (\S+)", "packaging/codemeta.json": r'"version": "([^"]+)"',
         "packaging/vcpkg/vcpkg.json": r'"version-semver": "([^"]+)"', "packaging/conan/conanfile.py": r'version = "([^"]+)"',
         "debian/changelog": r"^palpate \(([^-]+)-", "packaging/npm/package.json": r'"version": "([^"]+)"',
         "packaging/npm/README.md": r"palpate-([\d.]+)\.tgz", "docs/howto/javascript.md": r"palpate-([\d.]+)\.tgz",
@@ -90,7 +90,7 @@ def citation(root):
 
 
 def codemeta(root):
-    file = "codemeta.json"
+    file = "packaging/codemeta.json"
     found = json.loads((root / file).read_text())
     for key in ("@context", "@type", "name", "description", "version", "license", "author", "programmingLanguage"):
         if not found.get(key):
@@ -193,7 +193,7 @@ def community(root):
     forms = sorted((root / ".github/ISSUE_TEMPLATE").glob("*.md"))
     if len(forms) < 2:
         yield ".github/ISSUE_TEMPLATE: two forms are promised in SUPPORT.md"
-    support = (root / "SUPPORT.md").read_text()
+    support = (root / ".github/SUPPORT.md").read_text()
     for form in forms:
         head = re.match(r"---\n(.*?)\n---\n", form.read_text(), re.S)
         meta = yaml.safe_load(head[1]) if head else {}
@@ -230,7 +230,7 @@ def debian(root):
 
 
 CHECKS = (same_version, citation, codemeta, paper, desktop, community, debian)
-FILES = ("CMakeLists.txt", "CITATION.cff", "codemeta.json", *COMMUNITY_PAGES, "SECURITY.md", "docs/quoted/store.json", "packaging/vcpkg",
+FILES = ("CMakeLists.txt", "CITATION.cff", "packaging/codemeta.json", "docs/quoted/store.json", "packaging/vcpkg",
          "packaging/conan", "packaging/npm", "docs/howto/javascript.md", "packaging/paper", "packaging/desktop", ".github", "debian", "cli/kit/families.tsv", "tools/install-dependencies")
 
 
@@ -243,7 +243,7 @@ BREAKS = (
     ("CITATION.cff", "version: 0", "version: 9", "CMakeLists.txt says"),
     ("CITATION.cff", "message:", "massage:", "message is missing"),
     ("CITATION.cff", "doi: 10.1186/", "doi: 1186/", "is not a DOI"),
-    ("codemeta.json", '"license"', '"licence"', "license is missing"),
+    ("packaging/codemeta.json", '"license"', '"licence"', "license is missing"),
     ("packaging/conan/conanfile.py", 'version = "', 'version = "1', "CMakeLists.txt says"),
     ("debian/changelog", "palpate (", "palpate (9", "CMakeLists.txt says"),
     ("packaging/npm/package.json", '"version": "', '"version": "9', "CMakeLists.txt says"),
@@ -260,7 +260,7 @@ BREAKS = (
     ("packaging/desktop/org.palpate.palpate.desktop", "Icon=", "Image=", "Icon is missing"),
     ("packaging/desktop/org.palpate.palpate.metainfo.xml", "</name>", "</nome>", "metainfo.xml"),
     ("packaging/desktop/org.palpate.palpate.metainfo.xml", "palpate.desktop</launchable", "other.desktop</launchable", "must name the desktop file"),
-    ("SUPPORT.md", "Something is wrong", "Wrong", "does not name the form"),
+    (".github/SUPPORT.md", "Something is wrong", "Wrong", "does not name the form"),
     (".github/ISSUE_TEMPLATE/missing.md", "about:", "about", "missing.md"),
 )
 
