@@ -223,7 +223,7 @@ PALPATE_API int32_t palpate_world_finger_settings(const palpate_world* world, si
 #define PALPATE_TIP_LOST 1u         /* tip not finite or absurdly far: no force */
 #define PALPATE_CATCHING_UP 2u      /* the contact used up its path in this tick, or the force its step */
 #define PALPATE_TOO_DEEP 4u         /* deeper than max_depth_mm: the force no longer grows */
-#define PALPATE_LETTING_GO 8u       /* what was felt has lost its reason and fades */
+#define PALPATE_LETTING_GO 8u       /* the contact has ended, its force fades */
 #define PALPATE_AT_BORDER 16u       /* the force fades because the sheet ends here */
 #define PALPATE_STARTED_INSIDE 32u  /* a ball that overlaps the skin is being pushed out */
 #define PALPATE_UNSETTLED 64u       /* a ball goes on looking in the next tick */

@@ -156,7 +156,7 @@ void noteTheOthers(const RenderOptions& options, RenderReport& result) {
 /// Who names one on the command line wants that one and no other.
 void requireScalar(const RenderOptions& options, const scene::World& world) {
   if (!options.scalar || scene::scalarNamed(world.body->channels.get(), *options.scalar) != nullptr) return;
-  throw Error(fmt::format("--scalar {}: the body's file brings no such number; it brings {}", *options.scalar,
+  throw Error(fmt::format("--scalar {}: no such number in the mesh file; it has {}", *options.scalar,
                           scene::scalarNames(world.body->channels.get())));
 }
 

@@ -322,7 +322,8 @@ std::vector<std::string> originsOf(const ServeOptions& options) {
   std::vector<std::string> origins;
   for (const std::string& words : options.origins) {
     origins.push_back(originOf(words));
-    if (origins.back().empty()) throw Error(fmt::format("--origin {}: is none such as https://place.example", words));
+    if (origins.back().empty())
+      throw Error(fmt::format("--origin {}: expected an origin such as https://place.example", words));
   }
   return origins;
 }

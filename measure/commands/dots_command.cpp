@@ -102,7 +102,7 @@ Outputs outputsOf(const DotsArguments& arguments) {
   } else if (extension == ".png" || extension == ".svg") {
     outputs.overlay = out;
   } else if (!out.empty()) {
-    if (fs::exists(out) && !fs::is_directory(out)) throw Error::inFile(out.string(), "is a file and no folder");
+    if (fs::exists(out) && !fs::is_directory(out)) throw Error::inFile(out.string(), "is a file, not a folder");
     if (!arguments.overwrite) refuseOccupied(out);
     outputs = {out, out / kKeyFile, out / kReportFile, out / kDotFile, out / kOverlayFile};
   }

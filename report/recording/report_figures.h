@@ -16,7 +16,7 @@ struct ReportPicture {
   figures::Figure figure;
 };
 
-/// Force, depth and speed of each finger over time, with its phases below; and how often they were how large. None of a
+/// Force, depth and speed of each finger over time, with its phases below; and their distribution. None of a
 /// recording without ticks; distributions only where something was touched.
 std::vector<ReportPicture> coursePictures(const RecordingReport& report);
 

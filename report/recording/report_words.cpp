@@ -42,7 +42,7 @@ constexpr std::array<const char*, 8> kContactMeanings = {
     toTranslate("the tip was no place: no force"),
     toTranslate("the skin's side of the finger was on its way, or the force grew as fast as it may"),
     toTranslate("deeper than is felt: the force no longer grew"),
-    toTranslate("what was felt had lost its reason and faded"),
+    toTranslate("the contact had ended and its force faded"),
     toTranslate("the force faded because the sheet ends"),
     toTranslate("a finger that began inside was pushed out"),
     toTranslate("the finger's place on the skin took more than a tick"),

@@ -107,8 +107,9 @@ TraineeRow traineeCalled(Store& store, const std::string& code_or_id) {
     for (const training::Uuid& id : store.pseudonymsOf(code_or_id)) {
       if (auto found = store.trainee(id)) return *found;
     }
-    throw Error(fmt::format("nobody with the code {} has sat here; for a class's database give its folder with --class",
-                            *training::codeTyped(code_or_id)));
+    throw Error(
+        fmt::format("no trainee with the code {} in these records; for a class's database give its folder with --class",
+                    *training::codeTyped(code_or_id)));
   }
   std::vector<TraineeRow> found;
   for (const TraineeRow& trainee : store.trainees()) {

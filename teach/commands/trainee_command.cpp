@@ -184,7 +184,7 @@ class TraineeCommand {
     bench_.protocol = protocolAskedFor(options);
     if (finds_lumps_) {
       if (!training::isLumpTrainee(options.trainee)) {
-        throw Error("--trainee: who sits with lumps is asked for as observer=lump,spread=3.4,...");
+        throw Error("--trainee: sittings with lumps take observer=lump,spread=3.4,...");
       }
       if (simulated.fast) throw Error("--fast: lumps are felt on a body");
       if (simulated.programme) throw Error("--programme has no sitting with lumps");

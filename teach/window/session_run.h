@@ -48,7 +48,7 @@ class KeptRows {
 
 class SessionRun {
  public:
-  /// Begins the viewer's state file, where the plan names one. All must outlive it. Throws Error.
+  /// Starts the recording if the plan names a file. All must outlive it. Throws Error.
   SessionRun(training::Store& store, LiveServo& servo, const training::SessionPlan& plan, const training::Moment& now);
   /// As `finish`, without a word.
   ~SessionRun();

@@ -126,7 +126,7 @@ void RequestHandler::fulfil(const CopyScene& /*request*/) {
   ViewerState& viewer = parts_.viewer;
   if (!parts_.host.set_clipboard) return viewer.report(Severity::warning, "There is no clipboard");
   parts_.host.set_clipboard(sceneSnippet(viewer));
-  viewer.report(Severity::info, "What is seen and felt is on the clipboard, as a scene");
+  viewer.report(Severity::info, "Scene copied to the clipboard");
 }
 
 void RequestHandler::fulfil(const ResetScene& /*request*/) { parts_.viewer.history.reset(parts_.viewer); }

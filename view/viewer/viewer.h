@@ -42,7 +42,7 @@ struct ViewerSettings {
   SceneDocument document = {};                    ///< of the world's scene, as it was read
   scene::Scene default_scene;                     ///< for Read again, where there is no file
   std::vector<OpenedDevice> devices;              ///< that hold the first fingers instead of the mouse
-  std::filesystem::path recording_folder = {};    ///< for the viewer's state that is recorded by itself; empty: none is
+  std::filesystem::path recording_folder = {};    ///< of automatic recordings; empty: off
   std::vector<std::unique_ptr<Mode>> modes = {};  ///< that the window has beside feeling the body; the first goes first
 };
 

@@ -91,7 +91,7 @@ class Page {
     on('places', 'change', () => {
       this.names.show(element('places').checked);
     });
-    on('wanted-depth', 'input', () => this.wishDepth(Number(element('wanted-depth').value)));
+    on('wanted-depth', 'input', () => this.setDepth(Number(element('wanted-depth').value)));
     on('deeper', 'change', () => {
       this.fingers.deepens = element('deeper').checked;
     });
@@ -252,7 +252,7 @@ class Page {
 
   // ---- requests
 
-  wishDepth(mm) {
+  setDepth(mm) {
     const finger = this.fingers.active;
     const aim = this.fingers.aims[finger];
     this.fingers.deeper(finger, mm - (aim?.pressed ? aim.depth : this.fingers.depth));

@@ -50,7 +50,7 @@ enum StatusBit : std::uint32_t {
   kTipLost = 1u << 0,        ///< tip not finite or absurdly far: no force, state kept as it was
   kCatchingUp = 1u << 1,     ///< the proxy used up its path in this tick, or the force its step
   kTooDeep = 1u << 2,        ///< deeper than max_depth_mm: the force no longer grows
-  kLettingGo = 1u << 3,      ///< what was felt has lost its reason and fades: the tip came out elsewhere
+  kLettingGo = 1u << 3,      ///< the contact has ended, its force fades: the tip came out elsewhere
   kAtBorder = 1u << 4,       ///< the force fades because the sheet ends here
   kStartedInside = 1u << 5,  ///< a sphere that overlaps the skin is being pushed out
   kUnsettled = 1u << 6,      ///< a sphere used up its rounds; it goes on in the next tick (kCatchingUp is set too)

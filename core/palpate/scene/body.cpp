@@ -56,7 +56,7 @@ std::shared_ptr<const Body> builtBody(BodyParts parts, std::optional<double> thi
   std::atomic<bool> given_up{false};
   Background making_deformable([&] {
     body->deformable = deform::buildSkin(skin, [&](std::string_view, double) {
-      if (given_up) throw Error("the skin was given up");
+      if (given_up) throw Error("building the skin was cancelled");
     });
   });
   try {

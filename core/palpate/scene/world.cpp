@@ -144,8 +144,8 @@ std::shared_ptr<const contact::PressureGround> pressureIfAsked(const Scene& scen
 
 void noteUnknownScalar(const Scene& scene, const SkinChannels* channels, std::vector<std::string>& notes) {
   if (scene.view.scalar.empty() || scalarNamed(channels, scene.view.scalar) != nullptr) return;
-  notes.push_back(fmt::format("[view] scalar \"{}\": the body's file brings no such number; it brings {}",
-                              scene.view.scalar, scalarNames(channels)));
+  notes.push_back(fmt::format("[view] scalar \"{}\": no such number in the mesh file; it has {}", scene.view.scalar,
+                              scalarNames(channels)));
 }
 
 // ---- what a device may do
@@ -242,7 +242,7 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
   TissueChoice choice = tissueChoice(scene, forms, !body->anatomy.depth_mm.empty());
   auto healthy = healthyTissue(scene, *body, choice.model, keys, before == nullptr ? nullptr : before->healthy);
   notes.insert(notes.end(), healthy->notes.begin(), healthy->notes.end());
-  report(progress, "mapping stiffness", 0.5);  // between long steps, so that who waits can also end it
+  report(progress, "mapping stiffness", 0.5);  // between long steps, so that the caller can cancel
   DiseasedStiffness stiffness = diseasedStiffness(scene, *body, *healthy, notes);
   if (std::string note = tissueNote(scene, choice, *stiffness.n_per_mm); !note.empty()) {
     notes.push_back(std::move(note));

@@ -6,7 +6,7 @@
 //   LumpLoop ─► where the lumps lie that move
 //
 // It is all of a world that a finger sees. A rebuilt world is made beside the loop, solvers included with the room for
-// their lists, and exchanged between two ticks; what the tick puts down is freed beside the loop again.
+// their lists, and exchanged between two ticks; what the tick releases is freed on another thread.
 #pragma once
 
 #include <cstddef>

@@ -342,7 +342,7 @@ class Repair {
       first_world_ = std::min(sample.world, static_cast<std::uint32_t>(remains_.worlds.begin()->first));
       next_world_ = first_world_;
     }
-    if (sample.world > next_world_ + kMaxWorldsAhead) throw Error::inFile(name_, "names worlds that there are none of");
+    if (sample.world > next_world_ + kMaxWorldsAhead) throw Error::inFile(name_, "refers to missing worlds");
     addWorldsUpTo(writer, sample.world);
     sample.world -= std::min(sample.world, first_world_);
     writer.add(sample);

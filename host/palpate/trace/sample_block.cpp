@@ -210,7 +210,7 @@ SampleColumn columnOf(std::string_view name, std::string_view type) {
 std::vector<Sample> unpackSamples(std::string_view bytes, std::uint32_t crc32, std::size_t rows, std::uint32_t finger,
                                   std::span<const SampleColumn> columns) {
   if (rows == 0 || rows > kMaxBlockRows) throw Error(fmt::format("a block of {} rows", rows));
-  if (checksumOf(bytes) != crc32) throw Error("a block is damaged: its checksum is another");
+  if (checksumOf(bytes) != crc32) throw Error("block checksum mismatch");
   const std::string raw = inflated(bytes, rowBytes(columns) * rows);
   std::vector<Sample> samples(rows);
   const char* plane = raw.data();

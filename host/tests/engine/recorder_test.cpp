@@ -1,4 +1,4 @@
-// Recordings that are recorded beside a running servo: nothing is lost unsaid, and the servo never waits.
+// Recording while the servo runs: what is lost is reported, and the servo never waits.
 #include "palpate/engine/recorder.h"
 
 #include <gtest/gtest.h>

@@ -226,7 +226,7 @@ TEST_F(RecordingFile, NamesABlockThatIsDamaged) {
   Database(folder_ / "a.session", Database::Mode::write).run("UPDATE blocks SET crc32 = crc32 + 1 WHERE id = 2");
   RecordingReader reader(folder_ / "a.session");
   EXPECT_EQ(support::messageOf([&] { read(reader); }),
-            (folder_ / "a.session").string() + ": block 2: a block is damaged: its checksum is another");
+            (folder_ / "a.session").string() + ": block 2: block checksum mismatch");
   ASSERT_EQ(reader.damagedBlocks().size(), 1u);
   EXPECT_EQ(reader.damagedBlocks()[0].first, 2);
 }

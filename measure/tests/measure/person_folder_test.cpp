@@ -244,7 +244,7 @@ TEST(PersonProtocol, NamesTheLineOfWhatItCannotRead) {
             "p.toml:2: 'uphill' is none of up, down, left, right");
   EXPECT_EQ(fault(good), "p.toml: names no [[point]]");
   EXPECT_EQ(fault(good + point + point), "p.toml: the point P1 stands twice");
-  EXPECT_EQ(fault(good + "enough = 4\n" + point), "p.toml: enough is more than presses");
+  EXPECT_EQ(fault(good + "enough = 4\n" + point), "p.toml: enough must not exceed presses");
   EXPECT_EQ(fault(good + point + "[[pictures]]\npress = \"P2_up_1\"\n"),
             "p.toml: unknown press 'P2_up_1' in [[pictures]]; did you mean 'P1_up_1'?");
   EXPECT_NE(fault("person = \n").find("p.toml:1:"), std::string::npos);

@@ -169,7 +169,7 @@ TEST_F(MeasureDots, WrongInputIsSaidInOneLine) {
       {pair() + " --name a,b", "--name: has a comma"},
       {pair() + " --at 1,2,3,4", "--at: takes X,Y or a place such as 'T6'"},
       {pair() + " --overlay it.jpg", "it.jpg: a plot is written as .png, .svg"},
-      {pair() + " -o text.jpg", "text.jpg: is a file and no folder"},
+      {pair() + " -o text.jpg", "text.jpg: is a file, not a folder"},
   };
   for (const auto& [arguments, words] : cases) {
     const CommandResult result = dots(arguments);

@@ -137,7 +137,7 @@ TEST(MeasuringMode, SaysWhatIsMissingAndWhatCannotBeWritten) {
   fillIn(mode, viewer, folder.path());
   mode.view().form.at_mm.reset();
   mode.accept(viewer, false);
-  EXPECT_EQ(last_words(), "Say first where on the body it is");
+  EXPECT_EQ(last_words(), "Set the place on the body first");
   fillIn(mode, viewer, folder.path());
   mode.view().form.name = "T6, left";
   mode.accept(viewer, false);

@@ -124,7 +124,7 @@ void changeTimeSpeed(ViewerState& viewer, int step) {
   const auto now = static_cast<int>(at - kTimeSpeeds.begin());
   const int next = std::clamp(now + step, 0, static_cast<int>(kTimeSpeeds.size()) - 1);
   viewer.time_speed = kTimeSpeeds[static_cast<std::size_t>(next)];
-  viewer.report(Severity::info, trf("What is played passes at {:g} of its time", viewer.time_speed));
+  viewer.report(Severity::info, trf("Playback speed x{:g}", viewer.time_speed));
 }
 
 /// Escape leaves the innermost thing: a page, then the editor. It never quits. Dialogs hear it themselves.

@@ -112,12 +112,11 @@ Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request
   if (target.empty()) target = freshFile(folder_, "scene", ".toml");
   if (!request.sure && wouldOverwrite(viewer.document, target)) {
     const bool known = fs::absolute(target).lexically_normal() == viewer.document.file;
-    viewer.ask(
-        {.kind = Question::Kind::overwrite,
-         .words = known ? trf("{} was changed by somebody else since it was opened. Write over it?", target.string())
-                        : trf("{} exists already. Write over it?", target.string()),
-         .answers = {toTranslate("Overwrite"), toTranslate("Cancel")},
-         .file = target.string()});
+    viewer.ask({.kind = Question::Kind::overwrite,
+                .words = known ? trf("{} has changed on disk since it was opened. Overwrite it?", target.string())
+                               : trf("{} exists already. Write over it?", target.string()),
+                .answers = {toTranslate("Overwrite"), toTranslate("Cancel")},
+                .file = target.string()});
     return Saving::asked;
   }
   const scene::Scene scene = sceneToSave(viewer);

@@ -1,7 +1,7 @@
 // Choosing a file to open or to save to: recent ones, a folder to walk through, and a line to type into.
 //
 // Own, because no library of Debian 12 fits: GTK's and Qt's dialogs want their own event loop beside GLFW's,
-// libportal's wants a desktop portal on the recording bus, which bare X servers do not have, and Native File Dialog is
+// libportal's wants a desktop portal on the session bus, which bare X servers do not have, and Native File Dialog is
 // not packaged.
 #include <fmt/format.h>
 #include <imgui.h>

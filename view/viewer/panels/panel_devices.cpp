@@ -225,8 +225,7 @@ void calibrationWidgets(const Part& part) {
   }
   if (!steps.trouble.empty()) remark(steps.trouble);
   if (steps.found) {
-    remark(
-        trf("The places go together within {:.1f} mm; scale {:.2f}.", steps.found->residual_mm, steps.found->frame.mm));
+    remark(trf("Calibration residual {:.1f} mm; scale {:.2f}.", steps.found->residual_mm, steps.found->frame.mm));
     if (part.button("use", "Use it")) return useCalibration(part, *steps.found);
     ImGui::SameLine();
   } else {

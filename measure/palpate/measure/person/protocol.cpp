@@ -98,7 +98,7 @@ ListedPictures picturesOf(const scene::TomlNode& table, std::string_view file) {
 
 void checkTogether(const Protocol& protocol, std::string_view file) {
   if (protocol.points.empty()) throw Error::inFile(file, "names no [[point]]");
-  if (protocol.enough > protocol.presses) throw Error::inFile(file, "enough is more than presses");
+  if (protocol.enough > protocol.presses) throw Error::inFile(file, "enough must not exceed presses");
   std::set<std::string> names;
   for (const ProtocolPoint& point : protocol.points) {
     if (!names.insert(point.name).second) throw Error::inFile(file, "the point " + point.name + " stands twice");

@@ -72,7 +72,7 @@ class Segments {
     if (number(5) == 4) {
       throw Error::inFile(name_, "is a JPEG in the colours of print (CMYK): save it in RGB, as cameras do");
     }
-    if (number(5) != 1 && number(5) != 3) throw Error::inFile(name_, "is a JPEG of no known colours: save it in RGB");
+    if (number(5) != 1 && number(5) != 3) throw Error::inFile(name_, "unsupported JPEG colour space: save it in RGB");
   }
 
   void readApplication(std::string_view segment) {

@@ -87,7 +87,7 @@ class PieceCipher {
  public:
   PieceCipher(const TraineeKey& key, const LockHeader& header)
       : context_(::EVP_CIPHER_CTX_new(), &::EVP_CIPHER_CTX_free), key_(key), header_(header) {
-    if (context_ == nullptr) throw Error("AES is not to be had from OpenSSL");
+    if (context_ == nullptr) throw Error("OpenSSL has no AES-256-GCM");
   }
 
   std::string seal(std::string_view plain, std::uint32_t number, bool last) {
