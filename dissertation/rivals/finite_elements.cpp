@@ -1,5 +1,5 @@
 // Bricks with averaged dilatation, their matrix, and the contact of the ball by an active set.
-#include "dissertation/rivals/rivals.h"
+#include "dissertation/rivals/finite_elements.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

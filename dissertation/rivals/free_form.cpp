@@ -1,5 +1,5 @@
 // Cubic B-splines over a regular lattice, and the least move of its points.
-#include "dissertation/rivals/rivals.h"
+#include "dissertation/rivals/free_form.h"
 
 #include <algorithm>
 #include <cmath>

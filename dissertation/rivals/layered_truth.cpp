@@ -1,5 +1,5 @@
 // Reads the file that CMake compiles in (layered_truth.json); linear between the radii.
-#include "dissertation/rivals/tissue_block.h"
+#include "dissertation/rivals/layered_truth.h"
 
 #include <fmt/format.h>
 

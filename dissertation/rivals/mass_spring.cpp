@@ -1,5 +1,5 @@
 // Springs of the grid and their relaxation.
-#include "dissertation/rivals/rivals.h"
+#include "dissertation/rivals/mass_spring.h"
 
 #include <algorithm>
 #include <bit>

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <ctime>
 
-#include "dissertation/rivals/rivals.h"
+#include "dissertation/rivals/finite_elements.h"
+#include "dissertation/rivals/free_form.h"
+#include "dissertation/rivals/mass_spring.h"
 #include "lab/measured/pressed_skin.h"
 #include "palpate/base/error.h"
 #include "palpate/deform/deformer.h"

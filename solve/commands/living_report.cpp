@@ -8,6 +8,7 @@
 
 #include "palpate/base/json.h"
 #include "solve/realism/living_limbs.h"
+#include "solve/realism/living_tests.h"
 
 namespace palpate::app {
 

@@ -1,5 +1,5 @@
 // Reads the cases key by key, so that a fault is told with its place.
-#include "solve/realism/realism.h"
+#include "solve/realism/fem_cases.h"
 
 #include <fmt/format.h>
 

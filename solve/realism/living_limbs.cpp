@@ -1,6 +1,7 @@
 // Stacks of a few covers, shares of fat and skins are solved where a test needs them; between them the logarithm of the
 // stiffness is linear in the logarithm of the cover, in the share and in the skin.
 #include "solve/realism/living_limbs.h"
+#include "solve/realism/living_tests.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,7 @@
 #include <tuple>
 
 #include "palpate/base/order_statistics.h"
-#include "palpate/elements/drag_solver.h"
+#include "palpate/elements/probe_solver.h"
 #include "palpate/tissue/published.h"
 
 namespace palpate::lab {

@@ -1,3 +1,4 @@
+#include "solve/realism/living_tests.h"
 #include "solve/realism/living_limbs.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
 // Three worlds a stack, each pressed as often as there are solved depths.
+#include "solve/realism/fem_cases.h"
 #include "solve/realism/realism.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "solve/realism/fem_cases.h"
 #include "solve/realism/realism.h"
 
 namespace palpate::lab {

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
-#include "palpate/elements/press_model.h"
+#include "palpate/elements/equilibrium.h"
 #include "palpate/elements/press_solver.h"
+#include "palpate/elements/press_model.h"
 
 namespace palpate::lab {
 

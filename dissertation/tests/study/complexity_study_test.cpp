@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "dissertation/complexity/complexity_results.h"
+#include "dissertation/complexity/search_cost.h"
 #include "lab/measured/model_meshes.h"
 #include "palpate/hdb/complexity.h"
 #include "report/tests/report/page_numbers.h"

@@ -3,7 +3,10 @@
 
 #include <cmath>
 
-#include "dissertation/rivals/rivals.h"
+#include "dissertation/rivals/finite_elements.h"
+#include "dissertation/rivals/free_form.h"
+#include "dissertation/rivals/mass_spring.h"
+#include "dissertation/rivals/rivals_findings.h"
 #include "dissertation/rivals/rivals_measurement.h"
 #include "dissertation/studies.h"
 #include "palpate/base/error.h"

@@ -4,7 +4,6 @@
 // The same patch pressed straight down says what share of the stiffness against a press the drag has.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "palpate/base/progress.h"
@@ -40,23 +39,5 @@ struct FittedDrag {
   double rms = 0.0;  ///< of the fit over the square, share of the drag
 };
 FittedDrag fitDrag(const DragField& field, const std::vector<double>& radii_mm, double to_mm = 60.0);
-
-// A flat rectangular probe pressed a little into layered tissue: the stiffness of the whole probe. Linear, without
-// friction (a probe has gel under it), 8-node boxes; one quarter stands for the whole.
-//
-// Under the layers lies a plane of bone, or the bone of a limb: a cylinder along the probe's long side.
-
-struct ProbeSettings {
-  double length_mm = 40.0;  ///< along the bone
-  double width_mm = 9.0;    ///< across it
-  /// 0: a plane. Otherwise the deepest layer goes on around the bone down to its middle, and to each side as far as the
-  /// limb reaches there; those sides are free.
-  double bone_radius_mm = 0.0;
-  double half_length_mm = 100.0;  ///< of the block, to each side of the probe's middle; its ends are held
-  double fineness = 1.0;          ///< 2: elements half as large
-};
-
-/// N/mm. Throws Error for sizes that make no sense, and where the equations are not solved.
-double probeStiffness(const tissue::LayerStack& stack, const ProbeSettings& settings);
 
 }  // namespace palpate::elements

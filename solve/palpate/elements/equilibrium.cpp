@@ -1,4 +1,4 @@
-#include "palpate/elements/press_model.h"
+#include "palpate/elements/equilibrium.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
 #include "palpate/elements/hex_block.h"
+#include "palpate/elements/hex_element.h"
 
 #include <fmt/format.h>
 

@@ -2,86 +2,17 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Sparse>
-#include <Eigen/SparseCholesky>
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "palpate/elements/quad_element.h"
 #include "palpate/elements/quad_mesh.h"
+#include "palpate/elements/sphere_contact.h"
+#include "palpate/elements/stiffness_matrix.h"
 #include "palpate/tissue/layered_table.h"
 
 namespace palpate::elements {
-
-// A rigid sphere without friction on the surface's edges: a stiff spring at every point of the skin that lies inside
-// it.
-//
-// Energy 1/2 k gap^2 over the skin's area at rest, with its exact first and second derivatives.
-
-struct Sphere {
-  double radius_mm = 8.0;
-  double depth_mm = 0.0;  ///< of its lowest point under the surface at rest
-  double stiffness_kpa_per_mm = 1500.0;
-};
-
-/// On the freedoms of one edge: u_r and u_z of its three nodes in turn.
-struct EdgeAnswer {
-  std::array<double, 6> forces{};                    ///< mN
-  std::array<std::array<double, 6>, 6> stiffness{};  ///< below and on the diagonal
-};
-
-/// Of the whole contact.
-struct ContactSum {
-  double energy = 0.0;    ///< uJ
-  double force_mn = 0.0;  ///< along the axis
-  /// Of the skin that touches, at rest; 0: nothing touches.
-  double radius_mm = 0.0;
-};
-
-/// What a narrow ring of the skin carries, seen along the axis.
-struct ContactRing {
-  double radius_mm = 0.0;  ///< of the pressed skin
-  double force_mn = 0.0;   ///< along the axis
-};
-/// From the middle outwards, about 0.05 mm wide each; those that touch.
-std::vector<ContactRing> contactRings(const QuadMesh& mesh, const Sphere& sphere, const Eigen::VectorXd& displacement);
-
-/// Goes over the edges that touch. `displacement`: u_r, u_z of every node.
-ContactSum addContact(const QuadMesh& mesh, const Sphere& sphere, const Eigen::VectorXd& displacement, Tangent tangent,
-                      const std::function<void(const std::array<int, 3>& nodes, const EdgeAnswer&)>& add);
-
-// The sparse symmetric matrix of a mesh: where the entries of every element lie is found once, and so is the order of
-// elimination; each Newton step only fills in and factorises.
-//
-// Based on: Eigen, SimplicialLDLT with approximate minimum degree; measured beside CHOLMOD in
-// docs/explanation/tissue-solver.md.
-
-class StiffnessMatrix {
- public:
-  explicit StiffnessMatrix(const QuadMesh& mesh);
-
-  void clear();
-  void add(std::size_t element, const std::array<double, kQuadEntries>& entries);
-  void add(const std::array<int, 3>& edge, const EdgeAnswer& answer);
-
-  /// Returns the number of negative pivots: 0 where the energy is convex, so that every step goes downhill; -1 where
-  /// the matrix is singular.
-  int factorise();
-  /// With the last factors.
-  Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return factors_.solve(right); }
-
-  const Eigen::SparseMatrix<double>& lower() const { return lower_; }
-
- private:
-  int placeOf(int row, int column) const;
-
-  const QuadMesh& mesh_;
-  Eigen::SparseMatrix<double> lower_;
-  std::vector<std::array<int, kQuadEntries>> places_;  ///< in the values of `lower_`; kHeld: nowhere
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors_;
-};
 
 /// A displacement that turns an element inside out has no energy: `inverted` says which, and nothing else is filled in.
 struct Balance {
@@ -148,26 +79,5 @@ class PressModel {
   StiffnessMatrix matrix_;
   Eigen::VectorXd residual_;
 };
-
-// Newton's method on the energy of a press at one depth: every step goes downhill, or there is none.
-//
-// An equilibrium is a least of the energy. Where the tangent has a negative pivot the step is taken with its convex
-// neighbour instead; where that has to be done again and again, the tissue has no equilibrium nearby: it gives way.
-
-struct EquilibriumSettings {
-  double tolerance = 1e-5;  ///< residual over the force of the contact
-  int most_steps = 30;
-};
-
-struct Equilibrium {
-  Eigen::VectorXd displacement;
-  Balance balance;
-  int systems = 0;      ///< that were factorised
-  std::string trouble;  ///< why none was found, with the place; empty: found
-  bool found() const { return trouble.empty(); }
-};
-
-Equilibrium settle(PressModel& model, const Eigen::VectorXd& start, double depth_mm,
-                   const EquilibriumSettings& settings);
 
 }  // namespace palpate::elements

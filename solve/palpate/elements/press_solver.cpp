@@ -9,6 +9,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/stopwatch.h"
+#include "palpate/elements/equilibrium.h"
 #include "palpate/elements/field_sampler.h"
 #include "palpate/elements/press_model.h"
 

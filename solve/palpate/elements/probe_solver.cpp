@@ -1,4 +1,4 @@
-#include "palpate/elements/drag_solver.h"
+#include "palpate/elements/probe_solver.h"
 
 #include <fmt/format.h>
 

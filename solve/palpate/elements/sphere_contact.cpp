@@ -1,4 +1,4 @@
-#include "palpate/elements/press_model.h"
+#include "palpate/elements/sphere_contact.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "palpate/elements/press_model.h"
+#include "palpate/elements/stiffness_matrix.h"
 
 #include <algorithm>
 #include <utility>

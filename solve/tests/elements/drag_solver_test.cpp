@@ -7,7 +7,7 @@
 #include <string>
 
 #include "palpate/base/error.h"
-#include "palpate/elements/hex_block.h"
+#include "palpate/elements/hex_element.h"
 #include "palpate/elements/stack_solver.h"
 #include "support/error_message.h"
 #include "support/golden.h"

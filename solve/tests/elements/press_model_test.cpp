@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "palpate/elements/equilibrium.h"
 #include "palpate/elements/press_model.h"
 
 namespace palpate::elements {

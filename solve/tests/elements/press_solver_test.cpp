@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "palpate/base/error.h"
-#include "palpate/elements/press_model.h"
+#include "palpate/elements/equilibrium.h"
 #include "palpate/elements/press_solver.h"
+#include "palpate/elements/press_model.h"
 #include "support/error_message.h"
 #include "support/golden.h"
 

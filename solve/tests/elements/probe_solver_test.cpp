@@ -1,5 +1,5 @@
 // The pressed probe: against a column in compression, against a rectangle on a half-space, and what scales.
-#include "palpate/elements/drag_solver.h"
+#include "palpate/elements/probe_solver.h"
 
 #include <gtest/gtest.h>
 
