@@ -362,3 +362,19 @@ def tokens_of_the_dead(room):
     held = mode == 0o600 and folder_mode == 0o700 and stays and gone and refused
     return lab.judged(held, f"token file {mode:o} in a folder {folder_mode:o}; after kill -9 {'there' if stays else 'gone'}, at the next start "
                             f"{'gone' if gone else 'STILL THERE'}; an open folder in its place {'refused' if refused else 'TAKEN'}")
+
+
+@lab.attack("limit_on_a_files_size", "files", [
+    lab.Mend("cli/kit/command_line.cpp", "  system::makeFailedWritesErrors();\n", "")], seconds=60)
+def size_limit(room):
+    """A folder in which files may not grow: a run is to say so and leave the earlier file, not to be killed in a write."""
+    (room.folder / "felt").mkdir()
+    earlier = room.folder / "felt" / "forces.csv"
+    earlier.write_text("earlier\n")
+    limited = ["sh", "-c", 'ulimit -f 1; exec "$@"', "sh", room.palpate]
+    run = room.run_program(*limited, "simulate", "--seconds", "0.5", "--no-pictures", "--no-plot", "--overwrite", "--out", "felt", seconds=30.0)
+    words = run.stderr.decode(errors="replace").strip().splitlines()
+    told = run.returncode == 2 and words and "cannot be written: File too large" in words[-1]
+    left = [file.name for file in (room.folder / "felt").iterdir() if file.suffix == ".partial"]
+    return lab.judged(told and not left and earlier.read_text() == "earlier\n",
+                      f"exit code {run.returncode}, {words[-1][:80] if words else 'no word'}, left {left}")

@@ -321,3 +321,41 @@ def plain(room):
     warned = "plain HTTP" in words
     usable = all("0.0.0.0" not in address for address in serving["addresses"] + [serving["address"]])
     return lab.judged(warned and usable, f"warning {'said' if warned else 'missing'}, addresses {', '.join(serving['addresses'])}")
+
+
+def status_of(port, head):
+    """The status that a request of these bytes gets; 0 where none came."""
+    try:
+        with wire(port) as link:
+            link.sendall(head.encode())
+            return int((link.recv(64).split() or [b"", b"0"])[1])
+    except OSError:
+        return 0
+
+
+@lab.attack("serve-hosts", "network", [lab.Mend(VISIT, "if (!namesOneHost(request_)) return", "if (false && !namesOneHost(request_)) return")], seconds=30)
+def hosts(room):
+    """Requests with no Host, two, or one that is none: a proxy in front may have let another through."""
+    port = start_serve(room)["port"]
+    lines = {"none": "", "two": "Host: localhost\r\nHost: evil.example\r\n", "apart": "Host: localhost\r\nX: y\r\nhost: localhost\r\n",
+             "empty": "Host:\r\n", "folded": "Host: local\r\n host\r\n", "path": "Host: localhost/a\r\n", "user": "Host: a@localhost\r\n",
+             "ports": "Host: localhost:80:81\r\n", "bracket": "Host: [::1\r\n"}
+    status = {name: status_of(port, f"GET / HTTP/1.1\r\n{line}Connection: close\r\n\r\n") for name, line in lines.items()}
+    right = status_of(port, "GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")
+    return lab.judged(right == 200 and set(status.values()) == {400}, f"localhost {right}, others {status}")
+
+
+@lab.attack("serve-strange-name", "network",
+            [lab.Mend(VISIT, "    if (comesFromAfar()) {\n", "    if (hall_.port < 0) {\n")], seconds=30)
+def strange_name(room):
+    """A page under a name that leads here (DNS rebinding), which has the token from somewhere, to read the skin."""
+    port = start_serve(room)["port"]
+    evil, own = f"evil.example:{port}", f"127.0.0.1:{port}"
+
+    def asked_as(host, *origins):
+        lines = "".join(f"Origin: http://{origin}\r\n" for origin in origins)
+        return status_of(port, f"GET /served/skin HTTP/1.1\r\nHost: {host}\r\n{lines}Authorization: Bearer {TOKEN}\r\nConnection: close\r\n\r\n")
+
+    right = asked_as(own, own)
+    status = [asked_as(evil, evil), asked_as(own, evil), asked_as(evil, own, evil), asked_as(evil, evil, own), asked_as(own, f"localhost.{evil}")]
+    return lab.judged(right == 200 and set(status) == {403}, f"the own page {right}, strange ones {status}")
