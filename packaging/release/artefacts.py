@@ -10,7 +10,7 @@ import subprocess
 import tarfile
 import tempfile
 
-from release import archives, c_library, licences, notes, portable, shared_objects, unity
+from release import archives, c_library, licences, notes, portable, shared_objects, unity, windows
 from release.basics import HERE, PYTHON, ROOT, Missing, Release, run, wanted
 
 
@@ -167,7 +167,7 @@ def pack_wheel(release: Release, staged: pathlib.Path, targets: list, other: str
 
 MAKERS = {"notes": make_notes, "source": make_source, "npm": make_npm, "deb": make_deb, "sdist": make_sdist, "wheel": make_wheel, "wheel-3.13": make_wheel_of("3.13"),
           "c": c_library.make_c, "c-arm64": c_library.make_c_arm64, "c-windows": c_library.make_c_windows, "unity": unity.make_unity,
-          "portable": portable.make_portable, "sbom": make_sbom, "bits": make_bits}
+          "portable": portable.make_portable, "windows": windows.make_windows, "sbom": make_sbom, "bits": make_bits}
 
 
 def bind(release: Release) -> None:

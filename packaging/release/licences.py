@@ -14,9 +14,13 @@ LIBRARIES = ROOT / "build/libraries"
 # What lies below include/ and lib/ of the libraries of tools/platform-libraries: Debian's package, and for Windows the file
 # of the sources that were compiled.
 PACKAGES = {"boost": "libboost1.74-dev", "eigen3": "libeigen3-dev", "toml++": "libtomlplusplus-dev", "nlohmann": "nlohmann-json3-dev",
-            "CLI": "libcli11-dev", "fmt": "libfmt-dev", "hwy": "libhwy-dev", "sqlite3.h": "libsqlite3-dev", "zlib.h": "zlib1g-dev", "zconf.h": "zlib1g-dev"}
+            "CLI": "libcli11-dev", "fmt": "libfmt-dev", "hwy": "libhwy-dev", "sqlite3.h": "libsqlite3-dev", "zlib.h": "zlib1g-dev", "zconf.h": "zlib1g-dev", "stb": "libstb-dev"}
 SOURCES = {"fmt": "apt/source/fmtlib/LICENSE.rst", "libfmt.a": "apt/source/fmtlib/LICENSE.rst", "hwy": "apt/source/highway/LICENSE",
            "libhwy.a": "apt/source/highway/LICENSE", "sqlite3.h": "apt/source/sqlite3/LICENSE.md", "libsqlite3.a": "apt/source/sqlite3/LICENSE.md",
+           **dict.fromkeys(("GLFW", "libglfw3.a"), "apt/source/glfw3/LICENSE.md"), **dict.fromkeys(("imgui", "libimgui.a"), "apt/source/imgui/LICENSE.txt"),
+           **dict.fromkeys(("epoxy", "libepoxy.dll.a"), "apt/source/libepoxy/COPYING"),
+           **dict.fromkeys(("minizip", "libminizip.a"), "apt/source/minizip/MiniZip64_info.txt"),
+           **dict.fromkeys(("openssl", "libssl.a", "libcrypto.a"), "apt/source/openssl/LICENSE.txt"),
            **dict.fromkeys(("zlib.h", "zconf.h", "libz.a"), "zlib/usr/share/doc/libz-mingw-w64-dev/copyright")}
 
 

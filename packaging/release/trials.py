@@ -329,7 +329,7 @@ def try_piuparts(files: pathlib.Path, work: pathlib.Path, full) -> str:
 
 TRIALS = {"verify": try_verify, "notes, bill, hashes": try_text, "C library": try_c, "C library for ARM64": trials_of_systems.try_c_arm64,
           "C library for Windows": trials_of_systems.try_c_windows, "Unity": trials_of_systems.try_unity,
-          "portable command": trials_of_systems.try_portable, "npm": try_npm, "wheel": try_wheel, "Debian": try_deb, "source": try_source,
+          "portable command": trials_of_systems.try_portable, "command for Windows": trials_of_systems.try_windows, "npm": try_npm, "wheel": try_wheel, "Debian": try_deb, "source": try_source,
           "sdist": try_sdist, "README": try_readme, "piuparts": try_piuparts,
           "wheel in Debian 13": try_debian_13}
 

@@ -10,7 +10,7 @@ import urllib.error
 import urllib.request
 import zipfile
 
-from release import shared_objects, unity
+from release import shared_objects, unity, windows
 from release.basics import HERE, PYTHON, ROOT
 from release.trial import CLEAN, Failed, Skipped, felt, only_the_system, run, the, unpacked
 
@@ -186,3 +186,23 @@ def try_portable(files: pathlib.Path, work: pathlib.Path, _) -> str:
     if not (tree / "share/palpate/web/index.html").exists():
         return f"{version}: {said}; without the page, which was not built (tools/build-web)"
     return f"{version}: {said}, draws, {try_page(program, environment)}"
+
+
+def try_windows(files: pathlib.Path, work: pathlib.Path, _) -> str:
+    archive = the(files, "palpate-[0-9]*-windows-x86_64.zip")
+    needs(WINE, "x86_64-w64-mingw32-objdump")
+    place = work / STRANGE
+    with zipfile.ZipFile(archive) as opened:
+        opened.extractall(place)
+    tree = place / archive.name.removesuffix(".zip")
+    for program in sorted((tree / "bin").iterdir()):
+        lost = sorted(name for name in windows.loads(program) if not windows.OF_WINDOWS.match(name) and not (tree / "bin" / name).exists())
+        if lost:
+            raise Failed(f"{program.name} loads {lost}, which is not in the folder")
+    wine = {"cwd": "/", "env": CLEAN | {"HOME": str(work), "WINEPREFIX": str(work / "wine"), "WINEDEBUG": "-all"}}
+    program = tree / "bin/palpate.exe"
+    version = run(WINE, program, "--version", **wine).strip()
+    said = felt(run(PYTHON, HERE / "first/simulate.py", WINE, program, **wine), "simulate")
+    run(WINE, program, "simulate", tree / "share/palpate/scenes/lumps.toml", "--seconds", "0.1", "--no-pictures", "--no-plot", "--out", work / "run", **wine)
+    run(WINE, program, "serve", "--help", **wine)
+    return f"{version}: {said}, under Wine"
