@@ -10,6 +10,7 @@
 
 #include "lab/counters/machine.h"
 #include "lab/kernels/kernel_list.h"
+#include "palpate/base/system/signals.h"
 
 namespace palpate::bench {
 namespace {
@@ -44,6 +45,7 @@ void run(benchmark::State& state, const Kernel& kernel) {
 
 int main(int argc, char** argv) {
   using palpate::bench::Kernel;
+  palpate::system::makeFailedWritesErrors();
   const std::size_t triangles = palpate::bench::takeTriangles(argc, argv);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -188,6 +188,31 @@ TEST(StandardOutput, ThatWasClosedAtTheStartIsTold) {
   EXPECT_EQ(end.err, "palpate: standard output: cannot be written: Bad file descriptor\n");
 }
 
+/// By the exit code: what is said of it goes into a file too, here, which may not grow either.
+TEST(StandardOutput, ThatMayNotGrowEndsNoProgramInTheMiddle) {
+  const support::TemporaryFolder folder;
+  const auto end = support::runProgram(
+      "/bin/sh", "-c \"ulimit -f 0; '" + support::builtProgram() + "' run --keys > keys.txt\"", folder.path());
+  EXPECT_EQ(end.exit_code, 2);
+}
+
+/// How much is enough differs from machine to machine; below it stands the same line everywhere.
+TEST(MemoryThatRanOut, IsSaidInOneLine) {
+  const support::TemporaryFolder folder;
+  const std::string press = "'" + support::builtProgram() + "' simulate --seconds 0.1 --no-pictures --no-plot";
+  int refused = 0;
+  for (const int kilobytes : {40'000, 60'000, 80'000, 100'000}) {
+    const auto end = support::runProgram(
+        "/bin/sh", "-c \"ulimit -v " + std::to_string(kilobytes) + "; " + press + " --overwrite --out results\"",
+        folder.path());
+    if (end.exit_code == 0 || end.exit_code == 127) continue;  // enough, or too little for its libraries
+    ++refused;
+    EXPECT_EQ(end.exit_code, 2) << kilobytes;
+    EXPECT_EQ(end.err, "palpate: memory ran out\n") << kilobytes;
+  }
+  EXPECT_GT(refused, 0);
+}
+
 TEST(StandardOutput, ThatCannotBeWrittenIsToldToo) {
   const auto end = support::runProgram("/bin/sh", "-c \"'" + support::builtProgram() + "' run --keys > /dev/full\"");
   EXPECT_EQ(end.exit_code, 2);
