@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cli/kit/number_option.h"
+#include "cli/kit/progress_line.h"
 #include "lab/workloads/heldout_meshes.h"
 #include "lab/workloads/workload_meshes.h"
 #include "lab/workloads/workload_paths.h"
@@ -64,7 +65,11 @@ bool isMeshFile(const std::string& name) {
 }
 
 mesh::TriangleMesh meshFrom(const std::string& name, const mesh::LoadOptions& options, const Progress& progress) {
-  if (isMeshFile(name)) return mesh::load(name, options, progress);
+  if (isMeshFile(name)) {
+    mesh::MeshWithChannels loaded = mesh::loadWithChannels(name, options, progress);
+    for (const std::string& note : loaded.notes) say("palpate: " + note + "\n");
+    return std::move(loaded.mesh);
+  }
   if (const auto triangles = torsoTriangles(name)) {
     report(progress, "body", 0.0);
     return torsoMesh(*triangles);

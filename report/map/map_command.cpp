@@ -64,6 +64,7 @@ MapSource sourceOf(const MapArguments& arguments) {
 Json mapSummary(const MapArguments& arguments, const MapSkin& skin, const SkinMap& map) {
   const std::pair<double, double> range = shownRange(map);
   Json summary = map.summary;
+  for (const std::string& note : skin.notes) summary["notes"].push_back(note);
   summary["skin"] = skin.name;
   summary["vertices"] = skin.mesh.positions.size();
   summary["quantity"] = map.shown.column;

@@ -75,7 +75,9 @@ MapSkin builtInBack(std::size_t triangles) {
 MapSkin skinOfFile(const MeshArguments& arguments) {
   MapSkin skin;
   skin.name = arguments.file;
-  skin.mesh = mesh::load(arguments.file, arguments.options);
+  mesh::MeshWithChannels loaded = mesh::loadWithChannels(arguments.file, arguments.options);
+  skin.mesh = std::move(loaded.mesh);
+  skin.notes = std::move(loaded.notes);
   if (skin.mesh.triangles.empty()) throw Error::inFile(arguments.file, "no triangle to draw a map over");
   skin.normals = mesh::vertexNormals(skin.mesh);
   return skin;

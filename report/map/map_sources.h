@@ -32,6 +32,7 @@ struct MapSkin {
   mesh::TriangleMesh mesh;
   std::vector<Vec3> normals;          ///< unit, a vertex each
   std::vector<double> bone_depth_mm;  ///< a vertex each; empty where no bones are known
+  std::vector<std::string> notes = {};  ///< of a file: what was passed over or guessed while it was read
 };
 
 MapSkin builtInTorso(std::size_t triangles);

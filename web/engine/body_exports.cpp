@@ -81,7 +81,7 @@ std::shared_ptr<const scene::World> openMesh(std::string_view bytes, std::string
   mesh::LoadOptions options;
   options.unit_mm = unit_mm;
   options.keep_wrong_indices = true;  // mending leaves such triangles out
-  mesh::TriangleMesh mesh = mesh::loadFromMemory(bytes, formatOf(name), name, options);
+  auto [mesh, channels, notes] = mesh::loadWithChannelsFromMemory(bytes, formatOf(name), name, options);
   if (mesh.triangles.size() > kMaxTriangles) {
     throw Error::inFile(name, fmt::format("{} triangles are more than the {} that a page can hold",
                                           mesh.triangles.size(), kMaxTriangles));
@@ -92,7 +92,9 @@ std::shared_ptr<const scene::World> openMesh(std::string_view bytes, std::string
   scene.body.scale = unit_mm;
   try {
     std::vector<Index> source_vertex;
-    return scene::buildOn(scene, scene::mendedBody(std::move(mesh), std::string(name), {}, source_vertex));
+    scene::BodyParts parts = scene::mendedBody(std::move(mesh), std::string(name), {}, source_vertex);
+    parts.notes.insert(parts.notes.begin(), notes.begin(), notes.end());
+    return scene::buildOn(scene, std::move(parts));
   } catch (const Error& error) {
     throw Error::inFile(name, error.what());
   }

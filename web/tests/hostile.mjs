@@ -93,6 +93,11 @@ test('the trunk is felt', () => {
   engine.aim(0, null);
 });
 
+test('what is left out of a file is told', () => {
+  open('cut.obj', text('v 0 0 0\nv 90 0 0\nv 0 90 0\nf 1 2 3\nl 1 2\nl 2 3\n'));
+  assert.equal(engine.body().notes[0], 'cut.obj: left out: lines (2)');
+});
+
 test('random damage to a file is answered or mended', () => {
   let state = 7;
   const random = (n) => (state = (state * 48271) % 2147483647) % n;

@@ -115,7 +115,7 @@ class World:
         """(N, 3): half axes, mm, the longer first, and direction of the longer against x, rad in [0, pi), of the deformation ellipses at xy (N, 2), mm, or at places by name."""
     @property
     def notes(self) -> list[str]:
-        """What the user should know: repairs, a doubtful unit."""
+        """What the user should know: what a file was read without, repairs, a doubtful unit."""
     @property
     def name(self) -> str:
         """Of the body, in words."""

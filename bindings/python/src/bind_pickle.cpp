@@ -46,7 +46,7 @@ py::object packed(const std::shared_ptr<const SourceMaps>& maps) {
   return py::make_tuple(bytesOf(given.mesh.positions.data(), given.mesh.positions.size() * sizeof(Vec3)),
                         bytesOf(given.mesh.triangles.data(), given.mesh.triangles.size() * sizeof(Triangle)),
                         bytesOf(given.stiffness.data(), given.stiffness.size() * sizeof(double)), given.repair,
-                        scene::sceneAsToml(given.scene));
+                        scene::sceneAsToml(given.scene), given.file_notes);
 }
 
 template <class Element>
@@ -65,6 +65,7 @@ GivenMesh unpacked(const py::tuple& state) {
   given.stiffness = elementsOf<double>(state[2]);
   given.repair = state[3].cast<bool>();
   given.scene = scene::parse(state[4].cast<std::string>(), "World");
+  given.file_notes = state[5].cast<std::vector<std::string>>();
   for (const Triangle& triangle : given.mesh.triangles) {
     for (const Index vertex : triangle) {
       if (vertex >= given.mesh.positions.size()) throw Error("World: not what a World was pickled as");

@@ -106,8 +106,11 @@ WorldPointer fromFile(const std::filesystem::path& file, double scale, const Arr
   if (!std::isfinite(scale) || scale <= 0.0) throw py::value_error("scale: a finite number > 0 is wanted");
   GivenMesh given = stiffnessIn(stiffness, scene, "scene");
   given.repair = repair;
-  given.mesh = unlocked(
-      [&](Interrupts& interrupts) { return mesh::load(file, {.keep_wrong_indices = repair}, interrupts.progress()); });
+  mesh::MeshWithChannels loaded = unlocked([&](Interrupts& interrupts) {
+    return mesh::loadWithChannels(file, {.keep_wrong_indices = repair}, interrupts.progress());
+  });
+  given.mesh = std::move(loaded.mesh);
+  given.file_notes = std::move(loaded.notes);
   for (Vec3& position : given.mesh.positions) position *= scale;
   try {
     return worldOfMesh(std::move(given));
@@ -346,7 +349,7 @@ WorldPointer worldOfMesh(GivenMesh given) {
   return unlocked([&](Interrupts& interrupts) {
     if (!given.repair) requireSound(given.mesh, interrupts.progress());
     engine::WorldFromArrays made =
-        engine::worldFromMesh(given.mesh, given.stiffness, given.scene, interrupts.progress());
+        engine::worldFromMesh(given.mesh, given.stiffness, given.scene, interrupts.progress(), given.file_notes);
     auto maps = std::make_shared<SourceMaps>();
     maps->given = std::move(given);
     maps->source_vertex = std::move(made.source_vertex);
@@ -376,7 +379,7 @@ void bindWorld(py::module_& module) {
   bindPlaces(world);
   world.def_property_readonly(
       "notes", [](const WorldHandle& self) { return self.world->notes; },
-      "What the user should know: repairs, a doubtful unit.");
+      "What the user should know: what a file was read without, repairs, a doubtful unit.");
   world.def_property_readonly(
       "name", [](const WorldHandle& self) { return self.world->body->name; }, "Of the body, in words.");
   world.def_property_readonly(

@@ -21,6 +21,7 @@ struct GivenMesh {
   std::vector<double> stiffness;  ///< N/mm, one a vertex; empty: the scene says
   scene::Scene scene;
   bool repair = true;
+  std::vector<std::string> file_notes;  ///< what was passed over or guessed while it was read
 };
 
 /// As engine::WorldFromArrays has them.

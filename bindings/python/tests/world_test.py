@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -152,6 +154,17 @@ def test_a_file_with_scale_and_stiffness(tmp_path):
     with pytest.raises(palpate.Error) as caught:
         palpate.World.from_file(file)
     assert caught.value.file == str(file)
+
+
+def test_a_file_s_world_says_what_was_left_out_of_it(tmp_path):
+    vertices, faces = dome(8)
+    file = tmp_path / "dome.obj"
+    lines = [f"v {x} {y} {z}" for x, y, z in vertices] + [f"f {a} {b} {c}" for a, b, c in faces + 1] + ["l 1 2", "l 2 3"]
+    file.write_text("\n".join(lines))
+    world = palpate.World.from_file(file)
+    assert world.notes[0] == f"{file}: left out: lines (2)"
+    for other in (pickle.loads(pickle.dumps(world)), world.rebuilt('[tissue]\nforce_law = "linear"\n')):
+        assert other.notes[0] == world.notes[0]
 
 
 def test_rebuilt_keeps_the_body_and_changes_the_law(dome_world):

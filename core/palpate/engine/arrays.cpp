@@ -107,10 +107,12 @@ void failAtCorner(std::size_t place, long long index, std::size_t vertices) {
 }  // namespace arrays
 
 WorldFromArrays worldFromMesh(const mesh::TriangleMesh& mesh, std::span<const double> stiffness_n_per_mm,
-                              const scene::Scene& scene, const Progress& progress) {
+                              const scene::Scene& scene, const Progress& progress,
+                              std::span<const std::string> file_notes) {
   checkStiffness(stiffness_n_per_mm, mesh.positions.size());
   WorldFromArrays built;
   scene::BodyParts body = scene::mendedBody(mesh, "arrays", progress, built.source_vertex);
+  body.notes.insert(body.notes.begin(), file_notes.begin(), file_notes.end());
   if (!stiffness_n_per_mm.empty()) body.given_stiffness_n_per_mm = inOrder(stiffness_n_per_mm, built.source_vertex);
   const std::vector<Index> first_at_place = mesh::equalVertices(mesh.positions);
   const std::vector<Index> unmoved = whereUnmoved(mesh, body.skin, built.source_vertex);

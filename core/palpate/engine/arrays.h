@@ -10,6 +10,7 @@
 #include <concepts>
 #include <memory>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,9 +40,11 @@ struct WorldFromArrays {
 
 /// `mesh` may have any faults that scene::build mends; the scene gives everything but the body, and needs no fingers.
 /// `stiffness_n_per_mm` has a value for each given vertex, finite and >= 0, or is empty: then the scene says.
+/// `file_notes`, of MeshWithChannels where a file was read, come first among the world's notes.
 /// Throws Error as scene::build does, and for stiffnesses that are not so.
 WorldFromArrays worldFromMesh(const mesh::TriangleMesh& mesh, std::span<const double> stiffness_n_per_mm = {},
-                              const scene::Scene& scene = {}, const Progress& progress = {});
+                              const scene::Scene& scene = {}, const Progress& progress = {},
+                              std::span<const std::string> file_notes = {});
 
 // ---- how meshFromArrays looks at any type
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "palpate/base/text.h"
@@ -47,6 +48,13 @@ TEST_F(HuntCommand, IsRepeatableWithAnyNumberOfThreads) {
   };
   EXPECT_EQ(found("--seed 4 --threads 1"), found("--seed 4 --threads 3"));
   EXPECT_NE(found("--seed 4"), found("--seed 5"));
+}
+
+TEST_F(HuntCommand, SaysWhatOfAMeshIsLeftOut) {
+  mesh::save(folder / "cube.obj", zoo::cube());
+  std::ofstream(folder / "cube.obj", std::ios::app) << "l 1 2\n";
+  const auto end = palpate("study hunt --mesh cube.obj --fit-mm 100 --ticks 1000 --radius-mm 2");
+  EXPECT_NE(end.err.find("palpate: cube.obj: left out: lines (1)\n"), std::string::npos) << end.err;
 }
 
 TEST_F(HuntCommand, TakesMeshesAloneOrBesideTheGenerated) {

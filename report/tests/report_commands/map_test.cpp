@@ -143,6 +143,12 @@ TEST_F(Map, TheRangeIsThatOfTheDataOrAsAskedFor) {
   EXPECT_EQ(summaryOf("ellipses hill.obj -o e.csv --quantity direction")["range"], nlohmann::json({0.0, 180.0}));
 }
 
+TEST_F(Map, SaysWhatOfTheMeshIsLeftOut) {
+  std::ofstream(folder_ / "hill.obj", std::ios::app) << "l 1 2\nl 2 3\n";
+  EXPECT_EQ(summaryOf("ellipses hill.obj -o e.csv")["notes"], nlohmann::json({"hill.obj: left out: lines (2)"}));
+  EXPECT_NE(map("ellipses hill.obj -o e.csv").out.find("note: hill.obj: left out: lines (2)"), std::string::npos);
+}
+
 TEST_F(Map, ContoursFromATableAndFromTheBuiltInEllipses) {
   write("contours.csv", "name,x_mm,y_mm,r0_mm,r1_mm,r2_mm,r3_mm\nA,0,-50,100,50,80,60\n");
   const nlohmann::json summary = summaryOf("contours hill.obj --keys contours.csv -o c.csv -o c.svg");

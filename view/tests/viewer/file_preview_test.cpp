@@ -36,6 +36,15 @@ TEST(FilePreview, ShowsTheMeshOfASceneAndNamesABuiltInBody) {
   EXPECT_EQ(previewOf(folder / "built_in.toml").words, "Lab, on a built-in body");
 }
 
+TEST(FilePreview, SaysWhatOfAMeshIsLeftOut) {
+  const support::TemporaryFolder folder;
+  writeFile(folder / "cut.obj", "v 0 0 0\nv 90 0 0\nv 0 90 0\nf 1 2 3\nl 1 2\nl 2 3\n");
+  writeFile(folder / "cut.toml", "[body]\nkind = \"mesh\"\nfile = \"cut.obj\"\n");
+  const std::vector<std::string> told = {"cut.obj: left out: lines (2)"};
+  EXPECT_EQ(previewOf(folder / "cut.obj").notes, told);
+  EXPECT_EQ(previewOf(folder / "cut.toml").notes, told);
+}
+
 TEST(FilePreview, SaysWhatIsWrongWithAFileAndGoesOn) {
   const support::TemporaryFolder folder;
   writeFile(folder / "broken.stl", "solid nothing\nfacet");

@@ -96,20 +96,24 @@ Mat3 eyeAxes() {
   return tilt * turn;
 }
 
-mesh::TriangleMesh loadInTime(const fs::path& file, const mesh::LoadOptions& options, double max_seconds) {
+mesh::MeshWithChannels loadInTime(const fs::path& file, const mesh::LoadOptions& options, double max_seconds) {
   const auto started = Clock::now();
-  return mesh::load(file, options, [&](std::string_view, double) {
+  return mesh::loadWithChannels(file, options, [&](std::string_view, double) {
     if (secondsSince(started) > max_seconds) throw Error("it takes long to read: no preview");
   });
 }
 
 FilePreview previewOfMesh(const fs::path& file, const mesh::LoadOptions& options, const PreviewLimits& limits) {
-  const mesh::TriangleMesh mesh = loadInTime(file, options, limits.max_seconds);
+  const auto [mesh, channels, notes] = loadInTime(file, options, limits.max_seconds);
   const Vec3 size = finiteBox(mesh).isEmpty() ? Vec3::Zero() : Vec3(finiteBox(mesh).sizes());
   FilePreview preview;
   if (options.unit_mm == 0.0 && hasNoUnit(file)) preview.longest_units = size.maxCoeff();
   preview.words = trf("{} triangles, {:.4g} x {:.4g} x {:.4g}{}", mesh.triangles.size(), size.x(), size.y(), size.z(),
                       preview.longest_units ? "" : " mm");
+  for (std::string note : notes) {
+    if (note.starts_with(file.string())) note.replace(0, file.string().size(), file.filename().string());
+    preview.notes.push_back(oneLine(note, kMaxWords));
+  }
   preview.picture = smallPicture(mesh, limits);
   return preview;
 }

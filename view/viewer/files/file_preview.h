@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "palpate/base/vec.h"
 #include "palpate/mesh/triangle_mesh.h"
@@ -25,6 +26,7 @@ struct FilePreview {
   std::string words;                    ///< "59164 triangles, 430 x 720 x 240 mm", or why there is no picture
   std::optional<view::Image> picture;   ///< of a mesh, or of the mesh that a scene names
   std::optional<double> longest_units;  ///< of a mesh file that says no unit: its longest edge, in units of the file
+  std::vector<std::string> notes = {};  ///< of a mesh: what was passed over or guessed while it was read, a line each
 };
 
 /// Never throws: what is wrong with the file is said in the words.

@@ -37,6 +37,7 @@ void PreviewPane::draw() {
     notePlace("open/picture");
   }
   remark(preview->words);
+  for (const std::string& note : preview->notes) remark(note);
   if (!preview->longest_units) return;
   if (const auto guess = unitGuess(*preview->longest_units)) remark("No unit: you are asked when it opens.");
 }
