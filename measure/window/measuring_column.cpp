@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "palpate/base/language.h"
+#include "palpate/view/overlays/place_words.h"
 #include "palpate/base/path_text.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
@@ -128,7 +129,7 @@ void placeRow(const std::string& words) {
 
 void acceptRows(MeasuringView& view, MeasuringRequests& requests) {
   AcceptForm& form = view.form;
-  textField("measuring/place", "place", "T6 left 40 mm", form.place);
+  textField("measuring/place", "place", view::placeInLanguage("T6 left 40 mm").c_str(), form.place);
   placeRow(form.place_words);
   textField("measuring/name", "name", form.place_name.c_str(), form.name);
   textField("measuring/table", "table", "key_points.csv", form.table);

@@ -3,6 +3,7 @@
 #include "palpate/base/language.h"
 #include "palpate/body/places.h"
 #include "palpate/view/overlays/place_words.h"
+#include "palpate/view/overlays/section.h"
 #include "stage.h"
 #include "text_fit.h"
 #include "view/viewer/panels/gui_layout.h"
@@ -86,6 +87,15 @@ TEST_F(PlaceWords, AreTheSameInEnglish) {
     EXPECT_EQ(placeInLanguage(words), words);
     EXPECT_EQ(placeInEnglish(landmarks, words), words);
   }
+}
+
+TEST_F(PlaceWords, OfACutAndOfTheAxesAreInTheLanguage) {
+  useLanguage("es");
+  const view::SectionEnds across = view::sectionEnds({Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ()});
+  EXPECT_EQ(across.low + ", " + across.high, "A izquierda, B derecha");
+  const view::SectionEnds along = view::sectionEnds({Vec3::Zero(), -Vec3::UnitY(), Vec3::UnitZ()});
+  EXPECT_EQ(along.low + ", " + along.high, "A craneal, B caudal");
+  EXPECT_EQ(std::string(tr("R")) + tr("L"), "DI");
 }
 
 TEST_F(PlaceWords, AreReadInTheLanguage) {

@@ -125,7 +125,7 @@ void classDialog(const ClassShown& shown, const std::filesystem::path& folder, b
   if (!shown.folder.empty() && !shown.runs && shown.trouble.empty()) remark("Making the class ...");
   if (buttonWidget("class/close", "Close", "Esc")) open = false;
   ImGui::SameLine();
-  remark("The manual has it step by step: Run a class over the network.");
+  remark(trf("The manual has it step by step: {}.", tr("Run a class over the network")));
   endDialog(open);
 }
 

@@ -107,8 +107,8 @@ void drawOrientation(Drawing& page, const Camera& camera, const LabelInks& inks,
     return Vec2f(kRadius * static_cast<float>(direction.dot(camera.right())),
                  -kRadius * static_cast<float>(direction.dot(camera.up())));
   };
-  drawAxis(page, middle, seen(Vec3::UnitX()), "R", inks);
-  drawAxis(page, middle, seen(-Vec3::UnitX()), "L", inks);
+  drawAxis(page, middle, seen(Vec3::UnitX()), tr("R"), inks);
+  drawAxis(page, middle, seen(-Vec3::UnitX()), tr("L"), inks);
   drawAxis(page, middle, seen(Vec3::UnitY()), tr("cranial"), inks);
   constexpr float kWithLetters = kRadius + 18.0f;
   taken.push_back({middle - Vec2f::Constant(kWithLetters), page.size()});

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "palpate/base/language.h"
 #include "palpate/tree/triangle_tree.h"
 
 namespace palpate::view {
@@ -110,6 +112,10 @@ Walk walked(const tree::TriangleTree& tree, const Deformed& deformed, const Sect
   return walk;
 }
 
+SectionEnds endsNamed(const char* low, const char* high) {
+  return {std::string("A ") + tr(low), std::string("B ") + tr(high)};
+}
+
 }  // namespace
 
 const FingerMark* sectionFinger(std::span<const FingerMark> fingers) {
@@ -124,10 +130,10 @@ const FingerMark* sectionFinger(std::span<const FingerMark> fingers) {
 SectionEnds sectionEnds(const SectionPlane& plane) {
   constexpr double kClearly = 0.8;  // within 37 degrees of the axis
   if (std::abs(plane.along.x()) > kClearly) {
-    return plane.along.x() > 0.0 ? SectionEnds{"A left", "B right"} : SectionEnds{"A right", "B left"};
+    return plane.along.x() > 0.0 ? endsNamed("left", "right") : endsNamed("right", "left");
   }
   if (std::abs(plane.along.y()) > kClearly) {
-    return plane.along.y() > 0.0 ? SectionEnds{"A caudal", "B cranial"} : SectionEnds{"A cranial", "B caudal"};
+    return plane.along.y() > 0.0 ? endsNamed(toTranslate("caudal"), "cranial") : endsNamed("cranial", "caudal");
   }
   return {"A", "B"};
 }
