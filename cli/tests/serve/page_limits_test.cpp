@@ -188,6 +188,20 @@ TEST(PageMessage, NumbersBeyondTheirRangeAreNoMessage) {
   EXPECT_EQ(refusalOf(say(201)), "text is too long");
 }
 
+TEST(PageMessage, APlaceIsThreeNumbersAndADirectionComesToLengthOne) {
+  const auto point = [](const std::string& place, const std::string& normal) {
+    return R"({"type":"finger","finger":0,"pressed":true,"place":)" + place + R"(,"normal":)" + normal +
+           R"(,"depth_mm":6})";
+  };
+  EXPECT_EQ(refusalOf(point("[1,2]", "[0,0,1]")), "place is not three numbers");
+  EXPECT_EQ(refusalOf(point(R"([1,2,"3"])", "[0,0,1]")), "place is out of range");
+  EXPECT_EQ(refusalOf(point("[1,2,3]", "[0,0,0.4]")), "normal has no length");
+  std::string why;
+  const auto request = requestOf(point("[1,2,3]", "[0,0,0.6]"), why);
+  ASSERT_TRUE(request) << why;
+  EXPECT_EQ(std::get<Point>(*request).normal, Vec3::UnitZ());
+}
+
 // --- how many connections
 
 TEST(VisitBook, HoldsTwoHundredAndFiftySixStrangersAndSixtyFourOfOneAddress) {

@@ -7,6 +7,8 @@
 #include "cli/tests/serve/served_command.h"
 #include "palpate/deform/deformer.h"
 #include "palpate/engine/contact_stream.h"
+#include "palpate/servo/limiter.h"
+#include "palpate/trace/recording_reader.h"
 
 namespace palpate {
 namespace {
@@ -125,6 +127,52 @@ TEST(Serve, ADeviceKeepsItsFingerAndPagesHaveTheOther) {
   EXPECT_TRUE(pressed->fingers[0].tip.allFinite()) << "that of the device is shown too";
   EXPECT_EQ(server.end(SIGTERM), 143);
   EXPECT_TRUE(server.report().is_object());
+}
+
+TEST(Serve, APauseStopsTheForcesOfDevicesUntilItEnds) {
+  ServedCommand server({"--device", "hand", "--record", "paused.session"});
+  PlainStream teacher(server.port(), kInstructToken);
+  const auto feelFor = [](int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); };
+  feelFor(100);
+  teacher.say(R"({"type":"pause","on":true})");
+  ASSERT_TRUE(teacher.receiveText(R"("paused":true)"));
+  feelFor(200);
+  teacher.say(R"({"type":"pause","on":false})");
+  ASSERT_TRUE(teacher.receiveText(R"("paused":false)"));
+  feelFor(200);
+  ASSERT_EQ(server.end(SIGTERM), 143);
+
+  std::vector<bool> stopped;  // of the left finger, changes only
+  trace::RecordingReader(server.folder() / "paused.session").forEachTick({}, [&](std::span<const trace::Sample> tick) {
+    const bool now = (tick.front().safety & servo::kEmergencyStop) != 0;
+    if (stopped.empty() || stopped.back() != now) stopped.push_back(now);
+    return true;
+  });
+  stopped.resize(3);  // the end of the server stops them once more
+  EXPECT_EQ(stopped, (std::vector<bool>{false, true, false}));
+}
+
+TEST(Serve, WhereNobodyTouchesTheBodyIsToldFourTimesASecondAndTheStateOnce) {
+  const ServedCommand server;
+  PlainStream watcher(server.port(), kLookToken);
+  int frames = 0, states = 0;
+  for (const auto began = Clock::now(); secondsSince(began) < 3.0;) {
+    const auto message = watcher.receive(0.05);
+    if (!message) continue;
+    if (message->kind == 2) ++frames;
+    if (message->bytes.find(R"("type":"state")") != std::string::npos) ++states;
+  }
+  EXPECT_GT(frames, 0);
+  EXPECT_LE(frames, 16) << "sixty a second are made";
+  EXPECT_GT(states, 0);
+  EXPECT_LE(states, 5);
+}
+
+TEST(Serve, ASceneNeedsNoFingers) {
+  ServedCommand server({}, "[body]\nkind = \"mesh\"\nfile = \"dome.ply\"\n");
+  PlainStream hand(server.port(), kControlToken);
+  hand.say(press());
+  EXPECT_TRUE(frameWith(hand, true));
 }
 
 /// A lump that moves, 8 mm beside the top of the dome towards the head, and a finger with a pad.
@@ -418,6 +466,16 @@ TEST(Serve, ThePageComesWithItsTypesAndRulesAndNothingElseDoes) {
   }
 }
 
+TEST(Serve, ALineIsClosedAfterAnAnswerWhereItsRequestAsksForThatAndNotElsewhere) {
+  ServedCommand server;
+  PlainWire kept(server.port());
+  EXPECT_FALSE(ask(kept, "GET", "/m.js").has("Connection: close\r\n"));
+  EXPECT_EQ(ask(kept, "GET", "/m.js").status, 200);
+  PlainWire closed(server.port());
+  EXPECT_TRUE(ask(closed, "GET", "/m.js", "Connection: close\r\n").has("Connection: close\r\n"));
+  EXPECT_TRUE(closed.endsWithin(2.0));
+}
+
 // --- many, slow and dead ones
 
 /// Looks on until told to stop, counting what comes.
@@ -546,6 +604,17 @@ TEST(Serve, EndsInOrderAndSaysGoodbye) {
     const auto verified = support::runPalpate("recording replay run.session --verify", server.folder().path());
     EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
   }
+}
+
+TEST(Serve, MayBeStartedAgainOnItsPortAtOnce) {
+  ServedCommand server;
+  const std::string port = std::to_string(server.port());
+  PlainStream watcher(server.port(), kLookToken);  // its end of the line stays open
+  ASSERT_TRUE(watcher.receiveText("hello"));
+  ASSERT_EQ(server.end(SIGTERM), 143);
+  const auto again =
+      support::runPalpate("serve dome.ply --site site --seconds 0.1 --port " + port, server.folder().path());
+  EXPECT_EQ(again.exit_code, 0) << again.err;
 }
 
 TEST(Serve, TokensOfAServerThatWasKilledAreGoneAtTheNextStart) {
