@@ -9,8 +9,8 @@
 #include <filesystem>
 
 #include "palpate/base/language.h"
-#include "palpate/view/overlays/place_words.h"
 #include "palpate/base/path_text.h"
+#include "palpate/view/overlays/place_words.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/widgets.h"
 

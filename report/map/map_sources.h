@@ -30,8 +30,8 @@ namespace palpate::app {
 struct MapSkin {
   std::string name;  ///< "torso", "back" or the file
   mesh::TriangleMesh mesh;
-  std::vector<Vec3> normals;          ///< unit, a vertex each
-  std::vector<double> bone_depth_mm;  ///< a vertex each; empty where no bones are known
+  std::vector<Vec3> normals;            ///< unit, a vertex each
+  std::vector<double> bone_depth_mm;    ///< a vertex each; empty where no bones are known
   std::vector<std::string> notes = {};  ///< of a file: what was passed over or guessed while it was read
 };
 
