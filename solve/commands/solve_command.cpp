@@ -36,6 +36,7 @@ struct SolveArguments {
   std::string depths = "2:10:2";
   double fineness = 1.0;
   double bone_radius_mm = 0.0;
+  bool flat_bone = false;
   double contact_kpa_per_mm = 1500.0;
   bool no_drag = false;
   bool fingers = false;
@@ -192,6 +193,7 @@ void runSolve(const SolveArguments& arguments) {
   settings.press = elements::settingsOf(arguments.indenter_radius_mm, depthsFrom(arguments.depths));
   settings.press.fineness = arguments.fineness;
   settings.press.bone_radius_mm = arguments.bone_radius_mm;
+  settings.press.bone_flat_top = arguments.flat_bone;
   settings.press.contact_kpa_per_mm = arguments.contact_kpa_per_mm;
   if (arguments.no_drag || !arguments.lump.empty()) settings.drag.reset();
   if (arguments.field) settings.press.field_depths_mm = elements::fieldDepths(settings.press.depths_mm.back());
@@ -233,8 +235,10 @@ void addTissueSolveCommand(Command& parent) {
   command.add_option("--depths", a.depths, "Depths to tell, in mm: FROM:TO:STEP or a list with commas")
       ->capture_default_str();
   addSetting(command, "--fineness", a.fineness, between(0.5, 4.0), "Of the mesh: 2 makes elements half as large");
-  addSetting(command, "--bone-radius-mm", a.bone_radius_mm, between(0.0, 100.0, "mm"),
-             "0: the bone is a plane; otherwise a post with a round top, and the deepest layer goes on around it");
+  Option* bone_radius =
+      addSetting(command, "--bone-radius-mm", a.bone_radius_mm, between(0.0, 100.0, "mm"),
+                 "0: the bone is a plane; otherwise a post with a round top, and the deepest layer goes on around it");
+  command.add_flag("--flat-bone", a.flat_bone, "The post's top is flat")->needs(bone_radius);
   addSetting(command, "--contact-kpa-per-mm", a.contact_kpa_per_mm, between(100.0, 1e6),
              "Of the springs that stand for a rigid sphere");
   command.add_flag("--no-drag", a.no_drag, "Only the press");

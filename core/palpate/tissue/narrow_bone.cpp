@@ -1,8 +1,10 @@
-// The table of docs/explanation/tissue-solver.md at 5 mm, straight between thicknesses and between curvatures.
+// The table of docs/explanation/tissue-solver.md, of both depths the geometric mean, straight between thicknesses and
+// between curvatures.
 #include "palpate/tissue/narrow_bone.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace palpate::tissue {
 
@@ -15,12 +17,12 @@ constexpr std::array<double, kCovers> kCoverMm = {9.0, 11.0, 13.0, 16.0, 20.0};
 /// 1 / radius, from flat to 3 mm.
 constexpr std::array<double, kBones> kCurvature = {1.0 / kFlatBoneMm, 1.0 / 40, 1.0 / 20, 1.0 / 12,
                                                    1.0 / 8,           1.0 / 5,  1.0 / 3};
-/// `palpate tissue solve ... --bone-radius-mm R --depths 2,5 --no-drag`
-constexpr std::array<std::array<double, kBones>, kCovers> kShare = {{{1.0, 0.87, 0.80, 0.73, 0.66, 0.59, 0.53},
-                                                                     {1.0, 0.90, 0.83, 0.77, 0.73, 0.67, 0.63},
-                                                                     {1.0, 0.92, 0.86, 0.81, 0.77, 0.73, 0.70},
-                                                                     {1.0, 0.93, 0.88, 0.84, 0.82, 0.79, 0.76},
-                                                                     {1.0, 0.94, 0.90, 0.87, 0.85, 0.83, 0.81}}};
+/// `palpate tissue solve ... --bone-radius-mm R --depths 2,5 --no-drag --fineness 2`
+constexpr std::array<std::array<double, kBones>, kCovers> kShare = {{{1.0, 0.900, 0.840, 0.782, 0.728, 0.667, 0.615},
+                                                                     {1.0, 0.920, 0.872, 0.826, 0.782, 0.739, 0.700},
+                                                                     {1.0, 0.935, 0.894, 0.856, 0.823, 0.790, 0.762},
+                                                                     {1.0, 0.944, 0.911, 0.881, 0.858, 0.832, 0.811},
+                                                                     {1.0, 0.952, 0.927, 0.904, 0.886, 0.869, 0.856}}};
 
 /// Where a value lies in rising rows; at the ends the first or last counts.
 template <std::size_t N>
@@ -39,6 +41,11 @@ double onRow(const std::array<double, kBones>& row, const Between<kBones>& at) {
   return row[at.below] + at.share * (row[at.below + 1] - row[at.below]);
 }
 
+/// Of the secants at both depths, N/mm.
+double meanSecant(const LayeredTissue& tissue, double thickness_mm) {
+  return std::sqrt(tissue.secantAt(thickness_mm, kLightDepthMm) * tissue.secantAt(thickness_mm, kFirmDepthMm));
+}
+
 }  // namespace
 
 double shareOverNarrowBone(double thickness_mm, double bone_radius_mm) noexcept {
@@ -53,13 +60,13 @@ double shareOverNarrowBone(double thickness_mm, double bone_radius_mm) noexcept 
 double feltThickness(const LayeredTissue& tissue, double thickness_mm, double bone_radius_mm) noexcept {
   const double share = shareOverNarrowBone(thickness_mm, bone_radius_mm);
   if (!(share < 1.0)) return thickness_mm;
-  const double wanted = share * tissue.secantAt(thickness_mm, kSharedDepthMm);
+  const double wanted = share * meanSecant(tissue, thickness_mm);
   double low = thickness_mm;
   double high = std::max(thickness_mm, tissue.thickest());
   constexpr int kHalvings = 40;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
-    (tissue.secantAt(middle, kSharedDepthMm) > wanted ? low : high) = middle;
+    (meanSecant(tissue, middle) > wanted ? low : high) = middle;
   }
   return low;
 }

@@ -17,8 +17,10 @@ inline constexpr double kFlatBoneMm = 1e3;
 /// Under so much tissue nobody feels how wide a bone is, mm.
 inline constexpr double kDeepBoneMm = 30.0;
 
-/// The depth at which the share is told and both thicknesses push back alike, mm: of firm palpation.
-inline constexpr double kSharedDepthMm = 5.0;
+/// The depths that were solved, mm. The share is their geometric mean, and in that mean both thicknesses push back
+/// alike: thicker tissue loses more of a light press than tissue over a narrow bone, and less of a firm one.
+inline constexpr double kLightDepthMm = 2.0;
+inline constexpr double kFirmDepthMm = 5.0;
 
 /// Of the force over a plane, in (0, 1], for a thickness and a radius of the bone in mm, both above 0. Continuous. Less
 /// than 9 mm of tissue and a radius of less than 3 mm were not solved: they count as those. From 20 mm, which was the

@@ -236,7 +236,9 @@ tissue::LayerStack aroundBone(tissue::LayerStack stack, double bone_radius_mm) {
 
 MeshFineness meshFor(const tissue::LayerStack& stack, const PressSettings& settings) {
   MeshFineness mesh = finenessFor(settings);
-  mesh.bone = {.cover_mm = tissue::totalThickness(stack), .radius_mm = settings.bone_radius_mm};
+  mesh.bone = {.cover_mm = tissue::totalThickness(stack),
+               .radius_mm = settings.bone_radius_mm,
+               .flat_top = settings.bone_flat_top};
   mesh.lump = settings.lump;
   return mesh;
 }

@@ -27,6 +27,7 @@ struct PressSettings {
   /// 0: the base is a plane. Otherwise the layers lie over the round top of a post of bone this wide, and the deepest
   /// goes on around it, 30 mm farther down.
   double bone_radius_mm = 0.0;
+  bool bone_flat_top = false;  ///< the post's top is flat
   /// Presses whose field the table gets (tissue::PressField), increasing; none: no field. Needs a plane base.
   std::vector<double> field_depths_mm = {};
   /// A lump under the axis. Its table has no field.

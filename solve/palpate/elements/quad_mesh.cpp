@@ -66,6 +66,7 @@ void addFreedoms(QuadMesh& mesh, const BonePost& bone) {
 
 bool BonePost::holds(double r, double depth_mm) const {
   if (!(radius_mm > 0.0)) return false;
+  if (flat_top) return r < radius_mm + kOnBorder && depth_mm > cover_mm - kOnBorder;
   const double above_centre = std::max(0.0, cover_mm + radius_mm - depth_mm);
   return std::hypot(r, above_centre) < radius_mm + kOnBorder;
 }

@@ -13,10 +13,11 @@
 
 namespace palpate::elements {
 
-/// A post of bone under the axis with a round top; everything in it is held.
+/// A post of bone under the axis; everything in it is held.
 struct BonePost {
   double cover_mm = 0.0;   ///< from the surface down to its top
-  double radius_mm = 0.0;  ///< 0: there is none
+  double radius_mm = 0.0;  ///< of the post, and of its top where that is round; 0: there is none
+  bool flat_top = false;   ///< otherwise round
   bool holds(double r, double depth_mm) const;
 };
 

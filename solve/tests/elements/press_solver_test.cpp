@@ -232,5 +232,20 @@ TEST(PressSolver, OverNarrowBoneTheForceIsSmallerThanOverAPlane) {
   EXPECT_LT(flat, 1.0);
 }
 
+/// Forces at 2 and 5 mm by finite elements that share nothing with these.
+TEST(PressSolver, OverPostsWithFlatTopsTheForceIsThatOfIndependentFiniteElements) {
+  const tissue::LayerStack back{{{"skin", 2.0, 150.0}, {"fat", 4.6, 10.0}, {"muscle", 3.0, 27.0}}, 0.48};
+  const auto expect_forces = [&](double bone_radius_mm, double light_n, double firm_n) {
+    PressSettings settings{.depths_mm = {2.0, 5.0}, .fineness = 2.0};
+    settings.bone_radius_mm = bone_radius_mm;
+    settings.bone_flat_top = true;
+    const tissue::LayeredTable table = solvePress(back, settings).table;
+    EXPECT_NEAR(table.shapes.at(0).force_n, light_n, 0.05 * light_n) << bone_radius_mm << " mm";
+    EXPECT_NEAR(table.shapes.at(1).force_n, firm_n, 0.05 * firm_n) << bone_radius_mm << " mm";
+  };
+  expect_forces(4.0, 0.50, 2.64);
+  expect_forces(7.0, 0.56, 3.18);
+}
+
 }  // namespace
 }  // namespace palpate::elements
