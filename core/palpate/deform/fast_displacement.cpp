@@ -27,7 +27,7 @@ PartLanes lanesOf(const FlatEllipse& ellipse, const Vec3& shift_mm) noexcept {
   copyTo(lanes.across, ellipse.across);
   copyTo(lanes.shift, shift_mm);
   lanes.level = static_cast<float>(ellipse.rise.level_mm);
-  lanes.slope = static_cast<float>(1.0 / ellipse.rise.level_mm);
+  lanes.slope = static_cast<float>(1.0 / ellipse.rise.fall_mm);
   lanes.outside = 0.0f;
   return lanes;
 }
@@ -83,8 +83,8 @@ EllipseContact frameOf(const Contact& contact, const TissueSettings& tissue) noe
   EllipseContact frame(contact);
   frame.depth_mm = cappedDepth(contact.depth_mm, tissue.normal_cap_mm);
   frame.drag_mm = cappedLength(tissue.f_adj * contact.drag_mm, tissue.tangential_cap_mm);
-  if (frame.wantsPress()) frame.press = flatEllipse(contact.normal_region, frame.normal);
-  if (frame.wantsDrag()) frame.drag = flatEllipse(contact.tangential_region, frame.normal);
+  if (frame.wantsPress()) frame.press = flatEllipse(contact.normal_region, frame.normal, levelOf(contact));
+  if (frame.wantsDrag()) frame.drag = flatEllipse(contact.tangential_region, frame.normal, levelOf(contact));
   return frame;
 }
 

@@ -137,7 +137,7 @@ class FastDisplacement {
   /// The same within a ball: layered tissue is steep near the finger only.
   static void addShearNear(const Frame& frame, const Mover& mover, const Vec3& centre, double radius_mm,
                            ShearBound& shear) noexcept;
-  static double halfMajor(const FlatEllipse& ellipse) noexcept { return ellipse.halfMajor(); }
+  static double halfMajor(const FlatEllipse& ellipse) noexcept { return ellipse.half_major_mm; }
   static double pressOf(const Mover& mover) noexcept;
   static double dragOf(const Mover& mover) noexcept;
 

@@ -19,14 +19,16 @@ bool isFinite(const maps::SurfaceEllipse& e) noexcept { return e.half_major.allF
 
 }  // namespace
 
-FlatEllipse flatEllipse(const maps::SurfaceEllipse& ellipse, const Vec3& unit_normal) noexcept {
+FlatEllipse flatEllipse(const maps::SurfaceEllipse& ellipse, const Vec3& unit_normal, double level_mm) noexcept {
   const double length = ellipse.half_major.norm();
   const Vec3 in_plane = ellipse.half_major - ellipse.half_major.dot(unit_normal) * unit_normal;
   const bool is_flat = in_plane.norm() > kParallel * length;
   const bool has_size = ellipse.aspect > 0.0 && ellipse.aspect <= 1.0 && length * ellipse.aspect > kSmallestAxis;
   if (!is_flat || !has_size) return {};
   const Vec3 axis = in_plane.normalized();
-  return {axis / length, unit_normal.cross(axis) / (length * ellipse.aspect), {unit_normal, length}, true};
+  const double minor = length * ellipse.aspect;
+  const Rise rise = riseOf(unit_normal, length, minor, level_mm);
+  return {axis / length, unit_normal.cross(axis) / minor, rise, length, true};
 }
 
 bool isUsable(const Contact& contact) noexcept {

@@ -28,15 +28,15 @@ void setCapped(const Contact& contact, const FormSettings& forms, FormedContact&
 
 RegionFrame dragFrame(const Contact& contact, const Vec3& normal, const FormSettings& forms) noexcept {
   if (forms.shape == Shape::contour) {
-    RegionFrame contour = contourFrame(contact.tangential_contour, normal, forms);
+    RegionFrame contour = contourFrame(contact.tangential_contour, normal, forms, levelOf(contact));
     if (contour.acts()) return contour;
   }
-  return ellipseFrame(contact.tangential_region, normal, forms);
+  return ellipseFrame(contact.tangential_region, normal, forms, levelOf(contact));
 }
 
 RegionFrame pressFrame(const Contact& contact, const Vec3& normal, const FormSettings& forms) noexcept {
   if (forms.shape == Shape::contour && sharesRegion(forms)) return dragFrame(contact, normal, forms);
-  return ellipseFrame(contact.normal_region, normal, forms);
+  return ellipseFrame(contact.normal_region, normal, forms, levelOf(contact));
 }
 
 Vec3 inSpace(const RegionFrame& region, const Vec2& v) noexcept { return v.x() * region.along + v.y() * region.across; }
@@ -101,12 +101,13 @@ mesh::TriangleMesh meshOf(const Skin& skin) {
   return mesh;
 }
 
-/// A cube that holds both regions: each as far as its longest radius, and by its rise to twice its level.
+/// A cube that holds both regions: each as far as its longest radius, and as high as its rise lets it.
 Box3 boxAround(const FormedContact& frame) noexcept {
   double reach_mm = 0.0;
   for (const RegionFrame* region : {&frame.press, &frame.drag}) {
     if (!region->acts()) continue;
-    reach_mm = std::max(reach_mm, elementary::hypot(longestRadius(*region), 2.0 * region->rise.level_mm));
+    reach_mm =
+        std::max(reach_mm, elementary::hypot(longestRadius(*region), region->rise.level_mm + region->rise.fall_mm));
   }
   return {frame.anchor - Vec3::Constant(reach_mm), frame.anchor + Vec3::Constant(reach_mm)};
 }

@@ -41,9 +41,11 @@ Location contourLocation(const RegionFrame& region, const Vec2& offset) noexcept
   return {distance / radius, radial / radius - growth / (radius * radius) * turning};
 }
 
-Rise riseOf(const RegionFrame& region, const Vec3& unit_normal, const FormSettings& forms) noexcept {
-  if (forms.fidelity.literal(Erratum::E23_region_search)) return {unit_normal, std::numeric_limits<double>::infinity()};
-  return {unit_normal, longestRadius(region)};
+Rise riseOfRegion(const RegionFrame& region, const Vec3& unit_normal, const FormSettings& forms,
+                  double level_mm) noexcept {
+  Rise rise = riseOf(unit_normal, longestRadius(region), shortestRadius(region), level_mm);
+  if (forms.fidelity.literal(Erratum::E23_region_search)) rise.level_mm = std::numeric_limits<double>::infinity();
+  return rise;
 }
 
 /// The smallest and the largest of a contour's radii.
@@ -55,9 +57,9 @@ std::pair<double, double> radiiOf(const maps::PolarContour& contour) noexcept {
 
 }  // namespace
 
-RegionFrame ellipseFrame(const maps::SurfaceEllipse& ellipse, const Vec3& unit_normal,
-                         const FormSettings& forms) noexcept {
-  const FlatEllipse part = flatEllipse(ellipse, unit_normal);
+RegionFrame ellipseFrame(const maps::SurfaceEllipse& ellipse, const Vec3& unit_normal, const FormSettings& forms,
+                         double level_mm) noexcept {
+  const FlatEllipse part = flatEllipse(ellipse, unit_normal, level_mm);
   if (!part.acts()) return {};
   RegionFrame frame;
   frame.kind =
@@ -70,12 +72,12 @@ RegionFrame ellipseFrame(const maps::SurfaceEllipse& ellipse, const Vec3& unit_n
   if (forms.shape == Shape::circle) {
     frame.half_along_mm = frame.half_across_mm = std::sqrt(frame.half_along_mm * frame.half_across_mm);
   }
-  frame.rise = riseOf(frame, unit_normal, forms);
+  frame.rise = riseOfRegion(frame, unit_normal, forms, level_mm);
   return frame;
 }
 
-RegionFrame contourFrame(const maps::SurfaceContour& contour, const Vec3& unit_normal,
-                         const FormSettings& forms) noexcept {
+RegionFrame contourFrame(const maps::SurfaceContour& contour, const Vec3& unit_normal, const FormSettings& forms,
+                         double level_mm) noexcept {
   const Vec3 flat = contour.axis_x - contour.axis_x.dot(unit_normal) * unit_normal;
   if (contour.contour.count < maps::kMinContourRadii || !(flat.norm() > 1e-6)) return {};
   RegionFrame frame;
@@ -84,7 +86,7 @@ RegionFrame contourFrame(const maps::SurfaceContour& contour, const Vec3& unit_n
   const Vec3 across = unit_normal.cross(frame.along);
   frame.across = across.dot(contour.axis_y) < 0.0 ? Vec3(-across) : across;
   frame.contour = contour.contour;
-  frame.rise = riseOf(frame, unit_normal, forms);
+  frame.rise = riseOfRegion(frame, unit_normal, forms, level_mm);
   return frame;
 }
 
@@ -108,7 +110,7 @@ SpatialLocation locateInSpace(const RegionFrame& region, const Vec3& offset) noe
   const double up = region.rise.at(offset);
   if (!(up > 0.0)) return {flat.q, slope};
   const double q = elementary::hypot(flat.q, up);
-  const double up_slope = std::copysign(1.0 / region.rise.level_mm, region.rise.normal.dot(offset));
+  const double up_slope = std::copysign(1.0 / region.rise.fall_mm, region.rise.normal.dot(offset));
   return {q, (flat.q * slope + up * up_slope * region.rise.normal) / q};
 }
 

@@ -41,19 +41,19 @@ struct RegionFrame {
   Vec3 across = Vec3::Zero();   ///< unit, in the tangent plane too
   double half_along_mm = 0.0;   ///< of ellipse and pedal
   double half_across_mm = 0.0;  ///< longer than half_along where the ratio is taken the wrong way round (E15)
-  Rise rise;                    ///< by its longest radius
+  Rise rise;
   maps::PolarContour contour;
 
   bool acts() const { return kind != Kind::none; }
 };
 
 /// The ellipse (circle, pedal curve) on the tangent plane of the unit normal; kind none for one without area.
-RegionFrame ellipseFrame(const maps::SurfaceEllipse& ellipse, const Vec3& unit_normal,
-                         const FormSettings& forms) noexcept;
+RegionFrame ellipseFrame(const maps::SurfaceEllipse& ellipse, const Vec3& unit_normal, const FormSettings& forms,
+                         double level_mm = kFlatLevelMm) noexcept;
 
 /// The contour; kind none for an empty one.
-RegionFrame contourFrame(const maps::SurfaceContour& contour, const Vec3& unit_normal,
-                         const FormSettings& forms = {}) noexcept;
+RegionFrame contourFrame(const maps::SurfaceContour& contour, const Vec3& unit_normal, const FormSettings& forms = {},
+                         double level_mm = kFlatLevelMm) noexcept;
 
 /// Parts of an offset along the region's axes, mm.
 inline Vec2 inPlane(const RegionFrame& region, const Vec3& offset) noexcept {

@@ -17,14 +17,15 @@ using namespace deform;
 inline Vec3 restPoint(const Skin& skin, Index v) { return skin.restPosition(v).cast<double>(); }
 
 /// q of a vertex in an ellipse whose plane is across `normal` and whose axes are turned into it. Higher or lower than
-/// the half major axis it grows as in an ellipsoid.
+/// 130 mm, or than a shorter half major axis, it grows as in an ellipsoid.
 inline double ratioOf(const maps::SurfaceEllipse& ellipse, const Vec3& normal, const Vec3& offset) {
   const Vec3 n = normal.normalized();
   const Vec3 in_plane = ellipse.half_major - ellipse.half_major.dot(n) * n;
   const maps::SurfaceEllipse turned{in_plane.normalized() * ellipse.half_major.norm(), ellipse.aspect};
   const double flat = maps::locationRatio(turned, offset - offset.dot(n) * n);
   const double half_major = ellipse.half_major.norm();
-  return std::hypot(flat, std::max(0.0, std::abs(offset.dot(n)) - half_major) / half_major);
+  const double beyond = std::max(0.0, std::abs(offset.dot(n)) - std::min(half_major, 130.0));
+  return std::hypot(flat, beyond / (half_major * ellipse.aspect));
 }
 
 struct ScalarContact {

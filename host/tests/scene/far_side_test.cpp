@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <queue>
 #include <string>
 
 #include "palpate/base/random.h"
@@ -125,6 +127,82 @@ INSTANTIATE_TEST_SUITE_P(Trunk, FarSide, testing::Values("average", "thin", "hea
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 });
+
+/// The way from a place on a triangle to every vertex along the edges of the skin, mm.
+std::vector<double> waysAlongSkin(const World& world, const Vec3& from, Index triangle) {
+  const mesh::TriangleMesh& skin = world.body->skin;
+  std::vector<double> ways(skin.positions.size(), std::numeric_limits<double>::infinity());
+  using Step = std::pair<double, Index>;
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> next;
+  const auto reach = [&](double way_mm, Index v) {
+    if (way_mm >= ways[v]) return;
+    ways[v] = way_mm;
+    next.push({way_mm, v});
+  };
+  for (const Index corner : skin.triangles[triangle]) reach((skin.positions[corner] - from).norm(), corner);
+  while (!next.empty()) {
+    const auto [way_mm, v] = next.top();
+    next.pop();
+    if (way_mm > ways[v]) continue;
+    for (const Index w : world.deformable->neighbours[v]) {
+      reach(way_mm + (skin.positions[w] - skin.positions[v]).norm(), w);
+    }
+  }
+  return ways;
+}
+
+/// How far a contact moves what it should leave, mm.
+struct FarMove {
+  double off_plane_mm = 0.0;   ///< vertices more than 100 mm above or below the contact's plane
+  double along_skin_mm = 0.0;  ///< vertices to which the way along the skin is longer than the contact's ellipses
+};
+
+FarMove farMoveOf(const World& world, const deform::Contact& contact) {
+  deform::Deformer deformer(*world.deformable, world.deformation);
+  deform::DeformedSurface surface(*world.deformable);
+  deformer.apply(std::span(&contact, 1), surface);
+  const std::vector<double> ways = waysAlongSkin(world, contact.anchor, contact.anchor_triangle);
+  // Edges go in a zigzag: up to that much farther than the skin between their ends.
+  const double reach_mm =
+      1.15 * std::max(contact.normal_region.half_major.norm(), contact.tangential_region.half_major.norm());
+  FarMove far;
+  for (Index v = 0; v < surface.vertices(); ++v) {
+    const double moved_mm = surface.displacementAt(v).cast<double>().norm();
+    const double height_mm = (world.body->skin.positions[v] - contact.anchor).dot(contact.normal.normalized());
+    if (std::abs(height_mm) > 100.0) far.off_plane_mm = std::max(far.off_plane_mm, moved_mm);
+    if (ways[v] > reach_mm) far.along_skin_mm = std::max(far.along_skin_mm, moved_mm);
+  }
+  return far;
+}
+
+class Reach : public testing::TestWithParam<body::Posture> {};
+
+TEST_P(Reach, OfPressesAndDragsEndsAlongTheSkin) {
+  Scene scene;
+  scene.body.kind = BodyKind::trunk;
+  scene.body.triangles = 40000;
+  scene.body.shape.posture = GetParam();
+  const WorldPointer world = build(scene);
+  const mesh::NearestTriangle nearest(world->body->skin);
+  Random random(59);
+  for (int i = 0; i < 24; ++i) {
+    const std::vector<Vec3>& skin = world->body->skin.positions;
+    const Vec3 place = skin[static_cast<std::size_t>(random.uniform() * static_cast<double>(skin.size() - 1))];
+    for (const double depth_mm : {10.0, 30.0}) {
+      for (const double drag_mm : {0.0, 15.0, 25.0}) {
+        const auto contact = contactOf(*world, felt(*world, nearest, place, depth_mm, 8.0, drag_mm));
+        if (!contact) continue;  // the skin bends away under it
+        const FarMove far = farMoveOf(*world, *contact);
+        SCOPED_TRACE(testing::Message() << place.transpose() << ", " << depth_mm << " mm deep, " << drag_mm
+                                        << " aside");
+        EXPECT_LT(far.off_plane_mm, 1.0);
+        EXPECT_LT(far.along_skin_mm, 1.0);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Trunk, Reach, testing::Values(body::Posture::standing, body::Posture::sitting));
 
 /// An ellipsoid without bones, flat in z.
 WorldPointer lens(const Vec3& half_axes_mm, int levels) {

@@ -31,7 +31,7 @@ struct PartLanes {
   float across[3] = {};  ///< unit minor axis / half minor
   float shift[3] = {};   ///< what the centre moves by, mm
   float level = 0.0f;    ///< mm above and below the plane
-  float slope = 0.0f;    ///< 1/mm
+  float slope = 0.0f;    ///< of the rise beyond it, 1/mm
   float outside = 2.0f;  ///< 0 for a part that acts, 2 (no vertex has q < 1) for one that does not
   // Of layered tissue only (ContactLanes::layered):
   CurveLanes share;
