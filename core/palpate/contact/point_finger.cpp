@@ -16,6 +16,7 @@
 #include <optional>
 
 #include "palpate/contact/border.h"
+#include "palpate/contact/narrow_cracks.h"
 #include "palpate/contact/sides.h"
 #include "palpate/contact/surface_walk.h"
 
@@ -49,10 +50,25 @@ bool isBehindTriangles(const Surface& surface, const SurfacePoint& place, const 
   return across == kNoIndex || is_behind(across);
 }
 
+/// Walks on one sheet, and over cracks from bank to bank.
+WalkResult walkOverCracks(const Surface& surface, const SurfacePoint& from, const Vec3& tip, double path_mm) {
+  constexpr int kMostCracks = 8;  // of one tick
+  WalkResult walk = walkOnOneSheet(surface, from, tip, path_mm);
+  if (surface.geometry->cracked.empty()) return walk;
+  for (int crack = 0; crack < kMostCracks && walk.finished; ++crack) {
+    if (!walk.at_crack && !onBorder(surface, walk.at)) break;
+    const std::optional<SurfacePoint> bank = otherBank(surface, walk.at, tip);
+    if (!bank) break;
+    walk = walkOnOneSheet(surface, *bank, tip, path_mm);
+  }
+  return walk;
+}
+
 /// True when the tip has left the skin at the proxy. A proxy that is still on its way is no judge: then the end of the
 /// walk is asked, and only if that agrees the proxy goes there.
 bool released(const Surface& surface, const WalkResult& walk, const Vec3& tip, FingerState& state) {
-  if (!inFrontOf(surface, walk.at, tip)) return false;
+  const bool over_crack = walk.at_crack && (tip - walk.at.position).norm() > crackWidth(*surface.geometry);
+  if (!(over_crack ? inFrontOfBank(surface, walk.at, tip) : inFrontOf(surface, walk.at, tip))) return false;
   if (walk.finished) return true;
   const WalkResult end = walkOnOneSheet(surface, walk.at, tip, kUnbounded);
   if (!end.finished || !inFrontOf(surface, end.at, tip)) return false;
@@ -87,6 +103,17 @@ void shade(const Surface& surface, const FingerSettings& settings, const Surface
   press.normal = shaded->normal;
   press.depth_mm = shaded->depth_mm;
   press.felt_depth_mm = std::min(shaded->depth_mm, settings.max_depth_mm);
+}
+
+/// Starts the contact of a free tip that passes the skin, or the mouth of a crack. False when it stays free.
+bool landsFromAir(const Surface& surface, const Vec3& tip, FingerState& state) {
+  const tree::Crossing entry = tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip);
+  const bool cracked = !surface.geometry->cracked.empty();
+  const std::optional<SurfacePoint> rim = cracked ? mouthPassed(surface, state.tip, tip, entry) : std::nullopt;
+  if (!rim && entry.triangle == kNoIndex) return false;
+  land(rim ? tree::Crossing{rim->position, 0.0, rim->triangle} : entry, state);
+  if (rim) state.proxy.feature = state.anchor.feature = rim->feature;
+  return true;
 }
 
 /// Leaves the proxy's place: lands on the next sheet between it and the tip, or is free. True when it landed.
@@ -134,15 +161,13 @@ Press pressTowards(const Surface& surface, const FingerSettings& settings, const
 
 Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerState& state, const Vec3& tip) noexcept {
   if (!state.touching) {
-    const tree::Crossing entry = tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip);
-    if (entry.triangle == kNoIndex) return {};
+    if (!landsFromAir(surface, tip, state)) return {};
     noteWhereItComesFrom(surface, state);
-    land(entry, state);
   }
   const double path = pathBound(settings, (tip - state.tip).norm());
   Press press;
   for (int sheet = 0; sheet < kMaxSheets; ++sheet) {
-    const WalkResult walk = walkOnOneSheet(surface, state.proxy, tip, path);
+    const WalkResult walk = walkOverCracks(surface, state.proxy, tip, path);
     state.proxy = walk.at;
     state.guarded = walk.stopped;
     std::uint32_t status = walk.finished ? 0u : kCatchingUp;

@@ -12,6 +12,7 @@
 #include "palpate/base/background.h"
 #include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
+#include "palpate/contact/narrow_cracks.h"
 #include "palpate/contact/surface_walk.h"
 #include "palpate/mesh/intersections.h"
 #include "palpate/mesh/weld.h"
@@ -230,6 +231,7 @@ std::shared_ptr<const SurfaceGeometry> buildGeometry(const mesh::TriangleMesh& m
   geometry->closed = std::find(on_border.begin(), on_border.end(), 1) == on_border.end();
   geometry->touches_itself = place_twice || edge_twice;
   if (self_intersecting.value_or(true)) findEntangled(mesh, *geometry, partOf(progress, 0.5, 1.0));
+  geometry->cracked = findCracked(surface);
   geometry->self_intersecting = self_intersecting.value_or(!geometry->entangled.empty());
   return geometry;
 }

@@ -27,6 +27,8 @@ struct SurfaceGeometry {
   /// Per record: 1 in and next to the sheets that pierce each other or lie doubled in one plane, where a point is felt
   /// as a very small sphere (docs/explanation/contact.md). Empty where none pierce.
   std::vector<std::uint8_t> entangled;
+  /// Per record: 1 where a crack is too narrow for a finger (narrow_cracks.h). Empty where there are none.
+  std::vector<std::uint8_t> cracked;
   bool closed = false;  ///< no border anywhere
   /// Two fans share a vertex's place, or two joints share an edge's: the body touches itself there without piercing, as
   /// the voxels of a segmented scan do. A proxy there may bound two empty sectors at once (sides.h: isInAir).

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/contact/narrow_cracks.h"
+
 namespace palpate::contact {
 
 using tree::ClosestOnTriangle;
@@ -34,13 +36,14 @@ Candidate closestIn(const Surface& surface, Index triangle, const Vec3& target) 
   return {closestOnTriangle(surface.geometry->tree.records[triangle].corners, target), triangle};
 }
 
-/// The best place next to `here`, or triangle kNoIndex when none is nearer to the target.
-Candidate betterNeighbour(const Surface& surface, const Candidate& here, const Vec3& target) {
+/// The best place next to `here` that may be entered, or triangle kNoIndex when none is nearer to the target.
+template <class Enters>
+Candidate betterNeighbour(const Surface& surface, const Candidate& here, const Vec3& target, Enters&& enters) {
   Candidate best;
   double nearest = here.closest.squared_distance;
   const auto consider = [&](Index triangle) {
     const Candidate other = closestIn(surface, triangle, target);
-    if (!(other.closest.squared_distance < nearest)) return;
+    if (!(other.closest.squared_distance < nearest) || !enters(other)) return;
     nearest = other.closest.squared_distance;
     best = other;
   };
@@ -60,12 +63,18 @@ Vec3 faceNormal(const TriangleRecord& record) {
   return mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
 }
 
-template <class Stop>
-WalkResult walk(const Surface& surface, const SurfacePoint& from, const Vec3& target, double path_mm,
-                Stop&& stops_at) noexcept {
+struct EverythingEntered {
+  bool operator()(const Candidate&) const noexcept { return true; }
+};
+
+template <class Stop, class Enters = EverythingEntered>
+WalkResult walk(const Surface& surface, const SurfacePoint& from, const Vec3& target, double path_mm, Stop&& stops_at,
+                Enters&& enters = {}) noexcept {
   if (stops_at(from.triangle)) return {from, false, true};
   SurfacePoint here = from;
   Candidate next = closestIn(surface, from.triangle, target);
+  bool kept_out = !enters(next);
+  if (kept_out) next.closest = {from.position, from.feature, (target - from.position).squaredNorm()};
   for (int moves = 0; moves < kMaxMoves; ++moves) {
     const Vec3 piece = next.closest.point - here.position;
     const double length = piece.norm();
@@ -74,9 +83,14 @@ WalkResult walk(const Surface& surface, const SurfacePoint& from, const Vec3& ta
     }
     path_mm -= length;
     here = {next.closest.point, next.triangle, next.closest.feature};
-    next = betterNeighbour(surface, next, target);
-    if (next.triangle == kNoIndex) return {here, true};
+    next = betterNeighbour(surface, next, target, [&](const Candidate& candidate) {
+      const bool may_go = enters(candidate);
+      kept_out = kept_out || !may_go;
+      return may_go;
+    });
+    if (next.triangle == kNoIndex) return {here, true, false, kept_out};
     if (stops_at(next.triangle)) return {here, false, true};
+    kept_out = false;
   }
   return {here, false};
 }
@@ -90,9 +104,15 @@ WalkResult walkToNearest(const Surface& surface, const SurfacePoint& from, const
 
 WalkResult walkOnOneSheet(const Surface& surface, const SurfacePoint& from, const Vec3& target,
                           double path_mm) noexcept {
-  if (surface.geometry->entangled.empty()) return walkToNearest(surface, from, target, path_mm);
-  return walk(surface, from, target, path_mm,
-              [&](Index triangle) { return surface.geometry->entangled[triangle] != 0; });
+  const SurfaceGeometry& geometry = *surface.geometry;
+  const auto is_entangled = [&](Index t) { return !geometry.entangled.empty() && geometry.entangled[t] != 0; };
+  if (!geometry.cracked.empty()) {
+    return walk(surface, from, target, path_mm, is_entangled, [&](const Candidate& candidate) {
+      return !isInCrack(geometry, candidate.triangle, candidate.closest.point);
+    });
+  }
+  if (geometry.entangled.empty()) return walkToNearest(surface, from, target, path_mm);
+  return walk(surface, from, target, path_mm, is_entangled);
 }
 
 WalkResult walkOnListed(const Surface& surface, std::span<const Index> triangles, const SurfacePoint& from,

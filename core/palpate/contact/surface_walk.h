@@ -18,6 +18,7 @@ struct WalkResult {
   SurfacePoint at;
   bool finished = false;  ///< false: the path or the moves were used up on the way
   bool stopped = false;   ///< it ended before a triangle that it may not enter
+  bool at_crack = false;  ///< it finished at the rim of a crack (narrow_cracks.h) whose wall is nearer to the target
 };
 
 /// Walks from triangle to triangle while that brings the target strictly nearer, at most `path_mm` far. Each piece of
@@ -25,7 +26,8 @@ struct WalkResult {
 /// distance to `target`.
 WalkResult walkToNearest(const Surface& surface, const SurfacePoint& from, const Vec3& target, double path_mm) noexcept;
 
-/// The same, but it goes no farther than to the triangles marked in Surface::entangled, nor within them.
+/// The same, but it goes no farther than to the triangles marked in Surface::entangled, nor within them, and round the
+/// mouths of cracks.
 WalkResult walkOnOneSheet(const Surface& surface, const SurfacePoint& from, const Vec3& target,
                           double path_mm) noexcept;
 

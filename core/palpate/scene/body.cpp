@@ -1,10 +1,13 @@
 #include "palpate/scene/body.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 
 #include "palpate/base/background.h"
 #include "palpate/base/error.h"
+#include "palpate/contact/narrow_cracks.h"
 #include "palpate/contact/nearby_skin.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/tree/triangle_tree.h"
@@ -22,6 +25,15 @@ PlaneBlocks blocksOf(std::size_t count, const Extend& extend) {
   blocks.boxes.resize((count + PlaneBlocks::kSize - 1) / PlaneBlocks::kSize);
   for (std::size_t i = 0; i < count; ++i) extend(i, blocks.boxes[i / PlaneBlocks::kSize]);
   return blocks;
+}
+
+void noteNarrowCracks(const contact::SurfaceGeometry& geometry, std::vector<std::string>& notes) {
+  const contact::NarrowCracks cracks = contact::narrowCracksOf(geometry);
+  if (cracks.count == 0) return;
+  notes.push_back(
+      fmt::format("cracks narrower than {:.2g} mm: {}, the largest at ({:.1f}, {:.1f}, {:.1f}) mm; a point finger goes "
+                  "over them as over closed skin",
+                  contact::crackWidth(geometry), cracks.count, cracks.at.x(), cracks.at.y(), cracks.at.z()));
 }
 
 std::vector<std::uint8_t> frontOf(const Body& body) {
@@ -69,6 +81,7 @@ std::shared_ptr<const Body> builtBody(BodyParts parts, std::optional<double> thi
   }
   report(progress, "building the contact surface", kSurfaceShare);
   if (skin.triangles.size() <= contact::kMostPlanes) body->planes = contact::planesOf(body->geometry);
+  noteNarrowCracks(*body->geometry, body->notes);
   body->box = mesh::boundingBox(skin);
   body->vertex_blocks = blocksOf(
       skin.positions.size(), [&](std::size_t v, Eigen::AlignedBox2d& box) { box.extend(skin.positions[v].head<2>()); });
