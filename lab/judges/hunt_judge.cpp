@@ -30,6 +30,9 @@ constexpr double kOffTheProxy = 1e-6;
 constexpr double kBorderShare = 0.02;
 /// Far from its openings the winding number of an open body is a whole number but for their solid angle: up to here.
 constexpr double kSurelyWhole = 0.1;
+/// Where the fade ends, a tip is as far beyond the border as below the sheet continued flat: sqrt(2) of lag and radius
+/// from it, and a little for slopes.
+constexpr double kFadeShare = 1.5;
 /// Half of all directions lead out of an opening from its plane, fewer from beyond it.
 constexpr double kBeyondAnOpening = 0.5;
 
@@ -185,7 +188,9 @@ bool HuntJudge::cameThroughSkin(const Vec3& tip) {
 
 bool HuntJudge::wasHeldFarFromBorder(const Vec3& tip) {
   const double path = (kProxyAndTip - 1.0) * (tip - last_tip_).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
-  return past_ == Past::held && !last_afloat_ && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
+  // Beyond a border a sphere may be let go as long as the force can have faded: as far beyond as the tip is deep.
+  const bool fades = last_afloat_ && body_.slow().distanceToBorder(last_tip_) <= kFadeShare * last_reach_ + path;
+  return past_ == Past::held && !fades && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
 }
 
 /// Where a sphere is that went over a border and has had nothing but the sheet continued flat under it since.
@@ -253,6 +258,7 @@ void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
   if (let_be_ && !isOnItsWay(o.status) && body_.winding(o.tip) <= kBeyondAnOpening) let_be_ = false;
   const bool is_finite = std::isfinite(o.force.sum() + o.proxy.sum() + o.normal.sum() + o.depth_mm);
   if (is_finite && !body_.closed()) judgeAfloat(o);
+  last_reach_ = (o.proxy + settings_.radius_mm * o.normal - o.tip).norm() + settings_.radius_mm;
   past_ = Past::held;
   if (!is_finite) {
     found(Fault::wrong_force, "a number that is not finite", 0.0, 0.0);

@@ -231,6 +231,7 @@ class HuntJudge {
   Past past_ = Past::unknown;
   Vec3 last_tip_ = Vec3::Zero(), last_force_ = Vec3::Zero(), last_proxy_ = Vec3::Zero();
   std::uint32_t last_status_ = 0;
+  double last_reach_ = 0.0;  ///< lag and radius of a finger that was held
   ClearBall tip_ball_, centre_ball_;
   std::vector<Index> nearby_;
   std::array<std::size_t, kFaults> last_found_{};  ///< tick + 1: a tick counts once a fault

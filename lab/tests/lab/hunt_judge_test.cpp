@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "lab/hunt/hunt_world.h"
 #include "lab/workloads/heldout_meshes.h"
 #include "lab/workloads/workload_meshes.h"
 
@@ -267,7 +269,7 @@ TEST(HuntJudgementOfTornBodies, ASphereBeyondTheBorderIsNoFallUntilItsTipComesTh
   JudgedBody bowl(open, false);
   contact::FingerSettings finger;
   finger.radius_mm = 2.0;
-  contact::FingerOutput afloat = freeOutputAt({0, 0, 20});
+  contact::FingerOutput afloat = freeOutputAt({0, 0, -10});
   afloat.touch = contact::Touch::slip;
   afloat.normal = Vec3::UnitZ();
   afloat.proxy = {0, 0, 40};
@@ -275,12 +277,17 @@ TEST(HuntJudgementOfTornBodies, ASphereBeyondTheBorderIsNoFallUntilItsTipComesTh
   afloat.status = contact::kAtBorder;
   const auto falls = [&](const contact::FingerOutput& before, const Vec3& tip) {
     HuntJudge judge(bowl, finger, kStiffness);
+    judge.add(freeOutputAt({0, 0, 90}));
     judge.add(before);
     judge.add(freeOutputAt(tip));
     return judge.report().of(Fault::fall).ticks;
   };
-  EXPECT_EQ(falls(afloat, {0, 0, 10}), 0u);
+  EXPECT_EQ(falls(afloat, {0, 0, -15}), 0u);
+  contact::FingerOutput shallow = afloat;
+  shallow.tip.z() = 12.0;
+  EXPECT_EQ(falls(shallow, {0, 0, 11}), 1u) << "45 mm beyond the border, 30 mm deep: it ought to have faded before";
   contact::FingerOutput on_skin = afloat;
+  on_skin.tip.z() = 20.0;
   on_skin.status = 0;
   on_skin.proxy = {0, 0, -60};
   on_skin.normal = -Vec3::UnitZ();
@@ -288,6 +295,35 @@ TEST(HuntJudgementOfTornBodies, ASphereBeyondTheBorderIsNoFallUntilItsTipComesTh
   contact::FingerOutput beside = afloat;
   beside.tip = {90, 0, -10};
   EXPECT_EQ(falls(beside, {40, 0, -10}), 1u);
+}
+
+/// A box of 120 x 120 x 60 mm with a hole of 24 mm in its top.
+mesh::TriangleMesh boxWithHole() {
+  mesh::TriangleMesh box = plateMesh(120, 60, 30);
+  std::erase_if(box.triangles, [&](const Triangle& t) {
+    const Vec3 middle = mesh::centreOf(box, t);
+    return middle.z() > 59.9 && std::abs(middle.x() - 60.0) < 12.0 && std::abs(middle.y() - 60.0) < 12.0;
+  });
+  return box;
+}
+
+TEST(HuntJudgementOfTornBodies, ASphereThatSlidOverAHoleMustNotBeLetGoOverTheOtherBank) {
+  HuntWorld world = buildHuntWorld(boxWithHole());
+  ASSERT_FALSE(world.body.closed());
+  contact::FingerSettings finger;
+  finger.radius_mm = 5.0;
+  HuntJudge judge(world.body, finger, kHuntedStiffness);
+  contact::FingerState state;
+  const auto go = [&](const Vec3& from, const Vec3& to) {
+    const int ticks = static_cast<int>((to - from).norm() / 0.5);
+    for (int i = 1; i <= ticks; ++i) {
+      judge.add(contact::step(world.surface, finger, state, from + (to - from) * (double(i) / ticks)));
+    }
+  };
+  go({30, 60, 80}, {30, 60, 26});
+  go({30, 60, 26}, {112, 60, 26});
+  EXPECT_TRUE(judge.report().clean());
+  EXPECT_EQ(judge.report().of(Fault::fall).ticks, 0u);
 }
 
 }  // namespace
