@@ -34,7 +34,7 @@ TEST(Site, OfMoreFilesThanAPageHasIsRefused) {
   for (std::size_t i = 1; i < kMaxSiteFiles; ++i) std::ofstream(folder / (std::to_string(i) + ".txt"));
   EXPECT_NE(Site(folder.path()).find("/index.html"), nullptr);
   std::ofstream(folder / "one_more.txt");
-  EXPECT_NE(support::messageOf([&] { Site(folder.path()); }).find("more than 4096 files"), std::string::npos);
+  EXPECT_NE(support::messageOf([&] { const Site too_many(folder.path()); }).find("more than 4096 files"), std::string::npos);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "cli/serve/wire.h"
 #include "cli/tests/serve/plain_stream.h"
 #include "cli/tests/serve/served_command.h"
 
@@ -145,6 +146,12 @@ TEST_F(ServeOverTls, PageAndStreamComeAndPlainRequestsDoNot) {
   SSL_CTX_set_max_proto_version(tls_.get(), TLS1_1_VERSION);
   EXPECT_FALSE(PlainWire(server.port(), tls_.get()).isOpen()) << "TLS 1.1";
   EXPECT_EQ(server.end(SIGTERM), 143);
+}
+
+/// A client of Debian's own settings could not speak an older one either: asked here, not over a line.
+TEST_F(ServeOverTls, NoVersionBefore12IsSpokenWhateverTheSystemAllows) {
+  const auto context = app::serving::tlsFrom(cert(), key());
+  EXPECT_EQ(SSL_CTX_get_min_proto_version(context->native_handle()), TLS1_2_VERSION);
 }
 
 TEST_F(ServeOverTls, WrongFilesAreRefusedInOneLine) {

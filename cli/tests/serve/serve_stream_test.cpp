@@ -132,14 +132,14 @@ TEST(Serve, ADeviceKeepsItsFingerAndPagesHaveTheOther) {
 TEST(Serve, APauseStopsTheForcesOfDevicesUntilItEnds) {
   ServedCommand server({"--device", "hand", "--record", "paused.session"});
   PlainStream teacher(server.port(), kInstructToken);
-  const auto feelFor = [](int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); };
-  feelFor(100);
+  const auto feel_for = [](int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); };
+  feel_for(100);
   teacher.say(R"({"type":"pause","on":true})");
   ASSERT_TRUE(teacher.receiveText(R"("paused":true)"));
-  feelFor(200);
+  feel_for(200);
   teacher.say(R"({"type":"pause","on":false})");
   ASSERT_TRUE(teacher.receiveText(R"("paused":false)"));
-  feelFor(200);
+  feel_for(200);
   ASSERT_EQ(server.end(SIGTERM), 143);
 
   std::vector<bool> stopped;  // of the left finger, changes only
@@ -148,6 +148,7 @@ TEST(Serve, APauseStopsTheForcesOfDevicesUntilItEnds) {
     if (stopped.empty() || stopped.back() != now) stopped.push_back(now);
     return true;
   });
+  ASSERT_GE(stopped.size(), 3u);
   stopped.resize(3);  // the end of the server stops them once more
   EXPECT_EQ(stopped, (std::vector<bool>{false, true, false}));
 }
