@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
@@ -88,6 +89,21 @@ TEST(FixedHistogram, CountsWhatLiesBeyondAndNotWhatIsNoNumber) {
   EXPECT_EQ(histogram.beyond(), 1u);
   EXPECT_EQ(histogram.quantile(1.0), 1e9);
   EXPECT_EQ(histogram.bins()[0], 1u);
+}
+
+TEST(Extremes, OfTwoAreThoseOfAllValuesInEitherOrderAndOfNone) {
+  Extremes low, high;
+  for (const double value : {3.0, 4.0}) low.add(value);
+  for (const double value : {7.0, 5.0}) high.add(value);
+  for (const auto& [first, second] : {std::pair(low, high), std::pair(high, low)}) {
+    Extremes all;
+    all.add(Extremes{});
+    all.add(first);
+    all.add(second);
+    EXPECT_EQ(all.least, 3.0);
+    EXPECT_EQ(all.greatest, 7.0);
+    EXPECT_EQ(all.count, 4u);
+  }
 }
 
 TEST(TickSeries, KeepsTimeSpikesAndSumsInSoManyBuckets) {
