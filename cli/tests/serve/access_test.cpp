@@ -31,10 +31,11 @@ TEST(OriginOf, IsEmptyForWhatIsNoOriginOfAPage) {
 TEST(Site, OfMoreFilesThanAPageHasIsRefused) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "index.html") << "<!doctype html><head></head>";
-  for (std::size_t i = 1; i < kMaxSiteFiles; ++i) std::ofstream(folder / (std::to_string(i) + ".txt"));
+  for (std::size_t i = 1; i < kMaxSiteFiles; ++i) std::ofstream(folder / (std::to_string(i) + ".txt")) << "";
   EXPECT_NE(Site(folder.path()).find("/index.html"), nullptr);
-  std::ofstream(folder / "one_more.txt");
-  EXPECT_NE(support::messageOf([&] { const Site too_many(folder.path()); }).find("more than 4096 files"), std::string::npos);
+  std::ofstream(folder / "one_more.txt") << "";
+  EXPECT_NE(support::messageOf([&] { const Site too_many(folder.path()); }).find("more than 4096 files"),
+            std::string::npos);
 }
 
 }  // namespace
