@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""tools/weight on a small build of its own: figures from logs that are written here, and the gate of weights.toml."""
+"""tools/weight on a small build and small sources of its own: figures from logs that are written here, and the gate of
+weights.toml."""
 import contextlib
 import importlib.machinery
 import importlib.util
@@ -55,6 +56,13 @@ FILES = {
     "peer.cpp": "int peer() { return 1; }\n",
     "reference.cpp": "#include <cstddef>\nint main() { return 0; }\n",
 }
+SOURCES = {
+    "core/palpate/text.h": "// Text.\n#pragma once\n\nint text();\n",
+    "core/palpate/text.cpp": "// Text.\n#include \"palpate/text.h\"\n\nint text() { return 1; }\n",
+    "core/tests/text_test.cpp": "int main() { return 0; }\n",
+    "cli/say.cpp": 'auto option = "--loud";\n',
+    "README.md": "# Two words\n",
+}
 
 
 class Weight(unittest.TestCase):
@@ -81,6 +89,10 @@ class Weight(unittest.TestCase):
         shutil.copytree(self.built, self.build)
         self.weights = self.build / "weights.toml"
         self.write("CTestTestfile.cmake", TESTS.format(build=self.build))
+        self.sources = self.build / "sources"
+        for name, text in SOURCES.items():
+            self.write(f"sources/{name}", text)
+        subprocess.run(["git", "init", "-q", self.sources], check=True)
 
     def write(self, name, text):
         (self.build / name).parent.mkdir(parents=True, exist_ok=True)
@@ -91,9 +103,10 @@ class Weight(unittest.TestCase):
 
     def run_tool(self, *arguments):
         """Exit code and all that is printed."""
+        subprocess.run(["git", "-C", self.sources, "add", "-A"], check=True)
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-            code = weight.main(["--build", str(self.build), "--weights", str(self.weights), *arguments])
+            code = weight.main(["--build", str(self.build), "--weights", str(self.weights), "--sources", str(self.sources), *arguments])
         return code, printed.getvalue()
 
     def figures(self):
@@ -112,6 +125,44 @@ class Weight(unittest.TestCase):
     def give_reason(self, product, line):
         text = self.weights.read_text()
         self.weights.write_text(text.replace(f"[{product}]\n", f"[{product}]\nreasons = [{line}]\n"))
+
+    # Mass.
+
+    def test_mass_is_counted_from_the_sources(self):
+        found = self.figures()
+        core = found["products"]["core"]
+        self.assertEqual(core["lines"], 4)  # an include is code, a comment is not
+        self.assertEqual(core["test_lines"], 1)
+        self.assertEqual(core["names"], 2)  # int, text
+        self.assertEqual(found["products"]["cli"]["options"], 1)
+        self.assertEqual(found["products"]["docs"]["words"], 3)
+        self.assertEqual(found["total"]["lines"], 5)
+
+    def test_folding_two_files_into_one_changes_no_mass_but_shows_a_second_head(self):
+        self.write("sources/core/palpate/other.h", "// Another\n// purpose.\n#pragma once\n\nint other();\n")
+        apart = self.figures()["products"]["core"]
+        (self.sources / "core/palpate/other.h").unlink()
+        self.write("sources/core/palpate/text.h", SOURCES["core/palpate/text.h"] + "\n// Another\n// purpose.\n\nint other();\n")
+        folded = self.figures()["products"]["core"]
+        self.assertEqual(folded["names"], apart["names"])
+        self.assertEqual(folded["lines"], apart["lines"] - 1)  # one #pragma once
+        self.assertEqual((apart["second_heads"], folded["second_heads"]), (0, 1))
+
+    def test_one_line_more_needs_a_reason(self):
+        self.run_tool("--update")
+        self.assertEqual(self.run_tool("--check")[0], 0)
+        self.write("sources/core/palpate/text.cpp", SOURCES["core/palpate/text.cpp"] + "int more() { return 2; }\n")
+        code, printed = self.run_tool("--check")
+        self.assertEqual(code, 1)
+        self.assertIn("core: lines was 4, is 5 (25.0 % more)", printed)
+        self.give_reason("core", '"lines 5: more is said", "characters 1000: likewise"')
+        self.assertEqual(self.run_tool("--check")[0], 0, printed)
+
+    def test_what_only_the_build_left_behind_weighs_nothing(self):
+        before = self.figures()["total"]
+        self.write("sources/.gitignore", "made.h\n")
+        self.write("sources/core/palpate/made.h", "int made();\n")
+        self.assertEqual(self.figures()["total"], before)
 
     # Figures.
 
@@ -307,7 +358,7 @@ class Weight(unittest.TestCase):
         for text, line, about in (("compiler = \"x\"\n[core\n", 2, "Expected"),
                                   ("[core]\nbuild = 1.0\n", 1, "expected compiler"),
                                   ("compiler = \"x\"\n\n[kernel]\nbuild = 1.0\n", 3, "kernel is not a product"),
-                                  ("compiler = \"x\"\n[host]\nbuild = 1.0\n[core]\nlines = 1.0\n", 5, "lines is not a figure"),
+                                  ("compiler = \"x\"\n[host]\nbuild = 1.0\n[core]\ngravity = 1.0\n", 5, "gravity is not a figure"),
                                   ("compiler = \"x\"\n[host]\nbuild = 1.0\n[core]\nbuild = -1.0\n", 5, "at least 0, got -1.0"),
                                   ("compiler = \"x\"\n[core]\nbuild = \"heavy\"\n", 3, "must be a number"),
                                   ("compiler = \"x\"\n[core]\nbuild = 1.0\nreasons = [\"because\"]\n", 4, "FIGURE VALUE: why"),
