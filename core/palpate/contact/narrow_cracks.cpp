@@ -32,8 +32,9 @@ Vec3 normalOf(const TriangleRecord& record) {
 }
 
 bool shareVertex(const TriangleRecord& one, const TriangleRecord& other) {
-  return std::ranges::any_of(one.vertices,
-                             [&](Index v) { return std::ranges::find(other.vertices, v) != other.vertices.end(); });
+  return std::any_of(one.vertices.begin(), one.vertices.end(), [&](Index v) {
+    return std::find(other.vertices.begin(), other.vertices.end(), v) != other.vertices.end();
+  });
 }
 
 /// A triangle that a place of another faces across a crack, or kNoIndex.
@@ -253,7 +254,7 @@ void dropOthers(const SurfaceGeometry& geometry, std::vector<std::uint8_t>& crac
     const bool is_pit = boxes[root].diagonal().norm() < kLeastLength * crackWidth(geometry);
     if (dropped[root] != 0 || is_pit) cracked[t] = 0;
   }
-  if (std::ranges::count(cracked, 1) == 0) cracked.clear();
+  if (std::count(cracked.begin(), cracked.end(), 1) == 0) cracked.clear();
 }
 
 /// The normal of the skin at a place without what is in the crack there.
