@@ -6,8 +6,8 @@
 
 #include "palpate/base/error.h"
 #include "palpate/elements/equilibrium.h"
-#include "palpate/elements/press_solver.h"
 #include "palpate/elements/press_model.h"
+#include "palpate/elements/press_solver.h"
 
 namespace palpate::lab {
 
