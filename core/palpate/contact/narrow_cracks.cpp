@@ -17,11 +17,11 @@ namespace {
 
 /// Walls that share a vertex, as at the bottom of a fold, face each other when they are nearly parallel (25 degrees);
 /// otherwise every sharp crease of a fine mesh were a crack.
-constexpr double kParallel = -0.9;
+constexpr double kFacingWalls = -0.9;
 /// A place at the rim is asked for a little farther in: this share of the width.
 constexpr double kOffTheRim = 0.05;
 /// Fewer nodes, of 30 triangles each, are looked at by one processor.
-constexpr std::size_t kLeastShared = 200;
+constexpr std::size_t kLeastSharedNodes = 200;
 
 Vec3 centreOf(const TriangleRecord& record) {
   return (record.corners[0] + record.corners[1] + record.corners[2]) / 3.0;
@@ -48,7 +48,7 @@ Index facedFrom(const tree::TriangleTree& tree, double width, Index triangle, co
     if (faced != kNoIndex || other == triangle) return;
     // The exact test is dear: first what of smooth skin nearly always says no.
     if (mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).dot(normal) >= 0.0) return;
-    if (shareVertex(own, record) && !(normal.dot(normalOf(record)) < kParallel)) return;
+    if (shareVertex(own, record) && !(normal.dot(normalOf(record)) < kFacingWalls)) return;
     tree::Crossing crossing;
     if (tree::detail::crossingOf(record, place, end, crossing)) faced = other;
   });
@@ -65,7 +65,8 @@ bool facesAnything(const tree::TriangleTree& tree, double width, Index triangle,
     const Vec3 way = closest.point - place;
     if (!(way.dot(normal) > kInFront * way.norm())) return false;
     const Vec3 its_normal = normalOf(tree.records[other]);
-    return way.dot(its_normal) < 0.0 && (!shareVertex(own, tree.records[other]) || normal.dot(its_normal) < kParallel);
+    return way.dot(its_normal) < 0.0 &&
+           (!shareVertex(own, tree.records[other]) || normal.dot(its_normal) < kFacingWalls);
   };
   return nearestPointIf(tree, place, width, is_faced).triangle != kNoIndex;
 }
@@ -85,15 +86,15 @@ std::array<Vec3, 6> samplesOf(const TriangleRecord& record) {
 }
 
 /// A part of the surface below one child of a node: its box, widened, and its normals.
-struct Part {
+struct FacingPart {
   std::array<float, 3> low, high;  // unit frame
   std::array<int, 3> facing;
   float squared_length;  // of `facing`
   float spread;          // sine of the widest angle between it and a normal; 2: any
 };
 
-Part partOf(const tree::WideNode& node, int child, float widened) {
-  Part part;
+FacingPart facingPartOf(const tree::WideNode& node, int child, float widened) {
+  FacingPart part;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     part.low[axis] = node.low[axis][child] - widened;
     part.high[axis] = node.high[axis][child] + widened;
@@ -106,7 +107,7 @@ Part partOf(const tree::WideNode& node, int child, float widened) {
   return part;
 }
 
-bool overlap(const Part& part, const tree::WideNode& node, int child) {
+bool overlap(const FacingPart& part, const tree::WideNode& node, int child) {
   bool apart = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     apart = apart || part.low[axis] > node.high[axis][child] || part.high[axis] < node.low[axis][child];
@@ -116,7 +117,7 @@ bool overlap(const Part& part, const tree::WideNode& node, int child) {
 
 /// Whether normals of two parts may be more than a right angle apart. The sine of two angles is less than the sum of
 /// theirs.
-bool mayFace(const Part& one, const Part& other) {
+bool mayFace(const FacingPart& one, const FacingPart& other) {
   const auto dot = static_cast<float>(one.facing[0] * other.facing[0] + one.facing[1] * other.facing[1] +
                                       one.facing[2] * other.facing[2]);
   const float spread = one.spread + other.spread;
@@ -124,13 +125,13 @@ bool mayFace(const Part& one, const Part& other) {
 }
 
 /// Whether a leaf may face other skin near it. Of smooth skin it never does, and nothing more is asked.
-bool mayFaceOther(const tree::TriangleTree& tree, const Part& leaf) {
+bool mayFaceOther(const tree::TriangleTree& tree, const FacingPart& leaf) {
   Index stack[tree::detail::kMaxPending];
   stack[0] = 0;
   for (int size = 1; size > 0;) {
     const tree::WideNode& node = tree.nodes[stack[--size]];
     for (int child = 0; child < tree::kNodeWidth; ++child) {
-      if (!overlap(leaf, node, child) || !mayFace(leaf, partOf(node, child, 0.0f))) continue;
+      if (!overlap(leaf, node, child) || !mayFace(leaf, facingPartOf(node, child, 0.0f))) continue;
       if (node.children[child].isLeaf()) return true;
       stack[size++] = node.children[child].node();
     }
@@ -176,13 +177,13 @@ class CrackSearch {
   void lookFromMiddles() {
     std::vector<Index> faced(tree_.records.size(), kNoIndex);
     const auto widened = static_cast<float>(1.001 * width_ * tree_.to_unit);
-    shareOut(tree_.nodes.size(), kLeastShared, [&](std::size_t begin, std::size_t end) {
+    shareOut(tree_.nodes.size(), kLeastSharedNodes, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         const tree::WideNode& node = tree_.nodes[n];
         for (int child = 0; child < tree::kNodeWidth; ++child) {
           const bool is_used = node.low[0][child] <= node.high[0][child];
           const tree::ChildLink leaf = node.children[child];
-          if (!is_used || !leaf.isLeaf() || !mayFaceOther(tree_, partOf(node, child, widened))) continue;
+          if (!is_used || !leaf.isLeaf() || !mayFaceOther(tree_, facingPartOf(node, child, widened))) continue;
           for (Index t = leaf.firstTriangle(); t < leaf.firstTriangle() + leaf.triangleCount(); ++t) {
             faced[t] = facedFrom(tree_, width_, t, centreOf(tree_.records[t]));
           }
