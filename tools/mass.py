@@ -41,8 +41,8 @@ def language_of(file):
     return ".py" if b"python" in first else ".sh" if first.startswith(b"#!") else ""
 
 
-def code_of(text, comment):
-    return [line for line in text.splitlines() if line.strip() and not line.strip().startswith(comment)]
+def code_of(lines, comment):
+    return [line for line in lines if line.strip() and not line.strip().startswith(comment)]
 
 
 def words_of(header):
@@ -69,7 +69,7 @@ def has_second_head(text):
 
 
 def weigh_code(path, text, language, found):
-    code = code_of(text, COMMENTS[language])
+    code = code_of(text.splitlines(), COMMENTS[language])
     if is_test(path):
         found["test_lines"] += len(code)
         return

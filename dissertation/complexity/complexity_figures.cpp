@@ -6,7 +6,6 @@
 #include <string>
 
 #include "dissertation/complexity/complexity_results.h"
-#include "dissertation/complexity/search_cost.h"
 #include "palpate/hdb/complexity.h"
 #include "report/page/plot_parts.h"
 

@@ -1,6 +1,5 @@
 // What the sentences of complexity_findings.txt say in numbers, and the verdicts that these decide.
 #include "dissertation/complexity/complexity_results.h"
-#include "dissertation/complexity/search_cost.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "dissertation/complexity/complexity_results.h"
-#include "dissertation/complexity/search_cost.h"
 #include "palpate/scene/words.h"
 
 namespace palpate::study {

@@ -1,6 +1,6 @@
 // Nodes on the ways are counted upwards from the leaves found, by parents and a stamp a node; the nodes entered and
 // boxes tested are the search's own count. A complete tree is grown from one tiny triangle in each of its cells.
-// Based on: see complexity_results.h.
+// Based on: see search_cost.h.
 #include "dissertation/complexity/search_cost.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Rival 1 of Table 4.1: linear finite elements, "most accurate", "very expensive computation cost".
 //
 // Bricks of eight nodes, the change of volume averaged over each so that nearly incompressible tissue does not lock.
 // The matrix is factorised once a body. A press then asks for the answer of the skin to a unit force at each node that
@@ -45,7 +46,5 @@ class FiniteElements {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
   std::vector<Answer> answers_;
 };
-
-// Rival 2 of Table 4.1: masses and springs, "fast", "linear simulation".
 
 }  // namespace palpate::study

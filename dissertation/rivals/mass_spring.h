@@ -1,3 +1,4 @@
+// Rival 2 of Table 4.1: masses and springs, "fast", "linear simulation".
 //
 // The nodes of the same block, joined along the edges of its cells and across their faces. With these stiffnesses a
 // grid of cubes has the modulus of its tissue and, as every lattice of central springs, a Poisson ratio of 1/4: tissue,

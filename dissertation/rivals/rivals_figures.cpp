@@ -1,6 +1,5 @@
 // Plots of one measurement of the rivals.
 #include "dissertation/rivals/rivals_findings.h"
-#include "dissertation/rivals/rivals_measurement.h"
 
 #include <fmt/format.h>
 

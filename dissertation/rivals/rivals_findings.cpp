@@ -1,6 +1,5 @@
 // What the sentences of rivals_findings.txt say in numbers, and the verdicts that these decide.
 #include "dissertation/rivals/rivals_findings.h"
-#include "dissertation/rivals/rivals_measurement.h"
 
 #include <algorithm>
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "dissertation/rivals/rivals_findings.h"
-#include "dissertation/rivals/rivals_measurement.h"
 
 namespace palpate::study {
 

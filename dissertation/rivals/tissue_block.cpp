@@ -1,6 +1,5 @@
 // The grid of the block: rows as high as the cells are wide at most, at least one a layer.
 #include "dissertation/rivals/tissue_block.h"
-#include "dissertation/rivals/layered_truth.h"
 
 #include <cmath>
 

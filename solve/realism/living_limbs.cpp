@@ -1,7 +1,6 @@
 // Stacks of a few covers, shares of fat and skins are solved where a test needs them; between them the logarithm of the
 // stiffness is linear in the logarithm of the cover, in the share and in the skin.
 #include "solve/realism/living_limbs.h"
-#include "solve/realism/living_tests.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,4 @@
 #include "solve/realism/living_tests.h"
-#include "solve/realism/living_limbs.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +10,7 @@
 #include "palpate/base/csv.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
+#include "solve/realism/living_limbs.h"
 
 namespace palpate::lab {
 

@@ -1,7 +1,6 @@
 // A grid of 1 mm is finer than anything that a fingertip makes; its vertices weigh the same, so that means over them
 // are means over area.
 #include "solve/realism/realism.h"
-#include "solve/realism/fem_cases.h"
 
 #include <algorithm>
 #include <cmath>

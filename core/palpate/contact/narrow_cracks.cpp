@@ -21,14 +21,10 @@ constexpr double kFacingWalls = -0.9;
 /// A place at the rim is asked for a little farther in: this share of the width.
 constexpr double kOffTheRim = 0.05;
 /// Fewer nodes, of 30 triangles each, are looked at by one processor.
-constexpr std::size_t kLeastSharedNodes = 200;
+constexpr std::size_t kMinSharedNodes = 200;
 
 Vec3 centreOf(const TriangleRecord& record) {
   return (record.corners[0] + record.corners[1] + record.corners[2]) / 3.0;
-}
-
-Vec3 normalOf(const TriangleRecord& record) {
-  return mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
 }
 
 bool shareVertex(const TriangleRecord& one, const TriangleRecord& other) {
@@ -40,7 +36,7 @@ bool shareVertex(const TriangleRecord& one, const TriangleRecord& other) {
 /// A triangle that a place of another faces across a crack, or kNoIndex.
 Index facedFrom(const tree::TriangleTree& tree, double width, Index triangle, const Vec3& place) noexcept {
   const TriangleRecord& own = tree.records[triangle];
-  const Vec3 normal = normalOf(own);
+  const Vec3 normal = faceNormal(own);
   const Vec3 end = place + width * normal;
   Index faced = kNoIndex;
   tree::visitTrianglesAlong(tree, place, end, [&](Index other) {
@@ -48,7 +44,7 @@ Index facedFrom(const tree::TriangleTree& tree, double width, Index triangle, co
     if (faced != kNoIndex || other == triangle) return;
     // The exact test is dear: first what of smooth skin nearly always says no.
     if (mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).dot(normal) >= 0.0) return;
-    if (shareVertex(own, record) && !(normal.dot(normalOf(record)) < kFacingWalls)) return;
+    if (shareVertex(own, record) && !(normal.dot(faceNormal(record)) < kFacingWalls)) return;
     tree::Crossing crossing;
     if (tree::detail::crossingOf(record, place, end, crossing)) faced = other;
   });
@@ -60,11 +56,11 @@ Index facedFrom(const tree::TriangleTree& tree, double width, Index triangle, co
 bool facesAnything(const tree::TriangleTree& tree, double width, Index triangle, const Vec3& place) noexcept {
   constexpr double kInFront = 0.3;  // of the distance: what lies to the side belongs to the bank
   const TriangleRecord& own = tree.records[triangle];
-  const Vec3 normal = normalOf(own);
+  const Vec3 normal = faceNormal(own);
   const auto is_faced = [&](Index other, const tree::ClosestOnTriangle& closest) {
     const Vec3 way = closest.point - place;
     if (!(way.dot(normal) > kInFront * way.norm())) return false;
-    const Vec3 its_normal = normalOf(tree.records[other]);
+    const Vec3 its_normal = faceNormal(tree.records[other]);
     return way.dot(its_normal) < 0.0 &&
            (!shareVertex(own, tree.records[other]) || normal.dot(its_normal) < kFacingWalls);
   };
@@ -177,7 +173,7 @@ class CrackSearch {
   void lookFromMiddles() {
     std::vector<Index> faced(tree_.records.size(), kNoIndex);
     const auto widened = static_cast<float>(1.001 * width_ * tree_.to_unit);
-    shareOut(tree_.nodes.size(), kLeastSharedNodes, [&](std::size_t begin, std::size_t end) {
+    shareOut(tree_.nodes.size(), kMinSharedNodes, [&](std::size_t begin, std::size_t end) {
       for (std::size_t n = begin; n < end; ++n) {
         const tree::WideNode& node = tree_.nodes[n];
         for (int child = 0; child < tree::kNodeWidth; ++child) {
@@ -205,7 +201,7 @@ class CrackSearch {
         const auto is_beside = [&](Index other, const tree::ClosestOnTriangle& closest) {
           return !shareVertex(record, tree_.records[other]) &&
                  onBorder(surface_, {closest.point, other, closest.feature}) &&
-                 normalOf(record).dot(normalOf(tree_.records[other])) > 0.0;
+                 faceNormal(record).dot(faceNormal(tree_.records[other])) > 0.0;
         };
         const Index other = tree::nearestPointIf(tree_, middle, width_, is_beside).triangle;
         if (other != kNoIndex) found_.insert(found_.end(), {t, other});
@@ -238,7 +234,7 @@ mesh::DisjointSets joinedCracks(const tree::TriangleTree& tree, double width,
 /// Leaves out what is no crack: sheets that pierce each other are near each other beside that, and a point is a small
 /// sphere there already; and the pits of creases, which are no longer than a few widths.
 void dropOthers(const SurfaceGeometry& geometry, std::vector<std::uint8_t>& cracked) {
-  constexpr double kLeastLength = 8.0;  // of the width: 2 mm
+  constexpr double kMinLength = 8.0;  // of the width: 2 mm
   if (cracked.empty()) return;
   mesh::DisjointSets joined = joinedCracks(geometry.tree, crackWidth(geometry), cracked);
   std::vector<std::uint8_t> dropped(cracked.size(), 0);
@@ -252,7 +248,7 @@ void dropOthers(const SurfaceGeometry& geometry, std::vector<std::uint8_t>& crac
   for (Index t = 0; t < cracked.size(); ++t) {
     if (cracked[t] == 0) continue;
     const Index root = joined.root(t);
-    const bool is_pit = boxes[root].diagonal().norm() < kLeastLength * crackWidth(geometry);
+    const bool is_pit = boxes[root].diagonal().norm() < kMinLength * crackWidth(geometry);
     if (dropped[root] != 0 || is_pit) cracked[t] = 0;
   }
   if (std::count(cracked.begin(), cracked.end(), 1) == 0) cracked.clear();
@@ -263,7 +259,7 @@ Vec3 bankNormal(const Surface& surface, const SurfacePoint& place) {
   const SurfaceGeometry& geometry = *surface.geometry;
   Vec3 sum = Vec3::Zero();
   const auto add = [&](Index t) {
-    if (t != kNoIndex && !isInCrack(geometry, t, place.position)) sum += normalOf(geometry.tree.records[t]);
+    if (t != kNoIndex && !isInCrack(geometry, t, place.position)) sum += faceNormal(geometry.tree.records[t]);
   };
   const TriangleRecord& record = geometry.tree.records[place.triangle];
   if (tree::isCorner(place.feature)) {
@@ -312,7 +308,7 @@ std::optional<SurfacePoint> otherBank(const Surface& surface, const SurfacePoint
   tree::visitNearTriangles(
       geometry.tree, rim.position, reach * reach, [&](Index t, const tree::ClosestOnTriangle& closest) {
         const double distance = (tip - closest.point).squaredNorm();
-        const bool is_bank = distance < nearest && normal.dot(normalOf(geometry.tree.records[t])) > 0.0 &&
+        const bool is_bank = distance < nearest && normal.dot(faceNormal(geometry.tree.records[t])) > 0.0 &&
                              !isInCrack(geometry, t, closest.point);
         if (is_bank) {
           nearest = distance;
@@ -344,7 +340,7 @@ std::optional<SurfacePoint> mouthPassed(const Surface& surface, const Vec3& from
   return rim;
 }
 
-NarrowCracks narrowCracksOf(const SurfaceGeometry& geometry) {
+NarrowCracks countCracks(const SurfaceGeometry& geometry) {
   NarrowCracks cracks;
   const auto& records = geometry.tree.records;
   mesh::DisjointSets joined = joinedCracks(geometry.tree, crackWidth(geometry), geometry.cracked);

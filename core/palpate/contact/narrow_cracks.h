@@ -38,7 +38,7 @@ struct NarrowCracks {
   std::size_t count = 0;
   Vec3 at = Vec3::Zero();  ///< in the middle of the one with the largest walls, mm
 };
-NarrowCracks narrowCracksOf(const SurfaceGeometry& geometry);
+NarrowCracks countCracks(const SurfaceGeometry& geometry);
 
 /// Whether a place on a triangle faces skin across a crack. Quick where the triangle does nowhere.
 bool isInCrack(const SurfaceGeometry& geometry, Index triangle, const Vec3& place) noexcept;

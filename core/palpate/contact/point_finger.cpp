@@ -52,10 +52,10 @@ bool isBehindTriangles(const Surface& surface, const SurfacePoint& place, const 
 
 /// Walks on one sheet, and over cracks from bank to bank.
 WalkResult walkOverCracks(const Surface& surface, const SurfacePoint& from, const Vec3& tip, double path_mm) {
-  constexpr int kMostCracks = 8;  // of one tick
+  constexpr int kMaxCracks = 8;  // of one tick
   WalkResult walk = walkOnOneSheet(surface, from, tip, path_mm);
   if (surface.geometry->cracked.empty()) return walk;
-  for (int crack = 0; crack < kMostCracks && walk.finished; ++crack) {
+  for (int crack = 0; crack < kMaxCracks && walk.finished; ++crack) {
     if (!walk.at_crack && !onBorder(surface, walk.at)) break;
     const std::optional<SurfacePoint> bank = otherBank(surface, walk.at, tip);
     if (!bank) break;

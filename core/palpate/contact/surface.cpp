@@ -57,7 +57,7 @@ void fillVertices(SurfaceGeometry& geometry, std::size_t vertices) {
   geometry.vertex_normals.assign(vertices, Vec3::Zero());
   geometry.vertex_on_border.assign(vertices, 0);
   for (const TriangleRecord& record : geometry.tree.records) {
-    const Vec3 normal = mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
+    const Vec3 normal = faceNormal(record);
     for (int i = 0; i < 3; ++i) {
       geometry.vertex_normals[record.vertices[i]] += angleAt(record, i) * normal;
       if (record.neighbours[i] != kNoIndex) continue;
@@ -169,7 +169,7 @@ void markDoubled(const SurfaceGeometry& geometry, std::vector<std::uint8_t>& at_
   const auto& records = geometry.tree.records;
   for (Index t = 0; t < records.size(); ++t) {
     const Vec3& a = records[t].corners[0];  // no binding: Clang 14 lets no lambda have one
-    const Vec3 normal = mesh::areaVector2(a, records[t].corners[1], records[t].corners[2]).stableNormalized();
+    const Vec3 normal = faceNormal(records[t]);
     const auto look_at = [&](Index other) {
       if (other == t) return;
       const auto& corners = records[other].corners;

@@ -59,10 +59,6 @@ Candidate betterNeighbour(const Surface& surface, const Candidate& here, const V
   return best;
 }
 
-Vec3 faceNormal(const TriangleRecord& record) {
-  return mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
-}
-
 struct EverythingEntered {
   bool operator()(const Candidate&) const noexcept { return true; }
 };

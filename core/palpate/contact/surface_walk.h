@@ -36,6 +36,11 @@ WalkResult walkOnOneSheet(const Surface& surface, const SurfacePoint& from, cons
 WalkResult walkOnListed(const Surface& surface, std::span<const Index> triangles, const SurfacePoint& from,
                         const Vec3& target, double path_mm) noexcept;
 
+/// Unit; zero of a triangle without area.
+inline Vec3 faceNormal(const tree::TriangleRecord& record) noexcept {
+  return mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
+}
+
 /// The unit normal whose side test is exact at that place: of the face, of both faces of the edge, of the vertex.
 Vec3 normalAt(const Surface& surface, const SurfacePoint& point) noexcept;
 

@@ -82,7 +82,7 @@ tree::Crossing firstFrontCrossing(const contact::Surface& surface, std::span<con
 }
 
 contact::HalfSpace planeOf(const TriangleRecord& record, double standoff_mm) {
-  const Vec3 normal = mesh::areaVector2(record.corners[0], record.corners[1], record.corners[2]).stableNormalized();
+  const Vec3 normal = contact::faceNormal(record);
   return {normal, normal.dot(record.corners[0]) + standoff_mm};
 }
 

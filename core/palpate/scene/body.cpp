@@ -28,7 +28,7 @@ PlaneBlocks blocksOf(std::size_t count, const Extend& extend) {
 }
 
 void noteNarrowCracks(const contact::SurfaceGeometry& geometry, std::vector<std::string>& notes) {
-  const contact::NarrowCracks cracks = contact::narrowCracksOf(geometry);
+  const contact::NarrowCracks cracks = contact::countCracks(geometry);
   if (cracks.count == 0) return;
   notes.push_back(
       fmt::format("cracks narrower than {:.2g} mm: {}, the largest at ({:.1f}, {:.1f}, {:.1f}) mm; a point finger goes "

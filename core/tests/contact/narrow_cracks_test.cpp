@@ -180,10 +180,10 @@ TEST(NarrowCracks, AreCountedAndPlaced) {
   const mesh::TriangleMesh two =
       zoo::joined(zoo::joined(block(straight(0), straight(30)), block(straight(30.1), straight(60))),
                   block(straight(60.1), straight(kWidth)));
-  const NarrowCracks cracks = narrowCracksOf(*surfaceOf(two).geometry);
+  const NarrowCracks cracks = countCracks(*surfaceOf(two).geometry);
   EXPECT_EQ(cracks.count, 2u);
   EXPECT_NEAR(std::min(std::abs(cracks.at.x() - 30.05), std::abs(cracks.at.x() - 60.05)), 0.0, 0.1);
-  EXPECT_EQ(narrowCracksOf(*surfaceOf(zoo::sphere()).geometry).count, 0u);
+  EXPECT_EQ(countCracks(*surfaceOf(zoo::sphere()).geometry).count, 0u);
 }
 
 }  // namespace

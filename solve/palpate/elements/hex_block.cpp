@@ -1,5 +1,4 @@
 #include "palpate/elements/hex_block.h"
-#include "palpate/elements/hex_element.h"
 
 #include <fmt/format.h>
 

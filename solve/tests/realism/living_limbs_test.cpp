@@ -1,6 +1,5 @@
 // The table of presses on living limbs, read from strangers; and its figures, from made-up tests.
 #include "solve/realism/living_limbs.h"
-#include "solve/realism/living_tests.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // The product's own run-time path against finite elements that somebody else solved: an independent prototype's presses
 // (tests/data/golden/fem_profiles.json), whose tables are handed to the body.
 #include "solve/realism/realism.h"
-#include "solve/realism/fem_cases.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
