@@ -84,9 +84,17 @@ enum class ContactSource : std::uint8_t {
   hdb       ///< the triangles that the haptic detecting box found: the dissertation's haptic process
 };
 
+/// What the surface that is felt does under a press. Based on: Ji, dissertation 2008, 2.3.
+enum class HapticSurface : std::uint8_t {
+  rigid,          ///< it stays: F = k d, and the skin that is seen sinks by d
+  yields,         ///< the contact point sinks by a = F / k, and the tip as far again: F = k d / 2, a = d / 2 (2.3)
+  yields_doubled  ///< the same with k doubled: F = k d again, a = d / 2
+};
+
 /// The tables [contact] and [friction].
 struct ContactSettings {
   ContactSource source = ContactSource::surface;
+  HapticSurface haptic_surface = HapticSurface::rigid;
   contact::FingerSettings finger;  ///< of every finger; radius and tick are filled in by contactSettings (world.h)
 };
 

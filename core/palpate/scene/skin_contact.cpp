@@ -110,7 +110,13 @@ std::optional<deform::Contact> contactOfTissue(const World& world, std::optional
   return deform::formedRegions(*contact, forms);
 }
 
-std::optional<deform::Contact> contactAsFelt(const World& world, const contact::FingerOutput& meant) noexcept {
+/// mm: how far the skin sinks under a tip at this depth.  // (2.3)
+double sunkMm(const World& world, double depth_mm) noexcept {
+  return world.scene.contact.haptic_surface == HapticSurface::rigid ? depth_mm : 0.5 * depth_mm;
+}
+
+std::optional<deform::Contact> contactAsFelt(const World& world, contact::FingerOutput meant) noexcept {
+  meant.depth_mm = sunkMm(world, meant.depth_mm);
   const deform::FormSettings& forms = world.deformation;
   const auto plain = deform::contactOf(meant, dragRegion(world, meant), forms.common.tissue);
   if (!plain) return plain;

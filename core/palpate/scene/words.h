@@ -145,6 +145,13 @@ struct WordsOf<scene::ContactSource> {
 };
 
 template <>
+struct WordsOf<scene::HapticSurface> {
+  using V = scene::HapticSurface;
+  static constexpr std::array kAll = {Word{"rigid", V::rigid}, Word{"yields", V::yields},
+                                      Word{"yields_doubled", V::yields_doubled}};
+};
+
+template <>
 struct WordsOf<tissue::ForceLaw::Kind> {
   using V = tissue::ForceLaw::Kind;
   static constexpr std::array kAll = {Word{"linear", V::linear}, Word{"power", V::power},

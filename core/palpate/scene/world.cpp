@@ -230,6 +230,12 @@ std::shared_ptr<const AnatomicalReach> reachFor(const Scene& scene, const Body& 
   return reachOf(scene, body.skin, body.anatomy, body.geometry->tree, healthy.tissue.layered.get());
 }
 
+/// What is felt of a stiffness where the haptic surface gives way as far as the tip goes on.  // (2.3)
+std::shared_ptr<const std::vector<double>> halved(std::vector<double> stiffness_n_per_mm) {
+  for (double& k : stiffness_n_per_mm) k *= 0.5;
+  return std::make_shared<const std::vector<double>>(std::move(stiffness_n_per_mm));
+}
+
 /// `before`: a world of the same body, or null.
 std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const Body> body, deform::FormSettings forms,
                                      const World* before, const Progress& progress) {
@@ -244,6 +250,7 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
   notes.insert(notes.end(), healthy->notes.begin(), healthy->notes.end());
   report(progress, "mapping stiffness", 0.5);  // between long steps, so that the caller can cancel
   DiseasedStiffness stiffness = diseasedStiffness(scene, *body, *healthy, notes);
+  if (scene.contact.haptic_surface == HapticSurface::yields) stiffness.n_per_mm = halved(*stiffness.n_per_mm);
   if (std::string note = tissueNote(scene, choice, *stiffness.n_per_mm); !note.empty()) {
     notes.push_back(std::move(note));
   }

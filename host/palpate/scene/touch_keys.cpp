@@ -67,6 +67,12 @@ Section contactSection() {
       choice<S, ContactSource>("source", &S::source,
                                "What a finger collides with: the whole skin, or only the triangles near the proxy that "
                                "the [partition] gives, as in the dissertation (docs/explanation/contact.md)."),
+      choice<S, HapticSurface>(
+          "haptic_surface", &S::haptic_surface,
+          "What the surface that is felt does under a press (the dissertation's 2.3): it stays; it gives way by the "
+          "force "
+          "over the stiffness, which leaves half the stiffness and half the depth to the skin; or it does so with the "
+          "stiffness doubled, which brings the force back."),
       number<S>(
           "max_depth_mm", finger(&F::max_depth_mm), above(0, kLongestMm),
           "The deepest that is felt; a tip that is out of the body and farther than this from its proxy is let go."),

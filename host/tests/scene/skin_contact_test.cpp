@@ -78,6 +78,26 @@ TEST(SkinContact, PrintedAnchorIsDerivedFromTheForce) {  // E1
   EXPECT_LT((contactOf(world, finger)->drag_mm + 8.0 * along).norm(), 1e-9) << "of a spring four times as soft";
 }
 
+// 2.3: a felt surface that gives way leaves half of the stiffness and half of the depth to the skin; with k doubled the
+// force is back.
+TEST(SkinContact, AHapticSurfaceThatYieldsTakesHalfOfTheDepth) {
+  const std::string body =
+      "[body]\nkind = \"back\"\ntriangles = 2962\n[deformation]\ntissue = \"gaussian\"\n"
+      "[tissue]\nforce_law = \"linear\"\n[[finger]]\nname = \"index\"\nscript = [{ do = \"press\" }]\n";
+  const auto rigid = build(parse(body, "s.toml"));
+  const auto surfaceOf = [&](const std::string& kind) {
+    return rebuilt(*rigid, parse("[contact]\nhaptic_surface = \"" + kind + "\"\n" + body, "s.toml"));
+  };
+  const auto yields = surfaceOf("yields"), doubled = surfaceOf("yields_doubled");
+  const Index v = rigid->body->skin.triangles[1000][0];
+  EXPECT_EQ((*yields->surface.stiffness_n_per_mm)[v], 0.5 * (*rigid->surface.stiffness_n_per_mm)[v]);
+  EXPECT_EQ((*doubled->surface.stiffness_n_per_mm)[v], (*rigid->surface.stiffness_n_per_mm)[v]);
+  const contact::FingerOutput finger = dragging(*rigid);
+  EXPECT_EQ(contactOf(*rigid, finger)->depth_mm, 6.0);
+  EXPECT_EQ(contactOf(*yields, finger)->depth_mm, 3.0);
+  EXPECT_EQ(contactOf(*doubled, finger)->depth_mm, 3.0);
+}
+
 TEST(SkinContact, PressEllipseGrowsInProportionToTheDepth) {  // 4.2
   const World world = worldWith("[deformation]\nregion = \"scaled\"\n");
   contact::FingerOutput finger = dragging(world);

@@ -12,7 +12,7 @@ template <class Value>
 class WordsOfAType : public testing::Test {};
 
 using Types =
-    testing::Types<Reading, BodyKind, Unit, body::Side, StiffnessSource, ContactSource, Move,
+    testing::Types<Reading, BodyKind, Unit, body::Side, StiffnessSource, ContactSource, HapticSurface, Move,
                    maps::StiffnessInterpolation, maps::ForceDirection, maps::Averaging,
                    std::optional<maps::LiteralWeights>, maps::DirectionBlend, tissue::ForceLaw::Kind, hdb::TreeKind,
                    hdb::Assignment, hdb::HdbQuery, std::optional<hdb::LiteralTraversal>, deform::NormalRegion,
