@@ -11,10 +11,10 @@
 
 namespace palpate::app {
 
-/// What the help calls it.
+/// The placeholder of such a value in --help.
 inline constexpr const char* kBodyPlaceType = "X,Y,Z|PLACE";
 
-/// As it was asked for; words mean something on a body only.
+/// As the user gave it; a name means something on a built-in body only.
 struct BodyPlace {
   std::string option;  ///< for messages
   std::string words;   ///< "T6 right 30 mm"; empty: the point

@@ -33,7 +33,7 @@ void addMeasureFamily(Command& app);
 void addTeachFamily(Command& app);
 void addStudyFamily(Command& app);
 
-// Of the top.
+// Commands of the top level: `palpate run`, `palpate simulate`.
 void addRunCommand(Command& app);
 void addSimulateCommand(Command& app);
 void addRenderCommand(Command& app);

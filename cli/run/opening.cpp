@@ -35,10 +35,10 @@ Opening showOpening(window::Window& window, engine::WorldBuilder& building, view
     if (result) {
       if (!result->world) throw Error(result->error);
       window.handBack(for_the_body);
-      return {result->world, view.page(), view.awaited(), view.asks().requests, view.asks().actions};
+      return {result->world, view.page(), view.awaited(), view.output().requests, view.output().actions};
     }
     const std::vector<window::InputEvent> events = window.events(kFrameS);
-    const auto& requests = view.asks().requests;
+    const auto& requests = view.output().requests;
     const bool leaves = !requests.empty() && std::holds_alternative<viewer::GiveWay>(requests.back());
     if (window.closing() || endAskedBy() != 0 || leaves) return {.world = nullptr, .requests = requests};
     if (!offers.page && secondsSince(started) < kTimeForMoreS) {

@@ -249,7 +249,7 @@ void giveWay(viewer::Activity activity, const RunOptions& options) {
 
 /// As --begin says.
 void beginWith(const std::string& activity, viewer::ViewerState& viewer) {
-  if (activity == "measuring") viewer.asks.act(window::Action::measure_person);
+  if (activity == "measuring") viewer.output.act(window::Action::measure_person);
   if (activity == "class") viewer.request(viewer::ShowClass{});
 }
 
@@ -277,7 +277,7 @@ void takeOver(const Opening& opening, viewer::ViewerState& viewer) {
   viewer.state.shown.start = opening.page;
   viewer.awaited = opening.awaited;
   for (const viewer::Request& request : opening.requests) viewer.request(request);
-  for (const window::Action action : opening.actions) viewer.asks.act(action);
+  for (const window::Action action : opening.actions) viewer.output.act(action);
 }
 
 void runWindow(const RunOptions& options) {

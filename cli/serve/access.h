@@ -109,7 +109,7 @@ class VisitBook {
   /// How many strangers each client has.
   std::map<std::string, std::size_t> strangers() const;
   template <class Is>
-  VisitId takeOutStalest(VisitId but, const Is& is);
+  VisitId evictStalest(VisitId but, const Is& is);
 
   VisitLimits limits_;
   std::map<VisitId, Visit> visits_;

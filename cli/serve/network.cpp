@@ -190,7 +190,7 @@ void Network::tellTouch(std::vector<trace::Sample> felt) {
   });
 }
 
-void Network::tellVitals(Json vitals) {
+void Network::publishStats(Json vitals) {
   asio::post(impl_->events,
              [parts = impl_.get(), vitals = std::move(vitals)]() mutable { parts->hall.vitals = std::move(vitals); });
 }

@@ -84,7 +84,7 @@ class Network {
   /// What they felt in their newest tick, for those.
   void tellTouch(std::vector<trace::Sample> felt);
   /// How the servo is doing: a JSON object for the state message.
-  void tellVitals(Json vitals);
+  void publishStats(Json vitals);
   NetworkCounts counts() const;
 
  private:

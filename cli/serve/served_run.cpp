@@ -249,7 +249,7 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
     while (servo.thread().pop(sample)) {  // nobody plots them here
     }
     if (round % kFramesPerS == 0) {
-      network.tellVitals(vitalsJson(servo.thread().vitals()));
+      network.publishStats(vitalsJson(servo.thread().vitals()));
       for (const std::string& trouble : device::tendDevices(devices)) say(trouble + "\n");
     }
     due = std::max(due + kStepNs, monotonicNs());

@@ -13,7 +13,7 @@ std::map<std::string, std::size_t> VisitBook::strangers() const {
 }
 
 template <class Is>
-VisitId VisitBook::takeOutStalest(VisitId but, const Is& is) {
+VisitId VisitBook::evictStalest(VisitId but, const Is& is) {
   auto stalest = visits_.end();
   for (auto at = visits_.begin(); at != visits_.end(); ++at) {
     if (at->first == but || !is(at->second)) continue;
@@ -38,7 +38,7 @@ VisitId VisitBook::enter(VisitId id, const std::string& client, double now_s) {
                 return a.second < b.second;
               })->first;
   }
-  return takeOutStalest(id, [&](const Visit& visit) { return !visit.known && visit.client == crowded; });
+  return evictStalest(id, [&](const Visit& visit) { return !visit.known && visit.client == crowded; });
 }
 
 VisitId VisitBook::showedToken(VisitId id, double now_s) {
@@ -50,7 +50,7 @@ VisitId VisitBook::showedToken(VisitId id, double now_s) {
   const auto known = static_cast<std::size_t>(
       std::count_if(visits_.begin(), visits_.end(), [](const auto& visit) { return visit.second.known; }));
   if (known <= limits_.known) return 0;
-  return takeOutStalest(id, [](const Visit& visit) { return visit.known; });
+  return evictStalest(id, [](const Visit& visit) { return visit.known; });
 }
 
 void VisitBook::moved(VisitId id, double now_s) {

@@ -78,8 +78,8 @@ KeyTableRow rowOf(const measure::Measurement& measured, const std::string& name,
 
 void useInScene(ViewerState& viewer, const fs::path& file) {
   viewer.scene.ellipses.key_points = file;
-  viewer.asks.changed |= kMapChange;
-  viewer.asks.step = tr("measured key points");
+  viewer.output.changed |= kMapChange;
+  viewer.output.step = tr("measured key points");
 }
 
 }  // namespace

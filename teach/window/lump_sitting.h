@@ -62,7 +62,7 @@ class LumpSitting {
   void namePlace(const training::Moment& now);
   void markPlaces();
 
-  KeptRows rows_;
+  RowWriter rows_;
   training::LumpSession session_;
   std::optional<Vec3> touched_;  ///< on the skin: of the newest press of this body
   std::vector<Vec3> named_;      ///< of this body

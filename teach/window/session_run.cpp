@@ -25,12 +25,12 @@ std::vector<trace::RecordingFinger> fingersOf(LiveServo& servo) {
 
 }  // namespace
 
-KeptRows::KeptRows(training::Store& store, LiveServo& servo, const std::string& file) : store_(store), files_(store) {
+RowWriter::RowWriter(training::Store& store, LiveServo& servo, const std::string& file) : store_(store), files_(store) {
   if (!file.empty()) file_ = files_.pathOf(file);
   record(servo);
 }
 
-void KeptRows::record(LiveServo& servo) {
+void RowWriter::record(LiveServo& servo) {
   if (file_.empty()) return;
   engine::RecorderSettings settings;
   settings.header = engine::recordingHeader(servo.thread().ticksPerS());
@@ -42,7 +42,7 @@ void KeptRows::record(LiveServo& servo) {
 }
 
 /// So that whoever opens the recording finds the trials in it.
-void KeptRows::mark(const training::Row& row) {
+void RowWriter::mark(const training::Row& row) {
   if (!recorder_) return;
   if (const auto* trial = std::get_if<training::TrialRow>(&row)) {
     recorder_->mark(
@@ -52,7 +52,7 @@ void KeptRows::mark(const training::Row& row) {
   }
 }
 
-bool KeptRows::keep(std::vector<training::Row> rows) {
+bool RowWriter::keep(std::vector<training::Row> rows) {
   for (training::Row& row : rows) {
     mark(row);
     waiting_.push_back(std::move(row));
@@ -69,7 +69,7 @@ bool KeptRows::keep(std::vector<training::Row> rows) {
   return true;
 }
 
-std::string KeptRows::finish(const training::Uuid& session, std::string_view ended_by) {
+std::string RowWriter::finish(const training::Uuid& session, std::string_view ended_by) {
   if (!recorder_) return {};
   try {
     const auto recorder = std::exchange(recorder_, nullptr);

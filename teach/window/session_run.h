@@ -22,11 +22,11 @@
 
 namespace palpate::viewer {
 
-class KeptRows {
+class RowWriter {
  public:
   /// `file`: of the recording, as a session's row names it; empty: none. Begins it: one that cannot be made is told
   /// before anybody has answered anything. Throws Error.
-  KeptRows(training::Store& store, LiveServo& servo, const std::string& file);
+  RowWriter(training::Store& store, LiveServo& servo, const std::string& file);
 
   /// They go into the record, after those that wait; whether nothing waits. If not, `trouble` says why.
   bool keep(std::vector<training::Row> rows);
@@ -66,7 +66,7 @@ class SessionRun {
   std::string finish(std::string_view ended_by, const training::Moment& now);
 
  private:
-  KeptRows rows_;
+  RowWriter rows_;
   std::unique_ptr<training::Session> session_;
   training::Moment latest_;
   bool finished_ = false;

@@ -27,8 +27,8 @@ view::StereoSettings Eyesight::settings(ViewerState& viewer) {
   return stereo;
 }
 
-std::vector<window::InputEvent> asOneEyeSees(std::span<const window::InputEvent> events, view::StereoMode mode,
-                                             int width, int height) {
+std::vector<window::InputEvent> mapEventsToEye(std::span<const window::InputEvent> events, view::StereoMode mode,
+                                               int width, int height) {
   std::vector<window::InputEvent> seen(events.begin(), events.end());
   if (!view::hasTwoParts(mode)) return seen;
   const Vec2 whole(width, height);

@@ -32,7 +32,7 @@ class Eyesight {
 };
 
 /// Events whose places are in the whole picture, as one eye has them: panels are drawn once for each eye.
-std::vector<window::InputEvent> asOneEyeSees(std::span<const window::InputEvent> events, view::StereoMode mode,
-                                             int width, int height);
+std::vector<window::InputEvent> mapEventsToEye(std::span<const window::InputEvent> events, view::StereoMode mode,
+                                               int width, int height);
 
 }  // namespace palpate::viewer

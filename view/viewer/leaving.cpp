@@ -34,7 +34,7 @@ std::string nameOf(const ViewerState& viewer) {
 
 }  // namespace
 
-bool mustAskFirst(const Request& request, ViewerState& viewer) {
+bool needsConfirmation(const Request& request, ViewerState& viewer) {
   const bool closes = std::holds_alternative<Quit>(request) || std::holds_alternative<GiveWay>(request);
   if (closes && viewer.class_shown.anything()) {
     viewer.ask({.kind = Question::Kind::end_class,

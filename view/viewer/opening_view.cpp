@@ -37,7 +37,7 @@ std::span<const window::InputEvent> OpeningView::frame(const Frame& frame, std::
   const auto draw = [&](std::span<const window::InputEvent> pass) {
     gui_.begin(Vec2(frame.width, frame.height) / points, points, frame.elapsed_s, pass);
     if (!page_) progress(building);
-    startPage({state_.recent, state_.start_page, pictures_, activities_, awaited_, building}, page_, asks_);
+    startPage({state_.recent, state_.start_page, pictures_, activities_, awaited_, building}, page_, output_);
     gui_.end();
   };
   // A dialog knows its size, and is seen, from its second pass on.

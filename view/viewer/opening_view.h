@@ -1,6 +1,6 @@
 // The window's first second: the start page, or what is being built, before there is a body that the viewer can show.
 //
-//   run ─► OpeningView::frame, until the body is built ─► its asks, `page` ─► Viewer
+//   run ─► OpeningView::frame, until the body is built ─► its output, `page` ─► Viewer
 #pragma once
 
 #include <functional>
@@ -39,7 +39,7 @@ class OpeningView {
   const view::Target& target() const { return *target_; }
   /// The page is still open.
   bool page() const { return page_; }
-  Asks& asks() { return asks_; }
+  UiOutput& output() { return output_; }
   /// What the page waits for, to open it.
   std::optional<Activity> awaited() const { return awaited_; }
 
@@ -49,7 +49,7 @@ class OpeningView {
   bool page_;
   Activities activities_ = {};
   std::optional<Activity> awaited_;
-  Asks asks_;
+  UiOutput output_;
   window::Gui gui_;
   ExamplePictures pictures_;
   std::unique_ptr<view::Target> target_;

@@ -18,7 +18,7 @@
 namespace palpate::viewer {
 
 void RequestHandler::handle(const Request& request) {
-  if (parts_.modes.handle(request, parts_.viewer) || mustAskFirst(request, parts_.viewer)) return;
+  if (parts_.modes.handle(request, parts_.viewer) || needsConfirmation(request, parts_.viewer)) return;
   std::visit([this](const auto& allowed) { fulfil(allowed); }, request);
 }
 
@@ -57,7 +57,7 @@ void RequestHandler::lookAtSides() {
     viewer.scene.body.file = *turned->value;
     viewer.scene.body.unit = scene::Unit::millimetre;
     viewer.scene.body.group.clear();
-    viewer.asks.changed |= kBodyChange;
+    viewer.output.changed |= kBodyChange;
     viewer.report(Severity::info, trf("Turned over: {}", turned->value->string()));
   }
   if (const auto doubt = sides_.take()) {

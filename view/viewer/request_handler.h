@@ -128,7 +128,7 @@ class RequestHandler {
 
 /// Whether the request throws changes away and has not been asked about; then the viewer's state asks, and it waits in
 /// there.
-bool mustAskFirst(const Request& request, ViewerState& viewer);
+bool needsConfirmation(const Request& request, ViewerState& viewer);
 
 /// The answer to the viewer's question that a key means, or none.
 std::string_view answerOf(window::Key key, const ViewerState& viewer);

@@ -97,10 +97,10 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   stereo_ = eyesight_.settings(viewer_);
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, width, height);
   viewer_.size_points = Vec2(eye.seen_width, eye.seen_height) / points;
-  drawGuiPasses(asOneEyeSees(events, stereo_.mode, width, height), points, elapsed_s);
-  const Asks& asks = viewer_.asks;
+  drawGuiPasses(mapEventsToEye(events, stereo_.mode, width, height), points, elapsed_s);
+  const UiOutput& output = viewer_.output;
   const bool held = ImGui::IsAnyItemActive();
-  const bool any = held || !events.empty() || asks.changed != kNothing || !asks.requests.empty();
+  const bool any = held || !events.empty() || output.changed != kNothing || !output.requests.empty();
   useChanges(elapsed_s);
   if (!viewer_.opening && !modes_.claims().window) viewer_.history.follow(viewer_, {held, viewer_.editingNow(), any});
   tellTitle();
@@ -223,7 +223,7 @@ void Viewer::tellTitle() {
 }
 
 void Viewer::useChanges(double elapsed_s) {
-  for (const Request& request : std::exchange(viewer_.asks.requests, {})) requests_.handle(request);
+  for (const Request& request : std::exchange(viewer_.output.requests, {})) requests_.handle(request);
   requests_.advance();
   devices_.advance(viewer_, *world_);
   keeper_.advance(viewer_);
@@ -236,7 +236,7 @@ void Viewer::useChanges(double elapsed_s) {
   quit_ = quit_ || requests_.quits();
   world_swap_.advance(viewer_, servo_.thread());
   if (const auto reading = replay_.progress()) viewer_.building = reading;
-  viewer_.asks.changed = kNothing;
+  viewer_.output.changed = kNothing;
 }
 
 void Viewer::pointServo() {

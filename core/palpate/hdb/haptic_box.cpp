@@ -44,7 +44,7 @@ void collectLeaves(const Partition& partition, Index node_index, const MeetsShap
 }
 
 template <class MeetsShape>
-void findLeavesThat(const Partition& partition, const MeetsShape& meets_shape, LeafHits& hits) {
+void findLeavesIf(const Partition& partition, const MeetsShape& meets_shape, LeafHits& hits) {
   hits.leaves.clear();
   hits.cost = {};
   if (partition.nodes.empty()) return;
@@ -113,12 +113,12 @@ void TriangleHits::prepareFor(const Partition& partition) {
 }
 
 void findLeaves(const Partition& partition, const Box3& box, LeafHits& hits) noexcept {
-  findLeavesThat(
+  findLeavesIf(
       partition, [&](const Box3& tight) { return meets(tight, box); }, hits);
 }
 
 void findLeavesInSphere(const Partition& partition, const Vec3& centre, double radius, LeafHits& hits) noexcept {
-  findLeavesThat(
+  findLeavesIf(
       partition, [&](const Box3& tight) { return tight.squaredExteriorDistance(centre) <= radius * radius; }, hits);
 }
 

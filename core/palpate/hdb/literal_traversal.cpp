@@ -66,7 +66,7 @@ void enterCells(const Partition& partition, Index node_index, const Box3& box, L
   }
 }
 
-bool aCornerIsWithin(const Box3& cell, const Vec3& centre, double radius) {
+bool hasCornerInside(const Box3& cell, const Vec3& centre, double radius) {
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner = cell.corner(static_cast<Box3::CornerType>(i));
     if ((corner - centre).squaredNorm() <= radius * radius) return true;
@@ -79,7 +79,7 @@ void testCorners(const Partition& partition, const Box3& box, LeafHits& hits) {
   const double radius = 0.5 * box.sizes().x();
   for (const Index leaf : partition.leaves) {
     ++hits.cost.nodes_tested;
-    if (!aCornerIsWithin(partition.cells[leaf], box.center(), radius)) continue;
+    if (!hasCornerInside(partition.cells[leaf], box.center(), radius)) continue;
     ++hits.cost.nodes_entered;
     hits.leaves.push_back(leaf);
   }

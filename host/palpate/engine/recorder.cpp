@@ -1,5 +1,5 @@
 // The writer thread looks at the ring every few milliseconds. A world is told before any sample names it, so a sample
-// of a world that the file lacks makes the thread read its words first.
+// of a world that the file lacks makes the thread run its commands first.
 #include "palpate/engine/recorder.h"
 
 #include <fmt/format.h>
@@ -31,31 +31,31 @@ Recorder::Recorder(ServoThread& servo, RecorderSettings settings)
   while (servo_.popRecorded(stale)) {
   }
   dropped_before_ = servo_.droppedRecorded();
-  servo_.record([this](const FeltWorld& world) { tell({.world = world}); });
+  servo_.record([this](const FeltWorld& world) { queue({.world = world}); });
   thread_ = std::thread([this] { run(); });
 }
 
 Recorder::~Recorder() { end(); }
 
-void Recorder::tell(Word word) {
+void Recorder::queue(Command command) {
   const std::lock_guard lock(mutex_);
-  words_.push_back(std::move(word));
+  commands_.push_back(std::move(command));
 }
 
 void Recorder::event(std::string kind, std::string text, std::optional<std::uint32_t> finger) {
-  tell({.event = trace::RecordingEvent{newest_tick_, finger, std::move(kind), std::move(text)}});
+  queue({.event = trace::RecordingEvent{newest_tick_, finger, std::move(kind), std::move(text)}});
 }
 
 void Recorder::attach(trace::RecordingAttachment attachment) {
   attachment.tick = newest_tick_;
-  tell({.attachment = std::move(attachment)});
+  queue({.attachment = std::move(attachment)});
 }
 
 bool Recorder::keep(const std::filesystem::path& file) {
   const std::lock_guard lock(mutex_);
   if (keeping_) return false;
   keeping_ = true;
-  words_.push_back({.keep = file});
+  commands_.push_back({.keep = file});
   return true;
 }
 
@@ -120,7 +120,7 @@ void Recorder::run() {
 void Recorder::work() {
   servo::NumberedSample sample;
   while (servo_.popRecorded(sample)) take(sample);
-  obeyAll();
+  runPending();
   const double kept_ticks = settings_.keep_s * settings_.header.ticks_per_s;
   const std::uint64_t newest = newest_tick_;
   if (static_cast<double>(newest - first_tick_) <= kept_ticks) return;
@@ -132,7 +132,7 @@ void Recorder::take(const servo::NumberedSample& numbered) {
   const trace::Sample& sample = numbered.sample;
   const std::uint64_t missing = samples_ == 0 ? 0 : numbered.number - next_number_;
   next_number_ = numbered.number + 1;
-  if (!first_world_ || sample.world - *first_world_ >= worlds_) obeyAll();
+  if (!first_world_ || sample.world - *first_world_ >= worlds_) runPending();
   if (!first_world_ || sample.world < *first_world_) return;  // of a tick before it began
   if (samples_ == 0) {
     first_tick_ = sample.tick;
@@ -173,29 +173,29 @@ void Recorder::note(const trace::Sample& sample) {
   }
 }
 
-void Recorder::obeyAll() {
-  std::vector<Word> words;
+void Recorder::runPending() {
+  std::vector<Command> commands;
   {
     const std::lock_guard lock(mutex_);
-    words.swap(words_);
+    commands.swap(commands_);
   }
-  for (Word& word : words) obey(word);
+  for (Command& command : commands) run(command);
 }
 
-void Recorder::obey(Word& word) {
-  if (word.world) {
-    if (!first_world_) first_world_ = word.world->number;
-    writer_->add(recordingWorld(*word.world->world, word.world->fingers));
+void Recorder::run(Command& command) {
+  if (command.world) {
+    if (!first_world_) first_world_ = command.world->number;
+    writer_->add(recordingWorld(*command.world->world, command.world->fingers));
     if (samples_ > 0) writer_->add({newest_tick_, std::nullopt, "world", fmt::format("world {}", worlds_)});
     ++worlds_;
   }
-  if (word.event) writer_->add(*word.event);
-  if (word.attachment) writer_->add(*word.attachment);
-  if (!word.keep) return;
+  if (command.event) writer_->add(*command.event);
+  if (command.attachment) writer_->add(*command.attachment);
+  if (!command.keep) return;
   writer_->flush();
   const double seconds = state().seconds;
   // Beside, because an hour takes longer than the ring holds.
-  copying_.emplace([this, file = *word.keep, seconds] {
+  copying_.emplace([this, file = *command.keep, seconds] {
     KeptRecording kept{file, seconds, {}};
     try {
       trace::copyRecording(partial_, file, "kept");

@@ -83,20 +83,20 @@ class Recorder {
   void discard();
 
  private:
-  /// What the writer is told, in this order.
-  struct Word {
+  /// For the writing thread, run in this order.
+  struct Command {
     std::optional<FeltWorld> world = {};
     std::optional<trace::RecordingEvent> event = {};
     std::optional<trace::RecordingAttachment> attachment = {};
     std::optional<std::filesystem::path> keep = {};
   };
-  void tell(Word word);
+  void queue(Command command);
   void end();
   void run();
   void work();
   void take(const servo::NumberedSample& numbered);
-  void obey(Word& word);
-  void obeyAll();
+  void run(Command& command);
+  void runPending();
   void note(const trace::Sample& sample);
   void noteDropped(std::uint64_t count, std::uint64_t tick);
 
@@ -105,8 +105,8 @@ class Recorder {
   std::optional<trace::RecordingWriter> writer_;
   std::filesystem::path partial_;
 
-  mutable std::mutex mutex_;  // never the servo's
-  std::vector<Word> words_;   // with the mutex, like what follows
+  mutable std::mutex mutex_;       // never the servo's
+  std::vector<Command> commands_;  // with the mutex, like what follows
   std::string failure_;
   bool keeping_ = false;
   std::optional<KeptRecording> kept_;

@@ -181,8 +181,8 @@ struct Error3 {
   double freedom = 0.0;
 };
 
-/// Of a group's mean.
-Error3 errorOf(const Group& group, const PooledScatter& pooled) {
+/// The error of a group's mean.
+Error3 meanError(const Group& group, const PooledScatter& pooled) {
   const auto n = static_cast<double>(group.units.size());
   if (pooled.known()) {
     const double freedom = n - 1.0 + kPooledPresses;
@@ -328,7 +328,7 @@ PointMean pointMean(const std::vector<Group>& groups, const PooledScatter& of_pe
   PointMean point;
   for (const Group& group : groups) {
     DragMean drag{group.drag_deg,
-                  meanOf(ellipseOf(group, averaging), errorOf(group, group.of_people ? of_people : of_presses))};
+                  meanOf(ellipseOf(group, averaging), meanError(group, group.of_people ? of_people : of_presses))};
     countIn(drag.mean, group.presses);
     point.drags.push_back(std::move(drag));
     presses.insert(presses.end(), group.presses.begin(), group.presses.end());

@@ -68,15 +68,15 @@ TEST(MeasuringMode, AcceptingWritesARowAndTheSceneTakesTheTable) {
   EXPECT_NEAR(keys[0].ellipse.half_major_mm, 71.3, 0.01);
   EXPECT_NEAR(keys[0].ellipse.aspect, 1.0 / 1.35, 1e-3);
   EXPECT_EQ(viewer.scene.ellipses.key_points, folder / "keys.csv");
-  EXPECT_EQ(viewer.asks.changed, kMapChange);
+  EXPECT_EQ(viewer.output.changed, kMapChange);
   EXPECT_FALSE(mode.view().unsaved);
 
   mode.view().form.name = "L2";
   mode.view().form.use_in_scene = false;
-  viewer.asks.changed = kNothing;
+  viewer.output.changed = kNothing;
   ASSERT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::done);
   EXPECT_EQ(maps::readKeyPoints(folder / "keys.csv").size(), 2u);
-  EXPECT_EQ(viewer.asks.changed, kNothing);
+  EXPECT_EQ(viewer.output.changed, kNothing);
 }
 
 TEST(MeasuringMode, AsksBeforeItTakesWhatWasRefusedOrReplacesSomething) {
@@ -355,7 +355,7 @@ TEST(MeasuringWindow, QuittingAsksForWhatWasCorrectedAndThenForTheScene) {
   removeSelected(stage.measuring().view());
   stage.measuring().view().stale = Stale::nothing;
   viewer.scene.contact.finger.mu_static = 0.8;
-  viewer.asks.changed |= kFingerChange;
+  viewer.output.changed |= kFingerChange;
   stage.frame();
   viewer.request(Quit{});
   stage.frame();

@@ -40,19 +40,19 @@ constexpr std::size_t kMaxRowsRemembered = 20000;
 constexpr std::int64_t kRowOverheadBytes = 200;
 
 /// Rows after those that they refer to, however they arrived, but never across a deletion: that is where order counts.
-std::vector<std::size_t> orderOfKeeping(std::span<const SentRow> rows) {
+std::vector<std::size_t> insertionOrder(std::span<const SentRow> rows) {
   // By AnyRow's alternatives: station, class, trainee, protocol, session, block, trial, event, delete.
-  constexpr std::array<int, std::variant_size_v<AnyRow>> kTurn = {1, 1, 2, 1, 3, 4, 5, 5, 0};
-  std::vector<std::pair<int, int>> turns;
+  constexpr std::array<int, std::variant_size_v<AnyRow>> kRank = {1, 1, 2, 1, 3, 4, 5, 5, 0};
+  std::vector<std::pair<int, int>> ranks;
   int part = 0;
   for (const SentRow& sent : rows) {
     const bool deletes = std::holds_alternative<DeletionRow>(sent.row);
     part += deletes ? 1 : 0;
-    turns.emplace_back(part, kTurn[sent.row.index()]);
+    ranks.emplace_back(part, kRank[sent.row.index()]);
   }
   std::vector<std::size_t> order(rows.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return turns[i]; });
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return ranks[i]; });
   return order;
 }
 
@@ -88,7 +88,7 @@ std::string called(const SentRow& sent) { return sent.name.empty() ? std::string
 
 // --- what was deleted
 
-void RowKeeper::learn() {
+void RowKeeper::loadTombstones() {
   for (const auto& row :
        tables_.sql().ask("SELECT number, actor, subject FROM audit WHERE number > $1 AND action = $2 ORDER BY number",
                          {last_note_ - kNotesUnderWay, std::string(kDeletedAction)})) {
@@ -99,7 +99,7 @@ void RowKeeper::learn() {
     marks_[mark] = number;
     if (actor.starts_with(kStationActor)) {
       // A station's own notice, of older versions without its id.
-      if (actor.size() > kStationActor.size() + 1) heard_[{mark, actor.substr(kStationActor.size() + 1)}] = number;
+      if (actor.size() > kStationActor.size() + 1) notified_[{mark, actor.substr(kStationActor.size() + 1)}] = number;
       continue;
     }
     if (actor != kPartsActor) for_all_[mark] = number;
@@ -109,7 +109,7 @@ void RowKeeper::learn() {
 void RowKeeper::forget() {
   marks_.clear();
   for_all_.clear();
-  heard_.clear();
+  notified_.clear();
   last_note_ = 0;
   station_owner_.clear();
   session_owner_.clear();
@@ -120,8 +120,8 @@ void RowKeeper::forget() {
 bool RowKeeper::isDeletedFor(const std::string& mark, const Uuid& station) const {
   const auto deleted = for_all_.find(mark);
   if (deleted == for_all_.end()) return false;
-  const auto heard = heard_.find({mark, station});
-  return heard == heard_.end() || heard->second < deleted->second;
+  const auto notified = notified_.find({mark, station});
+  return notified == notified_.end() || notified->second < deleted->second;
 }
 
 bool RowKeeper::belongsToDeleted(const AnyRow& row, const Uuid& station) const {
@@ -165,7 +165,7 @@ int RowKeeper::eraseSessions(const std::vector<SessionRow>& sessions) {
 }
 
 bool RowKeeper::erase(const Uuid& trainee, std::string_view actor) {
-  learn();
+  loadTombstones();
   eraseSessions(tables_.sessions(trainee));
   note(actor, training::deletedMark(trainee));
   const bool there = tables_.erase(trainee);
@@ -210,10 +210,10 @@ void RowKeeper::applyDeletion(const DeletionRow& deletion, const SentRow& sent) 
   }
   if (of_all) {
     note("teacher", mark);
-    learn();
+    loadTombstones();
   } else if (isDeletedFor(mark, sent.station)) {
     note(fmt::format("{} {}", kStationActor, sent.station), mark);
-    learn();
+    loadTombstones();
   }
 }
 
@@ -437,7 +437,7 @@ KeptRows RowKeeper::keepEach(std::span<const SentRow> rows, std::span<const std:
       tables_.sql().run("ROLLBACK TO SAVEPOINT one");
       saveBytes();
       forget();
-      learn();
+      loadTombstones();
       verdicts[i] = {RowFate::waits, error.what()};
     }
   }
@@ -464,12 +464,12 @@ KeptRows RowKeeper::keepEach(std::span<const SentRow> rows, std::span<const std:
 }
 
 KeptRows RowKeeper::keep(std::span<const SentRow> rows) {
-  const std::vector<std::size_t> order = orderOfKeeping(rows);
+  const std::vector<std::size_t> order = insertionOrder(rows);
   // One of them may spoil the batch; which one is then found row by row.
   for (const bool savepoints : {false, true}) {
     try {
       training::SqlTransaction transaction(tables_.sql());
-      learn();
+      loadTombstones();
       KeptRows kept = keepEach(rows, order, savepoints);
       transaction.commit();
       return kept;

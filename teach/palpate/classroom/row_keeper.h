@@ -106,7 +106,7 @@ class RowKeeper {
   void saveBytes();
 
   /// What anybody has deleted since the last time: asked once for a batch instead of for each row.
-  void learn();
+  void loadTombstones();
   /// What was learned may have been undone.
   void forget();
   KeptRows keepEach(std::span<const SentRow> rows, std::span<const std::size_t> order, bool savepoints);
@@ -116,9 +116,9 @@ class RowKeeper {
 
   // Notes of the audit by number, which is the order of arrival.
   std::int64_t last_note_ = 0;
-  std::map<std::string, std::int64_t, std::less<>> marks_;             ///< of whatever was deleted
-  std::map<std::string, std::int64_t, std::less<>> for_all_;           ///< of trainees: for every station
-  std::map<std::pair<std::string, std::string>, std::int64_t> heard_;  ///< mark, station
+  std::map<std::string, std::int64_t, std::less<>> marks_;                ///< of whatever was deleted
+  std::map<std::string, std::int64_t, std::less<>> for_all_;              ///< of trainees: for every station
+  std::map<std::pair<std::string, std::string>, std::int64_t> notified_;  ///< mark, station
 
   // Found before; forgotten when they are many, and whenever something is deleted.
   std::map<training::Uuid, training::Uuid> station_owner_;

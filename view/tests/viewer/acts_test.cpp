@@ -63,7 +63,7 @@ TEST(Acts, EscapeClosesOneThingAtATime) {
   perform(Action::cancel, viewer);
   EXPECT_FALSE(viewer.editor.active);
   perform(Action::cancel, viewer);
-  EXPECT_TRUE(viewer.asks.requests.empty());
+  EXPECT_TRUE(viewer.output.requests.empty());
 }
 
 TEST(Hints, ComeOneAfterTheOtherAndThenNoMore) {

@@ -281,7 +281,7 @@ TEST(Devices, UnsafeStiffnessIsSeenUntilAnotherBodyIsOpened) {
   ViewerState& viewer = stage.state();
   EXPECT_EQ(widgetPlaces().count("unsafe"), 0u);
   viewer.scene.safety.unsafe_stiffness = true;
-  viewer.asks.changed |= kMapChange;
+  viewer.output.changed |= kMapChange;
   ASSERT_TRUE(stage.until([&] { return viewer.devices.unsafe; }));
   stage.frame();
   EXPECT_EQ(widgetPlaces().count("unsafe"), 1u) << "the strip along the upper edge";
@@ -349,7 +349,7 @@ class SceneWithDevices {
     for (int i = 0; i < 10; ++i) frame();
   }
   DevicesShown& devices() { return viewer->state().devices; }
-  bool asks() const { return viewer->state().question.has_value(); }
+  bool isAsking() const { return viewer->state().question.has_value(); }
 
   const support::TemporaryFolder folder;
   const view::OffscreenContext context;
@@ -360,7 +360,7 @@ class SceneWithDevices {
 TEST(Devices, ThoseThatTheSceneNamesAreAskedForAndThenOpened) {
   const HeldStage held;  // the double
   SceneWithDevices opened({{.name = "openhaptics", .finger = scene::HeldFinger::right}});
-  ASSERT_TRUE(opened.asks());
+  ASSERT_TRUE(opened.isAsking());
   EXPECT_NE(opened.viewer->state().question->words.find("openhaptics"), std::string::npos);
   EXPECT_TRUE(opened.devices().fingers[1].opening.empty()) << "nothing is opened before the answer";
   opened.viewer->state().request(AnswerQuestion{"Open"});
@@ -375,9 +375,9 @@ TEST(Devices, ThoseThatTheSceneNamesAreAskedForAndThenOpened) {
 TEST(Devices, OfASceneStayClosedWhereEnterOrEscapeAnswers) {
   for (const window::Key key : {window::Key::enter, window::Key::escape}) {
     SceneWithDevices opened({{.name = "remote"}, {.name = "playback:path.csv", .finger = scene::HeldFinger::right}});
-    ASSERT_TRUE(opened.asks());
+    ASSERT_TRUE(opened.isAsking());
     opened.tap(key);
-    EXPECT_FALSE(opened.asks());
+    EXPECT_FALSE(opened.isAsking());
     for (const FingerHeld& finger : opened.devices().fingers)
       EXPECT_TRUE(finger.opening.empty() && finger.words.empty());
   }
@@ -386,7 +386,7 @@ TEST(Devices, OfASceneStayClosedWhereEnterOrEscapeAnswers) {
 TEST(Devices, APluginThatASceneBringsIsNeverLoaded) {
   SceneWithDevices opened({{.name = "plugin:" + doubles::libraryOf("plugin")}});
   for (int i = 0; i < 10; ++i) opened.frame();
-  EXPECT_FALSE(opened.asks());
+  EXPECT_FALSE(opened.isAsking());
   ASSERT_FALSE(opened.viewer->state().messages.all().empty());
   EXPECT_NE(opened.viewer->state().messages.all().back().text.find("a file may name a plugin only"), std::string::npos);
   opened.viewer->state().request(AnswerQuestion{"Open"});
@@ -396,7 +396,7 @@ TEST(Devices, APluginThatASceneBringsIsNeverLoaded) {
 
 TEST(Devices, OfThisProgramAloneAreOpenedUnasked) {
   SceneWithDevices opened({{.name = "hand:stylus_z"}});
-  EXPECT_FALSE(opened.asks());
+  EXPECT_FALSE(opened.isAsking());
   EXPECT_TRUE(support::waitFor([&] {
     opened.frame();
     return !opened.devices().fingers[0].words.empty();

@@ -18,10 +18,10 @@ window::Command editCommand(window::Command::Kind kind) {
 struct Edited {
   std::vector<maps::Dysfunction> items;
   Editor editor = {};
-  Asks asks = {};
+  UiOutput output = {};
 
   void drag(const Vec2& from, const Vec2& to, std::span<const body::SkinLandmark> landmarks = kTwoLevels) {
-    const DysfunctionEdit edit{items, editor, asks, landmarks};
+    const DysfunctionEdit edit{items, editor, output, landmarks};
     applyEdit(editCommand(window::Command::Kind::edit_grab), from, edit);
     applyEdit(editCommand(window::Command::Kind::edit_move), to, edit);
     applyEdit(editCommand(window::Command::Kind::edit_drop), to, edit);

@@ -17,9 +17,9 @@ const std::vector<body::SkinLandmark> kSpine = {{"spinous_T6", "", {2, 40, 100},
 struct EditedLumps {
   std::vector<scene::LumpSettings> items;
   LumpEditor editor = {};
-  Asks asks = {};
+  UiOutput output = {};
 
-  LumpEdit edit() { return {items, editor, asks, kSpine}; }
+  LumpEdit edit() { return {items, editor, output, kSpine}; }
   void apply(Command::Kind kind, const Vec2& place, double amount = 0.0) {
     Command command;
     command.kind = kind;
@@ -35,8 +35,8 @@ TEST(LumpEditor, PlacesOneWhereTheSkinIsFreeAndMovesOneThatIsThere) {
   ASSERT_EQ(edited.items.size(), 1u);
   EXPECT_EQ(edited.items[0].at, "T9 left 51 mm") << "in words, to the whole millimetre";
   EXPECT_EQ(edited.items[0].name, "lump1");
-  EXPECT_EQ(edited.asks.changed, kMapChange);
-  EXPECT_EQ(edited.asks.step, "place lump lump1");
+  EXPECT_EQ(edited.output.changed, kMapChange);
+  EXPECT_EQ(edited.output.step, "place lump lump1");
   edited.apply(Command::Kind::edit_grab, {-47.0, -28.0});
   edited.apply(Command::Kind::edit_move, {34.0, 40.0});
   edited.apply(Command::Kind::edit_drop, {34.0, 40.0});
@@ -135,11 +135,11 @@ TEST_F(LumpWindow, OneThatReachesTheBoneIsRefusedAndTheBodyStays) {
   deep.y_mm = 20.0;
   deep.depth_mm = 55.0;
   stage.state().scene.lumps = {deep};
-  stage.state().asks.changed |= kMapChange;
+  stage.state().output.changed |= kMapChange;
   EXPECT_TRUE(stage.until([&] { return stage.state().messages.toast(stage.now_s) != nullptr; }));
   EXPECT_TRUE(stage.viewer->world().lumps.empty());
   stage.state().scene.lumps[0].depth_mm = 4.0;
-  stage.state().asks.changed |= kMapChange;
+  stage.state().output.changed |= kMapChange;
   EXPECT_TRUE(hasLumps(1));
 }
 
@@ -151,14 +151,14 @@ TEST_F(LumpWindow, ASwellingRaisesTheSkinUnderTheEyeThatStays) {
   swollen.depth_mm = 4.0;
   swollen.diameter_mm = 12.0;
   stage.state().scene.lumps = {swollen};
-  stage.state().asks.changed |= kMapChange;
+  stage.state().output.changed |= kMapChange;
   ASSERT_TRUE(hasLumps(1));
   stage.state().camera.distance_mm *= 0.5;
   stage.frame();
   const double distance = stage.state().camera.distance_mm;
   const double height = stage.viewer->world().lumps[0]->lump.foot.z();
   stage.state().scene.lumps[0].raise_mm = 8.0;
-  stage.state().asks.changed |= kMapChange;
+  stage.state().output.changed |= kMapChange;
   EXPECT_TRUE(stage.until([&] { return stage.viewer->world().lumps[0]->lump.foot.z() > height + 3.0; }))
       << (stage.state().building ? stage.state().building->stage : "idle");
   EXPECT_EQ(stage.state().camera.distance_mm, distance);

@@ -98,7 +98,7 @@ class PanelPictures : public testing::Test {
     double now_s = 1000.0;
     expect(name, width, 162, [&] {
       now_s += 10.0;  // an axis shrinks after some seconds: to this test's own, whatever was drawn before
-      plotStrips({plots, present, kDeviceLimitN, now_s, frozen_at_s}, {0.0f, 0.0f, float(width), 12.0f}, asks);
+      plotStrips({plots, present, kDeviceLimitN, now_s, frozen_at_s}, {0.0f, 0.0f, float(width), 12.0f}, output);
     });
   }
 
@@ -124,7 +124,7 @@ class PanelPictures : public testing::Test {
                    .notes = {}};
   Plots plots{{SampleHistory(kTicksPerS), SampleHistory(kTicksPerS)}};
   Messages messages;
-  Asks asks;
+  UiOutput output;
   window::Theme theme = window::Theme::dark;
   double pixels_per_point = 1.0;
 
@@ -136,14 +136,14 @@ class PanelPictures : public testing::Test {
 TEST_F(PanelPictures, OfTouch) {
   TouchSettings touch;
   std::size_t active = 0;
-  expectPanel("touch", 310, [&] { touchPanel({touch, active, scene}, asks); });
+  expectPanel("touch", 310, [&] { touchPanel({touch, active, scene}, output); });
 }
 
 TEST_F(PanelPictures, OfTouchByForce) {
   TouchSettings touch;
   touch.by = device::PressBy::force;
   std::size_t active = 1;
-  expectPanel("touch_force", 160, [&] { touchPanel({touch, active, scene}, asks); });
+  expectPanel("touch_force", 160, [&] { touchPanel({touch, active, scene}, output); });
 }
 
 /// A device that is felt on the left finger, and the mouse on the right.
@@ -173,7 +173,7 @@ TEST_F(PanelPictures, OfDevices) {
   DevicesShown devices = someDevices();
   const std::optional<VertexReading> reading;
   bool reach = true;
-  expectPanel("devices", 640, [&] { devicePanel({devices, scene, reading, reach, 1000.0}, asks); });
+  expectPanel("devices", 640, [&] { devicePanel({devices, scene, reading, reach, 1000.0}, output); });
 }
 
 TEST_F(PanelPictures, OfACalibrationAfterTheStop) {
@@ -184,7 +184,7 @@ TEST_F(PanelPictures, OfACalibrationAfterTheStop) {
   std::optional<VertexReading> reading;
   reading.emplace().place = Vec3(12, 140, 55);
   bool reach = true;
-  expectPanel("devices_calibrated", 640, [&] { devicePanel({devices, scene, reading, reach, 1000.0}, asks); });
+  expectPanel("devices_calibrated", 640, [&] { devicePanel({devices, scene, reading, reach, 1000.0}, output); });
 }
 
 TEST_F(PanelPictures, OfTheEmergencyStop) {
@@ -195,33 +195,33 @@ TEST_F(PanelPictures, OfTheEmergencyStop) {
   menu.offers_stop = true;
   const std::vector<std::string> lines = {"left: held back 812, damped 3"};
   expect("stop_offered", 640, 320, [&] {
-    menuBar(menu, asks);
+    menuBar(menu, output);
     interventionNotice(lines, free);
   });
   menu.stopped = true;
   expect("stop", 640, 320, [&] {
-    menuBar(menu, asks);
-    stopBanner(free, asks);
+    menuBar(menu, output);
+    stopBanner(free, output);
     interventionNotice(lines, free);
   });
 }
 
 TEST_F(PanelPictures, OfTissue) {
   ProfileEdit profile;
-  expectPanel("tissue", 595, [&] { tissuePanel({scene, profile, true}, asks); });
+  expectPanel("tissue", 595, [&] { tissuePanel({scene, profile, true}, output); });
 }
 
 TEST_F(PanelPictures, OfTheProfileEditor) {
   tissue::ProfileSettings of_scene;
   of_scene.kind = tissue::ProfileKind::user;
   ProfileEdit profile{{{0.0, 1.0}, {0.3, 0.85}, {0.5, 0.3}, {0.75, -0.2}, {1.0, 0.0}}};
-  expectPanel("profile", 160, [&] { profileCurve(of_scene, profile, asks); });
+  expectPanel("profile", 160, [&] { profileCurve(of_scene, profile, output); });
 }
 
 TEST_F(PanelPictures, OfDysfunctions) {
   std::vector<maps::Dysfunction> items = someDysfunctions();
   Editor editor{.active = true, .selected = 1};
-  expectPanel("dysfunctions", 235, [&] { dysfunctionPanel({.edit = {items, editor, asks}}); });
+  expectPanel("dysfunctions", 235, [&] { dysfunctionPanel({.edit = {items, editor, output}}); });
 }
 
 TEST_F(PanelPictures, OfLumps) {
@@ -233,14 +233,14 @@ TEST_F(PanelPictures, OfLumps) {
   items[1].y_mm = -110.0;
   items[1].stiffness_ratio = 0.4;
   LumpEditor editor{.active = false, .selected = 0};
-  expectPanel("lumps", 345, [&] { lumpPanel({.edit = {items, editor, asks}}); });
+  expectPanel("lumps", 345, [&] { lumpPanel({.edit = {items, editor, output}}); });
 }
 
 TEST_F(PanelPictures, OfTheModel) {
   world.tissue = "half-Gaussian tissue, force F = k d";
   world.notes = {"no layers because of fidelity.E15 = \"literal\"", "2 holes of the skin were closed"};
   bool dialog = false;
-  expectPanel("model", 560, [&] { modelPanel({scene, world, dialog}, asks); });
+  expectPanel("model", 560, [&] { modelPanel({scene, world, dialog}, output); });
 }
 
 TEST_F(PanelPictures, OfTheModelOfAMeshFile) {
@@ -249,7 +249,7 @@ TEST_F(PanelPictures, OfTheModelOfAMeshFile) {
   world = {"scan.ply", 81664, 40834, 310.0, 455.0, 180.0, false, false, 0.50, 0.50, {}};
   world.notes = {"3 triangles without an area were left out", "it has a border: fingers slide off there"};
   bool dialog = false;
-  expectPanel("model_mesh", 500, [&] { modelPanel({scene, world, dialog}, asks); });
+  expectPanel("model_mesh", 500, [&] { modelPanel({scene, world, dialog}, output); });
 }
 
 TEST_F(PanelPictures, OfWhatIsShown) {
@@ -300,7 +300,7 @@ TEST_F(PanelPictures, OfARecording) {
   recording.viewer = true;
   recording.session_s = 754.3;
   bool keeps_last_hour = true;
-  expectPanel("record", 345, [&] { recordPanel(recording, keeps_last_hour, 14.2, asks); });
+  expectPanel("record", 345, [&] { recordPanel(recording, keeps_last_hour, 14.2, output); });
 }
 
 TEST_F(PanelPictures, OfPerformance) {
@@ -311,11 +311,11 @@ TEST_F(PanelPictures, OfPerformance) {
 TEST_F(PanelPictures, OfTheReplayBar) {
   const FreeArea free{0.0f, 0.0f, 500.0f, 90.0f};
   Replay replay{.at_s = 6.4, .to_s = 9.1};
-  expect("replay", 500, 90, [&] { replayBar(replay, free, asks); });
+  expect("replay", 500, 90, [&] { replayBar(replay, free, output); });
   replay = {.at_s = 3.2, .to_s = 9.1, .playing = true, .table = "somewhere/run.session", .loops = true};
   replay.marks = {{1.0, "start"}, {3.1, "T6 right"}, {8.8, "end"}};
   const FreeArea higher{0.0f, 0.0f, 500.0f, 120.0f};
-  expect("replay_table", 500, 120, [&] { replayBar(replay, higher, asks); });
+  expect("replay_table", 500, 120, [&] { replayBar(replay, higher, output); });
 }
 
 TEST_F(PanelPictures, OfPlotsAtAFrozenMoment) {
@@ -331,7 +331,7 @@ TEST_F(PanelPictures, OfTheOpenDialog) {
   showFolder(folder);
   bool open = true;
   PreviewPane preview;
-  expect("open", 600, 420, [&] { openDialog(recent, open, preview, asks); });
+  expect("open", 600, 420, [&] { openDialog(recent, open, preview, output); });
   std::filesystem::remove_all(folder);
 }
 
@@ -354,7 +354,7 @@ TEST_F(PanelPictures, OfTheMenuWhileRecordingInANarrowWindow) {
   int hint = 0;
   const std::vector<std::string> status = {"torso, 20389 triangles with bones", "drawn smooth: slow", "mouse",
                                            "1000 Hz", "20 fps"};
-  expect("menu_recording", 500, 40, [&] { menuBar({state, hint, {}, 0, status, "recording 1:05"}, asks); });
+  expect("menu_recording", 500, 40, [&] { menuBar({state, hint, {}, 0, status, "recording 1:05"}, output); });
 }
 
 TEST_F(PanelPictures, OfTheHelpPage) {
@@ -377,7 +377,7 @@ TEST_F(PanelPictures, OfTheNotices) {
   const engine::BuildProgress building{"sorting the triangles", 0.4, 1.0};
   expect("notices", 480, 220, [&] {
     toast(messages, 0.0, free);
-    buildProgress(building, free, asks);
+    buildProgress(building, free, output);
     hint(hintText(0), free);
   });
 }
@@ -385,7 +385,7 @@ TEST_F(PanelPictures, OfTheNotices) {
 TEST_F(PanelPictures, OfTheMenu) {
   ViewState state;
   int hint = 0;
-  expect("menu", 480, 40, [&] { menuBar({state, hint, {}, 0, {"torso", "mouse", "1000 Hz", "60 fps"}, {}}, asks); });
+  expect("menu", 480, 40, [&] { menuBar({state, hint, {}, 0, {"torso", "mouse", "1000 Hz", "60 fps"}, {}}, output); });
 }
 
 TEST_F(PanelPictures, OfTheLightTheme) {
@@ -394,7 +394,7 @@ TEST_F(PanelPictures, OfTheLightTheme) {
   saySomething();
   TouchSettings touch;
   std::size_t active = 0;
-  expectPanel("touch_light", 160, [&] { touchPanel({touch, active, scene}, asks); });
+  expectPanel("touch_light", 160, [&] { touchPanel({touch, active, scene}, output); });
   expectPlots("plots_light");
   bool open = true;
   expect("messages_light", 580, 160, [&] { messageList(messages, open); });
@@ -404,7 +404,7 @@ TEST_F(PanelPictures, OfTheThemeOfHighContrast) {
   theme = window::Theme::contrast;
   TouchSettings touch;
   std::size_t active = 0;
-  expectPanel("touch_contrast", 160, [&] { touchPanel({touch, active, scene}, asks); });
+  expectPanel("touch_contrast", 160, [&] { touchPanel({touch, active, scene}, output); });
 }
 
 }  // namespace

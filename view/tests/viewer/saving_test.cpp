@@ -322,7 +322,7 @@ TEST(Undo, OfASliderThatIsNotOfTheScene) {
 TEST(Undo, BringsTheWorldBackToo) {
   Stage stage;
   stage.state().scene.stiffness.constant_n_per_mm = 1.25;
-  stage.state().asks.changed |= kMapChange;
+  stage.state().output.changed |= kMapChange;
   stage.frame();
   const auto stiffness = [&] { return stage.state().world.stiffest_n_per_mm; };
   ASSERT_TRUE(stage.until([&] { return stiffness() > 1.2; }));

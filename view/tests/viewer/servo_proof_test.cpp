@@ -71,7 +71,7 @@ std::vector<Phase> phases(const std::filesystem::path& big) {
       {"rebuild loop",
        [](Stage& stage, int i) {
          stage.state().scene.stiffness.constant_n_per_mm = 0.4 + 0.01 * (i % 50);
-         if (i % 30 == 0) stage.state().asks.changed |= kMapChange;
+         if (i % 30 == 0) stage.state().output.changed |= kMapChange;
          stage.frame();
        }},
       {"PNG sequence",

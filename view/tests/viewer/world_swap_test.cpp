@@ -49,7 +49,7 @@ struct AtWork {
 
   void advance(double now_s, std::uint32_t changed = kNothing) {
     viewer.now_s = now_s;
-    viewer.asks.changed = changed;
+    viewer.output.changed = changed;
     world_swap.advance(viewer, servo.thread());
   }
   /// The next world that is shown; null after twenty seconds.

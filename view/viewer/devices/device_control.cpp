@@ -207,7 +207,7 @@ void DeviceControl::placeDevices(ViewerState& viewer, const scene::World& world)
     const device::Workspace workspace = workspaceNow(i, servo_.opened(i).words, viewer, world);
     if (!servo_.place(i, workspace) || workspace.frame.mm == scale) continue;
     viewer.held = servo_.abilities();
-    viewer.asks.changed |= kFingerChange;
+    viewer.output.changed |= kFingerChange;
   }
 }
 

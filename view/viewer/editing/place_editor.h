@@ -2,7 +2,7 @@
 // (edit_history.h). The same gestures for every kind of thing; what differs is in its EditRules. Pure.
 //
 //   mouse ─ Input ─► Command ─ applyEdit ─┐
-//   panel, keys ──────────────────────────┴─► items of the scene ─ Asks::changed ─► a world with other tissue
+//   panel, keys ──────────────────────────┴─► items of the scene ─ UiOutput::changed ─► a world with other tissue
 #pragma once
 
 #include <fmt/format.h>
@@ -67,7 +67,7 @@ void stopEditing(const PlaceEdit<Item>& edit) {
   if (!editor.before) return;
   edit.items = std::move(*std::exchange(editor.before, std::nullopt));
   editor.selected = std::min(editor.selected, static_cast<int>(edit.items.size()) - 1);
-  edit.asks.changed |= kMapChange;
+  edit.output.changed |= kMapChange;
 }
 
 /// A new one there, selected.
@@ -78,14 +78,14 @@ Item& placeNew(const PlaceEdit<Item>& edit, const Vec2& place) {
   placed.y_mm = place.y();
   edit.items.push_back(std::move(placed));
   edit.editor.selected = static_cast<int>(edit.items.size()) - 1;
-  edit.asks.changed |= kMapChange;
+  edit.output.changed |= kMapChange;
   return edit.items.back();
 }
 
 template <class Item>
 void placeAt(const PlaceEdit<Item>& edit, const body::NamedPlace& place) {
   placeNew(edit, Vec2(place.point.x(), place.point.y())).at = place.name;
-  edit.asks.step = trf("place {}", nameOfSelected(edit));
+  edit.output.step = trf("place {}", nameOfSelected(edit));
 }
 
 /// Its place is said in words where the body has names, and is there to the whole millimetre.
@@ -101,10 +101,10 @@ void putIntoWords(Item& item, std::span<const body::SkinLandmark> landmarks) {
 template <class Item>
 void deleteSelected(const PlaceEdit<Item>& edit) {
   if (selectedOf(edit) == nullptr) return;
-  edit.asks.step = trf("delete {}", nameOfSelected(edit));
+  edit.output.step = trf("delete {}", nameOfSelected(edit));
   edit.items.erase(edit.items.begin() + edit.editor.selected);
   edit.editor.selected = -1;
-  edit.asks.changed |= kMapChange;
+  edit.output.changed |= kMapChange;
 }
 
 // ---- gestures
@@ -123,7 +123,7 @@ void moveSelected(const PlaceEdit<Item>& edit, const Vec2& place) {
   item->x_mm = place.x();
   item->y_mm = place.y();
   item->at.clear();  // words would put it back
-  edit.asks.changed |= kMapChange;
+  edit.output.changed |= kMapChange;
 }
 
 /// A turn of the wheel is a gesture of its own.
@@ -132,8 +132,8 @@ void changeSelected(const PlaceEdit<Item>& edit, const char* verb, void (*change
   Item* item = selectedOf(edit);
   if (item == nullptr) return;
   change(*item, notches);
-  edit.asks.changed |= kMapChange;
-  edit.asks.step = fmt::format("{} {}", verb, nameOfSelected(edit));
+  edit.output.changed |= kMapChange;
+  edit.output.step = fmt::format("{} {}", verb, nameOfSelected(edit));
 }
 
 /// Editor commands of the input rules; `place` is the skin under the cursor, in the map plane. False for others.
@@ -150,7 +150,7 @@ bool applyEdit(const window::Command& command, const std::optional<Vec2>& place,
     case Kind::edit_drop:
       if (Item* item = selectedOf(edit)) putIntoWords(*item, edit.landmarks);
       edit.editor.before.reset();
-      edit.asks.step = trf("place {}", nameOfSelected(edit));
+      edit.output.step = trf("place {}", nameOfSelected(edit));
       return true;
     case Kind::edit_size:
       changeSelected(edit, "resize", &EditRules<Item>::resize, command.amount);

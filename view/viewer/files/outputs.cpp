@@ -144,7 +144,7 @@ void Outputs::useProfile(ViewerState& viewer) {
   file = target;
   viewer.profile.drawn = viewer.profile.knots;
   viewer.scene.deformation.forms.normal_profile.kind = tissue::ProfileKind::user;
-  viewer.asks.changed |= kMapChange;
+  viewer.output.changed |= kMapChange;
 }
 
 void Outputs::keepFrame(ViewerState& viewer, view::Image image) {

@@ -48,12 +48,12 @@ std::string faultOf(const ClassFields& fields, bool exists) {
   return {};
 }
 
-void runPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, Asks& asks) {
+void runPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, UiOutput& output) {
   ImGui::TextDisabled("%s", tr("Teach on this computer"));
   if (shown.runs) {
     ImGui::TextWrapped("%s", trf("{} runs. {}", shown.folder, shown.words).c_str());
     remark(trf("Give each station its folder of {}/stations; there: start page > Class > Take part.", shown.folder));
-    if (buttonWidget("class/end", "End the class")) asks.request(EndClass{});
+    if (buttonWidget("class/end", "End the class")) output.request(EndClass{});
     return;
   }
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
@@ -76,20 +76,20 @@ void runPart(const ClassShown& shown, const std::filesystem::path& folder, Class
   StartClass request = fields.start;
   request.folder = whole.string();
   request.stations = static_cast<int>(fields.stations);
-  asks.request(request);
+  output.request(request);
 }
 
-void watchPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, Asks& asks) {
+void watchPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, UiOutput& output) {
   ImGui::TextDisabled("%s", tr("Watch a class"));
   if (fields.watched.empty()) fields.watched = shown.folder;
   const bool entered = textLine("class/watched", "class or instructor", fields.watched);
   ImGui::BeginDisabled(shown.watched || fields.watched.empty());
   const bool pressed = buttonWidget("class/watch", shown.watched ? "It is open" : "Open the teacher's window");
   ImGui::EndDisabled();
-  if (entered || pressed) asks.request(WatchClass{inFolder(folder, fields.watched).string()});
+  if (entered || pressed) output.request(WatchClass{inFolder(folder, fields.watched).string()});
 }
 
-void joinPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, Asks& asks) {
+void joinPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, UiOutput& output) {
   ImGui::TextDisabled("%s", tr("Take part at this computer"));
   if (shown.runs && fields.offered_of != shown.folder) {  // once: what is typed stays
     fields.offered_of = shown.folder;
@@ -99,20 +99,20 @@ void joinPart(const ClassShown& shown, const std::filesystem::path& folder, Clas
   ImGui::BeginDisabled(shown.joined || fields.station.empty());
   const bool pressed = buttonWidget("class/join", shown.joined ? "It is open" : "Open the training");
   ImGui::EndDisabled();
-  if (entered || pressed) asks.request(JoinClass{inFolder(folder, fields.station).string()});
+  if (entered || pressed) output.request(JoinClass{inFolder(folder, fields.station).string()});
 }
 
 }  // namespace
 
-void classDialog(const ClassShown& shown, const std::filesystem::path& folder, bool& open, Asks& asks) {
+void classDialog(const ClassShown& shown, const std::filesystem::path& folder, bool& open, UiOutput& output) {
   static ClassFields fields{{"class", "class-1", 2, system::identity().computer}, 2.0, {}, {}, {}};
   if (!beginDialog("A class", open)) return;
   if (shown.offered) {
-    runPart(shown, folder, fields, asks);
+    runPart(shown, folder, fields, output);
     ImGui::Separator();
-    watchPart(shown, folder, fields, asks);
+    watchPart(shown, folder, fields, output);
     ImGui::Separator();
-    joinPart(shown, folder, fields, asks);
+    joinPart(shown, folder, fields, output);
     ImGui::Separator();
   } else {
     remark("Classes are not installed here: the program palpate-teach is missing.");

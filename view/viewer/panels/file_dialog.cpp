@@ -77,15 +77,15 @@ bool listRow(const std::string& name) {
 }
 
 /// The file that was clicked, or none.
-struct Walked {
+struct Selection {
   std::string file = {};
   bool twice = false;  ///< clicked: open it
 };
 
 /// A listing is read when the folder changes, not in every frame. `path` is of the widgets; `selected` is drawn as
 /// chosen.
-Walked walk(Listing& listing, const char* path, const std::string& selected = {}, float width = 0.0f) {
-  Walked chosen;
+Selection walk(Listing& listing, const char* path, const std::string& selected = {}, float width = 0.0f) {
+  Selection chosen;
   ImGui::TextDisabled("%s", listing.folder.string().c_str());
   fs::path next;
   if (ImGui::BeginChild("files", {width, std::min(240.0f, 0.4f * ImGui::GetIO().DisplaySize.y)}, true)) {
@@ -182,7 +182,7 @@ namespace {
 /// The files on the left, the chosen one on the right. A click chooses, a second one opens.
 std::string walkWithPreview(Listing& listing, std::string& typed, PreviewPane& preview) {
   constexpr float kPaneWidth = 180.0f;
-  const Walked walked = walk(listing, "open", typed, ImGui::GetContentRegionAvail().x - kPaneWidth - 8.0f);
+  const Selection walked = walk(listing, "open", typed, ImGui::GetContentRegionAvail().x - kPaneWidth - 8.0f);
   if (!walked.file.empty()) typed = pathOf(walked.file).filename().string();
   const float height = ImGui::GetItemRectSize().y;
   ImGui::SameLine();
@@ -200,7 +200,7 @@ void choosePreview(const Listing& listing, const std::string& typed, PreviewPane
 
 }  // namespace
 
-void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& preview, Asks& asks) {
+void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& preview, UiOutput& output) {
   static std::string typed;
   static std::string trouble;
   if (!beginDialog("Open a scene or a mesh", open)) return;
@@ -228,7 +228,7 @@ void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& pr
       "Scenes (TOML), meshes (OBJ, STL, PLY, OFF, glTF, GLB), recordings, tables of forces (CSV). A click shows a "
       "file, Enter or a double click opens it. You can also drop a file on the window.");
   if (!chosen.empty()) {
-    asks.request(OpenFile{chosen});
+    output.request(OpenFile{chosen});
     open = false;
   }
   endDialog(open);
@@ -253,7 +253,7 @@ std::string photographDialog(const char* title, bool& open) {
   return chosen;
 }
 
-void saveDialog(const fs::path& now, const fs::path& folder, bool& open, Asks& asks) {
+void saveDialog(const fs::path& now, const fs::path& folder, bool& open, UiOutput& output) {
   static std::string typed;
   if (!beginDialog("Save the scene as", open)) return;
   Listing& listing = shownListing();
@@ -266,7 +266,7 @@ void saveDialog(const fs::path& now, const fs::path& folder, bool& open, Asks& a
   if (nameField({"save", "save/save", "Save"}, typed, open)) {
     fs::path file = listing.folder / pathOf(typed);  // a full path stays one
     if (file.extension() != ".toml") file += ".toml";
-    asks.request(SaveScene{file.string()});
+    output.request(SaveScene{file.string()});
     open = false;
   }
   remark("A scene (TOML) with all changes, camera and look. You are asked before a file is replaced.");
@@ -341,7 +341,7 @@ std::string saveAsDialog(const SaveAs& as, const fs::path& folder, bool& open) {
 
 }  // namespace
 
-void pictureDialog(const fs::path& folder, bool& open, Asks& asks) {
+void pictureDialog(const fs::path& folder, bool& open, UiOutput& output) {
   constexpr SaveAs kPicture = {toTranslate("Save the picture as"),
                                "picture",
                                "picture/save",
@@ -350,11 +350,11 @@ void pictureDialog(const fs::path& folder, bool& open, Asks& asks) {
                                kPictureKinds,
                                toTranslate("PNG, as the window shows it, without menus and messages.")};
   if (std::string file = saveAsDialog(kPicture, folder, open); !file.empty()) {
-    asks.request(TakeScreenshot{.file = std::move(file)});
+    output.request(TakeScreenshot{.file = std::move(file)});
   }
 }
 
-void filmDialog(const fs::path& folder, bool& open, Asks& asks) {
+void filmDialog(const fs::path& folder, bool& open, UiOutput& output) {
   constexpr SaveAs kFilm = {toTranslate("Save a film as"),
                             "film",
                             "film/save",
@@ -363,7 +363,7 @@ void filmDialog(const fs::path& folder, bool& open, Asks& asks) {
                             kFilmKinds,
                             toTranslate("WebM for browsers and players, or GIF for slides. It begins now and ends with "
                                         "File > Stop the film, at most 20 pictures a second.")};
-  if (std::string file = saveAsDialog(kFilm, folder, open); !file.empty()) asks.request(StartFilm{std::move(file)});
+  if (std::string file = saveAsDialog(kFilm, folder, open); !file.empty()) output.request(StartFilm{std::move(file)});
 }
 
 }  // namespace palpate::viewer

@@ -24,16 +24,16 @@ constexpr const char* kPerformance = toTranslate("Performance");
 constexpr PanelEntry kPanels[] = {
     {toTranslate("Touch"),
      [](ViewerState& s) {
-       touchPanel({s.state.touch, s.active_finger, s.scene}, s.asks);
+       touchPanel({s.state.touch, s.active_finger, s.scene}, s.output);
      },
      true},
     {toTranslate("Devices"),
      [](ViewerState& s) {
-       devicePanel({s.devices, s.scene, s.reading, s.state.shown.reach, s.ticks_per_s}, s.asks);
+       devicePanel({s.devices, s.scene, s.reading, s.state.shown.reach, s.ticks_per_s}, s.output);
      }},
     {toTranslate("Tissue"),
      [](ViewerState& s) {
-       tissuePanel({s.scene, s.profile, s.world.has_bones}, s.asks);
+       tissuePanel({s.scene, s.profile, s.world.has_bones}, s.output);
      }},
     {toTranslate("Dysfunctions"),
      [](ViewerState& s) {
@@ -47,7 +47,7 @@ constexpr PanelEntry kPanels[] = {
      }},
     {toTranslate("Model"),
      [](ViewerState& s) {
-       modelPanel({s.scene, s.world, s.state.shown.open_dialog}, s.asks);
+       modelPanel({s.scene, s.world, s.state.shown.open_dialog}, s.output);
      }},
     {toTranslate("Show"),
      [](ViewerState& s) {
@@ -61,7 +61,8 @@ constexpr PanelEntry kPanels[] = {
      [](ViewerState& s) {
        stereoPanel({s.state.stereo, s.state.head, s.head, s.camera, s.world});
      }},
-    {toTranslate("Record"), [](ViewerState& s) { recordPanel(s.recording, s.state.keeps_last_hour, s.now_s, s.asks); }},
+    {toTranslate("Record"),
+     [](ViewerState& s) { recordPanel(s.recording, s.state.keeps_last_hour, s.now_s, s.output); }},
     {kPerformance, [](ViewerState& s) { performancePanel(s.performance); }},
 };
 
@@ -110,11 +111,11 @@ std::vector<std::string> interventionLines(const ViewerState& viewer) {
 
 /// Does what was asked for as of a key and says what was told.
 void doActions(ViewerState& viewer, const Modes& modes) {
-  for (const window::Action action : std::exchange(viewer.asks.actions, {})) {
+  for (const window::Action action : std::exchange(viewer.output.actions, {})) {
     if (modes.handle({.kind = window::Command::Kind::act, .action = action}, viewer)) continue;
     perform(action, viewer);
   }
-  for (const Asks::Words& words : std::exchange(viewer.asks.words, {})) viewer.report(words.severity, words.text);
+  for (const UiOutput::Words& words : std::exchange(viewer.output.words, {})) viewer.report(words.severity, words.text);
 }
 
 }  // namespace
@@ -134,7 +135,7 @@ void sidePanel(ViewerState& viewer, float width, const FreeArea& free) {
                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
   viewer.vertex_panel_open = false;
   if (ImGui::Begin("panel", nullptr, kFixed)) {
-    viewRow(viewer.state.look, viewer.world, viewer.asks);
+    viewRow(viewer.state.look, viewer.world, viewer.output);
     for (const PanelEntry& panel : kPanels) {
       // F3 asks for this section from the keyboard.
       const bool asked = viewer.state.shown.performance && panel.name == kPerformance;
@@ -158,12 +159,12 @@ namespace {
 void drawAroundTheBody(ViewerState& viewer, float width, const FreeArea& free) {
   const Shown& shown = viewer.state.shown;
   if (shown.panel) sidePanel(viewer, width, free);
-  if (shown.plots) plotStrips(plotsOf(viewer), free, viewer.asks);
+  if (shown.plots) plotStrips(plotsOf(viewer), free, viewer.output);
   if (viewer.editing()) editingFrame(free);
   if (viewer.ruler.active) rulerNotice(viewer.ruler, free);
   interventionNotice(interventionLines(viewer), free);
   if (viewer.replay.frozen) {
-    replayBar(viewer.replay, free, viewer.asks);
+    replayBar(viewer.replay, free, viewer.output);
   } else if (viewer.state.hints && !viewer.editing() && !viewer.ruler.active) {
     hint(hintText(viewer.hint), free);
   }
@@ -172,7 +173,7 @@ void drawAroundTheBody(ViewerState& viewer, float width, const FreeArea& free) {
 /// The emergency stop and messages are seen whatever a mode shows.
 void drawModeWindow(Mode& mode, ViewerState& viewer, const FreeArea& free) {
   mode.draw(free);
-  if (viewer.devices.stopped) stopBanner(free, viewer.asks);
+  if (viewer.devices.stopped) stopBanner(free, viewer.output);
   toast(viewer.messages, viewer.now_s, free);
 }
 
@@ -188,7 +189,7 @@ void drawStartPage(ViewerState& viewer, ExamplePictures& pictures) {
              .pictures = pictures,
              .activities = viewer.activities,
              .awaited = viewer.awaited},
-            viewer.state.shown.start, viewer.asks);
+            viewer.state.shown.start, viewer.output);
 }
 
 }  // namespace
@@ -200,8 +201,8 @@ void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& picture
   const FreeArea free = freeArea(shown, size.x, size.y);
   if (Mode* mode = modes.claimant(&Claims::window)) return drawModeWindow(*mode, viewer, free);
   if (!shown.open_dialog) viewer.replay.chooses_beside = false;
-  menuBar(menuOf(viewer, modes), viewer.asks);
-  placeField({viewer.place_search, viewer.world.landmarks, viewer.place_words}, viewer.asks);
+  menuBar(menuOf(viewer, modes), viewer.output);
+  placeField({viewer.place_search, viewer.world.landmarks, viewer.place_words}, viewer.output);
   doActions(viewer, modes);
   if (Mode* mode = modes.claimant(&Claims::body)) {
     mode->draw({0.0f, kMenuBarHeight, size.x, size.y});
@@ -209,20 +210,20 @@ void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& picture
     drawAroundTheBody(viewer, size.x, free);
   }
   if (viewer.devices.unsafe) unsafeBanner(viewer.devices.safety_notes, free);
-  if (viewer.devices.stopped) stopBanner(free, viewer.asks);
-  buildProgress(viewer.building, free, viewer.asks);
+  if (viewer.devices.stopped) stopBanner(free, viewer.output);
+  buildProgress(viewer.building, free, viewer.output);
   doActions(viewer, modes);
   toast(viewer.messages, viewer.now_s, free);
   if (shown.help) helpPage(shown.help);
   if (shown.messages) messageList(viewer.messages, shown.messages);
-  openDialog(viewer.state.recent, shown.open_dialog, pictures.preview, viewer.asks);
-  saveDialog(viewer.document.file, viewer.output_folder, shown.save_dialog, viewer.asks);
-  pictureDialog(viewer.output_folder, shown.picture_dialog, viewer.asks);
-  filmDialog(viewer.output_folder, shown.film_dialog, viewer.asks);
-  classDialog(viewer.class_shown, viewer.output_folder, shown.class_dialog, viewer.asks);
+  openDialog(viewer.state.recent, shown.open_dialog, pictures.preview, viewer.output);
+  saveDialog(viewer.document.file, viewer.output_folder, shown.save_dialog, viewer.output);
+  pictureDialog(viewer.output_folder, shown.picture_dialog, viewer.output);
+  filmDialog(viewer.output_folder, shown.film_dialog, viewer.output);
+  classDialog(viewer.class_shown, viewer.output_folder, shown.class_dialog, viewer.output);
   manualDialog(viewer.manual, shown.manual);
   drawStartPage(viewer, pictures.examples);
-  questionDialog(viewer.question, viewer.asks);
+  questionDialog(viewer.question, viewer.output);
 }
 
 }  // namespace palpate::viewer

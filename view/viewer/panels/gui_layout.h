@@ -1,6 +1,6 @@
 // The frame around the panels: what stands where on the screen, and which parts of the viewer's state each panel gets.
 //
-//   ViewerState ─ drawGui ─► each panel (panels.h): the parts it shows and may change ─► Asks, for everything else
+//   ViewerState ─ drawGui ─► each panel (panels.h): the parts it shows and may change ─► UiOutput, for everything else
 //
 // All need a Gui frame that has begun.
 #pragma once
@@ -24,7 +24,7 @@ struct GuiPictures {
 
 /// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs; or what a mode has in place of
 /// them. Does the actions that were asked for and passes the words on; requests and notes of changes stay in
-/// viewer.asks.
+/// viewer.output.
 void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& pictures);
 
 /// Whether a window of this name belongs to a saved picture: menu bar, side panel, plots and what a mode draws in place

@@ -19,14 +19,14 @@ using window::Action;
 struct Menus {
   const MenuBar& bar;
   ViewState& state;
-  Asks& asks;
+  UiOutput& output;
 };
 
 void item(const Menus& menus, Action action) {
   const window::KeyBinding& binding = window::bindingOf(action);
   const bool on = menus.bar.on[static_cast<std::size_t>(action)];
   if (ImGui::MenuItem(tr(std::string(binding.name).c_str()), window::keysOf(binding).c_str(), on))
-    menus.asks.act(action);
+    menus.output.act(action);
   notePlace(fmt::format("menu/{}", binding.name), binding.does);
 }
 
@@ -50,7 +50,7 @@ bool beginMenu(const char* path, const char* label, bool offered = true) {
 void recentFiles(const Menus& menus) {
   if (!beginMenu("menu/Recent", "Recent", !menus.state.recent.empty())) return;
   for (const std::string& file : menus.state.recent) {
-    if (plainItem("menu/recent file", file.c_str())) menus.asks.request(OpenFile{file});
+    if (plainItem("menu/recent file", file.c_str())) menus.output.request(OpenFile{file});
   }
   ImGui::EndMenu();
 }
@@ -61,7 +61,7 @@ void pictureItems(const Menus& menus) {
     item(menus, action);
   }
   if (menus.bar.filming) {
-    if (plainItem("menu/Stop the film", "Stop the film")) menus.asks.request(StopFilm{});
+    if (plainItem("menu/Stop the film", "Stop the film")) menus.output.request(StopFilm{});
   } else if (plainItem("menu/Save film", "Save film ...")) {
     menus.state.shown.film_dialog = true;
   }
@@ -75,7 +75,7 @@ void fileMenu(const Menus& menus) {
     for (const scene::Preset& preset : scene::presets()) {
       const bool chosen = ImGui::MenuItem(tr(std::string(preset.title).c_str()));
       notePlace(fmt::format("menu/{}", preset.name), preset.what);
-      if (chosen) menus.asks.request(OpenPreset{std::string(preset.name)});
+      if (chosen) menus.output.request(OpenPreset{std::string(preset.name)});
     }
     ImGui::EndMenu();
   }
@@ -118,7 +118,7 @@ void languageMenu(const Menus& menus) {
     if (plainItem("menu/Language", std::string(offered.own_name).c_str(), chosen == offered.code))
       chosen = offered.code;
   }
-  if (chosen != before) menus.asks.tell(Severity::info, "The language holds from the next start");
+  if (chosen != before) menus.output.tell(Severity::info, "The language holds from the next start");
   ImGui::EndMenu();
 }
 
@@ -151,8 +151,8 @@ void viewMenu(const Menus& menus) {
   ImGui::Separator();
   switchItem("menu/Panel on the right", "Panel on the right", menus.state.shown.panel_right);
   ImGui::Separator();
-  if (plainItem("menu/Copy the view", "Copy the view")) menus.asks.request(CopyView{});
-  if (plainItem("menu/Paste the view", "Paste the view")) menus.asks.request(PasteView{});
+  if (plainItem("menu/Copy the view", "Copy the view")) menus.output.request(CopyView{});
+  if (plainItem("menu/Paste the view", "Paste the view")) menus.output.request(PasteView{});
   ImGui::Separator();
   themeMenu(menus.state.theme);
   textSizeMenu(menus.state.text_size);
@@ -222,7 +222,7 @@ void stopSign(const Menus& menus) {
     return notePlace("menu/stopped");
   }
   if (stopButton("menu/stop", "STOP", false, "Emergency stop: no device gets a force (Space or Pause).")) {
-    menus.asks.request(StopDevices{});
+    menus.output.request(StopDevices{});
   }
 }
 
@@ -240,9 +240,9 @@ void statusLine(std::span<const std::string> parts) {
 
 }  // namespace
 
-void menuBar(const MenuBar& bar, Asks& asks) {
+void menuBar(const MenuBar& bar, UiOutput& output) {
   if (!ImGui::BeginMainMenuBar()) return;
-  const Menus menus{bar, bar.state, asks};
+  const Menus menus{bar, bar.state, output};
   menu(menus, "File", fileMenu);
   menu(menus, "View", viewMenu);
   menu(menus, "Show", showMenu);

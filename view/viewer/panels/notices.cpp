@@ -85,7 +85,7 @@ void severeWords(Severity severity, const std::string& words) {
   ImGui::PopStyleColor();
 }
 
-void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, Asks& asks) {
+void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, UiOutput& output) {
   if (!building || building->since_s < kProgressAfterS) return;
   ImGui::SetNextWindowPos({middleOf(free), free.below - 64.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowBgAlpha(0.9f);
@@ -93,7 +93,7 @@ void buildProgress(const std::optional<engine::BuildProgress>& building, const F
     ImGui::TextUnformatted(tr(building->stage.c_str()));
     ImGui::ProgressBar(static_cast<float>(building->done), {260.0f, 0.0f});
     ImGui::SameLine();
-    if (buttonWidget("building/cancel", "Cancel")) asks.request(CancelBuild{});
+    if (buttonWidget("building/cancel", "Cancel")) output.request(CancelBuild{});
   }
   ImGui::End();
 }
@@ -110,7 +110,7 @@ void editingFrame(const FreeArea& free) {
   ImGui::End();
 }
 
-void stopBanner(const FreeArea& free, Asks& asks) {
+void stopBanner(const FreeArea& free, UiOutput& output) {
   constexpr ImU32 kRed = IM_COL32(230, 30, 24, 255);
   constexpr float kWidth = 8.0f;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -125,7 +125,7 @@ void stopBanner(const FreeArea& free, Asks& asks) {
     ImGui::SetWindowFontScale(1.0f);
     wrappedWords("No device gets a force. After the release a finger feels again once its tip has been outside.", free);
     ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(90, 6, 4, 255));
-    if (buttonWidget("stop/release", "Release the stop")) asks.request(ReleaseStop{});
+    if (buttonWidget("stop/release", "Release the stop")) output.request(ReleaseStop{});
     ImGui::PopStyleColor();
   }
   notePlaceOfWindow("stop");
@@ -196,7 +196,7 @@ bool closeMenus() {
   return true;
 }
 
-void questionDialog(const std::optional<Question>& question, Asks& asks) {
+void questionDialog(const std::optional<Question>& question, UiOutput& output) {
   constexpr const char* kName = "question";
   constexpr float kQuestionWidth = 420.0f;
   if (question && !ImGui::IsPopupOpen(kName)) ImGui::OpenPopup(kName);
@@ -216,7 +216,7 @@ void questionDialog(const std::optional<Question>& question, Asks& asks) {
                           : answer == answers.back() ? toTranslate("Esc")
                                                      : "";
       if (buttonWidget(path.c_str(), answer.c_str(), means)) {
-        asks.request(AnswerQuestion{answer});
+        output.request(AnswerQuestion{answer});
       }
     }
   } else {

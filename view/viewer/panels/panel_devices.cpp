@@ -20,7 +20,7 @@ constexpr std::array<const char*, 2> kSides = {"left", "right"};
 /// One finger's part of the panel; names of its controls begin with "devices/left/".
 struct Part {
   const DevicePanel& panel;
-  Asks& asks;
+  UiOutput& output;
   std::size_t finger;
 
   FingerHeld& held() const { return panel.devices.fingers[finger]; }
@@ -55,17 +55,17 @@ std::string buttonWords(std::uint32_t buttons) {
   return words.empty() ? tr("none") : words;
 }
 
-void stopWidgets(const DevicesShown& devices, Asks& asks) {
+void stopWidgets(const DevicesShown& devices, UiOutput& output) {
   if (!devices.stopped) {
     if (stopButton("devices/stop", "EMERGENCY STOP", true,
                    "No device gets a force until it is released (Space or Pause).")) {
-      asks.request(StopDevices{});
+      output.request(StopDevices{});
     }
     return;
   }
   remark("Stopped: no device gets a force.");
   if (buttonWidget("devices/release", "Release the stop", "A finger feels again once its tip has been outside.")) {
-    asks.request(ReleaseStop{});
+    output.request(ReleaseStop{});
   }
 }
 
@@ -84,7 +84,7 @@ void openWidgets(const Part& part) {
   notePlace(part.path("which"), "Which of several: a number, an address or a name; empty for the first.");
   const std::string& name = back_ends[std::min(held.back_end, back_ends.size() - 1)].name;
   if (part.button("open", "Open", "It takes the finger from the mouse; forces begin once its tip has been outside.")) {
-    part.asks.request(OpenDevice{part.finger, held.which.empty() ? name : name + ":" + held.which});
+    part.output.request(OpenDevice{part.finger, held.which.empty() ? name : name + ":" + held.which});
   }
 }
 
@@ -131,7 +131,7 @@ void keep(const Part& part, const scene::DeviceSettings& settings) {
   };
   const auto known = std::find_if(devices.begin(), devices.end(), same);
   known == devices.end() ? devices.push_back(settings) : void(*known = settings);
-  part.asks.changed |= kFingerChange;
+  part.output.changed |= kFingerChange;
 }
 
 scene::DeviceSettings settingsNow(const Part& part) {
@@ -238,7 +238,7 @@ void heldWidgets(const Part& part) {
   FingerHeld& held = part.held();
   remark(held.about);
   if (part.button("close", "Let it go", "The mouse has the finger again.")) {
-    part.asks.request(CloseDevice{part.finger});
+    part.output.request(CloseDevice{part.finger});
   }
   ImGui::SameLine();
   const std::string clutch = part.path("clutch");
@@ -263,11 +263,11 @@ void backEndWidgets(const BackEndFound& back_end) {
 
 }  // namespace
 
-void devicePanel(const DevicePanel& panel, Asks& asks) {
+void devicePanel(const DevicePanel& panel, UiOutput& output) {
   const DevicesShown& devices = panel.devices;
-  stopWidgets(devices, asks);
+  stopWidgets(devices, output);
   for (std::size_t i = 0; i < devices.fingers.size(); ++i) {
-    const Part part{panel, asks, i};
+    const Part part{panel, output, i};
     ImGui::Separator();
     valueLine(i == 0 ? "left finger" : "right finger",
               devices.fingers[i].words.empty() ? tr("mouse") : devices.fingers[i].words);
@@ -278,7 +278,7 @@ void devicePanel(const DevicePanel& panel, Asks& asks) {
   if (devices.looking) {
     remark("looking for devices ...");
   } else if (devices.back_ends.empty() || buttonWidget("devices/look", "Look again")) {
-    asks.request(FindDevices{});
+    output.request(FindDevices{});
   }
   for (const BackEndFound& back_end : devices.back_ends) backEndWidgets(back_end);
 }

@@ -36,13 +36,13 @@ void fieldsOf(const DysfunctionEdit& edit, maps::Dysfunction& item, const std::s
 
 }  // namespace
 
-void historyButtons(const std::string& panel, const HistoryWords& words, Asks& asks) {
+void historyButtons(const std::string& panel, const HistoryWords& words, UiOutput& output) {
   ImGui::BeginDisabled(words.undo.empty());
-  if (buttonWidget((panel + "/undo").c_str(), "Undo", words.undo.c_str())) asks.act(window::Action::undo);
+  if (buttonWidget((panel + "/undo").c_str(), "Undo", words.undo.c_str())) output.act(window::Action::undo);
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(words.redo.empty());
-  if (buttonWidget((panel + "/redo").c_str(), "Redo", words.redo.c_str())) asks.act(window::Action::redo);
+  if (buttonWidget((panel + "/redo").c_str(), "Redo", words.redo.c_str())) output.act(window::Action::redo);
   ImGui::EndDisabled();
 }
 
@@ -59,7 +59,7 @@ void dysfunctionPanel(const DysfunctionPanel& panel) {
     if (buttonWidget("dysfunctions/delete", "Delete")) deleteSelected(edit);
     ImGui::SameLine();
   }
-  historyButtons("dysfunctions", {panel.undo_words, panel.redo_words}, edit.asks);
+  historyButtons("dysfunctions", {panel.undo_words, panel.redo_words}, edit.output);
 }
 
 }  // namespace palpate::viewer

@@ -98,7 +98,7 @@ void lumpPanel(const LumpPanel& panel) {
     if (buttonWidget("lumps/delete", "Delete")) deleteSelected(edit);
     ImGui::SameLine();
   }
-  historyButtons("lumps", {panel.undo_words, panel.redo_words}, edit.asks);
+  historyButtons("lumps", {panel.undo_words, panel.redo_words}, edit.output);
 }
 
 }  // namespace palpate::viewer

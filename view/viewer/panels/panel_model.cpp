@@ -101,19 +101,19 @@ void fidelityWidgets(const SceneKeys& keys) {
     }
     ImGui::TreePop();
   }
-  if (changed) keys.asks.changed |= consequenceOf("fidelity");
+  if (changed) keys.output.changed |= consequenceOf("fidelity");
 }
 
 }  // namespace
 
-void modelPanel(const ModelPanel& panel, Asks& asks) {
-  const SceneKeys keys{panel.scene, asks};
+void modelPanel(const ModelPanel& panel, UiOutput& output) {
+  const SceneKeys keys{panel.scene, output};
   factsOf(panel.world);
   if (buttonWidget("model/open", "Open ...", "A scene or a mesh; or drop a file on the window.")) {
     panel.open_dialog = true;
   }
   ImGui::SameLine();
-  if (buttonWidget("model/default", "Built-in body")) asks.request(OpenPreset{"trunk"});
+  if (buttonWidget("model/default", "Built-in body")) output.request(OpenPreset{"trunk"});
   ImGui::Separator();
   bodyWidgets(keys);
   ImGui::Separator();

@@ -27,7 +27,7 @@ std::string recordingWords(const Recording& recording, double now_s) {
 namespace {
 
 /// What is recorded by itself.
-void sessionPart(const Recording& recording, bool& keeps_last_hour, Asks& asks) {
+void sessionPart(const Recording& recording, bool& keeps_last_hour, UiOutput& output) {
   flagWidget("record/session", "Record the last hour by itself", keeps_last_hour,
              "Every tick of both fingers, in a recording file that a crash leaves readable.");
   if (!recording.viewer) return;
@@ -36,24 +36,24 @@ void sessionPart(const Recording& recording, bool& keeps_last_hour, Asks& asks) 
   remark(recording.dropped == 0 ? recorded : trf("{}, {} samples missing", recorded, recording.dropped));
   if (buttonWidget("record/keep", recording.keeping ? "Keeping ..." : "Keep the recording (Shift+R)",
                    "Copies the last hour into a recording file: to be shown again, proven, sent with a bug report.")) {
-    asks.request(KeepRecording{});
+    output.request(KeepRecording{});
   }
   if (buttonWidget("record/mark", "Set a mark (Shift+M)", "In the recording, to be found again.")) {
-    asks.request(SetMark{});
+    output.request(SetMark{});
   }
   if (!recording.kept_file.empty() &&
       buttonWidget("record/play", "Show what was kept", "Plays it on the body it was felt on; Space ends it.")) {
-    asks.request(OpenFile{recording.kept_file});
+    output.request(OpenFile{recording.kept_file});
   }
 }
 
 }  // namespace
 
-void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s, Asks& asks) {
-  sessionPart(recording, keeps_last_hour, asks);
+void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s, UiOutput& output) {
+  sessionPart(recording, keeps_last_hour, output);
   if (buttonWidget("record/forces", recording.forces ? "Stop recording (R)" : "Record forces (R)",
                    "Every finger in every tick, as a CSV table.")) {
-    asks.request(ToggleForces{});
+    output.request(ToggleForces{});
   }
   if (recording.forces) {
     remark(trf("{:.1f} s into {}", now_s - recording.since_s, recording.forces_file));
@@ -62,23 +62,23 @@ void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s
       buttonWidget(
           "record/replay", "Replay what was recorded",
           "Presses the same places again, to be stepped tick by tick. Other tables: Open, or drop them here.")) {
-    asks.request(OpenFile{recording.forces_file});
+    output.request(OpenFile{recording.forces_file});
   }
   if (buttonWidget("record/sequence", recording.sequence ? "Stop the pictures" : "Record pictures",
                    "Every frame as a PNG file, in a folder of their own.")) {
-    asks.request(ToggleSequence{});
+    output.request(ToggleSequence{});
   }
   if (recording.sequence) remark(trf("{} pictures in {}", recording.pictures, recording.sequence_folder));
-  if (buttonWidget("record/picture", "Save a picture (F12)")) asks.request(TakeScreenshot{});
+  if (buttonWidget("record/picture", "Save a picture (F12)")) output.request(TakeScreenshot{});
   if (buttonWidget("record/clear_picture", "... without background (Ctrl+F12)",
                    "The body alone; the rest of the PNG file is transparent.")) {
-    asks.request(TakeClearScreenshot{});
+    output.request(TakeClearScreenshot{});
   }
-  if (buttonWidget("record/csv", "Save the plots as CSV")) asks.request(SavePlots{});
-  if (buttonWidget("record/scene", "Save the scene (Ctrl+S)")) asks.request(SaveScene{});
+  if (buttonWidget("record/csv", "Save the plots as CSV")) output.request(SavePlots{});
+  if (buttonWidget("record/scene", "Save the scene (Ctrl+S)")) output.request(SaveScene{});
   if (buttonWidget("record/copy_scene", "Copy as a scene (Ctrl+C)",
                    "What is seen and felt now, as the text of a scene file: for mails, notes and bug reports.")) {
-    asks.act(window::Action::copy_scene);
+    output.act(window::Action::copy_scene);
   }
 }
 

@@ -107,7 +107,7 @@ void overlayWidget(view::Look& look, view::Overlay overlay) {
   }
 }
 
-void viewButtons(Asks& asks) {
+void viewButtons(UiOutput& output) {
   constexpr std::array<view::StandardView, 7> kOrder = {
       view::StandardView::back,  view::StandardView::front, view::StandardView::left, view::StandardView::right,
       view::StandardView::above, view::StandardView::below, view::StandardView::table};
@@ -121,7 +121,7 @@ void viewButtons(Asks& asks) {
     if (side != kOrder.front() && left + width <= end) ImGui::SameLine(0.0f, 3.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4.0f, 2.0f});
     if (buttonWidget(fmt::format("view/{}", name).c_str(), label.c_str(), "See the whole body from this side.")) {
-      asks.request(SetView{side});
+      output.request(SetView{side});
     }
     ImGui::PopStyleVar();
   }
@@ -135,9 +135,9 @@ void colouringFlag(view::Look& look, view::Colouring colouring, const char* path
 
 }  // namespace
 
-void viewRow(view::Look& look, const WorldFacts& world, Asks& asks) {
+void viewRow(view::Look& look, const WorldFacts& world, UiOutput& output) {
   constexpr double kSeeThrough = 0.4;  // bones are seen, and the skin still is
-  viewButtons(asks);
+  viewButtons(output);
   bool bones = look.skin_opacity < 1.0;
   if (world.has_bones) {
     if (flagWidget("quick/bones", "bones", bones, "Through half-transparent skin (key O has more steps).")) {

@@ -53,8 +53,8 @@ void ellipseWidgets(const SceneKeys& keys) {
 
 }  // namespace
 
-void tissuePanel(const TissuePanel& panel, Asks& asks) {
-  const SceneKeys keys{panel.scene, asks};
+void tissuePanel(const TissuePanel& panel, UiOutput& output) {
+  const SceneKeys keys{panel.scene, output};
   const bool is_layered = panel.has_bones && panel.scene.deformation.tissue == scene::TissueModel::layered;
   stiffnessWidgets(keys, panel.has_bones, is_layered);
   lawWidgets(keys);
@@ -62,7 +62,7 @@ void tissuePanel(const TissuePanel& panel, Asks& asks) {
   capWidgets(keys, is_layered);
   keyWidget(keys, {"deformation", "shape", "shape of the dent"});
   keyWidget(keys, {"deformation", "profile", "profile"});
-  profileCurve(panel.scene.deformation.forms.normal_profile, panel.profile, asks);
+  profileCurve(panel.scene.deformation.forms.normal_profile, panel.profile, output);
   ImGui::Separator();
   ellipseWidgets(keys);
   otherKeys(keys, "deformation");

@@ -38,7 +38,7 @@ void pressWidgets(TouchSettings& touch) {
       "Pressing with both buttons moves slower the harder the skin pushes back: the eye reads it as resistance.");
 }
 
-void radiusWidget(scene::Scene& scene, std::size_t active, Asks& asks) {
+void radiusWidget(scene::Scene& scene, std::size_t active, UiOutput& output) {
   double radius = fingerRadius(scene, active);
   if (!numberWidget(radius, {"touch/radius", "finger radius", "%.1f mm", 0.5, 30.0, 8.0,
                              "Of the finger that is used now; 8 mm is a fingertip."})) {
@@ -51,34 +51,34 @@ void radiusWidget(scene::Scene& scene, std::size_t active, Asks& asks) {
     scene.fingers.push_back(finger);
   }
   scene.fingers[active].radius_mm = radius;
-  asks.changed |= kFingerChange;
+  output.changed |= kFingerChange;
 }
 
 /// The skin never holds a sliding finger better than a still one: each slider pushes the other along.
-void gripWidgets(contact::FingerSettings& friction, Asks& asks) {
+void gripWidgets(contact::FingerSettings& friction, UiOutput& output) {
   if (numberWidget(friction.mu_static, {"friction/static", "grip", "%.2f", 0.0, 2.0, 0.46,
                                         "Friction up to which the skin sticks to the finger (static coefficient)."})) {
     friction.mu_dynamic = std::min(friction.mu_dynamic, friction.mu_static);
-    asks.changed |= kFingerChange;
+    output.changed |= kFingerChange;
   }
   if (numberWidget(friction.mu_dynamic, {"friction/dynamic", "grip, sliding", "%.2f", 0.0, 2.0, 0.44,
                                          "Friction while the finger slips (dynamic coefficient)."})) {
     friction.mu_static = std::max(friction.mu_static, friction.mu_dynamic);
-    asks.changed |= kFingerChange;
+    output.changed |= kFingerChange;
   }
 }
 
 }  // namespace
 
-void touchPanel(const TouchPanel& panel, Asks& asks) {
-  const SceneKeys keys{panel.scene, asks};
+void touchPanel(const TouchPanel& panel, UiOutput& output) {
+  const SceneKeys keys{panel.scene, output};
   choiceWidget("touch/finger", "finger", panel.active_finger, kFingerChoices,
                "Which finger the mouse moves; the other stays where it is (keys 1 and 2).");
   pressWidgets(panel.touch);
-  radiusWidget(panel.scene, panel.active_finger, asks);
+  radiusWidget(panel.scene, panel.active_finger, output);
   ImGui::Separator();
   keyWidget(keys, {"friction", "skin", "skin"});
-  gripWidgets(panel.scene.contact.finger, asks);
+  gripWidgets(panel.scene.contact.finger, output);
   keyWidget(keys, {"friction", "stiffness_ratio", "sideways stiffness", 0.05, 3.0});
   ImGui::Separator();
   keyWidget(keys, {"contact", "source", "feels through"});

@@ -1,6 +1,6 @@
 // The panels, each in a file of its own (panel_<name>.cpp), and what puts them on the screen.
 //
-//   drawGui (gui_layout.h) ─► a panel: the parts it shows and may change, by reference ─► Asks, for everything else
+//   drawGui (gui_layout.h) ─► a panel: the parts it shows and may change, by reference ─► UiOutput, for everything else
 //
 // A panel is a function that draws the controls of one section; the frame around it is drawn by sidePanel. It knows no
 // ViewerState: what its struct does not hold, it neither sees nor changes. All need a Gui frame that has begun.
@@ -42,7 +42,7 @@ struct TouchPanel {
   std::size_t& active_finger;
   scene::Scene& scene;
 };
-void touchPanel(const TouchPanel& panel, Asks& asks);
+void touchPanel(const TouchPanel& panel, UiOutput& output);
 
 struct DevicePanel {
   DevicesShown& devices;
@@ -51,14 +51,14 @@ struct DevicePanel {
   bool& reach;
   double ticks_per_s;
 };
-void devicePanel(const DevicePanel& panel, Asks& asks);
+void devicePanel(const DevicePanel& panel, UiOutput& output);
 
 struct TissuePanel {
   scene::Scene& scene;
   ProfileEdit& profile;
   bool has_bones;
 };
-void tissuePanel(const TissuePanel& panel, Asks& asks);
+void tissuePanel(const TissuePanel& panel, UiOutput& output);
 
 struct DysfunctionPanel {
   DysfunctionEdit edit;
@@ -79,7 +79,7 @@ struct ModelPanel {
   const WorldFacts& world;
   bool& open_dialog;
 };
-void modelPanel(const ModelPanel& panel, Asks& asks);
+void modelPanel(const ModelPanel& panel, UiOutput& output);
 
 struct ShowPanel {
   view::Look& look;
@@ -90,7 +90,7 @@ struct ShowPanel {
 };
 void showPanel(const ShowPanel& panel);
 /// Above all sections: from where one looks, and what is shown most often.
-void viewRow(view::Look& look, const WorldFacts& world, Asks& asks);
+void viewRow(view::Look& look, const WorldFacts& world, UiOutput& output);
 
 /// Which number of the body's file colours the skin, by which colours, and how its values are spread.
 void scalarWidgets(view::Look& look, const WorldFacts& world);
@@ -114,11 +114,11 @@ void stereoPanel(const StereoPanel& panel);
 /// What is being recorded and for how long: "recording 0:12, 37 pictures"; empty when nothing is.
 std::string recordingWords(const Recording& recording, double now_s);
 /// `keeps_last_hour` is switched by it.
-void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s, Asks& asks);
+void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s, UiOutput& output);
 void performancePanel(const Performance& performance);
 
 /// A curve of the scene's displacement profile, with handles when it is the user's own.
-void profileCurve(const tissue::ProfileSettings& of_scene, ProfileEdit& profile, Asks& asks);
+void profileCurve(const tissue::ProfileSettings& of_scene, ProfileEdit& profile, UiOutput& output);
 
 // ---- around the picture
 
@@ -135,7 +135,7 @@ struct MenuBar {
   std::vector<window::Action> modes = {};  ///< what else this window can be used for (mode.h)
   float room_for_place = 0.0f;             ///< left free behind the menus (placeField), points
 };
-void menuBar(const MenuBar& menu, Asks& asks);
+void menuBar(const MenuBar& menu, UiOutput& output);
 
 /// Names of places that hold all words typed, those that begin with them first; a few.
 std::vector<std::string> placesLike(std::span<const body::SkinLandmark> landmarks, std::string_view typed);
@@ -151,7 +151,7 @@ struct PlaceField {
   const std::string& here;
 };
 inline constexpr float kPlaceFieldWidth = 360.0f;
-void placeField(const PlaceField& field, Asks& asks);
+void placeField(const PlaceField& field, UiOutput& output);
 
 struct PlotStrips {
   Plots& plots;
@@ -163,21 +163,21 @@ struct PlotStrips {
   /// Whose numbers stand above the strips.
   double timeShown() const { return frozen_at_s ? *frozen_at_s : plots.shownEnd(); }
 };
-void plotStrips(const PlotStrips& panel, const FreeArea& free, Asks& asks);
+void plotStrips(const PlotStrips& panel, const FreeArea& free, UiOutput& output);
 
-void replayBar(Replay& replay, const FreeArea& free, Asks& asks);
+void replayBar(Replay& replay, const FreeArea& free, UiOutput& output);
 void helpPage(bool& open);
 /// Files opened before, a folder to walk through, a line to type into, a picture of what is chosen.
-void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& preview, Asks& asks);
+void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& preview, UiOutput& output);
 /// The same for a photograph: the file that was chosen, or nothing yet.
 std::string photographDialog(const char* title, bool& open);
 /// Where the scene is to be saved; begins beside `now`, or in `folder` when it has no file yet.
-void saveDialog(const std::filesystem::path& now, const std::filesystem::path& folder, bool& open, Asks& asks);
+void saveDialog(const std::filesystem::path& now, const std::filesystem::path& folder, bool& open, UiOutput& output);
 /// Where the picture of the window is to be saved, or its film from now on.
-void pictureDialog(const std::filesystem::path& folder, bool& open, Asks& asks);
-void filmDialog(const std::filesystem::path& folder, bool& open, Asks& asks);
+void pictureDialog(const std::filesystem::path& folder, bool& open, UiOutput& output);
+void filmDialog(const std::filesystem::path& folder, bool& open, UiOutput& output);
 /// To run a class here, to watch one, or to take part in one.
-void classDialog(const ClassShown& shown, const std::filesystem::path& folder, bool& open, Asks& asks);
+void classDialog(const ClassShown& shown, const std::filesystem::path& folder, bool& open, UiOutput& output);
 /// The documents, with search.
 void manualDialog(ManualShown& manual, bool& open);
 /// A page of it in the current window. The target of the link that was clicked, or empty. Scrolls to the heading of
@@ -195,16 +195,16 @@ bool dialogShown();
 /// Closes the menus and lists that are open over the body or over a dialog. False where there are none.
 bool closeMenus();
 /// What is asked before something is lost; the answer is a request.
-void questionDialog(const std::optional<Question>& question, Asks& asks);
+void questionDialog(const std::optional<Question>& question, UiOutput& output);
 /// In the colour of how much they matter.
 void severeWords(Severity severity, const std::string& words);
 void messageList(Messages& messages, bool& open);
 void toast(Messages& messages, double now_s, const FreeArea& free);
-void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, Asks& asks);
+void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, UiOutput& output);
 void hint(std::string_view words, const FreeArea& free);
 void editingFrame(const FreeArea& free);
 /// Round the whole picture while the emergency stop is latched, with the button that releases it.
-void stopBanner(const FreeArea& free, Asks& asks);
+void stopBanner(const FreeArea& free, UiOutput& output);
 /// Along the upper edge as long as --unsafe-stiffness holds; `notes` as servo::safetyNotes gives them.
 void unsafeBanner(std::span<const std::string> notes, const FreeArea& free);
 /// A line a finger: what the servo does to the force of a held one just now.

@@ -104,7 +104,7 @@ std::string suggestions(const std::vector<std::string>& names, bool& over_list) 
 
 }  // namespace
 
-void placeField(const PlaceField& field, Asks& asks) {
+void placeField(const PlaceField& field, UiOutput& output) {
   PlaceSearch& search = field.search;
   const auto menu = widgetPlaces().find("menu/Help");
   if (field.landmarks.empty() || menu == widgetPlaces().end()) {
@@ -131,7 +131,7 @@ void placeField(const PlaceField& field, Asks& asks) {
   }
   if (chosen.empty()) return;
   search = {};
-  asks.request(GoToPlace{chosen});
+  output.request(GoToPlace{chosen});
 }
 
 }  // namespace palpate::viewer

@@ -22,8 +22,8 @@ namespace palpate::viewer {
 template <class Item>
 bool slider(const PlaceEdit<Item>& edit, double& value, const NumberWidget& widget, const std::string& words) {
   if (!numberWidget(value, widget)) return false;
-  edit.asks.changed |= kMapChange;
-  edit.asks.step = words;
+  edit.output.changed |= kMapChange;
+  edit.output.step = words;
   return true;
 }
 
@@ -55,10 +55,10 @@ void placeField(const std::string& panel, const PlaceEdit<Item>& edit, Item& ite
     item.at = place.name;
     item.x_mm = place.point.x();
     item.y_mm = place.point.y();
-    edit.asks.changed |= kMapChange;
-    edit.asks.step = trf("move {}", name);
+    edit.output.changed |= kMapChange;
+    edit.output.step = trf("move {}", name);
   } catch (const Error& error) {
-    edit.asks.tell(Severity::warning, error.what());
+    edit.output.tell(Severity::warning, error.what());
   }
 }
 
@@ -77,7 +77,7 @@ void newField(const std::string& panel, const PlaceEdit<Item>& edit, const std::
     placeAt(edit, body::placeNamed(edit.landmarks, view::placeInEnglish(edit.landmarks, typed)));
     typed.clear();
   } catch (const Error& error) {
-    edit.asks.tell(Severity::warning, error.what());
+    edit.output.tell(Severity::warning, error.what());
   }
 }
 
@@ -98,6 +98,6 @@ struct HistoryWords {
   const std::string& undo;
   const std::string& redo;
 };
-void historyButtons(const std::string& panel, const HistoryWords& words, Asks& asks);
+void historyButtons(const std::string& panel, const HistoryWords& words, UiOutput& output);
 
 }  // namespace palpate::viewer

@@ -133,7 +133,7 @@ std::vector<ProfileKnot> firstHandles(const ProfileSettings& shown) {
 
 }  // namespace
 
-void profileCurve(const ProfileSettings& of_scene, ProfileEdit& profile, Asks& asks) {
+void profileCurve(const ProfileSettings& of_scene, ProfileEdit& profile, UiOutput& output) {
   const ProfileSettings settings = shownProfile(of_scene, profile);
   const bool own = settings.kind == ProfileKind::user;
   if (own && settings.knots.size() < 2) return remark("The curve is being read ...");
@@ -146,12 +146,12 @@ void profileCurve(const ProfileSettings& of_scene, ProfileEdit& profile, Asks& a
     remark(error.what());
   }
   if (own) {
-    if (editHandles(profile, sheet)) asks.request(UseProfile{});
+    if (editHandles(profile, sheet)) output.request(UseProfile{});
     drawHandles(profile.knots, sheet);
     remark("Drag the handles; double click adds one, right click takes one away.");
   } else if (buttonWidget("tissue/own", "Draw my own curve", "Starts with this one and gives it handles.")) {
     profile.knots = firstHandles(settings);
-    asks.request(UseProfile{});
+    output.request(UseProfile{});
   }
 }
 

@@ -25,7 +25,7 @@ std::string wordsFor(const Replay& replay) {
              replay.to_s - replay.from_s);
 }
 
-void stepButtons(Replay& replay, Asks& asks) {
+void stepButtons(Replay& replay, UiOutput& output) {
   if (buttonWidget("replay/back", "<<", "A picture back (1/60 s): Left.")) stepReplay(replay, -kReplayStepS);
   ImGui::SameLine();
   if (buttonWidget("replay/tick_back", "<", "A tick of the servo back: Shift and Left.")) {
@@ -43,7 +43,7 @@ void stepButtons(Replay& replay, Asks& asks) {
   ImGui::SameLine();
   if (buttonWidget("replay/forth", ">>", "A picture forth (1/60 s): Right.")) stepReplay(replay, kReplayStepS);
   ImGui::SameLine();
-  if (buttonWidget("replay/live", "live", "Back to what is touched now: Space.")) asks.act(window::Action::freeze);
+  if (buttonWidget("replay/live", "live", "Back to what is touched now: Space.")) output.act(window::Action::freeze);
 }
 
 /// Where the marks are, over the slider that was drawn last.
@@ -61,7 +61,7 @@ void drawMarks(const Replay& replay) {
 }
 
 /// For what was recorded: marks, again and again, another one beside it.
-void sessionButtons(Replay& replay, Asks& asks) {
+void sessionButtons(Replay& replay, UiOutput& output) {
   flagWidget("replay/loop", "loop", replay.loops, "Begins again at the end.");
   ImGui::SameLine();
   if (!replay.marks.empty()) {
@@ -74,7 +74,7 @@ void sessionButtons(Replay& replay, Asks& asks) {
     if (buttonWidget("replay/beside", "beside ...",
                      "Shows another recording beside this one, from its beginning on.")) {
       replay.chooses_beside = true;
-      asks.act(window::Action::open);
+      output.act(window::Action::open);
     }
   } else if (buttonWidget("replay/alone", "alone", "Without the other recording.")) {
     replay.beside.clear();
@@ -98,7 +98,7 @@ void nameHalves(const Replay& replay, const FreeArea& free) {
 
 }  // namespace
 
-void replayBar(Replay& replay, const FreeArea& free, Asks& asks) {
+void replayBar(Replay& replay, const FreeArea& free, UiOutput& output) {
   if (!replay.beside.empty()) nameHalves(replay, free);
   ImGui::SetNextWindowPos({0.5f * (free.left + free.right), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   const float width = std::min(kWidth, free.right - free.left - 8.0f);
@@ -110,14 +110,14 @@ void replayBar(Replay& replay, const FreeArea& free, Asks& asks) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(wordsFor(replay).c_str());
     if (ImGui::GetItemRectSize().x + kButtonsWidth + 16.0f < width) ImGui::SameLine(width - kButtonsWidth);
-    stepButtons(replay, asks);
+    stepButtons(replay, output);
     ImGui::SetNextItemWidth(-1.0f);
     if (ImGui::SliderScalar("##moment", ImGuiDataType_Double, &replay.at_s, &replay.from_s, &replay.to_s, "")) {
       replay.playing = false;
     }
     notePlace("replay/moment");
     drawMarks(replay);
-    if (!replay.table.empty()) sessionButtons(replay, asks);
+    if (!replay.table.empty()) sessionButtons(replay, output);
     notePlaceOfWindow("replay");
   }
   ImGui::End();

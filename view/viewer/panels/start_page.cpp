@@ -83,7 +83,7 @@ std::string whatOf(const ActivityChoice& choice, const ActivityState& state, boo
 }
 
 /// True when it is to open in this window. What is being built can be asked for, and not any more.
-bool activityChoice(const ActivityChoice& choice, const StartPage& page, bool& open, Asks& asks) {
+bool activityChoice(const ActivityChoice& choice, const StartPage& page, bool& open, UiOutput& output) {
   using Kind = ActivityState::Kind;
   const ActivityState& state = stateOf(choice.activity, page.activities);
   const bool awaited = page.awaited == choice.activity;
@@ -97,46 +97,46 @@ bool activityChoice(const ActivityChoice& choice, const StartPage& page, bool& o
   page.awaited.reset();
   open = false;
   if (state.kind == Kind::here) return true;
-  asks.request(GiveWay{choice.activity});
+  output.request(GiveWay{choice.activity});
   return false;
 }
 
-void choices(const StartPage& page, bool& open, Asks& asks) {
+void choices(const StartPage& page, bool& open, UiOutput& output) {
   if (choiceButton({"start/touch", "Touch", tr("Press the built-in back with the mouse")})) open = false;
   constexpr ActivityChoice kTrain = {Activity::training, "start/train", toTranslate("Train"),
                                      toTranslate("Find what is stiffer, and be measured"), "palpate-teach"};
-  activityChoice(kTrain, page, open, asks);  // always another program
+  activityChoice(kTrain, page, open, output);  // always another program
   if (choiceButton({"start/open", "Open my mesh ...", tr("A scan, a scene or a recording")})) {
-    asks.act(window::Action::open);
+    output.act(window::Action::open);
     open = false;
   }
   constexpr ActivityChoice kMeasure = {Activity::measuring, "start/measure", toTranslate("Measure a person ..."),
                                        toTranslate("How far skin follows, from two photographs"), "palpate-measure"};
-  if (activityChoice(kMeasure, page, open, asks)) asks.act(window::Action::measure_person);
+  if (activityChoice(kMeasure, page, open, output)) output.act(window::Action::measure_person);
   constexpr ActivityChoice kClass = {Activity::classes, "start/class", toTranslate("Class ..."),
                                      toTranslate("Teach several trainees, watch, or take part"), "palpate-teach"};
-  if (activityChoice(kClass, page, open, asks)) asks.request(ShowClass{});
+  if (activityChoice(kClass, page, open, output)) output.request(ShowClass{});
 }
 
 /// A line that opens a file. True when it was pressed.
-bool fileLine(const std::string& path, const std::string& file, Asks& asks) {
+bool fileLine(const std::string& path, const std::string& file, UiOutput& output) {
   const bool chosen = ImGui::Selectable(fmt::format("{}##{}", pathOf(file).filename().string(), path).c_str());
   notePlace(path, file);
-  if (chosen) asks.request(OpenFile{file});
+  if (chosen) output.request(OpenFile{file});
   return chosen;
 }
 
-void recentFiles(const StartPage& page, bool& open, Asks& asks) {
+void recentFiles(const StartPage& page, bool& open, UiOutput& output) {
   if (page.recent.empty()) return;
   ImGui::Spacing();
   ImGui::TextDisabled("%s", tr("Recent"));
   for (std::size_t i = 0; i < std::min(page.recent.size(), kRecentShown); ++i) {
-    if (fileLine(fmt::format("start/recent/{}", i), page.recent[i], asks)) open = false;
+    if (fileLine(fmt::format("start/recent/{}", i), page.recent[i], output)) open = false;
   }
 }
 
 /// What lies ready in the working folder, but for what is recent. Read when the page appears.
-void filesHere(const StartPage& page, bool& open, Asks& asks) {
+void filesHere(const StartPage& page, bool& open, UiOutput& output) {
   static std::vector<std::filesystem::path> here;  // of the display's thread, like ImGui's own state
   if (ImGui::IsWindowAppearing()) here = newestHere();
   bool titled = false;
@@ -147,7 +147,7 @@ void filesHere(const StartPage& page, bool& open, Asks& asks) {
       ImGui::TextDisabled("%s", tr("In this folder"));
       titled = true;
     }
-    if (fileLine(fmt::format("start/here/{}", file.filename().string()), file.string(), asks)) open = false;
+    if (fileLine(fmt::format("start/here/{}", file.filename().string()), file.string(), output)) open = false;
   }
 }
 
@@ -172,7 +172,7 @@ bool exampleTile(const StartPage& page, const scene::Preset& preset) {
   return pressed;
 }
 
-void examples(const StartPage& page, bool& open, Asks& asks) {
+void examples(const StartPage& page, bool& open, UiOutput& output) {
   ImGui::TextDisabled("%s", tr("Examples"));
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const int columns = std::max(1, static_cast<int>((ImGui::GetContentRegionAvail().x + gap) / (kPicture.x + gap)));
@@ -180,7 +180,7 @@ void examples(const StartPage& page, bool& open, Asks& asks) {
   for (const scene::Preset& preset : scene::presets()) {
     if (column++ % columns != 0) ImGui::SameLine();
     if (!exampleTile(page, preset)) continue;
-    asks.request(OpenPreset{std::string(preset.name)});
+    output.request(OpenPreset{std::string(preset.name)});
     open = false;
   }
 }
@@ -222,7 +222,7 @@ view::GlId ExamplePictures::of(std::string_view preset) {
   return shown->second.texture();
 }
 
-void startPage(const StartPage& page, bool& open, Asks& asks) {
+void startPage(const StartPage& page, bool& open, UiOutput& output) {
   constexpr const char* kName = "start";
   if (!placeModal(kName, open)) return;
   const ImVec2 room = ImGui::GetIO().DisplaySize;
@@ -231,14 +231,14 @@ void startPage(const StartPage& page, bool& open, Asks& asks) {
   const bool two = ImGui::GetWindowWidth() >= kMinForTwo;
   if (ImGui::BeginChild("choices", {two ? kChoices : 0.0f, two ? 0.0f : 0.55f * ImGui::GetWindowHeight()})) {
     heading();
-    choices(page, open, asks);
-    recentFiles(page, open, asks);
-    filesHere(page, open, asks);
+    choices(page, open, output);
+    recentFiles(page, open, output);
+    filesHere(page, open, output);
     footer(page, open);
   }
   ImGui::EndChild();
   if (two) ImGui::SameLine(0.0f, kMargin);
-  if (ImGui::BeginChild("examples")) examples(page, open, asks);
+  if (ImGui::BeginChild("examples")) examples(page, open, output);
   ImGui::EndChild();
   if (!page.building && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) open = false;
   if (!open) {

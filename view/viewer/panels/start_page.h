@@ -41,6 +41,6 @@ struct StartPage {
 };
 
 /// `open` becomes false when something was chosen.
-void startPage(const StartPage& page, bool& open, Asks& asks);
+void startPage(const StartPage& page, bool& open, UiOutput& output);
 
 }  // namespace palpate::viewer

@@ -49,7 +49,7 @@ struct SliderLook {
   double low;
   double high;
 };
-struct Slid {
+struct SliderResult {
   bool changed = false;
   bool label_hovered = false;
 };
@@ -80,7 +80,7 @@ std::string numberWords(double value, const char* format) {
 }
 
 /// The number stands before the track, where no grab can cover it. Ctrl and click types it, in place of the track.
-Slid slider(double& value, const SliderLook& look) {
+SliderResult slider(double& value, const SliderLook& look) {
   constexpr float kNumber = 62.0f;  // room for most of them, so that tracks begin below each other
   constexpr float kMinTrack = 40.0f;
   const std::string words = numberWords(value, look.format);
@@ -97,7 +97,7 @@ Slid slider(double& value, const SliderLook& look) {
   // The format stays, because values are rounded by it; only the number that it would write on the track is unseen.
   const bool typed = ImGui::TempInputIsActive(ImGui::GetID("##slider"));
   if (!typed) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
-  Slid slid;
+  SliderResult slid;
   slid.changed = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &value, &look.low, &look.high, look.format);
   if (!typed) ImGui::PopStyleColor();
   slid.label_hovered = drawLabel(look.label);
@@ -120,7 +120,7 @@ std::string editNumber(const KeyRow& row, const KeyWidget& widget, bool& label_h
   const bool own = widget.low == widget.high;
   const double low = own ? row.form.low : widget.low;
   const double high = own ? row.form.high : widget.high;
-  Slid slid;
+  SliderResult slid;
   if (std::isfinite(low) && std::isfinite(high)) {
     slid = slider(value, {tr(widget.label), widget.format, low, high});
   } else {
@@ -181,10 +181,10 @@ bool setTo(const SceneKeys& keys, const KeyWidget& widget, const std::string& va
   try {
     scene::setKey(keys.scene, widget.table, widget.key, value);
   } catch (const Error& error) {
-    keys.asks.tell(Severity::warning, error.what());
+    keys.output.tell(Severity::warning, error.what());
     return false;
   }
-  keys.asks.changed |= consequenceOf(widget.table);
+  keys.output.changed |= consequenceOf(widget.table);
   return true;
 }
 
@@ -249,7 +249,7 @@ void otherKeys(const SceneKeys& keys, const char* table) {
 bool numberWidget(double& value, const NumberWidget& widget) {
   ImGui::PushID(widget.path);
   beginControl();
-  const Slid slid = slider(value, {tr(widget.label), widget.format, widget.low, widget.high});
+  const SliderResult slid = slider(value, {tr(widget.label), widget.format, widget.low, widget.high});
   bool changed = slid.changed;
   notePlaceOnly(widget.path);
   if (resetMenu(fmt::format("{:g}", WrittenNumber{widget.fallback}))) {

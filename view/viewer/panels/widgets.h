@@ -36,7 +36,7 @@ void notePlaceOfWindow(const std::string& path);
 /// The scene that controls change, and where they say so.
 struct SceneKeys {
   scene::Scene& scene;
-  Asks& asks;
+  UiOutput& output;
 };
 
 /// A control for one key of the scene file.

@@ -225,13 +225,13 @@ void windowChoice(Plots& plots) {
   }
 }
 
-void buttons(const PlotStrips& panel, Asks& asks) {
+void buttons(const PlotStrips& panel, UiOutput& output) {
   windowChoice(panel.plots);
   if (buttonWidget("plots/pause", panel.plots.paused ? "live" : "pause",
                    "A click into a plot does the same; dragging there scrolls back, the wheel zooms.")) {
     pausePlots(panel.plots, !panel.plots.paused);
   }
-  if (buttonWidget("plots/csv", "CSV", "Save what the plots show as a table.")) asks.request(SavePlots{});
+  if (buttonWidget("plots/csv", "CSV", "Save what the plots show as a table.")) output.request(SavePlots{});
 }
 
 constexpr float kGap = 14.0f;  ///< between strips
@@ -273,7 +273,7 @@ void strips(const PlotStrips& panel, std::span<const PlotArea> areas) {
 
 }  // namespace
 
-void plotStrips(const PlotStrips& panel, const FreeArea& free, Asks& asks) {
+void plotStrips(const PlotStrips& panel, const FreeArea& free, UiOutput& output) {
   ImGui::SetNextWindowPos({free.left, free.below});
   ImGui::SetNextWindowSize({free.right - free.left, kPlotsHeight});
   constexpr auto kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
@@ -293,7 +293,7 @@ void plotStrips(const PlotStrips& panel, const FreeArea& free, Asks& asks) {
     if (has_buttons) {
       ImGui::SetCursorScreenPos({from.x + width + kGap, from.y});
       ImGui::BeginGroup();
-      buttons(panel, asks);
+      buttons(panel, output);
       ImGui::EndGroup();
     }
   }

@@ -92,7 +92,7 @@ void ChangeHistory::begin(const ViewerState& viewer) {
 }
 
 void ChangeHistory::follow(ViewerState& viewer, const Stir& stir) {
-  if (!viewer.asks.step.empty()) words_ = std::exchange(viewer.asks.step, {});
+  if (!viewer.output.step.empty()) words_ = std::exchange(viewer.output.step, {});
   const bool held = stir.widget || stir.hand;
   if (!held && (stir.any || by_widget_)) settle(viewer);
   by_widget_ = stir.widget;
@@ -142,7 +142,7 @@ void ChangeHistory::reset(ViewerState& viewer) {
 
 void ChangeHistory::restore(SessionSnapshot to, ViewerState& viewer) {
   for (const scene::Difference& difference : scene::differences(viewer.scene, to.scene)) {
-    viewer.asks.changed |= consequenceOf(difference.table);
+    viewer.output.changed |= consequenceOf(difference.table);
   }
   viewer.scene = std::move(to.scene);
   ViewState& state = viewer.state;

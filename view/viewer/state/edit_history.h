@@ -60,7 +60,8 @@ class EditHistory {
 // save. It looks at the viewer's state once a frame instead of being told by each control: a new control needs nothing
 // here.
 //
-//   session ─ as text ─ differs from the last quiet frame ─► step        undo, redo, reset ─► session, Asks::changed
+//   session ─ as text ─ differs from the last quiet frame ─► step        undo, redo, reset ─► session,
+//   UiOutput::changed
 
 struct ViewerState;
 
@@ -109,7 +110,7 @@ class ChangeHistory {
   SessionSnapshot saved_;
   EditHistory<SessionSnapshot> steps_;
   bool by_widget_ = false;
-  std::string words_;  ///< of the change under way (Asks::step)
+  std::string words_;  ///< of the change under way (UiOutput::step)
 };
 
 }  // namespace palpate::viewer

@@ -27,7 +27,7 @@ template <class Item>
 struct PlaceEdit {
   std::vector<Item>& items;
   PlaceEditor<Item>& editor;
-  Asks& asks;
+  UiOutput& output;
   std::span<const body::SkinLandmark> landmarks = {};  ///< of the body: places get words
 };
 using DysfunctionEdit = PlaceEdit<maps::Dysfunction>;

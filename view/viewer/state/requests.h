@@ -1,7 +1,7 @@
 // How a panel asks for what it cannot do itself: requests, actions as of a key, words for the user, and notes of what
 // it changed in the scene. Plain data; what draws the panels reads it afterwards.
 //
-//   panel ─► Asks ─► drawGui: actions, words ─► RequestHandler, consequences of changes, once a frame
+//   panel ─► UiOutput ─► drawGui: actions, words ─► RequestHandler, consequences of changes, once a frame
 #pragma once
 
 #include <cstdint>
@@ -180,7 +180,7 @@ struct Question {
   std::optional<Request> then = {};  ///< what is done after the answer
 };
 
-struct Asks {
+struct UiOutput {
   std::uint32_t changed = kNothing;  ///< Consequence bits of this frame
   std::vector<Request> requests;
   std::vector<window::Action> actions;  ///< done as if their keys had been pressed

@@ -30,7 +30,7 @@
 namespace palpate::viewer {
 
 struct ViewerState {
-  // What is requested.
+  // Set by panels, keys and files.
   scene::Scene scene;  ///< the world at work may lag behind
   ViewState state;
   view::Camera camera;
@@ -51,9 +51,9 @@ struct ViewerState {
   std::optional<Question> question;  ///< nothing else is heard until it has an answer
   double time_speed = 1.0;           ///< of what plays by itself
   std::string beside_at_first = {};  ///< a session to be shown beside the first one that is replayed
-  Asks asks;
+  UiOutput output;
 
-  // What is.
+  // Filled in each frame by the viewer, for panels to read.
   double now_s = 0.0;
   std::string held_by = "mouse";           ///< what moves the fingers, in words
   std::vector<device::Capabilities> held;  ///< of the devices that hold fingers; empty: all are the mouse's
@@ -80,7 +80,7 @@ struct ViewerState {
   bool quad_buffer_offered = false;      ///< the window has a picture for each eye
   Messages messages;
 
-  void request(Request request) { asks.request(std::move(request)); }
+  void request(Request request) { output.request(std::move(request)); }
   void ask(Question asked) { question = std::move(asked); }
   void report(Severity severity, const std::string& text) { messages.add(severity, text, now_s); }
   void plot(const trace::Sample& sample) { plots.fingers[sample.finger].add(sample, device_limit_n); }
@@ -88,8 +88,8 @@ struct ViewerState {
   bool editing() const { return editor.active || lump_editor.active; }
   /// A gesture of it is under way.
   bool editingNow() const { return editor.before.has_value() || lump_editor.before.has_value(); }
-  LumpEdit lumps() { return {scene.lumps, lump_editor, asks, world.landmarks}; }
-  DysfunctionEdit dysfunctions() { return {scene.dysfunctions, editor, asks, world.landmarks}; }
+  LumpEdit lumps() { return {scene.lumps, lump_editor, output, world.landmarks}; }
+  DysfunctionEdit dysfunctions() { return {scene.dysfunctions, editor, output, world.landmarks}; }
 };
 
 }  // namespace palpate::viewer

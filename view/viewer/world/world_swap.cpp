@@ -131,8 +131,8 @@ void WorldSwap::cancel(ViewerState& viewer) {
 }
 
 void WorldSwap::advance(ViewerState& viewer, engine::ServoThread& servo) {
-  if (viewer.asks.changed & kFingerChange) changeFingers(viewer, servo);
-  if (const std::uint32_t world = viewer.asks.changed & (kMapChange | kBodyChange)) {
+  if (viewer.output.changed & kFingerChange) changeFingers(viewer, servo);
+  if (const std::uint32_t world = viewer.output.changed & (kMapChange | kBodyChange)) {
     wanted_ |= world;
     wanted_since_s_ = viewer.now_s;
   }

@@ -1,7 +1,7 @@
 // From a changed scene to a changed world at work: waits until the user has stopped pulling at a slider, has the world
 // built beside the display, hands it to the servo, and says when it may be shown.
 //
-//   viewer.asks.changed ─ 250 ms of quiet ─► WorldBuilder ─► ServoThread::change ─ taken between two ticks ─► shown
+//   viewer.output.changed ─ 250 ms of quiet ─► WorldBuilder ─► ServoThread::change ─ taken between two ticks ─► shown
 #pragma once
 
 #include <memory>
@@ -37,7 +37,7 @@ class WorldSwap {
   void lay(const scene::Scene& scene, ViewerState& viewer);
   const std::string& failure() const { return failure_; }
 
-  /// Once a frame: acts on viewer.asks.changed. Settings of the fingers go to the servo at once.
+  /// Once a frame: acts on viewer.output.changed. Settings of the fingers go to the servo at once.
   void advance(ViewerState& viewer, engine::ServoThread& servo);
 
   /// What the servo has or is about to get, with the limits of viewer.held; for who changes devices. Throws Error.

@@ -36,7 +36,7 @@ struct FieldRule {
   std::string_view sql = {};    ///< what SQL is told besides, in both dialects
   int since = 1;                ///< version of the schema; who sends an earlier one does not know it
 
-  bool mayMiss() const { return since > 1; }
+  bool isOptional() const { return since > 1; }
 };
 
 namespace field_rule {

@@ -63,7 +63,7 @@ class FieldsFromJson {
   void operator()(const char* name, Value& value, const FieldRule& rule) {
     const auto found = object_.find(name);
     if (found == object_.end()) {
-      if (rule.mayMiss()) return;
+      if (rule.isOptional()) return;
       refuse(name, "is missing");
     }
     ++used_;

@@ -43,66 +43,66 @@ class OnePanel {
   window::Gui gui_;
 };
 
-TEST(Asks, OfTheModelPanelAreARequestAndADialog) {
+TEST(UiOutput, OfTheModelPanelAreARequestAndADialog) {
   OnePanel one;
-  Asks asks;
+  UiOutput output;
   scene::Scene scene;
   const WorldFacts world;
   bool dialog = false;
-  const auto draw = [&] { modelPanel({scene, world, dialog}, asks); };
+  const auto draw = [&] { modelPanel({scene, world, dialog}, output); };
   one.click("model/open", draw);
   EXPECT_TRUE(dialog);
-  EXPECT_TRUE(asks.requests.empty());
+  EXPECT_TRUE(output.requests.empty());
   one.click("model/default", draw);
-  ASSERT_EQ(asks.requests.size(), 1u);
-  EXPECT_TRUE(std::holds_alternative<OpenPreset>(asks.requests.front()));
+  ASSERT_EQ(output.requests.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<OpenPreset>(output.requests.front()));
 }
 
-TEST(Asks, OfTheFormulaeChangeFidelityWholeAndOneByOne) {
+TEST(UiOutput, OfTheFormulaeChangeFidelityWholeAndOneByOne) {
   scene::Scene scene;
-  Asks asks;
+  UiOutput output;
   OnePanel one;
   bool open = false;
-  const auto draw = [&] { modelPanel({scene, WorldFacts{}, open}, asks); };
+  const auto draw = [&] { modelPanel({scene, WorldFacts{}, open}, output); };
   one.click("fidelity/errata", draw);
-  EXPECT_EQ(asks.changed, kNothing);
+  EXPECT_EQ(output.changed, kNothing);
   one.click("fidelity/E1", draw);
   EXPECT_TRUE(scene.fidelity.literal(Erratum::E1_anchor));
   EXPECT_FALSE(scene.fidelity.literal(Erratum::E14_location_ratio));
-  EXPECT_EQ(asks.changed, kMapChange);
+  EXPECT_EQ(output.changed, kMapChange);
   one.click("fidelity/E1", draw);
   EXPECT_EQ(scene.fidelity, Fidelity());
 }
 
-TEST(Asks, OfAChangedKeyTellWhatFollowsFromIt) {
+TEST(UiOutput, OfAChangedKeyTellWhatFollowsFromIt) {
   OnePanel one;
-  Asks asks;
+  UiOutput output;
   scene::Scene scene;
   TouchSettings touch;
   std::size_t active = 1;
-  const auto draw = [&] { touchPanel({touch, active, scene}, asks); };
+  const auto draw = [&] { touchPanel({touch, active, scene}, output); };
   one.click("touch/resisting", draw);
   EXPECT_FALSE(touch.resisting_cursor);
-  EXPECT_EQ(asks.changed, kNothing) << "the scene was not touched";
+  EXPECT_EQ(output.changed, kNothing) << "the scene was not touched";
   one.click("contact/force_shading", draw);
-  EXPECT_EQ(asks.changed, kFingerChange | kMapChange);
+  EXPECT_EQ(output.changed, kFingerChange | kMapChange);
   one.click("touch/radius", draw);
   EXPECT_EQ(scene.fingers.size(), 2u) << "the second finger had to be added";
 }
 
-TEST(Asks, OfTheDysfunctionPanelCanBeTakenBack) {
+TEST(UiOutput, OfTheDysfunctionPanelCanBeTakenBack) {
   OnePanel one;
-  Asks asks;
+  UiOutput output;
   std::vector<maps::Dysfunction> items(2);
   Editor editor{.active = true, .selected = 1};
-  const auto draw = [&] { dysfunctionPanel({{items, editor, asks}, "delete dysfunction 2", ""}); };
+  const auto draw = [&] { dysfunctionPanel({{items, editor, output}, "delete dysfunction 2", ""}); };
   one.click("dysfunctions/delete", draw);
   EXPECT_EQ(items.size(), 1u);
-  EXPECT_EQ(asks.changed, kMapChange);
-  EXPECT_EQ(asks.step, "delete dysfunction 2");
+  EXPECT_EQ(output.changed, kMapChange);
+  EXPECT_EQ(output.step, "delete dysfunction 2");
   one.click("dysfunctions/undo", draw);
   one.click("dysfunctions/redo", draw);
-  EXPECT_EQ(asks.actions, std::vector{window::Action::undo}) << "there is nothing to redo";
+  EXPECT_EQ(output.actions, std::vector{window::Action::undo}) << "there is nothing to redo";
 }
 
 }  // namespace
