@@ -8,7 +8,7 @@ changes none of it; only having less does. tools/weight holds the figures agains
   data_bytes    of numbers that are kept as text of C++: .inc files
   second_heads  files that hold another file's opening comment after their own code began
   options       of commands, counted where they are declared
-  keys          of scene files, by docs/reference/scene-files.md
+  keys          of scene files, by kSceneKeys of host/palpate/scene/detail/scene_keys.h, which a test holds
   words         of documents
 """
 import collections
@@ -19,7 +19,7 @@ import subprocess
 COMMENTS = {".h": "//", ".cpp": "//", ".c": "//", ".cs": "//", ".js": "//", ".mjs": "//", ".ts": "//", ".py": "#", ".cmake": "#", ".sh": "#"}
 COMPILED = {".h", ".cpp", ".c"}
 FIGURES = ("lines", "test_lines", "characters", "names", "data_bytes", "second_heads", "options", "keys", "words")
-SCENE_KEYS = "docs/reference/scene-files.md"
+SCENE_KEYS = "host/palpate/scene/detail/scene_keys.h"
 
 
 def is_test(path):
@@ -105,5 +105,5 @@ def weigh(root, products):
         found[product]["names"] = len(words)
     keys = root / SCENE_KEYS
     if keys.exists():
-        found["host"]["keys"] = len(re.findall(r"^\| `", keys.read_text(encoding="utf-8"), re.M))
+        found["host"]["keys"] = int(re.search(r"kSceneKeys = (\d+);", keys.read_text(encoding="utf-8"))[1])
     return {product: dict(counts) for product, counts in found.items()}

@@ -224,9 +224,14 @@ struct ErrataArguments {
   std::string scene;
   std::string folder;
   bool json = false;
+  bool list = false;
 };
 
 void runErrata(const ErrataArguments& arguments) {
+  if (arguments.list) {
+    fmt::print("{}", study::errataList());
+    return;
+  }
   const scene::Scene scene = arguments.scene.empty() ? studyScene() : scene::load(arguments.scene);
   scene::requireFingers(scene);
   tellOfEarlier(arguments.folder, "errata.md");
@@ -247,6 +252,7 @@ void addErrata(Command& study) {
   namesFolderToWrite(command.add_option("-o,--out", arguments.folder,
                                         "Also write errata.md, errata.csv and errata.json into this folder"));
   command.add_flag("--json", arguments.json, "Print one JSON object");
+  command.add_flag("--list", arguments.list, "Print what each erratum says (Markdown) and stop");
 }
 
 }  // namespace

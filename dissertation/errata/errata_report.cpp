@@ -91,6 +91,19 @@ std::vector<const ErratumEffect*> allRows(const ErrataEffects& effects) {
   return rows;
 }
 
+/// How the printed form comes back.
+std::string switchText(const scene::ErratumText& erratum) {
+  switch (erratum.form) {
+    case scene::LiteralForm::switchable:
+      return fmt::format("fidelity: {}", erratum.choice);
+    case scene::LiteralForm::setting:
+      return fmt::format("`{}`", erratum.choice);
+    case scene::LiteralForm::none:
+      return fmt::format("none: {}", erratum.choice);
+  }
+  return "";
+}
+
 Json listOf(const std::vector<ErratumEffect>& effects) {
   Json list = Json::array();
   for (const ErratumEffect& effect : effects) list.push_back(objectOf(effect));
@@ -109,6 +122,15 @@ TextTable tableOf(const ErrataEffects& effects) {
 }
 
 std::string errataLegend() { return kLegend; }
+
+std::string errataList() {
+  TextTable table{{"erratum", "printed", "ours", "by default", "switch"}, {}};
+  for (const scene::ErratumText& erratum : scene::errata()) {
+    table.rows.push_back({scene::nameOf(erratum.erratum), std::string(erratum.printed), std::string(erratum.ours),
+                          std::string(wordFor(erratum.by_default)), switchText(erratum)});
+  }
+  return markdownOf(table);
+}
 
 std::string errataText(const ErrataEffects& effects) { return plainText(tableOf(effects)) + "\n" + kLegend; }
 

@@ -67,6 +67,9 @@ TextTable tableOf(const ErrataEffects& effects);
 /// What its columns mean.
 std::string errataLegend();
 
+/// What is printed, what the engine does and how the printed form comes back, a Markdown row an erratum.
+std::string errataList();
+
 std::string errataText(const ErrataEffects& effects);
 /// One object of three lists: "corrected" and "all_literal" with an object for each contact source and tree, "errata"
 /// with one for each erratum.

@@ -10,6 +10,7 @@
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/database_copy.h"
 #include "palpate/training/records/export.h"
+#include "palpate/training/records/sql.h"
 #include "palpate/training/records/trainee_code.h"
 #include "teach/commands/results_commands.h"
 
@@ -23,6 +24,7 @@ struct ExportArguments {
   ResultsArguments results;
   std::string csv, json, xapi;
   training::XapiSettings settings;
+  bool columns = false;
   bool raw = false;
   bool force = false;
 };
@@ -43,6 +45,10 @@ void noteExport(const std::string& file_or_address, training::Store& store, std:
 }
 
 void runResultsExport(const ExportArguments& arguments) {
+  if (arguments.columns) {
+    fmt::print("{}", training::schemaPage());
+    return;
+  }
   if (arguments.csv.empty() && arguments.json.empty() && arguments.xapi.empty()) {
     throw Error("export: say as what: --csv DIR, --json FILE or --xapi FILE");
   }
@@ -88,6 +94,7 @@ void addResultsExportCommand(Command& parent) {
       "Write texts that begin like a formula (= + - @) as they are, for programs; without it an apostrophe "
       "stands before them");
   command.add_flag("--force", arguments.force, "Replace files that are there");
+  command.add_flag("--columns", arguments.columns, "Print every table and column of the records (Markdown) and stop");
 }
 
 }  // namespace palpate::app

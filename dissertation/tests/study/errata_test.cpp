@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,7 @@
 #include "palpate/hdb/literal_traversal.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/scene/scene_file.h"
+#include "palpate/scene/words.h"
 #include "support/mesh_zoo.h"
 #include "support/temporary_folder.h"
 
@@ -160,6 +162,19 @@ TEST(Errata, AreReportedForPeopleAndForMachines) {
 
 std::string findingsFor(const ErrataEffects& changed) {
   return fmt::format("{}", fmt::join(errataFindings(changed), "\n"));
+}
+
+TEST(ErrataList, SaysOfEachHowThePrintedFormComesBack) {
+  const std::string list = errataList();
+  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), kErrata + 2) << "a head, its line, a row an erratum";
+  for (const scene::ErratumText& erratum : scene::errata()) {
+    const std::string row = fmt::format("\n| {} | {} | {} | {} | ", scene::nameOf(erratum.erratum), erratum.printed,
+                                        erratum.ours, wordFor(erratum.by_default));
+    EXPECT_NE(list.find(row), std::string::npos) << row;
+  }
+  EXPECT_NE(list.find("| fidelity: the shape of the deformation regions |\n"), std::string::npos) << "E14";
+  EXPECT_NE(list.find("| `strain.kind` |\n"), std::string::npos) << "E24";
+  EXPECT_NE(list.find("| none: the text does not say |\n"), std::string::npos) << "E9";
 }
 
 TEST(ErrataFindings, FollowTheNumbers) {

@@ -1,4 +1,4 @@
-// Reads a scene file (TOML). docs/reference/scene-files.md lists every key; it is checked against describeKeys().
+// Reads a scene file (TOML). docs/reference/scene-files.md explains it; `palpate simulate --keys` lists every key.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@ struct KeyRow {
 };
 std::vector<KeyRow> describeKeys();
 
-/// describeKeys as the Markdown tables of docs/reference/scene-files.md.
+/// describeKeys as Markdown tables: `palpate simulate --keys`.
 std::string keysAsMarkdown();
 
 }  // namespace palpate::scene

@@ -1,5 +1,5 @@
 // One table says everything about the keys of a scene file: how each is read, which values it takes, what it is when it
-// is left out and what it means. The reader, its error messages and docs/reference/scene-files.md all come from it.
+// is left out and what it means. The reader, its error messages and `palpate simulate --keys` all come from it.
 //
 // Used by the tables (scene_keys.h) and by who reads or writes whole files.
 #pragma once

@@ -66,7 +66,7 @@ void bringForward(Sql& sql, std::string_view what);
 /// 0: there are no such tables.
 int schemaVersionOf(Sql& sql);
 
-/// The tables as docs/reference/results-schema.md shows them.
+/// The tables as Markdown: `palpate train results export --columns`.
 std::string schemaPage();
 
 /// Nothing, a whole number (also yes or no), a real one, a text.
