@@ -28,7 +28,7 @@ struct Section {
 };
 
 /// Keys of all tables together. A test holds it to describeKeys(); tools/mass.py reads it here.
-inline constexpr std::size_t kSceneKeys = 218;
+inline constexpr std::size_t kSceneKeys = 219;
 
 /// A length that is longer than any body, and short enough that its square keeps all its digits.
 inline constexpr double kLongestMm = 1e5;
