@@ -1,4 +1,4 @@
-// Cold work beside the caller. Threads come from the environment (base/environment.h): where it has none, the work is
+// Cold work on threads of its own. They come from the environment (base/environment.h): where it has none, the work is
 // done by the caller. The servo loop and the hand-over of worlds, which *are* threads, keep their own.
 #pragma once
 

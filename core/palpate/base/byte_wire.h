@@ -139,7 +139,7 @@ class WireReader {
   void shown(Vec3& value) {
     for (int axis = 0; axis < 3; ++axis) shown(value[axis]);
   }
-  /// Of an enumeration or a bool: nothing beyond the last.
+  /// Refuses an enumeration or a bool beyond `last`.
   template <class Word>
   void word(Word& value, Word last) {
     const auto read = whole<std::uint8_t>();
@@ -152,7 +152,7 @@ class WireReader {
     if (read < least || read > most) fail("a number out of range");
     value = ok() ? static_cast<Count>(read) : least;
   }
-  /// True if so many bytes are left; otherwise the first fault is that there are not.
+  /// True if `size` bytes are left; otherwise the reader fails with "ends too early".
   bool has(std::uint64_t size) {
     if (ok() && size > bytes_.size() - position_) fail("ends too early");
     return ok();
@@ -166,7 +166,7 @@ class WireReader {
   }
 
   bool ok() const { return cause_ == nullptr; }
-  /// Of the first fault; null: there was none.
+  /// Cause of the first fault, or null.
   const char* cause() const { return cause_; }
   std::size_t position() const { return position_; }
 

@@ -30,7 +30,7 @@ struct Colour {
 /// Red, green, blue, 0 to 255.
 using ColourBytes = std::array<std::uint8_t, 3>;
 
-/// What stands for "no value" in every map: a neutral middle grey.
+/// The colour of "no value" in every map: a neutral middle grey.
 inline constexpr Colour kNoColour{0.5, 0.5, 0.5};
 
 /// The colour of a value in [0, 1]; outside it is clamped (cyclic: wrapped round); NaN is kNoColour. Any thread.

@@ -74,7 +74,7 @@ bool isNumberWithComma(std::string_view field) {
   return parseNumber(with_point).has_value();
 }
 
-/// Of the first row. Semicolons are what spreadsheets write where a comma is the decimal sign.
+/// Judges the first row alone. Spreadsheets write semicolons where a comma is the decimal sign.
 void refuseOtherSeparators(std::string_view row, std::string_view file, std::size_t line) {
   const bool has_comma = row.find(',') != std::string_view::npos;
   const std::vector<std::string_view> by_semicolon = split(row, ';');

@@ -42,10 +42,10 @@ bool looksLikeCsvHeader(const CsvRow& row);
 
 // Text as a cell of a table that a spreadsheet may open.
 
-/// What becomes of a text that a spreadsheet would take for a formula: one that begins with = + - @, their full-width
+/// Treatment of a text that a spreadsheet would read as a formula: one that begins with = + - @, their full-width
 /// forms, a tab or a line end.
 enum class CsvText {
-  safe,  ///< an apostrophe stands before it; a number stays what it is
+  safe,  ///< an apostrophe precedes it; numbers are unchanged
   raw,   ///< nothing: for programs, which take no formulas
 };
 

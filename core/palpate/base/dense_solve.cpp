@@ -27,7 +27,7 @@ Eigen::Index largestBelow(const Eigen::MatrixXd& matrix, Eigen::Index column) {
   return largest;
 }
 
-/// Of the upper triangle of the first columns.
+/// Solves with the upper triangle of the first columns.
 void substituteBack(Eigen::MatrixXd& matrix, Eigen::MatrixXd& right) {
   for (Eigen::Index j = 0; j < right.cols(); ++j) {
     for (Eigen::Index k = matrix.cols() - 1; k >= 0; --k) {

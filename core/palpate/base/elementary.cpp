@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Added and taken away again, it rounds a number below 2^51 to a whole one, ties to even.
 constexpr double kRounder = 0x1.8p52;
-/// What is smaller than this share of a number is below its last bit.
+/// Anything below this share of a number is less than its last bit.
 constexpr double kTiny = 0x1p-55;
 
 std::uint64_t bitsOf(double x) { return std::bit_cast<std::uint64_t>(x); }
@@ -38,7 +38,7 @@ double scaled(double value, int k) {
 
 // --- pairs
 
-/// Of numbers with |a| >= |b|, or a of zero.
+/// Requires |a| >= |b| or a == 0.
 DoublePair quickSum(double a, double b) {
   const double high = a + b;
   return {high, b - (high - a)};
@@ -68,7 +68,7 @@ DoublePair product(DoublePair a, DoublePair b) {
   return quickSum(high.high, high.low + (a.high * b.low + a.low * b.high));
 }
 
-/// Of pairs with |a| >= |b|.
+/// Requires |a| >= |b|.
 DoublePair sum(DoublePair a, DoublePair b) {
   const DoublePair high = exactSum(a.high, b.high);
   return quickSum(high.high, high.low + (a.low + b.low));
@@ -107,7 +107,7 @@ double expOf(double whole, double r, double low) {
   return scaled(value, parts.k);
 }
 
-/// Of |x.high| below 800.
+/// Requires |x.high| < 800.
 double expOfPair(DoublePair x) {
   const double whole = (x.high * k128OfLn2 + kRounder) - kRounder;
   const DoublePair r = exactSum(x.high - whole * kLn2Of128[0], x.low - whole * kLn2Of128[1]);
@@ -137,7 +137,7 @@ struct LogParts {
   DoublePair log_of_mantissa;  ///< ln F + ln(1 + u)
 };
 
-/// Of (high + low), high positive and finite, |low| at most half of its last bit.
+/// Takes the logarithm of (high + low); high is positive and finite, |low| at most half of its last bit.
 LogParts logParts(double high, double low) {
   int k = 0;
   if (high < 0x1p-1022) {
@@ -177,7 +177,7 @@ DoublePair logPair(double high, double low) {
   return quickSum(whole.high, whole.low + (k * kLn2[1] + parts.log_of_mantissa.low));
 }
 
-/// What a logarithm is of an argument that is not positive and finite.
+/// The logarithm of an argument that is not positive and finite.
 double logOfOther(double x) {
   if (x == 0.0) return -kInfinity;
   return x < 0.0 ? kNan : x;  // infinity and NaN stay what they are
@@ -236,7 +236,7 @@ void multiply(std::uint64_t mantissa, const std::uint32_t (&window)[kWindow], st
   }
 }
 
-/// Payne and Hanek: of x times 2 / pi only the bits that matter, in whole numbers. Of x from 2^20.
+/// Payne and Hanek: only the bits of x times 2 / pi that matter, in whole numbers. For x from 2^20.
 Reduced reducedFarOut(double x) {
   const std::uint64_t bits = bitsOf(x);
   const std::uint64_t mantissa = (bits & 0xfffffffffffffu) | 0x10000000000000u;
@@ -247,7 +247,7 @@ Reduced reducedFarOut(double x) {
   for (int i = 0; i < kWindow; ++i) window[i] = bitsFrom(kTwoOfPiBits, first + 32 * i);
   std::uint32_t quadrants[kWindow + 2];
   multiply(mantissa, window, quadrants);
-  const int point = 64 + exponent - first;  // so many bits stand before it
+  const int point = 64 + exponent - first;  // number of bits before it
   int quadrant = static_cast<int>(bitsFrom(quadrants, point - 2) >> 30);
   const std::uint32_t flip = bitsFrom(quadrants, point) >> 31 == 0 ? 0 : 0xffffffffu;  // nearer to the next quadrant
   DoublePair rest = {0.0, 0.0};
@@ -265,7 +265,7 @@ Reduced reducedFarOut(double x) {
   return {quadrant & 3, product(rest, kHalfPiPair)};
 }
 
-/// Of finite x.
+/// Requires finite x.
 Reduced reduced(double x) {
   const double size = std::fabs(x);
   if (size <= 0.78539816339744830) return {0, {x, 0.0}};
@@ -335,7 +335,7 @@ DoublePair atanOfShare(double a, double b) {
 
 DoublePair difference(DoublePair a, DoublePair b) { return sum(a, {-b.high, -b.low}); }
 
-/// Of y > 0; x and y finite.
+/// Requires y > 0; x and y finite.
 double atan2Upper(double y, double x) {
   const double size_x = std::fabs(x);
   const bool steep = y > size_x;
@@ -386,7 +386,7 @@ double exp2(double x) noexcept {
 
 double expm1(double x) noexcept {
   if (x != x || std::fabs(x) < kTiny) return x;
-  if (x > 50.0) return exp(x);  // what 1 takes away is below the last bit
+  if (x > 50.0) return exp(x);  // subtracting 1 changes nothing above the last bit
   if (x < -40.0) return -1.0;
   return rounded(expm1Pair(x));
 }

@@ -4,8 +4,7 @@
 //
 // Each uses + - * / and sqrt alone, which IEEE 754 rounds the same way everywhere, in one order, without fused
 // multiply-add. Results are within 1 ulp of the exact value: none was off by 0.85 ulp among 10^7 arguments of each.
-// What the C standard's Annex F says of zeros, infinities and NaN holds; errno is not touched. Any thread; nothing is
-// allocated.
+// Zeros, infinities and NaN follow the C standard's Annex F; errno is not touched. Thread-safe; allocates nothing.
 //
 // Written from the literature, not from another library: Cody and Waite, "Software Manual for the Elementary Functions"
 // (1980); Tang, "Table-driven implementation of the exponential function" (TOMS 15, 1989) and "... of the logarithm
@@ -23,7 +22,7 @@ double log2(double x) noexcept;
 double log1p(double x) noexcept;
 double pow(double x, double y) noexcept;
 
-/// Of angles of any size, in radians.
+/// Angles are in radians and of any size.
 double sin(double x) noexcept;
 double cos(double x) noexcept;
 double tan(double x) noexcept;

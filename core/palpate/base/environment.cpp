@@ -1,4 +1,4 @@
-// The environment of an engine that stands alone, until a host installs its own.
+// The environment of an engine without a host; a host installs its own.
 #include "palpate/base/environment.h"
 
 #include <exception>

@@ -1,5 +1,5 @@
-// What the engine asks of the program that it runs in: whole files, and threads for cold work. It has neither by
-// itself: without a host, as on a web page, a file is refused by an Error and work is done by the caller.
+// The engine gets whole files, and threads for cold work, from the program that it runs in. It has neither by itself:
+// without a host, as on a web page, a file is refused by an Error and work is done by the caller.
 #pragma once
 
 #include <cstddef>

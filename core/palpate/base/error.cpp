@@ -1,5 +1,5 @@
-// Puts each message together once. Its parts are found again by their lengths, so the file must stand at the front and
-// the cause at the end; a byte's offset goes into the cause. Cold paths only.
+// Puts each message together once. Its parts are found again by their lengths, so the file must come first and the
+// cause last; a byte's offset goes into the cause. Cold paths only.
 #include "palpate/base/error.h"
 
 #include <fmt/format.h>

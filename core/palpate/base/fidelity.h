@@ -2,9 +2,8 @@
 //
 // The checked errata E1 to E34 (scene/errata.h has their texts) each name a place where the printed text is wrong,
 // ambiguous or incomplete. This set is empty by default: no printed form that is a switch is taken. (A few errata are
-// settings of their own or stand as printed all the same; scene::errataByDefault lists them.) The literal forms live in
-// files of their own, which ask this set which of them are wanted, so that a published result can be reproduced or one
-// erratum studied alone.
+// settings of their own or keep the printed form; scene::errataByDefault lists them.) The literal forms live in files
+// of their own, which query this set, so that a published result can be reproduced or one erratum studied alone.
 #pragma once
 
 #include <bitset>
@@ -12,7 +11,7 @@
 
 namespace palpate {
 
-/// What each is about; the value is its number in the list.
+/// The value is the erratum's number in the list.
 enum class Erratum : std::uint8_t {
   none = 0,
   E1_anchor = 1,

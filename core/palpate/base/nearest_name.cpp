@@ -47,7 +47,7 @@ std::string oneLine(std::string_view text, std::size_t most) {
 std::string nearestName(std::string_view written, const std::vector<std::string>& names) {
   std::string nearest;
   if (written.size() > kLongestName) return nearest;
-  // Of a short word at least one letter must be right.
+  // At least one letter of a short word must be right.
   std::size_t least = std::min(std::max<std::size_t>(2, written.size() / 3) + 1, written.size());
   for (const std::string& name : names) {
     // "radius_cm" and "radius" mean "radius_mm", however many letters that takes.

@@ -1,4 +1,4 @@
-// What a stranger misspelt, and the name that was meant: keys of scene files, commands, options and their values.
+// Finds the name that a misspelt one meant: keys of scene files, commands, options and their values.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace palpate {
 /// Nothing that people type by mistake is longer, and comparing names costs the product of their lengths.
 inline constexpr std::size_t kLongestName = 64;
 
-/// What a stranger wrote, fit for a message: no line breaks or other control bytes, not too long.
+/// User input made fit for a message: no line breaks or other control bytes, not too long.
 std::string oneLine(std::string_view text, std::size_t most = kLongestName);
 
 /// The name nearest to what was written, or nothing when none is near. A name that differs in its unit only is near.

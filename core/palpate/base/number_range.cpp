@@ -9,7 +9,7 @@ namespace palpate {
 
 namespace {
 
-/// Larger whole numbers are no longer exact, and no longer readable either.
+/// Larger whole numbers are neither exact nor readable.
 constexpr double kMaxDigits = 1e15;
 
 }  // namespace

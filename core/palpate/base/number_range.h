@@ -8,7 +8,7 @@
 
 namespace palpate {
 
-/// Both ends included unless `above_low`. Infinite ends are no limit; whether a number is finite is asked before.
+/// Both ends included unless `above_low`. Infinite ends set no limit; callers check first that a number is finite.
 struct NumberRange {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();

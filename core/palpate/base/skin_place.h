@@ -1,8 +1,8 @@
-// A place on the skin at rest: the one word for it outside the tick, whoever draws, edits, measures or demonstrates.
+// A place on the skin at rest: the one type for it outside the tick, for drawing, editing, measuring and teaching.
 //
-// What the index of the triangle means is said by whoever gives the place: a record of the contact surface's tree, or a
-// triangle of the mesh. Inside the tick it is contact::SurfacePoint, which knows on what feature of its triangle it
-// lies and asks for the normal only where it is needed.
+// The source of a place defines its triangle index: a record of the contact surface's tree, or a triangle of the mesh.
+// Inside the tick it is contact::SurfacePoint, which knows on what feature of its triangle it lies and computes the
+// normal only where it is needed.
 #pragma once
 
 #include "palpate/base/vec.h"

@@ -1,7 +1,7 @@
-// What people write for the values of an enumeration: one table a type, from which scene files, commands, panels and
-// writers all read.
+// The names of an enumeration's values as users write them: one table per type, from which scene files, commands,
+// panels and writers all read.
 //
-// A room that gives words to a type specialises WordsOf for it (scene/words.h, scene/view_settings.h):
+// A module that names the values of a type specialises WordsOf for it (scene/words.h, scene/view_settings.h):
 //
 //   template <>
 //   struct WordsOf<Shading> {

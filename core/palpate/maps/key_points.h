@@ -1,7 +1,7 @@
-// Key points: the places on the back where somebody measured.
+// Key points: the places on the back that were measured.
 //
-// A table, one row a key point: name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg[,stiffness_n_per_mm]. The
-// first row may name the columns; then further ones may follow by name, of what was measured beside the ellipse
+// A table with one row per key point: name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg
+// [,stiffness_n_per_mm]. The first row may name the columns; then further measured quantities may follow by name
 // (measuredColumns()). x and y are the body frame's (x to the patient's right seen from behind, y cranial), seen along
 // z. From here the maps are interpolated (ellipse_map.h, stiffness_map.h).
 #pragma once

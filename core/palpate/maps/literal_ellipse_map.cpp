@@ -126,7 +126,7 @@ SurfaceEllipse LiteralEllipseMap::on(const Vec3& point, const Vec3& normal) cons
 SurfaceEllipse literallyLiftedOntoSurface(const Ellipse& ellipse, const Vec3& normal) {
   SurfaceEllipse lifted = liftedOntoSurface(ellipse, normal);
   const double shadow_mm = lifted.half_major.head<2>().norm();
-  // A lifted axis without a shadow stands on a vertical surface.
+  // A lifted axis without a shadow is on a vertical surface.
   const double n_z = std::abs(normal.z()) / normal.norm();
   if (!(shadow_mm > 0.0) || !(n_z > 1e-9)) return lifted;
   lifted.half_major *= ellipse.half_major_mm / shadow_mm;  // E32

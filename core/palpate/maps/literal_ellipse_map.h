@@ -62,8 +62,8 @@ class LiteralEllipseMap {
   SurfaceEllipse on(const Vec3& point, const Vec3& normal) const noexcept;
 
  private:
-  /// What is blended: by tensor (LogTensor, 0), by double angle (half-major, ratio, cos 2d, sin 2d), raw (half-major,
-  /// ratio, degree, 0).
+  /// The blended quantity: by tensor (LogTensor, 0), by double angle (half-major, ratio, cos 2d, sin 2d), raw
+  /// (half-major, ratio, degree, 0).
   using Blended = Eigen::Vector4d;
   struct Key {
     Vec2 position;

@@ -33,7 +33,7 @@ inline double tabulatedEffectLevel(double distance_mm, double effect_radius_mm) 
   return halfGaussian(std::round(distance_mm / effect_radius_mm * kLastEntry) / kLastEntry);
 }
 
-/// What key point `i` is multiplied with; `level(j)` gives a_j.
+/// The factor of key point `i`; `level(j)` gives a_j.
 template <class Level>
 double literalNumerator(LiteralWeights form, std::size_t i, std::size_t keys, const Level& level) {
   double numerator = level(i);
@@ -54,8 +54,8 @@ double literalDenominator(LiteralWeights form, std::size_t keys, const Level& le
   return sum;
 }
 
-/// The blend at a place; `level(i)` in [0, 1] and `value(i)` are asked for the key points 0 to keys - 1. Value is
-/// double or a fixed-size vector. Nothing where the printed fraction is 0/0: out of all reach, on coincident keys, and
+/// The blend at a place; `level(i)` in [0, 1] and `value(i)` are called for the key points 0 to keys - 1. Value is
+/// double or a fixed-size vector. Empty where the printed fraction is 0/0: out of all reach, on coincident keys, and
 /// where the product of many (1 - a_j) falls below the smallest double.
 template <class Value, class Level, class KeyValue>
 std::optional<Value> literalBlend(LiteralWeights form, std::size_t keys, const Level& level, const KeyValue& value,

@@ -37,8 +37,8 @@ struct FitError {
 
 class MeasuredStiffnessField {
  public:
-  /// Of the key points that have a stiffness. Throws Error where thin_plate or polynomial has too few of them or they
-  /// lie too much in line; gri takes any number, none too.
+  /// Fits the key points that have a stiffness. Throws Error where thin_plate or polynomial has too few of them or they
+  /// are too nearly in line; gri accepts any number, even none.
   explicit MeasuredStiffnessField(std::span<const KeyPoint> keys, const MeasuredStiffness& settings = {});
 
   /// As fitted: thin_plate and polynomial may run away beyond the key points. O(number of key points), no allocation.
@@ -51,7 +51,7 @@ class MeasuredStiffnessField {
   /// which stays between its values by itself.
   const std::pair<double, double>& limits() const noexcept { return limits_; }
 
-  /// N/mm. Of what was fitted; coincident keys that differ count with their difference from the mean.
+  /// N/mm. Covers the fitted key points; coincident keys that differ count with their difference from the mean.
   const FitError& fitError() const noexcept { return error_; }
 
  private:

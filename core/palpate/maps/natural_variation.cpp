@@ -22,7 +22,7 @@ namespace {
 
 /// Lattice points an axis that reach a place; the weight of the next one is exp(-8).
 constexpr int kReach = 6;
-/// The first of them is so many before the one below the place.
+/// Lattice points before the one just below the place.
 constexpr int kBefore = kReach / 2 - 1;
 constexpr double kStepOfLength = 2.0 / 3.0;
 
@@ -42,7 +42,7 @@ double noiseAt(std::uint64_t seed, std::int64_t x, std::int64_t y, std::int64_t 
   return (static_cast<double>(sum) - kMean) / kDeviation;
 }
 
-/// Of one axis: the first lattice point that reaches a place, and the weights from there on.
+/// The first lattice point that reaches a place along one axis, and the weights from there on.
 struct Axis {
   std::int64_t first = 0;
   std::array<double, kReach> weights{};
@@ -90,7 +90,7 @@ std::vector<double> variationAt(std::span<const Vec3> places_mm, const NaturalVa
   if (!(variation.variation > 0.0)) return factors;
   const double steps_per_mm = 1.0 / (kStepOfLength * variation.length_mm);
   const std::uint64_t seed = Random(variation.seed).bits();
-  // Of a log-normal number of mean 1: its logarithm's variance, and half of that off its mean.
+  // For a log-normal number of mean 1: its logarithm's variance, and half of that off its mean.
   const double variance = elementary::log1p(variation.variation * variation.variation);
   const double deviation = std::sqrt(variance);
   for (std::size_t i = 0; i < places_mm.size(); ++i) {

@@ -1,7 +1,7 @@
-// An irregular deformation boundary: a closed contour round the touched point, told by its radius in each direction.
+// An irregular deformation boundary: a closed contour round the touched point, given by its radius in each direction.
 //
-// What a measurement really gives (a polyline of equal displacement) is no ellipse; a polar contour keeps its shape. It
-// may take the ellipse's place in the deformation: both answer the location ratio of an offset, 0 at the centre and 1
+// A measured boundary (a polyline of equal displacement) is not an ellipse; a polar contour keeps its shape. It may
+// replace the ellipse in the deformation: both return the location ratio of an offset, 0 at the centre and 1
 // on the boundary. Based on: Ji, dissertation 2008, section 6.2 (irregular deformation boundaries as future work);
 // Catmull, Rom, "A class of local interpolating splines", 1974.
 #pragma once
@@ -14,7 +14,8 @@
 
 namespace palpate::maps {
 
-/// Three radii are the fewest that close round a point; 64 put one every 5.6 degree, finer than dots 30 mm apart tell.
+/// Three radii are the fewest that close round a point; 64 put one every 5.6 degree, finer than dots 30 mm apart
+/// resolve.
 inline constexpr std::size_t kMinContourRadii = 3;
 inline constexpr std::size_t kMaxContourRadii = 64;
 

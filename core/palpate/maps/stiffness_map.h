@@ -67,10 +67,10 @@ struct NaturalVariation {
   friend bool operator==(const NaturalVariation&, const NaturalVariation&) = default;
 };
 
-/// The factors at places of the body, each > 0; ones where there is no variation.
+/// The factors at places of the body, each > 0; ones without variation.
 std::vector<double> variationAt(std::span<const Vec3> places_mm, const NaturalVariation& variation);
 
-/// Multiplies them into a stiffness a place; changes no bit where there is no variation.
+/// Multiplies them into a stiffness per place; changes no bit without variation.
 void applyVariation(std::span<const Vec3> positions, const NaturalVariation& variation,
                     std::span<double> stiffness_n_per_mm);
 

@@ -17,7 +17,7 @@ namespace palpate::maps {
 
 namespace {
 
-/// Places nearer than a micrometre are one: nobody measures finer, and the system would be singular.
+/// Places nearer than a micrometre are one: measurements are coarser, and the system would be singular.
 constexpr double kCoincidentMm = 1e-3;
 /// Thinnest spread of places relative to their widest that still counts as a plane and not as a line.
 constexpr double kFlat = 1e-9;

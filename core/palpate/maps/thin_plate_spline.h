@@ -1,7 +1,7 @@
 // Thin-plate spline: the surface through scattered values that bends least.
 //
-// f(x) = affine part + sum w_i r_i^2 ln r_i over the places; through every value exactly, and beyond the outermost
-// places it goes on almost straight. Serves the stiffness map beside GRI (measured_stiffness.h).
+// f(x) = affine part + sum w_i r_i^2 ln r_i over the places; exact at every value, and almost straight beyond the
+// outermost places. Serves the stiffness map next to GRI (measured_stiffness.h).
 // Based on: Duchon, "Splines minimizing rotation-invariant semi-norms in Sobolev spaces", 1977; Bookstein, "Principal
 // warps: thin-plate splines and the decomposition of deformations", 1989.
 #pragma once
