@@ -14,8 +14,8 @@ namespace palpate::device {
 
 namespace {
 
-constexpr double kMinApartMm = 20.0;     // of the two that are farthest apart
-constexpr double kMinWidthShare = 0.15;  // of the triangle, over its longest side
+constexpr double kMinApartMm = 20.0;     // between the two that are farthest apart
+constexpr double kMinWidthShare = 0.15;  // the triangle's width over its longest side
 constexpr double kMinScale = 0.05;
 constexpr double kMaxScale = 20.0;
 

@@ -27,7 +27,7 @@ enum FaultBit : std::uint32_t {
   kClosed = 1u << 4,
 };
 
-/// Bits of what a device reports and goes on: the tick counts them, nobody has to act.
+/// Bits of what a device reports while it goes on working: the tick counts them, and no one has to act.
 enum NoteBit : std::uint32_t {
   kWarmMotors = 1u << 0,
   kForceExceeded = 1u << 1,     ///< the driver shortened the force
@@ -35,7 +35,7 @@ enum NoteBit : std::uint32_t {
   kForceLimited = 1u << 3,      ///< another complaint about the force: an impulse, a ramp
 };
 
-/// What read_tip gives where there is no position: not a number.
+/// Returned by read_tip where there is no position: not a number.
 inline const Vec3 kNoPlace = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
 
 /// A position may be this many ticks old and is still one; a force is forgotten likewise.
@@ -45,10 +45,10 @@ inline constexpr std::uint64_t kMaxPoseTicks = 2;
 enum class Rhythm : std::uint8_t {
   on_call,     ///< values in memory: it answers at once, at any rate
   self_paced,  ///< the driver has a loop of its own, at `rate_hz`
-  blocking,    ///< each exchange waits for the hardware; a thread beside the servo does it
+  blocking,    ///< each exchange waits for the hardware, on a thread next to the servo
 };
 
-/// What a device says of itself. 0 and an empty box: it does not say.
+/// Reported by a device. 0 and an empty box: not reported.
 struct Capabilities {
   bool takes_force = false;
   double max_force_n = 0.0;
@@ -65,19 +65,19 @@ struct Capabilities {
   bool documented = false;
   double motion_scale = 1.0;  ///< mm of the body a mm of the device (workspace.h): what it renders is stiffer by it
   std::string model;          ///< as the device calls itself
-  std::string version;        ///< of the driver
+  std::string version;        ///< driver version
 };
 
-/// What came with the position of the last read_tip.
+/// Read together with the position of the last read_tip.
 struct DeviceState {
   Vec3 velocity = Vec3::Zero();  ///< mm/s, as the driver says
   std::uint32_t buttons = 0;     ///< bit 0 is the first
   std::uint32_t faults = 0;      ///< FaultBits
   std::uint32_t notes = 0;       ///< NoteBits
-  std::uint64_t age_ticks = 0;   ///< of the position
+  std::uint64_t age_ticks = 0;   ///< age of the position
   /// Ticks between sending a force and the first position that was read after the driver had it; 0: not seen yet.
   std::uint64_t loop_ticks = 0;
-  // What the workspace (workspace.h) makes of it.
+  // Set by the workspace (workspace.h).
   bool clutched = false;   ///< the device moves and its finger does not: no force
   bool elsewhere = false;  ///< the finger was put elsewhere in this tick: it forgets what it touched
   bool stops = false;      ///< its button for the emergency stop is down
@@ -95,13 +95,13 @@ struct Device {
   Capabilities capabilities = {};
   /// Empty for a device that is never in trouble and has nothing to say.
   std::function<DeviceState()> state = {};
-  /// What is wrong now, in words; empty text: nothing. May be empty.
+  /// Describes the present fault; empty text: none. May be empty.
   std::function<std::string()> explain = {};
   /// Looks for a device that was lost and opens it again; true when it is there. May be empty.
   std::function<bool()> revive = {};
   /// One exchange of a blocking driver that was opened without a thread of its own. Otherwise empty.
   std::function<void()> exchange = {};
-  /// Zero force, and the driver let go. Dropping the last copy of a device does it too. May be empty.
+  /// Zero force, and the driver is released. Dropping the last copy of a device does it too. May be empty.
   std::function<void()> close = {};
 };
 

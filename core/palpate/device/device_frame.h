@@ -1,4 +1,4 @@
-// Where a device stands in the body frame: which of its axes points where, how long its unit is, where its middle lies.
+// How a device sits in the body frame: where its axes point, how long its unit is, where its middle is.
 #pragma once
 
 #include <span>
@@ -18,8 +18,8 @@ struct DeviceFrame {
   Vec3 forceInDevice(const Vec3& force) const noexcept { return axes.transpose() * force; }
 };
 
-/// The rotation that words like "y,z,x" or "x,-z,y" name: which device axis the body's x, y and z are. Throws Error for
-/// what is no such list, and for a mirror image.
+/// The rotation that text like "y,z,x" or "x,-z,y" names: which device axis the body's x, y and z are. Throws Error for
+/// anything else and for a mirror image.
 Mat3 axesNamed(std::string_view words);
 
 // Where the space of a device lies in the body, from places that were touched: the tip held on places that are known.
@@ -37,8 +37,8 @@ struct Calibration {
   double residual_mm = 0.0;  ///< root of the mean square of what is left between the places, in the body
 };
 
-/// Least squares over three or more pairs. Throws Error, saying which and why, for places of another number, that are
-/// no numbers, too near to each other or to a line, and for a scale that no scene may have.
+/// Least squares over three or more pairs. Throws Error, saying which and why, for lists of different lengths, places
+/// that are not finite, too near to each other or to a line, and for a scale that no scene may have.
 Calibration calibrationOf(std::span<const Vec3> of_device, std::span<const Vec3> of_body);
 
 }  // namespace palpate::device

@@ -1,11 +1,11 @@
-// Between two turning points the friction has one sign, and the motion is linear in what is wanted:
+// Between two turning points the friction has one sign, and the motion is linear in the unknowns:
 //
-//   x(t) = x0 + v0 t + (1/m) JJF(t - delay) - (b/m) J(x - x0) - (c/m) s t^2/2 + (g/m) t^2/2        J: integral over
-//   time
+//   x(t) = x0 + v0 t + (1/m) JJF(t - delay) - (b/m) J(x - x0) - (c/m) s t^2/2 + (g/m) t^2/2
+//   J: integral over time
 //
 // so each half swing gives linear equations; integrals, not derivatives, because the places are counts of an encoder.
-// A half swing that begins with a jump of the spring begins at rest (v0 = 0) when the force arrives, which is what the
-// delay is told by: the one that leaves the least residual.
+// A half swing that begins with a jump of the spring begins at rest (v0 = 0) when the force arrives. That gives the
+// delay: the one that leaves the least residual.
 #include "palpate/device/device_profile.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ constexpr double kMaxForce = 2.0;
 constexpr double kForceShare = 0.2;
 constexpr double kStronger = 1.4;
 constexpr double kFreely = 1.25;  // reaches
-/// A device that is let go stays within this many reaches, and slower than that, mm/s.
+/// A released device stays within this many reaches, and slower than that, mm/s.
 constexpr double kMaxReaches = 2.5;
 constexpr double kMaxSpeed = 2000.0;
 constexpr double kMaxGapTicks = 2.0;  // for longer, no driver holds its force
@@ -99,7 +99,7 @@ std::vector<HalfSwing> halfSwings(const SwingRecord& record) {
   return all;
 }
 
-/// What multiplies 1/m, b/m, c/m, g/m, and the place itself; N s^2, mm s, s^2, s^2, mm.
+/// The factors of 1/m, b/m, c/m, g/m, and the place itself; N s^2, mm s, s^2, s^2, mm.
 constexpr int kColumns = 5;
 using Row = Eigen::Matrix<double, 1, kColumns>;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, kColumns>;

@@ -34,7 +34,7 @@ DeviceProfile rowOf(scene::DeviceModel model) {
   return {};
 }
 
-/// 0 stands for "nobody says".
+/// 0 means unknown.
 void lower(double& value, double other) {
   if (other > 0.0) value = value > 0.0 ? std::min(value, other) : other;
 }
@@ -56,7 +56,7 @@ DeviceProfile leastOf(const DeviceProfile& a, const DeviceProfile& b) {
   least.force_n = std::min(a.force_n, b.force_n);
   least.stiffness_n_per_mm = a.stiffness_n_per_mm;
   lower(least.stiffness_n_per_mm, b.stiffness_n_per_mm);
-  // The lightest in the hand, seen at the larger scale: a light device beside a scaled heavy one stays light.
+  // The lightest in the hand, seen at the larger scale: a light device next to a scaled heavy one stays light.
   least.mass_kg =
       std::min(a.mass_kg * a.motion_scale, b.mass_kg * b.motion_scale) / std::max(a.motion_scale, b.motion_scale);
   least.damping_n_s_per_mm = std::min(a.damping_n_s_per_mm, b.damping_n_s_per_mm);

@@ -1,4 +1,4 @@
-// What is known or assumed of a force-feedback device at its tip: what it may be asked for, and what it swallows.
+// Known or assumed mechanics of a force-feedback device at its tip: its limits, and the forces that it loses.
 //
 // The limiter takes its bounds from here, the simulated hand (simulated_hand.h) its mechanics. What a driver reports of
 // an open device lowers them; nothing that a driver, a plugin or a scene claims raises them.
@@ -21,7 +21,7 @@ namespace palpate::device {
 struct DeviceProfile {
   bool known = false;               ///< its type is; else the force is that of the weakest known device
   double force_n = 3.3;             ///< held for a moment; no scene asks for more (largestForceN)
-  double stiffness_n_per_mm = 0.0;  ///< recommended at most; 0: nobody says
+  double stiffness_n_per_mm = 0.0;  ///< recommended maximum; 0: unknown
   double mass_kg = 0.045;           ///< felt at the tip
   double damping_n_s_per_mm = 0.0;
   double friction_n = 0.0;
@@ -29,7 +29,7 @@ struct DeviceProfile {
   double motion_scale = 1.0;  ///< Capabilities::motion_scale; all of the above is as the body sees it
   /// With --unsafe-stiffness no scene asks for more: what a driver reports, or a known device holds.
   double unsafe_force_n = std::numeric_limits<double>::infinity();
-  // Of devices that are open.
+  // Summary of the open devices.
   bool open = false;         ///< at least one takes forces: a hand may be on it
   double delay_ticks = 0.0;  ///< Capabilities::delay_ticks
 };
@@ -39,11 +39,11 @@ DeviceProfile profileOf(scene::DeviceModel model);
 
 /// The profile of an open device: of the kind that its driver recognised, else an unknown one, of which `named`, the
 /// scene's word, can only lower the stiffness. Force and stiffness that the driver reports lower them likewise. All of
-/// it as the body sees a device whose motion is scaled. A device that takes no force pushes nobody: it has the profile
+/// it as the body sees a device whose motion is scaled. A device without force feedback is harmless: it has the profile
 /// of the named one.
 DeviceProfile profileOf(scene::DeviceModel named, const Capabilities& reported);
 
-/// What holds where several devices share a loop: the least of every limit of those that take forces. Without devices,
+/// The limits where several devices share a loop: the least of each among those with force feedback. Without devices,
 /// the named one's.
 DeviceProfile profileOf(scene::DeviceModel named, std::span<const Capabilities> open);
 
@@ -51,28 +51,27 @@ DeviceProfile profileOf(scene::DeviceModel named, std::span<const Capabilities> 
 /// --unsafe-stiffness what is asked, but never more than a known device holds or a driver reports.
 double largestForceN(const scene::SafetySettings& safety, const DeviceProfile& profile);
 
-// How heavy, how damped, how rough and how late a device is, measured on itself: let go, and swung on a soft virtual
-// spring whose rest place jumps to and fro.
+// Measures mass, damping, friction and delay of a device on itself: released, it swings on a soft virtual spring whose
+// rest place jumps to and fro.
 //
-//   tip ─► Swings::tick ─► force (a spring of at most 0.2 N/mm, a few tenths of a newton)      once a tick, hardware or
-//   not
+//   tip ─► Swings::tick ─► force (a spring of at most 0.2 N/mm, a few tenths of a newton)     every tick, any device
 //             └─ SwingRecord: the place and the force of every tick ─► identify ─► mass, damping, friction, delay
 //
-// Damping and delay look alike in a swing that goes on, and differ in how it begins: a force that jumps is answered
-// only after the delay. docs/reference/devices.md says how exact it is, on simulated devices.
+// Damping and delay look alike in a running swing and differ in how it begins: the response to a jump of the force
+// comes only after the delay. docs/reference/devices.md says how exact it is, on simulated devices.
 
 struct SwingPlan {
   double tick_s = 0.001;
   double first_force_n = 0.1;  ///< of the spring when its rest place jumps; grows until the device swings freely ...
   double most_force_n = 0.5;   ///< ... to this
-  double reach_mm = 25.0;      ///< of a jump
+  double reach_mm = 25.0;      ///< jump of the rest place
   int swings = 12;             ///< free ones
 };
 
 /// At most a fifth of the device's largest force and 2 N; 0.5 N for one that does not say.
 SwingPlan swingPlan(const Capabilities& able, double tick_s);
 
-/// What was commanded and what was seen, along one axis.
+/// Commanded forces and observed places along one axis.
 struct SwingRecord {
   double tick_s = 0.001;
   std::vector<double> place_mm;         ///< a tick each
@@ -90,7 +89,7 @@ class Swings {
   Vec3 tick(std::uint64_t tick, const Vec3& tip) noexcept;
 
   bool finished() const noexcept { return finished_; }
-  /// Of all that was planned, 0 to 1.
+  /// Share of the planned swings that are done, 0 to 1.
   double progress() const noexcept { return static_cast<double>(swung_) / plan_.swings; }
   /// Why it ended early; null: it did not.
   const char* trouble() const noexcept { return trouble_; }
@@ -113,7 +112,7 @@ class Swings {
   const char* trouble_ = nullptr;
   int swung_ = 0;
   double force_n_ = 0.0;     // when the rest place jumps
-  double rest_place_ = 0.0;  // of the spring
+  double rest_place_ = 0.0;  // rest place of the spring
   double from_ = 0.0;        // where this swing began ...
   double travelled_ = 0.0;   // ... and how far it got
   double still_place_ = 0.0;

@@ -20,7 +20,7 @@ namespace palpate::device {
 
 namespace {
 
-/// Where a script stands: over which place, and how far above the skin (below it when negative).
+/// A point of a script: over which place, and how far above the skin (below it when negative).
 struct Stand {
   Vec2 place = Vec2::Zero();
   double height = 0.0;
@@ -34,7 +34,7 @@ double eased(double t) {
 
 /// Spirals out from the centre, goes round, and spirals back in.
 Vec2 circleOffset(const scene::Step& step, double t) {
-  constexpr double kLongestSpiral = 0.25;  // of the step, so that at least half of it is round
+  constexpr double kLongestSpiral = 0.25;  // share of the step, so that at least half of it is round
   const double half_turn = std::abs(step.turns) > 0.0 ? 0.5 / std::abs(step.turns) : 1.0;
   const double spiral = std::min(half_turn, kLongestSpiral);
   const double radius = step.radius_mm * eased(t / spiral) * eased((1.0 - t) / spiral);
@@ -42,7 +42,7 @@ Vec2 circleOffset(const scene::Step& step, double t) {
   return radius * Vec2(elementary::cos(angle), elementary::sin(angle));
 }
 
-/// The stand at share t of a step that began at `from`.
+/// The finger at share t of a step that began at `from`.
 Stand during(const scene::Step& step, const Stand& from, double t) {
   Stand now = from;
   switch (step.move) {
@@ -240,7 +240,7 @@ constexpr double kAutomaticDrag = 30.0;
 constexpr double kAutomaticCircle = 12.0;
 constexpr double kAutomaticHover = 10.0;
 
-/// Whether the skin goes on, and falls off no steeper than about 40 degrees, wherever a path of this size leads.
+/// Whether the skin extends, and slopes no steeper than about 40 degrees, wherever a path of this size leads.
 bool fits(const SkinHeight& height, double size) {
   const double top = height(0.0, 0.0).value_or(0.0);
   for (double u = -kAutomaticCircle; u <= kAutomaticDrag + kAutomaticCircle; u += 0.5 * kAutomaticCircle) {

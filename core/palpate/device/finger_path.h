@@ -27,7 +27,7 @@ struct ScriptFrame {
   Vec3 w = Vec3::UnitZ();
 };
 
-/// Height of the skin at rest above the frame's plane, mm, or nothing where there is no skin.
+/// Height of the skin at rest above the frame's plane, mm; empty off the skin.
 using SkinHeight = std::function<std::optional<double>(double u_mm, double v_mm)>;
 
 /// One tip a tick, from the script's start to its end. Depths and heights are those of the
@@ -50,7 +50,7 @@ struct FingerPaths {
 /// Reads the files and walks the scripts. Throws Error as readTrajectory and walkScript do.
 FingerPaths pathsOf(const scene::World& world);
 
-/// A path for a body nobody has planned one for: press, drag, circle and lift around the highest place (largest z) that
+/// A path for a body without a planned one: press, drag, circle and lift around the highest place (largest z) that
 /// faces up and has room for it, along its normal, sized to the body.
 Trajectory automaticPath(const scene::World& world, double radius_mm = 0.0);
 

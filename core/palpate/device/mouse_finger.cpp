@@ -12,12 +12,12 @@ namespace palpate::device {
 
 namespace {
 
-/// What stands for a stiffness until there is one, N/mm: the soft end of a back, so that the first approach is quick
-/// and never hits hard.
+/// The stiffness assumed before one is felt, N/mm: the soft end of a back, so that the first approach is quick and
+/// never hits hard.
 constexpr double kSoftGuess = 0.3;
 constexpr double kMinStiffness = 0.02;
 
-/// One tick of a critically damped follower; exact for a target that stands still, whatever the tick.
+/// One tick of a critically damped follower; exact for a target at rest, whatever the tick.
 template <class T>
 void follow(T& value, T& speed, const T& target, double rate, double tick_s) noexcept {
   const double decay = elementary::exp(-rate * tick_s);

@@ -22,15 +22,15 @@ enum class PressBy : std::uint8_t {
   force,  ///< a stiff place gives way less: the finger solves the depth
 };
 
-/// What the display asks of one finger; plain data that crosses threads by copy.
+/// The display's target for one finger; plain data that crosses threads by copy.
 struct FingerTarget {
   bool present = false;  ///< false: it has not been over the skin yet
   bool pressed = false;
   PressBy by = PressBy::depth;
-  double depth_mm = 6.0;  ///< of the pad under the skin at rest
+  double depth_mm = 6.0;  ///< depth of the pad under the skin at rest
   double force_n = 3.0;
   double max_depth_mm = 25.0;   ///< press by force goes no deeper, however soft the place
-  double radius_mm = 0.0;       ///< of the finger: the tip is the ball's centre, the pad its end
+  double radius_mm = 0.0;       ///< finger radius: the tip is the ball's centre, the pad its end
   Vec3 place = Vec3::Zero();    ///< on the skin at rest
   Vec3 normal = Vec3::UnitZ();  ///< unit, out of the skin
 };
@@ -45,7 +45,7 @@ struct MouseFingerSettings {
   double hover_mm = 6.0;            ///< height of the pad over the skin when it does not press
   double jump_mm = 40.0;            ///< a place farther away is taken at once, in the air, instead of flown to
   double force_s = 0.060;           ///< time constant of press by force
-  double fastest_mm_per_s = 120.0;  ///< of the depth in press by force
+  double fastest_mm_per_s = 120.0;  ///< limit on the depth's speed in press by force
 };
 
 /// Where a finger waits that has not been over the skin: a hundred metres behind the back. Not "no number": the servo

@@ -29,7 +29,7 @@ enum class HandKind : std::uint8_t {
   thimble,    ///< one finger in a thimble
   arm,        ///< a whole arm holding the device rigidly
   dead_load,  ///< no hand: a constant push, the worst of all
-  released,   ///< nobody: the device by itself
+  released,   ///< no hand: the device alone
 };
 
 /// One hand, the same in all directions. No mass: a dead load.
@@ -51,28 +51,28 @@ struct SimulatedHandSettings {
   double delay_ticks = 1.0;      ///< from sampling the pose to the force at the motor
   double amplifier_lag_s = 0.0;  ///< first order
   double jitter_ticks = 0.0;     ///< samples come up to this much early or late
-  double force_step_n = 0.0;     ///< of the motor's command; 0: none
+  double force_step_n = 0.0;     ///< step of the motor's command; 0: none
   bool quantised = true;         ///< the encoder's step is seen
   /// False: each axis has its own Coulomb friction, as each motor has. True: one for all, so that sliding along the
   /// surface takes the friction across it away; harder to keep at rest.
   bool shared_friction = false;
-  std::uint64_t seed = 1;     ///< of the jitter
+  std::uint64_t seed = 1;
   Vec3 start = Vec3::Zero();  ///< mm
 };
 
-/// What the hand wants in a tick.
+/// The hand's goal in a tick.
 struct HandGoal {
   Vec3 place = Vec3::Zero();     ///< where the arm is drawn to, mm; no hand: without meaning
-  Vec3 velocity = Vec3::Zero();  ///< of that place, mm/s
+  Vec3 velocity = Vec3::Zero();  ///< its velocity, mm/s
   Vec3 push = Vec3::Zero();      ///< on the device, N: a dead load, or a kick
 };
 
-/// What flowed since the start, N mm (mJ). A motion that it starts with counts as the hand's gift.
+/// Energy flows since the start, N mm (mJ). A motion that it starts with counts as the hand's gift.
 struct PortEnergy {
   double motor = 0.0;     ///< work of the motor on the device
   double friction = 0.0;  ///< swallowed by the device's own friction and damping
-  double kinetic = 0.0;   ///< of the device's mass now
-  /// What the device gave to whoever holds it beyond what it got: above zero, the loop is a source.
+  double kinetic = 0.0;   ///< energy of the device's mass now
+  /// Net energy that the device gave to its holder: above zero, the loop is a source.
   double given() const { return motor - friction - kinetic; }
 };
 
@@ -85,7 +85,7 @@ class SimulatedHand {
 
   HandGoal goal;  ///< read by the next tick
 
-  /// What the device says now: quantised.
+  /// The device's own reading: quantised.
   Vec3 readTip() noexcept;
   /// Takes the force of this tick and lets the time pass until the next one. No allocation.
   void writeForce(const Vec3& force) noexcept;

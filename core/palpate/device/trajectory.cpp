@@ -1,5 +1,5 @@
-// Rows are checked as they come; resampling walks both time axes once. Times are written in decimals, so a row within a
-// millionth of a tick of one counts as on it, and comes back bit by bit. Cold path.
+// Rows are checked as they are read; resampling walks both time axes once. Times are written in decimals, so a row
+// within a millionth of a tick of one counts as on it and is reproduced bit by bit. Cold path.
 #include "palpate/device/trajectory.h"
 
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ std::string formatTime(double time_s) {
   return whole ? fmt::format("{:.3f}", time_s) : fmt::format("{}", time_s);
 }
 
-/// How far a row may be beside a tick and still be on it, s: times since 1970 are 0.2 microseconds apart as doubles.
+/// How far from a tick a row still counts as on it, s: times since 1970 are 0.2 microseconds apart as doubles.
 double onTickS(const Trajectory& trajectory, double tick_s) {
   const double latest = std::max(std::abs(trajectory.time_s.front()), std::abs(trajectory.time_s.back()));
   return std::max(kOnTick * tick_s, 2.0 * std::numeric_limits<double>::epsilon() * latest);

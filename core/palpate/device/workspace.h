@@ -40,32 +40,32 @@ Vec3 turnOf(const Mat3& rotation);
 /// As a scene has it; `origin_mm` where it says nothing.
 Workspace workspaceOf(const scene::DeviceSettings& settings, const Vec3& origin_mm);
 
-/// What a scene says of the device of these words on this finger (0 the first): its own table for the finger, else the
-/// one for another finger, else nothing.
+/// The scene's settings for the device named `words` on this finger (0 the first): the finger's own table, else the
+/// one for another finger, else none.
 std::optional<scene::DeviceSettings> settingsOf(const scene::Scene& scene, std::string_view words, std::size_t finger);
 
 /// Mouse, script and playback: their places are the body's own, so their origin is, too.
 bool givesPlacesOfTheBody(std::string_view words);
 
-/// Where the origin of a device lies when nobody says: beside the place where a path by itself begins, the first finger
-/// 30 mm left of it, the second as far right. Of what gives places of the body (mouse, script, playback): zero.
+/// Where the origin of a device is by default: next to the place where a path by itself begins, the first finger 30 mm
+/// left of it, the second as far right. Zero for devices that give places of the body (mouse, script, playback).
 Vec3 standardOrigin(const scene::World& world, std::string_view words, std::size_t finger);
 
-/// What the clutch has moved so far.
+/// The clutch's movement so far.
 struct ClutchState {
-  Vec3 shift_mm = Vec3::Zero();  ///< of the finger, beyond the workspace's origin
+  Vec3 shift_mm = Vec3::Zero();  ///< shift of the finger, beyond the workspace's origin
   Vec3 tip = kNoPlace;           ///< where the finger is, and stays while it is held; none before the first tick
   bool held = false;
 };
 
-/// Where the finger is, mm of the body. While the clutch is held it stays where it was when it was taken, and from its
-/// release on it goes on from there. Not a number for a place that is none; the clutch then stays as it was.
+/// Where the finger is, mm of the body. While the clutch is held it stays where it was, and continues from there on
+/// release. Not a number where `place` is not finite; the clutch then stays unchanged.
 Vec3 clutchedTip(ClutchState& state, const DeviceFrame& frame, const Vec3& place, bool clutch) noexcept;
 
-/// What a display may know of a device in this tick.
+/// The part of a device's state in this tick that a display may read.
 struct WorkspaceReading {
   Vec3 place = kNoPlace;         ///< as the device says, before the workspace
-  Vec3 tip = kNoPlace;           ///< of the body
+  Vec3 tip = kNoPlace;           ///< in the body frame
   Vec3 shift_mm = Vec3::Zero();  ///< by the clutch
   std::uint64_t fresh = 0;       ///< ticks so far that came with a new position
   Vec3 force = Vec3::Zero();     ///< that the hand got in the tick before, in the body frame, N
