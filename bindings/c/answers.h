@@ -18,7 +18,7 @@ inline void require(bool holds, const char* message) {
   if (!holds) throw ArgumentError{message};
 }
 
-/// Of the exception at hand; only within a catch. Fills the caller's error, where there is one.
+/// Answers the exception at hand; only within a catch. Fills the caller's error, where there is one.
 int32_t answerToException(palpate_error* error) noexcept;
 int32_t answerOk(palpate_error* error) noexcept;
 

@@ -1,4 +1,4 @@
-// What a tick costs through the C interface, beside the same tick in C++, both in one run and on the same path: press
+// Compares a tick through the C interface with the same tick in C++, both in one run and on the same path: press
 // 8 mm, drag 20 mm, lift, on the built-in torso. Every output is kept. The forces are compared, too.
 //
 //   bench_c_api [--json] [--rounds N]
@@ -26,7 +26,7 @@ struct Settings {
   int rounds = 60;
 };
 
-/// Down beside T6, towards the head and up again, a tick every ms.
+/// Down next to T6, towards the head and up again, one tick per ms.
 std::vector<Vec3> pressDragLift(const SkinPlace& place) {
   std::vector<Vec3> tips;
   for (int i = 0; i < 400; ++i) tips.push_back(place.point + place.normal * (2.0 - 0.025 * i));
@@ -55,7 +55,7 @@ bool sameForce(const contact::FingerOutput& cpp, const palpate_touch& c) {
   return cpp.force == Vec3(c.force_n[0], c.force_n[1], c.force_n[2]);
 }
 
-/// The best of so many rounds of each, in turn: what disturbs one disturbs the others.
+/// The best of N rounds of each, in turn: a disturbance hits both alike.
 Measured measure(const Settings& settings, palpate_world* world_c) {
   scene::Scene scene;
   scene.body.kind = scene::BodyKind::torso;

@@ -18,7 +18,7 @@ struct palpate_finger {
   std::shared_ptr<const palpate::scene::World> world;
   palpate::engine::Finger finger = {};
   palpate::contact::FingerOutput felt = {};                    ///< in its last tick
-  std::optional<palpate::engine::FeltPressure> pressure = {};  ///< made when it is first asked for
+  std::optional<palpate::engine::FeltPressure> pressure = {};  ///< made on first use
 };
 
 namespace palpate::c_api {

@@ -25,7 +25,7 @@ bool isUsable(const Struct* given) noexcept {
   return given != nullptr && isSize<Struct>(given->size);
 }
 
-/// All that the caller's version has; the rest as in `defaults`. Of a usable one.
+/// Copies all that the caller's version has; the rest is as in `defaults`. Requires a usable `given`.
 template <class Struct>
 Struct fromCaller(const Struct* given, const Struct& defaults = {}) noexcept {
   static_assert(std::is_trivially_copyable_v<Struct> && offsetof(Struct, size) == 0);

@@ -1,4 +1,4 @@
-// What a finger feels, as C++ has it and as C has it.
+// Conversion of a finger's output between C++ and C.
 #pragma once
 
 #include <cstddef>

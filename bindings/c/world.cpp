@@ -1,4 +1,4 @@
-// Worlds are made: from files, texts, nothing and arrays. What they tell of themselves is world_queries.cpp.
+// Makes worlds from files, texts, nothing and arrays. Queries are in world_queries.cpp.
 #include <limits>
 
 #include "answers.h"

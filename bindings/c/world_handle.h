@@ -1,4 +1,4 @@
-// What is behind a palpate_world: a built world, counted, and where its vertices came from.
+// The implementation of palpate_world: a built world, counted, and where its vertices came from.
 #pragma once
 
 #include <atomic>

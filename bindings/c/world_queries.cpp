@@ -1,4 +1,4 @@
-// What a world tells of itself: its skin, its places, where its vertices came from.
+// Queries on a world: its skin, its places, where its vertices came from.
 #include <algorithm>
 
 #include "answers.h"

@@ -1,4 +1,5 @@
-// What the page's worker calls: one body, opened, touched, looked at, taken along. Plain C names over LiveBody.
+// The functions that the page's worker calls: a body is opened, touched, shown and exported. Plain C names over
+// LiveBody.
 //
 // The functions are those of web/page/engine.js, which says how they are used.
 #include <fmt/format.h>
@@ -31,12 +32,12 @@ namespace palpate::web {
 
 namespace {
 
-// Bodies for the page: the trunk that was made ahead (palpate/scene/ready_body.h), or from the bytes of somebody's mesh
+// Bodies for the page: the trunk that was made ahead (palpate/scene/ready_body.h), or from the bytes of a user's mesh
 // file. Settings are the scene file's defaults; its reader and writer stay out of the page, of which they would be a
 // third.
 //
-// A stranger's file goes through the reader for bytes in memory and through mending, as any scene's does; how long and
-// how large it may be is bounded here, because a page cannot be asked to wait.
+// A user's file goes through the reader for bytes in memory and through mending, as any scene's does; its length and
+// size are bounded here, because a page cannot be made to wait.
 
 /// More triangles than a page can hold with its maps and trees in 2 GB.
 constexpr std::size_t kMaxTriangles = 2'000'000;
@@ -57,7 +58,7 @@ mesh::Format formatOf(std::string_view name) {
   throw Error::inFile(name, "is not a mesh that this page reads: STL, OBJ, PLY, OFF, glTF or GLB");
 }
 
-/// A TOML string of one line. What a name may not hold there is left out.
+/// A TOML string of one line, without the characters that it may not have.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -100,8 +101,8 @@ std::shared_ptr<const scene::World> openMesh(std::string_view bytes, std::string
   }
 }
 
-/// The scene file for what was opened, so that it can be looked at again elsewhere: body, dysfunctions and lumps. Of a
-/// mesh the name and the unit, as they were given to openMesh.
+/// The scene file for the opened body, so that it can be viewed again elsewhere: body, dysfunctions and lumps. For a
+/// mesh, name and unit as given to openMesh.
 std::string sceneText(const scene::Scene& scene) {
   const scene::BodySettings& body = scene.body;
   std::string text = "title = \"felt in a browser\"\n\n[body]\n";
@@ -126,11 +127,11 @@ std::string sceneText(const scene::Scene& scene) {
   return text;
 }
 
-// A body in words, for the page: its name, what was mended, and what its places are called.
+// A body described for the page: its name, its repairs, and the names of its places.
 //
-// Written by hand: a page of JSON is no reason for a library of it.
+// Written by hand: a page of JSON does not warrant a library.
 
-/// Names may come from a stranger's file. Bytes that are no UTF-8 are left to who reads the text.
+/// Names may come from a user's file. Bytes that are not UTF-8 are left to the reader of the text.
 std::string jsonText(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -302,7 +303,7 @@ PALPATE_EXPORT void palpate_aim(std::size_t finger, int present, int pressed, co
 
 PALPATE_EXPORT void palpate_run(std::size_t ticks) { body->run(ticks); }
 
-/// Of its last tick: tip, proxy, normal, force (three each), depth, touch (0 free, 1 stick, 2 slip), status.
+/// The finger's last tick: tip, proxy, normal, force (three each), depth, touch (0 free, 1 stick, 2 slip), status.
 PALPATE_EXPORT const double* palpate_felt(std::size_t finger) {
   static std::array<double, 15> numbers;
   const contact::FingerOutput& felt = body->felt(finger);

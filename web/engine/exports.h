@@ -1,7 +1,7 @@
-// How what the page calls is exported, for all files of this folder that export something.
+// How functions for the page are exported, for all files of this folder that export something.
 //
-// Text and bytes come in as pointer and length, in memory that the caller took by palpate_take and gives back itself.
-// What can fail gives an error: a text that is valid until the next call, or null when all went well.
+// Text and bytes are passed as pointer and length, in memory that the caller gets from palpate_take and frees itself.
+// Functions that can fail return an error: a text that is valid until the next call, or null on success.
 #pragma once
 
 #include <exception>
@@ -13,7 +13,7 @@
 
 namespace palpate::web {
 
-/// Keeps a text alive until the next call, for who asked for it.
+/// Keeps a text alive for the caller until the next call.
 const char* keptText(std::string text);
 
 /// The words of what a call threw, or null. Whatever is thrown, the engine stays usable.

@@ -15,14 +15,14 @@ inline constexpr std::size_t kFloatsOfVertex = 7;
 
 class FramePacker {
  public:
-  /// What the last apply wrote into `surface`.
+  /// Packs the result of the last apply to `surface`.
   void pack(const deform::DeformedSurface& surface);
   /// All vertices.
   void packAll(const deform::DeformedSurface& surface);
 
   /// First and end of each range, one after the other.
   const std::vector<std::uint32_t>& ranges() const { return ranges_; }
-  /// kFloatsOfVertex of each vertex of the ranges, in their order.
+  /// kFloatsOfVertex for each vertex of the ranges, in order.
   const std::vector<float>& values() const { return values_; }
 
  private:

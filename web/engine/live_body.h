@@ -23,7 +23,7 @@
 
 namespace palpate::web {
 
-// What the fingers felt, tick by tick, to be taken along as the table that `palpate` reads (trace/forces_csv.h).
+// A log of the fingers, tick by tick, to be saved as the table that `palpate` reads (trace/forces_csv.h).
 
 /// Ticks of fingers that are kept: five minutes of one. The oldest go first.
 inline constexpr std::size_t kMaxRecorded = 300'000;
@@ -36,7 +36,7 @@ class Recording {
   std::string asForcesCsv() const;
 
  private:
-  /// Of a FingerOutput what the table has: a third of its size.
+  /// The part of a FingerOutput that the table has: a third of its size.
   struct Row {
     std::uint64_t tick;
     Vec3 tip, proxy, anchor, force;
@@ -53,7 +53,7 @@ class Recording {
 std::vector<scene::LumpSettings> presetLumps();
 
 inline constexpr std::size_t kFingers = 2;
-/// Of both fingers: a fingertip.
+/// A fingertip, for both fingers.
 inline constexpr double kRadiusMm = 8.0;
 
 class LiveBody {
@@ -73,8 +73,8 @@ class LiveBody {
   void run(std::size_t ticks) noexcept;
   const contact::FingerOutput& felt(std::size_t finger) const { return at_work_[finger].felt; }
   std::uint64_t ticks() const { return tick_; }
-  /// The pressure on a fingertip, kPa, as so many taxels of a square pad of 16 mm. False, and nothing is written, where
-  /// the body has no lumps.
+  /// The pressure on a fingertip, kPa, as kpa.size() taxels of a square pad of 16 mm. Returns false, and writes
+  /// nothing, where the body has no lumps.
   bool pad(std::size_t finger, std::span<double> kpa) const noexcept;
 
   /// The skin as the fingers leave it: what changed since the last frame, or all of it.

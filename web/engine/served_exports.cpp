@@ -1,4 +1,4 @@
-// What a page calls that shows a body felt elsewhere: ServedSkin in plain C names. The functions are those of
+// The functions for a page that shows a body felt elsewhere: ServedSkin in plain C names. They are those of
 // web/page/served_skin.js.
 #include <array>
 #include <cstdint>
@@ -32,11 +32,11 @@ class ServedSkin {
   ServedSkin& operator=(const ServedSkin&) = delete;
 
   const deform::Skin& skin() const { return skin_; }
-  /// False for bytes that are no frame of this skin: then nobody touches it.
+  /// Returns false for bytes that are not a frame of this skin: then it is untouched.
   bool follow(std::string_view frame_bytes);
   const engine::StreamedFrame& newest() const { return frame_; }
 
-  /// What changed since the last pack, or all; the breath moves all.
+  /// Packs the changes since the last pack, or all; the breath moves all.
   void pack(bool all);
   const std::vector<std::uint32_t>& ranges() const { return packer_.ranges(); }
   const std::vector<float>& values() const { return values_; }
@@ -100,7 +100,7 @@ PALPATE_EXPORT std::size_t palpate_served_vertices() { return served->skin().ver
 PALPATE_EXPORT std::size_t palpate_served_triangles() { return served->skin().triangles.size(); }
 PALPATE_EXPORT const Index* palpate_served_corners() { return served->skin().triangles.data()->data(); }
 
-/// An error for bytes that are no frame: a server of another version.
+/// Fails for bytes that are not a frame: a server of another version.
 PALPATE_EXPORT const char* palpate_served_follow(const char* frame, std::size_t length) {
   return errorOf([&] {
     if (!served->follow({frame, length})) throw std::runtime_error("the server sent a frame that is none");

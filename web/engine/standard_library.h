@@ -1,5 +1,5 @@
-// What Debian's emscripten has not got of C++20's library: the clang 14 that it brings comes with libc++ 13. Included
-// before every file of the web build, and of no other; with a newer emscripten it adds nothing.
+// The parts of C++20's library that Debian's emscripten lacks: its clang 14 has libc++ 13. Included before every file
+// of the web build, and of no other; with a newer emscripten it adds nothing.
 //
 // These names belong to the library, so this is for one known version of it, and lives here instead of in the engine.
 #pragma once
@@ -32,8 +32,8 @@ requires(sizeof(To) == sizeof(From) && is_trivially_copyable_v<To> && is_trivial
   return __builtin_bit_cast(To, from);
 }
 
-/// Decimal numbers as the standard has them, by musl's strtod: nearest double, no locale. What strtod takes beyond the
-/// standard (leading blanks, a plus, hexadecimal) is refused before it is asked.
+/// Decimal numbers as the standard has them, by musl's strtod: nearest double, no locale. Input that strtod accepts
+/// beyond the standard (leading blanks, a plus, hexadecimal) is refused before the call.
 template <class Real>
 requires(is_same_v<Real, double> || is_same_v<Real, float>) from_chars_result
     from_chars(const char* first, const char* last, Real& value) {
@@ -43,7 +43,7 @@ requires(is_same_v<Real, double> || is_same_v<Real, float>) from_chars_result
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   if (digits == last || (!is_digit(*digits) && *digits != '.' && !is_letter(*digits)))
     return {first, errc::invalid_argument};
-  // Of "0x1p3" the standard takes the 0.
+  // The standard reads the 0 of "0x1p3".
   const bool hexadecimal = last - digits >= 2 && digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X');
   const string copy(first, hexadecimal ? digits + 1 : last);
   char* end = nullptr;

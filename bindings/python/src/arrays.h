@@ -61,7 +61,7 @@ using MaybeFields = Named<MaybeFieldsName>;
 using FeltDict = Named<FeltArraysName>;
 using FloatArray = Named<ArrayName<double>>;
 using Float32Array = Named<ArrayName<float>>;
-/// Of single or double precision.
+/// Single or double precision.
 using FloatingArray = Named<FloatingArrayName>;
 using Int32Array = Named<ArrayName<std::int32_t>>;
 using IndexArray = Named<ArrayName<std::int64_t>>;
@@ -83,7 +83,7 @@ py::array viewOf(const Number* data, std::vector<py::ssize_t> shape, py::handle 
 inline py::array viewOf(std::span<const Vec3> points, py::handle owner) {
   return viewOf(points.empty() ? nullptr : points.front().data(), {static_cast<py::ssize_t>(points.size()), 3}, owner);
 }
-/// (N,) of indices as int32, so that differences of them are no surprises; kNoIndex is -1.
+/// (N,) of indices as int32, so that differences behave; kNoIndex is -1.
 inline py::array viewOf(std::span<const Index> indices, py::handle owner) {
   return viewOf(reinterpret_cast<const std::int32_t*>(indices.data()), {static_cast<py::ssize_t>(indices.size())},
                 owner);
@@ -92,8 +92,8 @@ inline py::array viewOf(std::span<const Index> indices, py::handle owner) {
 /// A fresh array (3,).
 FloatArray toArray(const Vec3& point);
 
-/// What is given as an array of float64 in C order, (..., `last`) where that is not 0; converted once, by numpy, when
-/// it is anything else. Throws TypeError for what is no number (`what` names it), ValueError for another shape.
+/// Converts to an array of float64 in C order, (..., `last`) where that is not 0; converted once, by numpy, when it is
+/// anything else. Throws TypeError for anything but numbers (`what` names it), ValueError for another shape.
 py::array_t<double, py::array::c_style> floatsOf(py::handle given, const char* what, py::ssize_t last = 0);
 
 /// Three numbers, given as array, list or tuple. Throws TypeError or ValueError naming `what`.

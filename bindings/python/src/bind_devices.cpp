@@ -93,7 +93,7 @@ DevicePointer opened(const std::string& words, double scale, const ArrayLike& or
   std::atomic<bool> give_up{false};
   options.give_up = &give_up;
   return unlocked([&](Interrupts& interrupts) {
-    // Another program (remote) may come a minute later: whoever waits for it may change his mind.
+    // Another program (remote) may come a minute later: the user may interrupt the wait.
     auto opening = std::async(std::launch::async, [&] { return device::openNamed(words, options); });
     try {
       while (opening.wait_for(std::chrono::milliseconds(5)) != std::future_status::ready) interrupts.check();

@@ -209,7 +209,7 @@ void bindTouch(py::module_& module) {
 
 /// The FingerHandle in a Python object that pybind11 made. Null with TypeError set for another.
 FingerHandle* fingerIn(PyObject* self) {
-  // What pybind11's own caster would find; it is asked where the object is not as simple as ours are (a subclass).
+  // pybind11's own caster would find the same; it is called where the object is not as simple as ours (a subclass).
   const auto* instance = reinterpret_cast<const py::detail::instance*>(self);
   if (instance->simple_layout && instance->simple_value_holder[0] != nullptr) {
     return static_cast<FingerHandle*>(instance->simple_value_holder[0]);

@@ -14,7 +14,7 @@ namespace palpate::python {
 
 namespace {
 
-/// A part is so many fingers: small enough to look for Ctrl-C between two, large enough to be worth a counter.
+/// Fingers per part: small enough to look for Ctrl-C between two, large enough to be worth a counter.
 constexpr std::size_t kFingersAPart = 16;
 
 struct MaybeMaskName {
@@ -140,7 +140,7 @@ class FingersHandle {
   WorldPointer world_;
   std::vector<engine::Finger> fingers_;
   std::vector<Vec3> commanded_;              ///< where each was sent last; not finite: nowhere
-  std::vector<contact::FingerOutput> felt_;  ///< of each one's last tick
+  std::vector<contact::FingerOutput> felt_;  ///< one per finger, last tick
   ThreadPool pool_;
   Busy busy_;
   bool closed_ = false;

@@ -34,7 +34,7 @@ LumpSettings checkedLump(const LumpSettings& lump) {
   scene.lumps = {lump};
   try {
     LumpSettings read = scene::parse(scene::sceneAsToml(scene), "Lump").lumps.front();
-    read.scene_file.clear();  // nobody has that file
+    read.scene_file.clear();  // that file is not at hand
     read.line = read.depth_line = 0;
     return read;
   } catch (const Error& error) {
@@ -58,7 +58,7 @@ void putPlace(const PlaceLike& at, LumpSettings& lump) {
   lump.y_mm = place.at(1);
 }
 
-/// What is written where both kinds of hardness are given.
+/// Throws where both kinds of hardness are given.
 void putHardness(const std::optional<double>& ratio, const std::optional<double>& young_kpa, LumpSettings& lump) {
   if (ratio && young_kpa) throw Error("Lump: takes stiffness_ratio or young_kpa, not both");
   if (ratio) lump.stiffness_ratio = *ratio;

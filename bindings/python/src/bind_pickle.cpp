@@ -74,7 +74,7 @@ GivenMesh unpacked(const py::tuple& state) {
   return given;
 }
 
-/// Of a mesh world without its body, which no file has.
+/// For a mesh world it leaves out the body, which no file has.
 std::string textOf(const WorldHandle& handle) {
   scene::Scene scene = handle.world->scene;
   if (handle.maps) scene.body = {};
@@ -99,7 +99,7 @@ WorldPointer worldOfPickle(const std::string& toml, const py::object& mesh, cons
   const std::string key = hash + toml;
   std::deque<KeptWorld>& kept = keptWorlds();
   for (const KeptWorld& one : kept) {
-    // One skin may have been given in several orders: the hash does not tell who became whom.
+    // One skin may have been given in several orders: the hash does not show which vertex became which.
     if (one.key == key && packed(one.world->maps).equal(mesh)) return one.world;
   }
   WorldPointer world = builtAgain(toml, mesh);

@@ -29,7 +29,7 @@ using FeltColumn = py::array_t<double, py::array::c_style>;
 /// So many patterns between two looks at the clock: 0.1 ms.
 constexpr std::size_t kBetweenLooks = 64;
 
-/// What was felt, row by row, and the shape before the axes of a pattern.
+/// Finger outputs, row by row, and the shape before the axes of a pattern.
 struct FeltTable {
   std::vector<contact::FingerOutput> rows = {};
   std::vector<py::ssize_t> leading = {};
@@ -51,7 +51,7 @@ FeltColumn feltColumnOf(const py::dict& felt, const char* name, py::ssize_t axes
   return column;
 }
 
-/// Of any whole number that a caller may have put into an array of doubles.
+/// Accepts any whole number that a caller may have put into an array of doubles.
 Index lumpIndexOf(double number) {
   return number >= 0.0 && number < static_cast<double>(kNoIndex) ? static_cast<Index>(number) : kNoIndex;
 }

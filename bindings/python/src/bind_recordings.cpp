@@ -64,7 +64,7 @@ class RecordingFile {
 /// Three columns that belong together have a name of their own.
 struct VectorField {
   const char* name;
-  const char* before;  ///< of the axis
+  const char* before;  ///< text before the axis
   const char* after;
 };
 constexpr std::array kVectors = {VectorField{"tip", "tip_", "_mm"},
@@ -204,7 +204,7 @@ Arrays tableOf(RecordingFile& session, const Wanted& wanted) {
   return table;
 }
 
-/// Walks through a session, so many ticks at a time.
+/// Walks through a recording, a block of ticks at a time.
 struct Blocks {
   std::shared_ptr<RecordingFile> session;
   Wanted wanted;  ///< its span is what is left

@@ -38,7 +38,7 @@ WorldPointer load(const std::filesystem::path& file) { return worldOfScene(scene
 
 WorldPointer parse(const std::string& toml, const std::string& name) { return worldOfScene(scene::parse(toml, name)); }
 
-/// What no scene file may ask for is refused here too: a pickle is such a text.
+/// Limits of scene files hold here too: a pickle is such a text.
 WorldPointer builtIn(scene::BodyKind kind, std::size_t triangles) {
   scene::Scene scene;
   scene.body.kind = kind;
@@ -46,7 +46,7 @@ WorldPointer builtIn(scene::BodyKind kind, std::size_t triangles) {
   return parse(scene::sceneAsToml(scene), "World");
 }
 
-/// Everything but the mesh. What is given as stiffness: one number is the scene's, an array has one a vertex.
+/// Reads everything but the mesh. One stiffness is the scene's, an array has one per vertex.
 GivenMesh stiffnessIn(const ArrayLike& given, const std::string& toml, const std::string& name) {
   GivenMesh result;
   result.scene = scene::parse(toml, name);

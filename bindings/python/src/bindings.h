@@ -1,5 +1,5 @@
-// What each file of the module palpate._core binds, in the order that module.cpp asks for: a type must be known before
-// a signature names it.
+// The functions that bind each file of the module palpate._core, in the order of module.cpp: a type must be known
+// before a signature names it.
 #pragma once
 
 #include <pybind11/pybind11.h>

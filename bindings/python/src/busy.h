@@ -1,5 +1,5 @@
-// A flag for what changes while the interpreter's lock is released: a second caller is told instead of ending the
-// process (three threads on one skin: bad_alloc in noexcept).
+// A flag for objects that change while the interpreter's lock is released: a second caller gets an error instead of
+// ending the process (three threads on one skin: bad_alloc in noexcept).
 #pragma once
 
 #include <atomic>

@@ -14,7 +14,7 @@ namespace palpate::python {
 /// Read and written by Python, or lent to a loop, which holds `busy` meanwhile.
 struct DeviceHandle {
   device::Device device;
-  std::uint64_t tick = 0;  ///< of the next reading
+  std::uint64_t tick = 0;  ///< tick of the next reading
   bool open = true;
   Busy busy;
 };

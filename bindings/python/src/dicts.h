@@ -1,4 +1,4 @@
-// What signatures can say by its name: facts by name, arrays by column, pictures.
+// Types that signatures name: facts by name, arrays by column, pictures.
 #pragma once
 
 #include "arrays.h"

@@ -20,7 +20,7 @@ struct FieldForm {
   Place place;
 };
 
-/// The first kUsual are answered when nobody asks: 113 bytes a tick. With those of pressure 233.
+/// The first kUsual are the default: 113 bytes a tick. With those of pressure 233.
 constexpr std::size_t kUsual = 8;
 constexpr std::size_t kWithPressure = 15;
 const std::array kForms = {
@@ -53,7 +53,7 @@ const FieldForm& formOf(const std::string& name) {
   throw py::value_error(fmt::format("fields: '{}' is none; known: {}", name, known));
 }
 
-/// The names asked for; those of `out` where nobody asks, and the usual ones without that.
+/// The requested names; by default those of `out`, and the usual ones without that.
 std::vector<std::string> namesOf(const scene::World& world, const py::object& fields, const py::object& out) {
   std::vector<std::string> names;
   if (!fields.is_none()) {

@@ -1,4 +1,4 @@
-// What many ticks felt, as arrays: force, depth, proxy ... of each, of those fields that were asked for.
+// Outputs of many ticks as arrays: the requested fields of force, depth, proxy ...
 //
 //   names or arrays of the caller ─ FeltArrays ─► rows ─ write (no lock, no Python) ─► arrays ─► dict
 #pragma once
@@ -15,8 +15,8 @@
 
 namespace palpate::python {
 
-/// Where the numbers of tick `row` go; null where nobody wants them. Plain pointers: written by any thread, each its
-/// own rows.
+/// Destinations of tick `row`'s numbers; null for unwanted ones. Plain pointers: written by any thread, each its own
+/// rows.
 struct FeltRows {
   double* force = nullptr;
   double* depth = nullptr;

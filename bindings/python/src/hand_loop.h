@@ -62,7 +62,7 @@ class HandLoop {
 
   WorldPointer world_;
   LentDevices lent_;
-  std::vector<std::shared_ptr<Vec3>> tips_;  ///< of a loop without devices
+  std::vector<std::shared_ptr<Vec3>> tips_;  ///< used by a loop without devices
   servo::Rig rig_;
   std::vector<trace::Sample> samples_;
   std::optional<trace::RecordingWriter> writer_;

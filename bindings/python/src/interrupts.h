@@ -1,5 +1,5 @@
-// Long calls: the interpreter's lock is released, and Ctrl-C is asked for by time, not by count, since a tick of a
-// sphere on a fine mesh takes a hundred times as long as one of a point.
+// Long calls: the interpreter's lock is released, and Ctrl-C is checked by time, not by count, since a tick of a sphere
+// on a fine mesh takes a hundred times as long as one of a point.
 //
 //   return unlocked([&](Interrupts& interrupts) { for (...) { work(); interrupts.check(); } return result; });
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace palpate::python {
 
-/// Thrown by Interrupts with the Python error set; nobody but `unlocked` catches it. No std::exception, so that no
+/// Thrown by Interrupts with the Python error set; only `unlocked` catches it. Not a std::exception, so that no
 /// handler on its way takes it for a failure of the engine.
 struct Interrupted {};
 
@@ -45,7 +45,7 @@ class Unlocked {
   PyThreadState* state_;
 };
 
-/// Of one long call, on the thread that Python called. Python handles signals on its main thread only; elsewhere
+/// Serves one long call, on the thread that Python called. Python handles signals on its main thread only; elsewhere
 /// nothing is found.
 class Interrupts {
  public:
@@ -73,7 +73,7 @@ class Interrupts {
   std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + kBetween;
 };
 
-/// Calls `work(interrupts)` without the lock. Call it with the lock held. What it throws is thrown with the lock held
+/// Calls `work(interrupts)` without the lock. Call it with the lock held. Exceptions are rethrown with the lock held
 /// again; an interruption as pybind11::error_already_set.
 template <class Work>
 auto unlocked(Work work) {

@@ -20,10 +20,10 @@ class SkinHandle {
   std::size_t fingers() const { return fingers_; }
   engine::LivingSkin& skin() { return skin_; }
   const engine::LivingSkin& skin() const { return skin_; }
-  /// Held by whoever changes it, and by whoever reads it with the lock released.
+  /// Held by its writer, and by a reader with the lock released.
   Busy& busy() { return busy_; }
 
-  deform::Report report = {};  ///< of the last change
+  deform::Report report = {};  ///< report of the last change
 
  private:
   WorldPointer world_;

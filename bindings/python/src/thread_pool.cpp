@@ -53,7 +53,7 @@ class ThreadPool::Impl {
   }
 
  private:
-  /// The caller goes on asking for Ctrl-C while others work.
+  /// The caller checks for Ctrl-C while others work.
   void waitForAll(Interrupts& interrupts) {
     std::unique_lock lock(mutex_);
     while (!done_.wait_for(lock, std::chrono::milliseconds(5), [this] { return at_work_ == 0; })) {

@@ -26,7 +26,7 @@ class Pause {
   const std::atomic<bool>& stop_;
 };
 
-/// Does part `part` of so many; may throw Interrupted only.
+/// Does one part; may throw Interrupted only.
 using Part = std::function<void(std::size_t part, const Pause& pause)>;
 
 /// Ticks that are worth a thread: waking one takes 60 us, a tick about 130 ns, so 0.3 ms of work.
@@ -35,7 +35,7 @@ inline constexpr std::size_t kTicksWorthAThread = 2500;
 /// One call at a time. After a fork the child has none of the threads: it makes its own.
 class ThreadPool {
  public:
-  /// Of so many threads, the caller's among them. None is started before there is work.
+  /// `threads` includes the caller's. None is started before there is work.
   explicit ThreadPool(std::size_t threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;

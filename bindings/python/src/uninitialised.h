@@ -5,8 +5,8 @@
 
 namespace palpate::python {
 
-/// pybind11 would give such an object memory that nobody has set, and the first look at it would end the process. From
-/// here on each use of one raises TypeError. For all classes of a module, once they are bound.
+/// pybind11 would give such an object uninitialised memory, and the first access would end the process. From here on
+/// each use of one raises TypeError. For all classes of a module, once they are bound.
 inline void refuseUninitialised(const pybind11::module_& module) {
   namespace py = pybind11;
   for (const auto& [name, value] : module.attr("__dict__").cast<py::dict>()) {

@@ -15,13 +15,13 @@
 
 namespace palpate::python {
 
-/// A mesh as it was given, to be pickled.
+/// A mesh as passed in, to be pickled.
 struct GivenMesh {
   mesh::TriangleMesh mesh;
   std::vector<double> stiffness;  ///< N/mm, one a vertex; empty: the scene says
   scene::Scene scene;
   bool repair = true;
-  std::vector<std::string> file_notes;  ///< what was passed over or guessed while it was read
+  std::vector<std::string> file_notes;  ///< passed over or guessed while it was read
 };
 
 /// As engine::WorldFromArrays has them.
@@ -36,18 +36,18 @@ struct SourceMaps {
 struct WorldHandle {
   std::shared_ptr<const scene::World> world;
   std::shared_ptr<const SourceMaps> maps = nullptr;  ///< null where the body was not given as a mesh
-  /// Made when it is first asked for (bind_pressure.cpp), with the interpreter's lock held.
+  /// Made on first use (bind_pressure.cpp), with the interpreter's lock held.
   mutable std::shared_ptr<const engine::FeltPressure> pressure = nullptr;
 };
 using WorldPointer = std::shared_ptr<WorldHandle>;
 
-// What the makers of World share with the reader of pickles. All release the interpreter's lock, and throw Error.
+// Functions shared by the makers of World and the reader of pickles. All release the interpreter's lock, throw Error.
 WorldPointer worldOfScene(const scene::Scene& scene);
 WorldPointer worldOfMesh(GivenMesh given);
 /// The same body under another scene, whose body is not looked at.
 WorldPointer worldUnder(const WorldHandle& self, scene::Scene scene);
 
-/// What the constructor takes, by name.
+/// The constructor's parameters, by name.
 py::dict numbersOf(const contact::FingerSettings& settings);
 py::dict numbersOf(const scene::LumpSettings& lump);
 
@@ -65,11 +65,11 @@ using Touches = Named<TouchesName>;
 /// number of its triangle. Throws Error for words that name none.
 SkinPlace placeOn(const scene::World& world, py::handle place);
 
-/// Settings of so many fingers: the scene's for None, one for all, or a sequence with one each. Checked against the
-/// world; throws Error.
+/// Settings of each finger: the scene's for None, one for all, or a sequence with one each. Checked against the world;
+/// throws Error.
 std::vector<contact::FingerSettings> settingsOf(const scene::World& world, py::handle settings, std::size_t fingers);
 
-/// What fingers felt: a Touch or a sequence of them. Throws TypeError.
+/// The outputs of fingers: a Touch or a sequence of them. Throws TypeError.
 std::vector<contact::FingerOutput> touchesOf(py::handle touches);
 
 }  // namespace palpate::python

@@ -38,7 +38,7 @@ std::vector<PressRow> pressesOf(const Table& table) {
   return measure::readPresses(words ? std::filesystem::path(*words) : std::get<std::filesystem::path>(table));
 }
 
-/// Of several tables each is a person's where its rows do not say whose they are.
+/// Each of several tables is one person's where its rows do not name a person.
 std::vector<PressRow> pressesOf(const std::vector<Table>& tables) {
   std::vector<PressRow> all;
   for (std::size_t i = 0; i < tables.size(); ++i) {

@@ -1,4 +1,4 @@
-// What the other files of the module palpate.measure bind; bind_measure.cpp asks for it.
+// The functions that bind the other files of the module palpate.measure, for bind_measure.cpp.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -36,7 +36,7 @@ void take(double& value, const std::optional<double>& request, const char* what,
   value = *request * factor;
 }
 
-/// What one may ask for of the press; the rest is drawn from the seed.
+/// Options of the press; the rest is drawn from the seed.
 struct PressRequests {
   std::optional<std::string> tail;
   std::optional<double> half_major_mm, ratio, direction_deg, drag_deg, peak_mm;
@@ -53,7 +53,7 @@ measure::SyntheticCase caseOf(std::uint64_t seed, double megapixels, double drif
   take(made.press.direction_rad, requests.direction_deg, "direction_deg", -180, 180, kRadPerDeg);
   take(made.press.drag_rad, requests.drag_deg, "drag_deg", -180, 180, kRadPerDeg);
   take(made.press.peak_mm, requests.peak_mm, "peak_mm", 0, 40);
-  if (made.press.peak_mm == 0.0) {  // nothing is pressed: nobody holds a stick
+  if (made.press.peak_mm == 0.0) {  // nothing is pressed: no stick is held
     made.press.dent_mm = 0.0;
     made.press.stick = false;
   }

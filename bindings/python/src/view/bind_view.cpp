@@ -32,12 +32,12 @@ namespace {
 
 // The words of Python's `render` as view settings: a table of keys, each with what it sets.
 
-/// What a dict of options asks for beside the view settings.
+/// Options of the dict other than the view settings.
 struct PictureOptions {
   scene::ViewSettings view;
   std::string title;
   bool labels = true;
-  std::optional<double> radius_mm;  ///< of the fingers; none: as the scene has them
+  std::optional<double> radius_mm;  ///< radius of the fingers; none: the scene's
 };
 
 std::string text(py::handle value, const char* key) {
@@ -137,7 +137,7 @@ PictureOptions pictureOptions(const scene::World& world, const py::dict& options
 constexpr double kFingertipMm = 8.0;  // a point finger is drawn as a fingertip
 constexpr int kLargestSide = 16384;
 
-/// Not freed at exit but by `close`: the interpreter's end is no time to wait for a driver.
+/// Freed not at exit but by `close`: waiting for a driver at the interpreter's end may hang.
 std::unique_ptr<DrawingThread>& theThread() {
   static auto* thread = new std::unique_ptr<DrawingThread>();
   return *thread;

@@ -10,11 +10,11 @@
 
 namespace palpate::python {
 
-/// Lives on the drawing thread. What cannot be drawn once (no driver) is tried again by the next picture.
+/// Lives on the drawing thread. After a failure (no driver) the next picture tries again.
 struct DrawingThread::Studio {
   std::optional<view::OffscreenContext> context;
   std::unique_ptr<view::Painter> painter;
-  std::shared_ptr<const scene::World> world;  ///< of the painter
+  std::shared_ptr<const scene::World> world;  ///< the painter's world
   std::unique_ptr<view::Target> target;
   double time_s = 0.0;
 
@@ -60,7 +60,7 @@ DrawingThread::~DrawingThread() {
   {
     const std::lock_guard lock(mutex_);
     ends_ = true;
-    waiting_.clear();  // whoever waits for them is told by the broken promise
+    waiting_.clear();  // waiting callers get a broken promise
   }
   more_.notify_one();
   thread_.join();

@@ -1,9 +1,9 @@
-// The one thread that draws: it owns the OpenGL context, so that pictures may be asked for from any thread of Python.
+// The one thread that draws: it owns the OpenGL context, so that any thread of Python may request pictures.
 //
 //   any thread ─ PictureJob ─► DrawingThread [ context, painter of the newest world, target ] ─► TakenPicture
 //
-// Started by the first picture, ended by `close`. A process that was forked from one that has drawn has neither the
-// thread nor the driver's own ones: it is told so instead of waiting for them.
+// Started by the first picture, ended by `close`. A process forked from one that has drawn has neither the thread nor
+// the driver's own ones: it gets an error instead of waiting for them.
 #pragma once
 
 #include <sys/types.h>
@@ -22,7 +22,7 @@
 
 namespace palpate::python {
 
-/// All that a picture is made of; it may outlive the call that asked for it.
+/// The inputs of a picture; may outlive the call that requested it.
 struct PictureJob {
   std::shared_ptr<const scene::World> world;
   deform::DeformedSurface surface;
