@@ -84,7 +84,7 @@ class Pairing {
     }
   }
 
-  /// Of the triangles at the border here; those between them hardly change it.
+  /// Averages the two triangles at the border here; those between them hardly change it.
   Vec3 normalAt(const BorderVertex& at) const {
     Vec3 sum = Vec3::Zero();
     for (const auto& side : {at.arriving, at.leaving}) {
@@ -143,7 +143,7 @@ class LoopCutter {
   const TriangleMesh& mesh_;
   Borders& borders_;
   std::vector<Index> path_;          // half-edges of the run that are in no loop yet
-  std::vector<Index> place_in_run_;  // of each vertex, in path_
+  std::vector<Index> place_in_run_;  // place of each vertex in path_
 };
 
 }  // namespace

@@ -49,7 +49,7 @@ struct Components {
   Index count = 0;
 };
 
-/// Vertices are united along every triangle, then triangles numbered in their order. Indices must be within range.
+/// Vertices are united along every triangle, then triangles are numbered in order. Indices must be within range.
 inline Components findComponents(const TriangleMesh& mesh) {
   DisjointSets vertices(mesh.positions.size());
   for (const auto& [a, b, c] : mesh.triangles) {

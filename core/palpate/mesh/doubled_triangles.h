@@ -1,7 +1,7 @@
 // Triangles over the same three vertices: given twice, or from both sides.
 //
-// Two opposite ones are a sheet without thickness. Its normals cancel, so a finger would be let go of while it is
-// inside the body next to it. They are counted with their sign, so that what was watertight stays watertight: a
+// Two opposite ones are a sheet without thickness. Its normals cancel, so a finger would lose contact while it is
+// inside the body next to it. They are counted with their sign, so that a watertight mesh stays watertight: a
 // triangle given twice one way and once the other is that triangle once.
 #pragma once
 

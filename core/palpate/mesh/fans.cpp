@@ -22,12 +22,12 @@ namespace {
 /// A face at an edge, seen along the edge from its lower vertex.
 struct Page {
   Index half_edge;
-  double angle;  // of its third corner around the edge
+  double angle;  // angle of its third corner around the edge
   bool rises;    // runs from low to high: its front looks towards growing angles
 };
 
 /// Coplanar faces: angles nearer than this are one angle, and their order is free. Far above rounding for any triangle
-/// that is no sliver, far below what a finger can feel.
+/// except slivers, far below what a finger can feel.
 constexpr double kSameAngle = 1e-9;
 
 std::vector<Page> pagesAt(const TriangleMesh& mesh, Index low, Index high, std::span<const EdgeUse> uses) {
@@ -216,7 +216,7 @@ FansMade makeFans(TriangleMesh& mesh, std::vector<Index>& source_vertex) {
   FansMade made;
   const Joints joints(mesh, made);
   made.copied_vertices = copyVertices(mesh, source_vertex, joints.across());
-  // Where an edge has one triangle, or two that were joined, copies leave nothing to tell apart.
+  // Where an edge has one triangle, or two that were joined, copies are unambiguous.
   if (made.non_manifold_edges + made.seam_edges > 0)
     made.split_edges = splitSharedEdges(mesh, source_vertex, joints.across());
   return made;

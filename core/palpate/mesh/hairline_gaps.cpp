@@ -60,7 +60,7 @@ std::vector<Index> namesOf(const TriangleMesh& mesh, const std::vector<Index>& v
 /// Which vertex of each part goes by a name.
 class Namesakes {
  public:
-  /// Of the vertices `near` only: the others are alone with their names.
+  /// Only the vertices `near` have namesakes: the others are alone with their names.
   Namesakes(const TriangleMesh& mesh, const Components& parts, const std::vector<Index>& near,
             const std::vector<Index>& names) {
     std::vector<bool> is_near(mesh.positions.size(), false);

@@ -21,14 +21,14 @@ namespace {
 
 /// For all holes of a mesh, in candidates for a triangle (2 ns each): a few seconds.
 constexpr double kMaxFillingWork = 2e9;
-/// A filling that turns back by more than 170 degrees at its border lies on the surface beside it.
+/// A filling that turns back by more than 170 degrees at its border lies on the adjacent surface.
 constexpr double kFoldCosine = -0.985;
 
 struct Part {
   double area_mm2 = 0.0;
   double hole_area_mm2 = 0.0;
   Eigen::AlignedBox3d box;
-  bool has_loose_border = false;  ///< one that is no loop: it cannot be weighed
+  bool has_loose_border = false;  ///< one that is not a loop: it cannot be weighed
   double diagonal() const { return box.diagonal().norm(); }
   bool nearlyClosed() const { return !has_loose_border && hole_area_mm2 <= kNearlyClosedShare * area_mm2; }
 };
@@ -72,7 +72,7 @@ class HoleSearch {
     return count;
   }
 
-  /// What a loop runs along is one part: a patch may hang on the rest by the ends of cracks alone.
+  /// Everything along a loop is one part: a patch may hang on the rest by the ends of cracks alone.
   void joinAlongLoops(const Borders& borders) {
     DisjointSets joined(part_of_.count);
     for (const BorderLoop& loop : borders.loops) {
@@ -217,7 +217,7 @@ class HoleSearch {
   /// A filling that another part of the surface sticks through stays away, and so does one that sticks through itself.
   void refuseCrossings() {
     TriangleMesh filled = mesh_;
-    std::vector<Index> hole_of;  // of the triangles that are added
+    std::vector<Index> hole_of;  // hole of each added triangle
     std::map<std::pair<Index, Index>, Index> hole_of_edge;
     for (Index i = 0; i < found_.all.size(); ++i) {
       const Hole& hole = found_.all[i];
@@ -246,7 +246,7 @@ class HoleSearch {
   Holes found_;
   Components part_of_;
   std::vector<Part> parts_;
-  std::vector<Index> place_;  // of a vertex in the loop that is being filled
+  std::vector<Index> place_;  // a vertex's place in the loop that is being filled
   std::set<std::pair<Index, Index>> new_edges_;
 };
 

@@ -1,8 +1,7 @@
-// Small holes of bodies that are closed but for them: cracks between patches that were never joined, T-junctions, lost
-// triangles.
+// Small holes of otherwise closed bodies: cracks between patches that were never joined, T-junctions, lost triangles.
 //
-// A finger that slides over such a border falls through it into a body that everybody calls closed. `repair` fills
-// them; `validate` names them. What is open on purpose, a sheet or a body that was cut, keeps its border.
+// A finger that slides over such a border falls through it into a body that looks closed. `repair` fills them;
+// `validate` names them. A sheet or a body that was cut is open on purpose and keeps its border.
 #pragma once
 
 #include <cstddef>
@@ -32,14 +31,14 @@ struct BorderLoop {
 };
 
 struct Borders {
-  std::size_t edges = 0;  ///< of exactly one triangle
+  std::size_t edges = 0;  ///< edges of exactly one triangle
   std::vector<BorderLoop> loops;
   std::vector<Index> unclosed;  ///< half-edges whose run ends where it is not clear which one is next
 };
 
 /// Where several fans of triangles meet in a border vertex, a run leads across the gap to the next fan: cracks around a
-/// patch that hangs on its corners are loops of their own. A run that comes back to a vertex is cut there into two
-/// loops. Indices must be within range.
+/// patch that hangs on its corners are loops of their own. A run that returns to a vertex is cut there into two loops.
+/// Indices must be within range.
 Borders findBorders(const TriangleMesh& mesh, const EdgeUses& edges);
 
 /// Half the length of the sum of cross products, mm^2: no surface with this border is smaller.
@@ -53,12 +52,12 @@ double lengthOf(const TriangleMesh& mesh, const BorderLoop& loop);
 // The smallest surface over a closed run of edges, from its own vertices alone.
 
 struct LoopTriangulation {
-  std::vector<Triangle> triangles;  ///< of places in the run; each runs along it
+  std::vector<Triangle> triangles;  ///< indices into the run; each triangle runs along it
   double area = 0.0;                ///< mm^2
 };
 
-/// Triangulates the run; none when every way needs a diagonal that is not `allowed` (asked with two places, i < j, that
-/// are no neighbours). Time grows with the cube of the number of vertices: 1 ms for 60, 30 ms for 200.
+/// Triangulates the run; empty when every way needs a diagonal that is not `allowed` (called with two places, i < j,
+/// that are not adjacent). Time grows with the cube of the number of vertices: 1 ms for 60, 30 ms for 200.
 std::optional<LoopTriangulation> triangulateLoop(std::span<const Vec3> loop,
                                                  const std::function<bool(Index, Index)>& allowed);
 
@@ -72,8 +71,8 @@ struct SideSplit {
   std::vector<Index> vertices;
 };
 
-/// What joins the sides of the loop: every vertex that lies within `width` mm of an edge across splits it. None when
-/// that does not match each edge with its opposite. Time grows with the square of the loop.
+/// Joins the sides of the loop: every vertex that lies within `width` mm of an edge across splits it. Empty when that
+/// does not match each edge with its opposite. Time grows with the square of the loop.
 std::optional<std::vector<SideSplit>> planCrack(const TriangleMesh& mesh, const BorderLoop& loop, double width);
 
 /// Does it; no half-edge may come twice. Triangles that are split keep one piece in their place, the others come at the
@@ -103,11 +102,11 @@ enum class HoleFate : std::uint8_t {
 struct Hole {
   BorderLoop loop;
   Index part = 0;
-  double area_mm2 = 0.0;  ///< of its filling; the least there can be when it has none
+  double area_mm2 = 0.0;  ///< area of its filling; the least there can be when it has none
   double width_mm = 0.0;
   HoleFate fate = HoleFate::part_open;
   std::vector<Triangle> filling;  ///< empty unless fillable
-  std::vector<SideSplit> splits;  ///< of the sides of a crack, in place of a filling
+  std::vector<SideSplit> splits;  ///< splits of the sides of a crack, in place of a filling
 };
 
 struct Holes {

@@ -103,8 +103,8 @@ Meeting meetingOf(const Vec3& p, const Vec3& q, const std::array<const Vec3*, 3>
 
 bool uses(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
 
-/// True only where no edge of `t` can have its ends on both sides of the plane of `plane` for side(), but for those
-/// with a vertex in common: one normal and three heights tell it for most pairs.
+/// True only where no edge of `t` can have its ends on both sides of the plane of `plane` for side(), except those with
+/// a vertex in common: one normal and three heights decide it for most pairs.
 bool onOneSide(const std::vector<Vec3>& positions, const Triangle& t, const Triangle& plane) {
   const Vec3& a = positions[plane[0]];
   const Vec3 ab = positions[plane[1]] - a;
@@ -138,10 +138,10 @@ constexpr std::size_t kPairCost = 16;
 constexpr std::size_t kWorkPerTriangle = 1000;
 constexpr std::size_t kMinWork = 30'000'000;
 
-/// Complete binary tree: node n has the children 2 n and 2 n + 1, leaves stand from `leaves` on.
+/// Complete binary tree: node n has the children 2 n and 2 n + 1, leaves start at `leaves`.
 struct BoxTree {
-  std::vector<Index> order;  // of the triangles, along Morton's curve
-  std::vector<Box> boxes;    // of triangles, in that order
+  std::vector<Index> order;  // triangles along Morton's curve
+  std::vector<Box> boxes;    // boxes of the triangles, in that order
   std::vector<Box> nodes;
   std::size_t leaves = 0;
 
@@ -343,7 +343,8 @@ class SelfSearch {
     if (!search.complete()) given_up_.push_back(task);
   }
 
-  /// What most tasks did not need is for those that had too little: a cap whose boxes all overlap lies in one of them.
+  /// Spends the budget that most tasks did not need on those that ran out: a cap whose boxes all overlap is in one of
+  /// them.
   void finishWithWhatIsLeft() {
     std::sort(given_up_.begin(), given_up_.end());
     for (const std::size_t task : given_up_) {

@@ -33,7 +33,7 @@ struct Intersections {
 /// (reorder.h); memory 60 bytes a triangle.
 Intersections findIntersections(const TriangleMesh& mesh, const Progress& progress = {});
 
-/// What could not be searched to the end is dense with overlaps: it counts as intersecting, which is the safe side.
+/// An unfinished search means dense overlaps: it counts as intersecting, which is the safe side.
 inline bool isSelfIntersecting(const Intersections& found) { return found.piercing_edges > 0 || !found.complete; }
 
 }  // namespace palpate::mesh

@@ -74,7 +74,7 @@ class Programme {
 
   std::span<const Vec3> loop_;
   Index n_;
-  std::vector<double> best_;  // of the sub-run i..j
+  std::vector<double> best_;  // best of the sub-run i..j
   std::vector<Index> split_;  // the third corner of the triangle at i, j
 };
 

@@ -42,7 +42,7 @@ std::vector<BorderEdge> borderEdges(const TriangleMesh& mesh, const EdgeUses& ed
   return border;
 }
 
-/// What closes a part: volumes are about the part's own origin.
+/// Caps that close a part: volumes are about the part's own origin.
 struct Caps {
   double area = 0.0;
   double volume = 0.0;

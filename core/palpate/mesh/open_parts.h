@@ -1,8 +1,8 @@
 // Which way the open parts of a mesh face: a body with an opening is felt from its outside as a closed one is.
 //
-// A part hangs together across edges. An open one has no volume of its own; each of its border loops is closed in
-// thought by a fan to the loop's middle. Where these caps are small the part is a body with openings, and the sign of
-// its volume tells its side. A sheet is mostly cap: nothing is said of it, and it is felt from the side it was given.
+// A part is connected across edges. An open one has no volume of its own; each of its border loops is closed in thought
+// by a fan to the loop's middle. Where these caps are small the part is a body with openings, and the sign of its
+// volume gives its side. A sheet is mostly cap: it stays undecided, and is felt from the side it was given.
 #pragma once
 
 #include <vector>

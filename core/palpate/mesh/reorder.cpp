@@ -35,7 +35,7 @@ namespace {
 
 // --- in compact groups ---
 
-/// Floats: half the memory to move, and a cut is as good a tenth of a micrometre beside the middle.
+/// Floats: half the memory to move, and a cut a tenth of a micrometre off the middle is as good.
 struct Placed {
   Vec3f point;
   Index place;  // in the given order

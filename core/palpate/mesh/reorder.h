@@ -1,9 +1,9 @@
-// Spatial order: what is near in space becomes near in memory, for vertices and for triangles.
+// Spatial order: neighbours in space become neighbours in memory, for vertices and for triangles.
 //
 // Once after load or repair; every later pass (normals, trees, deformation ranges) reads memory in runs. Triangles
 // follow Morton's curve. Vertices are split at the median into compact groups instead: a space-filling curve leaves a
-// surface and comes back to it elsewhere, so that runs of its order fall into pieces and lie in boxes much wider than
-// the pieces. Groups by the median have boxes about half as wide, nine in ten of them over one connected piece of skin.
+// surface and returns to it elsewhere, so that runs of its order fall into pieces and lie in boxes much wider than the
+// pieces. Groups by the median have boxes about half as wide, nine in ten of them over one connected piece of skin.
 #pragma once
 
 #include <span>

@@ -127,7 +127,7 @@ class Repairing {
     const auto given = triangleCount();
     const std::size_t filled = fillHoles(result_.mesh, holes_);
     note("small holes of nearly closed parts filled or sewn up", filled, triangleCount() - given);
-    collapseSlivers();  // of the fillings
+    collapseSlivers();  // left by the fillings
     removeTwins();
     edges_ = edgeUses(result_.mesh);
     patches_ = findPatches(result_.mesh, edges_);
@@ -197,7 +197,7 @@ class Repairing {
   static std::ptrdiff_t countOf(std::size_t count) { return static_cast<std::ptrdiff_t>(count); }
   std::ptrdiff_t triangleCount() const { return countOf(result_.mesh.triangles.size()); }
 
-  /// What is done a second time, after holes were filled, adds to its first line.
+  /// A step that runs again, after holes were filled, adds to its first line.
   void note(std::string what, std::size_t count, std::ptrdiff_t triangles = 0) {
     if (count == 0 && triangles == 0) return;
     const auto same = std::find_if(result_.actions.begin(), result_.actions.end(),
@@ -233,7 +233,7 @@ class Repairing {
 
   static std::string holesOf(std::size_t count) { return fmt::format("{} small hole{}", count, count == 1 ? "" : "s"); }
 
-  /// Lengths are compared, because a border edge that is split is no new border.
+  /// Lengths are compared, because a split border edge does not make a new border.
   void warnOfWhatOpened() {
     constexpr double kRounding = 1e-9;  // of a sum of lengths
     const double opened_mm = result_.after.open_length_mm - open_length_mm_;
@@ -253,8 +253,8 @@ class Repairing {
   const RepairOptions& options_;
   const Progress& progress_;
   RepairResult result_;
-  EdgeUses edges_;  // of the mesh as given, then as unifyWinding and closeHoles leave it
-  Holes holes_;     // of the mesh as given, then of the mesh that closeHoles finds
+  EdgeUses edges_;  // edges of the mesh as given, then as unifyWinding and closeHoles leave it
+  Holes holes_;     // holes of the mesh as given, then of the mesh that closeHoles finds
   Patches patches_;
   double open_length_mm_ = 0.0;  // welded, before anything else is done
 };

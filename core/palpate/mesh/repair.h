@@ -1,8 +1,8 @@
-// Any mesh -> one that a finger can feel: what contact and deformation take for granted is made true here, once, at
+// Any mesh -> one that a finger can feel: the preconditions of contact and deformation are made true here, once, at
 // load.
 //
-// Afterwards every edge has 0 or 1 neighbour of opposite direction, every vertex one fan of triangles, no triangle is
-// without height, no vertex unused. What was watertight still is, small holes of nearly closed bodies are filled. Other
+// Afterwards every edge has 0 or 1 neighbour of opposite direction, every vertex one fan of triangles, every triangle a
+// height, every vertex a use. A watertight mesh stays so, small holes of nearly closed bodies are filled. Other
 // borders, several components and self-intersections stay and are flagged.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace palpate::mesh {
 
-/// Open parts that are turned over beside those that are plainly inside out.
+/// Open parts to turn over in addition to those that are plainly inside out.
 enum class TurnOver : std::uint8_t {
   none,
   doubtful,  ///< those of which validate says that they may be inside out
@@ -25,7 +25,7 @@ enum class TurnOver : std::uint8_t {
 };
 
 struct RepairOptions {
-  /// Join vertices at equal coordinates first, so that seams of texture or shading are no borders.
+  /// Join vertices at equal coordinates first, so that seams of texture or shading do not become borders.
   bool weld = true;
   /// Join also vertices nearer than this (mm); 0 = equal coordinates only.
   double weld_distance_mm = 0.0;
@@ -53,7 +53,7 @@ struct RepairResult {
   /// of an edge (rare) has one end of it.
   std::vector<Index> source_vertex;
   std::vector<RepairAction> actions;
-  /// What one should know before one trusts the result, e.g. that something closed was opened.
+  /// Warnings to read before the result is trusted, e.g. that something closed was opened.
   std::vector<std::string> warnings;
   /// As given (without what cannot be used at all, but for the number of triangles and vertices), and as it is now.
   SurfaceState before;

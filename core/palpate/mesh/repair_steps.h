@@ -8,13 +8,13 @@
 
 namespace palpate::mesh {
 
-// Parts made beside each other with next to nothing between them: bones of one segmentation, boxes of one model.
+// Parts made next to each other with next to nothing between them: bones of one segmentation, boxes of one model.
 //
-// Where a wall of one part faces a wall of another across a gap that no finger can enter, the two are no skin: a point
-// that is drawn across would be held by the hidden wall of the second part, by as much as it is deep. Without them, and
-// with their rims made one, the parts are one body.
+// Where a wall of one part faces a wall of another across a gap that no finger can enter, neither is skin: a point
+// drawn across would be held by the hidden wall of the second part, by as much as it is deep. Without them, and with
+// their rims made one, the parts are one body.
 
-/// A gap up to this share of the diagonal is no gap: 0.02 mm on a hand.
+/// Gaps up to this share of the diagonal are closed: 0.02 mm on a hand.
 inline constexpr double kHairlineShare = 1e-4;
 
 struct HairlineGaps {
@@ -39,7 +39,7 @@ struct FansMade {
   std::size_t non_manifold_edges = 0;  ///< more than two triangles: resolved by angle
   std::size_t seam_edges = 0;          ///< two triangles of the same direction: cut
   std::size_t copied_vertices = 0;     ///< fans that got a vertex of their own
-  std::size_t split_edges = 0;         ///< got a vertex in the middle, because copies alone could not tell edges apart
+  std::size_t split_edges = 0;         ///< got a vertex in the middle, because copies alone left edges ambiguous
 };
 
 /// `source_vertex` grows with the mesh: a copied vertex has the source of its original, a middle one that of an end.

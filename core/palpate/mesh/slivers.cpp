@@ -91,7 +91,7 @@ class Sewing {
     return {edges_.uses.data() + (begin - edges_.uses.begin()), static_cast<std::size_t>(end - begin)};
   }
 
-  /// False when a neighbour was changed in this pass already: its edges are no longer what edges_ says.
+  /// False when a neighbour was changed in this pass already: its edges no longer match edges_.
   bool sew(Index sliver) {
     const Triangle t = mesh_.triangles[sliver];
     const std::size_t edge = longestEdge(mesh_, t);

@@ -1,9 +1,9 @@
-// How a mesh file lays a picture on its surface, and how another mesh of the same surface takes it over.
+// How a mesh file lays a picture on its surface, and how another mesh of the same surface adopts it.
 //
 //   file ─ loadTextured ─► TexturedMesh ─ textureOn ─► a place in the picture for every corner of another mesh
 //
-// A step beside `load`, for those who draw: the mesh that is felt keeps positions and triangles only, and repair,
-// welding and reordering give them new numbers. The picture is therefore taken over by place, not by number.
+// Separate from `load`, for drawing only: the mesh that is felt keeps positions and triangles only, and repair, welding
+// and reordering give them new numbers. The picture is therefore matched by place, not by number.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@ namespace palpate::mesh {
 /// A place in a picture: (0, 0) is its lower left corner, (1, 1) its upper right one; beyond, the picture repeats.
 using TexturePlace = Vec2f;
 
-/// Of one triangle, in the order of its corners.
+/// One triangle's places, in the order of its corners.
 using TextureCorners = std::array<TexturePlace, 3>;
 
-/// A surface with its picture: triangles that share vertices only where the picture goes on.
+/// A surface with its picture: triangles share vertices only where the picture is continuous.
 struct TexturedMesh {
   TriangleMesh mesh;                 ///< mm, every triangle usable
   std::vector<TexturePlace> places;  ///< a vertex each

@@ -46,7 +46,7 @@ struct EdgeUse {
 };
 
 /// All half-edges, grouped by undirected edge: within the row of vertex `low` sorted by (high, half_edge). A side whose
-/// two corners are one vertex is no edge and is left out.
+/// two corners are one vertex is left out.
 struct EdgeUses {
   std::vector<Index> offsets;
   std::vector<EdgeUse> uses;

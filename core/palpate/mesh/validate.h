@@ -1,4 +1,4 @@
-// What a mesh is and what is wrong with it: every trait that contact or deformation would stumble over, counted.
+// Diagnosis of a mesh: every trait that contact or deformation would stumble over, counted.
 //
 // Reads any TriangleMesh, also a broken one, and changes nothing. `repair` is its counterpart.
 #pragma once
@@ -54,7 +54,7 @@ struct ValidationReport {
   Trait opposite_triangles;                 ///< has an earlier twin with the opposite winding: a fin without thickness
   Trait self_intersections;                 ///< edges that pierce a triangle; `first` names triangles that are pierced
   Trait touching_edges;                     ///< edges that cross only at edges and corners of triangles; `first` these
-  bool self_intersections_checked = false;  ///< false: not asked for, or too many candidates
+  bool self_intersections_checked = false;  ///< false: not requested, or too many candidates
   // Traits of edges; `first` names a triangle at the edge.
   Trait non_manifold_edges;      ///< more than two triangles
   Trait inconsistent_edges;      ///< two triangles that run along it the same way
@@ -69,14 +69,14 @@ struct ValidationReport {
   std::size_t small_holes = 0;     ///< all of them: it may have to leave some
   bool closed = false;      ///< closure == Closure::closed: a cycle; it may still have edges of more than two triangles
   bool one_sided = false;   ///< cannot be wound consistently (a Moebius strip is inside)
-  Eigen::AlignedBox3d box;  ///< of the finite vertices that triangles use, mm
+  Eigen::AlignedBox3d box;  ///< box of the finite vertices that triangles use, mm
   double area_mm2 = 0.0;
   double volume_mm3 = 0.0;  ///< 0 when not closed; negative when inside out
 
-  /// What contact and deformation take for granted holds.
+  /// The preconditions of contact and deformation hold.
   bool sound() const;
-  /// Sound, and no hole to fill: nothing that `repair` would change (other borders, components, self-intersections and
-  /// vertices at one place are no faults).
+  /// Sound, and no hole to fill: `repair` would change nothing (other borders, components, self-intersections and
+  /// vertices at one place are not faults).
   bool fit() const { return sound() && fillable_holes == 0; }
 };
 

@@ -1,6 +1,5 @@
 // Patches grow breadth first across edges; a closed one with a negative volume is turned unless it lies inside another,
-// which the winding number at one of its corners tells. Volumes are sums of tetrahedra, winding numbers of solid
-// angles.
+// by the winding number at one of its corners. Volumes are sums of tetrahedra, winding numbers of solid angles.
 //
 // Based on: Van Oosterom, Strackee, "The solid angle of a plane triangle", 1983; Jacobson, Kavan, Sorkine-Hornung,
 // "Robust inside-outside segmentation using generalized winding numbers", 2013 (inside = winding number above a half).
@@ -177,7 +176,7 @@ class ClosedParts {
   }
 
  private:
-  static constexpr double kOffTheWall = 1e-6;  // of the unit's size
+  static constexpr double kOffTheWall = 1e-6;  // share of the unit's size
   static constexpr Index kSeveral = kNoIndex - 1;
 
   void add(Index vertex, Index unit) {

@@ -26,8 +26,8 @@ Patches findPatches(const TriangleMesh& mesh, const EdgeUses& edges);
 std::size_t makeWindingConsistent(TriangleMesh& mesh, const Patches& patches);
 
 /// Turns closed patches outside out that enclose a negative volume, and closed parts of patches that meet in edges of
-/// more than two triangles; returns how many. Those that lie inside another stay: they are the wall of a hollow. What
-/// was closed stays closed. Winding must be consistent; `edges` and `patches` must be those of the mesh as it is wound.
+/// more than two triangles; returns how many. Those that lie inside another stay: they are the wall of a hollow. Closed
+/// parts stay closed. Winding must be consistent; `edges` and `patches` must be those of the mesh as it is wound.
 std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches);
 
 /// How often the triangles wind around the point: near 0 outside, near +-1 inside. The exact sum of solid angles.

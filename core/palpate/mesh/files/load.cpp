@@ -61,7 +61,7 @@ TriangleMesh read(const MeshFile& file, Format format, VertexChannels* channels)
   return {};
 }
 
-/// Until a host brings one (read_foreign.cpp).
+/// The default until a host installs a reader (read_foreign.cpp).
 TriangleMesh refuseForeign(const MeshFile& file, const std::string&) {
   throw Error::inFile(file.name, "this format would need assimp, and palpate was built without assimp");
 }

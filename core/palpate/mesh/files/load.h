@@ -48,8 +48,8 @@ struct LoadOptions {
 /// Throws Error.
 TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options = {}, const Progress& progress = {});
 
-/// The same for bytes in memory. `name` stands for the file in messages (and its extension tells a foreign format);
-/// glTF that refers to other files is refused.
+/// The same for bytes in memory. `name` replaces the file in messages (and its extension names a foreign format); glTF
+/// that refers to other files is refused.
 TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name,
                             const LoadOptions& options = {}, const Progress& progress = {});
 
@@ -57,13 +57,13 @@ TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_v
 struct MeshWithChannels {
   TriangleMesh mesh;
   VertexChannels channels;
-  /// What was passed over or guessed while it was read, a sentence each with its place in the file.
+  /// Sentences on what was passed over or guessed while it was read, each with its place in the file.
   std::vector<std::string> notes = {};
 };
 
 /// `load`, with the numbers and colours that a PLY file has for its vertices: colours from red, green, blue (with or
 /// without diffuse_ before them), numbers from every other property but places and normals, at most
-/// kMaxVertexScalars. Other formats bring none. Throws Error.
+/// kMaxVertexScalars. Other formats have none. Throws Error.
 MeshWithChannels loadWithChannels(const std::filesystem::path& file, const LoadOptions& options = {},
                                   const Progress& progress = {});
 MeshWithChannels loadWithChannelsFromMemory(std::string_view bytes, Format format, std::string_view name,
@@ -87,8 +87,8 @@ TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::
 /// empty when it has none. Throws Error.
 std::string basePictureOf(const std::filesystem::path& file);
 
-/// Files beside it or in folders below that a glTF or GLB file is not whole without: buffers and pictures; of other
-/// formats none. Throws Error.
+/// Files next to it or in folders below that a glTF or GLB file needs: buffers and pictures; none for other formats.
+/// Throws Error.
 std::vector<std::filesystem::path> filesBeside(const std::filesystem::path& file);
 
 }  // namespace palpate::mesh

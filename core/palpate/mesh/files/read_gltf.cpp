@@ -1,6 +1,6 @@
-// glTF and GLB: all triangles of the scene that the file wants shown, as it wants them shown: moved by their nodes or
-// by the joints of their skin, morphed by their weights, in all their instances, in one mesh. Materials, animations,
-// cameras and lights are passed over; points, lines and what the scene does not show are left out and told.
+// glTF and GLB: all triangles of the file's default scene, as displayed: moved by their nodes or by the joints of their
+// skin, morphed by their weights, in all their instances, in one mesh. Materials, animations, cameras and lights are
+// passed over; points, lines and what the scene does not show are left out and reported.
 //
 // Not read through assimp: version 5.2.5 overflows the stack on deeply nested JSON and on long chains of nodes, and its
 // errors name no place. Checking a file so well that neither can happen is nearly all of the work of reading it.
@@ -26,7 +26,7 @@ namespace {
 enum Mode : int { kPoints = 0, kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6 };
 
 constexpr std::size_t kMaxTextureSets = 64;
-/// Each brings four joints a vertex. Programs write two at most.
+/// Each has four joints per vertex. Programs write two at most.
 constexpr std::size_t kMaxJointSets = 16;
 
 /// Extensions that change nothing about the surface, or that are read here. One that a file requires and that is not
@@ -161,7 +161,7 @@ class GltfReader {
     std::vector<Index> indices;
     std::vector<JsonValue> morph_targets;
     std::vector<std::pair<JsonValue, JsonValue>> joint_sets;  // JOINTS_n and WEIGHTS_n
-    TexturePlaces places;                                     // when they are asked for
+    TexturePlaces places;                                     // used on request only
   };
 
   void addMesh(std::size_t mesh, JsonValue node, const std::vector<Eigen::Affine3d>& instances) {
@@ -237,7 +237,7 @@ class GltfReader {
     return positions;
   }
 
-  /// Where the base colour lies; none where there is no such attribute. glTF counts v downwards.
+  /// Texture places of the base colour; empty without such an attribute. glTF counts v downwards.
   TexturePlaces placesOf(JsonValue primitive, std::size_t vertices) {
     const JsonValue base_colour = baseColourOf(base_colours_, primitive);
     const JsonValue moved_set = base_colour["extensions"]["KHR_texture_transform"]["texCoord"];
@@ -362,13 +362,13 @@ class GltfReader {
   }
 
   const MeshFile& file_;
-  TexturePlaces* places_;  // null: not asked for
+  TexturePlaces* places_;  // null: not requested
   JsonValue root_;
   GltfAccessors accessors_;
-  std::vector<JsonValue> base_colours_;  // of each material, when places are asked for
+  std::vector<JsonValue> base_colours_;  // per material, when places are requested
   GltfPose pose_;
   std::vector<JsonValue> meshes_;
-  std::vector<std::optional<std::vector<Primitive>>> primitives_;  // of each mesh, read when first shown
+  std::vector<std::optional<std::vector<Primitive>>> primitives_;  // per mesh, read when first shown
   std::size_t spent_ = 0;  // vertices, indices, moves and weights that were read or shown
   TriangleMesh mesh_;
 };

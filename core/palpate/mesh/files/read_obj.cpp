@@ -1,7 +1,7 @@
-// OBJ: `v`, `f`, `g` and `o` are read, `vt` when it is asked for; normals and materials are passed over; lines, points,
-// free-form curves and surfaces and unknown words too, which is told.
+// OBJ: `v`, `f`, `g` and `o` are read, `vt` on request; normals and materials are passed over; lines, points, free-form
+// curves and surfaces and unknown words too, which is reported.
 //
-// An OBJ face names vertices and places in the picture apart. Where the texture is asked for, each corner of a face
+// An OBJ face names vertices and places in the picture apart. Where the texture is requested, each corner of a face
 // becomes a vertex of its own, with both.
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ constexpr auto kNoSurface = std::to_array<std::string_view>(
 /// Keywords that carry a surface which is not read.
 constexpr auto kOtherSurfaces = std::to_array<std::string_view>({"surf", "bzp", "bsp", "cdp", "call"});
 
-/// Of the words that carry none, those that are shape all the same.
+/// Keywords that are not read although they are shape.
 struct Shape {
   std::string_view keyword;
   std::string_view what;
@@ -100,7 +100,7 @@ class ObjReader {
     if (!are_numbers || more == 2 || more > 4) passOver("what stands behind a vertex's place is passed over");
   }
 
-  /// `vt u [v [w]]`. One that is no number has no place in the picture.
+  /// `vt u [v [w]]`. Where it is not a number, the place is not finite.
   void readTexturePlace() {
     const auto u = static_cast<float>(numberOrNone(text_.word()));
     const std::string_view v = text_.word();
@@ -156,8 +156,7 @@ class ObjReader {
     return static_cast<Index>(corners_.size() - 1);
   }
 
-  /// Each corner becomes a vertex. One that names a vertex or a texture that is not there gets a place that is no
-  /// number.
+  /// Each corner becomes a vertex. One that names a missing vertex or texture gets a place that is not finite.
   void spreadCorners() {
     const std::vector<Vec3> positions = std::exchange(mesh_.positions, {});
     mesh_.positions.reserve(corners_.size());
@@ -195,7 +194,7 @@ class ObjReader {
 
   const MeshFile& file_;
   TextReader text_;
-  TexturePlaces* places_;  // null: not asked for
+  TexturePlaces* places_;  // null: not requested
   TexturePlaces texture_;  // `vt` so far
   std::vector<Corner> corners_;
   TriangleMesh mesh_;

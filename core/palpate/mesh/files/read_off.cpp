@@ -41,13 +41,13 @@ std::string_view wordOfHead(TextReader& text) {
   return text.word();
 }
 
-/// What the first word says: [ST][C][N][4][n]OFF.
+/// The parsed first word: [ST][C][N][4][n]OFF.
 struct OffHead {
-  std::string_view count;  ///< the number of vertices, where it is glued to the word or stands in its place
+  std::string_view count;  ///< the number of vertices, where it is glued to the word or replaces it
   bool has_more = false;   ///< colours, normals or texture behind the places
 };
 
-/// None where the word is no head of OFF.
+/// Empty where the word is not a head of OFF.
 std::optional<OffHead> headOf(std::string_view word) {
   const std::size_t off = inSmallLetters(word.substr(0, kLongestHead)).find("off");
   if (off == std::string::npos) return std::nullopt;
@@ -75,7 +75,7 @@ OffHead readHead(TextReader& text) {
   return *head;
 }
 
-/// The counts stand behind the keyword, glued to it or in the next lines.
+/// The counts follow the keyword, glued to it or in the next lines.
 Counts readCounts(TextReader& text, std::string_view glued) {
   if (isWord(text.restOfLine(), "binary")) text.fail("binary OFF cannot be read");
   const auto most = static_cast<long long>(text.bytesLeft());

@@ -1,7 +1,7 @@
 // PLY, text and binary in both byte orders: x, y, z of the element `vertex`, the index lists of the elements `face` and
-// `tristrips`, and where they are asked for the colours and numbers of the vertices.
+// `tristrips`, and on request the colours and numbers of the vertices.
 //
-// Everything else in the file is passed over as its header declares it; other elements are told. The header's
+// Everything else in the file is passed over as its header declares it; other elements are reported. The header's
 // counts are never trusted: memory is taken for what the bytes that are left can hold.
 #include <fmt/format.h>
 
@@ -133,8 +133,8 @@ Header readHeader(TextReader& text, PassedOver& passed_over) {
 
 // --- values ---
 
-/// Values of a text file: one number a word, one row of an element a line. A row never takes a value of the next line,
-/// and what a line has beyond its row is passed over and told: else one wrong count would shift all that follows.
+/// Values of a text file: one number per word, one row of an element per line. A row never takes a value of the next
+/// line; extra words on a line are passed over and reported: else one wrong count would shift all that follows.
 class TextValues {
  public:
   static constexpr FilePlace kPlace = FilePlace::line;
@@ -144,14 +144,14 @@ class TextValues {
     if (!text_.nextFilledLine()) fail("the file ends before all its elements are there");
   }
   double value(Type) { return text_.number(next(), "a value"); }
-  /// One that nobody needs: it may be anything.
+  /// An unused value: it may be anything.
   double anyValue(Type) { return numberOrNone(next()); }
   void endRow(PassedOver& passed_over) {
     if (!text_.word().empty()) {
       passed_over.add("the row has more values than the header names: they are passed over", text_.line());
     }
   }
-  /// Rows of an element that nobody needs.
+  /// Rows of an unused element.
   bool passOverRows(std::uint64_t count) {
     for (std::uint64_t row = 0; row < count; ++row) startRow();
     return true;

@@ -3,7 +3,7 @@
 // A file is binary when its length is what its own count promises (84 + 50 per triangle), even if it starts with
 // "solid" as many binary files do; otherwise it is text when it starts with "solid" or "facet", in capitals or not, and
 // holds no byte that no text has where a binary file has its first triangles; otherwise it is binary. Bytes behind the
-// promised triangles are passed over, which is told; fewer than promised are refused.
+// promised triangles are passed over, which is reported; fewer than promised are refused.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What a mesh file may carry for each vertex besides its place: numbers and a colour. Only PLY files do.
+// Optional data of a mesh file for each vertex besides its place: numbers and a colour. Only PLY files have them.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct FaceScalar {
 struct VertexChannels {
   std::vector<VertexScalar> scalars;
   std::vector<std::array<std::uint8_t, 3>> colours;  ///< red, green, blue per vertex (sRGB); empty = none
-  std::vector<FaceScalar> of_faces = {};             ///< told, and not used
+  std::vector<FaceScalar> of_faces = {};             ///< reported, not used
 
   bool empty() const { return scalars.empty() && colours.empty(); }
 };

@@ -1,4 +1,4 @@
-// GLB chunks, base64 and files beside the glTF, accessors by component type, and the picture of the first base colour.
+// GLB chunks, base64 and files next to the glTF, accessors by component type, and the picture of the first base colour.
 //
 // Based on: Khronos Group, glTF 2.0 specification, 3.6 (buffers, accessors), 3.8 (textures), 4 (GLB); RFC 4648
 // (base64), RFC 2397 (data URIs), RFC 3986 (relative references).
@@ -55,7 +55,7 @@ std::size_t bytesOf(int component_type) {
   }
 }
 
-/// -128 of a signed byte stands for -1 like -127 (section 3.6.2.2).
+/// -128 of a signed byte means -1 like -127 (section 3.6.2.2).
 template <class T>
 double component(const char* data, bool normalised) {
   const auto value = static_cast<double>(numberFromBytes<T>(data));
@@ -101,7 +101,7 @@ std::string decodePercent(std::string_view uri) {
 /// "file:", "https:"; not the colon of "./a:b.bin".
 bool hasScheme(std::string_view uri) { return uri.substr(0, uri.find_first_of("/?#")).find(':') != uri.npos; }
 
-/// Files beside the glTF file or in folders below it; a stranger's file does not get to read anything else.
+/// Files next to the glTF file or in folders below it; a user's file may not read anything else.
 std::filesystem::path pathBeside(const MeshFile& file, const std::string& uri, JsonValue where) {
   const std::string name = decodePercent(uri);
   const std::filesystem::path relative = pathOf(name).lexically_normal();
@@ -209,7 +209,7 @@ GltfAccessors::GltfAccessors(const MeshFile& file, JsonValue root, std::string_v
   for (const JsonValue accessor : root["accessors"].items()) accessors_.push_back(outlineOf(accessor));
 }
 
-// What is missing or wrong is only said when it is used: animations may hold what meshes may not.
+// Missing or wrong parts are reported on use only: animations may hold what meshes may not.
 
 GltfAccessors::View GltfAccessors::outlineOfView(JsonValue view) {
   View outline{.where = view,
@@ -263,8 +263,8 @@ void GltfAccessors::readBuffer(Buffer& buffer) {
   buffer.is_read = true;
 }
 
-/// What a packed view refers to beside its packed bytes may be a copy that is not packed; a buffer that only stands for
-/// one has no bytes.
+/// A packed view may refer, besides its packed bytes, to a copy that is not packed; a buffer that is only a placeholder
+/// for one has no bytes.
 std::string_view GltfAccessors::bytesOfView(JsonValue view_index) {
   const View& view = views_[view_index.index(views_.size(), "bufferView")];
   if (!view.buffer || !view.length) view.where.fail("a bufferView needs buffer and byteLength");

@@ -18,19 +18,18 @@ namespace palpate::mesh {
 struct GltfParts {
   std::string_view json;
   std::size_t json_offset = 0;
-  std::string_view binary;  ///< of a GLB; empty when it has none
+  std::string_view binary;  ///< binary chunk of a GLB; empty when it has none
   bool is_glb = false;
 };
 
 /// Takes a GLB apart; anything that does not start with "glTF" is JSON as a whole. Throws Error at a byte.
 GltfParts splitGltf(const MeshFile& file);
 
-/// What a URI stands for: data in the URI itself (RFC 2397), or a file beside it. Throws Error.
+/// Resolves a URI: data in the URI itself (RFC 2397), or a file next to the glTF. Throws Error.
 std::string bytesOfUri(const MeshFile& file, JsonValue uri, std::uint64_t max_bytes);
 
 /// A node may show a mesh again and again, and an accessor may promise zeros that take no bytes, so a short file can
-/// ask for any number of triangles. What is more than this many times the bytes of the file and its buffers is an
-/// attack, not a mesh.
+/// request any number of triangles. More than this many times the bytes of the file and its buffers is an attack.
 inline constexpr std::size_t kMaxGltfItemsPerByte = 8;
 
 /// A buffer is read when the first accessor needs it: what only animations or pictures use never decides about a mesh.
@@ -57,7 +56,7 @@ class GltfAccessors {
     JsonValue where;
     bool is_read = false;
     std::string_view bytes{};
-    std::string owned{};  // what was decoded or read for `bytes`
+    std::string owned{};  // bytes decoded or read for `bytes`
   };
   struct View {
     JsonValue where;

@@ -41,7 +41,7 @@ void GltfPose::showScene(const Show& show) {
   walk(roots(), shown_, [&](std::size_t n, const Eigen::Affine3d& transform) { show(nodes_[n], transform); });
 }
 
-/// The nodes of the scene that the file wants shown; without scenes all that are nobody's children.
+/// The nodes of the file's default scene; without scenes all nodes without a parent.
 std::vector<std::size_t> GltfPose::roots() const {
   const auto scenes = root_["scenes"].items();
   if (scenes.empty()) return orphans();

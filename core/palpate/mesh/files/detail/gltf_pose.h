@@ -15,7 +15,7 @@
 
 namespace palpate::mesh {
 
-/// `Size` numbers, or the fallback where there is no such array. Throws Error for another count.
+/// `Size` numbers, or the fallback without an array. Throws Error for another count.
 template <int Size>
 Eigen::Matrix<double, Size, 1> vectorOr(JsonValue array, const Eigen::Matrix<double, Size, 1>& fallback) {
   if (!array) return fallback;
@@ -37,13 +37,13 @@ class GltfPose {
   JsonValue node(std::size_t n) const { return nodes_[n]; }
   bool isShown(std::size_t n) const { return shown_[n]; }
 
-  /// Calls show(node, transform) for each node of the scene that the file wants shown, parents first; without scenes
-  /// for all nodes. Throws Error where nodes are no tree.
+  /// Calls show(node, transform) for each node of the file's default scene, parents first; without scenes for all
+  /// nodes. Throws Error where nodes do not form a tree.
   using Show = std::function<void(JsonValue node, const Eigen::Affine3d& transform)>;
   void showScene(const Show& show);
 
-  /// What carries a vertex that a joint alone moves: the joint's place now, from where it was when the skin was made.
-  /// One for each joint of the skin. Throws Error.
+  /// The motion of a vertex that a joint alone moves: the joint's place now, from where it was when the skin was made.
+  /// One per joint of the skin. Throws Error.
   const std::vector<Eigen::Affine3d>& jointsOf(JsonValue skin_index, GltfAccessors& accessors);
 
  private:
@@ -58,7 +58,7 @@ class GltfPose {
   std::vector<JsonValue> nodes_;
   std::vector<bool> shown_;
   std::vector<JsonValue> skins_;
-  std::vector<std::vector<Eigen::Affine3d>> joints_;  // of each skin; empty: not asked for yet
+  std::vector<std::vector<Eigen::Affine3d>> joints_;  // per skin; empty: not computed yet
   std::vector<bool> is_placed_;                       // for joints: the nodes that hang under some root
   std::vector<Eigen::Affine3d> places_;
 };

@@ -1,5 +1,5 @@
 // Recursive descent into a flat list of nodes in the order of the text, each with the end of all it holds; values are
-// read out of the text when they are asked for.
+// decoded from the text on access.
 #include "palpate/mesh/files/detail/json.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace palpate::mesh {
 
 namespace {
 
-/// What an escape stands for, and how many characters of the text it takes.
+/// A decoded escape, and how many characters of the text it takes.
 struct Escape {
   char32_t letter;
   std::size_t length;
@@ -33,8 +33,8 @@ std::optional<char32_t> unitAt(std::string_view text) {
   return value;
 }
 
-/// At a backslash; none where no escape of JSON stands there. Letters beyond 16 bits are two units, a half of such a
-/// pair alone is no letter and becomes U+FFFD.
+/// Reads the escape at a backslash; empty where JSON has none. Letters beyond 16 bits are two units; an unpaired half
+/// becomes U+FFFD.
 std::optional<Escape> escapeAt(std::string_view text) {
   constexpr std::string_view kShort = "\"\\/bfnrt";
   constexpr std::string_view kMeant = "\"\\/\b\f\n\r\t";

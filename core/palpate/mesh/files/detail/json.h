@@ -1,9 +1,8 @@
 // A small strict JSON reader for glTF that knows the place of every value and bounds its memory by the text.
 //
-// Own rather than nlohmann-json, which the host reads messages with, or cgltf and tinygltf, which stand on such
-// readers: a mesh file of a stranger needs what they do not give: a limit of nesting, the place of each mistake, and
-// flat storage (16 bytes a value) read without a copy; and the core, which a web page carries, stands on no JSON
-// library. It reads all of RFC 8259 (a host test holds its strings against nlohmann-json's); any bytes at all give
+// Own rather than nlohmann-json, with which the host reads messages, or cgltf and tinygltf, which use such readers: a
+// user's mesh file needs a limit of nesting, the place of each mistake, and flat storage (16 bytes a value) read
+// without a copy; and the core, which a web page carries, depends on no JSON
 // values or one Error (tests/fuzz). Of two members with one name the first counts.
 #pragma once
 
@@ -19,7 +18,7 @@ class JsonValue;
 
 class JsonDocument {
  public:
-  /// Where the text stands in its file, for messages: `offset` bytes after the start of a binary file, or the file is
+  /// Where the text is in its file, for messages: `offset` bytes after the start of a binary file, or the file is
   /// text itself and lines are named.
   struct Place {
     std::string_view file;
@@ -57,9 +56,9 @@ class JsonValue {
   JsonValue() = default;
   explicit operator bool() const { return document_ != nullptr; }
 
-  /// The member of this object with that name; none when it is missing or this is none. Fails when this is no object.
+  /// The member of this object with that name; none when it is missing or this is none. Fails unless this is an object.
   JsonValue operator[](std::string_view name) const;
-  /// The values of this array; empty for none. Fails when this is no array.
+  /// The values of this array; empty for none. Fails unless this is an array.
   std::vector<JsonValue> items() const;
 
   double number() const;

@@ -1,7 +1,7 @@
 // A sweep from left to right (of equal x from below upwards). Between two neighbouring sides that the sweep line meets
 // lies a stretch; one within the outline keeps a chain of places, from the lower side to the upper one, that is the
-// front of what has been cut so far. The place that the sweep comes to is joined with what it sees of the chains beside
-// it.
+// front of what has been cut so far. The place that the sweep reaches is joined with the visible places of the chains
+// next to it.
 //
 // Sides that lie on each other are one with the sum of their directions, and are nothing where that is zero: bridges
 // vanish. A place on a side divides it.
@@ -40,7 +40,7 @@ struct Chain {
   Index latest = kNoIndex;  ///< the one farthest to the right: the next place sees it for certain
 };
 
-/// What lies above a side, up to the next one.
+/// The region above a side, up to the next one.
 struct Stretch {
   int winding = 0;
   Chain chain;
@@ -296,7 +296,7 @@ class Sweep {
     starting_.resize(kept);
   }
 
-  /// Of the united sides [first, end): from each end to the next with what the longer ones turn.
+  /// Walks the united sides [first, end): from each end to the next with the turns of the longer ones.
   void goOnFromItsEnd(std::size_t first, std::size_t end, int turns) {
     for (std::size_t i = first; i + 1 < end; ++i) {
       turns -= sides_[starting_[i]].turns;
@@ -307,8 +307,8 @@ class Sweep {
   }
 
   std::vector<Vec2> places_;
-  std::vector<Index> corner_at_;  // of a place
-  std::vector<Index> place_of_;   // of a corner
+  std::vector<Index> corner_at_;  // by place
+  std::vector<Index> place_of_;   // by corner
   std::vector<Side> sides_;
   std::vector<Index> first_side_;   // that starts at a place
   std::vector<Stretch> stretches_;  // above each side

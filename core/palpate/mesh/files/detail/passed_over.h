@@ -1,4 +1,4 @@
-// What a reader passed over in a file, told once a kind: where first, and how often.
+// A log of what a reader passed over in a file, reported once per kind: where first, and how often.
 //
 // A fault that takes nothing from the surface never decides about the file, in any format.
 #pragma once
@@ -17,12 +17,12 @@ enum class FilePlace : std::uint8_t { line, byte };
 
 class PassedOver {
  public:
-  /// `what` is one of a reader's few sentences, so a row costs a handful of comparisons. A file that brings ever new
-  /// ones (words of its own) gets kMostKinds of them told.
+  /// `what` is one of a reader's few sentences, so a row costs a handful of comparisons. For a file with ever new ones
+  /// (words of its own) kMostKinds of them are reported.
   void add(std::string_view what, std::size_t place, FilePlace kind = FilePlace::line);
 
-  /// What the file holds of its body and is no part of the mesh, by its name: points, lines, curved surfaces. Of a
-  /// stranger's names kMostKinds are told.
+  /// Shape in the file that the mesh leaves out, by its name: points, lines, curved surfaces. At most kMostKinds of a
+  /// file's own names are reported.
   void leaveOut(std::string_view what, std::size_t count = 1);
 
   /// "left out: lines (3), points (1)"; empty for nothing.

@@ -13,8 +13,8 @@
 
 namespace palpate::mesh {
 
-/// What became of a polygon. `guessed`: it has no area of its own to cut (it crosses itself, seen along its mean
-/// normal) and got the surface of least area over its corners. `impossible`: the same with too many corners for that.
+/// `guessed`: the polygon has no area of its own to cut (it crosses itself, seen along its mean normal) and got the
+/// surface of least area over its corners. `impossible`: the same with too many corners for that.
 enum class PolygonCut : std::uint8_t { exact, guessed, impossible };
 
 /// Appends triangles over the polygon's corners, with its winding; none for fewer than 3 corners. A square is cut along

@@ -18,7 +18,7 @@ struct MeshFile {
   const LoadOptions& options;
   const Progress& progress;
   std::filesystem::path folder;  ///< where files lie that this one refers to; empty: there are none
-  PassedOver& passed_over;       ///< what a reader leaves out is told here
+  PassedOver& passed_over;       ///< receives what a reader leaves out
 };
 
 /// Asked for `places`, the readers of formats with texture note a place in the picture for each vertex, not finite
@@ -30,11 +30,11 @@ TriangleMesh readStl(const MeshFile& file);
 /// Asked for `channels`, it notes numbers and colours, a vertex of the mesh each.
 TriangleMesh readPly(const MeshFile& file, VertexChannels* channels = nullptr);
 TriangleMesh readOff(const MeshFile& file);
-/// What decides that a file is of a format is no stricter than its reader.
+/// Detection of a format is no stricter than its reader.
 bool beginsAsOff(std::string_view bytes);
 bool beginsAsPly(std::string_view bytes);
 TriangleMesh readGltf(const MeshFile& file, TexturePlaces* places = nullptr);
-/// Reads every other format; `extension` without its dot tells it. Throws Error where no host has brought a reader.
+/// Reads every other format, by `extension` without its dot. Throws Error where no host has installed a reader.
 TriangleMesh readForeign(const MeshFile& file, const std::string& extension);
 using ForeignReader = TriangleMesh (*)(const MeshFile& file, const std::string& extension);
 /// While the program starts.

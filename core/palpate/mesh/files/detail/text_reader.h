@@ -1,7 +1,7 @@
 // Walks through the text of a mesh file word by word and knows the line it is in.
 //
 // Shared by the readers of OBJ, PLY, OFF and text STL, so that all of them open a file the same way (a byte order mark,
-// lines that end in LF, CR LF or CR, words in capitals) and tell the place of a mistake the same way.
+// lines that end in LF, CR LF or CR, words in capitals) and report the place of a mistake the same way.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@
 
 namespace palpate::mesh {
 
-/// What a format knows besides words and lines.
+/// A format's rules besides words and lines.
 struct TextRules {
   char comment = '\0';     ///< a word that begins with it and the rest of its line say nothing; '\0': there is none
-  bool continues = false;  ///< a backslash at the end of a line, glued to a word or not: the line goes on in the next
+  bool continues = false;  ///< a backslash at the end of a line, glued to a word or not: the next line continues it
 };
 
 class TextReader {
@@ -30,15 +30,15 @@ class TextReader {
   std::string_view nameWord();
   /// The next word in this line or a later one; empty at the end of the text.
   std::string_view wordAnywhere();
-  /// What is left of this line of the file, comments and all.
+  /// The rest of this line of the file, comments and all.
   std::string_view restOfLine() const;
   /// To the start of the next line; false when there is none.
   bool nextLine();
   /// To the next line that holds a word; false when there is none.
   bool nextFilledLine();
 
-  /// A number out of a word; `what` names it in the message. What Windows' older library writes for "not a number"
-  /// (-1.#IND, 1.#QNAN, 1.#INF) is none, too.
+  /// A number from a word; `what` names it in the message. Windows' older spellings of "not a number" (-1.#IND,
+  /// 1.#QNAN, 1.#INF) are refused, too.
   double number(std::string_view word, std::string_view what) const;
   /// A whole number within [low, high] out of a word.
   long long whole(std::string_view word, std::string_view what, long long low, long long high) const;
@@ -67,7 +67,7 @@ class TextReader {
   std::size_t next_report_ = 0;
 };
 
-/// The number that a word is, or one that is not finite: for values that nobody needs.
+/// The word's number, or one that is not finite: for values that are not used.
 double numberOrNone(std::string_view word);
 
 /// Whether the word is the keyword, which is in small letters, in either case.
