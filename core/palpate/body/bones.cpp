@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kFirstRib = kVertebraCount;
 constexpr std::size_t kScapulaRight = kBoneCount - 2;
-// The grid when none is asked for: a coarse result never shows a fine grid's detail, and the time goes with its square.
+// The default grid: a coarse result never shows a fine grid's detail, and the time goes with its square.
 constexpr double kFineCellMm = 1.5;
 constexpr double kCoarseCellMm = 2.0;
 constexpr std::size_t kFineFrom = 40000;  // triangles
@@ -59,7 +59,7 @@ double cellOf(const BonesSettings& settings) {
   return settings.triangles < kFineFrom ? kCoarseCellMm : kFineCellMm;
 }
 
-// Throws when the mesh before the reduction has fewer triangles than asked for.
+// Throws when the mesh before the reduction has fewer triangles than requested.
 mesh::TriangleMesh reduced(mesh::TriangleMesh mesh, std::size_t triangles, const mesh::DecimateOptions& options = {}) {
   if (mesh.triangles.size() < triangles) throw Error("too many triangles for this grid of the bones");
   return mesh::decimate(std::move(mesh), triangles, options);
@@ -124,7 +124,7 @@ std::vector<std::size_t> shareTriangles(std::size_t total) {
     counts.push_back(2 * static_cast<std::size_t>(0.5 * static_cast<double>(total) * weightOf(bone) / weights));
     given += counts.back();
   }
-  // What rounding down left over, two triangles a vertebra, again from T1 on.
+  // The remainder of rounding down, two triangles per vertebra, again from T1 on.
   for (std::size_t bone = 0; given + 1 < total; bone = (bone + 1) % kVertebraCount, given += 2) counts[bone] += 2;
   return counts;
 }

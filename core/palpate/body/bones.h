@@ -27,7 +27,7 @@ using Warp = std::function<Vec3(const Vec3&)>;
 
 struct BonesSettings {
   double stature_mm = 1750.0;     ///< everything scales linearly with it
-  std::size_t triangles = 60000;  ///< of all bones together, exact; even; at least kFewestBoneTriangles
+  std::size_t triangles = 60000;  ///< all bones together, exact; even; at least kFewestBoneTriangles
   double cell_mm = 0.0;           ///< grid of the mesher before the reduction, for 1750; 0: fits the triangles
   Warp warp{};                    ///< applied before the scaling, e.g. the skin's asymmetry; none when empty
 };
@@ -40,7 +40,7 @@ inline constexpr std::size_t kFewestBoneTriangles = 4000;
 /// settings. About a second on one core.
 std::vector<Bone> makeBones(const BonesSettings& settings = {});
 
-/// How a total is shared out over the 43 bones in their order: even counts whose sum is the total, mirror images equal,
+/// Shares a total out over the 43 bones in order: even counts whose sum is the total, mirror images equal,
 /// larger and more finely shaped bones more.
 std::vector<std::size_t> shareTriangles(std::size_t total);
 
@@ -65,7 +65,7 @@ struct BoneDepth {
   std::vector<Index> bone;  ///< index into the bones given
 };
 
-/// Depths of the points below, or beside, the bones. Throws Error when there is no bone. Fastest when neighbouring
+/// Depths of the points below, or next to, the bones. Throws Error when there is no bone. Fastest when neighbouring
 /// points follow each other, as vertices of a spatially ordered mesh do.
 BoneDepth depthToBones(std::span<const Vec3> points, std::span<const Bone> bones);
 

@@ -11,7 +11,7 @@
 namespace palpate::body {
 namespace {
 
-constexpr std::size_t kStepsPerSpan = 64;  // of the polygon that measures arc length: relative error below 1e-4
+constexpr std::size_t kStepsPerSpan = 64;  // for the polygon that measures arc length: relative error below 1e-4
 
 }  // namespace
 

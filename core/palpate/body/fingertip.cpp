@@ -93,7 +93,7 @@ PalpatingHand makePalpatingFinger() {
   PalpatingHand finger;
   finger.mesh = fingertipMesh();
   for (const Vec3& place : finger.mesh.positions) finger.redness.push_back(fingertipRedness(place));
-  // Where no finger is there is no nail: it would be far away.
+  // A missing finger has no nail: it is put far away.
   const Vec3 nowhere = Vec3::Constant(1e4);
   finger.nails.fill({nowhere, Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ()});
   finger.nails[1] = {(kLastJointMm - 7.6) * lastJointAlong() + 5.2 * lastJointBack(), 6.6 * lastJointAlong(),

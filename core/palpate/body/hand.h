@@ -33,7 +33,7 @@ struct Nail {
 };
 
 /// A hand that presses with the pad of its index finger: that one bent a little down, the others nearly straight and
-/// held off, the thumb beside, the wrist bent back, and 260 mm of forearm. Frame as above.
+/// held off, the thumb at the side, the wrist bent back, and 260 mm of forearm. Frame as above.
 struct PalpatingHand {
   mesh::TriangleMesh mesh;         ///< closed, about 10,000 triangles
   std::vector<float> redness;      ///< a vertex each, 0 to 1: over the joints, at the tips

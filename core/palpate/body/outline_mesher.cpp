@@ -235,7 +235,7 @@ std::vector<Vec2> borderPoints(const std::vector<Line>& lines, std::size_t count
 
 // --- the plan: a cell size that meets the count ---
 
-/// A lattice and the number of border vertices that brings the count to what was asked.
+/// A lattice and the number of border vertices that give the requested count.
 struct Plan {
   Lattice lattice;
   std::size_t border = 0;
@@ -249,7 +249,7 @@ double excessOf(const Lattice& lattice, std::size_t triangles, double border_len
   return borderExcess(static_cast<double>(triangles) - inner, border_length, lattice.cell);
 }
 
-/// The excess falls with the cell size in small jumps: a bisection finds the crossing, a scan the best value beside it.
+/// The excess falls with the cell size in small jumps: a bisection finds the crossing, a scan the best value near it.
 Plan searchPlan(const FlatOutline& outline, std::size_t triangles, double area, double border_length) {
   const double guess = std::sqrt(4 / std::sqrt(3.0) * area / static_cast<double>(triangles));
   double low = 0.8 * guess;

@@ -104,7 +104,7 @@ const SkinLandmark* spinous(std::span<const SkinLandmark> landmarks, std::string
   return found == landmarks.end() ? nullptr : &*found;
 }
 
-/// left site 1 is beside the highest level.
+/// left site 1 is at the highest level.
 std::string siteName(std::size_t number, bool left) {
   return (left ? "left site " : "right site ") + std::to_string(number);
 }

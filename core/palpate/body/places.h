@@ -1,8 +1,8 @@
-// Places of a body by the words that an examiner uses: "T6", "left PSIS", "T6 right 30 mm", "left site 4"; and back
-// from a point to words.
+// Places of a body in an examiner's terms: "T6", "left PSIS", "T6 right 30 mm", "left site 4"; and back from a point to
+// a name.
 //
-// Reads the landmarks that a body brings (trunk.h, torso.h). Where a scene, a command or a panel asks for a place, it
-// asks here; reports say places in these words. Cold; any thread.
+// Reads the landmarks of a body (trunk.h, torso.h). Scenes, commands and panels look places up here; reports name them
+// in these terms. Cold; any thread.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace palpate::body {
 /// rib 7 angle".
 std::string spokenName(std::string_view landmark);
 
-/// The twelve training sites: six levels, on both sides, so far beside the spine.
+/// The twelve training sites: six levels on both sides, kSiteBesideMm from the spine.
 inline constexpr std::array<std::string_view, 6> kSiteLevels = {"T4", "T6", "T8", "T10", "T12", "L2"};
 inline constexpr double kSiteBesideMm = 30;  ///< over the transverse processes and ribs; our choice, for 1750 mm
 

@@ -30,7 +30,7 @@ const std::vector<Vec3> kOutline = {{8, 43, 0},    {2, 30, 0},   {0, 12, 0},   {
                                     {32, -101, 0}, {45, -80, 0}, {60, -57, 0}, {76, -36, 0},  {90, -22, 0},
                                     {98, -14, 0},  {101, 2, 0},  {98, 18, 0},  {90, 26, 0},   {80, 25, 0},
                                     {72, 24, 0},   {66, 30, 0},  {50, 37, 0},  {30, 43, 0},   {16, 46, 0}};
-constexpr std::size_t kOutlinePoints = 160;  // of the polygon: sagitta below 0.05 mm
+constexpr std::size_t kOutlinePoints = 160;  // polygon with a sagitta below 0.05 mm
 
 // The crest of the spine: u, v at the blade, height over the blade.
 const std::vector<Vec3> kCrest = {{2, 1, 3}, {12, 3, 7}, {40, 7, 18}, {70, 12, 26}, {90, 15, 31}};

@@ -81,8 +81,8 @@ class FlatSegment {
   }
 
   struct Place {
-    Vec3 offset;    ///< across wide, across thick, beyond the nearer end (0 beside the segment)
-    HalfAxes axes;  ///< of the section there
+    Vec3 offset;    ///< across wide, across thick, beyond the nearer end (0 within the segment)
+    HalfAxes axes;  ///< half axes of the section there
   };
   Place place(const Vec3& p) const {
     const Vec3 v = p - from_;
@@ -146,7 +146,7 @@ double nearestDistance(const std::vector<Piece>& pieces, const Vec3& p) {
   return d;
 }
 
-/// What is made of pieces one after the other, joined so.
+/// The union of pieces: the nearest one counts.
 template <class Piece>
 class Chain {
  public:

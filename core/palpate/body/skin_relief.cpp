@@ -117,10 +117,10 @@ void blurLine(const Layer& at, std::size_t first, std::size_t stride, int count,
   }
 }
 
-/// What is left to do of a blur when the spline, whose coefficients are the samples, does the rest.
+/// The rest of a blur when the spline, whose coefficients are the samples, does its part.
 double beforeSpline(double sigma) {
   constexpr double kStep = 3.0;                          // mm between sites
-  constexpr double kSplineVariance = kStep * kStep / 3;  // of a cubic B-spline
+  constexpr double kSplineVariance = kStep * kStep / 3;  // variance of a cubic B-spline
   return std::sqrt(sigma * sigma - kSplineVariance);
 }
 
@@ -164,7 +164,7 @@ void addGroup(const Grid& grid, std::span<const Bone> bones, const Group& group,
   for (std::size_t i = 0; i < bump.size(); ++i) sum[i] += narrow[i] - (1 - group.kept) * wide[i];
 }
 
-/// The long muscles beside the spine are seldom equally strong: fuller on the right at the loin, flatter on the left at
+/// The long muscles along the spine are seldom equally strong: fuller on the right at the loin, flatter on the left at
 /// the chest.
 void addMuscles(const Grid& grid, double amount, Layer& sum) {
   struct Bulge {

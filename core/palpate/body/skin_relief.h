@@ -37,8 +37,8 @@ inline constexpr std::size_t kReliefBoneTriangles = 8000;
 /// No relief at all: the fitted surface alone.
 ReliefSettings noRelief();
 
-/// What is added to the radius of the skin, mm of a man of 1750 mm: relief of `bones` (that man's, not warped) and the
-/// uneven muscles beside the spine times `muscle_asymmetry`.
+/// The addition to the radius of the skin, mm of a man of 1750 mm: relief of `bones` (that man's, not warped) and the
+/// uneven muscles along the spine times `muscle_asymmetry`.
 BicubicSpline skinDetail(std::span<const Bone> bones, const ReliefSettings& settings, double muscle_asymmetry);
 
 }  // namespace palpate::body

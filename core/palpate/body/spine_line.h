@@ -1,6 +1,6 @@
-// The spine of a man of 1750 mm: the dimensions of T1 to L5 and where each vertebra stands.
+// The spine of a man of 1750 mm: the dimensions of T1 to L5 and where each vertebra is.
 //
-// One row a vertebra; everything downstream (vertebra shapes, rib heads, landmarks) reads these rows. All millimetre
+// One row per vertebra; everything downstream (vertebra shapes, rib heads, landmarks) reads these rows. All millimetre
 // and degrees for stature 1750; makeBones scales the finished meshes.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace palpate::body {
 
-/// mm, of the person whom the tables of this room describe. Skin and bones are built at this stature and scaled as a
-/// whole to the one that is asked for.
+/// mm, of the person whom the tables of this folder describe. Skin and bones are built at this stature and scaled as a
+/// whole to the requested one.
 inline constexpr double kTableStatureMm = 1750.0;
 
 inline constexpr int kThoracicCount = 12;

@@ -10,7 +10,7 @@
 namespace palpate::body {
 namespace {
 
-constexpr int kEndRings = 4;  // of the rounded ends
+constexpr int kEndRings = 4;  // rings of each rounded end
 
 double depthOf(const Station& end, const SweptEnd& shape) {
   return shape.rounding_mm > 0.0 ? shape.rounding_mm : end.half_thickness;

@@ -22,7 +22,7 @@ struct SweptEnd {
       0.0;  ///< 0: round, a quarter circle of the half thickness; else flat with an edge of this radius
 };
 
-/// The tube through the stations in their order, outward, closed; `corners` points a ring.
+/// The tube through the stations in order, outward, closed; `corners` points per ring.
 mesh::TriangleMesh sweepEllipse(const std::vector<Station>& stations, Index corners, SweptEnd first = {},
                                 SweptEnd last = {});
 

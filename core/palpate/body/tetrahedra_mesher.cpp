@@ -214,7 +214,7 @@ class Lattice {
 constexpr double kStep = 0.6;  // share of the way to the neighbours' middle; 1 would overshoot on stretched fans
 
 struct Surroundings {
-  Vec3 corner_sum = Vec3::Zero();  // of the other two corners of each triangle
+  Vec3 corner_sum = Vec3::Zero();  // sum of the other two corners of each triangle
   Vec3 area_sum = Vec3::Zero();
   int corners = 0;
 };

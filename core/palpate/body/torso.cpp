@@ -90,7 +90,7 @@ void keepBonesAbove(double y, Torso& body) {
 /// blades are set this share as wide, from their medial edge, and what lies near the lower edge is moved up over it: by
 /// some millimetres, so that no bone is seen beyond the skin.
 constexpr double kScapulaWidth = 0.93;
-constexpr double kLowEdgeMm = 45.0;  ///< of a man of 1750 mm: how far above the edge bones are moved
+constexpr double kLowEdgeMm = 45.0;  ///< for a man of 1750 mm: how far above the edge bones are moved
 constexpr double kEdgeMarginMm = 4.0;
 
 void setInside(const mesh::TriangleMesh& skin, double scale, Torso& body) {
@@ -119,7 +119,7 @@ Torso makeTorso(const TorsoSettings& settings) {
 }
 
 Torso makeBackOverBones(const BackSettings& settings) {
-  // Of the same size as the skin's, and never so few that the relief of the skin would need others.
+  // As fine as the skin, and never so few that the relief of the skin would need others.
   const auto as_fine =
       static_cast<std::size_t>(kBoneShare / (1.0 - kBoneShare) * static_cast<double>(settings.triangles));
   const std::size_t bone_triangles = std::clamp<std::size_t>(as_fine / 2 * 2, kReliefBoneTriangles, kMaxBoneTriangles);

@@ -13,13 +13,13 @@ namespace palpate::body {
 
 struct TorsoSettings {
   std::size_t triangles = 20389;    ///< skin and bones together, exact; at least kFewestTorsoTriangles
-  std::size_t bone_triangles = 0;   ///< of them for bones, even; 0 gives the bones the larger of 44 % and their least
+  std::size_t bone_triangles = 0;   ///< share for bones, even; 0 gives the bones the larger of 44 % and their least
   SkinSettings shape{1750, {}, 1};  ///< a natural back
 };
 /// The grid that the bones are drawn from holds no more.
 inline constexpr std::size_t kMaxBoneTriangles = 60000;
 inline constexpr std::size_t kFewestTorsoTriangles = kFewestTriangles + kFewestBoneTriangles;
-/// Of the skin alone: the model of section 2.1.
+/// Skin only: the model of section 2.1.
 inline constexpr std::size_t kDissertationBackTriangles = 2962;
 
 /// A point that an examiner looks for, on the skin above the bone.
@@ -27,7 +27,7 @@ struct SkinLandmark {
   std::string name;    ///< as in boneLandmarks: "spinous_T6", "scapula_left_inferior_angle" ...
   std::string bone;    ///< name of the bone
   Vec3 position;       ///< on the smooth skin, mm
-  Vec3 normal;         ///< of the skin there, out of the body
+  Vec3 normal;         ///< normal of the skin there, out of the body
   Vec3 bone_position;  ///< the point of the bone itself, mm
 };
 

@@ -1,6 +1,6 @@
-// A vertebra is a union of a column, elliptic capsules and their blends, described for the right half; the point is
-// never asked for at x < 0. All sizes follow the row; the few plain numbers are proportions of our choice, set by eye
-// against anatomical plates.
+// A vertebra is a union of a column, elliptic capsules and their blends, described for the right half; it is never
+// evaluated at x < 0. All sizes follow the row; the few plain numbers are proportions of our choice, set by eye against
+// anatomical plates.
 #include "palpate/body/bone_shapes.h"
 
 #include <cmath>

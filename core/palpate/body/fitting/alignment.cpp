@@ -1,5 +1,5 @@
 // Iteratively reweighted Gauss-Newton on point-to-plane distances, Tukey's weights, Gaussian priors. Neighbouring
-// samples err alike: a scan counts as so many independent ones as it has patches of kAlikeMm. Based on: Chen and
+// samples err alike: a scan counts as one independent sample per patch of kAlikeMm. Based on: Chen and
 // Medioni, "Object modelling by registration of multiple range images", 1992.
 #include "palpate/body/fitting/alignment.h"
 
@@ -45,11 +45,11 @@ constexpr std::array<BuildNumber, kBuildNumbers> kBuild = {{
     {&TrunkShape::lordosis_deg, kFittedLordosisDeg, 10, 0, 50, 1},
     {&TrunkShape::asymmetry, 0.7, 0.6, 0, 3, 0.1},
 }};
-constexpr double kStatureDeviation = 0.09;  // of the logarithm; children and giants are told by their points
+constexpr double kStatureDeviation = 0.09;  // of the logarithm; children and giants are recognised by their points
 constexpr double kMinStatureMm = 700;
 constexpr double kMaxStatureMm = 2300;
 
-/// What the template says at a build, with its derivatives by the numbers of the build.
+/// The template at a build, with its derivatives by the numbers of the build.
 struct Differentiated {
   TemplateBody::Shaped shaped;
   std::array<TemplateBody::Shaped, kBuildNumbers> ahead;  // a step on in one number
@@ -81,7 +81,7 @@ Eigen::Matrix<double, 3, kPlacementNumbers> motionOf(const BodyPlacement& at, co
     motion.col(axis) = about.cross(turned);
     motion.col(3 + axis) = Vec3::Unit(axis);
   }
-  motion.col(6) = turned;  // of the logarithm of the stature
+  motion.col(6) = turned;  // by the logarithm of the stature
   for (int i = 0; i < kBuildNumbers; ++i) {
     motion.col(kPoseNumbers + i) = scale * (at.rotation * by_build[static_cast<std::size_t>(i)]);
   }
@@ -90,7 +90,7 @@ Eigen::Matrix<double, 3, kPlacementNumbers> motionOf(const BodyPlacement& at, co
 
 /// A sample of the scan and the place of the template that it meets.
 struct Match {
-  Vec3 point;   // of the template, body frame
+  Vec3 point;   // on the template, body frame
   Vec3 normal;  // of the template, scan's frame
   double off;   // mm that the scan lies outside of it
   std::array<Vec3, kBuildNumbers> by_build;

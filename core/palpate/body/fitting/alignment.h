@@ -1,9 +1,8 @@
 // Pulls the template body onto a scan from a rough start: pose, stature and build at once.
 //
 // template_body.h -> here -> body_fit.h. Each round takes for every sample of the scan the nearest place of the
-// template, and solves for the placement that brings them together along the template's normals, beside the named
-// points and what is known of people before any scan (priors). What comes out is the most likely placement and how
-// sure each of its numbers is.
+// template, and solves for the placement that brings them together along the template's normals, with the named points
+// and prior knowledge of people. The result is the most likely placement and how sure each of its numbers is.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,13 +24,13 @@ struct ScanSamples {
 };
 ScanSamples sampleScan(const mesh::TriangleMesh& scan, std::size_t count);
 
-/// A landmark that somebody showed on the scan.
+/// A landmark that the user showed on the scan.
 struct KnownPlace {
   std::size_t landmark;  ///< index into the template's landmarks
   Vec3 position;         ///< mm
 };
 
-/// Of an adult, mm: where a fit begins, and what it is drawn to where a scan says little.
+/// Mean of adults, mm: where a fit begins, and what it is drawn to where a scan says little.
 inline constexpr double kMeanStatureMm = 1715;
 
 /// Three of turning, three of place, stature, girth, body mass index, muscle, kyphosis, lordosis, asymmetry.
@@ -45,7 +44,7 @@ struct AlignSettings {
 
 struct Alignment {
   BodyPlacement placement;
-  double rms_mm = 0;       ///< of the samples that met the template, along its normals
+  double rms_mm = 0;       ///< over the samples that met the template, along its normals
   double matched = 0;      ///< share of the samples that did
   double misfit = 1;       ///< 0 perfect, 1 nothing fits: to compare placements of one scan
   double of_template = 0;  ///< share of the template's own skin, stumps aside, that the scan covers
@@ -68,15 +67,15 @@ std::vector<double> landmarkDeviations(const TemplateBody& body, const Alignment
 /// From where the template's skin is to where the scan's is, along the template's normals; where they meet at all.
 std::vector<Move> skinMoves(const TemplateBody& body, const BodyPlacement& at, const ScanSamples& scan);
 
-// Where a scan that nobody explained may stand: rough placements of the template body, best first.
+// Where a scan without hints may be: rough placements of the template body, best first.
 
 /// Placements that differ from each other by more than a vertebra or so, at most `most`, each pulled together with the
 /// average build. Tries all ways round; under two seconds.
 std::vector<Alignment> roughPlacements(const TemplateBody& body, const ScanSamples& scan, std::size_t most,
                                        const Progress& progress = {});
 
-/// The placement that brings the landmarks of the average build nearest to where they were shown. At least three that
-/// lie on no line. Based on: Umeyama, "Least-squares estimation of transformation parameters between two point
+/// The placement with the landmarks of the average build nearest to where they were shown. Needs at least three that
+/// are not on one line. Based on: Umeyama, "Least-squares estimation of transformation parameters between two point
 /// patterns", 1991.
 BodyPlacement placementByPlaces(const TemplateBody& body, std::span<const KnownPlace> known);
 

@@ -1,5 +1,5 @@
-// Own. What is added to an alignment's own spread, and from where it is called doubtful, was measured on builds that
-// were bent and bulged beyond what the trunk's own numbers can do (docs/explanation/fit-body.md).
+// Own method. The addition to an alignment's own spread, and the limit from which it is called doubtful, were measured
+// on builds bent and bulged beyond what the trunk's own numbers can do (docs/explanation/fit-body.md).
 #include "palpate/body/fitting/body_fit.h"
 
 #include <fmt/format.h>
@@ -23,13 +23,13 @@ constexpr std::size_t kSamples = 1200;
 constexpr std::size_t kFewSamples = 220;  // to try all ways round
 constexpr std::size_t kMovesKept = 400;
 constexpr std::size_t kPlacementsTried = 5;
-constexpr double kWorstRmsMm = 5;    // nobody's back is farther from the template at its best build
-constexpr double kExplained = 0.85;  // of a patch; or of the template, where the scan shows more than a trunk
+constexpr double kWorstRmsMm = 5;    // every back is nearer to the template at its best build
+constexpr double kExplained = 0.85;  // share of a patch; or of the template, where the scan shows more than a trunk
 constexpr double kCovered = 0.8;
 constexpr double kSureEnough = 0.8;
 constexpr double kOffScanMm = 25;      // a point shown is farther from the scan than a finger is thick
 constexpr double kContradictsMm = 25;  // two levels off
-// What a landmark is off besides: it grows with what the template cannot follow, for as much is hidden along the skin.
+// Further error of a landmark: it grows with the misfit that the template leaves, for as much is hidden along the skin.
 constexpr double kOwnErrorMm = 1;
 constexpr double kHiddenShare = 2.7;
 constexpr double kWorstOfAll = 1.3;    // the worst landmark against the expected one
@@ -211,7 +211,7 @@ struct BestTwo {
 
 /// Its misfit made worse by the named points that it misses.
 Alignment judgedByFew(const TemplateBody& body, Alignment found, std::span<const KnownPlace> known) {
-  constexpr double kWorthOfPoints = 0.1;  // tells levels apart; a point that no such shape can have is not believed
+  constexpr double kWorthOfPoints = 0.1;  // separates levels; a point that no such shape can have is not believed
   for (const double miss : missesOf(body, found.placement, known)) {
     const double share = std::min(miss / kContradictsMm, 1.0);
     found.misfit += kWorthOfPoints / static_cast<double>(known.size()) * share * share;
@@ -242,7 +242,7 @@ BestTwo bestPlacements(const TemplateBody& body, const mesh::TriangleMesh& scan,
     try_from(start, known);
     if (known.empty()) continue;
     try_from(movedToPoints(body, start, known), known);
-    if (i == 0) try_from(start, {});  // what the shape says without them
+    if (i == 0) try_from(start, {});  // the shape's own answer
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
   if (found.empty()) throw Error("the scan has no surface to go by");

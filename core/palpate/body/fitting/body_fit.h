@@ -1,7 +1,7 @@
-// Where spine and bones of a scanned person lie: the built-in trunk pulled onto the scan, by landmarks that somebody
+// Finds spine and bones of a scanned person: the built-in trunk pulled onto the scan, by landmarks that the user
 // showed, or by the scan's shape alone - and how sure that is.
 //
-// alignment.h -> here -> fitted_body.h (bones, landmarks), a file kept beside a scene.
+// alignment.h -> here -> fitted_body.h (bones, landmarks), a file kept next to a scene.
 #pragma once
 
 #include <span>
@@ -48,7 +48,7 @@ BodyFit fitBody(const TemplateBody& body, const mesh::TriangleMesh& scan, std::s
 /// "sure", "fairly sure", "doubtful" for a certainty.
 std::string certaintyWord(double certainty);
 
-// A fit as text, to be kept beside a scene: NAME.fit.json.
+// A fit as text, to be kept next to a scene: NAME.fit.json.
 
 /// Longer files are none of ours.
 inline constexpr std::size_t kLongestFitFile = 1 << 20;

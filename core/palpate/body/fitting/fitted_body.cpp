@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kUnderMm = 70;  // a bone deeper than this is not of the side that was scanned
 constexpr double kOntoMm = 25;   // a landmark farther from the scan is not on it
-constexpr double kBesideMm = 5;  // nor one that is beside its border
+constexpr double kBesideMm = 5;  // nor one that is outside its border
 
 /// The scan's skin to be asked where it is.
 class ScannedSkin {
@@ -33,7 +33,7 @@ class ScannedSkin {
 
   struct Place {
     Vec3 point, normal;
-    double out;     // of the point asked for, along the normal
+    double out;     // height of the queried point, along the normal
     double beside;  // across it
     bool at_border;
   };
@@ -66,7 +66,7 @@ double keptUnder(double depth_mm) {
   return kMinFittedCoverMm + kSoftMm * elementary::log1p(elementary::exp(over));
 }
 
-/// False where the bone is not under this skin, or more beside it than under it.
+/// False where the bone is not under this skin, or more outside it than under it.
 bool pushUnder(const ScannedSkin& skin, Bone& bone) {
   std::size_t under = 0;
   std::size_t beside = 0;

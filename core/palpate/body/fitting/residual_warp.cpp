@@ -8,7 +8,7 @@ namespace palpate::body {
 
 namespace {
 
-constexpr double kSkinReachMm = 40;    // what is narrower is relief, which bones do not follow
+constexpr double kSkinReachMm = 40;    // anything narrower is relief, which bones do not follow
 constexpr double kSkinNothing = 0.3;   // weight of "no move": far from all samples nothing moves
 constexpr double kExactReachMm = 110;  // about four vertebrae
 constexpr double kExactSoftness = 1e-4;

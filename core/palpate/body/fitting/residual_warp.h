@@ -1,5 +1,4 @@
-// What a fitted build leaves between template and scan, as a smooth move of space that takes skin, landmarks and bones
-// along.
+// The residual between a fitted build and the scan, as a smooth warp of space that moves skin, landmarks and bones.
 //
 // body_fit.h makes one, fitted_body.h uses it.
 #pragma once
@@ -33,7 +32,7 @@ class ResidualWarp {
   Vec3 bySkin(const Vec3& point) const;
 
   std::vector<Move> skin_, exact_;
-  std::vector<Vec3> weights_;  // of the kernels at the exact places
+  std::vector<Vec3> weights_;  // kernel weights at the exact places
 };
 
 }  // namespace palpate::body

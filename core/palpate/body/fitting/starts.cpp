@@ -17,7 +17,7 @@ namespace {
 constexpr double kFacesOneWay = 0.25;  // length of the mean normal from which a scan is a patch
 constexpr int kTurnsOfPatch = 12;
 constexpr std::array<double, 6> kMiddleY = {130, 40, -60, -160, -260, -360};  // mm of a man of 1750 mm
-constexpr double kSkinOverSpineZ = 60;                                        // of the middle of a patch of the back
+constexpr double kSkinOverSpineZ = 60;                                        // at the middle of a patch of the back
 constexpr double kSamePlaceMm = 25;
 constexpr std::size_t kPromising = 30;  // after a first pull
 

@@ -13,7 +13,7 @@
 
 namespace palpate::body {
 
-/// Where a body of our frame stands in the frame of a scan: x = scale * rotation * y + translation.
+/// Places a body of our frame in the frame of a scan: x = scale * rotation * y + translation.
 struct BodyPlacement {
   TrunkShape shape;  ///< its stature is the scale; posture and relief are not looked at
   Mat3 rotation = Mat3::Identity();
@@ -42,9 +42,9 @@ class TemplateBody {
   std::vector<SkinLandmark> landmarksOf(const TrunkShape& shape) const;
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
-  /// Of the average build.
+  /// Landmarks of the average build.
   const std::vector<SkinLandmark>& landmarks() const { return landmarks_; }
-  /// Whether a triangle belongs to a stump: neck, arm or thigh goes on there in a scan of a whole person.
+  /// Whether a triangle belongs to a stump: neck, arm or thigh continues there in a scan of a whole person.
   const std::vector<bool>& isStump() const { return is_stump_; }
 
  private:

@@ -20,9 +20,9 @@ constexpr double kSternumGap = 1.1;    // mm to the notch
 constexpr double kArchGap = 0.6;       // mm between neighbours of the arch
 constexpr double kEndHeight = 8.5;     // mm, section at the sternum
 constexpr double kEndThickness = 7.0;
-constexpr double kArchEndHeight = 6.0;  // of 8 to 10, which end in a point
+constexpr double kArchEndHeight = 6.0;  // for 8 to 10, which end in a point
 constexpr double kArchEndThickness = 5.0;
-constexpr double kLeadShare = 0.35;  // of the way to the next point, along the rib's direction
+constexpr double kLeadShare = 0.35;  // share of the way to the next point, along the rib's direction
 
 // Points between the rib's end and the end; empty for a course that needs none.
 const std::array<std::vector<Vec3>, kCartilageCount> kCourse = {{

@@ -80,7 +80,7 @@ struct CervicalParts {
         spine_end{cervicalSpinousEnd(r) - 4.0 * cervicalSpinousDirection(r) + Vec3(1.0, 0.0, 0.0),
                   cervicalSpinousEnd(r) + Vec3(kBifidSpread, -1.5, 0.5), 2.4, 2.7} {}
 
-  // Of the transverse process.
+  // Tip of the transverse process.
   Vec3 tip() const {
     const double x = row.transverse_span / 2 - row.transverse_radius;
     return {x, -1.0, half_depth - 2.0 + elementary::tan(radiansOf(row.transverse_back_deg)) * 0.5 * (x - half_width)};

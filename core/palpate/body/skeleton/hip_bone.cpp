@@ -6,7 +6,7 @@
 // 90-100, hip bone 210-220 high, acetabulum 50-54 wide, [R] recalled textbook values; crest level with the spinous
 // process of L4 on images [A] (meta-analysis 2017, 47 papers), posterior spine with that of S2 in 81 % of 100 CT
 // (McGaugh 2007, Clin Anat 20:819) [A]; centre of the hip 0.36 of the breadth over the spines lateral, 0.19 behind and
-// 0.30 below the spine (Bell 1990, J Biomech 23:617) [R]. The skin of this body is narrow at the hips: the crests stand
+// 0.30 below the spine (Bell 1990, J Biomech 23:617) [R]. The skin of this body is narrow at the hips: the crests are
 // 266 apart here, our choice. All coordinates are construction values of our choice.
 #include <array>
 #include <cmath>

@@ -17,7 +17,7 @@ constexpr double kShaftEnd = 78.0;    // mm beyond the head's centre: the stump 
 // In the scapula's frame: in front of the hollow of the socket (a ball of 27.5 mm about (131, 3, 0)).
 const Vec3 kHeadInScapula{129.5, 3.0, 0.0};
 
-// Of the humerus: origin at the head's centre, x away from the socket, y up along the shaft, z to the back.
+// Frame of the humerus: origin at the head's centre, x away from the socket, y up along the shaft, z to the back.
 Eigen::Isometry3d humerusFrame() {
   const Vec3 up = Vec3(-0.665, 0.745, 0.02).normalized();
   const Vec3 into_head = Vec3(-0.70, 0.35, 0.45);  // towards the socket: medially, up and back

@@ -15,13 +15,13 @@
 namespace palpate::body {
 namespace {
 
-// The grid when none is asked for, as in bones.cpp.
+// The default grid, as in bones.cpp.
 constexpr double kFineSkeletonCellMm = 1.5;
 constexpr double kCoarseSkeletonCellMm = 2.0;
 constexpr std::size_t kFineSkeletonFrom = 60000;  // triangles
 constexpr double kMinSkeletonCellMm = 0.5;
 constexpr double kLargestSkeletonCellMm = 3.0;
-constexpr double kSweptEdgeMm = 2.2;  // of ribs, cartilages and clavicles
+constexpr double kSweptEdgeMm = 2.2;  // for ribs, cartilages and clavicles
 
 // A bone that is drawn: a half of the midline, joined with its mirror image, or a right one, mirrored for the left.
 struct Plan {
@@ -111,7 +111,7 @@ std::vector<std::size_t> shares(const std::vector<Plan>& list, std::size_t total
     counts.push_back(2 * static_cast<std::size_t>(0.5 * static_cast<double>(total) * plan.weight / weights));
     given += counts.back() * (plan.midline ? 1 : 2);
   }
-  // What rounding down left over, two triangles a vertebra, again from C5 on.
+  // The remainder of rounding down, two triangles per vertebra, again from C5 on.
   constexpr std::size_t kVertebrae = kCervicalCount + kVertebraCount;
   for (std::size_t i = 0; given + 1 < total; i = (i + 1) % kVertebrae, given += 2) counts[i] += 2;
   return counts;

@@ -1,7 +1,7 @@
 // The skeleton of the trunk: neck from C5, spine, sacrum and pelvis, rib cage with cartilages and sternum, shoulders.
 //
 // The bones of the back (bones.h) are a part of it, from the same shapes; here are those around them. At 1750 mm,
-// symmetric and as it stands: what a trunk does about stature, build and posture it does to skin and bones alike.
+// symmetric and upright: what a trunk does about stature, build and posture it does to skin and bones alike.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ inline constexpr std::size_t kSkeletonBoneCount = 74;
 
 struct SkeletonSettings {
   std::size_t triangles = 24000;  ///< of all bones together, exact; even; at least kFewestSkeletonTriangles
-  double cell_mm = 0.0;           ///< grid of the mesher for a vertebra before the reduction; 0: fits the triangles
+  double cell_mm = 0.0;           ///< all bones together, exact; even; at least kFewestSkeletonTriangles
 };
 
 /// Fewest triangles of all bones together that still read as bones.
@@ -29,10 +29,10 @@ inline constexpr std::size_t kFewestSkeletonTriangles = 6000;
 /// About a second; works on two threads where there are two.
 std::vector<Bone> makeSkeleton(const SkeletonSettings& settings = {});
 
-/// How a total is shared out over the 74 bones in their order, as shareTriangles does.
+/// Shares a total out over the 74 bones in order, as shareTriangles does.
 std::vector<std::size_t> shareSkeletonTriangles(std::size_t total);
 
-/// What boneLandmarks names, at the trunk's scapula, and:
+/// The names of boneLandmarks, at the trunk's scapula, and:
 /// spinous_C5..C7; sacrum_S1..S3 (median crest), coccyx_tip; costochondral_1_right..10_left; of each side
 /// psis, asis, iliac_crest_top, ischial_tuberosity, pubic_tubercle, acromion, greater_tubercle (psis_right ...) and
 /// clavicle_right_sternal_end, clavicle_right_acromial_end; jugular_notch, sternal_angle, xiphoid_tip.

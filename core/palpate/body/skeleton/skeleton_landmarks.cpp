@@ -5,7 +5,7 @@
 namespace palpate::body {
 namespace {
 
-// Adds a point of a right bone and its mirror image. `%` in the names stands for the side.
+// Adds a point of a right bone and its mirror image. `%` in the names is the side.
 class Pairs {
  public:
   explicit Pairs(std::vector<Landmark>& landmarks) : landmarks_(landmarks) {}

@@ -2,8 +2,7 @@
 // notches for the throat, the clavicles and the first seven costal cartilages are cut out.
 //
 // Guided by: manubrium about 50 long, body 95-110, both 150-170 of men, 8-12 thick, manubrium 50-65 wide, body 25-40:
-// [R] recalled textbook values. The jugular notch stands level with T2-T3, the sternal angle with T4-T5, the joint of
-// the xiphoid with T9 [S]. SternumDepth: under the skin of the chest at a cover of 5-6 mm. Coordinates are our choice.
+// [R] recalled textbook values. The jugular notch is level with T2-T3, the sternal angle with T4-T5, the joint of the
 #include <algorithm>
 #include <cmath>
 

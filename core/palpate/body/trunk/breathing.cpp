@@ -16,8 +16,8 @@ namespace palpate::body {
 
 namespace {
 
-constexpr double kNeckShare = 0.25;  // of the lift that shoulders and neck follow
-constexpr double kFarthest = 1.2;    // of the ramp: beyond the back's skin the field goes on for a little only
+constexpr double kNeckShare = 0.25;  // share of the lift that shoulders and neck follow
+constexpr double kFarthest = 1.2;    // end of the ramp: beyond the back's skin the field continues for a little only
 constexpr int kRounds = 3;           // each takes the error down to the field's slope, 0.02
 
 /// 0 before `from`, 1 after `to`, with level ends.

@@ -29,7 +29,7 @@ class BreathField {
   /// How far the lower ribs have moved at this time, mm: 0 breathed out, Breathing::depth_mm breathed in. Begins
   /// breathed out.
   double lift(double seconds) const noexcept;
-  /// What a place at rest gets of the lift, along +z: 1 on the back over the lower ribs.
+  /// The share of the lift at a place at rest, along +z: 1 on the back over the lower ribs.
   double share(const Vec3& rest) const noexcept;
 
   /// Where a place of the body at rest is now.

@@ -20,11 +20,11 @@ namespace palpate::body {
 
 namespace {
 
-// Up to so many triangles are made by rounds; more by quartering. More is evener where curvature is strong and slower.
+// Up to this count triangles are made by rounds; more by quartering, which is less even where curvature is strong.
 constexpr std::size_t kMaxByRounds = 40000;
 constexpr int kEvenRounds = 6;
 constexpr int kSmoothings = 6;            // after the count is exact
-constexpr double kLongShare = 4.0 / 3.0;  // of the wanted edge
+constexpr double kLongShare = 4.0 / 3.0;  // against the wanted edge
 constexpr double kShortShare = 4.0 / 5.0;
 constexpr double kMaxTurn = 0.5;  // least cosine between a triangle's normals before and after a change
 constexpr std::size_t kFewestNeighbours = 4;
@@ -112,7 +112,7 @@ class ChangingMesh {
     return true;
   }
 
-  /// Turns the edge where that brings its four vertices nearer to six neighbours and makes no worse triangle.
+  /// Turns the edge where its four vertices get nearer to six neighbours and no triangle gets worse.
   bool flip(const Edge& edge) {
     const Index left = leftOf(edge.a, edge.b);
     const Index right = leftOf(edge.b, edge.a);
@@ -218,7 +218,7 @@ class ChangingMesh {
     return area.dot(normal_[t[0]] + normal_[t[1]] + normal_[t[2]]) > kMaxTurn * 3.0 * area.norm() && area.norm() > 0;
   }
 
-  /// The two vertices have just the two third corners of their triangles in common, and nobody gets too few neighbours.
+  /// The two vertices have just the two third corners of their triangles in common, and none gets too few neighbours.
   bool keepsSurface(Index a, Index b) const {
     if (around_[a].size() + around_[b].size() - 4 > kMaxNeighbours) return false;
     std::size_t common = 0;
@@ -279,7 +279,7 @@ class ChangingMesh {
   std::vector<std::vector<Index>> around_;  // the triangles of a vertex, in no order
 };
 
-/// Of equilateral triangles that cover `area` so many times.
+/// Edge of equilateral triangles of which `triangles` cover `area`.
 double edgeOf(double area, std::size_t triangles) {
   return std::sqrt(area / static_cast<double>(triangles) * 4.0 / std::sqrt(3.0));
 }
@@ -333,7 +333,7 @@ mesh::TriangleMesh quartered(const mesh::TriangleMesh& mesh, const OntoSurface& 
   fine.positions = mesh.positions;
   fine.positions.reserve(4 * mesh.positions.size());
   fine.triangles.reserve(4 * mesh.triangles.size());
-  std::vector<std::array<Index, 3>> middle(mesh.triangles.size());  // of the side from corner i to corner i + 1
+  std::vector<std::array<Index, 3>> middle(mesh.triangles.size());  // middle of the side from corner i to corner i + 1
   const mesh::EdgeUses uses = mesh::edgeUses(mesh);
   mesh::forEachEdge(uses, [&](Index low, Index high, std::span<const mesh::EdgeUse> sides) {
     const auto vertex = static_cast<Index>(fine.positions.size());
@@ -378,7 +378,7 @@ void splitLongest(mesh::TriangleMesh& mesh, const OntoSurface& onto, std::size_t
       if (a < b) sides.push_back({(mesh.positions[a] - mesh.positions[b]).norm(), a, b});
     }
   }
-  // A triangle has three sides: among so many of the longest enough are apart from each other.
+  // A triangle has three sides: among these longest enough are apart from each other.
   const std::size_t kept = std::min(sides.size(), 8 * count + 8);
   const auto longer = [](const Side& one, const Side& other) {
     return one.length != other.length ? one.length > other.length : one.key() < other.key();

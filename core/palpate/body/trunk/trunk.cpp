@@ -1,4 +1,4 @@
-// Bones beside the fitted skin cut into triangles -> soft tissue and relief along its normal -> both bent alike -> the
+// Bones, and the fitted skin cut into triangles -> soft tissue and relief along its normal -> both bent alike -> the
 // table -> depth of the nearest bone under every vertex.
 #include "palpate/body/trunk/trunk.h"
 
@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kTrunkBoneShare = 0.3;
 constexpr std::size_t kMaxOfTrunkBones = 24000;  // more triangles do not make better bones
-constexpr double kGlutealOfSitting = 0.15;       // of the gluteal fold: bent hips stretch it
+constexpr double kGlutealOfSitting = 0.15;       // share of the gluteal fold: bent hips stretch it
 constexpr double kRoughCellMm = 14;              // finer than armpits, folds and the cleft are wide
 
 std::size_t boneTriangles(const TrunkSettings& settings) {

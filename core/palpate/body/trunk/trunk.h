@@ -15,10 +15,10 @@
 
 namespace palpate::body {
 
-// What makes one trunk differ from another: build, curves of the spine, posture, unevenness, stature.
+// The parameters of one trunk: build, curves of the spine, posture, unevenness, stature.
 //
 // trunk_field.h -> even_mesh.h -> here -> makeTrunk. Soft tissue grows or shrinks along the skin's normal; all else is
-// a smooth warp of space that takes skin and bones alike, so that what lies under the skin stays there. Warps compose
+// a smooth warp of space that moves skin and bones alike, so that what lies under the skin stays there. Warps compose
 // in one order: unevenness, curves of the spine, girth, posture, stature.
 
 enum class Posture : unsigned char {
@@ -27,7 +27,7 @@ enum class Posture : unsigned char {
   sitting  ///< thighs forward, loin straighter
 };
 
-/// What the fitted body has: a man of 1750 mm of average build (trunk_table.h), measured on its bones (bones.h).
+/// The fitted body: a man of 1750 mm of average build (trunk_table.h), measured on its bones (bones.h).
 inline constexpr double kFittedMassIndex = 22.5;  ///< kg/m^2; our reading of "average", the shape has no mass
 inline constexpr double kFittedKyphosisDeg = 38;  ///< T1 to T12
 inline constexpr double kFittedLordosisDeg = 24;  ///< L1 to L5
@@ -94,13 +94,13 @@ Vec3 flattened(const Vec3& point, double plane_z);
 
 struct TrunkSettings {
   std::size_t triangles = 83164;   ///< skin and bones together, exact; even, at least kFewestTrunkTriangles
-  std::size_t bone_triangles = 0;  ///< of them for bones, even; 0 gives the bones 30 %, within what they need and use
+  std::size_t bone_triangles = 0;  ///< share for bones, even; 0 gives the bones 30 %, within what they need and use
   TrunkShape shape;
 };
 inline constexpr std::size_t kFewestTrunkSkinTriangles = 2000;
 inline constexpr std::size_t kFewestTrunkTriangles = 8000;
 
-/// What the body lies or sits on: a plane that faces it.
+/// The surface under the body: a plane that faces it.
 struct Support {
   Vec3 point;   ///< mm, under the middle of the body
   Vec3 normal;  ///< unit, towards the body

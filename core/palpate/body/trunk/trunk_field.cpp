@@ -12,7 +12,7 @@ namespace palpate::body {
 
 namespace {
 
-constexpr double kFarMm = 70.0;  // what a sign in the table stands for: beyond every coefficient that matters
+constexpr double kFarMm = 70.0;  // meaning of a sign in the table: beyond every coefficient that matters
 constexpr int kNewtonRounds = 6;
 constexpr double kOnSkinMm = 1e-6;
 constexpr double kLongestStepMm = 12.0;  // where two parts of the skin are near, a longer step would change sides

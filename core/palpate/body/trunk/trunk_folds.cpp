@@ -9,13 +9,13 @@ namespace palpate::body {
 
 namespace {
 
-/// What lessens a fold.
+/// The influence that lessens a fold.
 enum class Follows : unsigned char { nothing, hips, belly };
 
 /// As the table below says it. Places are near the fitted skin of the right side, mm.
 struct FoldRow {
   std::array<Vec3, 5> line;
-  std::size_t points;  // of the line that count
+  std::size_t points;  // points of the line that count
   double reach_mm;
   double out_mm;
   Vec3 shift_mm;
@@ -71,7 +71,7 @@ const std::array<FoldRow, 17> kStrokes = {{
     {{Vec3(70, 130, -40), Vec3(105, 132, -27), Vec3(132, 130, -18)}, 3, 18, -2.2, kStill, 0, 26, Follows::nothing},
 }};
 
-constexpr double kPieceMm = 5.0;  // of a chain: shorter than any fold is wide
+constexpr double kPieceMm = 5.0;  // piece of a chain: shorter than any fold is wide
 
 /// 1 at the line, 0 with two derivatives at its reach.
 double shareWithin(double square, double reach) {

@@ -1,8 +1,8 @@
-// What the fitted skin is too smooth for: gluteal and axillary folds, the navel and the belly, collar bones and the
-// lines of neck and shoulder.
+// Details for which the fitted skin is too smooth: gluteal and axillary folds, the navel and the belly, collar bones
+// and the lines of neck and shoulder.
 //
 // trunk_field.h -> here -> trunk.cpp. Strokes along lines on the fitted skin move its vertices and leave the triangles
-// as they are; away from a stroke nothing moves by a bit. So the back that is palpated, from the neck to the sacrum
+// unchanged; away from a stroke nothing moves by a bit. So the back that is palpated, from the neck to the sacrum
 // between the armpits, is the fitted one. Amounts are ours, by eye, a man of 1750 mm.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace palpate::body {
 
-/// What posture and build leave of a fold, 0 to 1.
+/// The shares of each fold that posture and build leave, 0 to 1.
 struct FoldAmounts {
   double gluteal = 1;  ///< bent hips stretch it
   double belly = 1;    ///< its roundness: fat makes one of its own, and a thin belly is flat

@@ -81,7 +81,7 @@ const std::array<Hill, 4> kFolds = {{
 }};
 
 constexpr double kMinCoverMm = 5.0;  // mm of tissue that no leanness takes
-constexpr double kSpareShare = 0.6;  // of what lies between it and the skin, at most this share goes
+constexpr double kSpareShare = 0.6;  // at most this share of the tissue between it and the skin goes
 
 // Heights of the axis that a bend knows, mm: below the thighs' stumps to above the neck's.
 constexpr double kBentLow = -700;
@@ -163,7 +163,7 @@ constexpr double kSpineAxisZ = 20;  // mm, about the middle of the vertebral bod
 constexpr double kSacrumY = -300;   // stays where it is
 constexpr double kSitStraighter =
     18;  // degrees that sitting takes from the lordosis; our choice within the published 15-30
-constexpr double kHipFlexionDeg = 62;  // of the thighs' stumps
+constexpr double kHipFlexionDeg = 62;  // flexion of the thighs' stumps
 constexpr double kHipAxisZ = -92;      // mm, just inside the groin, which folds; the buttock stretches
 constexpr double kHipHighY = -345;
 constexpr double kHipLowY = -500;
