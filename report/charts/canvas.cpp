@@ -86,7 +86,7 @@ void setFont(cairo_t* context, const TextStyle& style) {
 
 double shareBefore(Align align) { return align == Align::start ? 0.0 : align == Align::middle ? 0.5 : 1.0; }
 
-// Above and below the base line, in shares of the size: the same for every text, so that neighbours stand on one line.
+// Above and below the base line, in shares of the size: the same for every text, so that neighbours share one line.
 constexpr double kAscent = 0.76;
 constexpr double kDescent = 0.24;
 
@@ -96,7 +96,7 @@ struct Canvas::Impl {
   bool is_png = false;
   double width = 0.0;
   double height = 0.0;
-  std::string bytes;  // of the SVG, while it is written
+  std::string bytes;  // the SVG, while it is written
   Surface surface;
   Context context;
   Surface picture;  // where a picture is being painted

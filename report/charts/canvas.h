@@ -60,14 +60,14 @@ class Canvas {
   void image(const Rect& place, int columns, int rows, const std::vector<std::uint32_t>& pixels);
 
   void text(const Vec2& at, const std::string& text, const TextStyle& style);
-  /// Where the text would stand.
+  /// The box that the text would fill.
   Rect textBox(const Vec2& at, const std::string& text, const TextStyle& style) const;
   const std::vector<DrawnText>& texts() const;
 
-  /// What is drawn between the two calls stays within the rectangle.
+  /// Clips drawing between the two calls to the rectangle.
   void beginClip(const Rect& rect);
   void endClip();
-  /// What is drawn between the two calls becomes one picture also in an SVG: for surfaces of thousands of triangles.
+  /// Drawing between the two calls becomes one picture even in an SVG: for surfaces of thousands of triangles.
   void beginPicture(const Rect& rect);
   void endPicture();
 

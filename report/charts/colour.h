@@ -1,7 +1,7 @@
 // Colours of the figures.
 //
 // Series take the palette of Okabe and Ito ("Color Universal Design", 2008), whose colours people with any of the
-// common colour vision deficiencies can tell apart; its yellow is left out, because it cannot be read on white.
+// common colour vision deficiencies can distinguish; its yellow is left out, because it cannot be read on white.
 #pragma once
 
 #include <array>

@@ -152,7 +152,7 @@ class Scenery {
   }
 
   void addSegments(const Segments& lines) {
-    constexpr double kLongestPiece = 0.02;  // of the surface's size
+    constexpr double kLongestPiece = 0.02;  // share of the surface's size
     constexpr double kInFront = 0.004;      // so that a line on the surface is not half hidden in it
     const double bias = lines.on_top ? std::numeric_limits<double>::max() : kInFront * size_;
     for (const auto& [from, to] : lines.segments) {
@@ -199,7 +199,7 @@ void drawColourKey(Canvas& canvas, const ColourKey& key, const Rect& bar) {
 }
 
 struct ViewLayout {
-  Rect room;  // of the surface
+  Rect room;  // room for the surface
   Rect colour_bar{};
   double legend_top = 0.0;
 };

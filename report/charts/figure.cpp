@@ -1,5 +1,5 @@
 // Lays panels, titles and the note out first, because the note's lines are wrapped by measuring, then draws once on the
-// sheet that was asked for: PNG, SVG, or one whose texts a test reads.
+// requested sheet: PNG, SVG, or one whose texts a test reads.
 #include "report/charts/figure.h"
 
 #include <cmath>
@@ -21,7 +21,7 @@ constexpr double kBetweenPanels = 18.0;
 constexpr TextStyle kFigureTitle{.size_px = 15.0, .bold = true, .across = Align::middle, .down = Align::start};
 constexpr TextStyle kNote{.size_px = 11.0, .down = Align::start};
 
-// The text in lines no wider than the width; words that are wider stand alone.
+// The text in lines no wider than the width; wider words get lines of their own.
 std::vector<std::string> wrapped(const Canvas& canvas, const std::string& text, double width) {
   std::vector<std::string> lines;
   std::istringstream words(text);

@@ -19,7 +19,7 @@ struct Figure {
   std::string title{};  ///< above all panels
   std::vector<Panel> panels{};
   int columns = 1;
-  /// Of one panel, in CSS pixels (1/96 inch); text is 12 of them high.
+  /// Size of one panel, in CSS pixels (1/96 inch); text is 12 of them high.
   double panel_width_px = 520.0;
   double panel_height_px = 380.0;
   std::string note{};  ///< below all panels, wrapped
@@ -36,7 +36,7 @@ std::string svgOf(const Figure& figure);
 void writePng(const Figure& figure, const std::filesystem::path& file, double scale = kPngScale);
 void writeSvg(const Figure& figure, const std::filesystem::path& file);
 
-/// A text as it was drawn, with the box it fills, in CSS pixels from the top left corner.
+/// A drawn text, with the box it fills, in CSS pixels from the top left corner.
 struct DrawnText {
   std::string text{};
   double left = 0.0;

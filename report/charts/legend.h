@@ -1,4 +1,4 @@
-// What lines, markers and colours of a figure mean: rows of samples with their names, and the colour bar beside a map.
+// Legends of lines, markers and colours: rows of samples with their names, and the colour bar next to a map.
 #pragma once
 
 #include <string>

@@ -45,7 +45,7 @@ struct LegendColour {
   Colour colour{};
 };
 
-/// What the triangles' colours mean, for the colour bar.
+/// The key of the triangles' colours, for the colour bar.
 struct ColourKey {
   std::string label{};
   std::string unit{};

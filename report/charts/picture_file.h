@@ -1,4 +1,4 @@
-// A figure into the file that was asked for, as what its name says.
+// Writes a figure to the requested file, in the format that its name implies.
 #pragma once
 
 #include <filesystem>

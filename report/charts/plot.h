@@ -64,7 +64,7 @@ struct Arrow {
   double width_px = 1.2;
 };
 
-/// A marked place with a text beside it.
+/// A marked place with a text next to it.
 template <class Point>
 struct PlaceAt {
   Point at = Point::Zero();
@@ -82,7 +82,7 @@ struct Field {
   int columns = 0;               ///< along x
   int rows = 0;                  ///< along y
   std::vector<double> values{};  ///< row by row from the origin upwards, columns x rows
-  std::string label{};           ///< of the colour bar
+  std::string label{};           ///< label of the colour bar
   std::string unit{};
   std::optional<double> from{};  ///< range of the colours; of the finite values where empty
   std::optional<double> to{};
@@ -91,7 +91,7 @@ struct Field {
   bool cells = false;                    ///< each value fills a box of its own instead of blending into its neighbours
 };
 
-/// A text whose middle stands at a place: in the cells of a table, beside discs.
+/// A text whose middle is at a place: in the cells of a table, next to discs.
 struct Label {
   Vec2 at = Vec2::Zero();
   std::string text{};

@@ -10,7 +10,7 @@
 
 namespace palpate::figures {
 
-/// Of the strokes outside the frame that labels belong to, pixels.
+/// Length of the strokes outside the frame that labels belong to, pixels.
 inline constexpr double kTickLength = 4.0;
 
 /// From values to pixels along one axis.
@@ -31,7 +31,7 @@ struct PlotLayout {
   AxisMapping y{};
   std::vector<Tick> x_ticks{};
   std::vector<Tick> y_ticks{};
-  Range field_range{};  ///< of the colours
+  Range field_range{};  ///< range of the colours
   Rect colour_bar{};    ///< empty without a field
   std::vector<Tick> colour_ticks{};
   std::vector<LegendEntry> legend{};

@@ -1,4 +1,4 @@
-// What cairo's SVG lacks: words, and names that do not depend on what was drawn before. Read and written by pugixml.
+// Adds to cairo's SVG what it lacks: words, and names that do not depend on earlier drawings. Uses pugixml.
 #include <pugixml.hpp>
 
 #include <array>

@@ -1,4 +1,4 @@
-// Round numbers for axes: where the ticks stand, what they say, and how far an axis reaches.
+// Round numbers for axes: the ticks' places and labels, and how far an axis reaches.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct Range {
 double niceStep(double length, int most);
 
 /// The smallest range with ends on round numbers that holds the data; a single value is given room around it. On a
-/// logarithmic axis the ends are 1, 2 or 5 times a power of ten and values <= 0 are not asked for.
+/// logarithmic axis the ends are 1, 2 or 5 times a power of ten and values <= 0 are ignored.
 Range niceRange(const Range& data, Scale scale, int most);
 
 /// At most about `most` labelled ticks within the range.

@@ -145,7 +145,7 @@ void addKeyOption(Command& command, MapArguments& a) {
                      "Table of key points (docs/reference/maps.md) (default: the dissertation's)");
 }
 
-/// Last: what the scene says itself cannot be said beside it. `beside` are the options that can.
+/// Call it last: it excludes every option added before, except those in `beside`, since the scene sets them itself.
 void addSceneOption(Command& command, MapArguments& a, std::vector<std::string> beside) {
   beside.insert(beside.end(), {"--help", "--out", "--range", "--grid-mm", "--png-scale", "--json"});
   const std::vector<Option*> others = command.get_options();

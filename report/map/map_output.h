@@ -10,12 +10,12 @@
 namespace palpate::app {
 
 struct MapOutput {
-  double grid_mm = 0.0;    ///< CSV: a row every so many mm of the map plane; 0: a row a vertex
+  double grid_mm = 0.0;    ///< CSV: spacing of the rows on the map plane; 0: one row per vertex
   double png_scale = 2.0;  ///< PNG: pixels a CSS pixel
 };
 
-/// Of the shown quantity: as asked for, else that of the vertices; for a diverging map both ends equally far from its
-/// middle, at most from 0 to twice of it.
+/// The range of the shown quantity: as requested, else that of the vertices; for a diverging map both ends equally far
+/// from its middle, at most from 0 to twice of it.
 std::pair<double, double> shownRange(const SkinMap& map);
 
 /// Throws Error for another extension and for a file that cannot be written.

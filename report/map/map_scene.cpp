@@ -33,7 +33,7 @@ Json dysfunctionsJson(const scene::Scene& scene) {
   return list;
 }
 
-/// What every map of a scene says of it.
+/// Labels a map with its scene.
 SkinMap inScene(SkinMap map, const scene::World& world) {
   map.note = "Scene: " + world.scene.title;
   map.summary["scene"] = world.scene.title;
@@ -43,7 +43,7 @@ SkinMap inScene(SkinMap map, const scene::World& world) {
   return map;
 }
 
-/// Of the map as it was built: out of reach of every key point it is its basic circle.
+/// The settings of the map as built: out of reach of every key point it is its basic circle.
 maps::EllipseMapSettings settingsOf(const scene::World& world) {
   constexpr double kOutOfReachMm = 1e9;
   maps::EllipseMapSettings settings = world.scene.ellipses.map;

@@ -25,14 +25,14 @@
 
 namespace palpate::app {
 
-// What a map is drawn over: the built-in torso or back, or a mesh file; and how it looks from behind, on a grid.
+// The surface under a map: the built-in torso or back, or a mesh file; and how it looks from behind, on a grid.
 
 struct MapSkin {
   std::string name;  ///< "torso", "back" or the file
   mesh::TriangleMesh mesh;
   std::vector<Vec3> normals;            ///< unit, a vertex each
   std::vector<double> bone_depth_mm;    ///< a vertex each; empty where no bones are known
-  std::vector<std::string> notes = {};  ///< of a file: what was passed over or guessed while it was read
+  std::vector<std::string> notes = {};  ///< for a file: passed over or guessed while it was read
 };
 
 MapSkin builtInTorso(std::size_t triangles);
@@ -42,7 +42,7 @@ MapSkin skinOfFile(const MeshArguments& arguments);
 
 /// Where the skin is met when looking along -z at one node of the grid.
 struct GridSpot {
-  Index triangle = kNoIndex;        ///< kNoIndex beside the skin
+  Index triangle = kNoIndex;        ///< kNoIndex outside the skin
   std::array<double, 3> weights{};  ///< barycentric
 };
 
@@ -65,10 +65,10 @@ struct SkinGrid {
 /// nodes.
 SkinGrid gridOver(const mesh::TriangleMesh& mesh, double step_mm);
 
-/// A value a vertex, interpolated at a place on the skin; NaN beside it.
+/// A value per vertex, interpolated at a place on the skin; NaN outside it.
 double valueAt(const mesh::TriangleMesh& mesh, const GridSpot& spot, const std::vector<double>& of_vertices);
 
-/// What the subcommands of `map` were told about their source.
+/// Options of the subcommands of `map` about their source.
 struct MapSource {
   std::string key_file;  ///< empty: the dissertation's key points
   maps::MeasuredDataChoice measured;
@@ -76,8 +76,8 @@ struct MapSource {
   Fidelity fidelity;
   std::optional<maps::LiteralWeights> weights;         ///< nothing: as the fidelity says
   std::optional<maps::DirectionBlend> directions;      ///< nothing: as the fidelity says
-  std::string quantity = "half-major";                 ///< of ellipses: half-major, aspect or direction
-  std::size_t contour_radii = maps::kMaxContourRadii;  ///< of the contours made from ellipses
+  std::string quantity = "half-major";                 ///< for ellipses: half-major, aspect or direction
+  std::size_t contour_radii = maps::kMaxContourRadii;  ///< for contours made from ellipses
   maps::MeasuredStiffness stiffness;
   bool interpolate_depth = false;  ///< stiffness without key file: measure the torso at the seven places
 };
@@ -100,7 +100,7 @@ struct ShownQuantity {
   std::string label;
   std::string unit;
   ColourMap colours = ColourMap::viridis;
-  std::optional<double> middle = {};                    ///< of a diverging map: the value that is grey
+  std::optional<double> middle = {};                    ///< for a diverging map: the value that is grey
   std::optional<std::pair<double, double>> range = {};  ///< where it is not that of the data
   bool directions = false;  ///< degrees of undirected axes: strokes instead of contour lines
 };
@@ -123,13 +123,13 @@ struct SkinMap {
 const std::vector<double>& columnOf(const SkinMap& map, const std::string& name);
 
 SkinMap ellipsesOver(const MapSkin& skin, const MapSource& source);
-/// Of a map that is there already. `settings` is what it was made with.
+/// For a map that exists already, made with `settings`.
 SkinMap ellipsesOver(const MapSkin& skin, const maps::AnyEllipseMap& ellipses, const maps::EllipseMapSettings& settings,
                      const std::string& quantity);
 SkinMap contoursOver(const MapSkin& skin, const MapSource& source);
 /// From a key file with a stiffness, or from the depth of the bones of the torso. Throws Error where there is neither.
 SkinMap stiffnessOver(const MapSkin& skin, const MapSource& source);
-/// Of values that are there already, N/mm, a vertex each.
+/// For values that exist already, N/mm, one per vertex.
 SkinMap stiffnessOver(const MapSkin& skin, std::vector<double> n_per_mm);
 /// From the skin to the nearest bone. Throws Error for a skin without bones.
 SkinMap depthOver(const MapSkin& skin);
@@ -139,10 +139,10 @@ std::vector<MapKey> drawnKeys(std::span<const maps::KeyPoint> keys);
 
 // The maps of a scene: of its body as it is felt there, with its dysfunctions, instead of a bare skin.
 
-/// The scene's body as it was built: mended and ordered, so its vertices are those of forces.csv's triangles.
+/// The scene's body as built: mended and ordered, so its vertices are those of forces.csv's triangles.
 MapSkin skinOfScene(const scene::World& world);
 
-/// What a finger meets: the healthy body, then what is wrong with it.
+/// The stiffness that a finger meets: the healthy body, then its dysfunctions.
 SkinMap stiffnessOfScene(const MapSkin& skin, const scene::World& world);
 /// Throws Error for a body without bones.
 SkinMap depthOfScene(const MapSkin& skin, const scene::World& world);

@@ -14,7 +14,7 @@ namespace {
 
 using Parts = std::vector<FindingsPart>;
 
-/// Of the values and of the paragraphs that these parts name, choices included.
+/// Adds the names of the values and paragraphs that these parts use, choices included.
 void addNames(const Parts& parts, std::set<std::string>& values, std::set<std::string>& paragraphs) {
   for (const FindingsPart& part : parts) {
     if (!part.name.empty()) values.insert(part.name);

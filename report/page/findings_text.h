@@ -1,6 +1,6 @@
-// Findings as prose: a text file a study, NAME_findings.txt, filled from the values that the study computed.
+// Findings as prose: one text file per study, NAME_findings.txt, filled from the values that the study computed.
 //
-// The file stands beside NAME_findings.cpp, which computes the values and decides the verdicts, and is compiled in
+// The file is next to NAME_findings.cpp, which computes the values and decides the verdicts, and is compiled in
 // (palpate_embed_findings in cmake/PalpateRooms.cmake). Its grammar is all there is:
 //
 //   words without [ in them    what the file is; before the first paragraph only
@@ -41,16 +41,16 @@ struct FindingsFile {
 /// not those of the values, and for words that a choice does not have.
 std::vector<std::string> findingsOf(const FindingsFile& file, const FindingValues& values);
 
-// What a file consists of, for tests that go through all of it.
+// The contents of a file, for tests that go through all of it.
 
 struct FindingsPart {
   std::size_t line = 0;  ///< counted from 1
-  std::string name{};    ///< of a value; empty: `text` as it is
+  std::string name{};    ///< name of a value; empty: `text` as it is
   std::string text{};
   std::string format{};                            ///< rounded, counted and so on; empty: as it is
-  int digits = 0;                                  ///< of the format; 0: none were given
+  int digits = 0;                                  ///< of the format; 0: none given
   std::string paragraph{};                         ///< that `as` names
-  std::string between = ", ";                      ///< of a list
+  std::string between = ", ";                      ///< separator of a list
   std::vector<std::string> words{};                ///< of a choice: yes and no, or its own
   std::vector<std::vector<FindingsPart>> texts{};  ///< one per word
 };

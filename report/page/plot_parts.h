@@ -31,7 +31,7 @@ figures::Axis thresholdAxis(const std::vector<Index>& thresholds, const std::vec
 /// A dotted line from the bottom to the top of a plot whose y axis has this range.
 figures::Shape verticalLine(const std::string& name, double x, double from, double to);
 
-/// A curve with markers; dashed stands for what the dissertation printed.
+/// A curve with markers; dashed ones are the dissertation's printed values.
 figures::Series measuredSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
                                figures::Marker marker = figures::Marker::circle);
 figures::Series printedSeries(const std::string& name, std::vector<double> x, std::vector<double> y,

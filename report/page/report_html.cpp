@@ -12,7 +12,7 @@ namespace palpate::study {
 
 namespace {
 
-/// The look of the report, its style sheet. Screen: contents beside the text where there is room, figures as wide as
+/// The look of the report, its style sheet. Screen: contents next to the text where there is room, figures as wide as
 /// the column. Paper: no contents, a chapter a page, nothing torn apart. System fonts only.
 constexpr std::string_view kReportStyle = R"css(
 :root { --ink: #222; --quiet: #5d6470; --line: #dfe3e8; --paper: #fff; --wash: #f5f7f9; --accent: #0072b2; }
@@ -118,7 +118,7 @@ std::string escaped(std::string_view text) {
   return html;
 }
 
-// What stands between two marks becomes an element; a mark without a second one stays.
+// Text between two marks becomes an element; a mark without a second one stays.
 std::string withElement(std::string html, std::string_view mark, std::string_view tag) {
   for (std::size_t at = html.find(mark); at != std::string::npos; at = html.find(mark, at)) {
     const std::size_t end = html.find(mark, at + mark.size());
@@ -139,7 +139,7 @@ std::string dataUri(std::string_view kind, std::string_view bytes) {
   return fmt::format("data:image/{};base64,{}", kind, base64(bytes));
 }
 
-// Of the two files of a figure the smaller one: curves are small as SVG, surfaces as PNG. Where both are large, a PNG
+// Takes the smaller of the two files of a figure: curves are small as SVG, surfaces as PNG. Where both are large, a PNG
 // with fewer pixels, sharp enough for the column of text.
 std::string pictureUri(const StudyFigure& figure, const fs::path& folder) {
   const fs::path svg = folder / (figure.stem + ".svg");

@@ -26,7 +26,7 @@ struct ReportHead {
 std::string reportHtml(const ReportHead& head, const std::vector<StudyPage>& chapters,
                        const std::filesystem::path& folder);
 
-/// As it stands in HTML: & < > and quotes escaped, `words in backticks` as code, **these** strong.
+/// Text as HTML: & < > and quotes escaped, `words in backticks` as code, **these** strong.
 std::string htmlText(std::string_view text);
 
 }  // namespace palpate::study

@@ -1,9 +1,9 @@
-// What a study hands back: one page of findings, with its tables and figures as data.
+// The result of a study: one page of findings, with its tables and figures as data.
 //
 // A study computes a StudyPage and writes nothing; the page is then written as Markdown, CSV, PNG and SVG (writePage)
-// or becomes a chapter of a report. Whatever a finding says in numbers comes from the run, and its
-// verdict is decided by them: findings are functions of the measurement in files of their own, and a test breaks their
-// numbers (dissertation/tests/study/*_verdicts_test.cpp).
+// or becomes a chapter of a report. Numbers in findings come from the run and decide the verdict: findings are
+// functions of the measurement in files of their own, and a test breaks their numbers
+// (dissertation/tests/study/*_verdicts_test.cpp).
 #pragma once
 
 #include <algorithm>
@@ -40,10 +40,10 @@ std::string csvOf(const TextTable& table);
 struct StudySettings {
   bool quick = false;  ///< smaller models, fewer repetitions: below 3 s, for tests; its times mean little
   Progress progress{};
-  std::optional<std::uint64_t> seed{};  ///< of a study that draws its cases (Study::draws)
+  std::optional<std::uint64_t> seed{};  ///< for a study that draws its cases (Study::draws)
   std::optional<std::size_t> cases{};   ///< how many it draws
-  bool map = false;                     ///< of a study that has one (Study::maps): that alone
-  std::string family{};                 ///< of a study that has several (Study::families): that alone; empty: the rest
+  bool map = false;                     ///< for a study that has one (Study::maps): that alone
+  std::string family{};                 ///< for a study that has several (Study::families): that alone; empty: the rest
 };
 
 struct StudyFigure {
@@ -63,15 +63,15 @@ struct StudyTable {
 };
 
 struct StudyPage {
-  std::string name{};  ///< of the Markdown file; empty: the subcommand's
+  std::string name{};  ///< name of the Markdown file; empty: the subcommand's
   std::string title;
-  std::string question;               ///< what was asked, one paragraph
+  std::string question;               ///< one paragraph
   std::vector<std::string> findings;  ///< a paragraph each, most important first
-  std::vector<std::string> method;    ///< how it was measured and what stands in for what; a paragraph each
+  std::vector<std::string> method;    ///< how it was measured and what replaces what, in paragraphs
   std::vector<StudyTable> tables;
   std::vector<StudyFigure> figures;
   std::vector<std::pair<std::string, double>> numbers;  ///< the main results by name, with the unit in it, for programs
-  /// The JSON object has them beside `study` too, not only in `numbers`; there "a.b" is the member b of an object a.
+  /// The JSON object has them next to `study` too, not only in `numbers`; there "a.b" is the member b of an object a.
   bool numbers_on_top = false;
   /// Likewise, lists of words. Where `figures` is an object by now, the names of files are its member `files`.
   std::vector<std::pair<std::string, std::vector<std::string>>> words{};
@@ -108,7 +108,7 @@ std::string percent(double share);
 /// The least and the most of some positive numbers.
 struct Extent {
   double least = std::numeric_limits<double>::infinity();
-  double most = 0.0;  ///< of ratios and sizes, which are positive
+  double most = 0.0;  ///< ratios and sizes are positive
   void add(double value) {
     least = std::min(least, value);
     most = std::max(most, value);
@@ -121,12 +121,12 @@ struct Extent {
 // dissertation/studies.cpp lists them; `palpate study NAME`, `study all` and the report find them there.
 
 struct Study {
-  std::string name;  ///< of the subcommand
+  std::string name;  ///< name of the subcommand
   std::string what;  ///< its help, one line
   std::function<StudyPage(const StudySettings& settings)> run;
   bool draws = false;                   ///< its cases, from a seed: it takes --seed and --cases
   bool maps = false;                    ///< it has a map of its own that takes minutes: it takes --map
-  std::vector<std::string> families{};  ///< of cases that it can be asked for alone: it takes --family
+  std::vector<std::string> families{};  ///< families of cases that --family may select
   std::size_t family_cases = 0;         ///< cases of a family where --cases is not given
 };
 

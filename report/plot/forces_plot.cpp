@@ -1,5 +1,5 @@
-// Panels stand above each other and share their time axis, so their frames must begin at the same place: all leave room
-// for the longest name of a state.
+// Panels are stacked and share their time axis, so their frames must begin at the same place: all leave room for the
+// longest name of a state.
 #include "report/plot/forces_plot.h"
 
 #include <fmt/format.h>
@@ -111,7 +111,7 @@ std::vector<State> statesOf(std::span<const RunStrip> strips) {
   return states;
 }
 
-/// From the top down, in their order.
+/// States from the top down, in order.
 Plot statePlot(const std::vector<State>& states, const Span& span) {
   Plot plot;
   plot.y.from = -0.5;
@@ -138,7 +138,7 @@ std::string noteOf(std::span<const RunStrip> strips) {
   return note;
 }
 
-/// Of the names left of the frames, about: letters differ in width.
+/// Width of the names left of the frames, about: letters differ in width.
 double roomFor(const std::vector<State>& states) {
   constexpr double kPixelsALetter = 7.8;
   constexpr double kLabelAndTicks = 40.0;

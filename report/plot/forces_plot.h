@@ -14,16 +14,16 @@
 
 namespace palpate::app {
 
-// What one finger felt over a run of any length, in a few thousand steps: least and greatest of each, so that a spike
-// of one tick is still there.
+// The output of one finger over a run of any length, in a few thousand steps: least and greatest of each, so that a
+// spike of one tick stays visible.
 
-/// What can be drawn over time.
+/// Quantities that can be drawn over time.
 enum class Felt : std::uint8_t {
   force,   ///< size of the contact's force, N
-  device,  ///< of what the safety limits let through, N
+  device,  ///< size of the force after the safety limits, N
   depth,   ///< along the normal, mm
   lag,     ///< |anchor - tip|: how far the skin that friction holds is from the tip, mm
-  speed,   ///< of the tip, mm/s
+  speed,   ///< speed of the tip, mm/s
 };
 inline constexpr std::size_t kFelts = 5;
 

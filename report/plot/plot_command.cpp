@@ -45,7 +45,7 @@ std::string namesOf(const std::vector<RunStrip>& strips) {
   return names;
 }
 
-/// Those that are asked for, in the order of the table. Throws Error for one that is not in it, and where no row lies
+/// The requested strips, in the order of the table. Throws Error for one that is not in it, and where no row lies
 /// between the two times.
 std::vector<RunStrip> chosen(const PlotArguments& arguments, std::vector<RunStrip> strips, const std::string& known) {
   for (const std::string& finger : arguments.fingers) {

@@ -1,5 +1,5 @@
 // The body that is shown is the one that was touched longest: worlds of one body differ in stiffness and the like only,
-// and keep its triangles in their order.
+// and keep the order of its triangles.
 #include "report/recording/recording_report.h"
 
 #include <fmt/format.h>
@@ -17,13 +17,13 @@ namespace palpate::app {
 
 namespace {
 
-/// A proxy lies on its triangle, or on the sphere between the places where it stands: nearer than its radius.
+/// A proxy lies on its triangle, or on the sphere between the places that it touches: nearer than its radius.
 constexpr double kFitsWithinMm = 1.0;
 
-/// A larger one is no finger.
+/// Larger ones cannot be fingers.
 constexpr double kLargestFingerMm = 50.0;
 
-/// What tells bodies apart without building them.
+/// Identifies bodies without building them.
 using BodyKey = std::pair<std::string, std::uint64_t>;
 
 struct FeltBody {

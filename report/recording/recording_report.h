@@ -1,4 +1,4 @@
-// A recording as a report: its numbers, the body with what was felt on it, and how they are told.
+// A recording as a report: its numbers, the body with what was felt on it, and their presentation.
 //
 //   RecordingReader ─► trace::measure ─┐
 //   world ─► engine::builtWorld ─────┴─► RecordingReport ─► reportJson, reportPage (with pictures of report_figures.h)
@@ -17,15 +17,15 @@
 
 namespace palpate::app {
 
-/// The skin as it was touched, or why it cannot be shown.
+/// The touched skin, or why it cannot be shown.
 struct ReportBody {
-  std::string name;  ///< of the body that was touched longest; empty: none was
+  std::string name;  ///< name of the body that was touched longest; empty: none was
   std::optional<trace::TouchedSurface> surface;
-  std::string tissue;                         ///< of it and its force law, in words; empty: it cannot be built
+  std::string tissue;                         ///< its tissue and force law as text; empty: it cannot be built
   std::string why_not;                        ///< a sentence; empty where there is a surface, or nothing was touched
-  std::vector<std::string> notes;             ///< what else is to be known about the map, a sentence each
-  std::vector<double> reach_mm;               ///< of each finger, as the maps have it
-  std::vector<body::SkinLandmark> landmarks;  ///< of the one body that was touched; empty: several, or it has no names
+  std::vector<std::string> notes;             ///< further sentences about the map
+  std::vector<double> reach_mm;               ///< per finger, as the maps have it
+  std::vector<body::SkinLandmark> landmarks;  ///< if one body was touched; empty: several, or it has no names
 };
 
 struct RecordingReport {
@@ -35,7 +35,7 @@ struct RecordingReport {
   trace::RecordingStatistics statistics;
   std::vector<trace::RecordingEvent> events;
   std::vector<std::string> unsafe;  ///< fingers that felt more than is safe, with their limits; usually empty
-  std::vector<std::string> bodies;  ///< of each world that was felt, in the order of statistics.worlds
+  std::vector<std::string> bodies;  ///< per world that was felt, in the order of statistics.worlds
   ReportBody body;
 
   double secondsAt(std::uint64_t tick) const { return static_cast<double>(tick) / statistics.ticks_per_s; }
@@ -48,7 +48,8 @@ struct ReportSettings {
   trace::TickSpan span;
 };
 
-/// Throws Error for what is no recording and for a block that is damaged; a body that cannot be built is said in it.
+/// Throws Error for a file that is not a recording and for a damaged block; the report names a body that cannot be
+/// built.
 RecordingReport recordingReport(trace::RecordingReader& recording, const ReportSettings& settings,
                                 const Progress& progress);
 
@@ -70,7 +71,7 @@ struct StatusLine {
   std::string_view meaning;
   trace::BitTally tally;
 };
-/// What the limiter did, and what contact said of itself: finger by finger, bit by bit.
+/// Actions of the limiter, and states of contact: finger by finger, bit by bit.
 std::vector<StatusLine> safetyLines(const RecordingReport& report);
 std::vector<StatusLine> contactLines(const RecordingReport& report);
 /// How often the emergency stop was pressed: of all fingers the most.
@@ -78,7 +79,7 @@ std::uint64_t emergencyStops(const RecordingReport& report);
 
 /// 3725.4 -> "1 h 02 min 05 s", 12.34 -> "12.3 s".
 std::string durationWords(double seconds);
-/// With so many digits behind the point; what is very large or no number as it can be said shortly.
+/// With `decimals` digits behind the point; a very large number, or one that is not finite, in short form.
 std::string fixedWords(double value, int decimals);
 /// "search", in the language of the page.
 std::string_view phaseWord(trace::Phase phase);

@@ -15,12 +15,12 @@ namespace palpate::app {
 
 namespace {
 
-/// Of the touched area as much is hotter than the end of the colours: one place where somebody rested would make all
+/// This share of the touched area is hotter than the end of the colours: one place where a finger rested would make all
 /// else one colour.
 constexpr double kHottestShare = 0.02;
 /// Around what was touched, in the picture from nearby.
 constexpr double kMarginMm = 25.0;
-/// What was touched fills so much of the body that a picture from nearby shows nothing more.
+/// From this share of the body on, a picture from nearby shows nothing more.
 constexpr double kLargeShare = 0.6;
 
 /// Where the body is looked at from: of the six sides the one that was touched most.
@@ -95,7 +95,7 @@ std::array<HeatValues, 2> heatsOf(const RecordingReport& report, const trace::To
   return {time, force};
 }
 
-/// What of the body a picture shows, across and along the view; what lies before and behind is not asked.
+/// The part of the body that a picture shows, across and along the view; depth is ignored.
 struct ShownPart {
   Vec3 across = Vec3::UnitX();
   Vec3 along = Vec3::UnitY();
@@ -160,7 +160,7 @@ figures::Figure heatFigure(const std::array<HeatValues, 2>& heats, const trace::
   return figure;
 }
 
-/// Of the body, or of what was touched of it, as the picture has it.
+/// The box of the body, or of its touched part, as the picture has it.
 Eigen::AlignedBox2d seenBoxOf(const trace::TouchedSurface& surface, const ShownPart& axes, bool touched_only) {
   Eigen::AlignedBox2d box;
   for (std::size_t t = 0; t < surface.ticks.size(); ++t) {
@@ -211,7 +211,7 @@ double reachOf(const RecordingReport& report, std::uint32_t finger) {
 }
 
 PlanGrid emptyPlan(const RecordingReport& report) {
-  constexpr double kMaxCells = 300.0;  // along a side: more are no picture
+  constexpr double kMaxCells = 300.0;  // along a side; more would be unreadable
   Eigen::AlignedBox2d box;
   for (const trace::TouchedPlace& place : report.statistics.places) {
     const Vec2 reach = Vec2::Constant(reachOf(report, place.finger) + trace::kPlaceCellMm);
@@ -235,7 +235,7 @@ PlanGrid emptyPlan(const RecordingReport& report) {
   return plan;
 }
 
-/// What lies within the finger's reach, above each other or not.
+/// Adds everything within the finger's reach, whether above each other or not.
 void addToPlan(const RecordingReport& report, const trace::TouchedPlace& place, PlanGrid& plan) {
   const figures::Field& grid = plan.time;
   const double cell = grid.step.x();

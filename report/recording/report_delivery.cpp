@@ -15,7 +15,7 @@ namespace palpate::app {
 
 namespace {
 
-/// Whether a file of this name is no report of ours, and would be lost without anybody having named it.
+/// Whether an existing file of this name is not a report of ours, and would be lost although the user did not name it.
 bool isAnothers(const std::filesystem::path& page) {
   std::error_code error;
   if (!std::filesystem::exists(page, error)) return false;
@@ -49,7 +49,7 @@ std::filesystem::path pageOf(const ReportRequest& request, const std::filesystem
 
 void deliver(const FinishedReport& report, const ReportRequest& request, const std::filesystem::path& page) {
   if (request.wantsPage()) writeFile(page, report.page);
-  if (request.json) {  // what is no text in it is replaced
+  if (request.json) {  // invalid text in it is replaced
     fmt::print("{}", jsonText(report.numbers));
     return;
   }

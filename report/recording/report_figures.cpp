@@ -1,4 +1,4 @@
-// Panels of the course stand above each other and share their time axis, so their frames begin at the same place.
+// The panels over time are stacked and share their time axis, so their frames begin at the same place.
 #include "report/recording/report_figures.h"
 
 #include <fmt/format.h>
@@ -154,7 +154,7 @@ void addMarks(const RecordingReport& report, std::vector<Plot>& panels) {
   }
 }
 
-/// Of the names left of the frames, about: letters differ in width.
+/// Width of the names left of the frames, about: letters differ in width.
 double roomForNames(const RecordingReport& report) {
   constexpr double kPixelsALetter = 7.8;
   constexpr double kLabelAndTicks = 30.0;

@@ -11,7 +11,7 @@ namespace palpate::app {
 
 struct ReportPicture {
   std::string id;       ///< in the page
-  std::string heading;  ///< of its section
+  std::string heading;  ///< heading of its section
   std::string caption;
   figures::Figure figure;
 };

@@ -51,7 +51,7 @@ dd { margin: 0 0 0 1.2rem; max-width: 48rem; }
 }
 )css";
 
-/// Of SVG and PNG the smaller one: curves are small as SVG, surfaces as PNG.
+/// Takes the smaller of SVG and PNG: curves are small as SVG, surfaces as PNG.
 std::string pictureData(const figures::Figure& figure) {
   constexpr double kPixels = 1.6;  // for a CSS pixel: sharp on screens and on paper
   const std::string png = figures::pngOf(figure, kPixels);

@@ -18,10 +18,10 @@ std::string elementOf(std::string_view tag, std::string_view text);
 
 using Cells = std::vector<std::string>;
 
-/// `kind`: numbers (all columns but the first stand right) or words. Without headings where there are none.
+/// `kind`: numbers (all columns but the first are right-aligned) or words. Without headings where there are none.
 std::string tableOf(std::string_view kind, const Cells& headings, const std::vector<Cells>& rows);
 
-/// A row of facts; nothing where there is no value.
+/// A row of facts; empty without a value.
 std::string factRow(std::string_view name, std::string_view value);
 
 /// The picture inside the page; `alternative` says what it shows to who cannot see it.
@@ -34,7 +34,7 @@ inline constexpr std::string_view kPageEnd = "</main>\n</body>\n</html>\n";
 /// The main results, a sentence each.
 std::string summaryOf(const std::vector<std::string>& sentences);
 
-// The tables of a recording's report, each with what stands above it; empty where there is nothing to tell.
+// The tables of a recording's report, each with its heading; empty without rows.
 
 std::string sizesTable(const RecordingReport& report);
 std::string phasesSection(const RecordingReport& report);

@@ -17,7 +17,7 @@ using study::percent;
 using study::rounded;
 using trace::Measured;
 
-/// More rows are no table that anybody reads.
+/// More rows would not be read.
 constexpr std::size_t kMaxRows = 60;
 
 std::string fingerName(const RecordingReport& report, std::size_t finger) { return report.facts.fingers[finger].name; }

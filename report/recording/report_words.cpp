@@ -1,4 +1,4 @@
-// What the numbers of a recording say in sentences, and the words for its bits.
+// The numbers of a recording in sentences, and the names of its bits.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
