@@ -1,6 +1,6 @@
-// Where the programs on Linux get their memory from: arrays of a large body lie in pages of 2 MB, whose first touch
-// costs the system one fault where it would cost 512. Many systems give such pages to those that ask, and the standard
-// library does not. Only programs have this file: a library must not choose for whoever links it.
+// Memory of the programs on Linux: arrays of a large body are in pages of 2 MB, whose first touch costs the system one
+// fault instead of 512. Many systems grant such pages on request, and the standard library does not request them. Only
+// programs have this file: a library must not choose for its users.
 #include <cstdlib>
 #include <new>
 

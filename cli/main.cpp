@@ -17,7 +17,7 @@ namespace {
 
 using namespace palpate::app;
 
-/// For whom no window can be opened.
+/// Printed where no window can be opened.
 constexpr const char* kFirstSteps =
     "Palpate: feel, see and measure touch on a soft human body.\n"
     "  palpate run         Open a window and touch a body with the mouse (needs a display; here is none)\n"
@@ -33,7 +33,7 @@ bool isFile(const std::string& word) {
          std::filesystem::is_regular_file(palpate::pathOf(word), error);
 }
 
-/// What is meant without a command: the window, with a file if one is named; help in one more way.
+/// The default without a command: the window, with a file if one is named; help in one more way.
 std::vector<std::string> withMeantCommand(std::vector<std::string> words) {
   if (words.empty()) return {"run"};
   if (words.front() == "help") {
@@ -47,7 +47,7 @@ std::vector<std::string> withMeantCommand(std::vector<std::string> words) {
   return words;
 }
 
-/// For the help: what other programs do.
+/// Lists the commands of other programs in the help.
 void addFamilies(Command& app) {
   for (const FamilyCommand& row : familyCommands()) {
     const std::size_t space = row.command.find(' ');
@@ -57,13 +57,13 @@ void addFamilies(Command& app) {
     Command& command = *parent.add_subcommand(name, std::string(row.what));
     if (&parent == &app) command.group(std::string(row.group));
   }
-  // Last: what is added to a group takes over its heading.
+  // Last, because additions to a group take over its heading.
   commandGroup(app, "body").group("Bodies");
   commandGroup(app, "recording").group("Recordings");
 }
 
-/// `run` is the window with the modes of every package that is there. A shell that asks what may come next asks whom
-/// the command is of. Nothing: the command is one of our own.
+/// `run` is the window with the modes of every installed package. A shell's request for completions goes to the program
+/// of the command. Empty for a command of our own.
 std::optional<int> handOver(const std::vector<std::string>& words) {
   const bool completes = !words.empty() && words.front() == kCompleteOption;
   const std::vector<std::string> typed(words.begin() + (completes ? 1 : 0), words.end());

@@ -1,4 +1,4 @@
-// What `palpate` does itself, without a program of another package.
+// The commands of `palpate` itself, without a program of another package.
 #include "cli/kit/commands.h"
 
 namespace palpate::app {

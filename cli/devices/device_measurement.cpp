@@ -12,7 +12,7 @@ namespace {
 constexpr double kLookS = 50e-6;
 constexpr std::uint64_t kLooksPerReport = 2000;
 
-/// What answers at once has a position whenever it is asked, which the servo does once a tick.
+/// A device that answers at once has a position at every call, which the servo makes once a tick.
 double lookS(const device::Capabilities& able) {
   const bool at_once = able.rhythm == device::Rhythm::on_call;
   return at_once ? device::OpenOptions{}.tick_s : kLookS;

@@ -1,4 +1,4 @@
-// `palpate devices`: every way to come by a device, whether it is there, why not, and how good it is.
+// `palpate devices`: every device that palpate knows, whether it is available, why not, and how good it is.
 #include <fmt/format.h>
 
 #include <memory>
@@ -48,7 +48,7 @@ void measure(const std::string& words, const DevicesOptions& options, const Prog
 }
 
 DeviceFinding findingOf(const std::string& words, const DevicesOptions& options, const Progress& progress) {
-  device::MouseLink window;  // `palpate run` brings one
+  device::MouseLink window;  // `palpate run` has one
   device::OpenOptions opening;
   opening.mouse = &window;
   const device::DeviceName name = device::deviceNamed(words);

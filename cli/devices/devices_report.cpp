@@ -11,10 +11,10 @@ namespace palpate::app {
 
 namespace {
 
-/// null: it does not say.
+/// null: not reported.
 Json positiveOrNull(double value) { return value > 0.0 ? Json(value) : Json(nullptr); }
 
-/// What the limiter allows on it at most: the weakest known device's where its type is not known.
+/// The limiter's maximum on it: the weakest known device's where its type is unknown.
 double trustedForceN(const device::Capabilities& able) {
   return device::profileOf(scene::DeviceModel::unknown, able).force_n;
 }

@@ -1,4 +1,4 @@
-// What `palpate devices` found and measured, for a person and for a script.
+// The findings and measurements of `palpate devices`, as text and as JSON.
 #pragma once
 
 #include <cstdint>
@@ -21,19 +21,19 @@ struct DeviceMeasurement {
   double seconds = 0.0;
   double positions_per_s = 0.0;         ///< new ones
   servo::DurationPercentiles interval;  ///< between two of them
-  servo::DurationPercentiles delay;     ///< from sending a force to the first position that was read after it
-  double with_position_share = 0.0;     ///< of the time
-  std::string trouble;                  ///< in words, at the end; empty: none
+  servo::DurationPercentiles delay;     ///< from sending a force to the first position read after it
+  double with_position_share = 0.0;     ///< share of the time
+  std::string trouble;                  ///< at the end; empty: none
 };
 
-/// Asks 20,000 times a second, which is how finely times are told; a device that answers at once is asked once a tick.
-/// Ends early when a signal asked for it.
+/// Polls 20,000 times a second, which is the resolution in time; a device that answers at once is read once a tick.
+/// Ends early on a signal.
 DeviceMeasurement measureDevice(const device::Device& device, double seconds, const Progress& progress);
 
 struct DeviceFinding {
   const device::BackEnd* back_end = nullptr;
   device::Probe probe;
-  std::optional<device::Capabilities> capabilities;  ///< of one that was opened, like the measurement
+  std::optional<device::Capabilities> capabilities;  ///< of an opened device, like the measurement
   std::optional<DeviceMeasurement> measured;
   std::string not_measured;  ///< why, where it should have been
   std::string why_nothing;   ///< there was nothing to measure
@@ -42,21 +42,21 @@ struct DeviceFinding {
 /// Keys carry their units; docs/reference/devices.md lists them.
 Json jsonOf(const DeviceFinding& finding);
 
-/// Name, whether it is there, why not and what mends it; with everything that was looked for when `whole`.
+/// Name, whether it is available, why not and the remedy; with every place that was searched when `whole`.
 std::string textOf(const DeviceFinding& finding, bool whole);
 
-// `palpate devices --identify`: what a device swallows and how late it is, measured on itself
-// (device_profile.h), and the lines of a scene file that say so.
+// `palpate devices --identify`: a device's mass, damping, friction and delay, measured on itself (device_profile.h),
+// and the lines of a scene file for them.
 
 struct IdentifySettings {
   std::string device;  ///< empty: the first hardware that is here
   int rounds = 3;
-  bool json = false;      ///< what a person should do goes to stderr
-  bool realtime = false;  ///< a simulated device too goes by the clock
+  bool json = false;      ///< instructions to the user go to stderr
+  bool realtime = false;  ///< a simulated device, too, runs in real time
 };
 
 struct Identified {
-  std::string words;  ///< that name it
+  std::string words;  ///< its name
   std::string model;
   bool simulated = false;
   double most_force_n = 0.0;
@@ -65,8 +65,8 @@ struct Identified {
   device::DeviceIdentification spread;  ///< greatest minus least
 };
 
-/// Opens the device and swings it, after saying what to do where somebody has to let it go. A signal, like any
-/// trouble, leaves zero force. Throws Error with the reason, and Ended.
+/// Opens the device and swings it, after instructions where the user has to release it. A signal, like any fault,
+/// leaves zero force. Throws Error with the reason, and Ended.
 Identified identifyDevice(const IdentifySettings& settings, const Progress& progress);
 
 /// The lines for `[safety]`.

@@ -18,12 +18,12 @@ namespace {
 constexpr double kTickS = 0.001;
 constexpr int kCountdownS = 3;
 constexpr std::uint64_t kTicksPerReport = 200;
-/// A fit that leaves more is of a device that was touched, or hit a stop, mm.
+/// A fit that leaves more means that the device was touched, or hit a stop, mm.
 constexpr double kDoubtful = 0.3;
 
 using device::DeviceIdentification;
 
-/// Every number of an identification, to go over.
+/// Every number of an identification, to iterate over.
 constexpr double DeviceIdentification::*kNumbers[] = {
     &DeviceIdentification::mass_kg, &DeviceIdentification::damping_n_s_per_mm, &DeviceIdentification::friction_n,
     &DeviceIdentification::bias_n,  &DeviceIdentification::delay_ticks,        &DeviceIdentification::residual_mm};
@@ -39,7 +39,7 @@ std::string firstHardware() {
   throw Error("no device is here to identify; palpate devices says why, and --device hand tries it on a simulated one");
 }
 
-/// A simulated hand lets go by itself.
+/// A simulated hand is set to release itself.
 std::string released(const std::string& words) {
   const device::DeviceName name = device::deviceNamed(words);
   if (name.back_end->name != "hand") return words;
@@ -61,7 +61,7 @@ class LetsGo {
   const device::Device& device_;
 };
 
-/// Whoever holds the device reads it, also beside a report for a program.
+/// The user at the device reads it, even when the report goes to a program.
 void tellHolder(const IdentifySettings& settings, const std::string& words) {
   std::FILE* const to = settings.json ? stderr : stdout;
   fmt::print(to, "{}\n", words);

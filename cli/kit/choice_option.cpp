@@ -14,7 +14,7 @@ namespace {
 
 std::string typeOf(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, "|")); }
 
-/// Capital letters make no difference.
+/// Ignores case.
 bool isSameChoice(const std::string& one, const std::string& other) {
   return std::ranges::equal(one, other,
                             [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });

@@ -48,20 +48,20 @@ std::vector<std::string> choiceNames() {
   return namesOf(choicesOf<Value>());
 }
 
-/// What is wrong with a word that is none of these; empty for one of them.
+/// The error for a word that is not among the names; empty for one of them.
 std::string faultOfChoice(const std::string& wanted, const std::vector<std::string>& names);
 
-/// For an option that keeps the word itself: it is one of these, as the help says too.
+/// Restricts an option that keeps the word itself to these, as the help says too.
 Option* takesOneOf(const std::vector<std::string>& names, Option* option);
 
-/// addChoice for a value of any type: `choose` is called with the place of the chosen name, and `standard` is the place
+/// addChoice for a value of any type: `choose` is called with the index of the chosen name, and `standard` is the index
 /// of the default, none if no name is it.
 Option* addChoiceOf(Command& command, const std::string& option, const std::vector<std::string>& names,
                     std::optional<std::size_t> standard, const std::function<void(std::size_t)>& choose,
                     const std::string& help);
 
-/// Adds an option that takes one of the names; another is a usage error that says which there are. `value` is the
-/// default, shown in the help, and must outlive the command.
+/// Adds an option that accepts one of the names; another is a usage error that lists them. `value` is the default,
+/// shown in the help, and must outlive the command.
 template <class Value>
 Option* addChoice(Command& command, const std::string& option, Value& value, const Choices<Value>& choices,
                   const std::string& help) {

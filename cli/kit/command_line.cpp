@@ -1,5 +1,5 @@
-// A command line from its words to an exit code: what was misspelt, what is called otherwise now, and one line for
-// every error.
+// A command line from its words to an exit code: corrections of misspelt and renamed words, and one line for every
+// error.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 
 constexpr int kWrongInput = 2;
 
-// --- words that no command knows, and what was meant
+// --- unknown words and suggestions
 
 /// The command that the words before the unknown one chose.
 const Command& chosenCommand(const Command& app) {
@@ -50,7 +50,7 @@ std::vector<std::string> subcommandsOf(const Command& command) {
   return names;
 }
 
-/// Without their hyphens, which say nothing about which one is near.
+/// Without their hyphens, which do not help to find the nearest.
 std::vector<std::string> optionsOf(const Command& command) {
   std::vector<std::string> names;
   for (const Option* option : command.get_options()) {
@@ -66,7 +66,7 @@ std::string unknownOption(const Command& command, const std::string& word) {
   return fmt::format("unknown option '{}' of {}{}", oneLine(written), fullName(command), hint);
 }
 
-/// Of a word that is neither command nor option CLI11 says at most that something is missing.
+/// For a word that is neither command nor option, CLI11 says at most that something is missing.
 std::string reasonOf(const Command& app, const UsageError& error) {
   const std::vector<std::string> unknown = app.remaining();
   if (!error.isAboutWords() || unknown.empty()) return error.what();
@@ -79,7 +79,7 @@ std::string reasonOf(const Command& app, const UsageError& error) {
   return fmt::format("'{}' is one word too many for {}", oneLine(word), fullName(command));
 }
 
-// --- names of options that were others once
+// --- renamed options
 
 struct RenamedOption {
   std::string_view before, now;
@@ -93,7 +93,7 @@ constexpr std::array kRenamedOptions = {
     RenamedOption{"--mesh-group", "--group"},
 };
 
-/// The word with the option's present name; says so once for each word.
+/// The word with the option's present name; prints the change once for each word.
 std::string withPresentName(const std::string& word) {
   for (const auto& [before, now] : kRenamedOptions) {
     if (!word.starts_with(before) || (word.size() > before.size() && word[before.size()] != '=')) continue;
@@ -117,7 +117,7 @@ int parse(Command& app, const std::vector<std::string>& words) {
   return 0;
 }
 
-/// What was printed may still be in a buffer, and the disk that it goes to full.
+/// Output may still be in a buffer, and the disk that it goes to full.
 int flushed(int exit_code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
   const int reason = errno;
@@ -126,7 +126,7 @@ int flushed(int exit_code) {
   return kWrongInput;
 }
 
-/// What shells and the build ask for, which is in no help. False for everything else.
+/// Answers requests of shells and of the build, which are not in the help. Returns false for everything else.
 bool answered(const Command& app, const std::vector<std::string>& words) {
   if (words.empty()) return false;
   const std::vector<std::string> rest(words.begin() + 1, words.end());
@@ -153,7 +153,7 @@ int runToTheEnd(Command& app, const std::vector<std::string>& words) {
   return kWrongInput;
 }
 
-// --- commands that stood at the top in 0.2
+// --- commands that were at the top in 0.2
 
 struct MovedCommand {
   std::string_view before, now;
@@ -182,7 +182,7 @@ constexpr std::array kMovedCommands = {
     MovedCommand{"trim", "recording trim"},
 };
 
-/// Of recordings and of records of training there was one command.
+/// Recordings and records of training shared one command.
 std::string_view presentCommand(const MovedCommand& moved, const std::vector<std::string>& words) {
   const auto of_training = [](const std::string& word) {
     return word.ends_with(".results") || word.starts_with("postgres");

@@ -19,7 +19,7 @@ const Command* commandNamed(const Command& app, const std::string& word) {
   return found == commands.end() ? nullptr : *found;
 }
 
-/// "--out", "-o"; none of what stands without a name.
+/// "--out", "-o"; empty for a positional argument.
 std::vector<std::string> namesOf(const Option& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
@@ -36,7 +36,7 @@ const Option* optionNamed(const Command& app, const std::string& word) {
 
 bool isFlag(const Option& option) { return option.get_items_expected_max() == 0; }
 
-/// "dry|oiled|none" as its words; empty for what takes other things too, which are written in capitals.
+/// "dry|oiled|none" as its words; empty for an option with other values too, which are written in capitals.
 std::vector<std::string> valuesOf(const Option& option) {
   const std::string type = option.get_type_name();
   std::vector<std::string> words;
@@ -78,7 +78,7 @@ std::string defaultOf(const Option& option) {
 
 std::string optionText(const Option& option) {
   std::vector<std::string> names = namesOf(option);
-  if (names.empty()) names = {option.get_name()};  // by its place
+  if (names.empty()) names = {option.get_name()};  // positional
   std::string text = fmt::format(".TP\n\\fB{}\\fR", roff(fmt::format("{}", fmt::join(names, ", "))));
   if (!isFlag(option) && !option.get_type_name().empty())
     text += fmt::format(" \\fI{}\\fR", roff(option.get_type_name()));

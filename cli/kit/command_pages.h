@@ -1,5 +1,5 @@
-// What a command line says of itself to others than its user: words that may come next, for shells, and a page for man.
-// Both are read off the commands themselves, so that neither can be forgotten.
+// Descriptions of a command line for other readers than its user: completions for shells, and a page for man. Both are
+// derived from the commands themselves, so that neither can be forgotten.
 //
 //   palpate --complete recording re     ─► replay, repair, report: one word a line    packaging/completions
 //   palpate-teach --man                 ─► palpate-teach.1, written when it is built
@@ -15,8 +15,7 @@ namespace palpate::app {
 inline constexpr const char* kCompleteOption = "--complete";
 inline constexpr const char* kManOption = "--man";
 
-/// Words that may stand where the last of these stands, as far as it is written: commands, options, or what an option
-/// takes. Empty where files may stand.
+/// Completions of the last word: commands, options, or an option's values. Empty where file names may follow.
 std::vector<std::string> completionsOf(const Command& app, const std::vector<std::string>& words);
 
 /// Section 1, as roff: the program's commands with their options. `program`: "palpate", "palpate-teach".

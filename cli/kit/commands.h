@@ -10,21 +10,20 @@
 
 namespace palpate::app {
 
-/// Commands that were called otherwise in the last release get their present names, and it is said.
+/// Replaces commands renamed in the last release by their present names, and prints the change.
 std::vector<std::string> withPresentCommand(std::vector<std::string> words);
 
-/// Parses a command line, runs what was chosen, and turns every error into one line and an exit code.
-/// 0: done; 1: the command ran and its answer is "no" (a check that failed); 2: wrong input or usage, said in one line
-/// on the standard error, also when the standard output cannot be written; 128 and the signal's number when a signal
-/// asked for the end (interruption.h).
+/// Parses a command line, runs the chosen command, and turns every error into one line and an exit code. 0: done; 1:
+/// the command ran and its answer is "no" (a check that failed); 2: wrong input or usage, in one line on the standard
+/// error, also when the standard output cannot be written; 128 and the signal's number after a signal (interruption.h).
 int runCommandLine(Command& app, const std::vector<std::string>& words);
 
-/// `palpate body`, `palpate recording`: made by whoever asks first.
+/// `palpate body`, `palpate recording`: made on first use.
 Command& commandGroup(Command& app, const std::string& name);
 
 // The commands of each program.
 
-/// `palpate` itself: what touches, draws and records.
+/// `palpate` itself: touching, drawing and recording.
 void addOwnCommands(Command& app);
 void addServeFamily(Command& app);
 void addReportFamily(Command& app);
@@ -33,7 +32,7 @@ void addMeasureFamily(Command& app);
 void addTeachFamily(Command& app);
 void addStudyFamily(Command& app);
 
-// Commands of the top level: `palpate run`, `palpate simulate`.
+// Top level.
 void addRunCommand(Command& app);
 void addSimulateCommand(Command& app);
 void addRenderCommand(Command& app);
@@ -45,14 +44,14 @@ void addStudyCommand(Command& app);
 void addTissueCommand(Command& app);
 void addLumpCommand(Command& app);
 
-// Of `palpate body`. What is of bodies and recordings stands in both.
+// For `palpate body`. Commands for bodies and recordings are in both.
 void addModelCommand(Command& body);
 void addFitBodyCommand(Command& body);
 void addRepairCommand(Command& group);
 void addInfoCommand(Command& group);
 void addMapCommand(Command& body);
 
-// Of `palpate recording`.
+// For `palpate recording`.
 void addRecordCommand(Command& recording);
 void addRecordingsCommand(Command& recording);
 void addReplayCommand(Command& recording);
@@ -64,7 +63,7 @@ void addExportCommand(Command& recording);
 void addPlotCommand(Command& recording);
 void addReportCommand(Command& recording);
 
-// Of `palpate measure`.
+// For `palpate measure`.
 void addMeasureAverageCommand(Command& measure);
 void addMeasureDotsCommand(Command& measure);
 void addMeasureSessionCommand(Command& measure);
@@ -72,10 +71,10 @@ void addMeasureStencilCommand(Command& measure);
 void addMeasureStiffnessCommand(Command& measure);
 void addMeasureSynthesizeCommand(Command& measure);
 
-// Of `palpate train`.
+// For `palpate train`.
 void addResultsCommand(Command& train);
 
-// Of `palpate study`.
+// For `palpate study`.
 void addCredibilityCommand(Command& study);
 void addPartitionCommand(Command& study);
 void addHuntCommand(Command& study);
@@ -90,16 +89,16 @@ void addBenchLumpCommand(Command& bench);
 void addBenchPartitionCommand(Command& bench);
 void addBenchServoCommand(Command& bench);
 void addBenchRecordingCommand(Command& bench);
-/// A page each.
+/// One command per page.
 void addStudyPages(Command& study);
 /// `palpate study all`.
 void addStudyAll(Command& study);
 
-// Of `palpate lump`.
+// For `palpate lump`.
 void addLumpLoopsCommand(Command& lump);
 void addLumpSolveCommand(Command& lump);
 
-// Of `palpate tissue`.
+// For `palpate tissue`.
 void addTissueLibraryCommand(Command& tissue);
 void addTissueModuliCommand(Command& tissue);
 void addTissueShowCommand(Command& tissue);

@@ -25,7 +25,7 @@ Option* addDeviceOption(Command& command, std::vector<std::string>& names, const
                               fmt::join(device::backEndNames(), ", ")))
       ->type_name("NAME[:WHICH]")
       ->check(known)
-      ->allow_extra_args(false);  // one a time: what follows is the scene
+      ->allow_extra_args(false);  // one at a time: the scene follows
 }
 
 void addUnsafeStiffness(Command& command, bool& unsafe) {

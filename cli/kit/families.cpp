@@ -13,10 +13,10 @@ namespace palpate::app {
 
 namespace {
 
-/// What the messages and the help of every program call it.
+/// The name in the messages and the help of every program.
 constexpr const char* kCalled = "palpate";
 
-/// Up to the separator, which goes too.
+/// Cuts the text off up to the separator, which goes too.
 std::string_view cutOff(std::string_view& text, char separator) {
   const std::size_t end = text.find(separator);
   const std::string_view piece = text.substr(0, end);

@@ -1,5 +1,5 @@
-// Commands that a program of their own holds: palpate-<family>, a package each, beside `palpate`, which starts it as
-// git starts git-<command>. So what palpates needs none of the libraries that photographs, classes or reports need.
+// Commands in programs of their own: palpate-<family>, one per package, which `palpate` starts as git starts
+// git-<command>. So palpating needs none of the libraries for photographs, classes or reports.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace palpate::app {
 /// A row of families.tsv.
 struct FamilyCommand {
   std::string_view group;    ///< in the help
-  std::string_view command;  ///< its words: "recording report"
+  std::string_view command;  ///< "recording report"
   std::string_view family;
   std::string_view what;
 };
@@ -20,17 +20,17 @@ const std::vector<FamilyCommand>& familyCommands();
 /// families.tsv, compiled in.
 std::string_view familyTable();
 
-/// The row that a command line begins with; nullptr: the command is one of `palpate` itself, or of nobody.
+/// The row that a command line begins with; nullptr for a command of `palpate` itself and for an unknown one.
 const FamilyCommand* familyOf(const std::vector<std::string>& words);
 
-/// Beside our own program; empty where it is not installed.
+/// The path next to our own program; empty where it is not installed.
 std::filesystem::path familyProgram(std::string_view family);
 
-/// This process becomes that program, with these words; where the system has no such thing, the program's exit code.
+/// This process becomes that program, with these words; where the system cannot do so, returns the program's exit code.
 /// Throws Error, which says which package is missing and how it is built.
 int becomeFamily(const FamilyCommand& command, const std::vector<std::string>& words);
 
-/// This process becomes `palpate`, beside its own program, with these words. Throws Error.
+/// This process becomes `palpate`, installed next to its own program, with these words. Throws Error.
 int becomeCommand(const std::vector<std::string>& words);
 
 /// Runs it to its end, silently. False where it is not installed or has failed.

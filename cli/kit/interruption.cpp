@@ -1,5 +1,5 @@
-// The handler does what a handler may: it reads and stores lock-free numbers, writes a line and leaves by _exit. Work
-// that was begun in order looks at the number at its next sign of life.
+// The handler does only what is safe there: it reads and stores lock-free numbers, writes a line and leaves by _exit.
+// Work under FinishesInOrder checks the number at its next report of progress.
 #include "cli/kit/interruption.h"
 
 #include <array>
@@ -24,13 +24,12 @@ constexpr std::array<EndingSignal, 3> kEndingSignals = {
 constexpr const char* kEnding = "\npalpate: stopping; press Ctrl+C again to quit immediately\n";
 constexpr const char* kEnded = "\npalpate: ended by a signal\n";
 
-/// A closing terminal sends its signal twice, a logout two kinds at once: only what comes later is meant as a second
-/// one.
+/// A closing terminal sends its signal twice, a logout two kinds at once: only a later one counts as a second.
 constexpr std::int64_t kSecondAfterNs = 300'000'000;
 
 std::atomic<int> asked_by{0};
 std::atomic<std::int64_t> asked_at_ns{0};
-std::atomic<int> orderly{0};  // FinishesInOrder that live
+std::atomic<int> orderly{0};  // live FinishesInOrder
 std::atomic<servo::EmergencyStop*> pressed_first{nullptr};
 static_assert(std::atomic<servo::EmergencyStop*>::is_always_lock_free);
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);

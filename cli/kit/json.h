@@ -1,4 +1,4 @@
-// How the commands spell what they found in JSON.
+// Common JSON of the commands.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,13 @@
 
 namespace palpate::app {
 
-/// For people and programs, with a line end. Text of a stranger's file that is not UTF-8 gets U+FFFD; plain dump
-/// throws.
+/// For people and programs, with a line end. Text of a user's file that is not UTF-8 gets U+FFFD; plain dump throws.
 inline std::string jsonText(const Json& json) { return jsonDump(json, 2) + "\n"; }
 
 /// [x, y, z]; mm for a place, unit length for a direction.
 inline Json vectorJson(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// null says that there is no such number, not that it is zero.
+/// null means that there is no such number, not that it is zero.
 template <class Number>
 Json orNull(const std::optional<Number>& number) {
   return number ? Json(*number) : Json(nullptr);

@@ -1,4 +1,4 @@
-// What every command says that reads a mesh file: which file, in which unit, which part of it.
+// Options of every command that reads a mesh file: which file, in which unit, which part of it.
 #pragma once
 
 #include <string>
@@ -17,13 +17,13 @@ struct MeshArguments {
 /// Adds MESH, --unit, --group and --foreign. `arguments` must outlive the command.
 void addMeshArguments(Command& command, MeshArguments& arguments);
 
-// `--unit`: how long a unit of a mesh file is, the same option of every command that reads one.
+// `--unit`: the length of a unit of a mesh file, the same option of every command that reads one.
 
-/// Adds --unit, a word (auto, mm, cm, dm, m, in) or a number of millimetres; 0, which is auto, is as the format says.
+/// Adds --unit, a word (auto, mm, cm, dm, m, in) or a number of millimetres; 0, which is auto, takes the format's.
 /// `unit_mm` must outlive the command.
 Option* addUnit(Command& command, double& unit_mm);
 
-/// The unit as a scene says it: one of its words, or millimetres and a factor.
+/// The unit in a scene's terms: one of its words, or millimetres and a factor.
 void useUnit(double unit_mm, scene::BodySettings& body);
 
 /// Adds --preset (scene/presets.h).

@@ -77,7 +77,7 @@ std::string listShown(const T* values, std::size_t count) {
   return text;
 }
 
-// How one form of a variable holds numbers.
+// Conversions for one form of a variable.
 
 template <class T>
 struct Form {
@@ -155,7 +155,7 @@ Option* addNumber(Command& command, const std::string& name, const NumberTarget&
   };
   Option* option = command.add_option(name, read, help + rangeWords(limits), value.shown_);
   option->type_name(value.whole_ ? kCountType : kNumberType);
-  option->expected(value.max_values_);  // of a vector any number, one after the other or the option repeated
+  option->expected(value.max_values_);  // a vector takes any number, one after the other or the option repeated
   return option;
 }
 

@@ -1,5 +1,5 @@
-// Options that take numbers: each finite and in a range that help and error both say. Every number on the command line
-// goes through here; a test walks over all options of all commands and feeds them what is no number.
+// Options with numbers: each finite and in a range that help and error both name. Every number on the command line goes
+// through here; a test tries invalid numbers on all options of all commands.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace palpate::app {
 
-/// What an option takes. `unit` is for people and may be empty; a name with a unit in it need not repeat it.
+/// The valid numbers of an option. `unit` is for people and may be empty; a name with a unit in it need not repeat it.
 struct Limits {
   NumberRange range;
   std::string unit = {};
@@ -25,35 +25,34 @@ struct Limits {
 inline Limits between(double low, double high, std::string unit = {}) { return {{low, high}, std::move(unit)}; }
 inline Limits above(double low, double high, std::string unit = {}) { return {{low, high, true}, std::move(unit)}; }
 
-/// A run, a script and a scene's `seconds` last no longer.
+/// Longest run, script and `seconds` of a scene.
 inline constexpr double kLongestRunS = 10800.0;
-/// A place farther than this is on no body.
+/// Farther places are off every body.
 inline constexpr double kFarthestMm = 1e5;
 
-/// What the help calls the values; the test knows options that take numbers by it.
+/// The values' types in the help; the test recognises options with numbers by them.
 inline constexpr const char* kNumberType = "NUMBER";
 inline constexpr const char* kCountType = "COUNT";
 inline constexpr const char* kPlaceType = "X,Y,Z";
 
-/// The number that a word of the command line says. Throws UsageError, which names the option, for what is no
-/// number, not finite or out of range.
+/// Parses a word of the command line. Throws UsageError, which names the option, unless it is a finite number in range.
 double numberFrom(const std::string& option, const std::string& word, const Limits& limits);
 
 /// The same for a whole number; 1e6 is one.
 std::int64_t countFrom(const std::string& option, const std::string& word, const Limits& limits);
 
-/// Numbers with commas between them, at least one; an empty field is no number.
+/// Numbers with commas between them, at least one; empty fields are errors.
 std::vector<double> numbersFrom(const std::string& option, const std::string& words, const Limits& limits);
 
 /// "(0 to 10,800 s)" for a help text, with a blank before it; empty without limits.
 std::string rangeWords(const Limits& limits);
 
-/// Where the numbers of an option go: into a number, a whole number, or several of them (std::optional, std::vector,
+/// The variable behind an option: a number, a whole number, or several of them (std::optional, std::vector,
 /// std::array). Defined for the types of number_option.cpp.
 class NumberTarget {
  public:
   template <class T>
-  NumberTarget(T& value);  // NOLINT(google-explicit-constructor): stands for its variable
+  NumberTarget(T& value);  // NOLINT(google-explicit-constructor): acts as its variable
   template <class T, std::size_t N>
   NumberTarget(std::array<T, N>& values)  // NOLINT(google-explicit-constructor)
       : NumberTarget(values.data(), N) {}
@@ -64,9 +63,9 @@ class NumberTarget {
 
   bool whole_;
   int max_values_;
-  /// Throws UsageError for words that are not such numbers.
+  /// Throws UsageError for words that are not valid numbers.
   std::function<void(const std::string& option, const std::vector<std::string>& words, const Limits& limits)> assign_;
-  std::function<std::string()> shown_;  ///< as the help shows the default
+  std::function<std::string()> shown_;  ///< the default in the help
   friend Option* addNumber(Command& command, const std::string& name, const NumberTarget& value, const Limits& limits,
                            const std::string& help);
 };
@@ -75,7 +74,7 @@ class NumberTarget {
 Option* addNumber(Command& command, const std::string& name, const NumberTarget& value, const Limits& limits,
                   const std::string& help);
 
-/// The same; the value that it has now stands in the help as its default.
+/// The same; the help shows its present value as the default.
 Option* addSetting(Command& command, const std::string& name, const NumberTarget& value, const Limits& limits,
                    const std::string& help);
 

@@ -7,7 +7,7 @@
 
 // CLI11 looks for this name, and its templates must find it. NOLINTBEGIN(readability-identifier-naming)
 namespace CLI::detail {
-/// The name of a file is the UTF-8 that it is.
+/// File names are UTF-8.
 inline bool lexical_cast(const std::string& input, std::filesystem::path& output) {
   output = palpate::pathOf(input);
   return true;

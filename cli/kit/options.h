@@ -1,5 +1,5 @@
-// Commands and their options. CLI11 reads them, and options.cpp alone includes it: its templates cost every file that
-// sees them seconds of compiling. Functions are called as CLI11 calls them, and do the same.
+// Commands and their options. CLI11 parses them, and only options.cpp includes it: its templates cost every file that
+// sees them seconds of compiling. Functions have CLI11's names and meanings.
 #pragma once
 
 #include <cstddef>
@@ -59,7 +59,7 @@ struct ExistingPath {};
 /// An option that takes any number of values.
 inline constexpr int kAnyNumberOfValues = 1 << 29;
 
-/// What is wrong with a value; empty where nothing is.
+/// Returns the error of a value; empty for a valid one.
 using Check = std::function<std::string(const std::string& value)>;
 
 /// An option or a flag of a command, which owns it.
@@ -88,7 +88,7 @@ class Option {
   Option* excludes(Option* other);
   Option* excludes(const std::string& other);
 
-  /// Its long name with hyphens, or that of its place.
+  /// Its long name with hyphens, or that of a positional argument.
   std::string get_name() const;
   std::string get_single_name() const;
   const std::vector<std::string>& get_snames() const;
@@ -99,7 +99,7 @@ class Option {
   int get_expected_min() const;
   int get_items_expected_max() const;
   bool get_positional() const;
-  /// How often it was given.
+  /// How often it was used.
   std::size_t count() const;
 
  private:
@@ -122,7 +122,7 @@ class Command {
   Option* add_option(const std::string& name, std::optional<std::filesystem::path>& value, const std::string& help);
   Option* add_option(const std::string& name, std::vector<std::string>& values, const std::string& help);
   Option* add_option(const std::string& name, std::vector<std::filesystem::path>& values, const std::string& help);
-  /// `read` is called with all the values; `shown` is the default as capture_default_str shows it.
+  /// `read` is called with all the values; `shown` is the default for capture_default_str.
   Option* add_option(const std::string& name, const std::function<void(const std::vector<std::string>&)>& read,
                      const std::string& help, const std::function<std::string()>& shown);
   Option* add_option_function(const std::string& name, const std::function<void(const std::string&)>& read,
@@ -130,7 +130,7 @@ class Command {
   Option* add_option_function(const std::string& name, const std::function<void(const std::vector<std::string>&)>& read,
                               const std::string& help);
   Option* add_flag(const std::string& name, bool& value, const std::string& help);
-  /// `read` is called with how often the flag was given, less how often its opposite was.
+  /// `read` is called with the count of the flag less the count of its opposite.
   Option* add_flag_function(const std::string& name, const std::function<void(std::int64_t)>& read,
                             const std::string& help);
   void set_version_flag(const std::string& name, const std::string& version);
@@ -154,7 +154,7 @@ class Command {
   std::vector<const Option*> get_options() const;
   /// --help.
   const Option* get_help_ptr() const;
-  /// How often the option of that name was given.
+  /// How often the option of that name was used.
   std::size_t count(const std::string& option) const;
   Command* get_subcommand(const std::string& name);
   /// All subcommands, in the order in which they were added.
@@ -162,8 +162,8 @@ class Command {
   /// Those that the command line chose.
   std::vector<Command*> get_subcommands() const;
 
-  /// Parses the words of a command line, the last one first, and calls what they chose. Prints what --help and
-  /// --version ask for. Throws UsageError for a wrong command line, and what the callbacks throw.
+  /// Parses the words of a command line, the last one first, and runs the chosen commands. Prints the answers to --help
+  /// and --version. Throws UsageError for a wrong command line, and exceptions of the callbacks.
   void parse(const std::vector<std::string>& last_first);
   /// The words that neither this command nor a chosen subcommand knows.
   std::vector<std::string> remaining() const;

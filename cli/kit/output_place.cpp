@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file of this name appears for a moment only, as its partial one.
+/// Appears for a moment only, as a partial file.
 constexpr const char* kProbe = "palpate-can-write";
 
 Option* tried(Option* option, const std::function<void(const fs::path&)>& require) {

@@ -1,4 +1,4 @@
-// What the main functions of `palpate`, of the programs that it starts and of palpate_peers have in common.
+// Shared by the main functions of `palpate`, of the programs that it starts and of palpate_peers.
 #pragma once
 
 #include <functional>
@@ -6,11 +6,11 @@
 
 namespace palpate::app {
 
-/// `body` gives the exit code. Before it, writes that fail become errors and closed standard streams are held; what it
-/// throws becomes one line and exit code 2.
+/// `body` returns the exit code. Before it, failing writes become errors and closed standard streams are opened; its
+/// exceptions become one line and exit code 2.
 int runProgram(const std::function<int()>& body);
 
-/// Text on the standard output; the exit code says whether it got there.
+/// Prints text on the standard output; the exit code shows whether it got there.
 int printed(std::string_view text);
 
 }  // namespace palpate::app

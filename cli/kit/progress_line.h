@@ -1,4 +1,4 @@
-// Progress of long work for the person who waits: one line that is rewritten on a terminal, a few plain lines in a log.
+// Progress of long work for the user: one line that is rewritten on a terminal, a few plain lines in a log.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace palpate::app {
 
-/// Prints to stderr. Where nobody can read it (a closed pipe, a full disk), work goes on all the same.
+/// Prints to stderr. Failures (a closed pipe, a full disk) are ignored.
 void say(std::string_view text);
 
 /// Prints to stderr, so that results on stdout stay clean. One thread.
@@ -21,9 +21,9 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// For the library; valid as long as this object. Work that reports ends (interruption.h) when a signal asked for it.
+  /// For the library; valid as long as this object. Work that reports throws Ended (interruption.h) after a signal.
   Progress callback();
-  /// The same without an end: for work that asks by itself, because it has something to finish.
+  /// The same without an end: for work that checks for signals itself, because it has something to finish.
   Progress display();
   void show(std::string_view stage, double done);
   void clear();
@@ -32,7 +32,7 @@ class ProgressLine {
   bool terminal_;
   bool visible_ = false;
   std::string stage_;
-  std::string said_;  ///< last
+  std::string said_;  ///< the last line
   Clock::time_point next_;
 };
 

@@ -13,19 +13,19 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xef\xbf\xbd";  // U+FFFD
 
-/// Makes what follows stand in another order than it has: names that look like others.
+/// Changes the direction of the following text: names that look like others.
 bool turnsText(std::uint32_t letter) {
   return (letter >= 0x202a && letter <= 0x202e) || (letter >= 0x2066 && letter <= 0x2069);
 }
 
-/// What XML 1.0 lets stand in a document, and no terminal acts on: without the controls of ASCII and of Latin 1.
+/// Allowed in XML 1.0 and without effect on terminals: no controls of ASCII and Latin 1.
 bool mayStand(std::uint32_t letter) {
   if (letter < 0x20) return letter == '\t' || letter == '\n';
   if ((letter >= 0x7f && letter < 0xa0) || turnsText(letter)) return false;
   return letter != 0xfffe && letter != 0xffff;
 }
 
-/// Of the bytes of one.
+/// Decodes the bytes of one letter.
 std::uint32_t letterOf(std::string_view bytes) {
   const auto first = static_cast<unsigned char>(bytes.front());
   std::uint32_t letter = bytes.size() == 1 ? first : first & (0x7fu >> bytes.size());

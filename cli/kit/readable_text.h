@@ -1,5 +1,4 @@
-// Text that somebody else wrote - notes, names, events of a recording, what a file is called - for a terminal or a
-// page.
+// Makes text of others - notes, names, events of a recording, file names - safe for a terminal or a page.
 #pragma once
 
 #include <string>
@@ -7,11 +6,11 @@
 
 namespace palpate::app {
 
-/// What is no UTF-8, a control character (but tab and line end), or turns the direction of writing becomes U+FFFD: no
-/// terminal obeys it, and XML may hold it.
+/// Replaces invalid UTF-8, control characters (but tab and line end), and changes of the direction of writing by
+/// U+FFFD: no terminal obeys it, and XML may hold it.
 std::string readableText(std::string_view text);
 
-/// The same in one line: line ends and tabs become blanks, so that no word of a stranger looks like a line of ours.
+/// The same in one line: line ends and tabs become blanks, so that foreign text cannot look like a line of ours.
 std::string readableLine(std::string_view text);
 
 /// To stdout. For results that hold such text.

@@ -1,4 +1,4 @@
-// A run is known by its files: what report.json lists, and the names that every run has.
+// A run is known by its files: those in report.json, and the names that every run has.
 #include "cli/kit/results_folder.h"
 
 #include <fmt/format.h>
@@ -21,10 +21,10 @@ namespace fs = std::filesystem;
 constexpr const char* kReport = "report.json";
 constexpr const char* kDefaultFolder = "results";
 constexpr std::size_t kMaxReportBytes = std::size_t{1} << 24;
-/// Names in a message.
+/// Most names in a message.
 constexpr std::size_t kMaxNames = 4;
 
-/// Of this folder alone: a report is a file that anybody may have written.
+/// In this folder alone: report.json may have been written by others.
 bool isPlainName(const std::string& name) { return !name.empty() && pathOf(name).filename() == pathOf(name); }
 
 std::vector<std::string> listedFiles(const fs::path& folder) {
@@ -79,7 +79,7 @@ ResultsFolder resultsFolder(const std::optional<std::string>& wanted, bool overw
 
 void removeEarlier(const ResultsFolder& results, const std::vector<std::string>& written) {
   for (const std::string& name : results.earlier) {
-    std::error_code ignored;  // what stays is told by its date
+    std::error_code ignored;  // files that stay are recognised by their date
     if (std::find(written.begin(), written.end(), name) == written.end())
       fs::remove(results.folder / pathOf(name), ignored);
   }

@@ -1,4 +1,4 @@
-// Where a run leaves its results, so that two runs are never mixed by a slip.
+// Where a run leaves its results, so that two runs are never mixed by accident.
 #pragma once
 
 #include <filesystem>
@@ -10,14 +10,14 @@ namespace palpate::app {
 
 struct ResultsFolder {
   std::filesystem::path folder;
-  std::vector<std::string> earlier;  ///< files of the run that is replaced, if any
+  std::vector<std::string> earlier;  ///< files of the replaced run, if any
 };
 
-/// The folder that was asked for; without one `results`, or `results-2`, ... where an earlier run is. A folder that
-/// holds another run is refused, with a name that is free, unless it may be overwritten. Throws Error.
+/// The requested folder; by default `results`, or `results-2`, ... where an earlier run is. A folder with another run
+/// is refused, with a name that is free, unless it may be overwritten. Throws Error.
 ResultsFolder resultsFolder(const std::optional<std::string>& wanted, bool overwrite);
 
-/// Removes what the replaced run left and the new one did not write again.
+/// Removes files of the replaced run that the new one did not write again.
 void removeEarlier(const ResultsFolder& results, const std::vector<std::string>& written);
 
 /// "folder-2", "folder-3", ...: the first that is not there or empty.

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kAverageBuild = "average";
 
-/// A mesh where a scene may stand is palpated as it is, as the window does.
+/// A mesh in place of a scene is palpated directly, as in the window.
 SimulateOptions withMeshApart(SimulateOptions options) {
   if (options.scene.empty() || !mesh::isMeshFile(pathOf(options.scene))) return options;
   if (!options.mesh.empty())
@@ -53,11 +53,11 @@ void useMesh(const SimulateOptions& options, scene::Scene& scene) {
   scene.body.scale = options.mesh_scale;
   useUnit(options.mesh_unit_mm, scene.body);
   scene.body.group = options.mesh_group;
-  scene.body.fit.clear();  // of another mesh
+  scene.body.fit.clear();  // belongs to another mesh
   if (options.scene.empty() && options.preset.empty()) scene.title = scene.body.file.filename().string();
 }
 
-/// Average, or the shape of an example that is named so; the posture stays.
+/// Average, or the shape of an example of that name; the posture stays.
 void useBuild(const std::string& build, body::TrunkShape& shape) {
   const body::Posture posture = shape.posture;
   shape = build == kAverageBuild ? body::TrunkShape{} : scene::presetScene(build).body.shape;
@@ -84,7 +84,7 @@ void useTrajectories(const SimulateOptions& options, scene::Scene& scene) {
   }
 }
 
-/// A body without anybody to touch it gets a finger that finds its own way (device::pathsOf).
+/// A body without fingers gets one with an automatic path (device::pathsOf).
 void useSomeFinger(scene::Scene& scene) {
   if (!scene.fingers.empty()) return;
   scene.fingers.emplace_back();

@@ -40,7 +40,7 @@ struct FitBodyArguments {
   bool json = false;
 };
 
-/// All that came out.
+/// All results of a fit.
 struct FitBodyResult {
   ScannedBody scan;
   body::BodyFit fit;
@@ -70,7 +70,7 @@ void turnIntoOurFrame(ScannedBody& scan, body::BodyFit& fit) {
   fit.placement.translation.setZero();
 }
 
-/// Something to feel at once: a finger over a spinous process in the middle.
+/// A finger to start with: over a spinous process in the middle.
 scene::Finger exampleFinger(const body::FittedBody& body) {
   scene::Finger finger;
   finger.name = "index";

@@ -1,4 +1,4 @@
-// `palpate body info MESH`: what a mesh file holds and what is wrong with it.
+// `palpate body info MESH`: the contents of a mesh file and its faults.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,9 +30,9 @@ namespace palpate::app {
 
 namespace {
 
-// `palpate body info` on what is no mesh: a recorded table of forces, and a file that was not finished.
+// `palpate body info` on other files: a recorded table of forces, and an unfinished file.
 //
-// The table is read as a replay reads it, so what is said here is what will be seen there.
+// The table is read as a replay reads it, so the report holds for the replay.
 
 namespace fs = std::filesystem;
 
@@ -51,10 +51,10 @@ double peakForceN(const trace::RecordedFinger& finger) {
   return peak;
 }
 
-/// By its name: a table, or a file left unfinished.
+/// Judges by the name: a table, or an unfinished file.
 bool isTableOrUnfinished(const fs::path& file) { return trace::isForcesTable(file) || trace::isUnfinished(file); }
 
-/// In words, or as JSON. Throws Error for a table that cannot be read.
+/// As text or as JSON. Throws Error for a table that cannot be read.
 std::string tableInfo(const fs::path& file) {
   const std::vector<trace::RecordedFinger> fingers = fingersOf(file);
   std::string text = "table       of forces, recorded by palpate\n";
@@ -87,7 +87,7 @@ Json tableInfoJson(const fs::path& file) {
 
 using mesh::ValidationReport;
 
-/// What the surface itself takes; trees and deformation come on top (docs/reference/mesh.md).
+/// Memory of the surface itself; trees and deformation come on top (docs/reference/mesh.md).
 std::size_t memoryBytes(const ValidationReport& report) {
   return report.vertices * sizeof(Vec3) + report.triangles * sizeof(Triangle);
 }
@@ -109,14 +109,14 @@ std::string surfaceLine(const ValidationReport& report) {
                             report.components == 1 ? "" : "s");
 }
 
-// --- what is probably wrong with the unit ---
+// --- probable errors of the unit ---
 
 struct Unit {
   double factor;
   const char* name;
   const char* word;  ///< of --unit
 };
-/// Those that meshes come in, the likeliest first.
+/// Common units of meshes, the likeliest first.
 constexpr std::array<Unit, 5> kUnits = {{{1000.0, "metres", "m"},
                                          {10.0, "centimetres", "cm"},
                                          {100.0, "decimetres", "dm"},
@@ -136,7 +136,7 @@ std::string sizeWarning(const ValidationReport& report) {
   return text + "--unit says how long a unit of the file is";
 }
 
-/// A body as long as one but thinner than any: one axis was scaled as the others were not.
+/// A body as long as one but thinner than any: one axis has another scale.
 constexpr double kThinnestBodyMm = 1.0;
 
 std::string thinWarning(const ValidationReport& report) {
@@ -146,7 +146,7 @@ std::string thinWarning(const ValidationReport& report) {
   return fmt::format("{:.3g} mm is thin for a body: are all three axes in one unit?", thickness);
 }
 
-/// `notes`: what was passed over or guessed while the file was read.
+/// `notes`: passed over or guessed while the file was read.
 std::vector<std::string> warningsOf(const ValidationReport& report, std::vector<std::string> notes = {}) {
   std::vector<std::string> warnings = std::move(notes);
   for (std::string warning : {sizeWarning(report), thinWarning(report)}) {
@@ -166,7 +166,7 @@ const char* verdictOn(const ValidationReport& report) {
                         : "needs repair before it can be felt (done when it is used)\n";
 }
 
-// --- in words, in JSON ---
+// --- as text, as JSON ---
 
 Json jsonOf(const mesh::Trait& trait) { return {{"count", trait.count}, {"first", trait.first}}; }
 
@@ -224,7 +224,7 @@ Json jsonOf(const ValidationReport& report, const std::vector<std::string>& note
   return json;
 }
 
-// --- what the file has besides: numbers of vertices and faces ---
+// --- further contents of the file: numbers of vertices and faces ---
 
 struct FileNumber {
   std::string name;

@@ -47,7 +47,7 @@ struct ModelOptions {
   bool json = false;
 };
 
-/// What is written: one surface, and per vertex what PLY can carry. Empty channels are left out.
+/// One surface, and the values per vertex that PLY can hold. Empty channels are left out.
 struct Model {
   mesh::TriangleMesh mesh;
   std::vector<Vec3> normals;
@@ -74,7 +74,7 @@ void write(const std::string& file, const Model& model) {
   mesh::save(pathOf(file), model.mesh, carries_values ? channelsOf(model) : mesh::VertexChannels{});
 }
 
-/// Of a torso or a trunk.
+/// For a torso or a trunk.
 template <class Body>
 Model skinModel(const mesh::TriangleMesh& skin, const std::vector<Vec3>& normals, const Body& body) {
   Model model{skin, normals, {}, {}, {}};
@@ -130,7 +130,7 @@ double smallestAngleDeg(const mesh::TriangleMesh& mesh) {
   return std::acos(std::min(1.0, largest_cosine)) * 180 / std::numbers::pi;
 }
 
-/// Writes the model and prints what was written, in words or as one JSON object, whose members are sorted.
+/// Writes the model and prints a summary, as text or as one JSON object, whose members are sorted.
 void finish(const char* name, const ModelOptions& options, const Model& model, double seconds, Json extra) {
   write(options.output, model);
   const Vec3 box = mesh::boundingBox(model.mesh).sizes();
@@ -161,7 +161,7 @@ void makeBackModel(const ModelOptions& options) {
          {{"stature_mm", options.shape.stature_mm}});
 }
 
-/// A torso or a trunk: all in one file, and where asked skin and bones in files of their own.
+/// A torso or a trunk: all in one file, and on request skin and bones in files of their own.
 template <class Body>
 void writeWhole(const char* name, const ModelOptions& options, Model whole, const Body& body, double seconds,
                 double stature_mm) {
@@ -228,7 +228,7 @@ struct ModelCommand {
   std::shared_ptr<ModelOptions> options;
 };
 
-/// With what all of them have.
+/// Adds a model's command with the options that all have.
 ModelCommand addModel(Command& parent, const char* name, const char* what, std::size_t triangles,
                       const Limits& triangle_limits, const std::function<void(const ModelOptions&)>& make) {
   auto options = std::make_shared<ModelOptions>();

@@ -1,5 +1,5 @@
-// `palpate body repair MESH -o OUT`: makes a mesh fit to be felt and says what was done. Of a recording file what can
-// still be read (salvageRecording).
+// `palpate body repair MESH -o OUT`: makes a mesh fit to be felt and reports the changes. Recovers the readable part of
+// a recording file (salvageRecording).
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -28,7 +28,7 @@ namespace palpate::app {
 
 namespace {
 
-// What `palpate body repair` does with a recording: salvages it and says what was lost.
+// `palpate body repair` on a recording: recovers it and reports the losses.
 
 /// "index: 150 samples, 0.300 to 0.449 s (ticks 300 to 449)"
 std::string textOf(const trace::RecordingRepair& repair, const trace::MissingTicks& missing) {
@@ -108,7 +108,7 @@ struct RepairArguments {
   bool json = false;
 };
 
-/// `channels` gets what the file says of each vertex of the result.
+/// `channels` gets the file's values for each vertex of the result.
 mesh::RepairResult repairFile(const RepairArguments& arguments, mesh::VertexChannels& channels) {
   ProgressLine progress;
   mesh::LoadOptions load_options = arguments.mesh.options;
@@ -205,7 +205,7 @@ void runRepair(const RepairArguments& arguments) {
   fmt::print("{}", arguments.json ? jsonDump(jsonOf(result), 2) + "\n" : textOf(result));
 }
 
-/// Options that say something of a mesh.
+/// Refuses options that only apply to a mesh.
 void refuseMeshOptions(const Command& command) {
   for (const Option* option : command.get_options()) {
     const std::string name = option->get_name();

@@ -1,4 +1,4 @@
-// What `palpate body fit` is given: a scan in millimetres whatever its unit, and landmarks that somebody named on it.
+// The inputs of `palpate body fit`: a scan in millimetres whatever its unit, and landmarks that the user named on it.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,14 @@ namespace palpate::app {
 
 struct ScannedBody {
   mesh::TriangleMesh mesh;         ///< mended, mm
-  mesh::VertexChannels channels;   ///< of its vertices
-  double unit_mm = 0;              ///< of the file, as it was read; 0: as its format says
+  mesh::VertexChannels channels;   ///< of the mesh's vertices
+  double unit_mm = 0;              ///< the file's unit as read; 0: the format's
   double mm_per_unit = 1;          ///< the same as a factor
-  std::vector<std::string> notes;  ///< a unit that was guessed, what was passed over in its file
+  std::vector<std::string> notes;  ///< a guessed unit, parts of the file that were passed over
 };
 
-/// Where `options` says no unit and the size is nobody's, a unit that makes it somebody's is taken, and noted. Throws
-/// Error naming the file.
+/// Without a unit in `options`, and with a size that no body has, a unit that makes it a body's is used, and noted.
+/// Throws Error naming the file.
 ScannedBody readScan(const std::filesystem::path& file, mesh::LoadOptions options, const Progress& progress);
 
 /// "T6=12,-40,95" in the file's own unit. Throws UsageError for `option`.

@@ -1,5 +1,4 @@
-// `palpate recording annotate`: what somebody wants to say about a recording afterwards: notes, tags, marks, pictures,
-// sound notes.
+// `palpate recording annotate`: adds notes, tags, marks, pictures and sound notes to a recording afterwards.
 #include <fmt/format.h>
 
 #include <array>
@@ -30,7 +29,7 @@ struct AnnotateArguments {
   std::vector<std::string> attached;
 };
 
-/// "T6 right@12.5": what, and when in the recording, s.
+/// "T6 right@12.5": text, and time in the recording, s.
 struct At {
   std::string what;
   std::uint64_t tick = 0;

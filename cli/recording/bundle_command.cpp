@@ -31,7 +31,7 @@ struct BundleArguments {
 
 using Words = std::vector<std::pair<std::string, std::string>>;
 
-/// Names that are too short or too common to mean somebody are left.
+/// Names that are too short or too common to identify a person stay.
 void addWord(Words& words, const std::string& word, const char* with) {
   if (word.size() < 3 || word == "root" || word == "localhost" || word == "user") return;
   words.emplace_back(word, with);
@@ -41,7 +41,7 @@ void addFolder(Words& words, const std::string& folder) {
   if (folder.size() > 1 && folder != "/root") words.emplace_back(folder, "~");
 }
 
-/// Who this is and where: account, full name, home, computer.
+/// Words that identify this user and computer: account, full name, home, computer.
 Words namesHere() {
   Words words;
   const system::Identity here = system::identity();
@@ -65,7 +65,7 @@ std::string versionsHere(const BundleArguments& arguments, const trace::Recordin
       sqlite.text(0), EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, FMT_VERSION);
 }
 
-/// Of the files, not of the names that a stranger's scene has for them.
+/// Allows real files, not the names that a foreign scene has for them.
 std::vector<std::filesystem::path> allowedBy(const BundleArguments& arguments) {
   std::vector<std::filesystem::path> allowed = arguments.included;
   const std::filesystem::path beside = arguments.file.parent_path();

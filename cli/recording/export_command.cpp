@@ -41,7 +41,7 @@ struct ExportArguments {
   TimeSpan span;
 };
 
-/// What its patterns are made of is felt again; what that was not quite, the user is told.
+/// Replays the recording for its pressure patterns; the user gets a note where the replay differs.
 std::optional<engine::RecordedPressure> pressureOf(trace::RecordingReader& recording, const ExportArguments& arguments,
                                                    const Progress& progress, std::string& text) {
   if (!arguments.taxels) return std::nullopt;
@@ -137,7 +137,7 @@ void runExport(const ExportArguments& arguments) {
     throw Error("export: --pressure is for --npz FILE and --csv FILE");
   }
   if (arguments.pad_mm && !arguments.taxels) throw Error("export: --pad-mm is the size of a --pressure pad");
-  const FinishesInOrder in_order;  // files that the recording carries lie in a folder that must go again
+  const FinishesInOrder in_order;  // the recording's files are in a folder that must be removed again
   const trace::ReadingWatch watch(endIfAsked);
   ProgressLine progress;
   trace::RecordingReader recording(arguments.file);

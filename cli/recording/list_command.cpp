@@ -1,4 +1,4 @@
-// `palpate recording list`: which recording files are in a folder, and what is in them.
+// `palpate recording list`: the recording files in a folder, and their contents.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// `palpate recording new`: palpates with devices, without a window, until somebody ends it; every tick goes into a
+// `palpate recording new`: palpates with devices, without a window, until the user ends it; every tick goes into a
 // recording.
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ struct RecordArguments {
 /// Lines of the standard input as they come, without waiting for them.
 class Lines {
  public:
-  /// What was typed before an Enter, or nothing.
+  /// The text typed before an Enter, if any.
   std::optional<std::string> take() {
     while (const std::optional<char> letter = system::typedLetter(open_)) {
       if (*letter == '\n') return std::exchange(line_, {});
@@ -54,7 +54,7 @@ class Lines {
   bool open_ = true;
 };
 
-/// Fingers that no device holds follow the scene's paths.
+/// Fingers without a device follow the scene's paths.
 std::vector<device::Device> devicesFor(const RecordArguments& arguments, const scene::World& world,
                                        const device::FingerPaths& paths) {
   std::vector<device::OpenOptions> fingers(paths.tips.size());
@@ -111,11 +111,11 @@ std::string statusOf(const engine::RecorderState& state, const servo::TickSample
   return text;
 }
 
-/// Marks, devices that come back and a line of what is felt, until it is over. Returns how many marks there are.
+/// Handles marks, devices that reconnect and a line of status, until the end. Returns the number of marks.
 std::size_t waitForTheEnd(engine::ServoThread& servo, engine::Recorder& recorder,
                           const std::vector<device::Device>& devices, double seconds, const scene::Scene& scene) {
   constexpr std::chrono::milliseconds kLook{20};
-  constexpr int kLooksPerTending = 50;  // a second: a driver may take its time
+  constexpr int kLooksPerTending = 50;  // one second: a driver may take its time
   const bool terminal = system::messagesGoToATerminal();
   Lines lines;
   std::size_t marks = 0;

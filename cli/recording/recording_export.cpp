@@ -35,11 +35,12 @@ namespace {
 //
 // Based on: NumPy Enhancement Proposal 1, "A Simple File Format for NumPy Arrays". The archive is minizip's.
 //
-// Entries are stored as they are: numpy.load then reads them at the speed of the disk. Own, over minizip's C interface.
+// Entries are stored uncompressed: numpy.load then reads them at the speed of the disk. Own, over minizip's C
+// interface.
 
 class NpzFile {
  public:
-  /// Begins the file beside its target. Throws Error.
+  /// Begins the file next to its target. Throws Error.
   explicit NpzFile(const std::filesystem::path& file);
   ~NpzFile();
 
@@ -62,7 +63,7 @@ class NpzFile {
   std::unique_ptr<Archive> archive_;
 };
 
-/// What minizip is given at once; its lengths have 32 bits.
+/// Most bytes for minizip at once; its lengths have 32 bits.
 constexpr std::size_t kMaxAtOnce = std::size_t{1} << 30;
 /// From here on an entry needs the larger form of the archive.
 constexpr std::uint64_t kLarge = 0xf0000000u;
@@ -139,7 +140,7 @@ void NpzFile::commit() {
   file_.commit();
 }
 
-/// Names of a stranger's recording become names of files and arrays.
+/// Names in a foreign recording become names of files and arrays.
 std::string plainName(const std::string& name) {
   std::string plain = name;
   for (char& c : plain) {
@@ -165,7 +166,7 @@ std::string_view numpyTypeOf(const trace::SampleColumn& column) {
   return column.type == "f64" ? "<f8" : column.type == "u64" ? "<u8" : "<u4";
 }
 
-/// The columns of one finger; another pass through the recording each, so that memory is for one.
+/// The columns of one finger; each takes another pass through the recording, so that memory is for one.
 std::uint64_t addFinger(trace::RecordingReader& recording, const trace::TickSpan& span, std::uint32_t finger,
                         const std::string& name, NpzFile& file) {
   const auto columns = trace::sampleColumns();
@@ -232,7 +233,7 @@ trace::MoreColumns pressureColumns(const engine::RecordedPressure* pressure) {
       more.header += fmt::format(",pressure_{}_{}_kpa", row, column);
     }
   }
-  std::vector<std::size_t> next(pressure->kpa.size(), 0);  // of each finger's taxels
+  std::vector<std::size_t> next(pressure->kpa.size(), 0);  // per finger's taxels
   more.append = [pressure, next](const trace::Sample& sample, std::string& text) mutable {
     const std::vector<float>& of_finger = pressure->kpa.at(sample.finger);
     for (std::size_t taxel = 0; taxel < pressure->taxels * pressure->taxels; ++taxel) {
@@ -267,7 +268,7 @@ std::shared_ptr<const scene::World> worldToSee(trace::RecordingReader& recording
   const trace::RecordingWorld recorded = recording.world(number);
   const std::filesystem::path from = folder.empty() ? pathOf(recorded.folder) : folder;
   scene::Scene scene = scene::parse(recorded.scene, (from / "session.toml").string());
-  // A finger that found its own way is not in the scene; who is looked at is in the recording.
+  // A finger with an automatic path is not in the scene; the recording has all.
   const auto& fingers = recording.facts().fingers;
   std::vector<scene::Finger> all;
   for (std::size_t i = 0; i < fingers.size(); ++i) {

@@ -1,5 +1,5 @@
-// What of a recording goes into files of other formats: columns for NumPy, the deformed skin of a moment, pictures and
-// sound notes.
+// Parts of a recording in files of other formats: columns for NumPy, the deformed skin at a moment, pictures and sound
+// notes.
 #pragma once
 
 #include <filesystem>
@@ -25,24 +25,24 @@ std::uint64_t writeNpz(trace::RecordingReader& recording, const trace::TickSpan&
                        const Progress& progress);
 
 /// The same as columns of a table, "pressure_1_1_kpa" the first taxel of the row that is nearest to the head. For the
-/// samples of the span in their order; `pressure` must stay. None for null.
+/// samples of the span in order; `pressure` must outlive it. Empty for null.
 trace::MoreColumns pressureColumns(const engine::RecordedPressure* pressure);
 
-/// All but the files that a bundle carries. Makes the folder. Throws Error. How many.
+/// Writes all but the files that a bundle carries. Makes the folder. Throws Error. Returns the count.
 std::uint64_t writeAttachments(trace::RecordingReader& recording, const trace::TickSpan& span,
                                const std::filesystem::path& folder);
 
-/// A world of the recording to be looked at, with all of the recording's fingers; `folder`: of the files that its scene
-/// names, empty: as it says. Throws Error.
+/// A world of the recording to view, with all of the recording's fingers; `folder`: of the files that its scene names,
+/// empty: the scene's own. Throws Error.
 std::shared_ptr<const scene::World> worldToSee(trace::RecordingReader& recording, std::uint32_t number,
                                                const std::filesystem::path& folder,
                                                const std::function<void(scene::Scene&)>& change,
                                                const Progress& progress);
 
-/// The fingers at these times, s, which must not fall. Throws Error for one that is not in the recording.
+/// The fingers at these times, s, in rising order. Throws Error for one that is not in the recording.
 std::vector<servo::TickSamples> recordedFrames(trace::RecordingReader& recording, const std::vector<double>& times_s);
 
-/// Throws Error for fingers on a body that is another than the recorded one: triangles that there are none of.
+/// Throws Error for fingers on another body than the recorded one: triangles that do not exist.
 void requireFitting(const servo::TickSamples& frame, const scene::World& world);
 
 /// The tick at which the fingers press deepest.

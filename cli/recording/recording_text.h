@@ -1,4 +1,4 @@
-// What the commands of recordings share: what a recording holds, in words and as JSON, and --from, --to.
+// Shared by the commands of recordings: contents of a recording, as text and as JSON, and --from, --to.
 #pragma once
 
 #include <filesystem>

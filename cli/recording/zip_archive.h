@@ -1,4 +1,4 @@
-// A new archive for minizip, whose own functions take the name of a file as the system's code page has it.
+// A new archive for minizip, whose own functions take file names in the system's code page.
 #pragma once
 
 #include <zip.h>

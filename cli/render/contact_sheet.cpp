@@ -13,7 +13,7 @@ namespace {
 
 constexpr view::PictureSize kTile{480, 360, 2};
 constexpr int kColumns = 3;
-/// Around the fingers: of the whole body's size.
+/// Zoom of the pictures around the fingers, against the whole body.
 constexpr double kCloser = 2.4;
 
 /// One picture of the sheet.
@@ -26,7 +26,7 @@ double secondsOf(const scene::World& world, const servo::TickSamples& frame) {
   return static_cast<double>(frame.front().tick) / world.scene.ticks_per_s;
 }
 
-/// Between the fingers that touch.
+/// The middle of the fingers that touch.
 std::optional<Vec3> middleOf(const servo::TickSamples& frame) {
   Vec3 sum = Vec3::Zero();
   int count = 0;

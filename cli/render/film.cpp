@@ -17,7 +17,7 @@ namespace palpate::app {
 namespace {
 
 constexpr const char* kProgram = "ffmpeg";
-/// yuv420p is what every player shows; it needs even sides.
+/// Every player shows yuv420p; it needs even sides.
 constexpr const char* kEvenSides = "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709,format=yuv420p";
 
 std::vector<std::string> argumentsFor(const std::filesystem::path& written, const film::FilmFormat& format) {
@@ -27,7 +27,7 @@ std::vector<std::string> argumentsFor(const std::filesystem::path& written, cons
   add({"-video_size", fmt::format("{}x{}", format.size.width, format.size.height)});
   add({"-framerate", fmt::format("{}", format.frames_per_s), "-i", "pipe:0"});
   add({"-vf", kEvenSides, "-colorspace", "bt709", "-color_primaries", "bt709"});
-  add({"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"});  // no loss that one sees
+  add({"-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"});  // no visible loss
   // "file:" and the whole path: a name is never taken for an option or an address.
   add({"-f", "mp4", "file:" + std::filesystem::absolute(written).string()});
   return words;
@@ -44,7 +44,7 @@ std::string lastLineOf(std::string_view words) {
 
 bool isMp4(const std::filesystem::path& film) { return film.extension() == ".mp4"; }
 
-/// The first ffmpeg on PATH; nothing when there is none.
+/// The first ffmpeg on PATH; empty when there is none.
 std::optional<std::filesystem::path> installedFfmpeg() {
   const std::string path = system::variable("PATH");
   for (const std::string_view folder : split(path, system::kBetweenFolders)) {
@@ -90,7 +90,7 @@ void FfmpegFilm::add(const view::Image& picture) {
 
 void FfmpegFilm::finish() {
   const system::FedProgram::Ending ending = ffmpeg_.finish();
-  // ffmpeg 5.1 ends with 0 where the film's last bytes find no room on the disk, and only says so.
+  // ffmpeg 5.1 ends with 0 where the film's last bytes find no room on the disk, and only prints an error.
   const bool unwritten = lastLineOf(ffmpeg_.said()).starts_with("Error ");
   if (!ending.well || unwritten) fail(ending);
   output_.commit();

@@ -1,5 +1,5 @@
 // Pictures one after the other -> a film. WebM and GIF are written by this program (palpate/film); MP4 by the system's
-// ffmpeg where it is installed. ffmpeg is a program beside this one, never a part of it: it is given raw pictures
+// ffmpeg where it is installed. ffmpeg runs as a separate program, never as a part of this one: it gets raw pictures
 // through its input, and an argument list, never a shell.
 #pragma once
 
@@ -15,10 +15,10 @@
 
 namespace palpate::app {
 
-/// By its extension: .webm, .gif or .mp4.
+/// Judges by the extension: .webm, .gif or .mp4.
 bool isFilm(const std::filesystem::path& file);
 
-/// Throws Error where such a film cannot be made: for .mp4 where there is no ffmpeg on PATH.
+/// Throws Error where such a film cannot be made: for .mp4 without ffmpeg on PATH.
 void requireFilmWriter(const std::filesystem::path& file, const film::FilmFormat& format);
 
 /// Odd sides get a black row or column.
@@ -27,7 +27,7 @@ class FfmpegFilm {
   /// Starts ffmpeg. Throws Error naming the film.
   FfmpegFilm(const std::filesystem::path& ffmpeg, const std::filesystem::path& film, const film::FilmFormat& format);
 
-  /// Throws Error with ffmpeg's own last words when it has given up.
+  /// Throws Error with ffmpeg's own last words when it has failed.
   void add(const view::Image& picture);
   /// Waits for ffmpeg; the film appears under its name. Throws Error like `add`.
   void finish();
@@ -52,7 +52,7 @@ class FilmWriter {
 
  private:
   std::unique_ptr<film::Film> own_;
-  std::optional<FfmpegFilm> ffmpeg_;  // in place of it
+  std::optional<FfmpegFilm> ffmpeg_;  // in its place
 };
 
 }  // namespace palpate::app

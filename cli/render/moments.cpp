@@ -14,7 +14,7 @@ namespace palpate::app {
 
 namespace {
 
-/// A posed finger moves this fast: slow enough for friction to hold as it would in life.
+/// Speed of a posed finger: slow enough for friction to hold as it would in life.
 constexpr double kMmPerS = 100.0;
 /// It starts this far above the skin.
 constexpr double kApproachMm = 15.0;
@@ -23,7 +23,7 @@ std::uint64_t tickAt(const scene::World& world, double time_s) {
   return static_cast<std::uint64_t>(std::llround(time_s * world.scene.ticks_per_s));
 }
 
-/// Above the skin that is nearest to the place, on its outside.
+/// The point above the skin nearest to the place, on its outside.
 Vec3 startFor(const scene::World& world, const Vec3& place, double radius_mm) {
   const tree::TriangleTree& tree = world.surface.geometry->tree;
   const auto nearest = tree::nearestPoint(tree, place, 2.0 * tree.diagonal + (place - tree.center).norm());

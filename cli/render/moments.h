@@ -1,5 +1,5 @@
-// The fingers of a scene at chosen moments: runs it without a device, as fast as it goes, and keeps what is asked for;
-// and those of a recording.
+// The fingers of a scene at chosen moments: runs it without a device, as fast as it can, and keeps the requested
+// frames; and those of a recording.
 #pragma once
 
 #include <memory>
@@ -17,33 +17,33 @@
 
 namespace palpate::app {
 
-/// One frame a time; times count from the first tick and must not fall. Throws Error for a time after the run's end.
+/// One frame per time; times count from the first tick and must not fall. Throws Error for a time after the run's end.
 std::vector<servo::TickSamples> framesAt(const scene::World& world, const device::FingerPaths& paths,
                                          std::span<const double> times_s, const Progress& progress);
 
 /// Places, at least one, mm: the finger's tip goes to the first and on to the others.
 using Pose = std::vector<Vec3>;
 
-/// Puts so many fingers, one a pose, into the scene, in place of its own.
+/// Replaces the scene's fingers by `poses` ones, one per pose.
 void useFingersAt(std::size_t poses, double radius_mm, scene::Scene& scene);
 
 /// The paths of these fingers: from outside the skin, square to it, to the first place, and on.
 device::FingerPaths pathsToPoses(const scene::World& world, std::span<const Pose> poses);
 
-// A recording as what `palpate render` draws: its worlds, and its fingers at the moments that are asked for.
+// A recording as input of `palpate render`: its worlds, and its fingers at the requested moments.
 
 class RecordedInput {
  public:
-  /// Throws Error for options that say who touches the body, or how long.
+  /// Throws Error for options that set fingers or duration.
   explicit RecordedInput(const RenderOptions& options);
 
   /// When the recording begins, s.
   double beginS() const;
   std::vector<servo::TickSamples> framesAt(const std::vector<double>& times_s);
-  /// The world that the frame was felt in, as the options want it seen; of no fingers, the one it began with. Built
-  /// again where it is another than that of the call before.
+  /// The world that the frame was felt in, with the options' view; without fingers, the recording's first. Built again
+  /// when it differs from that of the call before.
   std::shared_ptr<const scene::World> worldOf(const servo::TickSamples& frame, const Progress& progress);
-  /// Where the last one is not the recorded one; empty: it is.
+  /// How the last one differs from the recorded one; empty: it does not.
   const std::string& note() const { return note_; }
 
  private:

@@ -16,7 +16,7 @@ namespace palpate::app {
 
 // The fingers of a scene as they are drawn: their colours, sizes and names.
 
-/// One a finger of the scene, in its order: the first is the left hand's (blue), the second the right hand's (red).
+/// One per finger of the scene, in order: the first is the left hand's (blue), the second the right hand's (red).
 std::vector<view::FingerMark> marksOf(const scene::World& world, const servo::TickSamples& frame);
 
 std::vector<std::string> fingerNames(const scene::World& world);
@@ -36,8 +36,8 @@ class PictureSeries {
   view::Studio studio_;
 };
 
-// What a run looked like, on one sheet: the body at rest, pressed, dragged, its strain, the triangles that are felt,
-// the cut through the contact.
+// A run on one sheet: the body at rest, pressed, dragged, its strain, the triangles that are felt, the cut through the
+// contact.
 
 /// The moments that the sheet shows; empty ones leave their pictures out.
 struct SheetMoments {

@@ -39,7 +39,7 @@ constexpr const char* kPose = "--pose";
 constexpr const char* kSize = "--size";
 constexpr double kLargestSide = 16384.0;
 
-/// What was drawn: one file, the moment and the fingers in it.
+/// One picture: its file, the moment and the fingers in it.
 struct DrawnPicture {
   std::string file;
   double time_s = 0.0;
@@ -48,7 +48,7 @@ struct DrawnPicture {
 
 struct RenderReport {
   std::vector<DrawnPicture> pictures;
-  std::string film;  ///< the file that the pictures became; empty: they are files of their own
+  std::string film;  ///< the film's file; empty: the pictures are files of their own
   std::vector<std::string> notes;
   view::PictureSize size;
   double build_s = 0.0;
@@ -98,12 +98,12 @@ std::vector<servo::TickSamples> framesFor(const RenderOptions& options, const sc
   return framesAt(world, paths, times, progress);
 }
 
-/// What is drawn: of a scene that is run now, or of a recording.
+/// The source of the pictures: a scene that is run now, or a recording.
 struct Input {
   std::vector<double> times;
   std::vector<servo::TickSamples> frames;
   std::function<std::shared_ptr<const scene::World>(const servo::TickSamples& frame)> world_of;
-  std::function<std::string()> note;  ///< of the last world
+  std::function<std::string()> note;  ///< about the last world
 };
 
 Input inputOfScene(const RenderOptions& options, const Progress& progress) {
@@ -140,7 +140,7 @@ view::PictureSettings settingsFor(const RenderOptions& options, const scene::Wor
   return settings;
 }
 
-/// Pictures of an earlier, longer series would be taken for parts of this one; those that a signal left out are missed.
+/// Pictures of an earlier, longer series would be taken for parts of this one; a signal leaves some out.
 void noteTheOthers(const RenderOptions& options, RenderReport& result) {
   const auto count = static_cast<int>(result.pictures.size());
   if (count < options.frames) {
@@ -153,7 +153,7 @@ void noteTheOthers(const RenderOptions& options, RenderReport& result) {
   }
 }
 
-/// Who names one on the command line wants that one and no other.
+/// A number named on the command line must exist.
 void requireScalar(const RenderOptions& options, const scene::World& world) {
   if (!options.scalar || scene::scalarNamed(world.body->channels.get(), *options.scalar) != nullptr) return;
   throw Error(fmt::format("--scalar {}: no such number in the mesh file; it has {}", *options.scalar,
@@ -173,7 +173,7 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   const auto started = Clock::now();
   const bool is_recorded = isRecordingFile(pathOf(options.scene.scene));
   std::optional<FinishesInOrder> in_order;
-  if (is_recorded) in_order.emplace();  // files that the recording carries lie in a folder that must go again
+  if (is_recorded) in_order.emplace();  // the recording's files are in a folder that must be removed again
   const Input input =
       is_recorded ? inputOfRecording(options, endingWhenAsked(progress)) : inputOfScene(options, progress);
   std::shared_ptr<const scene::World> world = input.world_of(input.frames.front());
@@ -194,7 +194,7 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
   for (std::size_t i = 0; i < files.size() && endAskedBy() == 0; ++i) {
     report(progress, "drawing", static_cast<double>(i) / static_cast<double>(files.size()));
     const servo::TickSamples& frame = input.frames.at(i);
-    if (input.world_of(frame) != world) {  // a recording may have gone on in another one
+    if (input.world_of(frame) != world) {  // a recording may continue in another one
       world = input.world_of(frame);
       settings = settingsFor(options, *world, result.size);
       series = std::make_unique<PictureSeries>(world, result.size);
@@ -254,7 +254,7 @@ std::vector<BodyPlace> pointsFrom(const std::string& words) {
   return places;
 }
 
-/// x,y,z once or more, or places in words with semicolons between them.
+/// x,y,z once or more, or named places with semicolons between them.
 std::vector<BodyPlace> placesFrom(const std::string& words) {
   if (meansNumbers(words)) return pointsFrom(words);
   std::vector<BodyPlace> places;
@@ -283,7 +283,7 @@ void addMomentOptions(Command& command, RenderOptions& options) {
   addSetting(command, "--fps", options.frames_per_s, between(0.1, 1000.0), "Pictures a second of the run");
 }
 
-/// Words of earlier versions are taken too, but not listed.
+/// Accepts names of earlier versions, too, but does not list them.
 template <class Value>
 Option* takesWord(Option* option) {
   const std::vector<std::string> names = wordList<Value>();

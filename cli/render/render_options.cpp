@@ -45,7 +45,7 @@ void replace(T& setting, const std::optional<T>& by) {
   if (by) setting = *by;
 }
 
-/// By a word that the command line has checked.
+/// Looks up a word that the command line has checked.
 template <class T>
 void replace(T& setting, const std::optional<std::string>& by) {
   if (by) setting = valueNamed<T>(*by).value_or(setting);
@@ -55,7 +55,7 @@ void replace(T& setting, const std::optional<std::string>& by) {
 
 namespace {
 
-/// A number of the body's file in place of what --show colours by.
+/// Uses a number of the body's file in place of the colours of --show.
 void useScalar(const RenderOptions& options, scene::ViewSettings& settings) {
   if (options.scalar) {
     settings.colours = scene::Colouring::scalar;

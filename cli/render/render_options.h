@@ -1,4 +1,4 @@
-// What `palpate render` was asked for.
+// The options of `palpate render`.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct RenderOptions {
   std::string title;
   bool labels = true;
   bool json = false;
-  // What replaces the scene's [view]; empty = as the scene says.
+  // Replacements for the scene's [view]; empty: the scene's.
   std::optional<std::string> side, show, shading, finger, stereo;
   std::optional<std::string> scalar, scalar_map;
   std::vector<double> scalar_range;
@@ -41,8 +41,8 @@ struct RenderOptions {
   bool detail = true;
 };
 
-/// The scene's view with what the options replace. Throws Error for an unknown name in --show, which takes overlays and
-/// the words strain, stiffness, ellipse-map and plain for the colours of the skin.
+/// The scene's view with the options' replacements. Throws Error for an unknown name in --show, which accepts overlays
+/// and the words strain, stiffness, ellipse-map and plain for the colours of the skin.
 scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettings& of_scene);
 
 film::FilmFormat filmFormat(const RenderOptions& options);
@@ -53,7 +53,7 @@ std::vector<std::filesystem::path> filesOf(const RenderOptions& options);
 /// One of a series, counted from 1.
 std::filesystem::path fileOfSeries(const RenderOptions& options, int number);
 
-/// `palpate render`: draws, writes and, if it `tells`, prints what was drawn. Throws Error.
+/// `palpate render`: draws, writes and, if it `tells`, prints a summary. Throws Error.
 void drawAndTell(const RenderOptions& options, bool tells = true);
 
 }  // namespace palpate::app

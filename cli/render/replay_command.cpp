@@ -1,4 +1,4 @@
-// `palpate recording replay`: a recording's poses through its scene again, compared with what was felt, bit for bit.
+// `palpate recording replay`: runs a recording's poses through its scene again and compares the results bit for bit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ std::optional<trace::ForcesCsvWriter> tableFor(const ReplayArguments& arguments,
   return std::optional<trace::ForcesCsvWriter>(std::in_place, arguments.out, settings);
 }
 
-/// As `palpate render` draws it: what was recorded, twenty-five pictures a second.
+/// Draws the recording as `palpate render` does, twenty-five pictures a second.
 void draw(const ReplayArguments& arguments) {
   RenderOptions options;
   options.scene.scene = arguments.file.string();
@@ -99,7 +99,7 @@ void runReplay(const ReplayArguments& arguments) {
   ProgressLine progress;
   trace::RecordingReader recording(arguments.file);
   const trace::TickSpan span = spanOf(arguments, recording.facts());
-  const FinishesInOrder in_order;  // files that the recording carries lie in a folder that must go again
+  const FinishesInOrder in_order;  // the recording's files are in a folder that must be removed again
   const trace::ReadingWatch watch(endIfAsked);
   const engine::CarriedFiles carried(recording);
   const std::filesystem::path folder = arguments.folder.empty() ? carried.folder() : arguments.folder;

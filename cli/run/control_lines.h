@@ -11,9 +11,9 @@
 
 namespace palpate::app {
 
-/// Says only what changed since the picture before: a window at rest says nothing.
+/// Prints only the changes since the picture before: a window at rest prints nothing.
 ///
-/// Names are those of viewer::notePlace; what is drawn without one cannot be found by a script.
+/// Names are those of viewer::notePlace; scripts cannot find controls without one.
 class ControlLines {
  public:
   /// Once a picture. `scale`: pixels of a point.

@@ -11,7 +11,7 @@ namespace palpate::app {
 
 namespace {
 
-/// Of moves that follow each other the last counts: however long a body takes, only clicks and keys become many.
+/// Only the last of successive moves counts: however long a body takes, only clicks and keys become many.
 void keep(std::span<const window::InputEvent> events, std::vector<window::InputEvent>& kept) {
   for (const window::InputEvent& event : events) {
     const auto is_move = [](const window::InputEvent& e) { return e.kind == window::InputEvent::Kind::move; };
@@ -24,8 +24,8 @@ void keep(std::span<const window::InputEvent> events, std::vector<window::InputE
 
 Opening showOpening(window::Window& window, engine::WorldBuilder& building, viewer::ViewState& state,
                     const viewer::OpeningView::Offers& offers, const std::function<void()>& shown) {
-  constexpr double kFrameS = 0.1;         // unless something happens: the time is the body's
-  constexpr double kTimeForMoreS = 0.15;  // a body that is there sooner needs no word
+  constexpr double kFrameS = 0.1;         // unless something happens: the body needs the time
+  constexpr double kTimeForMoreS = 0.15;  // a body that is ready sooner needs no message
   viewer::OpeningView view(state, offers);
   std::vector<window::InputEvent> for_the_body;
   const auto started = Clock::now();

@@ -17,11 +17,11 @@ namespace {
 using viewer::ActivityState;
 
 constexpr double kLookAgainS = 0.5;
-/// Lines of tools/build-later: which family follows, and that nothing does.
+/// Lines of tools/build-later: which family follows, and the end.
 constexpr std::string_view kBegins = "build-later: ";
 constexpr std::string_view kFailed = "build-later: failed";
 
-/// Of a line of ninja: "[37/120] Building ...".
+/// Reads a line of ninja: "[37/120] Building ...".
 void readSteps(std::string_view line, ActivityState& state) {
   const std::size_t slash = line.find('/');
   if (!line.starts_with('[') || slash == std::string_view::npos) return;

@@ -1,4 +1,4 @@
-// The programs of Palpate beside this window's: those that are installed, and those that ./run is building meanwhile.
+// Palpate's other programs: those that are installed, and those that ./run is building meanwhile.
 //
 //   tools/build-later ─► build/later.log, named by PALPATE_BUILD_LOG ─► OtherPrograms::now ─► the start page
 #pragma once
@@ -11,10 +11,10 @@
 
 namespace palpate::app {
 
-/// Of the display's thread.
+/// Used on the display's thread.
 class OtherPrograms {
  public:
-  /// What this window itself shows.
+  /// Activities of this window itself.
   struct Own {
     bool measuring = false;
     bool classes = false;
@@ -32,7 +32,7 @@ class OtherPrograms {
   Clock::time_point looked_ = {};
 };
 
-/// How far the log says that the family is. Missing where its build has failed.
+/// The family's progress in the log. Missing where its build has failed.
 viewer::ActivityState stateOfBuild(std::string_view log, std::string_view family);
 
 }  // namespace palpate::app

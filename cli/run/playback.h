@@ -1,4 +1,4 @@
-// A script's events come when their time has come, as if a hand made them.
+// Plays a script's events at their times, as if a hand made them.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class Playback {
 
   bool finished() const { return next_ == script_.size(); }
 
-  /// True when the script ends the window. A `close` that something follows is the window's own button, which may ask.
+  /// True when the script ends the window. A `close` with events after it is the window's own button, which may ask.
   bool play(double now_s, window::Window& window, viewer::Viewer& viewer, std::vector<window::InputEvent>& events);
 
  private:
@@ -27,16 +27,15 @@ class Playback {
   std::size_t next_ = 0;
 };
 
-/// Events to pictures until the script, the viewer, a signal or this many frames (0: no end) say so. After each picture
-/// `shown` gets its number, from 1, and its time.
+/// Turns events into pictures until the script, the viewer, a signal or this many frames (0: no end) stop it. `shown`
+/// gets each picture's number, from 1, and its time.
 void showFrames(window::Window& window, viewer::Viewer& viewer, Playback& playback, std::uint64_t frames,
                 const std::function<void(std::uint64_t frame, double now_s)>& shown);
 
-/// What only this window can do, for a viewer; the window must outlive it.
+/// Services of this window for a viewer; the window must outlive it.
 viewer::ViewerHost hostOf(window::Window& window);
 
-/// The named devices, opened to hold the first fingers, where the scene or nobody says that their spaces lie. Throws
-/// Error.
+/// Opens the named devices for the first fingers, with their spaces placed by the scene or by default. Throws Error.
 std::vector<viewer::OpenedDevice> openedFor(const scene::World& world, const std::vector<std::string>& names);
 
 }  // namespace palpate::app

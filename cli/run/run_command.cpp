@@ -59,8 +59,8 @@ struct RunOptions {
   std::vector<ModeMaker> modes;
   std::string stereo;
   std::string head_tracker;          ///< [ADDRESS:]PORT or openxr; empty: none
-  std::vector<std::string> devices;  ///< that hold the first fingers instead of the mouse
-  double unit_mm = 0.0;              ///< of a mesh file; 0: as its format says
+  std::vector<std::string> devices;  ///< for the first fingers, instead of the mouse
+  double unit_mm = 0.0;              ///< of a mesh file; 0: the format's
   std::string group;
   int width = 0;
   int height = 0;
@@ -91,7 +91,7 @@ window::WindowSettings windowFor(const RunOptions& options, const viewer::StateR
   return settings;
 }
 
-/// One line a frame: what tests and bug reports look at.
+/// Prints one line per frame, for tests and bug reports.
 void tell(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);  // a reader that has left must not end the window
   std::fflush(stdout);
@@ -141,7 +141,7 @@ viewer::OpenedScene namedScene(const RunOptions& options) {
   return opened;
 }
 
-/// The consent is for this scene: one that is opened later does not have it.
+/// The consent is for this scene: one opened later does not have it.
 viewer::OpenedScene sceneToRun(const RunOptions& options) {
   viewer::OpenedScene opened = namedScene(options);
   opened.scene.safety.unsafe_stiffness = options.unsafe_stiffness;
@@ -152,7 +152,7 @@ void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::
   if (!options.no_state) viewer::writeState(viewer::stateFile(), {viewer.state().state, window.placement()});
 }
 
-/// What cannot be completed at the end is told where somebody still reads.
+/// An unread error at the end becomes the command's, since the window is closed.
 void finishViewer(const RunOptions& options, viewer::Viewer& viewer) {
   viewer::Messages& messages = viewer.state().messages;
   messages.markRead();
@@ -175,14 +175,14 @@ void keepChanges(const viewer::Viewer& viewer) {
   }
 }
 
-/// What is remembered between runs is the user's; without it recordings need a folder that is named.
+/// Without saved state, recordings need a named folder.
 std::filesystem::path recordingFolder(const RunOptions& options) {
   if (options.no_recording) return {};
   if (!options.recordings.empty()) return std::filesystem::absolute(pathOf(options.recordings));
   return options.no_state ? std::filesystem::path() : viewer::recordingsFolder();
 }
 
-/// What cannot be read opens no window.
+/// An unreadable file must fail before the window opens.
 void checkReplays(const RunOptions& options) {
   if (!options.beside.empty() && !trace::isRecording(pathOf(options.replay))) {
     throw Error("--beside is for a recording beside that of --replay");
@@ -194,7 +194,7 @@ void checkReplays(const RunOptions& options) {
   }
 }
 
-/// What says where the head is: nothing, a tracker's program, or a headset.
+/// The source of the head's position: none, a tracker's program, or a headset.
 using HeadSource = std::variant<std::monostate, device::HeadStream, device::OpenXrHead>;
 
 void openHeadSource(const std::string& which, HeadSource& heads) {
@@ -214,14 +214,14 @@ std::optional<Vec3> newestHead(HeadSource& heads) {
   return std::nullopt;
 }
 
-/// Measured from where the head is expected: there the tracker was centred, or the headset first seen.
+/// Measured from the expected head: there the tracker was centred, or the headset first seen.
 void followHead(HeadSource& heads, viewer::Viewer& viewer, double now_s) {
   const std::optional<Vec3> place = newestHead(heads);
   const viewer::HeadSettings& head = viewer.state().state.head;
   if (place) viewer.headAt(head.expected_mm - head.offset_mm + *place, now_s);
 }
 
-/// The user has asked for nothing in particular.
+/// True without any particular request.
 bool wantsStartPage(const RunOptions& options, const viewer::ViewState& state) {
   const bool asked_for = !options.scene.empty() || !options.preset.empty() || !options.replay.empty() ||
                          !options.play.empty() || !options.devices.empty() || !options.begin.empty() ||
@@ -229,7 +229,7 @@ bool wantsStartPage(const RunOptions& options, const viewer::ViewState& state) {
   return state.start_page && !options.no_intro && !asked_for;
 }
 
-/// Becomes the program that holds the activity: the training's, or the window anew, with what has been built since.
+/// Becomes the program for the activity: the training's, or a new window with the parts built since.
 void giveWay(viewer::Activity activity, const RunOptions& options) {
   using viewer::Activity;
   const bool trains = activity == Activity::training;
@@ -247,13 +247,13 @@ void giveWay(viewer::Activity activity, const RunOptions& options) {
   becomeCommand(words);
 }
 
-/// As --begin says.
+/// Applies --begin.
 void beginWith(const std::string& activity, viewer::ViewerState& viewer) {
   if (activity == "measuring") viewer.output.act(window::Action::measure_person);
   if (activity == "class") viewer.request(viewer::ShowClass{});
 }
 
-/// All but the document, and the devices, which want a body.
+/// All but the document, and the devices, which need a body.
 viewer::ViewerSettings viewerSettings(const RunOptions& options, const viewer::StateReading& state) {
   viewer::ViewerSettings settings;
   settings.intro = !options.no_intro && !state.remembered && options.play.empty();
@@ -272,7 +272,7 @@ viewer::ViewState viewState(const RunOptions& options, const viewer::StateReadin
   return view_state;
 }
 
-/// The viewer goes on where the start page was when the body came.
+/// The viewer continues where the start page was when the body was ready.
 void takeOver(const Opening& opening, viewer::ViewerState& viewer) {
   viewer.state.shown.start = opening.page;
   viewer.awaited = opening.awaited;
@@ -291,7 +291,7 @@ void runWindow(const RunOptions& options) {
   openHeadSource(options.head_tracker, heads);
   viewer::OpenedScene opened = sceneToRun(options);
   // The body is built while the window opens; without a display there is nothing to build it for.
-  engine::WorldBuilder building({}, false);  // nobody touches anything yet
+  engine::WorldBuilder building({}, false);  // without contacts yet
   if (window::displayOffered()) building.request({.scene = opened.scene, .body = nullptr, .read = {}});
   window::Window window(windowFor(options, state));
   const FinishesInOrder in_order;
@@ -332,7 +332,7 @@ void runWindow(const RunOptions& options) {
   showFrames(window, viewer, playback, options.frames, [&](std::uint64_t frame, double now_s) {
     followHead(heads, viewer, now_s);
     if (!options.verbose) return;
-    if (opening.page) tell_page();  // where the body was there before the window
+    if (opening.page) tell_page();  // if the body was ready before the window
     if (frame == 1) tell(fmt::format("first frame after {:.3f} s\n", secondsSince(started)));
     tellFrame(frame, now_s, viewer);
     controls.tell(window.contentScale() * viewer.state().state.text_size);

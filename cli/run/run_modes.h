@@ -1,4 +1,4 @@
-// What other products add to the window of `palpate run`: a mode each, and its options.
+// Modes that other products add to the window of `palpate run`, each with its options.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace palpate::app {
 using ModeMaker = std::function<std::unique_ptr<viewer::Mode>()>;
 /// Adds the mode's options to `palpate run`.
 using OfferedMode = ModeMaker (*)(Command& command);
-/// Before the commands are added (cli/kit/commands.h); the same mode once.
+/// Call before the commands are added (cli/kit/commands.h); once per mode.
 void offerRunMode(OfferedMode mode);
 
 }  // namespace palpate::app

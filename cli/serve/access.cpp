@@ -45,7 +45,7 @@ std::string tokenOf(const Json& json, const char* name) {
   return json.contains(name) && json[name].is_string() ? json[name].get<std::string>() : std::string();
 }
 
-/// By its name, "serve-PID-...": of a process that is gone, or of an earlier one that had our number.
+/// Judges by the name, "serve-PID-...": of a process that has ended, or of an earlier one with our number.
 bool isOfDeadServer(std::string_view name) {
   if (!name.starts_with(kTokenFileStem)) return false;
   name.remove_prefix(kTokenFileStem.size());
@@ -163,7 +163,7 @@ std::string originOf(std::string_view url) {
 bool originAllowed(std::string_view origin, const std::vector<std::string>& named, const LocalPlace& local) {
   if (origin.empty()) return true;
   const std::string from = originOf(origin);
-  if (from.empty() || from.size() < origin.size() - 4) return false;  // something follows: no origin of a page
+  if (from.empty() || from.size() < origin.size() - 4) return false;  // text after it: not an origin of a page
   if (std::find(named.begin(), named.end(), from) != named.end()) return true;
   const bool is_v6 = local.address.find(':') != std::string_view::npos;
   const std::string own = is_v6 ? fmt::format("[{}]", local.address) : std::string(local.address);

@@ -1,4 +1,4 @@
-// Who may come in, and as what: tokens and where a page may come from; and who has to go when there are too many.
+// Access control: tokens, their roles and allowed origins; and which connection closes when there are too many.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,12 @@
 
 namespace palpate::app::serving {
 
-/// What a token allows; each allows what those before it do.
+/// The rights of a token; each includes those before it.
 enum class Role : std::uint8_t {
   none,
-  look,      ///< sees everything
-  control,   ///< takes the finger when nobody has it
-  instruct,  ///< takes it from anybody, halts it, writes to all
+  look,
+  control,   ///< takes the finger when it is free
+  instruct,  ///< takes it from anyone, halts it, writes to all
 };
 
 std::string_view wordOf(Role role);
@@ -26,60 +26,62 @@ struct Tokens {
   std::string look, control, instruct;
 };
 
-/// What is wrong with it: a token has 16 to 128 letters, digits, '-' and '_'. Empty: nothing.
+/// The error of a token, which must have 16 to 128 letters, digits, '-' and '_'. Empty for a valid one.
 std::string faultOfToken(std::string_view token);
 
 /// 160 bits of the system's own randomness, 40 digits. Throws Error.
 std::string makeToken();
 
-/// The given ones, those that are empty made. Throws Error for one that is none, and for two that are the same.
+/// Keeps the given tokens and makes those that are empty. Throws Error for an invalid one, and for two that are the
+/// same.
 Tokens completed(Tokens given);
 
-/// What this token is worth. The time it takes says nothing about how much of it was right.
+/// The role of a token. The time it takes does not reveal how much of it was right.
 Role roleOf(const Tokens& tokens, std::string_view offered) noexcept;
 
-/// {"look": ..., "control": ..., "instruct": ...}, for its owner's eyes. Throws Error for a file that is there already.
+/// {"look": ..., "control": ..., "instruct": ...}, readable by the owner only. Throws Error for an existing file.
 void writeTokens(const std::filesystem::path& file, const Tokens& tokens);
-/// Where a server may write tokens that nobody named a file for: in the folder of running programs (runtimeFolder),
-/// which is the user's alone. What servers left there that were killed is removed. Call it before there is one of this
-/// process.
+/// Default file for a server's tokens: in the folder of running programs (runtimeFolder), which is the user's alone.
+/// Removes files of killed servers, so call it before this process has one.
 std::filesystem::path freshTokenFile();
-/// Throws Error: no such file, another form, or a file that others than its owner may read.
+/// Throws Error for a missing or malformed file, or one that others than its owner may read.
 Tokens readTokens(const std::filesystem::path& file);
 
-/// 127.0.0.0/8 and ::1; a name is none but "localhost".
+/// 127.0.0.0/8, ::1 and "localhost"; no other name is one.
 bool isLoopback(std::string_view address);
 
-/// What a request may name as its Host: a name or an address, IPv6 in brackets, with or without a port.
+/// Valid Host of a request: a name or an address, IPv6 in brackets, with or without a port.
 bool isHost(std::string_view host);
 
-/// "https://place.example:8443" in small letters, without what follows; the scheme's own port left out. Empty for what
-/// is no origin of a page.
+/// "https://place.example:8443" in small letters, without what follows; the scheme's own port left out. Empty for
+/// anything but an origin of a page.
 std::string originOf(std::string_view url);
 
 /// Where a connection arrived.
 struct LocalPlace {
   std::string_view scheme;   ///< "http" or "https"
-  std::string_view address;  ///< of the connection, so a strange name that leads here (DNS rebinding) is not it
+  std::string_view address;  ///< the connection's, so that a strange name that leads here (DNS rebinding) does not
+                             ///< match
   int port = 0;
 };
 
-/// Whether a page from there may open a stream: those named, and the server's own address as the browser wrote it. An
-/// empty origin is no browser's: programs send none.
+/// Whether a page from there may open a stream: the named origins, and the server's own address as the browser wrote
+/// it. An empty origin means a program: browsers always send one.
 bool originAllowed(std::string_view origin, const std::vector<std::string>& named, const LocalPlace& local);
 
-// Who is being answered over HTTP, and who has to go when there are too many: strangers, who have shown no token, for
-// strangers; never one with a token for one without. Whoever comes gets in: for it goes the one that has been getting
-// nowhere for longest, of the client that has most.
+// Chooses which HTTP connection closes when there are too many: strangers, who have shown no token, for strangers;
+// never one with a token for one without. A new connection is always admitted: it replaces the one that has been idle
+// for longest, of the client that has most.
 //
-// A plain list: it knows no network and no clock. One thread.
+// A plain list without network or clock. One thread.
 
-/// Names a connection; 0 is none.
+/// Identifies a connection; 0 is none.
 using VisitId = std::uint64_t;
 
 struct VisitLimits {
-  std::size_t strangers = 256;        ///< without a token, of all clients
-  std::size_t strangers_of_one = 64;  ///< of one address; not counted on loopback, where a proxy brings all of them
+  std::size_t strangers = 256;        ///< without a token, all clients together
+  std::size_t strangers_of_one = 64;  ///< per address; not counted on loopback, where a proxy has the connections of
+                                      ///< all
   std::size_t known = 256;            ///< with a token
 };
 
@@ -87,14 +89,14 @@ class VisitBook {
  public:
   explicit VisitBook(const VisitLimits& limits = {}) : limits_(limits) {}
 
-  // Each returns who is to be hung up on for it, or 0; that one is no longer in the book.
+  // Each returns the connection to close for it, or 0; that one has left the book.
 
   /// A connection begins. `client`: its address, or the network that one client has; empty: on this computer.
   VisitId enter(VisitId id, const std::string& client, double now_s);
-  /// It has shown a token.
+  /// It has presented a token.
   VisitId showedToken(VisitId id, double now_s);
 
-  /// It got somewhere: a whole request came, or a piece of the answer was taken.
+  /// It made progress: a whole request arrived, or a piece of the answer was accepted.
   void moved(VisitId id, double now_s);
   void leave(VisitId id) { visits_.erase(id); }
 

@@ -7,7 +7,7 @@ namespace palpate::app::serving {
 
 namespace {
 
-/// Steps of the clock in which no place can have moved far: a page that froze does not fling the finger.
+/// Longest step of the clock for a move: a page that froze does not fling the finger.
 constexpr double kLongestStepS = 0.1;
 constexpr double kMinStepMm = 1.0;
 
@@ -81,7 +81,7 @@ std::string FingerControl::point(WatcherId who, Role role, const Point& request,
   return {};
 }
 
-/// Of a finger that presses and goes on pressing, the way that it may have gone since.
+/// Limits a finger that keeps pressing to the distance that it may have moved since.
 Vec3 FingerControl::reachable(const Hand& hand, const Vec3& place, double now_s) const {
   if (!hand.target.present || !hand.target.pressed) return place;
   const double step_s = std::clamp(now_s - hand.heard_s, 0.0, kLongestStepS);

@@ -1,5 +1,5 @@
-// What all connections of the network thread share: who looks on, what is shown, what was counted. Only that thread
-// touches it, but for the counts.
+// State shared by all connections of the network thread: watchers, exhibits, counts. Only that thread touches it,
+// except for the counts.
 #pragma once
 
 #include <atomic>
@@ -41,7 +41,7 @@ struct Hall {
   std::map<WatcherId, std::shared_ptr<Watcher>> watchers;
   WatcherId last_id = 0;
   VisitBook book;
-  std::map<VisitId, std::function<void()>> hang_up;  ///< of those in the book
+  std::map<VisitId, std::function<void()>> hang_up;  ///< for those in the book
   VisitId last_visit = 0;
   Frame newest;
   Json vitals;
@@ -50,7 +50,7 @@ struct Hall {
 
   double now() const { return secondsSince(began); }
   std::string state() const;
-  /// To everybody.
+  /// To all watchers.
   void tellState();
   void tellMessage(const std::string& words);
   /// To those that listen.
@@ -58,36 +58,36 @@ struct Hall {
   void show(const Frame& frame);
   void join(const std::shared_ptr<Watcher>& watcher, WatcherId id);
   void leave(WatcherId id);
-  /// Hangs up on this visit, where it is one, to make room.
+  /// Closes this connection, if any, to make room.
   void makeRoom(VisitId id);
 };
 
-/// Answers the requests that come over this socket, one after the other, and makes a watcher of one that asks for the
-/// stream. Keeps itself alive.
+/// Answers the requests on this socket, one after the other, and makes a watcher of one for the stream. Keeps itself
+/// alive.
 void beginVisit(Socket socket, Hall& hall);
 
 /// Completes the handshake and streams until it ends. Keeps itself alive; the hall knows it from the handshake on.
 void beginLooking(Wire wire, Hall& hall, Role role, const HttpRequest& request);
 
-/// For Hall: what everybody is told, and the end of everybody.
+/// For Hall: messages to all watchers, and their end.
 void tell(Watcher& watcher, const std::string& state);
 void tellWords(Watcher& watcher, const std::string& message);
 void tellTouch(Watcher& watcher, TouchTexts& texts);
 void show(Watcher& watcher, const Frame& frame);
-/// Some times a second: who takes nothing is hung up on.
+/// Closes watchers that receive nothing; call it some times a second.
 void look(Watcher& watcher);
 void sendAway(Watcher& watcher);
 
 inline constexpr std::uint32_t kMaxHeaderBytes = 8192;
 
-/// An answer goes out in such pieces, each in its time: a skin of millions of triangles may take long over a slow line,
-/// but not for ever.
+/// An answer is sent in such pieces, each with its own deadline: a skin of millions of triangles may take long over a
+/// slow line, but not for ever.
 inline constexpr std::size_t kPieceBytes = 65536;
 
 /// A page sends sixty a second, a hasty one a hundred more.
 inline constexpr double kMaxRequestsPerS = 200.0;
 
-/// The protocol that both sides name; a page's token stands beside it, where no log writes it down.
+/// The protocol that both sides name; a page's token goes with it, where no log records it.
 inline constexpr std::string_view kProtocol = "palpate.1";
 inline constexpr std::string_view kTokenProtocol = "palpate.token.";
 

@@ -1,4 +1,4 @@
-// Requests by HTTP: the page's files, skin and forms for who has a token, and the way to the stream.
+// Requests by HTTP: the page's files, skin and forms for holders of a token, and the way to the stream.
 #include "cli/serve/wire.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ std::chrono::milliseconds milliseconds(double seconds) {
   return std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * seconds));
 }
 
-/// The address, of IPv6 the network that one client has; empty on this computer, from where a proxy brings everybody.
+/// The address, for IPv6 the network of one client; empty on this computer, where a proxy has the connections of all.
 std::string clientOf(const Socket& socket) {
   Status status;
   asio::ip::address address = socket.remote_endpoint(status).address();
@@ -48,28 +48,28 @@ std::string clientOf(const Socket& socket) {
   return {reinterpret_cast<const char*>(bytes.data()), kNetBytes};
 }
 
-/// Of "Bearer TOKEN"; the first word in letters of any size (RFC 9110). Empty for anything else.
+/// The token of "Bearer TOKEN"; the first word in letters of any size (RFC 9110). Empty for anything else.
 std::string_view tokenIn(beast::string_view authorization) {
   const beast::string_view scheme = authorization.substr(0, kBearer.size());
   if (!beast::iequals(scheme, {kBearer.data(), kBearer.size()})) return {};
   return trimmed(viewOf(authorization.substr(scheme.size())));
 }
 
-/// Without what a query adds.
+/// Without the query.
 std::string_view pathOfRequest(const HttpRequest& request) {
   const std::string_view target = viewOf(request.target());
   return target.substr(0, target.find('?'));
 }
 
-/// RFC 9112, 3.2: a request of HTTP/1.1 without a Host, with two, or with one that is none is answered 400: a proxy in
-/// front may have taken the other.
+/// RFC 9112, 3.2: a request of HTTP/1.1 without a Host, with two, or with an invalid one is answered 400: a proxy in
+/// front may have used the other.
 bool namesOneHost(const HttpRequest& request) {
   const std::size_t hosts = request.count(http::field::host);
   if (hosts == 0) return request.version() < 11;
   return hosts == 1 && isHost(viewOf(request[http::field::host]));
 }
 
-/// Of the first line and the others together: the parser's own limit counts them apart.
+/// The first line and the others together: the parser's own limit counts them apart.
 std::size_t headBytes(const HttpRequest& request) {
   constexpr std::string_view kVersionAndEnds = "  HTTP/1.1\r\n\r\n";
   std::size_t bytes = request.method_string().size() + request.target().size() + kVersionAndEnds.size();
@@ -95,7 +95,8 @@ class Visit : public std::enable_shared_from_this<Visit> {
   Visit& operator=(const Visit&) = delete;
 
   void begin() {
-    // What a reader that reads nothing makes the system hold: without it some MB each, as much as a fast one is worth.
+    // Bounds the system's buffer for a client that does not read: without it some MB each, as much as a fast one is
+    // worth.
     constexpr int kUnsentOfAnAnswer = kPieceBytes;
     system::limitUnsent(numberOf(line().socket()), kUnsentOfAnAnswer);
     hall_.hang_up[id_] = [this] { line().close(); };
@@ -138,7 +139,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     answer();
   }
 
-  /// Whoever sends this may mean something else by what follows.
+  /// The client may mean something else by what follows.
   void refuseMalformed(http::status status) {
     ++hall_.counts.malformed;
     request_.keep_alive(false);
@@ -166,7 +167,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
                           {wire_.isTls() ? "https" : "http", local, hall_.port});
   }
 
-  /// The role of who asks; answers those that have none.
+  /// The client's role; answers those without one.
   Role admitted(std::string_view token) {
     if (comesFromAfar()) {
       ++hall_.counts.refused_origin;
@@ -192,7 +193,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     send(own_text_, "application/json");
   }
 
-  /// The token comes as a second protocol: in the address it would stand in logs, and a page can set no header.
+  /// The token is sent as a second protocol: in the address logs would record it, and a page can set no header.
   void open() {
     bool speaks = false;
     std::string_view token;
@@ -243,7 +244,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     write(std::move(answer));
   }
 
-  /// `content` must stay; a file of the site, or what only those with a token get.
+  /// `content` must stay alive; a file of the site, or content for holders of a token.
   void send(const std::string& content, std::string_view type, const SiteFile* file = nullptr) {
     const bool only_head = request_.method() == http::verb::head;
     auto answer = response<http::span_body<const char>>(http::status::ok);

@@ -1,4 +1,4 @@
-// Strict: an unknown key, a number that is no number or out of range, or a word too many, and it is no message.
+// Strict: an unknown key, a value that is not a number or out of range, or a word too many make a message invalid.
 #include "cli/serve/finger_control.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace palpate::app::serving {
 
 namespace {
 
-/// Reads members of one object and remembers the first thing that was wrong.
+/// Reads members of one object and remembers the first error.
 class Members {
  public:
   Members(const Json& json, std::string& why) : json_(json), why_(why) {}

@@ -1,4 +1,4 @@
-// Boost.Asio, one thread and no lock: everything that comes from outside it is posted to it.
+// Boost.Asio, one thread and no lock: calls from outside are posted to it.
 #include "cli/serve/network.h"
 
 #include <fmt/format.h>
@@ -28,14 +28,13 @@ namespace asio = boost::asio;
 
 namespace {
 
-// Under which addresses a browser reaches what listens at an address of this computer.
+// The addresses under which a browser reaches a server on this computer.
 
 std::string inBrackets(const std::string& host) {
   return host.find(':') == std::string::npos ? host : "[" + host + "]";
 }
 
-/// The address itself; for 0.0.0.0 and :: those of this computer's interfaces that are up, loopback last. IPv6 in
-/// brackets.
+/// The address itself; for 0.0.0.0 and :: those of this computer's active interfaces, loopback last. IPv6 in brackets.
 std::vector<std::string> reachableHosts(const std::string& host) {
   const bool v6 = host == "::";
   if (!v6 && host != "0.0.0.0") return {inBrackets(host)};
@@ -49,7 +48,7 @@ std::vector<std::string> reachableHosts(const std::string& host) {
 }
 
 constexpr std::chrono::milliseconds kRound{50};
-constexpr int kRoundsPerState = 20;  // a second
+constexpr int kRoundsPerState = 20;  // one second
 constexpr std::chrono::milliseconds kNoSocketsLeft{200};
 constexpr double kGoodbyeS = 1.0;
 /// Frames that wait for the thread; more would only be older.
@@ -99,7 +98,7 @@ void Network::Impl::listen() {
 void Network::Impl::accept() {
   acceptor.async_accept([this](boost::system::error_code error, Socket socket) {
     if (hall.closing) return;
-    if (error) {  // no sockets left: those that there are end sooner or later
+    if (error) {  // no sockets left: open ones end sooner or later
       retry.expires_after(kNoSocketsLeft);
       retry.async_wait([this](boost::system::error_code stopped) {
         if (!stopped && !hall.closing) accept();
@@ -111,7 +110,7 @@ void Network::Impl::accept() {
   });
 }
 
-/// Twenty times a second: silent fingers, stalled watchers, news of the state; and at the end, who is still there.
+/// Twenty times a second: releases silent fingers, closes stalled watchers, sends the state; at the end, stops.
 void Network::Impl::goRound(int round) {
   hall.control.tick(hall.now());
   for (auto at = hall.watchers.begin(); at != hall.watchers.end();) look(*(at++)->second);
@@ -128,7 +127,7 @@ void Network::Impl::run() {
     try {
       events.run();
       return;
-    } catch (const std::exception&) {  // out of memory for one connection: the others go on
+    } catch (const std::exception&) {  // out of memory for one connection: the others continue
       ++hall.counts.dropped;
     }
   }
@@ -154,7 +153,7 @@ Network::Network(const NetworkSettings& settings, Exhibits exhibits, FingerContr
 Network::~Network() {
   asio::post(impl_->events, [parts = impl_.get()] { parts->end(); });
   impl_->thread.join();
-  impl_->hall.watchers.clear();  // their sockets go before the events
+  impl_->hall.watchers.clear();  // their sockets close before the events end
 }
 
 int Network::port() const { return impl_->hall.port; }

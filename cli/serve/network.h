@@ -1,10 +1,10 @@
-// The network side of `palpate serve`: one thread that hands out the page, the skin and sixty frames a second, and
-// hears what pages request.
+// The network side of `palpate serve`: one thread that serves the page, the skin and sixty frames a second, and handles
+// the pages' requests.
 //
 //   show(frame) ─► newest frame ─► each watcher that is ready for one (the others skip it)
 //   page ─ Request ─► FingerControl ─► the servo's mouse links (triple buffers)
 //
-// The servo never waits for it, nor does the caller: what has no time is left out.
+// Neither the servo nor the caller ever waits for it: late frames are left out.
 #pragma once
 
 #include <cstdint>
@@ -32,58 +32,58 @@ struct NetworkSettings {
   std::shared_ptr<boost::asio::ssl::context> tls;  ///< null: plain HTTP
   std::vector<std::string> origins;                ///< pages from there may look, besides the server's own
   std::size_t watchers = 64;                       ///< at once
-  double handshake_s = 10.0;                       ///< for a request to be complete, that of TLS included
-  double silence_s = 20.0;                         ///< a watcher that answers no ping for so long is gone
-  double stall_s = 5.0;                            ///< and one that takes nothing for so long
-  double piece_s = 10.0;                           ///< for 64 KiB of an answer to be taken
+  double handshake_s = 10.0;                       ///< for a complete request, TLS included
+  double silence_s = 20.0;                         ///< without an answer to a ping, a watcher is gone
+  double stall_s = 5.0;                            ///< and without receiving anything
+  double piece_s = 10.0;                           ///< for a client to receive 64 KiB of an answer
 };
 
-/// What is shown, made once.
+/// Served content, made once.
 struct Exhibits {
   Site site;
   std::string skin;                                                ///< engine::encodedSkin
   std::string forms;                                               ///< engine::encodedForms
-  Json facts;                                                      ///< of the hello
+  Json facts;                                                      ///< for the hello
   std::shared_ptr<const engine::FeltPressure> pressure = nullptr;  ///< null: the tissue has no patterns
 };
 
-/// Since the start, but for the first.
+/// Since the start, except for the first.
 struct NetworkCounts {
   std::uint64_t watchers = 0;  ///< now
   std::uint64_t most_watchers = 0;
   std::uint64_t frames_sent = 0;
   std::uint64_t frames_skipped = 0;  ///< by those that were not ready
-  std::uint64_t bytes_sent = 0;      ///< of the frames
+  std::uint64_t bytes_sent = 0;      ///< in frames
   std::uint64_t refused_token = 0;
   std::uint64_t refused_origin = 0;
   std::uint64_t refused_full = 0;
   std::uint64_t malformed = 0;  ///< requests and messages
-  std::uint64_t dropped = 0;    ///< watchers that were silent or took nothing
-  std::uint64_t hung_up = 0;    ///< requests that got nowhere, for others that came
+  std::uint64_t dropped = 0;    ///< silent or stalled watchers
+  std::uint64_t hung_up = 0;    ///< stalled requests closed for new ones
 };
 
 class Network {
  public:
   /// Listens when it returns. Throws Error: no such address, a port that is taken.
   Network(const NetworkSettings& settings, Exhibits exhibits, FingerControl control);
-  /// Lets go the fingers, tells everybody that it ends and waits a second at most.
+  /// Releases the fingers, sends an end to all watchers and waits a second at most.
   ~Network();
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;
 
   int port() const;
-  /// "http://127.0.0.1:8080": those under which a browser reaches it, at least one.
+  /// "http://127.0.0.1:8080": the addresses for a browser, at least one.
   std::vector<std::string> addresses() const;
 
   // The owner's thread; none of them waits.
 
-  /// `frame` is the newest; it is sent as it is.
+  /// `frame` is the newest; it is sent unchanged.
   void show(std::shared_ptr<const std::string> frame);
-  /// Whether anybody wants to be told what the fingers feel.
+  /// Whether any watcher subscribed to the fingers' outputs.
   bool isListenedTo() const;
-  /// What they felt in their newest tick, for those.
+  /// Sends the fingers' newest outputs to those.
   void tellTouch(std::vector<trace::Sample> felt);
-  /// How the servo is doing: a JSON object for the state message.
+  /// The servo's health: a JSON object for the state message.
   void publishStats(Json vitals);
   NetworkCounts counts() const;
 

@@ -1,4 +1,4 @@
-// `palpate serve`: the engine here, with real devices; the picture in any browser that has a token.
+// `palpate serve`: the engine here, with real devices; the picture in any browser with a token.
 #include <memory>
 
 #include "cli/kit/commands.h"

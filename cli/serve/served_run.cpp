@@ -1,4 +1,4 @@
-// The owner's thread: what the servo gave, sixty times a second, as one frame for the network thread.
+// The owner's thread: the servo's outputs, sixty times a second, as one frame for the network thread.
 #include "cli/serve/served_run.h"
 
 #include <fmt/format.h>
@@ -35,16 +35,16 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kFramesPerS = 60;
-/// What fingers feel is told, to those that asked, with every third frame: more would be read by nobody.
+/// Frames per touch message to subscribers: a reader could not follow more.
 constexpr int kRoundsPerTouch = 3;
-/// A frame that says nothing new goes out only so often: who looks on sees that the server lives.
+/// Interval of frames without changes: watchers see that the server lives.
 constexpr double kStillS = 0.25;
-/// Kind, version and tick of a frame, which differ where nothing else does.
+/// Kind, version and tick of a frame, which always differ.
 constexpr std::size_t kFrameStamp = 12;
 
 // --- tokens and their file
 
-/// Removes a file that nobody asked for by name.
+/// Removes a file with a name of our own choice.
 struct MadeFile {
   fs::path path;
   bool remove = false;
@@ -69,7 +69,7 @@ Tokens tokensFor(const ServeOptions& options) {
   return from_file ? readTokens(options.token_file) : completed(options.tokens);
 }
 
-/// Where the tokens stand, for --json: they are not printed there.
+/// The file of the tokens for --json, which does not print them.
 std::unique_ptr<MadeFile> tokenFileFor(const ServeOptions& options, const Tokens& tokens) {
   auto file = std::make_unique<MadeFile>();
   file->path = options.token_file;
@@ -82,7 +82,7 @@ std::unique_ptr<MadeFile> tokenFileFor(const ServeOptions& options, const Tokens
   return file;
 }
 
-// --- what is shown
+// --- exhibits
 
 Site siteFor(const ServeOptions& options) {
   if (!options.site.empty()) return Site(options.site);
@@ -134,7 +134,7 @@ Json factsOf(const scene::World& world, const std::vector<ControlledFinger>& fin
           {"landmarks", std::move(landmarks)}};
 }
 
-/// Null where the tissue has no patterns: who asks for a pad is then told so.
+/// Null where the tissue has no patterns: a request for a pad is then refused.
 std::shared_ptr<const engine::FeltPressure> pressureOf(const std::shared_ptr<const scene::World>& world) {
   try {
     return std::make_shared<const engine::FeltPressure>(world);
@@ -166,7 +166,7 @@ std::vector<device::Device> devicesOf(const viewer::LiveServo& servo) {
   return devices;
 }
 
-/// Presses the emergency stop for those that instruct, and releases only what it pressed.
+/// Presses the emergency stop for instructors, and releases only its own press.
 FingerControl::HaltDevices haltOf(viewer::LiveServo& servo) {
   if (!servo.anyHeld()) return {};
   return [stop = &servo.thread().emergencyStop(), pressed = false](bool halted) mutable {
@@ -204,7 +204,7 @@ class FrameMaker {
  public:
   explicit FrameMaker(const scene::World& world) : world_(world), frame_(engine::frameFor(viewer::kFingers)) {}
 
-  /// Null where there is nothing new to say.
+  /// Null without news.
   std::shared_ptr<const std::string> next(std::span<const trace::Sample> samples, double now_s) {
     engine::fillFrame(world_, samples, frame_);
     engine::encodeFrame(frame_, bytes_);
@@ -246,7 +246,7 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
     if (auto frame = frames.next(felt, now_s)) network.show(std::move(frame));
     if (round % kRoundsPerTouch == 0 && network.isListenedTo()) network.tellTouch({felt.begin(), felt.end()});
     trace::Sample sample;
-    while (servo.thread().pop(sample)) {  // nobody plots them here
+    while (servo.thread().pop(sample)) {  // they are not plotted here
     }
     if (round % kFramesPerS == 0) {
       network.publishStats(vitalsJson(servo.thread().vitals()));
@@ -257,7 +257,7 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
   }
 }
 
-// --- what is printed
+// --- printed text
 
 constexpr std::string_view kPlainWarning =
     "warning: plain HTTP: everybody on the way can read the tokens and the body that is shown; use --tls-cert and "

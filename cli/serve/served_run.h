@@ -1,5 +1,5 @@
 // A run of `palpate serve`: a world, its servo with devices or with fingers that pages move, and sixty frames a second
-// of what they make of the skin.
+// of the skin.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 namespace palpate::app::serving {
 
 struct ServeOptions {
-  SimulateOptions input;             ///< the scene; `seconds` is how long, 0: until a signal
-  std::vector<std::string> devices;  ///< that hold the first fingers instead of pages
+  SimulateOptions input;             ///< the scene; `seconds` is the duration, 0: until a signal
+  std::vector<std::string> devices;  ///< for the first fingers, instead of pages
   std::string host = "127.0.0.1";
   int port = 8080;
   Tokens tokens;  ///< those that are given
@@ -21,13 +21,13 @@ struct ServeOptions {
   std::filesystem::path tls_cert, tls_key;  ///< both or neither
   std::vector<std::string> origins;
   std::size_t watchers = 64;
-  std::filesystem::path site;       ///< empty: the installed one, or a page that says so
+  std::filesystem::path site;       ///< empty: the installed one, or a page that reports its absence
   std::filesystem::path recording;  ///< to record; empty: none
   bool overwrite = false;
   bool json = false;
 };
 
-/// Until its time is over or a signal asks for the end. Throws Error.
+/// Runs until its time is over or a signal ends it. Throws Error.
 void serve(const ServeOptions& options);
 
 }  // namespace palpate::app::serving

@@ -57,7 +57,7 @@ std::string hex(std::string_view bytes) {
   return text;
 }
 
-/// The texts between <script ...> and </script> that name no file.
+/// The texts between <script ...> and </script> without a file.
 std::vector<std::string_view> scriptsIn(std::string_view html) {
   std::vector<std::string_view> scripts;
   std::size_t at = 0;
@@ -83,7 +83,7 @@ SiteFile siteFile(std::string content, std::string_view type) {
   return file;
 }
 
-/// The page learns from it that the body is felt here (web/page/source.js).
+/// Marks the page as served: the body is felt here (web/page/source.js).
 void markServed(std::string& html) {
   constexpr std::string_view kHead = "<head>";
   if (const std::size_t head = html.find(kHead); head != std::string::npos) {

@@ -1,4 +1,4 @@
-// Numbers are rounded to what a finger could tell apart: four digits behind the point for N, two for kPa.
+// Numbers are rounded below what a finger can distinguish: four digits behind the point for N, two for kPa.
 #include "cli/serve/touch_text.h"
 
 #include <array>

@@ -1,6 +1,6 @@
-// What fingers feel, in words for those of the onlookers that asked: the `touch` message of docs/reference/serve.md.
+// The fingers' outputs as text for subscribed watchers: the `touch` message of docs/reference/serve.md.
 //
-//   samples of one tick ─ TouchTexts ─► one text for all that asked for the same pad with the same rights
+//   samples of one tick ─ TouchTexts ─► one text per pad size and rights
 #pragma once
 
 #include <map>
@@ -17,13 +17,13 @@ namespace palpate::app::serving {
 
 using Frame = std::shared_ptr<const std::string>;
 
-/// Of one tick. One thread.
+/// The texts of one tick. One thread.
 class TouchTexts {
  public:
-  /// `pressure` may be null: then nobody asked for a pad.
+  /// `pressure` may be null: then no one requested a pad.
   TouchTexts(std::shared_ptr<const engine::FeltPressure> pressure, std::vector<trace::Sample> felt);
 
-  /// Who instructs also gets what lumps add: to others that would say where one is hidden.
+  /// Instructors also get the share of lumps: to others that would reveal where one is hidden.
   Frame of(const Listen& asked, bool instructs);
 
  private:

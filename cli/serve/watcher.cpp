@@ -1,5 +1,5 @@
-// One page that looks on, over a WebSocket: the newest frame whenever it is ready for one, words in between, and what
-// it requests. A frame that it was not ready for is gone: nothing ever queues up but a few words.
+// One watching page, over a WebSocket: the newest frame whenever it is ready for one, messages in between, and its
+// requests. Frames that it was not ready for are dropped: nothing but a few messages ever queues up.
 #include "cli/serve/wire.h"
 
 #include <algorithm>
@@ -24,11 +24,11 @@ namespace {
 
 using Failure = boost::system::error_code;
 
-/// What the system may hold back for one that reads slowly: a second of frames, not minutes.
+/// The system's buffer for a slow reader: a second of frames, not minutes.
 constexpr int kSendBytes = 16384;
 constexpr int kUnsentBytes = 4096;
 
-/// Instructors' messages that wait; one that is behind by more reads nothing.
+/// Instructors' messages that wait; beyond them a page has stopped reading.
 constexpr std::size_t kMaxWaiting = 8;
 
 }  // namespace
@@ -120,7 +120,7 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
     }
     if (!closing_) hear();
     buffer_.consume(buffer_.size());
-    read();  // also while closing: the other side's goodbye comes this way
+    read();  // also while closing: the other side's goodbye arrives here
   }
 
   void hear() {
@@ -153,7 +153,7 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
 
   void complain(websocket::close_code code, const char* reason) {
     ++hall_.counts.malformed;
-    hall_.control.left(id_, hall_.now());  // its finger does not wait for the goodbye
+    hall_.control.left(id_, hall_.now());  // its finger is released before the goodbye
     close(code, reason);
   }
 
@@ -194,7 +194,7 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
     });
   }
 
-  /// Without a goodbye: it would not be read. What is being read or written ends with an error.
+  /// Without a goodbye: it would not be read. Pending reads and writes end with an error.
   void drop() {
     if (std::exchange(dropped_, true)) return;
     ++hall_.counts.dropped;
@@ -208,8 +208,8 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
   const Role role_;
   const WatcherId id_;
   beast::flat_buffer buffer_;
-  Frame frame_;  // the newest that it has not had
-  Frame touch_;  // likewise, for one that listens
+  Frame frame_;  // the newest that was not sent yet
+  Frame touch_;  // likewise, for a subscriber
   bool frame_went_last_ = false;
   std::optional<Listen> listens_;
   std::string state_, refused_;    // likewise

@@ -1,5 +1,5 @@
-// A connection, plain or over TLS: one type for both, so that visits and streams are written once. It is what Beast
-// calls an asynchronous stream.
+// A connection, plain or over TLS: one type for both, so that visits and streams are written once. It is an
+// asynchronous stream in Beast's sense.
 #pragma once
 
 #include <boost/asio/ip/tcp.hpp>
@@ -14,7 +14,7 @@
 #include <memory>
 #include <utility>
 
-// On Windows Asio brings the system's headers, where a macro has the name of a function of ours. Files that include
+// On Windows Asio includes the system's headers, where a macro has the name of a function of ours. Files that include
 // more of Boost than this include this first.
 #undef near
 
@@ -24,14 +24,13 @@ namespace palpate::app::serving {
 
 using TlsContext = boost::asio::ssl::context;
 
-/// PEM: the certificate with those that it is signed by, and its key, which the group may read and others may not.
-/// TLS 1.2 and 1.3. Throws Error: no such files, another form, a key of another certificate, or one that others may
-/// read.
+/// PEM: the certificate with its chain, and its key, which the group may read and others may not. TLS 1.2 and 1.3.
+/// Throws Error: no such files, another form, a key of another certificate, or one that others may read.
 std::shared_ptr<TlsContext> tlsFrom(const std::filesystem::path& certificate, const std::filesystem::path& key);
 
 using Socket = boost::asio::ip::tcp::socket;
 
-/// As the system names it (base/system/network.h).
+/// The system's number (base/system/network.h).
 template <class OfAsio>
 std::intptr_t numberOf(OfAsio& socket) {
   return static_cast<std::intptr_t>(socket.native_handle());
@@ -44,7 +43,7 @@ class Wire {
   using next_layer_type = boost::beast::tcp_stream;
   using executor_type = next_layer_type::executor_type;
 
-  /// `tls` null: plain. It must stay.
+  /// `tls` null: plain. It must stay alive.
   Wire(Socket socket, TlsContext* tls) {
     if (tls == nullptr) {
       plain_ = std::make_unique<next_layer_type>(std::move(socket));
@@ -58,7 +57,7 @@ class Wire {
   next_layer_type& next_layer() { return tls_ ? tls_->next_layer() : *plain_; }
   const next_layer_type& next_layer() const { return tls_ ? tls_->next_layer() : *plain_; }
 
-  /// Of TLS; only there.
+  /// For TLS only.
   template <class Handler>
   void async_handshake(Handler&& handler) {
     tls_->async_handshake(boost::asio::ssl::stream_base::server, std::forward<Handler>(handler));

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kFramesPerS = 60.0;
 
-/// Stops the loop and waits for it, whatever happens beside it.
+/// Stops the loop and waits for it, even after an exception.
 class JoinedAtTheEnd {
  public:
   JoinedAtTheEnd(std::thread& thread, servo::LoopLinks& links) : thread_(thread), links_(links) {}
@@ -33,7 +33,7 @@ class JoinedAtTheEnd {
   servo::LoopLinks& links_;
 };
 
-/// The deformation beside the servo: newest contacts in, deformed skin out.
+/// The deformation next to the servo: newest contacts in, deformed skin out.
 class Display {
  public:
   Display(const scene::World& world, servo::LoopLinks& links) : links_(links), skin_(world) {}

@@ -10,7 +10,7 @@
 
 namespace palpate::app {
 
-/// What turns the calling thread into a servo thread: servo::runPaced, or a loop to compare it with.
+/// A loop on the calling thread as servo thread: servo::runPaced, or another to compare it with.
 using ServoLoop = std::function<servo::LoopReport(servo::Rig& rig, std::uint64_t ticks,
                                                   const servo::PacedSettings& settings, servo::LoopLinks& links)>;
 
@@ -26,17 +26,17 @@ RealtimeReport runRealtime(const scene::World& world, servo::Rig& rig, std::uint
 
 // Times the servo loop against the clock: the numbers of `palpate study bench servo`.
 
-/// Runs the scene's fingers on their paths, again and again, for `seconds`, as `palpate simulate --realtime` does: the
-/// deformation runs beside them at 60 Hz on the calling thread, and samples are taken out (and thrown away) on a third.
+/// Runs the scene's fingers on their paths, again and again, for `seconds`, like `palpate simulate --realtime`: the
+/// deformation runs at 60 Hz on the calling thread, and samples are consumed (and dropped) on a third.
 RealtimeReport measureServo(const scene::World& world, double seconds, const Progress& progress,
                             const ServoLoop& loop = servo::runPaced);
 
-/// The loop that comes to mind first: std::this_thread::sleep_until before every tick, nothing asked of the system. It
+/// The naive loop: std::this_thread::sleep_until before every tick, no request to the system. It
 /// makes up for ticks that it slept through; a tick that starts a period or more late counts as an overrun.
 servo::LoopReport runSleepUntil(servo::Rig& rig, std::uint64_t ticks, const servo::PacedSettings& settings,
                                 servo::LoopLinks& links);
 
-/// "SCHED_FIFO 80" or "SCHED_OTHER": what the loop ran under.
+/// "SCHED_FIFO 80" or "SCHED_OTHER": the loop's scheduler.
 std::string schedulerOf(const servo::PacingGrant& grant);
 
 }  // namespace palpate::app

@@ -1,5 +1,5 @@
-// Listens to a run, headless or paced, and keeps what is to be kept: the table of forces, the statistics, and the
-// moments whose surfaces are written afterwards.
+// Receives the samples of a run, headless or paced, and keeps the table of forces, the statistics, and the moments
+// whose surfaces are written afterwards.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@
 
 namespace palpate::app {
 
-// What a run was like, collected sample by sample: how hard and how deep each finger pressed, how it stuck and slipped.
+// A run in numbers, collected sample by sample: how hard and how deep each finger pressed, how it stuck and slipped.
 
-/// Of one finger. Means are over the ticks in contact.
+/// One finger's numbers. Means are over the ticks in contact.
 struct FingerStatistics {
   std::uint64_t ticks = 0;
   std::uint64_t touching = 0;
@@ -34,7 +34,7 @@ struct FingerStatistics {
   double sum_force_n = 0.0;
   double peak_device_force_n = 0.0;
   double peak_depth_mm = 0.0;
-  Vec3 deepest_at = Vec3::Zero();  ///< where on the skin that was, mm
+  Vec3 deepest_at = Vec3::Zero();  ///< the place on the skin, mm
   double sum_depth_mm = 0.0;
   std::size_t triangles = 0;  ///< different ones under the proxy
 
@@ -54,7 +54,7 @@ class RunStatistics {
 
  private:
   std::vector<FingerStatistics> fingers_;
-  std::vector<std::vector<bool>> visited_;  ///< a finger each, a triangle each
+  std::vector<std::vector<bool>> visited_;  ///< per finger and triangle
   Hash hash_;
 };
 
@@ -63,16 +63,15 @@ class RunRecorder {
   /// Starts `forces.csv` in the folder when the scene wants it.
   RunRecorder(const scene::World& world, const device::FingerPaths& paths, const std::filesystem::path& folder);
 
-  /// Keeps the whole run as a recording file besides (docs/reference/recordings.md).
+  /// Also keeps the whole run as a recording file (docs/reference/recordings.md).
   void keepRecording(const servo::Rig& rig);
 
   /// Samples in order; the fingers of a tick follow each other.
   void add(const trace::Sample& sample);
 
-  /// Finishes forces.csv and writes the surfaces: at the times the scene asks for, and where the fingers pressed
-  /// deepest.
+  /// Finishes forces.csv and writes the surfaces: at the times in the scene, and where the fingers pressed deepest.
   void finish(const Progress& progress);
-  /// After `finish`: what ended the run, for the recording.
+  /// Call after `finish`: the recording notes what ended the run.
   void finishRecording(std::string_view ended_by, std::uint64_t dropped);
 
   const RunStatistics& statistics() const { return statistics_; }
@@ -82,7 +81,7 @@ class RunRecorder {
   /// they never did.
   const servo::TickSamples& deepest() const { return deepest_.frame; }
   const servo::TickSamples& farthest() const { return farthest_; }
-  /// What could not be kept, in words.
+  /// Describes data that could not be kept.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
@@ -112,7 +111,7 @@ class RunRecorder {
   std::vector<std::string> notes_;
 };
 
-// The deformed skin as PLY files: what it looked like at a moment of the run.
+// The deformed skin as PLY files, at a moment of the run.
 
 /// Writes the skin deformed by these fingers: positions, displacement and its parts, strain, stiffness, and the strain
 /// as colours. Throws Error.

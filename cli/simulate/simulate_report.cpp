@@ -18,7 +18,7 @@ double share(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-/// Ticks in which the limiter acted, by what it did; what never happened is left out.
+/// Ticks in which the limiter acted, by kind; kinds that never happened are left out.
 Json interventionsJson(const FingerStatistics& finger) {
   Json json = Json::object();
   for (std::size_t i = 0; i < finger.interventions.size(); ++i) {
@@ -30,7 +30,7 @@ Json interventionsJson(const FingerStatistics& finger) {
   return json;
 }
 
-/// Where it pressed deepest, as an examiner says it; empty without a touch or on a body without names.
+/// The place of deepest pressure as an examiner names it; empty without a touch or on a body without names.
 std::string whereWords(const scene::World& world, const FingerStatistics& finger) {
   return finger.touching == 0 ? "" : body::inWords(world.body->anatomy.landmarks, finger.deepest_at);
 }
@@ -60,7 +60,7 @@ Json coverJson(const SimulationResult& result) {
           {"at_mm", {cover.at.x(), cover.at.y(), cover.at.z()}}};
 }
 
-/// What a hand on the device felt of this scene at most, or without one could have.
+/// The limits on the device's force in this scene, or the same without a device.
 Json deviceJson(const servo::LimiterSettings& limits) {
   return {{"force_n", limits.force_n},
           {"stiffness_factor", limits.stiffness_factor},

@@ -50,7 +50,7 @@ void saveAutomaticPaths(const scene::World& world, const device::FingerPaths& pa
   }
 }
 
-/// The limits of the weakest device hold for all fingers: what two of them feel must compare.
+/// The limits of the weakest device hold for all fingers: forces of two of them must compare.
 void takeLimits(const std::vector<device::Device>& devices, servo::Rig& rig, SimulationResult& result) {
   const scene::World& world = *result.world;
   std::vector<device::Capabilities> able;
@@ -125,7 +125,7 @@ void noteUntouched(const scene::World& world, const RunStatistics& statistics, s
       box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z()));
 }
 
-/// A machine that cannot draw still palpates, and a run that was ended is not drawn.
+/// Drawing may fail without ending the run, and an interrupted run is not drawn.
 std::optional<view::Image> drawnSheet(const RunRecorder& recorder, SimulationResult& result, const Progress& progress) {
   try {
     return contactSheet(result.world, {recorder.deepest(), recorder.farthest()}, endingWhenAsked(progress));
@@ -146,7 +146,7 @@ void leavePictures(const RunRecorder& recorder, SimulationResult& result, const 
   result.pictures_s = static_cast<double>(monotonicNs() - started_ns) * 1e-9;
 }
 
-/// Ticks that were left out in real time passed too.
+/// Ticks that were left out in real time count too.
 void noteEnd(const scene::World& world, SimulationResult& result) {
   const double seconds = static_cast<double>(result.loop.ticks + result.loop.overruns) / world.scene.ticks_per_s;
   result.ended_by = endAskedBy();
@@ -163,7 +163,7 @@ std::optional<engine::BoneCover> coverOf(const scene::World& world, const servo:
   return engine::BoneCoverMeter(world).of(skin.surface());
 }
 
-/// `palpate recording plot` draws it: where its package is not installed, the table is there.
+/// `palpate recording plot` draws it: without its package, the table remains.
 void leavePlot(SimulationResult& result) {
   const bool has_table = std::ranges::find(result.files, kForcesFile) != result.files.end();
   if (!has_table || result.loop.ticks == 0) return;
