@@ -13,7 +13,7 @@ namespace palpate::film {
 namespace {
 
 constexpr double kMsPerS = 1000.0;
-/// A GIF counts in hundredths of a second, and browsers slow down what is shown for less than two.
+/// A GIF counts in hundredths of a second, and browsers slow down pictures that last less than two.
 constexpr double kMaxGifFramesPerS = 50.0;
 constexpr int kMaxSide = 16383;  ///< libvpx counts the sides of a picture in fourteen bits
 

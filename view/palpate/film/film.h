@@ -15,19 +15,19 @@ namespace palpate::film {
 /// Whether the name ends in .webm or .gif.
 bool isOwnFilm(const std::filesystem::path& file);
 
-/// How long a picture may take.
+/// The time budget per picture.
 enum class Effort {
   careful,  ///< small files, about five pictures a second of 1280x800
   live,     ///< faster than a film is shown
 };
 
 struct FilmFormat {
-  view::ImageSize size;        ///< of every picture
+  view::ImageSize size;
   double frames_per_s = 25.0;  ///< how long the last picture is shown
   Effort effort = Effort::careful;
 };
 
-/// Of one thread at a time. Without `finish` nothing is left.
+/// One thread at a time. Without `finish` no file is left.
 class Film {
  public:
   virtual ~Film() = default;
@@ -60,7 +60,7 @@ class Film {
 
  private:
   std::filesystem::path file_;
-  view::Image last_;  // is compressed when the next one says how long it was shown
+  view::Image last_;  // compressed when the next one shows how long it lasted
   std::int64_t last_ms_ = 0;
   double began_s_ = 0.0;
 };

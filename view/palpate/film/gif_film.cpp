@@ -24,7 +24,7 @@ struct Rectangle {
   int height = 0;
 };
 
-/// Where the two differ; one pixel where they do not: a picture must have one.
+/// The rectangle that differs; one pixel where none does: a picture must have one.
 Rectangle changedIn(const view::Image& before, const view::Image& now) {
   if (before.pixels.empty()) return {0, 0, now.width, now.height};
   int left = now.width;
@@ -70,7 +70,7 @@ class GifFilm final : public Film {
     const Rectangle changed = changedIn(before_, picture);
     const Painted painted = paint(picture, changed);
     showFor(shown);
-    // A palette has a power of two of colours.
+    // A palette has a power of two colours.
     const int colours = 1 << std::max(1, GifBitSize(painted.colours));
     ColorMapObject* palette = GifMakeMapObject(colours, painted.palette.data());
     check(palette != nullptr);
@@ -78,7 +78,7 @@ class GifFilm final : public Film {
     GifFreeMapObject(palette);
     check(begun == GIF_OK);
     for (int y = 0; y < changed.height; ++y) {
-      // giflib takes the row to write to, but masks it in place only.
+      // giflib gets the row to write to, but masks it in place only.
       auto* row = const_cast<GifByteType*>(painted.pixels.data() + static_cast<std::ptrdiff_t>(y) * changed.width);
       check(EGifPutLine(gif_, row, changed.width) == GIF_OK);
     }

@@ -65,7 +65,7 @@ std::string bigEndian(std::uint64_t value, int bytes) {
   return text;
 }
 
-/// Always of eight bytes: places of later elements are known before what they hold is.
+/// Always eight bytes: places of later elements are known before their contents.
 std::string sizeOf(std::uint64_t bytes) { return bigEndian(bytes | std::uint64_t{1} << 56, 8); }
 
 std::string nameOf(Element element) { return bigEndian(element, (std::bit_width(std::uint32_t{element}) + 7) / 8); }
@@ -129,7 +129,7 @@ std::vector<std::string> WebmContainer::pieces(const view::ImageSize& size, std:
     }
     return holding(kCues, points);
   };
-  // Every size is of eight bytes: the head is as long with its true places as without.
+  // Every size has eight bytes: the head is as long with its true places as without.
   const std::uint64_t seek_bytes = holding(kSeekHead, seekTo(kInfo, 0) + seekTo(kTracks, 0) + seekTo(kCues, 0)).size();
   const std::uint64_t cues_at = seek_bytes + info.size() + tracks.size();
   const std::string cues = cuesFrom(cues_at + cuesFrom(0).size());

@@ -1,6 +1,6 @@
 // The container of a WebM film: compressed pictures with their moments -> bytes with length, index and colour space,
 // so that every player knows how long it is and can jump. Own, because Debian 12 packages the headers of libwebm's
-// reader alone. https://www.webmproject.org/docs/container, RFC 8794, RFC 9559. Pure.
+// reader only. https://www.webmproject.org/docs/container, RFC 8794, RFC 9559. Pure.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class WebmContainer {
   void add(std::string_view compressed, std::int64_t at_ms, bool is_key);
   std::size_t bytes() const { return bytes_; }
 
-  /// What stands before the clusters and the clusters themselves, in order; each piece may be written by itself.
+  /// The head before the clusters and the clusters themselves, in order; each piece may be written by itself.
   std::vector<std::string> pieces(const view::ImageSize& size, std::int64_t length_ms) const;
 
  private:

@@ -1,5 +1,5 @@
-// WebM through libvpx: VP9 of constant quality. What is compressed stays in memory until the end, because the index
-// stands before the pictures and an OutputFile only grows.
+// WebM through libvpx: VP9 of constant quality. Compressed pictures stay in memory until the end, because the index
+// comes before the pictures and an OutputFile only grows.
 #include <fmt/format.h>
 #include <vpx/vp8cx.h>
 #include <vpx/vpx_encoder.h>
@@ -16,11 +16,11 @@ namespace palpate::film {
 namespace {
 
 constexpr std::size_t kMaxCompressedBytes = std::size_t{1} << 30;
-constexpr int kQuality = 22;         ///< 0 (no loss) to 63: no loss that one sees
-constexpr unsigned kKeyEvery = 100;  ///< pictures; how near one can jump to a moment
+constexpr int kQuality = 22;         ///< 0 (no loss) to 63: no visible loss
+constexpr unsigned kKeyEvery = 100;  ///< pictures; how near to a moment a player can jump
 constexpr int kCarefulSpeed = 4;     ///< of libvpx, 0 to 9
 constexpr int kLiveSpeed = 8;
-constexpr unsigned kThreads = 2;  ///< of the encoder itself; the others belong to what draws
+constexpr unsigned kThreads = 2;  ///< of the encoder itself; the others are for drawing
 
 struct Planes {
   vpx_image_t& image;
@@ -116,7 +116,7 @@ class WebmFilm final : public Film {
     if (result != VPX_CODEC_OK) fail(fmt::format("libvpx cannot write it: {}", vpx_codec_err_to_string(result)));
   }
 
-  /// Whether something came out. The encoder keeps some pictures to look ahead; without one it gives them up.
+  /// Whether the encoder returned data. It holds some pictures back to look ahead; without an image it releases them.
   bool feed(const vpx_image_t* image, const Shown& shown) {
     check(vpx_codec_encode(&codec_, image, shown.from_ms, static_cast<unsigned long>(shown.until_ms - shown.from_ms), 0,
                            isLive() ? VPX_DL_REALTIME : VPX_DL_GOOD_QUALITY));

@@ -35,7 +35,7 @@ Mat3 Camera::axes() const {
 
 Camera fitted(const Eigen::AlignedBox3d& box, double aspect, StandardView side) {
   constexpr double kQuarter = std::numbers::pi / 2.0;
-  // Straight above the up direction would have no sense; a hair beside it looks the same.
+  // Straight above, the up direction is undefined; a hair off it looks the same.
   constexpr double kAlmostAbove = kQuarter - 1e-3;
   Camera camera;
   if (side == StandardView::left) camera.yaw_rad = -kQuarter;

@@ -1,4 +1,4 @@
-// Where the eye is and what the screen shows: an orbit camera, and the off-axis frustum of any eye before any screen.
+// The eye and the screen: an orbit camera, and the off-axis frustum of any eye before any screen.
 //
 // One description serves the desktop, both eyes of a stereo pair and a tracked head before a co-located display: a
 // rectangle in the world (the screen) and a point (the eye). The desktop is the case of a virtual screen through the
@@ -36,12 +36,12 @@ struct Camera {
   Vec3 eye() const { return centre + distance_mm * backward(); }
 };
 
-/// Of StandardView::table: as one looks down at a table that one stands beside.
+/// Angles of StandardView::table: the view down at a table from its side.
 inline constexpr double kTableYawRad = 0.9;
 
 /// A camera that sees the whole box from one side, with a margin of a twentieth.
 Camera fitted(const Eigen::AlignedBox3d& box, double aspect, StandardView side = StandardView::back);
-/// The same from the angles and with the lens of a camera.
+/// The same with the angles and the lens of a camera.
 Camera fitted(const Eigen::AlignedBox3d& box, double aspect, Camera camera);
 
 /// A screen in the world: lower left, lower right and upper left corner, mm.
@@ -57,7 +57,7 @@ struct Frustum {
   Mat4f projection = Mat4f::Identity();  ///< eye frame -> clip
   Vec3 eye = Vec3::Zero();
   Mat4f clip() const { return projection * view; }
-  /// Places that count from `origin` -> clip: for bodies so far away that floats of the body frame are too coarse.
+  /// Places relative to `origin` -> clip: for bodies so far away that floats of the body frame are too coarse.
   Mat4f clipFrom(const Vec3& origin) const;
 };
 
@@ -69,10 +69,10 @@ struct Ray {
   Vec3 direction;  ///< unit
 };
 
-/// Through a place of the screen: x from 0 (left) to 1, y from 0 (top) to 1.
+/// The ray through a place of the screen: x from 0 (left) to 1, y from 0 (top) to 1.
 Ray rayThrough(const Screen& screen, const Vec3& eye, double x, double y);
 
-/// A place in the world as it appears: x, y as in rayThrough. Points behind the eye give NaN.
+/// A place in the world on the screen: x, y as in rayThrough. Points behind the eye give NaN.
 Vec2 seenAt(const Frustum& frustum, const Vec3& point);
 
 }  // namespace palpate::view

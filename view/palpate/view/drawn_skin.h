@@ -1,5 +1,5 @@
-// The deformed skin as it is on the graphics card, kept for what is computed from it: resting fingers, arrows, rings.
-// Only what changed is copied.
+// The deformed skin as it is on the graphics card, kept for drawing from it: resting fingers, arrows, rings. Only
+// changes are copied.
 #pragma once
 
 #include <utility>
@@ -11,7 +11,7 @@ namespace palpate::view {
 
 class DrawnSkin {
  public:
-  /// Copies what the surface's last apply wrote.
+  /// Copies the result of the surface's last apply.
   void follow(const deform::DeformedSurface& surface) {
     changed_.assign(surface.changed().begin(), surface.changed().end());
     for (const deform::VertexRange& range : changed_) copy(surface, range);
@@ -23,7 +23,7 @@ class DrawnSkin {
     changed_ = {{0, surface.vertices()}};
     copy(surface, changed_.front());
   }
-  /// What a vertex has of the breath's lift (BreathField::share), a value each; empty for a body that does not breathe.
+  /// The share of the breath's lift per vertex (BreathField::share); empty for a body that does not breathe.
   void setBreath(std::vector<float> shares) { breath_ = std::move(shares); }
   /// How far the breath has moved the body now.
   void lift(float lift_mm) { lift_mm_ = lift_mm; }
@@ -34,7 +34,7 @@ class DrawnSkin {
   }
   Vec3 normalAt(Index v) const { return normals_[v].cast<double>(); }
   Index vertices() const { return static_cast<Index>(places_.size()); }
-  /// Where it may differ from rest, or did in the picture before.
+  /// Ranges that may differ from rest, or did in the picture before.
   const std::vector<deform::VertexRange>& changed() const { return changed_; }
 
  private:

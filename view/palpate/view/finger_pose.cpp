@@ -1,5 +1,5 @@
 // A finger's contact -> the ball that is drawn: laid on the deformed anchor along the contact's normal, then lifted in
-// rounds, each by the most that a triangle round it asks for, until none reaches into it.
+// rounds, each by the most that a triangle round it needs, until none reaches into it.
 #include "palpate/view/finger_pose.h"
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-/// Skin moves by at most this much (the default caps of 10 and 20 mm together): what lies farther from the ball at rest
-/// cannot come near it.
+/// Skin moves by at most this much (the default caps of 10 and 20 mm together): skin farther from the ball at rest
+/// cannot reach it.
 constexpr double kReachMm = 25.0;
 
 Corners deformedCorners(const DrawnSkin& skin, const tree::TriangleRecord& record) {
@@ -70,7 +70,7 @@ std::vector<Corners> skinAround(const scene::World& world, const DrawnSkin& skin
 }
 
 /// How far the ball must move along its normal so that this triangle no longer reaches into it; a first guess when the
-/// triangle is at its side, so the caller asks again.
+/// triangle is at its side, so the caller repeats it.
 double liftOver(const FingerPose& pose, const Corners& triangle) {
   const auto closest = tree::closestOnTriangle(triangle, pose.centre);
   const double distance = std::sqrt(closest.squared_distance);

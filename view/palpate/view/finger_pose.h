@@ -1,7 +1,7 @@
 // Where a finger is drawn: on the deformed skin, never in it.
 //
-// The haptic finger follows its tip below the skin; what is drawn rests on the skin that gave way. The ball is laid on
-// the deformed friction anchor along the contact's normal and lifted until no triangle around reaches into it. No GL.
+// The haptic finger follows its tip below the skin; the drawn one rests on the deformed skin. The ball is laid on the
+// deformed friction anchor along the contact's normal and lifted until no triangle around reaches into it. No GL.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,12 @@ namespace palpate::view {
 
 class DrawnSkin;
 
-/// Linear colours of the two hands; the third finger and on take the neutral one.
+/// Linear colours of the two hands; further fingers have the neutral one.
 inline const Vec3f kLeftFinger{0.10f, 0.26f, 0.78f};
 inline const Vec3f kRightFinger{0.76f, 0.09f, 0.07f};
 inline const Vec3f kOtherFinger{0.55f, 0.50f, 0.20f};
 
-/// The most that a press came to.
+/// The maximum of a press.
 struct Peak {
   double depth_mm = 0.0;
   double force_n = 0.0;
@@ -28,13 +28,13 @@ struct Peak {
 /// A finger as it is drawn.
 struct FingerMark {
   contact::FingerOutput contact;
-  double radius_mm = 8.0;  ///< of the drawn ball
+  double radius_mm = 8.0;  ///< radius of the drawn ball
   Vec3f colour = kLeftFinger;
-  double haptic_radius_mm = 0.0;    ///< of the finger that touches: its tip is the centre of a ball of this radius
+  double haptic_radius_mm = 0.0;    ///< radius of the touching ball: the tip is its centre
   bool left = true;                 ///< which hand, when hands are drawn
-  double outline = 0.0;             ///< width of a light rim round it, points: the finger that was put and left there
+  double outline = 0.0;             ///< width of a light rim, points: for a finger that was left in place
   std::optional<Peak> lifted = {};  ///< its numbers for a moment after it was lifted
-  contact::PressurePad pad = {};    ///< of the overlay `pressure`
+  contact::PressurePad pad = {};    ///< for the overlay `pressure`
 };
 
 /// The drawn ball.

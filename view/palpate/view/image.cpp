@@ -1,8 +1,8 @@
-// The one file that compiles stb's reader and writer, for PNG and JPEG alone. Pixels are copied out of stb's memory
-// into an Image. Cold path.
+// The one file that compiles stb's reader and writer, for PNG and JPEG only. Pixels are copied out of stb's memory into
+// an Image. Cold path.
 #include "palpate/view/image.h"
 
-#ifndef __clang_analyzer__  // what it finds in there is not ours
+#ifndef __clang_analyzer__  // findings in there are not ours
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #endif
@@ -26,7 +26,7 @@ constexpr std::uint64_t kMaxPngBytes = std::uint64_t{1} << 30;  // stb counts in
 
 using StbPixels = std::unique_ptr<stbi_uc, void (*)(void*)>;
 
-/// Into an image that knows its size; an empty one when there are no pixels.
+/// Copies into an image of known size; returns an empty one when there are no pixels.
 Image copied(const StbPixels& pixels, Image image) {
   if (!pixels) return {};
   image.pixels.resize(static_cast<std::size_t>(image.width) * image.height);

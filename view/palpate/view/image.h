@@ -23,7 +23,7 @@ struct Image {
   const Pixel& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
 
-/// Each pixel the mean of factor x factor; width and height must be multiples of the factor. The mean is taken of the
+/// Each pixel is the mean of factor x factor; width and height must be multiples of the factor. The mean is over the
 /// encoded values: lines and text keep their weight.
 Image reduced(const Image& image, int factor);
 
@@ -31,7 +31,7 @@ struct ImageSize {
   int width = 0;
   int height = 0;
 };
-/// Of the bytes of a PNG or JPEG file, by its first ones; 0 x 0 when they are neither.
+/// Size of a PNG or JPEG file, by its first bytes; 0 x 0 when it is neither.
 ImageSize imageSizeOf(std::string_view bytes);
 /// The picture itself, without transparency; empty when it cannot be read.
 Image decodeImage(std::string_view bytes);
@@ -40,8 +40,8 @@ Image decodeImage(std::string_view bytes);
 void writePng(const std::filesystem::path& file, const Image& image);
 [[deprecated("use decodeImage instead")]] Image readPng(const std::filesystem::path& file);
 
-// A picture without its background: drawn once on white and once on black, each pixel tells how much of it was covered.
-// So edges, transparent skin and everything else that lets the background through stay as transparent as they are.
+// A picture without its background: drawn once on white and once on black, each pixel shows how much of it was covered.
+// So edges, transparent skin and everything else that lets the background through stay transparent.
 
 /// Colours not mixed with any background, and how opaque each pixel is (0 to 255).
 struct CutOut {

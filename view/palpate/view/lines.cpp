@@ -1,4 +1,4 @@
-// Shapes as segments and triangles. A box's corners are numbered by bits, one an axis: an edge changes one bit.
+// Shapes as segments and triangles. A box's corners are numbered by bits, one per axis: an edge changes one bit.
 // Data flow: overlays -> here -> painted points -> line_layer.h, each picture.
 #include "palpate/view/lines.h"
 

@@ -1,4 +1,4 @@
-// Lines and translucent patches over the skin, as plain data: what overlays are made of. No GL.
+// Lines and translucent patches over the skin, as plain data, for overlays. No GL.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace palpate::view {
 
-/// Red, green, blue (sRGB) and opacity, 0 to 255. Overlays are drawn after the tone curve, so these are what is seen.
+/// Red, green, blue (sRGB) and opacity, 0 to 255. Overlays are drawn after the tone curve, so colours are exact.
 using Paint = std::array<std::uint8_t, 4>;
 
 struct PaintedPoint {
@@ -19,7 +19,7 @@ struct PaintedPoint {
 
 /// Segments, two points each.
 struct Lines {
-  double width_px = 1.5;  ///< at one pixel a point (Frame::pixels_per_point)
+  double width_px = 1.5;  ///< at one pixel per point (Frame::pixels_per_point)
   std::vector<PaintedPoint> points;
 
   void add(const Vec3& from, const Vec3& to, Paint paint) {

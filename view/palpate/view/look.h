@@ -1,4 +1,4 @@
-// How a picture looks: everything the user can choose about it, as plain data.
+// The user's choices about a picture, as plain data.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace palpate::view {
 
-// What a scene file can say of a look has its types and words there.
+// Choices that a scene file can make have their types and names there.
 using scene::Colouring;
 using scene::FingerShape;
 using scene::Overlay;
@@ -25,7 +25,7 @@ inline constexpr auto kColouringNames = allWords<Colouring>();
 inline constexpr auto kOverlayNames = allWords<Overlay>();
 inline constexpr auto kFingerShapeNames = allWords<FingerShape>();
 inline constexpr std::size_t kOverlays = kOverlayNames.size();
-/// In menus and panels: what the body is made of, what a touch does, how the engine finds it, what lies under the skin.
+/// In menus and panels: the body, the effects of a touch, the engine's search, the structures under the skin.
 inline constexpr std::array kBodyOverlays = {Overlay::names, Overlay::muscles};
 inline constexpr std::array kTouchOverlays = {Overlay::contact, Overlay::section, Overlay::arrows, Overlay::ellipses};
 inline constexpr std::array kEngineOverlays = {Overlay::wireframe,        Overlay::normals,    Overlay::rings,
@@ -43,7 +43,7 @@ constexpr ColourMap colourMapOf(Colouring colouring) {
   return colouring == Colouring::ellipses ? ColourMap::cividis : ColourMap::cool_warm;
 }
 
-/// Ends of a colour map, in the unit of what is coloured (strain: per cent).
+/// Ends of a colour map, in the unit of the coloured quantity (strain: per cent).
 struct ColourRange {
   double low = 0.0;
   double high = 1.0;
@@ -55,19 +55,19 @@ struct Look {
   std::bitset<kOverlays> overlays;
   double skin_opacity = 1.0;   ///< below 1 the bones show through; 0 hides the skin
   double skin_tone = 3.0;      ///< 1 very light to 6 very dark (skin_tone.h)
-  double dent_contrast = 1.0;  ///< 0: dents are not shaded; 1: as they would be near by; above: exaggerated
+  double dent_contrast = 1.0;  ///< 0: dents are not shaded; 1: natural; above: exaggerated
   FingerShape finger = FingerShape::automatic;
-  bool lens = false;    ///< a close view from beside the finger in a corner
+  bool lens = false;    ///< a close view from the finger's side in a corner
   bool detail = true;   ///< pores (Shading::skin)
   bool texture = true;  ///< the user's picture or colours, on a skin that has some (Colouring::plain)
   bool cull = true;     ///< skin outside the picture is not drawn; false is for measuring what that saves
   bool white_background = false;
-  bool light_background = false;           ///< light grey, for a window of light panels; white goes before it
+  bool light_background = false;           ///< light grey, for a window of light panels; white has precedence
   std::optional<double> plain_background;  ///< one grey (0 black, 1 white) in place of all: for cutOut (image.h)
   ColourRange strain_percent = {-20.0, 20.0};
   ColourRange stiffness_n_per_mm = {0.3, 1.2};
   ColourRange half_major_mm = {100.0, 200.0};
-  // Of Colouring::scalar: a number that the body's file brings (scene/skin_channels.h).
+  // For Colouring::scalar: a number in the body's file (scene/skin_channels.h).
   std::string scalar = {};
   ColourMap scalar_map = ColourMap::viridis;
   ColourRange scalar_range = {0.0, 1.0};
@@ -83,16 +83,16 @@ struct Look {
   }
 };
 
-/// What is written over it.
+/// The writing over the picture.
 struct LabelSettings {
   std::string title;                      ///< upper left; empty = none
-  bool legend = true;                     ///< of the colours of the skin and of overlays, when they mean something
+  bool legend = true;                     ///< of the colours of the skin and of overlays, when they have a meaning
   bool scale_bar = true;                  ///< true in the plane of the screen
   bool orientation = true;                ///< the patient's left and right, and where the head is
-  bool numbers = true;                    ///< depth and force beside each finger that touches
+  bool numbers = true;                    ///< depth and force next to each finger that touches
   bool section = true;                    ///< the cut through the contact, when the look shows it
   bool beneath = true;                    ///< pressure, cut-away and the names of lumps, when the look shows them
-  std::vector<std::string> finger_names;  ///< in the order of the fingers; empty = without names
+  std::vector<std::string> finger_names;  ///< in the order of the fingers; empty: no names
 
   static LabelSettings none() {
     return {.title = {},

@@ -1,6 +1,6 @@
-// Two layers are painted, pigment and blood, as how much more there is than on average; the colour follows by how much
-// each of them takes of red, green and blue light. Broad variation is noise on a cylinder, so that back and front meet;
-// fine variation is noise a pixel; moles, freckles and the like are spots at random places.
+// Two layers are painted, pigment and blood, as the excess over the average; the colour follows from how much each of
+// them absorbs of red, green and blue light. Broad variation is noise on a cylinder, so that back and front meet; fine
+// variation is noise per pixel; moles, freckles and the like are spots at random places.
 //
 // The amounts are by eye, against photographs of backs; the ratios of the colours follow the absorption of melanin and
 // haemoglobin. Based on: Jacques, "Optical properties of biological tissues: a review", 2013 (melanin falls with the
@@ -22,10 +22,10 @@ namespace {
 
 constexpr double kPixelsPerMm = 2.0;
 constexpr double kMaxPixels = 4096.0;
-/// Broad variation is worked out once in this many pixels and joined by straight lines.
+/// Broad variation is computed once in this many pixels and joined by straight lines.
 constexpr int kCoarse = 8;
 
-/// How much light a unit of each takes: red, green, blue.
+/// Absorption per unit of each: red, green, blue.
 const Vec3 kPigment(0.60, 0.95, 1.45);
 const Vec3 kBlood(0.10, 0.75, 0.55);
 
@@ -72,7 +72,7 @@ class Painter {
  private:
   /// The middle of a pixel; rows count from above.
   Vec2 placeOf(double x, double y) const { return {(x + 0.5) / pixels_per_mm_, high_mm_ - (y + 0.5) / pixels_per_mm_}; }
-  /// On a cylinder as wide as the body: what is painted at the left edge fits the right one.
+  /// On a cylinder as wide as the body, so that the left edge fits the right one.
   Vec3 onCylinder(const Vec2& place) const {
     const double angle = 2.0 * std::numbers::pi * place.x() / wide_mm_;
     const double radius = 0.5 * wide_mm_ / std::numbers::pi;
@@ -80,7 +80,7 @@ class Painter {
   }
   bool isBack(const Vec2& place) const { return place.x() < made_.size_mm.x(); }
 
-  /// How far from the line of the spinous processes, mm; and 1 beside them, falling to 0 beyond the first and last.
+  /// Distance from the line of the spinous processes, mm; and 1 along them, falling to 0 beyond the first and last.
   std::pair<double, double> besideSpine(const Vec2& place) const {
     if (made_.spine_mm.size() < 2 || !isBack(place)) return {1e9, 0.0};
     const auto below = std::find_if(made_.spine_mm.begin() + 1, made_.spine_mm.end() - 1,
@@ -142,7 +142,7 @@ class Painter {
   /// A size between these, small ones far more often.
   double sized(double least, double most) { return least * std::pow(most / least, std::pow(random_.uniform(), 2.2)); }
 
-  /// This many of a kind per square decimetre; `make` may say that this one is not to be.
+  /// Spots of a kind per square decimetre; `make` may reject one.
   template <class Make>
   void addSpots(double per_square_dm, std::vector<Spot>& spots, Make&& make) {
     const double wanted = per_square_dm * 1e-4 * wide_mm_ * high_mm_;
@@ -182,7 +182,7 @@ class Painter {
     return spots;
   }
 
-  /// Round, with an edge that is not quite. Across the picture's edge it goes on at the other one.
+  /// Round, with an irregular edge. Across the picture's edge it continues at the other one.
   void paintSpot(const Spot& spot) {
     const double reach = 1.35 * spot.radius_mm * pixels_per_mm_ + 1.0;
     const double x0 = spot.at.x() * pixels_per_mm_, y0 = (high_mm_ - spot.at.y()) * pixels_per_mm_;

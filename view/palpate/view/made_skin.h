@@ -1,8 +1,8 @@
-// A picture of skin that the program paints itself: pigment and blood of a back, with moles, freckles and what else a
-// photograph of one shows.
+// A picture of skin that the program paints itself: pigment and blood of a back, with moles, freckles and other details
+// of a photograph.
 //
-// What is painted is what the place does to the tone of the whole skin, so that any tone may be under it. Colours of
-// the folds and over the bones are not in it: they are the body's own (layers/skin_tint.h).
+// The paint is relative to the tone of the whole skin, so that any tone may be under it. Colours of the folds and over
+// the bones are not in it: they are the body's own (layers/skin_tint.h).
 #pragma once
 
 #include "palpate/base/vec.h"
@@ -15,7 +15,7 @@ namespace palpate::view {
 inline constexpr float kMadeSkinWhite = 1.35f;
 
 /// Factors on the tone, over kMadeSkinWhite, as sRGB. The same seed and body give the same picture. Its left and right
-/// edges fit each other. About a second for a whole trunk (2 pixels a millimetre).
+/// edges fit each other. About a second for a whole trunk (2 pixels per millimetre).
 Image paintedSkin(const scene::MadeSkin& made);
 
 // Smooth noise that is the same on every machine.

@@ -1,7 +1,7 @@
-// Where pictures are drawn without a window or a display: an OpenGL context (EGL on no surface at all), a framebuffer
-// to draw into, and the way back to memory. For pictures, tests and servers; the window draws into the same targets.
+// Draws pictures without a window or a display: an OpenGL context (EGL on no surface at all), a framebuffer to draw
+// into, and the way back to memory. For pictures, tests and servers; the window draws into the same targets.
 //
-//   OffscreenContext (once a thread) ─► Target::bind ─► Renderer or Painter ─► Target::read ─► Image
+//   OffscreenContext (once per thread) ─► Target::bind ─► Renderer or Painter ─► Target::read ─► Image
 //
 // No OpenGL header is needed to include this one: an embedding program draws with it and picture.h alone.
 #pragma once
@@ -14,13 +14,13 @@
 
 namespace palpate::view {
 
-/// Core is what the renderer draws with; compatibility also has the pipeline of OpenGL 2.1 (immediate_drawing.h).
+/// Core is for the renderer; compatibility also has the pipeline of OpenGL 2.1 (immediate_drawing.h).
 enum class Profile : std::uint8_t { core, compatibility };
 
 class OffscreenContext {
  public:
-  /// Makes the context current on the calling thread. Throws Error saying what is missing, or which version of OpenGL
-  /// was found and which is needed.
+  /// Makes the context current on the calling thread. Throws Error with the missing part, or the found and the needed
+  /// version of OpenGL.
   explicit OffscreenContext(Profile profile = Profile::core);
   ~OffscreenContext();
 
@@ -29,14 +29,14 @@ class OffscreenContext {
   std::unique_ptr<Handles> handles_;
 };
 
-/// The number by which OpenGL knows a framebuffer or a texture (its GLuint).
+/// OpenGL's name of a framebuffer or a texture (its GLuint).
 using GlId = std::uint32_t;
 
 /// A framebuffer: colour (8 bits, sRGB values) and depth. Belongs to the thread of the context that is current when it
 /// is made.
 class Target {
  public:
-  /// Throws Error for less than one pixel, and for more than this machine's OpenGL takes.
+  /// Throws Error for less than one pixel, and for more than this machine's OpenGL allows.
   Target(int width, int height);
   ~Target();
 
@@ -57,18 +57,18 @@ class Target {
   std::unique_ptr<Objects> objects_;
 };
 
-/// Returns when all that was asked of the current context has been drawn: for measuring, never needed for a picture.
+/// Returns when the current context has drawn everything: for measuring, never needed for a picture.
 void waitUntilDrawn();
 
-/// Who draws in the current context, short enough for a folder's name: "llvmpipe-22" for Mesa 22's renderer of that
+/// The renderer of the current context, short enough for a folder's name: "llvmpipe-22" for Mesa 22's renderer of that
 /// name. Pictures of different ones differ in single pixels.
 std::string rendererName();
-/// The same in the driver's own words, for reports.
+/// The same as the driver spells it, for reports.
 std::string rendererWords();
 
-// A picture on the graphics card as it is, for panels to show: no light falls on it.
+// An unlit picture on the graphics card, for panels to show.
 
-/// Needs a current context, of whose thread it is.
+/// Needs a current context, to whose thread it belongs.
 class FlatPicture {
  public:
   explicit FlatPicture(const Image& image);

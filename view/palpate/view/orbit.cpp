@@ -1,6 +1,6 @@
 // A drag becomes a camera, a pixel's ray a place of the skin. Turning and zooming move the centre as rigidly as the eye
-// about the pivot, so what the user took hold of stays under the cursor; flights are smooth in the logarithm of the
-// distance. Picking asks the tree of the skin at rest.
+// about the pivot, so the grabbed place stays under the cursor; flights are smooth in the logarithm of the distance.
+// Picking uses the tree of the skin at rest.
 #include "palpate/view/orbit.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Draws at several times the size, reads back, takes means. The target is kept as long as the size is; everything of
-// the surface goes up each time, because nobody says what changed. Cold path.
+// Draws at several times the size, reads back, averages. The target is kept as long as the size is; the whole surface
+// is uploaded each time, because its changes are unknown. Cold path.
 #include "palpate/view/picture.h"
 
 namespace palpate::view {

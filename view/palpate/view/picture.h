@@ -19,7 +19,7 @@ struct TakenPicture {
   std::string drawn_by;            ///< rendererName()
 };
 
-/// Takes pictures of one world: an offscreen context and all that is uploaded once. One thread.
+/// Takes pictures of one world: an offscreen context and its uploads. One thread.
 class Studio {
  public:
   /// Throws Error where nothing can be drawn (OffscreenContext).

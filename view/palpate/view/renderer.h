@@ -23,12 +23,12 @@ struct Partition;
 
 namespace palpate::view {
 
-/// What changes from picture to picture.
+/// The variable part of each picture.
 struct Frame {
   std::span<const FingerMark> fingers;
   double time_s = 0.0;
   double lift_mm = 0.0;               ///< how far the breath has moved the body (World.breath)
-  std::span<const Lines> marks = {};  ///< of the caller, drawn as overlays are (lines.h)
+  std::span<const Lines> marks = {};  ///< the caller's, drawn as overlays are (lines.h)
   double pixels_per_point = 1.0;      ///< widens lines: the screen's content scale, times the supersampling
 };
 
@@ -38,22 +38,22 @@ class Renderer {
   explicit Renderer(std::shared_ptr<const scene::World> world);
   ~Renderer();
 
-  /// Shows another world, at rest; programs and hands stay, and all of a body that both have. Forgets what setField and
-  /// setPartition were given. Throws Error as the constructor does, and then still shows the world before.
+  /// Shows another world, at rest; programs and hands stay, and everything of a body that both share. Forgets setField
+  /// and setPartition. Throws Error as the constructor does, and then still shows the world before.
   void setWorld(std::shared_ptr<const scene::World> world);
 
-  /// Uploads what the last Deformer::apply wrote. Returns the number of vertices uploaded.
+  /// Uploads the result of the last Deformer::apply. Returns the number of vertices uploaded.
   Index update(const deform::DeformedSurface& surface);
   /// Uploads everything: after a surface that this renderer has not followed from rest.
   void updateAll(const deform::DeformedSurface& surface);
 
-  /// The field of a colouring when it is no longer the world's: a value a vertex.
+  /// The field of a colouring when it is no longer the world's: one value per vertex.
   void setField(Colouring colouring, std::span<const float> values);
-  /// The partition that overlays show; null brings back the world's own, which is built when first shown.
+  /// The partition for overlays; null restores the world's own, which is built when first shown.
   void setPartition(std::shared_ptr<const hdb::Partition> partition, const Vec3& box_edges_mm);
 
   /// Draws into the bound framebuffer's viewport of `width` x `height` pixels: background, bones, skin, fingers,
-  /// overlays. Text and legends are the business of labels.h. `lit_as`: the picture whose light it has, if not its own.
+  /// overlays. Text and legends are drawn by labels.h. `lit_as`: the picture whose light it has, if not its own.
   void draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height,
             const Frustum* lit_as = nullptr);
 

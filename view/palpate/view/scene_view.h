@@ -1,4 +1,4 @@
-// From what a scene file says about its pictures to the settings of the rooms that draw.
+// Translates a scene file's view settings for the folders that draw.
 #pragma once
 
 #include <string_view>
@@ -9,13 +9,13 @@
 namespace palpate::view {
 
 /// Camera, look, stereo and labels of this scene, for a picture of `aspect` (width over height). The colours of a map
-/// reach over the values that the world holds; strain over the scene's range.
+/// cover the world's values; strain the scene's range.
 PictureSettings pictureSettings(const scene::World& world, double aspect);
 /// The same with other view settings than the scene's own.
 PictureSettings pictureSettings(const scene::World& world, const scene::ViewSettings& view, double aspect);
 
-/// Makes a number of the body's file the one that Colouring::scalar shows, over all of its values; an empty name means
-/// the first. Leaves the look as it is where the file brings none of this name.
+/// Selects a number of the body's file for Colouring::scalar, over all of its values; an empty name means the first.
+/// Leaves the look unchanged where the file has none of this name.
 void showScalar(const scene::World& world, std::string_view name, Look& look);
 
 }  // namespace palpate::view

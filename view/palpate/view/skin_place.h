@@ -1,5 +1,4 @@
-// Where on a world's skin words point, under the name that drawing knows it by: engine/skin_place.h, which needs no
-// OpenGL.
+// Named places on a world's skin, under drawing's name: engine/skin_place.h, which needs no OpenGL.
 #pragma once
 
 #include "palpate/engine/skin_place.h"

@@ -1,7 +1,7 @@
-// The tones of skin, from light to dark, and what changes with them besides the colour.
+// The tones of skin, from light to dark, and their effects besides the colour.
 //
-// Pigment lies over the blood: in dark skin redness and light that travels under the surface are seen less. The same
-// gloss shows more on it, because less light comes back out of the skin itself: it gets less of it, else it looks wet.
+// Pigment is over the blood: dark skin shows less redness and less light that travels under the surface. The same gloss
+// shows more on it, because less light returns from the skin itself: it gets less of it, else it looks wet.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 namespace palpate::view {
 
 struct SkinTone {
-  Vec3f colour;   ///< linear: the share of light that comes back
-  float blood;    ///< how much of the redness of a place is seen, 0 to 1
+  Vec3f colour;   ///< linear: reflectance
+  float blood;    ///< visible share of a place's redness, 0 to 1
   float scatter;  ///< how far light travels under the surface, 0 to 1
   float sheen;    ///< factor on the gloss
 };
 
-/// From 1 (very light) to 6 (very dark), about as the six types of Fitzpatrick; between two of them in between.
+/// From 1 (very light) to 6 (very dark), about as the six types of Fitzpatrick; fractions are interpolated.
 inline SkinTone skinToneOf(double tone) {
   // Own, by eye, against colour charts of the six types.
   static const std::array<SkinTone, 6> tones = {{{{0.680f, 0.450f, 0.350f}, 1.00f, 1.00f, 0.90f},

@@ -1,4 +1,4 @@
-// Eyes before one screen, and where each one's picture lies in the whole. Comfort is judged by the parallax of the
+// Eyes before one screen, and the place of each one's picture in the whole. Comfort depends on the parallax of the
 // box's nearest and farthest corner, p = e (1/z - 1/D) as an angle; too much of it shortens the distance of the eyes.
 // Based on: see stereo.h.
 #include "palpate/view/stereo.h"
@@ -63,7 +63,7 @@ Span spanOf(const Eyes& eyes, const Eigen::AlignedBox3d& box) {
 
 /// The near plane as a share of D.
 constexpr double kNearShare = 0.3;
-/// The same for one eye: what comes nearer is not looked at.
+/// The same for one eye.
 constexpr double kNearShareOfOneEye = 0.04;
 
 }  // namespace

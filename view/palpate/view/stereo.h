@@ -1,4 +1,4 @@
-// Two eyes before one screen: where they are, what each sees, and where in the picture it goes.
+// Two eyes before one screen: where they are, what each sees, and the place of its picture.
 //
 //   Camera, StereoSettings ─► Eyes (screen + two places) ─► frustumOf each ─► two pictures ─► StereoComposer ─► one
 //
@@ -22,8 +22,8 @@ namespace palpate::view {
 using scene::StereoMode;
 inline constexpr auto kStereoModeNames = allWords<StereoMode>();
 
-/// A head before a real screen of known size, for displays that share their place with the hand. The camera then says
-/// where that screen stands in the world: its middle at the centre, its axes those of the camera, at true size.
+/// A head before a real screen of known size, for displays that share their place with the hand. The camera then places
+/// that screen in the world: its middle at the centre, its axes those of the camera, at true size.
 struct TrackedHead {
   /// Between the eyes, mm, in the frame of the screen: origin in its middle, x right, y up, z towards the head; z > 0.
   Vec3 eyes_mm = {0.0, 0.0, 600.0};
@@ -32,11 +32,11 @@ struct TrackedHead {
 
 struct StereoSettings {
   StereoMode mode = StereoMode::mono;
-  double eye_distance_mm = 63.0;  ///< of a mean adult (most have 50 to 75); 0 = both eyes see the same
+  double eye_distance_mm = 63.0;  ///< mean of adults (most have 50 to 75); 0 = both eyes see the same
   /// From the eyes to the plane that appears on the screen; 0 = the camera's centre. Not used with a tracked head.
   double convergence_mm = 0.0;
   bool swap_eyes = false;
-  int monitor_row = 0;  ///< interlaced: row of the monitor on which the picture's top row lies
+  int monitor_row = 0;  ///< interlaced: row of the monitor under the picture's top row
   std::optional<TrackedHead> head;
 };
 
@@ -56,8 +56,8 @@ struct Eyes {
 /// the middle. Throws Error for a tracked head behind its screen.
 Eyes eyesOf(const Camera& camera, const StereoSettings& settings, double aspect);
 
-/// Near and far plane that hold the box and what is drawn before it: balls and overlays, or a hand with its forearm.
-/// The near plane of two eyes is at least 0.3 D away: what comes nearer cannot be fused.
+/// Near and far plane around the box and nearer things: balls and overlays, or a hand with its forearm. The near plane
+/// of two eyes is at least 0.3 D away: nearer things cannot be fused.
 struct DepthRange {
   double near_mm, far_mm;
 };
@@ -67,7 +67,7 @@ DepthRange depthRangeOf(const Eyes& eyes, const Eigen::AlignedBox3d& box, double
 
 Frustum frustumOf(const Eyes& eyes, Eye eye, const DepthRange& range);
 
-/// The picture one eye gets: its pixels, and how many it would have if it were not squeezed.
+/// One eye's picture: its pixels, and their number before squeezing.
 struct EyePicture {
   int width = 0;
   int height = 0;
@@ -77,24 +77,24 @@ struct EyePicture {
 };
 EyePicture eyePictureIn(StereoMode mode, int width, int height);
 
-/// Where an eye's picture starts in the whole one, pixels from the left and from below (as GL counts).
+/// Start of an eye's picture in the whole one, pixels from the left and from below (as GL counts).
 struct Corner {
   int x = 0;
   int y = 0;
 };
 Corner cornerOf(Eye eye, const StereoSettings& settings, int width, int height);
 
-/// From a place in the whole picture (0 to 1 from the left and from the top) to the place in an eye's picture: where
-/// the mouse is, whichever half it is in.
+/// From a place in the whole picture (0 to 1 from the left and from the top) to the place in an eye's picture: for the
+/// mouse, whichever half it is in.
 Vec2 placeInEye(StereoMode mode, const Vec2& place);
 
 bool isStereo(StereoMode mode);
-/// Each eye's picture has a part of the whole one of its own: the system's pointer would be in one of them only.
+/// Whether each eye's picture has its own part of the whole one: the system's pointer would be in one of them only.
 bool hasTwoParts(StereoMode mode);
 /// Throws Error naming the modes.
 StereoMode stereoModeNamed(std::string_view name);
 
-/// How far the eyes must squint for what is nearest and farthest, degrees.
+/// How far the eyes must squint for the nearest and the farthest point, degrees.
 struct Comfort {
   double front_deg = 0.0;   ///< before the screen
   double behind_deg = 0.0;  ///< behind it
@@ -105,7 +105,7 @@ inline constexpr double kFusibleDeg = 2.0;      ///< most people see two picture
 Comfort comfortOf(const Eyes& eyes, double eye_distance_mm, const Eigen::AlignedBox3d& box);
 
 /// The settings with the eyes so near to each other that nothing in the box passes kFusibleDeg; a tracked head keeps
-/// its own eyes. `note` is a sentence for the user: what was reduced, or what is uncomfortable; empty when all is well.
+/// its own eyes. `note` is a sentence for the user: a reduction, or a discomfort; empty when all is well.
 struct ComfortableStereo {
   StereoSettings settings;
   std::string note;
@@ -113,7 +113,7 @@ struct ComfortableStereo {
 ComfortableStereo comfortable(const Camera& camera, const StereoSettings& settings, double aspect,
                               const Eigen::AlignedBox3d& box);
 
-/// The mode that can be shown: quad-buffer needs a screen that offers it, and `otherwise` stands in with a note.
+/// The mode that can be shown: quad-buffer needs a screen with it, and `otherwise` replaces it with a note.
 struct UsableMode {
   StereoMode mode = StereoMode::mono;
   std::string note;

@@ -1,6 +1,6 @@
 // Rings round the slab, from the middle of its top over the edge to the middle of its underside; each is the outline
-// moved inwards, so that all have as many points. The body's shade: its skin, gathered in patches, covers as discs what
-// each point of the top sees of the sky.
+// moved inwards, so that all have the same number of points. The body's shade: its skin, gathered in patches, covers as
+// discs the sky of each point of the top.
 //
 // Based on: Bunnell, "Dynamic ambient occlusion and indirect lighting", GPU Gems 2, 2005, as skin_shade.cpp.
 #include "palpate/view/support_shape.h"
@@ -17,11 +17,11 @@ namespace palpate::view {
 
 namespace {
 
-/// So far the top lies outside the body, which is flat where it lies on it: two surfaces in one place would flicker.
+/// The top is this far outside the body, which is flat where it lies on it: two surfaces in one place would flicker.
 constexpr double kTopOutsideMm = 0.3;
 
 constexpr double kTableWidthMm = 700.0;
-constexpr double kBesideBodyMm = 40.0;  ///< of a body that is broader than the table
+constexpr double kBesideBodyMm = 40.0;  ///< around a body that is broader than the table
 constexpr double kTableBeyondMm = 140.0;
 constexpr double kSeatMm = 480.0;
 
@@ -34,11 +34,11 @@ Eigen::AlignedBox3d boxAlong(const Mat3& axes, const mesh::TriangleMesh& skin) {
 // ---- rings
 
 constexpr int kCornerSteps = 8;
-constexpr double kStepMm = 10.0;  ///< of the shade beside the body, which falls off over kFallsOffMm
+constexpr double kStepMm = 10.0;  ///< of the shade around the body, which falls off over kFallsOffMm
 
 /// A point of the outline: the corner of the inner rectangle that it belongs to, or a place between two of them.
 struct OutlinePoint {
-  Vec2 share;   ///< of the inner rectangle's half extents, -1 to 1
+  Vec2 share;   ///< as a share of the inner rectangle's half extents, -1 to 1
   Vec2 normal;  ///< unit, outward
 };
 
@@ -110,7 +110,7 @@ struct ShadePatch {
   float area = 0.0f;
 };
 
-/// Of the skin that faces the slab: what faces away covers nothing of its sky.
+/// Patches of the skin that faces the slab: other skin covers nothing of its sky.
 std::vector<ShadePatch> shadePatches(const mesh::TriangleMesh& skin, const Vec3& up) {
   constexpr double kCellMm = 22.0;
   std::map<std::array<int, 3>, ShadePatch> cells;
@@ -148,7 +148,7 @@ float skyOver(const SupportVertex& vertex, const std::vector<ShadePatch>& patche
   return std::max(0.0f, 1.0f - covered);
 }
 
-/// Patches are too coarse for the gap beside the place where the body lies: there it is darker the nearer the skin is.
+/// Patches are too coarse for the gap around the contact: there it is darker the nearer the skin is.
 float nearSkin(const SupportVertex& vertex, const tree::TriangleTree& tree) {
   constexpr double kReachMm = 50.0;
   constexpr double kDark = 0.75;

@@ -1,5 +1,5 @@
-// The shape of what a body lies or sits on: a padded slab with soft edges, as wide as a palpation table under a body
-// that lies, a stool's seat under one that sits. Plain data; no GL.
+// The support of a body that lies or sits: a padded slab with soft edges, as wide as a palpation table, or a stool's
+// seat. Plain data; no GL.
 #pragma once
 
 #include <optional>
@@ -16,20 +16,20 @@ struct SupportSlab {
   Vec3 along;   ///< unit
   Vec2 half;    ///< half its extent across and along
   double corner_mm = 0.0;
-  double edge_mm = 0.0;  ///< how far the top is rounded off
+  double edge_mm = 0.0;  ///< radius of the rounded edge
   double thickness_mm = 0.0;
 
   Vec3 across() const { return along.cross(up); }
   Eigen::AlignedBox3d box() const;
 };
 
-/// Nothing for a body that neither lies nor sits.
+/// Empty for a body that neither lies nor sits.
 std::optional<SupportSlab> supportSlab(const scene::World& world);
 
 struct SupportVertex {
   Vec3f place;
   Vec3f normal;
-  float sky;  ///< how much of it the body leaves: 1 all, 0 nothing
+  float sky;  ///< share that the body leaves: 1 all, 0 nothing
 };
 
 struct SupportShape {

@@ -1,4 +1,4 @@
-// Events become the one state a frame that this ImGui wants; its text fields get keys by a map from our numbers.
+// Events become the one state per frame that this ImGui wants; its text fields get keys by a map from our numbers.
 // Letters are made in pixels and laid out in points.
 // Data flow: InputEvent -> here -> the caller's panels -> triangles -> any framebuffer. 60 Hz.
 #include "palpate/window/gui.h"
@@ -14,7 +14,7 @@
 
 #include "palpate/view/layers/embedded_file.h"
 
-// DejaVu Sans Mono, beside the DejaVu Sans of drawing.h and under the same licence.
+// DejaVu Sans Mono, with the same licence as the DejaVu Sans of drawing.h.
 PALPATE_EMBED(palpate_even_font, PALPATE_EVEN_FONT_FILE);  // NOLINT(readability-identifier-naming)
 
 namespace palpate::window {
@@ -42,7 +42,7 @@ void useDark(ImGuiStyle& style) {
   c[ImGuiCol_Button] = {0.28f, 0.28f, 0.29f, 1.0f};
   c[ImGuiCol_ButtonHovered] = {0.38f, 0.38f, 0.39f, 1.0f};
   c[ImGuiCol_ButtonActive] = {0.45f, 0.45f, 0.46f, 1.0f};
-  // Dark enough to read the number that is written over it.
+  // Dark enough to read the number over it.
   c[ImGuiCol_SliderGrab] = {0.44f, 0.44f, 0.45f, 1.0f};
   c[ImGuiCol_SliderGrabActive] = {0.54f, 0.54f, 0.55f, 1.0f};
   c[ImGuiCol_CheckMark] = {0.95f, 0.72f, 0.36f, 1.0f};
@@ -51,7 +51,7 @@ void useDark(ImGuiStyle& style) {
   c[ImGuiCol_PlotHistogram] = {0.95f, 0.72f, 0.36f, 1.0f};
 }
 
-/// Grey words as readable as on the dark theme.
+/// Grey text as readable as on the dark theme.
 void useLight(ImGuiStyle& style) {
   ImGui::StyleColorsLight(&style);
   style.Colors[ImGuiCol_TextDisabled] = {0.36f, 0.36f, 0.37f, 1.0f};
@@ -80,7 +80,7 @@ void shape(ImGuiStyle& style) {
   style.ItemSpacing = {8.0f, 5.0f};
 }
 
-/// Which of our keys ImGui's text fields ask for.
+/// The keys that ImGui's text fields need.
 void mapKeys(ImGuiIO& io) {
   const auto map = [&](ImGuiKey theirs, Key ours) { io.KeyMap[theirs] = static_cast<int>(ours); };
   map(ImGuiKey_Tab, Key::tab);

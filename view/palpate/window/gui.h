@@ -1,7 +1,7 @@
-// Panels over the picture: a Dear ImGui context that is fed with InputEvents and drawn into any framebuffer.
+// Panels over the picture: a Dear ImGui context that gets InputEvents and is drawn into any framebuffer.
 //
-// It knows nothing of the window, so panels can be used and pictured without one. Everything is measured in points; a
-// point has as many pixels as the screen's content scale times the user's factor says.
+// It does not depend on the window, so panels can be used and pictured without one. Everything is measured in points; a
+// point has as many pixels as the screen's content scale times the user's factor.
 //
 //   begin (events, size) ─► the caller's ImGui calls ─► end ─► present (once for each eye)
 #pragma once
@@ -29,11 +29,10 @@ class Gui {
   Gui();
   ~Gui();
 
-  /// Sees one state: hand in the events of one of guiPasses. Letters are made again when the scale (pixels a point)
-  /// changes.
+  /// Begins a pass with the events of one of guiPasses. A new scale (pixels per point) makes the letters again.
   void begin(const Vec2& size_points, double scale, double elapsed_s, std::span<const InputEvent> events);
   void end();
-  /// Says of each window of the frame, by its name, whether it is drawn.
+  /// Whether a window of the frame is drawn, by its name.
   using Choice = bool (*)(std::string_view window);
   /// Draws the panels into the bound framebuffer, stretched to its pixels: all, or those chosen.
   void present(int width, int height, Choice choice = nullptr) const;
@@ -43,9 +42,9 @@ class Gui {
   void setTheme(Theme theme);
   /// From the next frame on there is a second size of letters, for titles: the last font of ImGui's atlas.
   void useLargeLetters();
-  /// Of the last frame: a panel, menu or popup is under the cursor or holds the mouse.
+  /// Whether, in the last frame, a panel, menu or popup was under the cursor or held the mouse.
   bool wantsMouse() const;
-  /// A text field takes the keys.
+  /// Whether a text field has the keys.
   bool wantsText() const;
 
  private:

@@ -8,15 +8,15 @@ namespace palpate::window {
 
 namespace {
 
-/// What a pass has shown so far.
+/// State of a pass so far.
 struct Pass {
-  std::vector<Key> keys = {};  ///< that went down or up
+  std::vector<Key> keys = {};  ///< pressed or released
   std::array<bool, kButtons> buttons{};
-  bool edits = false;  ///< a key that a text field obeys went down
+  bool edits = false;  ///< a key that edits text was pressed
   std::optional<Vec2> clicked_at = {};
 };
 
-/// Letters come as text; a field obeys one of the others per pass. Shift, Ctrl and Alt only say how.
+/// Letters come as text; a field handles one of the others per pass. Shift, Ctrl and Alt only modify them.
 bool edits(Key key) {
   constexpr int kFirstUnprinted = 256;
   constexpr int kFirstModifier = 340;
@@ -29,7 +29,7 @@ bool hasPlace(const InputEvent& event) {
   return event.kind == Kind::move || event.kind == Kind::button || event.kind == Kind::scroll;
 }
 
-/// The pass cannot show this event beside what it shows already.
+/// The pass cannot hold this event besides its earlier ones.
 bool conflicts(const Pass& pass, const InputEvent& event) {
   using Kind = InputEvent::Kind;
   if (hasPlace(event) && pass.clicked_at && *pass.clicked_at != event.at) return true;

@@ -11,7 +11,7 @@
 
 namespace palpate::window {
 
-/// A frame as slow as a second brings fewer; what comes beyond shares the last pass.
+/// Even a frame of a second has fewer; further ones share the last pass.
 inline constexpr std::size_t kMaxGuiPasses = 64;
 
 /// In order, together all events; at least one pass, which may be empty.

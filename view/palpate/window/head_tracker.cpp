@@ -1,5 +1,5 @@
 // Measured eyes -> shown eyes: a first-order low-pass, its own speed as the prediction, and a glide back by the same
-// filter when nothing is heard (head_tracker.h).
+// filter on silence (head_tracker.h).
 #include "palpate/window/head_tracker.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void HeadTracker::measured(const Vec3& eyes_mm, double now_s) {
   if (!eyes_mm.allFinite()) return;
   const Vec3 place = kept(eyes_mm + settings.offset_mm);
   if (stateAt(now_s) != State::tracking) {
-    // Found again: on from what is shown, over the low-pass, instead of a jump.
+    // Found again: continue from the shown place through the low-pass, instead of a jump.
     smooth_ = shown_;
     speed_.setZero();
     heard_s_ = now_s;

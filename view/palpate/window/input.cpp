@@ -1,6 +1,6 @@
-// At most one drag at a time. What a button begins is decided when it goes down, from button, modifiers, preset and
-// what lies under it, and stays so until it comes up: the skin may slip away below the cursor meanwhile. What is
-// pressed and what is held are two states of a finger, so that Enter and the button do not undo each other.
+// At most one drag at a time. A button's effect is decided when it goes down, from button, modifiers, preset and the
+// thing under it, and stays so until it is released: the skin may slip away below the cursor meanwhile. Pressed and
+// held are two states of a finger, so that Enter and the button do not undo each other.
 #include "palpate/window/input.h"
 
 namespace palpate::window {
@@ -156,7 +156,7 @@ void Input::scroll(const InputEvent& event, const Situation& situation, std::vec
     const auto kind = event.modifiers.shift ? Command::Kind::edit_strength : Command::Kind::edit_size;
     commands.push_back(by(kind, event.at, event.notches));
   } else if (pressed_[active_]) {
-    // Towards the user is deeper, as one pushes a finger down.
+    // Towards the user is deeper, like pushing a finger down.
     commands.push_back(
         by(Command::Kind::deepen, event.at, -event.notches * (event.modifiers.shift ? kFineNotch : 1.0)));
   } else {
@@ -171,7 +171,7 @@ void Input::keyDown(const InputEvent& event, const Situation& situation, std::ve
   const bool always = pressed->action == Action::help || pressed->action == Action::cancel;
   if (!settings.shortcuts && !always) return;
   const bool steps = bindingOf(pressed->action).fine_with_shift;
-  if (event.repeat && !steps) return;  // a switch flips once however long its key is down
+  if (event.repeat && !steps) return;  // a switch flips once per press of its key
   act(*pressed, situation, commands);
 }
 
@@ -224,7 +224,7 @@ void Input::useFinger(std::size_t finger) {
   take(finger, known_already);
 }
 
-/// The finger that is left stays as it is: what the button pressed is held from now on.
+/// The other finger keeps its state: if the button pressed it, it is held from now on.
 void Input::take(std::size_t finger, std::vector<Command>& commands) {
   if (finger == active_) return;
   if (drag_ == Drag::touch) {

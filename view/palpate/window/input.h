@@ -1,10 +1,10 @@
-// From what the mouse and the keyboard do to what is meant: raw events in, commands out. Pure; no window, no GL.
+// Translates mouse and keyboard into intentions: raw events in, commands out. Pure; no window, no GL.
 //
 //   GLFW │ input script │ test ─► InputEvent ─► Input (this state machine) ─► Command ─► viewer
 //
 // The rule: the left button on the skin touches, the right button or empty space turns, the wheel zooms unless a finger
-// is down. Touching changes nothing that lasts, so it may be the plain left button.
-// Whatever happens, a finger is never left pressed by an accident: losing the focus lifts all of them.
+// is down. Touching changes nothing lasting, so it may be the plain left button. A finger is never left pressed by
+// accident: losing the focus lifts all of them.
 #pragma once
 
 #include <array>
@@ -33,11 +33,11 @@ struct InputEvent {
   std::string text = {};  ///< typed text (UTF-8); drop: a file's path
 };
 
-/// What the state machine has to know about the place and moment of an event.
+/// Facts about the place and moment of an event.
 struct Situation {
   bool on_skin = false;         ///< the skin is under the event's place
-  bool over_gui = false;        ///< a panel, menu or popup takes the mouse
-  bool gui_wants_text = false;  ///< a text field takes the keys
+  bool over_gui = false;        ///< a panel, menu or popup has the mouse
+  bool gui_wants_text = false;  ///< a text field has the keys
   bool editing = false;         ///< the dysfunction editor is open: the left button places and moves
 };
 
@@ -51,12 +51,12 @@ struct Command {
     lift,       ///< it goes up
     lift_all,   ///< every finger goes up
     deepen,     ///< by `amount` notches (0.5 mm or 0.25 N each; may be a fraction)
-    grab,       ///< a turn or pan begins at `at`: what lies there is its pivot
+    grab,       ///< a turn or pan begins at `at`: the thing there is its pivot
     orbit,      ///< by `by` pixels
     pan,        ///< by `by` pixels
     zoom,       ///< by `amount` notches about `at`
     centre,     ///< the place at `at` becomes the centre of turning
-    edit_grab,  ///< editor: place or take hold at `at`
+    edit_grab,  ///< editor: place or grab at `at`
     edit_move,
     edit_drop,
     edit_size,      ///< editor: by `amount` notches
@@ -66,14 +66,14 @@ struct Command {
   Kind kind = Kind::act;
   Action action = Action::cancel;
   bool fine = false;
-  bool over_gui = false;  ///< hold: what is under the mouse is no body
+  bool over_gui = false;  ///< hold: a panel is under the mouse
   Vec2 at = Vec2::Zero();
   Vec2 by = Vec2::Zero();
   double amount = 0.0;
   std::size_t finger = 0;
 };
 
-/// Hands learned on other programs.
+/// Mouse buttons as in other programs.
 enum class MousePreset : std::uint8_t {
   palpate,  ///< right turns, middle pans
   blender,  ///< middle turns, Shift and middle pans
@@ -95,11 +95,11 @@ class Input {
  public:
   InputSettings settings;
 
-  /// Appends what the event means. Any order of events is safe.
+  /// Appends the commands for the event. Any order of events is safe.
   void handle(const InputEvent& event, const Situation& situation, std::vector<Command>& commands);
 
   std::size_t activeFinger() const { return active_; }
-  /// Somebody else, a panel, has chosen the finger.
+  /// A panel has chosen the finger.
   void useFinger(std::size_t finger);
   bool pressed(std::size_t finger) const { return pressed_[finger]; }
   bool held(std::size_t finger) const { return held_[finger]; }
@@ -124,7 +124,7 @@ class Input {
 
   Drag drag_ = Drag::none;
   Button drag_button_ = Button::left;
-  bool depth_drag_ = false;  // the right button beside a pressing left one
+  bool depth_drag_ = false;  // the right button with a pressing left one
   Vec2 last_ = Vec2::Zero();
   Vec2 last_click_ = Vec2::Constant(-1e9);
   double last_click_s_ = -1e9;

@@ -1,5 +1,5 @@
-// The one table of keys: what each key does, in which words. The keyboard, the menus, the F1 page and
-// docs/reference/viewer.md all come from it, so that none of them can promise what another does not do.
+// The one table of keys: each key's action and its text. The keyboard, the menus, the F1 page and
+// docs/reference/viewer.md all come from it, so that they cannot disagree.
 //
 // Unshifted keys only, or Shift for "finer" and "the other way": a key that needs Shift on one keyboard does not exist
 // on another.
@@ -53,7 +53,7 @@ struct Modifiers {
   friend bool operator==(const Modifiers&, const Modifiers&) = default;
 };
 
-/// What a key asks for. The overlays follow each other as in Overlay (look.h), the colourings as in Colouring.
+/// A key's action. The overlays follow each other as in Overlay (look.h), the colourings as in Colouring.
 enum class Action : std::uint8_t {
   hold,
   deeper,
@@ -143,13 +143,13 @@ struct KeyBinding {
   Action action;
   KeyGroup group;
   Chord chord;
-  Chord also;             ///< a second way, or none
+  Chord also;             ///< a second chord, or none
   bool fine_with_shift;   ///< Shift does the same in smaller steps
   std::string_view name;  ///< in menus: "Full screen"
   std::string_view does;  ///< one sentence for the F1 page
 };
 
-/// One row an action, in the order of Action within each group.
+/// One row per action, in the order of Action within each group.
 std::span<const KeyBinding> keyTable();
 const KeyBinding& bindingOf(Action action);
 
@@ -163,7 +163,7 @@ std::optional<PressedKey> actionOf(const Chord& chord);
 std::string nameOf(const Chord& chord);
 /// The same in the language in use: "Strg+S".
 std::string shownNameOf(const Chord& chord);
-/// Both ways: "PgDn or ]".
+/// Both chords: "PgDn or ]".
 std::string keysOf(const KeyBinding& binding);
 
 /// The overlay or colouring that an action switches, if it does.
@@ -171,7 +171,7 @@ std::optional<view::Overlay> overlayOf(Action action);
 std::optional<view::Colouring> colouringOf(Action action);
 Action actionFor(view::Overlay overlay);
 
-/// The table as Markdown: what docs/reference/viewer.md holds.
+/// The table as Markdown, for docs/reference/viewer.md.
 std::string keysAsMarkdown();
 
 }  // namespace palpate::window

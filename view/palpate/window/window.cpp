@@ -1,5 +1,5 @@
-// GLFW's callbacks fill a list of events with time, place and modifiers as they were then; pixels, not GLFW's screen
-// coordinates. A finished picture comes by one blit, so the window asks for no depth buffer.
+// GLFW's callbacks fill a list of events with the time, place and modifiers of the moment; in pixels, not GLFW's screen
+// coordinates. A finished picture is copied by one blit, so the window needs no depth buffer.
 // Data flow: GLFW -> events -> input.h; Target -> here -> screen. Main thread.
 #include "palpate/window/window.h"
 
@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kWithoutAWindow = "`palpate render` makes pictures and `palpate simulate` palpates without one";
 
-// The table of keys counts on GLFW's numbers.
+// The table of keys relies on GLFW's numbers.
 static_assert(static_cast<int>(Key::escape) == GLFW_KEY_ESCAPE && static_cast<int>(Key::up) == GLFW_KEY_UP);
 static_assert(static_cast<int>(Key::page_down) == GLFW_KEY_PAGE_DOWN && static_cast<int>(Key::f1) == GLFW_KEY_F1);
 static_assert(static_cast<int>(Key::pause) == GLFW_KEY_PAUSE);
@@ -32,7 +32,7 @@ static_assert(static_cast<int>(Key::left_bracket) == GLFW_KEY_LEFT_BRACKET && st
 
 Modifiers modifiersOf(int mods) { return {(mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0}; }
 
-/// What OpenGL there is when the one we need is refused: a second try without asking for a version.
+/// The available OpenGL when the needed one is refused: a second try without a version.
 std::string offeredVersion() {
   glfwDefaultWindowHints();
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
@@ -66,7 +66,7 @@ struct Window::Impl {
   GLFWwindow* window = nullptr;
   std::vector<InputEvent> events;
   Modifiers modifiers;
-  /// At the time of the event at hand; asking GLFW would tell where it is by now, several events later.
+  /// At the time of the current event; GLFW would report the present place, several events later.
   Vec2 cursor = Vec2::Zero();
   int windowed_x = 0;
   int windowed_y = 0;
@@ -152,7 +152,7 @@ void Window::Impl::listenToPointer() {
     event.button = static_cast<Button>(button);  // left, right, middle in both
     event.down = action == GLFW_PRESS;
   });
-  // Touch pads send both axes; only the vertical one means something here.
+  // Touch pads send both axes; only the vertical one is used.
   glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
     // Some systems turn Shift and the wheel into a horizontal scroll.
     const double notches = y == 0.0 && of(w).modifiers.shift ? x : y;
@@ -167,7 +167,7 @@ void Window::Impl::listenToKeys() {
   glfwSetKeyCallback(window, [](GLFWwindow* w, int k, int, int action, int mods) {
     Impl& handles = of(w);
     handles.modifiers = modifiersOf(mods);
-    // The event of a modifier key tells the state before it.
+    // The event of a modifier key has the state before it.
     const bool down = action != GLFW_RELEASE;
     if (k == GLFW_KEY_LEFT_SHIFT || k == GLFW_KEY_RIGHT_SHIFT) handles.modifiers.shift = down;
     if (k == GLFW_KEY_LEFT_CONTROL || k == GLFW_KEY_RIGHT_CONTROL) handles.modifiers.ctrl = down;
@@ -195,7 +195,7 @@ void Window::Impl::listenToDesktop() {
 }
 
 Window::Window(const WindowSettings& settings) : impl_(std::make_unique<Impl>()) {
-  glfwSetErrorCallback([](int, const char*) {});  // what failed is told by what it returns
+  glfwSetErrorCallback([](int, const char*) {});  // failures are reported by return values
   if (!displayOffered() || glfwInit() != GLFW_TRUE) {
     throw Error(fmt::format("there is no display to open a window on; {}", kWithoutAWindow));
   }

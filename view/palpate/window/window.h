@@ -1,4 +1,4 @@
-// A window on the desktop: where input events come from and where a finished picture goes. It draws nothing itself:
+// A window on the desktop: the source of input events and the screen for finished pictures. It draws nothing itself:
 // everything is drawn into a Target, as without a window, and presented; so both show the same pixels.
 #pragma once
 
@@ -19,35 +19,35 @@ struct WindowSettings {
   int x = -1;  ///< place on the desktop; negative or off every monitor: the system chooses
   int y = -1;
   bool full_screen = false;
-  bool quad_buffer = false;     ///< try for a picture an eye (shutter glasses); see quadBuffered
-  bool wait_for_screen = true;  ///< present at most once a refresh
+  bool quad_buffer = false;     ///< try for a picture per eye (shutter glasses); see quadBuffered
+  bool wait_for_screen = true;  ///< present at most once per refresh
 };
 
 /// Belongs to the thread that made it, which must be the main thread; its context is current there.
 class Window {
  public:
-  /// Throws Error: no display (and what to do instead), or which OpenGL was found and which is needed.
+  /// Throws Error: no display (and the remedy), or the found and the needed version of OpenGL.
   explicit Window(const WindowSettings& settings);
   ~Window();
 
-  /// What happened since the last call, in order. Waits at most `wait_s` for something to happen.
+  /// Events since the last call, in order. Waits at most `wait_s` for one.
   std::vector<InputEvent> events(double wait_s = 0.0);
-  /// These come first in the next events(): nobody could use them yet.
+  /// Puts events that were not used back to the front of the next events().
   void handBack(std::span<const InputEvent> events);
 
-  /// Shows the target, stretched should its size no longer be the window's.
+  /// Shows the target, stretched if the window has another size now.
   void present(const view::Target& target);
 
   int width() const;  ///< pixels
   int height() const;
-  double contentScale() const;  ///< pixels of a point; within [1, 3] whatever the system says
+  double contentScale() const;  ///< pixels per point; within [1, 3] whatever the system reports
   bool closing() const;
-  void stayOpen();  ///< in spite of what was asked for: it is not closing any more
+  void stayOpen();  ///< cancels a request to close
   void setTitle(const std::string& title);
   bool focused() const;
   bool fullScreen() const;
   void setFullScreen(bool on);
-  /// It has a picture for each eye: draw into its framebuffer 0 (StereoMode::quad_buffer), then `swap`.
+  /// Whether it has a picture for each eye: draw into its framebuffer 0 (StereoMode::quad_buffer), then `swap`.
   bool quadBuffered() const;
   void swap();
   void showCursor(bool shown);
@@ -62,7 +62,7 @@ class Window {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Whether there is a display to open a window on, as far as the environment tells.
+/// Whether there is a display to open a window on, judging by the environment.
 bool displayOffered();
 
 }  // namespace palpate::window

@@ -1,4 +1,4 @@
-// 16 x 16 squares made of vertex numbers, without a buffer: the gradient is worked out at their corners and not at each
+// 16 x 16 squares made of vertex numbers, without a buffer: the gradient is computed at their corners and not at each
 // pixel. Each picture.
 #include "palpate/view/layers/support_layer.h"
 
@@ -40,7 +40,7 @@ void main() {
 Background::Background() : program_("background", "", kBackgroundVertex, kBackgroundFragment) {}
 
 void Background::draw(const Look& look) const {
-  constexpr float kLight = 0.8f;  // of the way from the dark gradient to white
+  constexpr float kLight = 0.8f;  // share of the way from the dark gradient to white
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);  // it lies on the far plane
   glDisable(GL_BLEND);

@@ -1,5 +1,5 @@
-// Bones with the way to the nearest skin at each vertex, so that the shader can take light away by the flesh before
-// them. Whether skin hides a bone is asked of the tree, a segment from the eye to every tenth vertex.
+// Bones with the way to the nearest skin at each vertex, so that the shader can darken them by the flesh before them.
+// The tree decides whether skin hides a bone, by a segment from the eye to every tenth vertex.
 #include "palpate/view/layers/bone_layer.h"
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct BoneVertex {
   Vec3f to_skin;  // to the nearest skin at rest, mm
 };
 
-/// Bones farther from any skin than this look as if there were none.
+/// Bones farther from any skin than this are invisible.
 constexpr double kDeepestMm = 150.0;
 
 constexpr std::string_view kBoneVertex = R"(
@@ -101,7 +101,7 @@ void BoneLayer::setWorld(const scene::World& world) {
   glBindVertexArray(0);
 }
 
-/// A bone is hidden when the skin at rest lies before every tenth of its vertices; a dent takes no skin away.
+/// A bone is hidden when the skin at rest is before every tenth of its vertices; a dent uncovers none.
 void BoneLayer::findHidden(const Vec3f& eye) {
   constexpr std::size_t kStride = 10;
   hidden_from_ = eye;

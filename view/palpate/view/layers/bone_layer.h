@@ -1,5 +1,5 @@
-// The bones under the skin, of one ivory, darker the deeper they lie. Bones that opaque skin hides are not drawn: which
-// they are is asked again only when the eye has moved.
+// The bones under the skin, of one ivory, darker the deeper they are. Bones that opaque skin hides are not drawn:
+// visibility is computed again only when the eye has moved.
 #pragma once
 
 #include <limits>

@@ -47,7 +47,7 @@ EGLContext madeContext(EGLDisplay display, const EGLint* attributes) {
   return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
 }
 
-/// What an old driver offers, for the message: a context of any version.
+/// The version of an old driver, for the message: a context of any version.
 std::string versionOffered(EGLDisplay display) {
   const EGLint any[] = {EGL_NONE};
   const EGLContext context = madeContext(display, any);

@@ -1,4 +1,4 @@
-// A context of OpenGL needs a window there: one that is never shown, of a class of our own.
+// A context of OpenGL needs a window there: a hidden one, of a class of our own.
 #include <windows.h>
 // After windows.h.
 #include <epoxy/wgl.h>
@@ -53,7 +53,7 @@ bool choosePixels(HDC device) {
   return format != 0 && SetPixelFormat(device, format, &wanted) != FALSE;
 }
 
-/// Of the version that is needed; asked for through an old one, which has to be current for that.
+/// A context of the needed version; requested through an old one, which has to be current for that.
 HGLRC contextOf(HDC device, Profile profile) {
   const std::array<int, 7> wanted = {
       WGL_CONTEXT_MAJOR_VERSION_ARB,

@@ -1,5 +1,5 @@
-// ImGui's draw lists in a context of its own, current only while a page is begun, ended or shown. One atlas holds the
-// letters of all three sizes at the scale of the page; the font's file is put into the program by the assembler.
+// ImGui's draw lists in a context of its own, current only while a page is begun, ended or shown. One atlas has the
+// letters of all three sizes at the scale of the page; the assembler embeds the font's file in the program.
 #include "palpate/view/layers/drawing.h"
 
 #include <backends/imgui_impl_opengl3.h>
@@ -90,7 +90,7 @@ void Drawing::Impl::makeLetters(double pixels_per_point) {
   ImFontConfig config;
   config.FontDataOwnedByAtlas = false;
   for (std::size_t i = 0; i < fonts.size(); ++i) {
-    // The atlas only reads the file, although it asks for memory that it might own.
+    // The atlas only reads the file, although its parameter could own it.
     fonts[i] = atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(file.data()), static_cast<int>(file.size()),
                                           kTextPoints[i] * static_cast<float>(scale), &config, fontRanges());
   }

@@ -2,9 +2,9 @@
 //
 //   begin ─► lines, shapes, text (collected) ─► end ─► present (once for each eye)
 //
-// A page is measured in points; how many pixels a point has is the page's scale, so that a picture and its
-// supersampled twin are laid out alike. Uses Dear ImGui's draw lists and its OpenGL 3 renderer, in a context of its
-// own: panels of the host are not disturbed.
+// A page is measured in points; its scale is the number of pixels per point, so that a picture and its supersampled
+// twin are laid out alike. Uses Dear ImGui's draw lists and its OpenGL 3 renderer, in a context of its own: panels of
+// the host are not disturbed.
 #pragma once
 
 #include <cstdint>
@@ -29,16 +29,16 @@ enum class TextSize : std::uint8_t { small, normal, title };
 /// A page in points; x to the right, y down, from the upper left corner.
 class Drawing {
  public:
-  /// Needs a current context, of whose thread it is; throws Error when the renderer of shapes cannot be made.
+  /// Needs a current context, to whose thread it belongs; throws Error when the renderer of shapes cannot be made.
   Drawing();
   ~Drawing();
 
-  /// Starts a page. Letters are made again when the scale (pixels a point) changes, which takes some 30 ms.
+  /// Starts a page. A new scale (pixels per point) makes the letters again, which takes some 30 ms.
   void begin(const Vec2f& size, double scale);
   void end();
   /// Draws the page into the bound framebuffer, stretched to its `width` x `height` pixels.
   void present(int width, int height) const;
-  /// The same for a page that is a part of a larger one: its upper left corner lies at `corner` of `whole` points.
+  /// The same for a page that is a part of a larger one: its upper left corner is at `corner` of `whole` points.
   void present(int width, int height, const Vec2f& corner, const Vec2f& whole) const;
 
   void line(const Vec2f& from, const Vec2f& to, const Ink& ink, float thickness = 1.0f);

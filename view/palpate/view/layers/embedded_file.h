@@ -1,5 +1,5 @@
 // Copies a file into the program's read-only data when it is assembled: PALPATE_EMBED(name, "/path/of/the/file") makes
-// name_begin and name_end. Once a file, outside any namespace.
+// name_begin and name_end. Once per file, outside any namespace.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A unit sphere for all balls, a finger for both sides and a hand a side, made when first shown. One program shades
+// A unit sphere for all balls, a finger for both sides and a hand per side, made when first shown. One program shades
 // balls and outlines, the other hands and fingers; both are darker towards the skin, by formula.
 // Data flow: FingerPose, HandPose -> here -> framebuffer, each picture.
 #include "palpate/view/layers/finger_layer.h"
@@ -142,9 +142,9 @@ void main() {
 }
 )";
 
-/// The forearm is opaque up to so much before its end.
+/// The forearm is opaque up to this much before its end.
 constexpr double kFadeMm = 110.0;
-/// Its very end is not seen at all.
+/// Its very end is invisible.
 constexpr double kUnseenMm = 8.0;
 
 /// Linear: light, so that it is seen on skin of every tone and on both fingers.
@@ -252,7 +252,7 @@ void FingerLayer::setShape(const Shape& shape, const FingerPose& finger, const M
   glBindVertexArray(shape.vertex_array.get());
 }
 
-/// The back faces of a slightly larger shape: what stands out behind the shape is its outline.
+/// The back faces of a slightly larger shape: their visible edge is the outline.
 void FingerLayer::drawRim(const Shape& shape, const FingerPose& finger, const Viewpoint& viewpoint) const {
   const float away_mm = (finger.centre.cast<float>() - viewpoint.eye).norm();
   program_.set("grown", static_cast<float>(finger.outline) * away_mm / viewpoint.pixels_per_radian);

@@ -1,4 +1,4 @@
-// The fingers: balls, or hands and fingers without one whose pad lies where the ball would.
+// The fingers: balls, or hands and single fingers whose pad is where the ball would be.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace palpate::view {
 
-// How a hand is held whose index finger's pad rests on the skin: from caudal and a little from its own side, steep
+// The pose of a hand whose index finger's pad rests on the skin: from caudal and a little from its own side, steep
 // enough that its other parts stay off the body. No GL.
 
 /// From the hand's frame (body/hand.h) to the body's: place = origin + axes * point.
@@ -28,32 +28,32 @@ struct HandPose {
 /// Along the skin, from the wrist to the tip.
 Vec3 headingOf(const Vec3& normal, bool left);
 
-/// The pad of the index finger lies where the finger's ball meets the skin; the hand is held as flat as its other parts
-/// allow without sinking into the skin at rest, and lifted where even that is not enough. `hand` must be the one of
-/// that side, `size` times as large.
+/// The pad of the index finger is where the finger's ball meets the skin; the hand is as flat as its other parts allow
+/// without sinking into the skin at rest, and lifted where even that is not enough. `hand` must be the one of that
+/// side, `size` times as large.
 HandPose handPoseOf(const scene::World& world, const FingerPose& finger, const body::PalpatingHand& hand,
                     double size = 1.0);
 
-/// What a hand looks like: linear.
+/// The look of a hand: linear.
 struct HandTones {
   double skin = 2.0;     ///< SkinTone
-  double near_mm = 1.0;  ///< of the picture's near plane
+  double near_mm = 1.0;  ///< near plane of the picture
 };
 
 class FingerLayer {
  public:
   FingerLayer();
   void drawBalls(std::span<const FingerPose> fingers, const Viewpoint& viewpoint) const;
-  /// A whole hand, or a finger without it, as large as the ball would be.
+  /// A whole hand, or a finger alone, as large as the ball would be.
   enum class Form : std::uint8_t { hand, finger };
-  /// Where hands lie; makes a hand when it is first asked for.
+  /// The pose of a hand, which is made on first use.
   HandPose handPose(const scene::World& world, Form form, const FingerPose& finger);
-  /// A hand in two parts, since it fades out at its elbow and before the eye: what is opaque, among all that hides and
-  /// is hidden, and what is not, over everything else. A finger is all opaque.
+  /// Parts of a hand, since it fades out at its elbow and before the eye: the opaque part, depth-tested, and the rest,
+  /// over everything else. A finger is all opaque.
   enum class Part : std::uint8_t { opaque, fading };
   void drawHand(Form form, const FingerPose& finger, const HandPose& pose, const HandTones& tones,
                 const Viewpoint& viewpoint, Part part);
-  /// What throws the shadow of a hand that was posed.
+  /// Adds the shapes that throw the shadow of a posed hand.
   void addCasters(Form form, const FingerPose& finger, const HandPose& pose, std::vector<ShadowCaster>& casters);
 
  private:
@@ -79,7 +79,7 @@ class FingerLayer {
   Program program_, hand_program_;
   Shape ball_;
   std::array<std::optional<Hand>, 2> hands_;  // right, left; made when first shown
-  std::optional<Hand> finger_;                // of either hand; made when first shown
+  std::optional<Hand> finger_;                // for either hand; made when first shown
 };
 
 }  // namespace palpate::view

@@ -1,4 +1,4 @@
-// A program compiles and links as it is constructed; what the compiler says goes into the Error.
+// A program compiles and links on construction; the compiler's message goes into the Error.
 #include "palpate/view/layers/gl_objects.h"
 
 #include <fmt/format.h>

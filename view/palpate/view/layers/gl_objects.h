@@ -60,16 +60,16 @@ void fillBuffer(GLenum kind, GLuint buffer, std::span<const T> values, GLenum us
   glBufferData(kind, static_cast<GLsizeiptr>(values.size_bytes()), values.data(), usage);
 }
 
-/// Binds a texture and gives it this picture, with smaller copies for where it is shown small.
+/// Binds a texture and uploads this picture, with mipmaps for where it is shown small.
 void fillTexture(GLuint texture, const Image& image, GLint format, GLint beyond_its_edge);
 
-/// Offsets into a bound buffer are handed to OpenGL as if they were pointers.
+/// Offsets into a bound buffer are passed to OpenGL as if they were pointers.
 inline const void* bufferOffset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): that is OpenGL's interface
 }
 
-/// From now on the bound vertex array reads a location out of the bound buffer, `size` numbers a vertex; bytes are
-/// shares of 255, shorts of 32767. A stride of 0 is that of numbers without gaps.
+/// From now on the bound vertex array reads a location out of the bound buffer, `size` numbers per vertex; bytes are
+/// shares of 255, shorts of 32767. A stride of 0 means numbers without gaps.
 inline void attributeAt(GLuint location, GLint size, GLenum type, std::size_t stride = 0, std::size_t offset = 0) {
   glEnableVertexAttribArray(location);
   glVertexAttribPointer(location, size, type, type == GL_UNSIGNED_BYTE || type == GL_SHORT ? GL_TRUE : GL_FALSE,
@@ -80,7 +80,7 @@ inline void attributeAt(GLuint location, GLint size, GLenum type, std::size_t st
 /// message.
 class Program {
  public:
-  /// `name` stands for it in messages; `#version 330 core` and `shared` are put before every source.
+  /// `name` identifies it in messages; `#version 330 core` and `shared` are put before every source.
   Program(std::string_view name, std::string_view shared, std::string_view vertex, std::string_view fragment,
           std::string_view geometry = {});
 
@@ -112,10 +112,10 @@ class Program {
   GlName<ProgramKind> program_;
 };
 
-/// Sets how transparent things cover what is there. The picture itself stays opaque: some desktops would show through.
+/// Makes transparent things blend over the rest. The picture itself stays opaque: some desktops would show through.
 inline void blendOver() { glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); }
 
-/// What the driver says of itself, GL_VERSION for instance; empty where it says nothing.
+/// The driver's text, GL_VERSION for instance; empty without one.
 inline std::string glWords(GLenum name) {
   const auto* words = reinterpret_cast<const char*>(glGetString(name));
   return words == nullptr ? "" : words;

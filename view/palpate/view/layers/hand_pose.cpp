@@ -1,5 +1,5 @@
-// A ball on the skin -> the hand that holds it: the flattest angle at which no other part of the hand is in the skin at
-// rest, found by halving and asked of the tree at every seventh vertex; what still sinks in lifts the whole hand.
+// A ball on the skin -> the pose of its hand: the flattest angle at which no other part of the hand is in the skin at
+// rest, found by halving and tested against the tree at every seventh vertex; any remaining depth lifts the whole hand.
 #include "palpate/view/layers/finger_layer.h"
 
 #include <algorithm>
@@ -12,13 +12,14 @@ namespace palpate::view {
 namespace {
 
 /// Angle between the pad's joint and the skin: as flat as the other parts allow, within these; how far the hand comes
-/// from its own side instead of straight from below; and turned about its length, the little finger's side up. Radians.
+/// from its own side instead of straight from below; and its turn about its length, the little finger's side up.
+/// Radians.
 constexpr double kFlattest = 0.64;
 constexpr double kSteepest = 1.35;
 constexpr double kAside = 0.45;
 constexpr double kRoll = 0.10;
-/// Every how many vertices of the hand are asked whether they are in the skin; those within this of the tip are not: it
-/// lies in its dent.
+/// Every kStride-th vertex of the hand is tested for being in the skin, except within kTipMm of the tip: it is in its
+/// dent.
 constexpr std::size_t kStride = 7;
 constexpr double kTipMm = 35.0;
 
@@ -43,10 +44,10 @@ Mat3 axesAt(const FingerPose& finger, const body::PalpatingHand& hand, double st
   return axes * Eigen::AngleAxisd(finger.left ? kRoll : -kRoll, Vec3::UnitY()).toRotationMatrix();
 }
 
-/// The vertices between those that are asked may lie this much deeper.
+/// The vertices between the tested ones may be this much deeper.
 constexpr double kClearanceMm = 2.0;
 
-/// How deep a point lies in the skin at rest or too near to it; 0 outside, and beyond `reach`.
+/// Depth of a point in the skin at rest or too near to it; 0 outside, and beyond `reach`.
 double depthIn(const contact::Surface& surface, const Vec3& point, double reach) {
   const auto nearest = tree::nearestPoint(surface.geometry->tree, point, reach);
   if (nearest.triangle == kNoIndex) return 0.0;
@@ -66,7 +67,7 @@ double padReach(const body::PalpatingHand& hand, const Mat3& axes, const Vec3& d
   return reach;
 }
 
-/// The hand held at this angle with its pad where the ball meets the skin.
+/// The hand at this angle with its pad where the ball meets the skin.
 HandPose heldAt(const FingerPose& finger, const body::PalpatingHand& hand, double size, double steepness) {
   HandPose pose;
   pose.axes = size * axesAt(finger, hand, steepness);

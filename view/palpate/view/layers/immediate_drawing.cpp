@@ -1,4 +1,4 @@
-// The same corners go to the picture or to the feedback buffer, whichever mode is set. What comes back is a token, a
+// The same corners go to the picture or to the feedback buffer, whichever mode is set. Feedback returns a token, a
 // number of corners and their places for each polygon; clipping adds corners, so there is room for more than three.
 // Based on: Segal and Akeley, see immediate_drawing.h.
 #include "palpate/view/layers/immediate_drawing.h"
@@ -15,8 +15,8 @@ namespace palpate::view {
 
 namespace {
 
-// A triangle comes back as a token, its number of corners and three coordinates for each; the rest is room for corners
-// that clipping adds.
+// Feedback returns a triangle as a token, its number of corners and three coordinates for each; the rest is room for
+// corners that clipping adds.
 constexpr std::size_t kValuesPerTriangle = 16;
 
 // Parallel projection along z: x and y of the box fill the picture, nothing is cut off.

@@ -1,6 +1,6 @@
 // Drawing as programs did it in 2008, for comparison: the fixed pipeline of OpenGL 2.1, corner by corner between
-// glBegin and glEnd, and the feedback buffer through which haptic libraries took over what was drawn. The renderer of
-// this room does none of it (renderer.h).
+// glBegin and glEnd, and the feedback buffer through which haptic libraries read the drawn triangles. The renderer of
+// this folder does none of it (renderer.h).
 //
 // Based on: Segal and Akeley, "The OpenGL Graphics System", version 2.1, section 5.3 (feedback).
 #pragma once
@@ -28,15 +28,15 @@ class ImmediateDrawing {
   /// One corner of a triangle; only while drawing.
   static void corner(const Vec3& normal, const Vec3& position);
 
-  /// Draws up to `triangles` triangles into memory instead of the picture. The number of triangles that came back; some
-  /// may be missing or in pieces where they leave the box.
+  /// Draws up to `triangles` triangles into memory instead of the picture. Returns the number of triangles; some may be
+  /// missing or in pieces where they leave the box.
   std::size_t capture(std::size_t triangles, const Draw& draw);
 
-  /// Draws the picture, lit and smooth, and waits until it is there.
+  /// Draws the picture, lit and smooth, and waits for it.
   void paint(const Draw& draw);
 
   Image read() const;
-  /// Who draws, "llvmpipe-22".
+  /// The renderer's name, "llvmpipe-22".
   const std::string& renderer() const;
 
  private:

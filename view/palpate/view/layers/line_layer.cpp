@@ -1,5 +1,5 @@
 // Lines are cut at the near plane, projected and widened in pixels, with a pixel more for the soft edge; two passes
-// with opposite depth tests draw what the skin hides and what it does not. Each picture.
+// with opposite depth tests draw the hidden and the visible parts. Each picture.
 #include "palpate/view/layers/line_layer.h"
 
 #include <cstddef>
@@ -90,7 +90,7 @@ out vec4 colour;
 void main() { colour = corner_paint; }
 )";
 
-/// What the skin hides: this much of it is left, in dashes of so many pixels.
+/// Hidden lines: this much of their opacity is left, in dashes of this many pixels.
 constexpr float kHiddenShare = 0.25f;
 constexpr float kDashPx = 4.0f;
 

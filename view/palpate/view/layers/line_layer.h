@@ -1,4 +1,4 @@
-// Lines and patches over the skin: wide, with soft edges, and what the skin hides thin and dashed.
+// Lines and patches over the skin: wide, with soft edges, thin and dashed where the skin hides them.
 //
 // Every line becomes a quad on the screen in the geometry shader, so that any vertex buffer can be drawn as lines: the
 // overlays' own, and the edges of the skin straight from the deformed vertices. Costs no texture and no multisampling.
@@ -10,19 +10,19 @@
 
 namespace palpate::view {
 
-/// Lines that lie on the skin are drawn this share of their distance nearer to the eye: 1 mm at arm's length.
+/// Lines on the skin are drawn this share of their distance nearer to the eye: 1 mm at arm's length.
 inline constexpr float kNearerShare = 0.0015f;
 
 enum class PatchDepth : std::uint8_t {
-  laid_on,       ///< hidden by what lies before them, hiding nothing
-  seen_through,  ///< whatever lies before them
-  solid,         ///< as bodies: they hide each other and what is drawn later
+  laid_on,       ///< hidden by things before them, hiding nothing
+  seen_through,  ///< drawn over everything
+  solid,         ///< as bodies: they hide each other and later draws
 };
 
 class LineLayer {
  public:
   LineLayer();
-  /// Skin and bones must have left their depth.
+  /// Draw skin and bones first: it needs their depth.
   void draw(const Lines& lines, const Viewpoint& viewpoint, double pixels_per_point);
   void draw(const Patches& patches, const Viewpoint& viewpoint, PatchDepth depth = PatchDepth::laid_on);
 
@@ -49,7 +49,7 @@ class LineLayer {
   Program lines_, edges_, patches_;
   GlVertexArray vertex_array_;
   GlBuffer points_;
-  std::vector<UploadedPoint> uploaded_;  // of the draw under way
+  std::vector<UploadedPoint> uploaded_;  // for the current draw
 };
 
 }  // namespace palpate::view

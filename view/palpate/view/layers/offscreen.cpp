@@ -90,7 +90,7 @@ std::string rendererName() {
   return renderer.substr(0, renderer.find(' ')) + "-" + number.substr(0, number.find('.'));
 }
 
-// Uploaded as it is, first row on top. At a change of picture.
+// Uploaded with the first row on top. At a change of picture.
 struct FlatPicture::Objects {
   GlTexture picture;
 };

@@ -1,5 +1,5 @@
-// World and DeformedSurface -> vertex buffers. Static arrays are filled once; of the deformation only the ranges that
-// the last apply wrote go up, each followed by its copies on seams of the texture.
+// World and DeformedSurface -> vertex buffers. Static arrays are filled once; later uploads are the ranges that the
+// last apply wrote, each followed by its copies on seams of the texture.
 #include "palpate/view/layers/skin_layer.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 /// The arrays that follow the deformation have the first locations in kSkinAttributes, these the next.
 constexpr int kDeformedArrays = 7;
 enum Location : GLuint { kRest = kDeformedArrays, kTint, kValue, kTexturePlace, kColour, kRestNormal, kBreath };
-/// Skins of so many triangles have a coarser set (skin_chunks.h), drawn where its cells are smaller than these pixels.
+/// Larger skins have a coarser set (skin_chunks.h), drawn where its cells are smaller than these pixels.
 constexpr std::size_t kManyTriangles = 200000;
 constexpr float kCoarseCellMm = 2.0f;
 constexpr float kCoarseCellPixels = 3.0f;
@@ -34,7 +34,7 @@ void pointAt(GLuint location, GLuint buffer, GLint size, GLenum type, std::size_
   attributeAt(location, size, type, stride, offset);
 }
 
-/// Into the array buffer that is bound.
+/// Writes into the bound array buffer.
 void put(std::size_t offset, std::span<const float> values) {
   glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(values.size_bytes()),
                   values.data());
@@ -55,7 +55,7 @@ std::vector<float> halfMajors(const scene::World& world) {
   return values;
 }
 
-/// In fours, as graphics cards like them.
+/// In fours, as graphics cards prefer.
 std::vector<std::array<std::uint8_t, 4>> paddedColours(const scene::SkinChannels* channels) {
   std::vector<std::array<std::uint8_t, 4>> padded;
   if (channels == nullptr) return padded;
@@ -100,8 +100,8 @@ std::vector<PackedNormal> packed(const std::vector<Vec3f>& normals) {
   return shorts;
 }
 
-/// The outline stays as it is: it is what the eye sees first. At a seam the picture goes on elsewhere: no triangle may
-/// reach across it.
+/// The outline stays: the eye sees it first. At a seam the picture continues elsewhere: no triangle may reach across
+/// it.
 std::vector<Stays> whatStays(const scene::World& world, const DrawnVertices& drawn) {
   const std::vector<std::uint8_t> border = drawn.withCopies<std::uint8_t>(world.surface.geometry->vertex_on_border);
   const std::vector<std::uint8_t> seam = drawn.nearSeam();

@@ -1,6 +1,7 @@
-// Which triangles a picture needs. Chunks of 64 triangles in spatial order have a sphere each, and so have cells of 8,
-// 64, ... of them: outside a plane of the frustum they are left out, near an influence they count as touched. The
-// coarser set is vertex clustering: each cube keeps one vertex a facing, and triangles that fold over go.
+// Selects the triangles that a picture needs. Chunks of 64 triangles in spatial order have a sphere each, and so have
+// cells of 8, 64, ... of them: outside a plane of the frustum they are left out, near an influence they count as
+// touched. The coarser set is vertex clustering: each cube keeps one vertex per facing, and triangles that fold over
+// go.
 //
 // Based on: Rossignac and Borrel, "Multi-resolution 3D approximations for rendering complex scenes", 1993 (clustering).
 #include "palpate/view/layers/skin_chunks.h"
@@ -20,7 +21,7 @@ constexpr Index kChunkTriangles = 64;
 constexpr Index kChunkIndices = 3 * kChunkTriangles;
 /// Skin moves no farther (the default caps of 10 and 20 mm together).
 constexpr float kMaxDisplacementMm = 25.0f;
-/// Skin that moves farther than this lies so near the finger that it counts as touched where it was.
+/// Skin that moves farther than this is so near the finger that it counts as touched where it was.
 constexpr float kTouchedDisplacementMm = 12.0f;
 
 using Planes = std::array<Eigen::Vector4f, 6>;
@@ -38,10 +39,10 @@ Planes planesOf(const Mat4f& clip) {
 
 /// Chunks in a cell of the tree, and cells in the next larger one.
 constexpr std::size_t kCellParts = 8;
-/// By this the sphere of a cell is larger than it need be, so that rounding never decides against a chunk in it.
+/// The sphere of a cell is this much too large, so that rounding never decides against a chunk in it.
 constexpr float kRoundingMm = 0.01f;
 
-/// How far inside the frustum a point is: of the plane that it is inside least.
+/// How far inside the frustum a point is: its distance from the nearest plane.
 float insideBy(const Planes& planes, const Vec3f& point) {
   float least = std::numeric_limits<float>::infinity();
   for (const Eigen::Vector4f& plane : planes) least = std::min(least, plane.dot(point.homogeneous()));
@@ -63,7 +64,7 @@ void append(std::vector<IndexRun>& runs, Index first, Index count) {
   }
 }
 
-/// A cube, and which way the skin faces in it: the two sides of a thin part stay apart.
+/// A cube, and which way the skin faces in it, so that the two sides of a thin part stay apart.
 using Cell = std::array<int, 4>;
 
 Cell cellOf(const DrawnShape& shape, Index v, float cell_mm) {
@@ -95,7 +96,7 @@ std::vector<CellMember> membersOf(const DrawnShape& shape, float cell_mm) {
   return members;
 }
 
-/// For each vertex the one that stands for it: the nearest to the middle of its cell, or itself when it stays.
+/// The representative of each vertex: the nearest to the middle of its cell, or itself when it stays.
 std::vector<Index> keptVertices(const DrawnShape& shape, std::span<const Stays> stays, float cell_mm) {
   const std::vector<CellMember> members = membersOf(shape, cell_mm);
   std::vector<Index> kept(shape.places.size());
@@ -110,7 +111,7 @@ std::vector<Index> keptVertices(const DrawnShape& shape, std::span<const Stays> 
   return kept;
 }
 
-/// Still seen from the side that its corners face; folds are not, and what is beside them covers their place.
+/// Still visible from the side that its corners face; folds are not, and their neighbours cover their place.
 bool facesOut(const DrawnShape& shape, const Triangle& t) {
   const Vec3f a = shape.places[t[0]];
   const Vec3f area = (shape.places[t[1]] - a).cross(shape.places[t[2]] - a);

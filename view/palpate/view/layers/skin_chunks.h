@@ -1,9 +1,9 @@
-// The skin's triangles in chunks, to draw each with no more work than it needs: nothing for what is out of the picture,
+// The skin's triangles in chunks, to draw each with no more work than it needs: nothing for those outside the picture,
 // the shader with shadows and blanching only where a finger is near.
 //
 // The mesh is sorted along Morton's curve, which goes through the cells of an octree one after the other: eight
-// consecutive chunks are about a cell, eight of these the next larger one. By this tree whole parts of a body are left
-// out, or taken, without a look at their chunks. No GL: index ranges out.
+// consecutive chunks are about a cell, eight of these the next larger one. This tree drops or accepts whole parts of a
+// body without a look at their chunks. No GL: index ranges out.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace palpate::view {
 
-/// Where something matters to the skin: all within `radius` of a segment, mm.
+/// The region in which something affects the skin: all within `radius` of a segment, mm.
 struct Influence {
   Vec3f from = Vec3f::Zero();
   Vec3f to = Vec3f::Zero();
@@ -46,8 +46,8 @@ struct DrawnShape {
 enum class Stays : std::uint8_t { no, vertex, cell };  // cell: and all that share a cube with it
 
 /// Fewer triangles over some of the same vertices, for a skin that is seen so small that several triangles share a
-/// pixel: each cube of `cell_mm` keeps one vertex, and those that must stay. They deform with it. `stays` has an entry
-/// a vertex. The order is that of the shape's triangles.
+/// pixel: each cube of `cell_mm` keeps one vertex, and those that must stay. They deform with it. `stays` has one entry
+/// per vertex. Triangles keep the shape's order.
 std::vector<Triangle> coarserTriangles(const DrawnShape& shape, std::span<const Stays> stays, float cell_mm);
 
 class SkinChunks {
@@ -76,17 +76,17 @@ class SkinChunks {
   SplitRuns runs_;
 };
 
-// The drawn skin's vertices: those of the skin, and after them a copy for each further place in the picture that a
-// vertex on a seam of the texture has.
+// The drawn skin's vertices: those of the skin, then a copy for each further place in the picture that a vertex on a
+// seam of the texture has.
 //
-// Only the drawing knows the copies: what is felt and deformed keeps its vertices, and a copy gets the values of its
-// vertex on their way to the graphics card. No GL.
+// Only the drawing knows the copies: contact and deformation keep the skin's vertices, and a copy gets the values of
+// its vertex on their way to the graphics card. No GL.
 
 struct DrawnVertices {
   Index of_skin = 0;                       ///< the skin's own, first in every array
-  std::vector<Index> copied;               ///< for each copy after them the vertex that it repeats, ascending
-  std::vector<Triangle> triangles;         ///< all of the skin's, in their order
-  std::vector<mesh::TexturePlace> places;  ///< a drawn vertex each; empty without a texture
+  std::vector<Index> copied;               ///< the vertex that each copy repeats, ascending
+  std::vector<Triangle> triangles;         ///< all of the skin's, in order
+  std::vector<mesh::TexturePlace> places;  ///< one per drawn vertex; empty without a texture
 
   Index count() const { return of_skin + static_cast<Index>(copied.size()); }
   /// The copies of vertices in a range, as a range of copies.
@@ -94,7 +94,7 @@ struct DrawnVertices {
   /// 1 for a drawn vertex with copies, for a copy, and for all joined to one by a triangle.
   std::vector<std::uint8_t> nearSeam() const;
 
-  /// The values of a skin, a vertex each, followed by those of the copies.
+  /// The values of a skin, one per vertex, followed by those of the copies.
   template <class T>
   std::vector<T> withCopies(std::span<const T> values) const {
     std::vector<T> all(values.begin(), values.end());
@@ -106,8 +106,8 @@ struct DrawnVertices {
 
 /// A skin without a texture: no copies.
 DrawnVertices drawnVertices(Index vertices, std::span<const Triangle> triangles);
-/// With one; `corners` has an entry a triangle. Corners of a vertex nearer to each other in the picture than
-/// kSamePlace share a drawn vertex.
+/// For a skin with a texture; `corners` has one entry per triangle. Corners of a vertex nearer to each other in the
+/// picture than kSamePlace share a drawn vertex.
 DrawnVertices drawnVertices(Index vertices, std::span<const Triangle> triangles,
                             std::span<const mesh::TextureCorners> corners);
 

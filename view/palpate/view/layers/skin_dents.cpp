@@ -9,14 +9,14 @@ namespace palpate::view {
 
 namespace {
 
-/// Half axes of a press's region between which it stops being a dent and becomes a body that gives way, mm. Of a half
+/// Half axes of a press's region between which it stops being a dent and becomes a body that gives way, mm. For a half
 /// Gaussian; layers keep a press local.
 constexpr double kWidestDentMm = 50.0;
 constexpr double kNoDentMm = 100.0;
-/// Beyond the finger's own radius, so far from a press nothing lies deep enough to be seen, mm.
+/// Beyond the finger's own radius, this far from a press the dent is too shallow to be seen, mm.
 constexpr double kDentReachMm = 55.0;
 
-/// A press's own direction counts as long as this much of its normal is in it (cosine).
+/// A drag is taken out of the way only while this much of the normal remains (cosine).
 constexpr double kStillAlong = 0.9;
 
 /// The direction nearest to a press's normal along which no drag moves anything: its own above all, which over a curved

@@ -1,4 +1,4 @@
-// The skin as a picture shows it: its buffers, its programs and the user's picture on it.
+// The skin in a picture: its buffers, its programs and the user's picture on it.
 #pragma once
 
 #include <memory>
@@ -17,38 +17,38 @@
 
 namespace palpate::view {
 
-// One world's skin on the graphics card: static arrays once, and of the deformation only what changed.
+// One world's skin on the graphics card: static arrays once, later only the deformation's changes.
 
 class SkinBuffers {
  public:
   /// The world must outlive the buffers.
   explicit SkinBuffers(const scene::World& world);
 
-  /// Goes over to a world with the same body: only its maps are new.
+  /// Switches to a world with the same body: only its maps are new.
   void setMapsOf(const scene::World& world);
 
-  /// Uploads the ranges that the last apply changed; the number of vertices.
+  /// Uploads the ranges that the last apply changed; returns the number of vertices.
   Index update(const deform::DeformedSurface& surface);
   void updateAll(const deform::DeformedSurface& surface);
 
-  /// The field of the colourings `stiffness` and `ellipses`, a vertex each.
+  /// The field of the colourings `stiffness` and `ellipses`, one value per vertex.
   void setField(Colouring colouring, std::span<const float> values);
-  /// Whether there is something to colour by: plain is none, and not every body has scalars.
+  /// Whether there is a field to colour by: plain has none, and not every body has scalars.
   bool hasField(const Look& look) const;
-  /// Makes the look's field the one that programs see; strain always is there.
+  /// Makes the look's field visible to the programs; strain always is.
   void showField(const Look& look);
-  /// The body's file brings a colour for each vertex.
+  /// Whether the body's file has a colour for each vertex.
   bool hasColours() const { return has_colours_; }
 
-  /// Binds vertices and triangles as fine as this viewpoint needs them; which of them may be seen. Valid until the next
-  /// call.
+  /// Binds vertices and triangles as fine as this viewpoint needs them; returns those that may be visible. Valid until
+  /// the next call.
   const SplitRuns& bind(const Viewpoint& viewpoint, std::span<const Influence> influences, bool cull = true);
 
   /// Binds the skin's vertices with the edges of its triangles, for a program that draws lines; then drawEdges.
   void bindEdges();
   void drawEdges() const;
 
-  /// What a vertex of the skin gets of the breath's lift (BreathField::share); empty for one that does not breathe.
+  /// The share of the breath's lift per vertex (BreathField::share); empty for a body that does not breathe.
   std::vector<float> breathShares() const;
 
   /// At rest.
@@ -83,22 +83,22 @@ class SkinBuffers {
   std::vector<float> half_major_;  // made when first shown, empty before
   std::vector<float> copies_;      // values on their way
   Colouring shown_field_ = Colouring::plain;
-  std::string shown_scalar_;  // of Colouring::scalar
+  std::string shown_scalar_;  // for Colouring::scalar
   Index edge_indices_ = 0;    // made when first shown
   Eigen::AlignedBox3f box_;
 };
 
 class SkinLayer {
  public:
-  /// Shows another world; programs stay as they are. The world must outlive the layer or the next call. Throws Error
-  /// for a texture that cannot be shown, and then still shows the world before.
+  /// Shows another world; programs stay. The world must outlive the layer or the next call. Throws Error for a texture
+  /// that cannot be shown, and then still shows the world before.
   void setWorld(const scene::World& world);
   /// The same for a world with the same body.
   void setMapsOf(const scene::World& world) { buffers_->setMapsOf(world); }
-  /// Of the world that is shown.
+  /// The buffers of the world that is shown.
   SkinBuffers& buffers() { return *buffers_; }
 
-  /// Draws over what is there, depth-tested; transparent where the look says so.
+  /// Draws over the picture, depth-tested; transparent where the look says so.
   void draw(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch);
 
  private:

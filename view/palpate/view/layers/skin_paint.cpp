@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kMapTexels = 1024;
 constexpr std::size_t kMaxFingers = 8;  // as in the shader
-/// How far a finger darkens the skin round it, in its radii; how far away its shadow is followed, in mm and in its
-/// radii, and how wide it is (lightLeftByFingers() in the shader fades both to nothing).
+/// How far a finger darkens the skin round it, in its radii; how far its shadow reaches, in mm and in its radii, and
+/// how wide it is (lightLeftByFingers() in the shader fades both to nothing).
 constexpr float kShadeRadii = 4.0f;
 constexpr float kLongestShadowMm = 220.0f;
 constexpr float kShadowRadii = 15.0f;
@@ -44,7 +44,7 @@ Program program(std::string_view name, std::string_view vertex, std::string_view
   return {name, std::string(defines).append(kSharedShader), vertexSource(vertex), fragmentSource(fragment)};
 }
 
-/// A variant for each need: software GL runs both sides of a condition, and a loop at least once.
+/// One variant per need: software GL runs both sides of a condition, and a loop at least once.
 std::string definesOf(const SkinNeeds& needs, bool touched) {
   std::string defines;
   if (needs.pores) defines += "#define PORES\n";

@@ -1,7 +1,7 @@
-// The programs that colour the skin, and what they want to know: look, eye, fingers near the skin, marks of presses.
+// The programs that colour the skin, and their inputs: look, eye, fingers near the skin, marks of presses.
 //
-// Software GL runs both sides of a condition and every loop at least once, so what a picture does not need is compiled
-// out: a program a need, made when first used (skin_shader.h has the source).
+// Software GL runs both sides of a condition and every loop at least once, so unneeded parts are compiled out: one
+// program per need, made when first used (skin_shader.h has the source).
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@
 
 namespace palpate::view {
 
-// Where the skin is pale because a finger pressed the blood away, and for how long.
+// Places where the skin is pale because a finger pressed the blood away, and for how long.
 //
 // A finger that presses makes a mark where its anchor is and leaves marks behind as it slides; each refills after the
 // finger has gone. No GL: numbers in, numbers out.
 //
 //   presses of this picture, time ─► Blanching ─► marks, the strongest first ─► SkinPaint, where the skin is drawn
 
-/// In coordinates of the skin at rest.
+/// A mark in coordinates of the skin at rest.
 struct PressMark {
   Vec3f place = Vec3f::Zero();
   float radius_mm = 8.0f;
@@ -46,8 +46,8 @@ inline constexpr double kRefillS = 1.5;
 
 class Blanching {
  public:
-  /// The marks at this time, the strongest first, at most kMaxMarks. The same presses and time again change nothing;
-  /// a time before the last one forgets everything (a replay that was wound back).
+  /// The marks at this time, the strongest first, at most kMaxMarks. The same presses and time again change nothing; an
+  /// earlier time than the last forgets everything (a replay was wound back).
   std::span<const PressMark> at(double time_s, std::span<const Press> presses);
 
  private:
@@ -62,28 +62,28 @@ class Blanching {
   double time_s_ = 0.0;
 };
 
-/// A rod with round ends that throws a shadow on the skin: a ball where both ends are one, a finger, a hand.
+/// A rod with round ends that throws a shadow on the skin: a ball where both ends coincide, a finger, a hand.
 struct ShadowCaster {
   Vec3f from = Vec3f::Zero();
   Vec3f to = Vec3f::Zero();
   float radius_mm = 8.0f;
 };
 
-/// What touches the skin's colour.
+/// Everything that changes the skin's colour.
 struct SkinTouch {
   std::span<const ShadowCaster> casters;
   std::span<const PressMark> marks;
   std::span<const SkinDent> dents;
 };
 
-/// The places whose colour it changes: near a finger, in its shadow, where it pressed.
+/// Where that changes: near a finger, in its shadow, where it pressed.
 std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights);
 
-/// What a picture needs of the skin's programs.
+/// Options of the skin's programs for a picture.
 struct SkinNeeds {
   bool pores = false;
-  bool picture = false;  ///< the user's, bound as texture unit 0, in the place of the skin's own colour
-  bool colours = false;  ///< those of the body's file, in that place
+  bool picture = false;  ///< the user's, bound as texture unit 0, in place of the skin's own colour
+  bool colours = false;  ///< the body's file's, in that place
   bool made = false;     ///< that picture has factors on the skin's own colour
 };
 
@@ -91,13 +91,13 @@ class SkinPaint {
  public:
   SkinPaint();
 
-  /// Makes the program current that writes depth alone.
+  /// Makes the program that writes depth only current.
   void useDepth(const Viewpoint& viewpoint) const;
   /// The field of the look's colouring.
   void useField(const Look& look, const Viewpoint& viewpoint);
   /// Skin in the look's shading.
   void use(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs);
-  /// The same for places that something touches.
+  /// The same for touched places.
   void useTouched(const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs, const SkinTouch& touch);
 
  private:
@@ -107,7 +107,7 @@ class SkinPaint {
   void showMap(ColourMap map);
 
   Program field_, depth_;
-  // By what is needed; compiled when first used.
+  // By need; compiled when first used.
   std::array<std::optional<Program>, 8> gouraud_;
   std::array<std::optional<Program>, 16> skin_;
   GlTexture colour_map_;

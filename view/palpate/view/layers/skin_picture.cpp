@@ -1,5 +1,5 @@
 // Decoded by the processor, halved until it fits, turned over (OpenGL counts rows from below) and uploaded as sRGB, so
-// that filters and mipmaps average light. At a change of world; the picture that is there already stays.
+// that filters and mipmaps average light. At a change of world; an unchanged picture stays.
 #include "palpate/view/layers/skin_picture.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace palpate::view {
 
 namespace {
 
-/// As large as the graphics card takes it.
+/// As large as the graphics card allows.
 Image fitting(Image image) {
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);

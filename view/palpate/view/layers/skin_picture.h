@@ -16,8 +16,8 @@ inline constexpr int kMaxPictureSide = 16384;
 
 class SkinPicture {
  public:
-  /// Decodes and uploads the picture, unless it is the one that is there; null: none. Halved until the graphics card
-  /// takes it. Throws Error as decodedPicture, and keeps what there was.
+  /// Decodes and uploads the picture, unless it is shown already; null: none. Halved until the graphics card accepts
+  /// it. Throws Error like decodedPicture, and keeps the one before.
   void show(std::shared_ptr<const scene::SkinTexture> texture);
   bool isThere() const { return texture_ != nullptr; }
   /// Painted: factors on the skin's own colour (view/made_skin.h), not colours.

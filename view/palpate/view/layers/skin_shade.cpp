@@ -1,5 +1,5 @@
-// The skin is gathered into patches: all of its area that lies in one cell of a grid and faces one of six ways. Each
-// patch asks every other one how much of its sky that covers, and the vertices read the patches round them.
+// The skin is gathered into patches: all of its area that is in one cell of a grid and faces one of six ways. Each
+// patch computes how much of its sky every other one covers, and the vertices read the patches round them.
 //
 // Based on: Bunnell, "Dynamic ambient occlusion and indirect lighting", GPU Gems 2, 2005 (surfaces as discs that cover
 // each other's sky).
@@ -16,7 +16,7 @@ namespace {
 /// Cells along the diagonal of the body: a trunk's are 16 mm wide.
 constexpr float kCellsAlong = 56.0f;
 constexpr int kWays = 6;
-/// Nearer than its own size a neighbour is the same piece of skin.
+/// A neighbour nearer than its own size is the same piece of skin.
 constexpr float kMinSizes = 0.6f;
 
 struct Patch {

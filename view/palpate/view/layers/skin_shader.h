@@ -5,7 +5,7 @@
 
 namespace palpate::view {
 
-/// Attributes of the skin, for every vertex shader of it. Positions and normals come as one float array an axis, as the
+/// Attributes of the skin, for every vertex shader of it. Positions and normals are one float array per axis, as the
 /// deformation writes them. `invariant` makes the depth of all passes the same to the bit.
 inline constexpr std::string_view kSkinAttributes = R"(
 layout(location = 0) in float x;
@@ -100,7 +100,7 @@ void main() {}
 )";
 
 /// The dissertation's shading: light at the vertices, colours interpolated across the triangle. On the user's picture
-/// it is light that is interpolated, and the picture that it falls on.
+/// light is interpolated, and the picture that it falls on.
 inline constexpr std::string_view kGouraudVertex = R"(
 uniform float skin_scatter;
 uniform float skin_sheen;
@@ -178,7 +178,7 @@ void main() { colour = vec4(touched(gl_FrontFacing ? front.rgb : back), front.a)
 )";
 
 /// Contours of equal depth in a dent that is small in the picture (with TOUCHED): pairs of a dark line and a bright one
-/// outside of it, as wide near by as far away, so that both pale and dark skin have one that is seen.
+/// outside of it, as wide near by as far away, so that one is visible on pale and on dark skin.
 inline constexpr std::string_view kDentContours = R"(
 uniform float pixels_a_point;
 // x: depth under rest, mm; y: how much is seen. Colours are encoded.
@@ -197,8 +197,8 @@ vec3 contoured(vec3 skin, vec2 contour) {
 }
 )";
 
-/// What fingers leave of the light, by formula (with TOUCHED). Balls, and rods with round ends for fingers and hands.
-/// Based on: Quilez, "sphere ambient occlusion" and "sphere soft shadow".
+/// The share of light that fingers leave, by formula (with TOUCHED). Balls, and rods with round ends for fingers and
+/// hands. Based on: Quilez, "sphere ambient occlusion" and "sphere soft shadow".
 inline constexpr std::string_view kFingerShade = R"(
 uniform int ball_count;
 uniform vec4 ball[8];        // centre and radius of what shadows the skin
@@ -262,8 +262,8 @@ void main() {
 }
 )";
 
-/// Skin by its parts: wrapped diffuse light a channel (red travels farthest under the skin), a broad weak gloss, fine
-/// lines as noises in rest coordinates, blood pressed away under the finger and coming back, the finger's shadow.
+/// Skin by its parts: wrapped diffuse light per channel (red travels farthest under the skin), a broad weak gloss, fine
+/// lines as noises in rest coordinates, blood pressed away under the finger and returning, the finger's shadow.
 /// Based on: Green, "Real-time approximations to subsurface scattering", GPU Gems, 2004; Penner, "Pre-integrated skin
 /// shading", 2011.
 inline constexpr std::string_view kSkinFragment = R"(
@@ -427,8 +427,8 @@ void main() {
 }
 )";
 
-/// A field as colours: no tone curve, no gloss. Light may take at most a quarter, nothing where the skin faces the eye,
-/// so that a colour can be looked up on its legend.
+/// A field as colours: no tone curve, no gloss. Light takes at most a quarter, nothing where the skin faces the eye, so
+/// that a colour can be looked up on its legend.
 inline constexpr std::string_view kFieldVertex = R"(
 uniform float low;
 uniform float per_unit;

@@ -1,5 +1,5 @@
 // Three octaves of value noise in rest coordinates for blood and for pigment, the depth to bone, and the curvature from
-// the normals of neighbours become four bytes a vertex; folds are darker and redder (skyLeft).
+// the normals of neighbours become four bytes per vertex; folds are darker and redder (skyLeft).
 #include "palpate/view/layers/skin_tint.h"
 
 #include <algorithm>
@@ -17,9 +17,9 @@ constexpr double kBlotchShare[] = {0.5, 0.3, 0.2};
 constexpr double kMottling = 0.08;
 /// Bone shows through skin that is not much thicker than this.
 constexpr double kThinSkinMm = 9.0;
-/// The share of all light that a place without any sky loses.
+/// The share of all light lost at a place without sky.
 constexpr double kShade = 0.85;
-/// And a crease.
+/// The share lost in a crease.
 constexpr double kCreaseShade = 0.42;
 /// A sphere of this radius counts as fully curved: a fingertip.
 constexpr double kFullCurvatureMm = 8.0;
@@ -74,8 +74,7 @@ double hollowAt(const deform::Skin& skin, Index vertex) {
 /// The share of light that is left in a crease, which is too narrow for the patches of skyLeft.
 double leftInCrease(double hollow) { return 1.0 - kCreaseShade * std::clamp((hollow - 0.010) / 0.05, 0.0, 1.0); }
 
-/// Pigment by sun, as it is at most on a back: neck and shoulders tanned, what clothes cover paler. `up`: 0 at
-/// L4, 1 at T1.
+/// Pigment by sun, at its most on a back: neck and shoulders tanned, clothed parts paler. `up`: 0 at L4, 1 at T1.
 double tanAt(double up) {
   const auto rise = [](double low, double high, double x) {
     const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
@@ -96,7 +95,7 @@ TintBytes tintAt(const scene::World& world, Index vertex, double open, double ta
   const double red = light * (1.0 + 0.15 * kMottling * blood);
   const double green = light * (1.0 - kMottling * blood + 0.03 * bone.thin);
   const double blue = light * (1.0 - 0.8 * kMottling * blood + 0.05 * bone.thin);
-  // Light that is thrown to and fro in a fold has become redder.
+  // Light reflected to and fro in a fold has become redder.
   const double shade = (1.0 - kShade * (1.0 - open)) * leftInCrease(hollowAt(*world.deformable, vertex));
   return {byteOf(kTintUnit * red * std::pow(shade, 0.8) * std::exp(-0.60 * tan)),
           byteOf(kTintUnit * green * std::pow(shade, 1.1) * std::exp(-0.95 * tan)),
@@ -104,7 +103,7 @@ TintBytes tintAt(const scene::World& world, Index vertex, double open, double ta
           byteOf(255.0 * curvatureAt(*world.deformable, vertex))};
 }
 
-/// Heights of T1 and L4, between which the sun is worked out: of a body that has them and no picture with a sun of its
+/// Heights of T1 and L4, between which the sun is computed: for a body that has them and no picture with a sun of its
 /// own.
 struct TannedSpan {
   double low = 0.0;

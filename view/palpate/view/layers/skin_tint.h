@@ -1,5 +1,4 @@
-// What makes one place of the skin look different from the next, a vertex each: mottling, redness, thin skin over bone,
-// shade in folds.
+// Differences between places of the skin, one per vertex: mottling, redness, thin skin over bone, shade in folds.
 //
 // Computed once at load in rest coordinates, so that it moves with the skin. The shader multiplies it with the colour
 // of the whole skin; finer detail is the shader's own (skin_shader.h).
@@ -19,13 +18,13 @@ using TintBytes = std::array<std::uint8_t, 4>;
 
 inline constexpr double kTintUnit = 128.0;
 
-/// One a vertex of the skin.
+/// One per vertex of the skin.
 std::vector<TintBytes> skinTints(const scene::World& world);
 
-// How much of the sky each place of the skin at rest sees: in folds, under arms and along the spine less arrives. Once
-// at load; skinTints darkens the colour of the skin by it.
+// How much of the sky each place of the skin at rest sees: less light reaches folds, armpits and the spine. Once at
+// load; skinTints darkens the colour of the skin by it.
 
-/// One a vertex: 1 sees all of its sky, 0 nothing. A few hundredths of a second, whatever the number of triangles.
+/// One per vertex: 1 sees all of its sky, 0 nothing. A few hundredths of a second, whatever the number of triangles.
 std::vector<float> skyLeft(const deform::Skin& skin);
 
 }  // namespace palpate::view

@@ -1,7 +1,7 @@
-// Makes one picture of the two eyes' pictures: side by side, one above the other, red-cyan, or row by row.
+// Combines the two eyes' pictures: side by side, one above the other, red-cyan, or row by row.
 //
-// Each eye is drawn whole into a target of its own, then one pass puts them together. Anaglyphs are mixed in linear
-// light, clamped and encoded again; mixing the encoded values would make ghosts brighter.
+// Each eye is drawn whole into a target of its own, then one pass combines them. Anaglyphs are mixed in linear light,
+// clamped and encoded again; mixing the encoded values would make ghosts brighter.
 // Based on: Dubois, "A projection method to generate anaglyph stereo images", ICASSP 2001, with the matrices published
 // for LCD screens in 2009; Rec. 709 luma.
 #pragma once
@@ -19,11 +19,11 @@ class StereoComposer {
  public:
   StereoComposer();
 
-  /// The target one eye is drawn into, of this size; made again only when the size changes.
+  /// The target of one eye, in this size; made again only when the size changes.
   const Target& eye(Eye eye, const EyePicture& picture);
 
-  /// Puts the eyes together into `framebuffer` (0 = the window's). A row of an interlaced picture is `row_height`
-  /// pixels high: the supersampling, so that each eye keeps its own rows in the reduced picture.
+  /// Combines the eyes in `framebuffer` (0 = the window's). A row of an interlaced picture is `row_height` pixels high:
+  /// the supersampling, so that each eye keeps its own rows in the reduced picture.
   void compose(const StereoSettings& settings, GLuint framebuffer, int width, int height, int row_height = 1) const;
 
  private:
@@ -32,7 +32,7 @@ class StereoComposer {
 
   std::unique_ptr<Target> left_, right_;
   Program mixer_;
-  GlVertexArray nothing_;  ///< the mixing triangle is made of vertex numbers
+  GlVertexArray nothing_;  ///< the mixing triangle consists of vertex numbers
 };
 
 }  // namespace palpate::view

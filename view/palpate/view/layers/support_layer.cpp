@@ -1,5 +1,5 @@
-// Dull padding in a colour that is neither skin nor ground; what the body covers of the sky is missing in all lights,
-// so that the body is seen to lie. Each picture.
+// Dull padding in a colour unlike skin and ground; the sky that the body covers is missing in all lights, so that the
+// body is seen to lie. Each picture.
 #include "palpate/view/layers/support_layer.h"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ void SupportLayer::setWorld(const scene::World& world) {
 
 float SupportLayer::opacityFor(const Look& look, const Viewpoint& viewpoint) const {
   if (!slab_ || look.plain_background) return 0.0f;
-  constexpr double kGoneSine = -0.2;  // of the angle that the eye is below the plane
+  constexpr double kGoneSine = -0.2;  // sine of the angle that the eye is below the plane
   const Vec3 to_eye = viewpoint.eye.cast<double>() - slab_->middle;
   const double sine = to_eye.dot(slab_->up) / to_eye.norm();
   return static_cast<float>(std::clamp(1.0 - sine / kGoneSine, 0.0, 1.0));

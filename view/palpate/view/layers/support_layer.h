@@ -1,4 +1,4 @@
-// What lies below and behind the body: the table or the seat of one that lies or sits (support_shape.h), the ground.
+// The surroundings of the body: the table or the seat of one that lies or sits (support_shape.h), the background.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@ class SupportLayer {
   SupportLayer();
   void setWorld(const scene::World& world);
 
-  /// How much of it is seen from this eye: 1 from above its top, 0 from well below, where it would hide the body.
-  /// Nothing in pictures that are cut out of their background.
+  /// Its opacity from this eye: 1 from above its top, 0 from well below, where it would hide the body. 0 in pictures
+  /// that are cut out of their background.
   float opacityFor(const Look& look, const Viewpoint& viewpoint) const;
-  /// Over what is there where it is not opaque.
+  /// Draws over the picture unless opaque.
   void draw(const Viewpoint& viewpoint, float opacity);
 
  private:
@@ -30,18 +30,18 @@ class SupportLayer {
   GLsizei count_ = 0;
 };
 
-// What lies behind the body: a soft dark or light gradient, or white paper. Drawn after the opaque things, on the far
-// plane, so that no pixel is shaded twice.
+// The background: a soft dark or light gradient, or white paper. Drawn after the opaque things, on the far plane, so
+// that no pixel is shaded twice.
 
 class Background {
  public:
   Background();
-  /// Fills what is still empty of the viewport: where the depth is that of the far plane.
+  /// Fills the rest of the viewport: where the depth is that of the far plane.
   void draw(const Look& look) const;
 
  private:
   Program program_;
-  /// Of no attributes: a core context draws nothing without one, not even vertices made of their number.
+  /// Without attributes: a core context draws nothing without one, not even vertices made of their number.
   GlVertexArray nothing_;
 };
 

@@ -1,5 +1,5 @@
-// The frame of the lights is made of the camera's right, laid level, and the body's up: that is its yaw without pitch
-// and roll. Frustum -> here, once a picture -> uniforms of every program. Of the shader see viewpoint.h.
+// The frame of the lights consists of the camera's right, laid level, and the body's up: that is its yaw without pitch
+// and roll. Frustum -> here, once a picture -> uniforms of every program. The shader is in viewpoint.h.
 #include "palpate/view/layers/viewpoint.h"
 
 #include "palpate/view/layers/gl_objects.h"

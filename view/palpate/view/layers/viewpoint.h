@@ -1,7 +1,7 @@
-// What every shader wants to know of the eye: where it is, what it sees, where the light comes from, and the way from
-// light to a pixel's value.
+// Inputs of every shader about the eye: where it is, what it sees, where the light comes from, and the way from light
+// to a pixel's value.
 //
-//   Frustum ─ viewpointOf ─► Viewpoint ─ setViewpoint ─► the uniforms of kSharedShader, once a layer
+//   Frustum ─ viewpointOf ─► Viewpoint ─ setViewpoint ─► the uniforms of kSharedShader, once per layer
 //
 // Based on: Narkowicz, "ACES filmic tone mapping curve", 2015; Kelemen and Szirmay-Kalos, "A microfacet based coupled
 // specular-matte BRDF model with importance sampling", 2001 (the visibility of the gloss).
@@ -15,25 +15,25 @@ namespace palpate::view {
 
 class Program;
 
-/// Directions to the lights, unit vectors of the body frame. They follow the camera's yaw and nothing else: turning the
-/// body keeps its relief lit from the side, and looking from above does not flatten it.
+/// Directions to the lights, unit vectors of the body frame. They follow the camera's yaw only: turning the body keeps
+/// its relief lit from the side, and looking from above does not flatten it.
 struct Lights {
   Vec3f key = Vec3f::UnitZ();   ///< warm, from the cranial left and 57 degrees off the axis: raking light shows dents
   Vec3f fill = Vec3f::UnitZ();  ///< cool and weak, from the other side
 };
 
-/// Of a body frame whose y axis points up.
+/// For a body frame whose y axis points up.
 Lights lightsFor(const Frustum& frustum);
 
 struct Viewpoint {
-  /// What places on the graphics card count from, mm of the body frame: the skin's origin (deform/skin.h).
+  /// Origin of places on the graphics card, mm of the body frame: the skin's (deform/skin.h).
   Vec3 origin = Vec3::Zero();
   Mat4f clip = Mat4f::Identity();   ///< places there -> clip
   Vec3f eye = Vec3f::Zero();        ///< likewise
   Vec3f backward = Vec3f::UnitZ();  ///< unit, from the picture to the eye
   Lights lights;
-  Vec2f pixels = Vec2f::Ones();    ///< of the viewport
-  double near_mm = 1.0;            ///< nothing nearer is drawn
+  Vec2f pixels = Vec2f::Ones();    ///< size of the viewport
+  double near_mm = 1.0;            ///< distance of the near plane
   float lift_mm = 0.0f;            ///< how far the breath has moved the body
   float pixels_per_point = 1.0f;   ///< Frame::pixels_per_point
   float pixels_per_radian = 1.0f;  ///< in the middle of the picture: pixels of 1 mm at 1 mm, divide by the distance

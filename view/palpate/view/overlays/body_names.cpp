@@ -1,5 +1,5 @@
-// A landmark goes to the nearest triangle of the skin at rest and keeps its shares there. Hidden is asked of the tree,
-// a segment from the eye to a little above the place: a dent takes no skin away, so rest is good enough.
+// A landmark goes to the nearest triangle of the skin at rest and keeps its shares there. The tree decides visibility,
+// by a segment from the eye to a little above the place: a dent uncovers nothing, so rest is good enough.
 #include "palpate/view/overlays/body_names.h"
 
 #include <array>
@@ -15,7 +15,7 @@ namespace palpate::view {
 
 namespace {
 
-/// Landmarks farther from the skin are none of this skin: a mesh may be a part of a body.
+/// Landmarks farther from the skin belong to another skin: a mesh may be a part of a body.
 constexpr double kFarthestFromSkinMm = 25.0;
 /// Cosine of the steepest skin that still shows a dot.
 constexpr double kMinFacing = 0.12;

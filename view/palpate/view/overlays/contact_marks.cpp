@@ -1,5 +1,5 @@
 // Crosses, ties and an arrow of a length in proportion to the force, broken where it would be too long.
-// Data flow: FingerOutput -> here -> Lines -> line_layer.h, each picture that asks for it.
+// Data flow: FingerOutput -> here -> Lines -> line_layer.h, in each picture with them.
 #include "palpate/view/overlays/marks.h"
 
 namespace palpate::view {
@@ -29,7 +29,7 @@ void addForce(const contact::FingerOutput& contact, Lines& lines) {
   const bool capped = kForceMmPerN * newton > kLongestForceMm;
   const double length = capped ? kLongestForceMm : kForceMmPerN * newton;
   lines.addArrow(contact.proxy, contact.proxy + length * direction, kForcePaint);
-  constexpr double kBreakAt = 0.75;  // of the arrow
+  constexpr double kBreakAt = 0.75;  // share of the arrow
   if (capped) addBreak(contact.proxy + kBreakAt * length * direction, direction, lines);
 }
 

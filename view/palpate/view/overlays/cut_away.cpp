@@ -1,5 +1,5 @@
 // The skin's curve by section.h; below each of its points the stack of the place, along the normal of the curve at
-// rest, then squeezed by what the skin has gone down. Some tenths of a millisecond a picture.
+// rest, then squeezed by the depth of the skin. Some tenths of a millisecond a picture.
 #include "palpate/view/overlays/cut_away.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace palpate::view {
 
 namespace {
 
-/// A lump whose foot is nearer to the finger than this lies under it, mm: the plane need not be turned.
+/// A lump whose foot is nearer to the finger than this is under it, mm: the plane need not be turned.
 constexpr double kUnderFingerMm = 2.0;
 
 Vec3 footOf(const scene::World& world, std::size_t lump, std::span<const FingerMark> fingers) {
@@ -44,7 +44,7 @@ SectionPlane planeThrough(const scene::World& world, const FingerMark& finger, s
   const Vec3 way = lump ? Vec3(footOf(world, *lump, fingers) - plane.origin) : Vec3(Vec3::Zero());
   const Vec3 in_skin = way - way.dot(plane.upward) * plane.upward;
   if (in_skin.norm() >= kUnderFingerMm) plane.along = in_skin.normalized();
-  // What is at the right of the body, or towards its head, stays at the right of the picture.
+  // The right of the body, or its head, is at the right of the picture.
   const bool sideways = std::abs(plane.along.x()) > std::abs(plane.along.y());
   if ((sideways ? plane.along.x() : plane.along.y()) < 0.0) plane.along = -plane.along;
   return plane;
@@ -55,22 +55,22 @@ Vec2 inPlaneOf(const SectionPlane& plane, const Vec3& place) {
   return {from.dot(plane.along), from.dot(plane.upward)};
 }
 
-/// Below a point of the curve.
+/// The column below a point of the curve.
 struct CutColumn {
   Vec2 rest = Vec2::Zero();
-  Vec2 shift = Vec2::Zero();     ///< of the skin, from rest
+  Vec2 shift = Vec2::Zero();     ///< shift of the skin from rest
   Vec2 inward = -Vec2::UnitY();  ///< unit
   double bone_mm = 0.0;
   tissue::LayerStack stack = {};
 
-  /// Where what lies so deep at rest is now.
+  /// The present place of a point at this depth at rest.
   Vec2 at(double depth_mm) const {
     const double share = bone_mm > 0.0 ? std::max(0.0, 1.0 - depth_mm / bone_mm) : 1.0;
     return rest + depth_mm * inward + share * shift;
   }
 };
 
-/// Of the curve within some millimetres, so that the facets of the skin do not fan the layers out.
+/// Averaged over some millimetres of the curve, so that the facets of the skin do not fan the layers out.
 Vec2 inwardAt(std::span<const SectionPoint> curve, std::size_t i) {
   constexpr double kSmoothMm = 6.0;
   std::size_t from = i, to = i;
@@ -149,7 +149,7 @@ CutAway::Lump lumpIn(const SectionPlane& plane, const scene::PlacedLump& placed,
   return cut;
 }
 
-/// The drawn tip rests on the skin that gave way: lifted until no point of the curve lies in it.
+/// The drawn tip rests on the deformed skin: lifted until no point of the curve is in it.
 Vec2 restingOn(std::span<const Vec2> skin, Vec2 middle, double radius_mm) {
   for (const Vec2& point : skin) {
     const double aside = point.x() - middle.x();
@@ -167,8 +167,8 @@ Vec2 tipIn(const CutAway& cut, const FingerMark& finger) {
 /// The finger, the lump between it and the edge, and the bone below both, unless it is far deeper than the lump.
 void showWhatMatters(CutAway& cut) {
   constexpr double kLeastHalfMm = 22.0;
-  constexpr double kRoomMm = 9.0;      // beside a lump
-  constexpr double kOverBoneMm = 3.0;  // of the bone, to be seen
+  constexpr double kRoomMm = 9.0;      // on both sides of a lump
+  constexpr double kOverBoneMm = 3.0;  // visible part of the bone
   constexpr double kDeepestMm = 45.0;
   constexpr double kLeastDeepMm = 18.0;
   double left = -cut.finger_mm, right = cut.finger_mm, deep = kLeastDeepMm;

@@ -1,9 +1,9 @@
 // The body cut open through a finger and the lump nearest to it: the pressed skin, the layers down to the bone, the
 // lump and how far it has moved. True to scale in both directions.
 //
-// The plane holds the normal of the contact and the way to the lump's foot; over the lump it lies as that of the
-// section does. Layers are drawn as if the tissue between skin and bone were squeezed evenly: a picture to understand
-// by, not the solver's displacements. No GL but in drawCutAway (cut_away_chart.cpp).
+// The plane contains the normal of the contact and the way to the lump's foot; over the lump it is the section's.
+// Layers are drawn as if the tissue between skin and bone were squeezed evenly: an illustration, not the solver's
+// displacements. No GL except in drawCutAway (cut_away_chart.cpp).
 #pragma once
 
 #include <array>
@@ -21,44 +21,44 @@
 
 namespace palpate::view {
 
-/// How far a cut reaches to either side of its finger, mm. A lump farther away than that is not in the picture.
+/// How far a cut reaches to either side of its finger, mm. A lump farther away is not in the picture.
 inline constexpr double kCutHalfWidthMm = 70.0;
 
 /// How far the line on the skin goes to either side.
 inline constexpr double kCutLineMm = 30.0;
 
-/// Width over height of what is shown.
+/// Width over height of the picture.
 inline constexpr double kCutAspect = 1.5;
 
 /// Points are in the plane of the cut: along it, and upward, mm from the finger's place on the skin.
 struct CutAway {
   struct Layer {
     std::string name;         ///< "skin", "fat", "muscle"; or empty
-    std::vector<Vec2> below;  ///< its lower border, in the order of the skin
+    std::vector<Vec2> below;  ///< its lower border, in order of the skin
   };
   struct Lump {
     std::string name;
     double young_kpa = 0.0;
-    std::vector<Vec2> rim = {};     ///< closed, where it is now; empty: beside the plane
-    std::vector<Vec2> placed = {};  ///< where it lies at rest
+    std::vector<Vec2> rim = {};     ///< closed, where it is now; empty: off the plane
+    std::vector<Vec2> placed = {};  ///< its place at rest
     Vec2 middle = Vec2::Zero();
-    double moved_mm = 0.0;  ///< sideways, of a mobile one
+    double moved_mm = 0.0;  ///< sideways, for a mobile one
   };
   SectionPlane plane;
-  std::vector<Vec2> skin = {};     ///< as it is
-  std::vector<Vec2> rest = {};     ///< and at rest
-  std::vector<Layer> layers = {};  ///< from the skin down; the last one ends at the bone; none where they are not known
-  std::vector<Lump> lumps = {};    ///< of the world
-  std::optional<std::size_t> nearest = {};  ///< of these, the one that the cut is laid through
-  double bone_mm = 0.0;                     ///< below the finger; 0: not known
+  std::vector<Vec2> skin = {};              ///< now
+  std::vector<Vec2> rest = {};              ///< at rest
+  std::vector<Layer> layers = {};           ///< from the skin down; the last one ends at the bone; empty: unknown
+  std::vector<Lump> lumps = {};             ///< of the world
+  std::optional<std::size_t> nearest = {};  ///< among these, the one in the plane of the cut
+  double bone_mm = 0.0;                     ///< below the finger; 0: unknown
   Vec2 finger = Vec2::Zero();               ///< the middle of the tip
   double finger_mm = 8.0;                   ///< its radius
   Vec3f colour = kLeftFinger;
-  Vec2 low = Vec2(-30.0, -30.0);  ///< what is shown: finger and lump, down to the bone where there is room
+  Vec2 low = Vec2(-30.0, -30.0);  ///< the picture: finger and lump, down to the bone where there is room
   Vec2 high = Vec2(30.0, 10.0);
 };
 
-/// The plane of the cut for the finger that presses deepest; nothing without fingers.
+/// The plane of the cut for the finger that presses deepest; empty without fingers.
 std::optional<SectionPlane> cutPlane(const scene::World& world, std::span<const FingerMark> fingers);
 
 /// Knows the layers of a world. The world must outlive it.
@@ -67,20 +67,20 @@ class CutMaker {
   /// Load time.
   explicit CutMaker(const scene::World& world);
 
-  /// `deformed`: the place of a vertex. Nothing without fingers, or where the finger is over no skin.
+  /// `deformed`: the place of a vertex. Empty without fingers, or where the finger is not over skin.
   std::optional<CutAway> cut(std::span<const FingerMark> fingers, const std::function<Vec3(Index)>& deformed) const;
 
  private:
   const scene::World& world_;
-  std::optional<scene::LumpGround> ground_;  ///< none where layers are not known
+  std::optional<scene::LumpGround> ground_;  ///< empty where layers are unknown
 };
 
-/// What part of a plane an ellipsoid fills: points round it; empty where the plane misses it. `half_mm` are its half
+/// The part of a plane within an ellipsoid: points round it; empty where the plane misses it. `half_mm` are its half
 /// axes along the unit vectors `axes`.
 std::vector<Vec2> ellipsoidIn(const SectionPlane& plane, const Vec3& middle, const std::array<Vec3, 3>& axes,
                               const std::array<double, 3>& half_mm);
 
-/// Draws it on a plate so many points wide and returns what that covers.
+/// Draws it on a plate `width` points wide and returns the area that it covers.
 LabelBox drawCutAway(Drawing& page, const CutAway& cut, const Vec2f& lower_left, float width, const LabelInks& inks);
 
 }  // namespace palpate::view

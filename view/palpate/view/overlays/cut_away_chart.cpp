@@ -1,5 +1,5 @@
-// The cut-away on its plate: tissue a column of points at a time, borders as curves over it, what is in it clipped to
-// the field. Each picture that asks for it.
+// The cut-away on its plate: tissue a column of points at a time, borders as curves over it, contents clipped to the
+// field. In each picture with it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -70,7 +70,7 @@ std::optional<double> heightAt(std::span<const Vec2> border, double along_mm) {
   return std::isfinite(highest) ? std::optional(highest) : std::nullopt;
 }
 
-/// From `from_mm` down to `to_mm` in a column of the page, as far as it lies in the field.
+/// From `from_mm` down to `to_mm` in a column of the page, clipped to the field.
 void fillColumn(Drawing& page, const CutField& field, float x, double from_mm, double to_mm, const Ink& ink) {
   const float top = std::clamp(field.at({0.0, from_mm}).y(), field.corner.y(), field.opposite().y());
   const float below = std::clamp(field.at({0.0, to_mm}).y(), field.corner.y(), field.opposite().y());
@@ -93,7 +93,7 @@ void fillTissue(Drawing& page, const CutAway& cut, const CutField& field) {
   }
 }
 
-/// What of a convex outline lies in the field: cut off at one edge after the other.
+/// Clips a convex outline to the field, one edge after the other.
 std::vector<Vec2f> clippedTo(const CutField& field, std::vector<Vec2f> outline) {
   const std::array<std::pair<int, float>, 4> edges = {
       {{0, field.corner.x()}, {0, field.opposite().x()}, {1, field.corner.y()}, {1, field.opposite().y()}}};
@@ -113,7 +113,7 @@ std::vector<Vec2f> clippedTo(const CutField& field, std::vector<Vec2f> outline) 
   return outline;
 }
 
-/// The pieces of a curve that lie in the field.
+/// Draws the pieces of a curve within the field.
 void drawBorder(Drawing& page, const CutField& field, std::span<const Vec2> border, const Ink& ink, float thickness) {
   const auto inside = [&](const Vec2& p) {
     return p.x() >= field.low.x() && p.x() <= field.high.x() && p.y() >= field.low.y() && p.y() <= field.high.y();
@@ -179,7 +179,7 @@ void drawScale(Drawing& page, const CutField& field) {
   page.text(0.5f * (from + to) - Vec2f(0.0f, above), "10 mm", kOnTissue, Align::centre, TextSize::small);
 }
 
-// ---- words
+// ---- text
 
 struct CutSign {
   Ink ink;
@@ -199,7 +199,7 @@ std::vector<CutSign> cutSigns(const CutAway& cut) {
   return signs;
 }
 
-/// Rows of chips with words. Returns how many rows they fill; draws where there is a page.
+/// Lays out rows of chips with text. Returns the number of rows; draws where there is a page.
 int layKey(Drawing& page, const std::vector<CutSign>& signs, const Vec2f& corner, float width, const LabelInks* inks) {
   constexpr float kChipSide = 10.0f;
   constexpr float kApart = 10.0f;

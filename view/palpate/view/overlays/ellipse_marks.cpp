@@ -1,6 +1,6 @@
-// 96 points of an ellipse are dropped along its normal onto the skin at rest, a segment through the tree each; triangle
-// and weights then move with the skin. A gap in the skin parts the curve. Key points keep theirs; a contact's are made
-// again for each picture.
+// 96 points of an ellipse are projected along its normal onto the skin at rest, by a segment through the tree each;
+// triangle and weights then move with the skin. A gap in the skin splits the curve. Key points keep theirs; a contact's
+// are made again for each picture.
 // Data flow: regions of contacts, key points -> here -> Lines -> line_layer.h.
 #include "palpate/view/overlays/overlays.h"
 

@@ -1,5 +1,5 @@
-// What has its place comes first (scale bar, directions, legends, title, section) and notes where it lies; the numbers
-// of the fingers come last and look for a place that is free (plates.h). Worked out again for each picture.
+// Labels with fixed places come first (scale bar, directions, legends, title, section) and register them; the numbers
+// of the fingers come last and find a free place (plates.h). Computed again for each picture.
 #include "palpate/view/overlays/labels.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace palpate::view {
 namespace {
 
 constexpr float kMargin = 14.0f;
-/// What is drawn and wants to be read: later labels keep out of it.
+/// Areas of labels that must stay readable: later labels keep out of them.
 using Taken = std::vector<LabelBox>;
 
 // ---- title
@@ -63,7 +63,7 @@ void drawColours(Drawing& page, const LabelScene& scene, Taken& taken) {
   place.size.y() = std::round(std::clamp(std::min(0.45f * page.size().y(), free_height), 60.0f, 260.0f));
   place.corner = {std::round(page.size().x() - kMargin - kRoomForNumbers - place.size.x()), kMargin + kRoomForWords};
   drawLegend(page, legendOf(scene, *scale), place, inksFor(scene.look));
-  constexpr float kRoomForMarks = 22.0f;  // the wedges at its left, and the words that are wider than the bar
+  constexpr float kRoomForMarks = 22.0f;  // the wedges at its left, and text wider than the bar
   constexpr float kRoomForLowWord = 34.0f;
   taken.push_back({{place.corner.x() - kRoomForMarks, 0.0f},
                    {page.size().x(), place.corner.y() + place.size.y() + kRoomForLowWord}});
@@ -92,7 +92,7 @@ void drawScaleBar(Drawing& page, const Eyes& eyes, const LabelInks& inks, Taken&
 
 /// An axis of the patient as the camera sees it: half of the figure's width and its letter at the end.
 void drawAxis(Drawing& page, const Vec2f& middle, const Vec2f& end, std::string_view letter, const LabelInks& inks) {
-  constexpr float kShortest = 7.0f;  ///< points: an axis that looks at the eye says nothing
+  constexpr float kShortest = 7.0f;  ///< points; a shorter axis points at the eye
   if (end.norm() < kShortest) return;
   page.line(middle, middle + end, inks.rim, 3.5f);
   page.line(middle, middle + end, inks.letter, 1.5f);
@@ -128,7 +128,7 @@ Vec2f placeOnPage(const Drawing& page, const Eyes& eyes, const Vec3& place) {
   return seen.cast<float>().cwiseProduct(page.size());
 }
 
-/// Skin is not drawn to give way farther than this, mm.
+/// Largest drawn depth of the skin, mm.
 double capOf(const scene::World& world) { return world.deformation.common.tissue.normal_cap_mm; }
 
 Vec2f extentOf(const Drawing& page, const std::vector<std::string>& lines) {
@@ -140,7 +140,7 @@ Vec2f extentOf(const Drawing& page, const std::vector<std::string>& lines) {
   return extent;
 }
 
-/// A plate beside the finger, never under it nor under another label, with a line to it; never off the page.
+/// Draws a plate next to the finger, never under it nor under another label, with a line to it; never off the page.
 void drawNumbers(Drawing& page, const Vec2f& tip, const FingerMark& finger, const std::vector<std::string>& lines,
                  const LabelInks& inks, Taken& taken) {
   constexpr float kPad = 6.0f;
@@ -160,7 +160,7 @@ void drawNumbers(Drawing& page, const Vec2f& tip, const FingerMark& finger, cons
   }
 }
 
-/// What is drawn where a finger is, from its tip backwards: how long, how thick at both ends, mm; and how steep.
+/// Size of the shape drawn for a finger, from its tip backwards: length, thickness at both ends, mm; and slope.
 struct DrawnFinger {
   double length_mm = 0.0;
   double tip_mm = body::kFingertipMm;  ///< half of the thickness
@@ -174,7 +174,7 @@ DrawnFinger drawnAs(FingerShape shape, double radius_mm) {
   return {0.0, radius_mm, radius_mm};
 }
 
-/// The boxes that it fills on the page, never smaller than what a plate's line ends at.
+/// Registers its boxes on the page, never smaller than the end of a plate's line.
 void takeFinger(const Drawing& page, const LabelScene& scene, const FingerMark& finger, Taken& taken) {
   constexpr int kSteps = 5;
   constexpr float kLeast = 14.0f;
@@ -194,7 +194,7 @@ void takeFinger(const Drawing& page, const LabelScene& scene, const FingerMark& 
   }
 }
 
-/// No plate lies on any finger, so all of them are noted first.
+/// Registers all fingers first, so that no plate covers any of them.
 void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& settings, Taken& taken) {
   std::vector<Vec2f> tips;
   for (const FingerMark& finger : scene.frame.fingers) {
@@ -210,7 +210,7 @@ void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& se
   }
 }
 
-// ---- what overlays mean
+// ---- keys of overlays
 
 constexpr float kScaleBarHeight = 46.0f;
 
@@ -240,7 +240,7 @@ bool hasDentContours(const Drawing& page, const LabelScene& scene) {
   });
 }
 
-/// What the look shows of this body: a key of what the body lacks would explain nothing.
+/// The overlays that the look shows on this body: keys of missing ones would explain nothing.
 std::vector<KeyEntry> keyOf(const Drawing& page, const LabelScene& scene) {
   const auto named = [&](bool muscle) {
     return std::ranges::any_of(scene.names, [&](const BodyName& n) { return (n.kind == NameKind::muscle) == muscle; });
@@ -267,7 +267,7 @@ void drawKey(Drawing& page, const LabelScene& scene, const LabelSettings& settin
 
 // ---- the close view from the side
 
-/// Its frame; the picture in it is drawn already. Where what stands next to it may begin.
+/// Draws its frame, over the finished picture in it. Returns where its right neighbour may begin.
 float drawLensFrame(Drawing& page, const LabelScene& scene, Taken& taken) {
   const auto place = lensPlace(scene.look, scene.frame.fingers, page.size());
   if (!place) return kMargin;
@@ -308,7 +308,7 @@ void drawCut(Drawing& page, const LabelScene& scene, const FingerMark* finger, f
   drawEnd(page, scene, onPlane(plane, curve.back().deformed), chart.ends.high, taken);
 }
 
-// ---- what lies under the skin
+// ---- beneath the skin
 
 /// The name of each lump on the side that is seen, over it.
 void drawLumpNames(Drawing& page, const LabelScene& scene, Taken& taken) {
@@ -339,8 +339,8 @@ void drawCutEnds(Drawing& page, const LabelScene& scene, const CutAway& cut, Tak
   drawEnd(page, scene, at(kCutLineMm), ends.high, taken);
 }
 
-/// Pads at the right, beside the figure of directions; the cut-away at the left, where the section would be. `left`
-/// then begins beside it.
+/// Pads at the right, next to the figure of directions; the cut-away at the left, in place of the section. `left` then
+/// begins next to it.
 void drawBeneath(Drawing& page, const LabelScene& scene, const LabelSettings& settings, float& left, Taken& taken) {
   constexpr float kFigure = 90.0f;  // of directions
   const LabelInks& inks = inksFor(scene.look);

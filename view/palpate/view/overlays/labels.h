@@ -1,7 +1,7 @@
-// Words, numbers and scales around the picture: what it shows, how large it is, which way is up, how hard is pressed.
+// Text, numbers and scales around the picture: its contents, its scale, which way is up, how hard the fingers press.
 //
-// Drawn on a page (drawing.h) that lies in the plane of the screen, so both eyes see it at the same place; only the
-// dots of names are drawn for each eye.
+// Drawn on a page (drawing.h) in the plane of the screen, so both eyes see it at the same place; only the dots of names
+// are drawn for each eye.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@
 
 namespace palpate::view {
 
-/// What the labels speak of.
+/// Inputs of the labels.
 struct LabelScene {
   const scene::World& world;
   const deform::DeformedSurface& surface;
@@ -28,22 +28,22 @@ struct LabelScene {
   const Camera& camera;
   const Eyes& eyes;
   std::span<const BodyName> names = {};   ///< of this body
-  std::optional<Vec3> eye = {};           ///< whose page this is; nothing: between the eyes
+  std::optional<Vec3> eye = {};           ///< owner of this page; empty: between the eyes
   std::span<const PadReading> pads = {};  ///< where the look shows them
   const CutAway* cut = nullptr;           ///< likewise; may be null
 };
 
-/// What stands beside a finger, line by line: its name, the depth and the whole force of now, or the most of the press
-/// that just ended; and, where the finger is deeper than skin is drawn to give way, how deep it is drawn.
+/// The lines next to a finger: its name, the present depth and whole force, or the maximum of the press that just
+/// ended; and, where the finger is deeper than skin is drawn, the drawn depth.
 std::vector<std::string> fingerWords(const scene::World& world, const FingerMark& finger, const std::string& name);
 
-/// Draws all labels that the settings ask for, on a page that has begun.
+/// Draws all labels of the settings, on a page that has begun.
 void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& settings);
 
-// The names of the body as they are drawn: a dot on the skin, a plate beside the body, a thin line between them.
+// Labels of the body's names: a dot on the skin, a plate next to the body, a thin line between them.
 
-/// Draws those of `scene.names` that are seen from between the eyes, keeps out of what is taken and adds the plates to
-/// it. Plates lie in the plane of the screen, the same for both eyes; dots lie on the skin, where `scene.eye` sees it.
+/// Draws those of `scene.names` that are visible from between the eyes, keeps out of `taken` and adds the plates to it.
+/// Plates are in the plane of the screen, the same for both eyes; dots are on the skin, as seen by `scene.eye`.
 void drawNames(Drawing& page, const LabelScene& scene, std::vector<LabelBox>& taken);
 
 }  // namespace palpate::view

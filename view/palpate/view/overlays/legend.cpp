@@ -1,5 +1,5 @@
-// The bar is drawn in strips by the colour map that the skin is drawn by. A finger's value is taken between the corners
-// of its triangle at rest, as a pixel's is. Each picture.
+// The bar is drawn in strips by the colour map of the skin. A finger's value is interpolated between the corners of its
+// triangle at rest, as a pixel's is. Each picture.
 #include "palpate/view/overlays/legend.h"
 
 #include <algorithm>
@@ -76,7 +76,7 @@ constexpr float kTick = 4.0f;
 
 ColourBytes colourAt(const Legend& legend, double share) { return bytesOf(colourOf(legend.map, share)); }
 
-/// Strips so thin that no step is seen.
+/// The strips are too thin for visible steps.
 void drawBar(Drawing& page, const Legend& legend, const LegendPlace& place) {
   const int strips = std::max(1, static_cast<int>(std::lround(place.size.y())));
   for (int i = 0; i < strips; ++i) {

@@ -1,4 +1,4 @@
-// The colour bar: which value a colour of the skin stands for, and where the finger's value is.
+// The colour bar: the values of the skin's colours, and the finger's value.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@
 
 namespace palpate::view {
 
-// What the colours of the skin mean: which field, which colour map, in which unit. The skin is coloured and the legend
-// is drawn from the same colour maps, so that a pixel can be read back.
+// The scale of the skin's colours: field, colour map, unit. The skin is coloured and the legend is drawn from the same
+// colour maps, so that a pixel can be read back.
 
 struct ColourScale {
   ColourMap map;
@@ -28,31 +28,31 @@ struct ColourScale {
 
 /// Strain: blue compression, red tension. Colouring::plain has none.
 std::optional<ColourScale> scaleOf(Colouring colouring);
-/// The same for what a look shows of this world: a scalar by its name, which the look keeps. None where the body has no
-/// such scalar.
+/// The same for a look on this world; a scalar's title is the look's own string. Empty where the body has no such
+/// scalar.
 std::optional<ColourScale> scaleOf(const Look& look, const scene::World& world);
 
-/// Place of a value in a range, 0 to 1; outside it may be less or more.
+/// Place of a value in a range, 0 to 1; beyond the ends it may be less or more.
 inline double shareOf(const ColourRange& range, double value) { return (value - range.low) / (range.high - range.low); }
 
-/// The field of the look's colouring under a finger that touches, in the unit of its scale.
+/// The field of the look's colouring under a finger in contact, in the unit of its scale.
 std::optional<double> valueUnder(const scene::World& world, const deform::DeformedSurface& surface, const Look& look,
                                  const contact::FingerOutput& finger);
 
 struct Legend {
   std::string title;
   std::string unit;
-  std::string low_word, high_word;  ///< what the ends mean, in words; may be empty
+  std::string low_word, high_word;  ///< text for the ends; may be empty
   ColourRange range;
   ColourMap map = ColourMap::viridis;
   struct Mark {
     double value;
     ColourBytes colour;
   };
-  std::vector<Mark> marks;  ///< one a finger that touches
+  std::vector<Mark> marks;  ///< one per finger in contact
 };
 
-/// Where the bar of a legend lies on its page.
+/// The place of a legend's bar on its page.
 struct LegendPlace {
   Vec2f corner = Vec2f::Zero();  ///< upper left of the bar
   Vec2f size = {16.0f, 160.0f};
@@ -61,10 +61,10 @@ struct LegendPlace {
 /// Height above the bar's lower end, 0 to 1 within the bar, for a value.
 double heightOnBar(const Legend& legend, double value);
 
-/// Bar, numbers, title with unit, pointed ends (values beyond have the colour of the end), marks of the fingers.
+/// Draws bar, numbers, title with unit, pointed ends (for values beyond), marks of the fingers.
 void drawLegend(Drawing& page, const Legend& legend, const LegendPlace& place, const LabelInks& inks);
 
-// What the lines and patches of the overlays mean: a plate of signs in their colours, each with its words.
+// The key of the overlays: a plate of their signs in their colours, each with its text.
 
 struct KeyEntry {
   enum class Sign : std::uint8_t { line, cross, arrow, patch };
@@ -73,17 +73,17 @@ struct KeyEntry {
   std::string words;
 };
 
-/// A row for everything that the look draws over the skin, in the order of the overlays, one for dents that are
-/// shaded more strongly than light would, and one for the contours of dents where the picture has some.
+/// A row for each overlay of the look, in order, one for dents that are shaded more strongly than light would, and one
+/// for the contours of dents where the picture has some.
 std::vector<KeyEntry> overlayKey(const Look& look, bool dent_contours = false);
 
-/// Where the plate may lie, points: rows go down, then to the right; those that find no room are left out.
+/// The area for the plate, points: rows go down, then to the right; rows without room are left out.
 struct KeyPlace {
   Vec2f corner = Vec2f::Zero();
   Vec2f room = Vec2f::Zero();
 };
 
-/// Draws it and returns what it covers; nothing for no entries.
+/// Draws it and returns the area that it covers; empty without entries.
 LabelBox drawOverlayKey(Drawing& page, const std::vector<KeyEntry>& entries, const KeyPlace& place,
                         const LabelInks& inks);
 

@@ -1,5 +1,5 @@
-// The eye stands on the side that the finger does not come from, a little above the skin; what stands between it and
-// the finger is cut away by the near plane.
+// The eye is on the side away from the finger, a little above the skin; the near plane cuts away anything between it
+// and the finger.
 #include "palpate/view/overlays/lens.h"
 
 #include <algorithm>
@@ -14,15 +14,15 @@ namespace {
 constexpr float kLensMargin = 14.0f;
 /// The scale bar is below.
 constexpr float kLensFoot = 46.0f;
-/// Smaller pages have no room beside the finger.
+/// Smaller pages have no room next to the finger.
 constexpr float kSmallestPage = 300.0f;
-constexpr double kShownMm = 84.0;  ///< width of what is shown
+constexpr double kShownMm = 84.0;  ///< width of the view
 constexpr double kLensEyeMm = 300.0;
-/// Nothing nearer to the eye is drawn: a shoulder may stand before the finger. What is at the foot of the lens is 110
-/// mm nearer than the finger.
+/// Distance of the near plane: a shoulder may be before the finger. The foot of the lens is 110 mm nearer than the
+/// finger.
 constexpr double kLensNearMm = 120.0;
 constexpr double kLensFarMm = 1500.0;
-/// The eye's height over the skin: enough to see into the dent, also beside a shoulder blade.
+/// The eye's height over the skin: enough to see into the dent, even near a shoulder blade.
 constexpr double kAboveRad = 0.62;
 
 /// Along the skin, away from the side that the finger comes from.
@@ -54,7 +54,7 @@ Frustum lensFrustum(std::span<const FingerMark> fingers, const Camera& camera, d
   const Vec3 up = backward.cross(right);
   const Vec3 half_width = 0.5 * kShownMm * right;
   const Vec3 half_height = 0.5 * kShownMm / aspect * up;
-  // The finger stands on the skin: more room above it.
+  // The finger is above the skin: more room there.
   const Vec3 centre = middle + 0.25 * half_height;
   const Screen screen{centre - half_width - half_height, centre + half_width - half_height,
                       centre - half_width + half_height};

@@ -1,5 +1,5 @@
-// A close view from beside the finger, in the lower left of the picture: how deep it presses is seen while the whole
-// body is. It follows the finger that presses deepest.
+// A close view of the finger from the side, in the lower left of the picture: it shows the depth while the whole body
+// is in view. It follows the finger that presses deepest.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@ struct LensPlace {
   Vec2f corner, size;
 };
 
-/// Nothing where the look shows none, no finger is there or the page is too small for one.
+/// Empty where the look has none, without a finger, or on too small a page.
 std::optional<LensPlace> lensPlace(const Look& look, std::span<const FingerMark> fingers, const Vec2f& page);
 
-/// What it shows of the deepest finger: out of the skin is up. `camera` is that of the picture.
+/// The view of the deepest finger: out of the skin is up. `camera` is that of the picture.
 Frustum lensFrustum(std::span<const FingerMark> fingers, const Camera& camera, double aspect);
 
 }  // namespace palpate::view

@@ -17,7 +17,7 @@ namespace {
 constexpr int kLumpBands = 12;
 constexpr int kLumpSectors = 24;
 
-/// From the upper left of who looks at the skin, as the picture's own light.
+/// Lit from the viewer's upper left, as the picture's own light.
 Paint shaded(const contact::Lump& lump, const Vec3& normal) {
   constexpr double kAmbient = 0.42;
   const Vec3 light = (0.75 * lump.axis + 0.5 * lump.up - 0.43 * lump.across).normalized();
@@ -66,7 +66,7 @@ Vec2 movedOf(std::size_t lump, std::span<const FingerMark> fingers) {
 }
 
 Vec3 middleOf(const scene::World& world, std::size_t lump, std::span<const FingerMark> fingers, const DrawnSkin& skin) {
-  constexpr double kSkinMm = 20.0;  // skin over a moved lump is looked for within this
+  constexpr double kSkinMm = 20.0;  // search range for the skin over a moved lump
   const contact::Lump& placed = world.lumps[lump]->lump;
   const Vec2 moved = movedOf(lump, fingers);
   const Vec3 foot = placed.foot + moved.x() * placed.across + moved.y() * placed.up;

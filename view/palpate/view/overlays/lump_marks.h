@@ -1,5 +1,5 @@
-// Lumps as bodies under translucent skin, with their names. They lie where mobile ones have moved to, and go down with
-// the skin that is pressed over them. No GL but in drawLumpNames.
+// Lumps as bodies under translucent skin, with their names. Mobile ones are drawn where they have moved to, and sink
+// with the skin that is pressed over them. No GL except in drawLumpNames.
 #pragma once
 
 #include <span>
@@ -13,14 +13,14 @@
 
 namespace palpate::view {
 
-/// The most opaque that skin is drawn over lumps that are shown.
+/// Largest opacity of skin over lumps.
 inline constexpr double kSkinOverLumps = 0.4;
 
-/// How far a lump of the world is from its place, mm across and up: as the fingers say, else it is at its place.
+/// The shift of a lump from its place, mm across and up: as the fingers report, else zero.
 Vec2 movedOf(std::size_t lump, std::span<const FingerMark> fingers);
 
-/// Where the middle of a lump is now: moved sideways, and down with the skin by the share that its depth has of the way
-/// to the bone.
+/// The present middle of a lump: moved sideways, and down with the skin by the share of its depth on the way to the
+/// bone.
 Vec3 middleOf(const scene::World& world, std::size_t lump, std::span<const FingerMark> fingers, const DrawnSkin& skin);
 
 /// All lumps of the world, shaded.

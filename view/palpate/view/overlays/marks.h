@@ -1,4 +1,4 @@
-// Marks over the skin, as lines: where a finger touches and what the skin does. And the colours of all overlays.
+// Marks over the skin, as lines: a finger's contact and the skin's motion. And the colours of all overlays.
 #pragma once
 
 #include <array>
@@ -31,25 +31,25 @@ inline constexpr Paint kForcePaint{60, 255, 120, 255};
 inline constexpr Paint kRestSectionPaint{240, 240, 240, 190};
 inline constexpr Paint kDeformedSectionPaint{255, 80, 160, 255};
 inline constexpr Paint kNamePaint{255, 214, 150, 255};
-inline constexpr Paint kPadPaint{229, 92, 48, 255};  ///< of the key: the middle of the pressure's colours
+inline constexpr Paint kPadPaint{229, 92, 48, 255};  ///< for the key: the middle of the pressure's colours
 inline constexpr Paint kLumpPaint{150, 110, 240, 255};
 inline constexpr Paint kCutPaint{90, 235, 255, 255};
 inline constexpr Paint kTrapeziusPaint{214, 70, 48, 255};
 inline constexpr Paint kLatissimusPaint{70, 130, 215, 255};
 inline constexpr Paint kErectorPaint{240, 205, 70, 255};
 
-// ---- of a finger (contact_marks.cpp)
+// ---- for a finger (contact_marks.cpp)
 
-/// Length of the force arrow, and where it ends whatever the force; a longer one has a break before its head.
+/// Length of the force arrow, and its maximum; a longer one has a break before its head.
 inline constexpr double kForceMmPerN = 10.0;
 inline constexpr double kLongestForceMm = 60.0;
 
-/// Anchor (yellow) and proxy (white) on the skin at rest, tip, and what ties them; the force from the proxy.
+/// Anchor (yellow) and proxy (white) on the skin at rest, tip, and the ties between them; the force from the proxy.
 void addContactMarks(const contact::FingerOutput& contact, Lines& lines);
 
-// ---- of the skin (skin_marks.cpp)
+// ---- for the skin (skin_marks.cpp)
 
-/// Arrows from rest to where the skin is, one in each cube of `spacing_mm` that moved; a ring at their beginning shows
+/// Arrows from rest to the present skin, one in each cube of `spacing_mm` that moved; a ring at their beginning shows
 /// them to an eye that looks along them.
 void addDisplacements(const scene::World& world, const DrawnSkin& skin, double spacing_mm, Lines& lines);
 
@@ -59,10 +59,10 @@ void addNormals(const DrawnSkin& skin, Index most, Lines& lines);
 /// The edges within each of the first `rings` rings of neighbour nodes round a triangle; the triangle is ring 0.
 void addRings(const scene::World& world, const DrawnSkin& skin, Index triangle, int rings, Lines& lines);
 
-/// The cut through a finger's contact as far as its chart shows it: deformed, and at rest where the skin has moved.
+/// The cut through a finger's contact as wide as its chart: deformed, and at rest where the skin has moved.
 void addSection(const scene::World& world, const DrawnSkin& skin, const contact::FingerOutput& contact, Lines& lines);
 
-/// The deformed skin along a plane, up to so far to either side of its origin.
+/// The deformed skin along a plane, up to half_width to either side of its origin.
 void addCutLine(const scene::World& world, const DrawnSkin& skin, const SectionPlane& plane, double half_width_mm,
                 Paint paint, Lines& lines);
 

@@ -1,5 +1,5 @@
 // A muscle is a few guide fibres between landmarks, from one border to the other; the fibres between them come from
-// Catmull and Rom's curves, and each of their points goes to the nearest skin, with which it then moves. Landmarks lie
+// Catmull and Rom's curves, and each of their points goes to the nearest skin, with which it then moves. Landmarks are
 // on the skin, so a guide between two of them is never far below it.
 #include "palpate/view/overlays/muscle_marks.h"
 
@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 2> kBothSides = {"_left", "_right"};
 constexpr int kFibres = 33;        // two borders and 32 stripes
 constexpr int kSpotsInFibre = 41;  // 2 to 10 mm apart: skin curves less than lines are drawn above it
 
-/// The places of one side by their names without it. What is missing is noticed, not thrown.
+/// The places of one side by their names without it. Missing ones are noted, not thrown.
 class SidePlaces {
  public:
   SidePlaces(std::span<const body::SkinLandmark> landmarks, std::string_view side) {
@@ -42,7 +42,7 @@ class SidePlaces {
   Vec3 between(const std::string& from, const std::string& to, double share) {
     return (1.0 - share) * at(from) + share * at(to);
   }
-  /// Every place that was asked for is there.
+  /// Whether every requested place exists.
   bool complete() const { return complete_; }
 
  private:
@@ -51,7 +51,7 @@ class SidePlaces {
 };
 
 using GuideFibre = std::vector<Vec3>;
-/// As many points in each.
+/// All have the same number of points.
 using Guides = std::vector<GuideFibre>;
 
 GuideFibre straight(const Vec3& from, const Vec3& to) { return {from, 0.5 * (from + to), to}; }
@@ -81,7 +81,7 @@ Guides trapezius(SidePlaces& side) {
 }
 
 /// From the spines of T7 to L5, the sacrum and the iliac crest, aponeurosis and all, over the lower angle of the
-/// scapula to the hind fold of the armpit, where the skin ends that lies over its tendon.
+/// scapula to the hind fold of the armpit, where the skin over its tendon ends.
 Guides latissimus(SidePlaces& side) {
   const Vec3 armpit = side.between("scapula_inferior_angle", "greater_tubercle", 0.55);
   const Vec3 below = side.between("scapula_inferior_angle", "greater_tubercle", 0.48);
@@ -100,19 +100,19 @@ Guides latissimus(SidePlaces& side) {
           bowed(crest, below)};
 }
 
-/// Beside the spine from sacrum and iliac crest to the neck: spinalis along the spines, iliocostalis as far as the
+/// Along the spine from sacrum and iliac crest to the neck: spinalis along the spines, iliocostalis as far as the
 /// angles of the ribs.
 Guides erector(SidePlaces& side) {
   struct Level {
     const char* spine;
     const char* lateral;
-    double share;  // of the way to it that the muscle reaches
+    double share;  // share of the way to it that the muscle reaches
   };
   constexpr Level kLevels[] = {
       {"sacrum_S3", "psis", 0.3},          {"spinous_L5", "psis", 0.9},         {"spinous_L3", "iliac_crest_top", 0.62},
       {"spinous_L1", "rib_12_angle", 1.2}, {"spinous_T9", "rib_9_angle", 0.85}, {"spinous_T6", "rib_6_angle", 0.7},
       {"spinous_T3", "rib_3_angle", 0.65}, {"spinous_C7", "rib_2_angle", 0.45}};
-  constexpr double kBesideSpine = 0.12;  // of the muscle's width
+  constexpr double kBesideSpine = 0.12;  // share of the muscle's width
   Guides guides(3);
   for (const Level& level : kLevels) {
     for (std::size_t i = 0; i < guides.size(); ++i) {
@@ -155,7 +155,7 @@ struct MuscleKind {
   const char* name;
   Paint paint;
   Guides (*guides)(SidePlaces& side);
-  double name_across, name_along;  ///< where its name points
+  double name_across, name_along;  ///< the point for its name
 };
 constexpr MuscleKind kMuscles[] = {
     {"erector spinae", kErectorPaint, erector, 0.6, 0.3},
@@ -163,7 +163,7 @@ constexpr MuscleKind kMuscles[] = {
     {"trapezius", kTrapeziusPaint, trapezius, 0.4, 0.5},
 };
 
-/// What `use` makes of each muscle of each side; nothing at all where a place is missing.
+/// Collects the result of `use` for each muscle of each side; empty where a place is missing.
 template <class Use>
 void forMuscles(std::span<const body::SkinLandmark> landmarks, const Use& use) {
   if (!hasMuscles(landmarks)) return;

@@ -1,6 +1,6 @@
-// The superficial muscles of the back as a drawing: flat sheets on the skin that show where each muscle runs and which
-// way its fibres go. A drawing between landmarks by a textbook's words (Standring, Gray's Anatomy, back and shoulder
-// girdle), the same for every body: no thickness, no tension, nothing that is felt.
+// The superficial muscles of the back as a drawing: flat sheets on the skin that show the extent of each muscle and the
+// direction of its fibres. A drawing between landmarks after a textbook (Standring, Gray's Anatomy, back and shoulder
+// girdle), the same for every body: no thickness, no tension, no effect on touch.
 //
 //   World::anatomy.landmarks ─ muscleSheets, once ─► MuscleSheet ─ addMuscle, each picture ─► Overlays
 #pragma once
@@ -19,17 +19,17 @@ namespace palpate::view {
 
 inline constexpr const char* kNoMuscles = "this body lacks places that its muscles are drawn between";
 
-/// Whether every place that they are drawn between is there.
+/// Whether all places for them exist.
 bool hasMuscles(std::span<const body::SkinLandmark> landmarks);
 
-/// Erector spinae, latissimus dorsi and trapezius of both sides, the deepest first; none without hasMuscles. Some 10
+/// Erector spinae, latissimus dorsi and trapezius of both sides, the deepest first; empty without hasMuscles. Some 10
 /// ms: keep them.
 std::vector<MuscleSheet> muscleSheets(const scene::World& world);
 
-/// As stripes along the fibres, with a line round them, on the skin as it is now.
+/// Draws stripes along the fibres, with a line round them, on the present skin.
 void addMuscle(const MuscleSheet& muscle, const DrawnSkin& skin, Patches& stripes, Lines& border);
 
-/// What they are called, in the middle of each; none without hasMuscles.
+/// Their names, in the middle of each; empty without hasMuscles.
 std::vector<BodyName> muscleNames(const scene::World& world);
 
 }  // namespace palpate::view

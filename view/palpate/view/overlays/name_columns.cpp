@@ -1,6 +1,6 @@
-// Two columns beside the body. In each the plates are ordered by height, lie as near to the height of their dots as
-// the sum of squares allows, and change places with a neighbour as long as their lines cross. Where a column is full
-// the highest rank is given up as a whole, on both sides.
+// Two columns next to the body. In each the plates are ordered by height, are as near to the height of their dots as
+// the sum of squares allows, and swap places with a neighbour as long as their lines cross. Where a column is full the
+// highest rank is dropped as a whole, on both sides.
 //
 // Heights by pooling adjacent violators: Ayer and others, "An empirical distribution function for sampling with
 // incomplete information", 1955.
@@ -27,7 +27,7 @@ struct NameColumn {
   float inner() const { return right ? left_edge : right_edge; }
 };
 
-/// Heights that nothing lies in.
+/// A range of free heights.
 struct FreeStretch {
   float top = 0.0f;
   float below = 0.0f;
@@ -43,9 +43,9 @@ bool isFree(const NameTag& tag, const NameGround& ground) {
                                  [&](const LabelBox& box) { return overlapOf(dot, box) > 0.0f; });
 }
 
-/// The spine goes to one side as a whole, so that its levels stay in a row: right unless it clearly lies left.
+/// The spine goes to one side as a whole, so that its levels stay in a row: right unless it is clearly left.
 bool spineIsLeft(std::span<const NameTag> tags, const NameGround& ground, float middle) {
-  constexpr float kClearly = 0.06f;  // of the body's width; a straight spine must not hang on rounding
+  constexpr float kClearly = 0.06f;  // share of the body's width; a straight spine must not depend on rounding
   float aside = 0.0f;
   float count = 0.0f;
   for (const NameTag& tag : tags) {
@@ -56,7 +56,7 @@ bool spineIsLeft(std::span<const NameTag> tags, const NameGround& ground, float 
   return aside < -kClearly * count * (ground.body_right - ground.body_left);
 }
 
-/// Of a lying body the spine goes across the page, and its ends are nearest to different columns.
+/// For a lying body the spine goes across the page, and its ends are nearest to different columns.
 bool spineIsUpright(std::span<const NameTag> tags, const NameGround& ground) {
   Eigen::AlignedBox2f spine;
   for (const NameTag& tag : tags) {
@@ -96,7 +96,7 @@ void setEdges(std::span<const NameTag> tags, const NameGround& ground, NameColum
   column.right_edge = column.left_edge + widest;
 }
 
-/// The longest part of the page's height that a column finds free.
+/// The longest free part of the page's height for a column.
 FreeStretch freeStretch(const NameColumn& column, const NameGround& ground) {
   std::vector<FreeStretch> lying;
   for (const LabelBox& box : ground.taken) {
@@ -132,7 +132,7 @@ void giveUp(std::span<const NameTag> tags, int rank, std::vector<std::size_t>& c
   std::erase_if(column, [&](std::size_t i) { return tags[i].rank >= rank; });
 }
 
-/// The least rank that a column has no room for; nothing: it has room for all, or for none.
+/// The least rank without room in a column; empty: there is room for all, or for none.
 std::optional<int> rankWithoutRoom(std::span<const NameTag> tags, float room, std::vector<std::size_t> column) {
   const auto rank_below = [&](std::size_t a, std::size_t b) { return tags[a].rank < tags[b].rank; };
   std::optional<int> without;
@@ -149,7 +149,7 @@ std::optional<int> rankWithoutRoom(std::span<const NameTag> tags, float room, st
 std::vector<float> topsOf(std::span<const NameTag> tags, const std::vector<std::size_t>& column,
                           const FreeStretch& stretch) {
   struct Block {
-    float sum = 0.0f;  // of the tops that its plates want, less what lies above them
+    float sum = 0.0f;  // over the desired tops of its plates, less the plates above them
     float count = 0.0f;
     float mean() const { return sum / count; }
   };
@@ -224,7 +224,7 @@ std::vector<NamePlate> nameColumns(std::span<const NameTag> tags, const NameGrou
   std::optional<int> given_up;
   for (std::size_t side = 0; side < 2; ++side) {
     std::vector<std::size_t>& column = sides[side].tags;
-    std::erase_if(column, [&](std::size_t i) {  // close to the skin, columns may lie over dots
+    std::erase_if(column, [&](std::size_t i) {  // close to the skin, columns may cover dots
       return std::any_of(sides.begin(), sides.end(), [&](const NameColumn& over) {
         const float x = tags[i].dot.x();
         return over.right_edge > over.left_edge && x > over.left_edge - kRoundDot && x < over.right_edge + kRoundDot;

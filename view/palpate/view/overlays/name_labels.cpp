@@ -1,5 +1,5 @@
-// Names seen -> places on the page -> columns -> ink. The silhouette comes from a thousand vertices. Each picture: half
-// a millisecond for the trunk's hundred names.
+// Visible names -> places on the page -> columns -> ink. The silhouette comes from a thousand vertices. Each picture:
+// half a millisecond for the trunk's hundred names.
 #include "palpate/view/overlays/labels.h"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ void drawNames(Drawing& page, const LabelScene& scene, std::vector<LabelBox>& ta
   std::vector<Vec3> places;
   for (const BodyName* name : seen) {
     places.push_back(placeOf(*name, scene.world, scene.surface, scene.frame.lift_mm));
-    // Laid out for the body that holds its breath: plates must not change their rows with each one.
+    // Laid out for a body that holds its breath: plates must not change their rows with each one.
     const Vec2f dot = between.of(placeOf(*name, scene.world, scene.surface, 0.0));
     const Vec2f size = page.measure(name->words, TextSize::small) + 2.0f * kNamePad;
     tags.push_back({dot, size, static_cast<int>(name->kind), name->kind == NameKind::spine});

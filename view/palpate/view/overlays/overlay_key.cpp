@@ -1,5 +1,5 @@
-// The rows are a table by overlay; a sign lies on a chip of the colour of skin, so that white lines and yellow ones
-// are seen on a light plate too. Laid out again for each picture.
+// The rows are a table by overlay; a sign is on a chip of the colour of skin, so that white lines and yellow ones are
+// visible on a light plate too. Laid out again for each picture.
 #include "palpate/base/language.h"
 #include "palpate/view/overlays/legend.h"
 

@@ -1,5 +1,5 @@
-// Asks for what the look shows. Shapes keep their memory from picture to picture; key ellipses and partition, which
-// cost more than a picture may, are made when first shown and kept.
+// Builds the shapes of the look. They keep their memory from picture to picture; key ellipses and partition, which are
+// too slow for every picture, are made when first shown and kept.
 #include "palpate/view/overlays/overlays.h"
 
 #include "palpate/view/overlays/cut_away.h"

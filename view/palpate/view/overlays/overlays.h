@@ -1,4 +1,4 @@
-// All overlays of a picture as lines and patches; the wireframe alone is drawn from the skin's own buffers.
+// All overlays of a picture as lines and patches; only the wireframe is drawn from the skin's own buffers.
 //
 //   Look, DrawnSkin, fingers ─► Overlays ─ ellipses, partition, marks.h ─► OverlayShapes ─► LineLayer
 #pragma once
@@ -21,8 +21,8 @@
 
 namespace palpate::view {
 
-// The dissertation's partition, drawn: leaves, splitting planes, and what the detecting box of a finger meets
-// (Fig 3.6).
+// The dissertation's partition, drawn: leaves, splitting planes, and the cells in the detecting box of a finger (Fig
+// 3.6).
 
 /// A partition of the world's skin, and the edges of the detecting box.
 struct ShownPartition {
@@ -30,7 +30,7 @@ struct ShownPartition {
   Vec3 box_edges_mm = Vec3::Zero();
 };
 
-/// The one that fingers of this world touch through; built from the scene's settings when they do not.
+/// The one that this world's fingers use; built from the scene's settings when they use none.
 ShownPartition partitionOf(const scene::World& world);
 
 /// The cells of the leaves, blue.
@@ -42,11 +42,11 @@ void addPlanes(const hdb::Partition& partition, Lines& lines, Patches& patches);
 /// The box round the finger's proxy.
 void addDetectingBox(const ShownPartition& shown, const contact::FingerOutput& contact, Lines& lines);
 
-/// The triangles of all leaves that the box meets, green: what the haptic process works on.
+/// The triangles of all leaves that the box meets, green: the haptic process's input.
 void addHapticTriangles(const ShownPartition& shown, const scene::World& world, const DrawnSkin& skin,
                         const contact::FingerOutput& contact, Patches& patches);
 
-// Deformation ellipses as outlines that lie on the skin and move with it.
+// Deformation ellipses as outlines on the skin that move with it.
 
 /// A place of the skin that moves with it: a triangle and the weights of its corners.
 struct SkinSpot {
@@ -63,20 +63,20 @@ inline Vec3 placeOf(const SkinSpot& spot, const DrawnSkin& skin) {
   return place;
 }
 
-/// Outlines as far as they lie over the skin: pieces of a closed curve.
+/// The parts of outlines over the skin: pieces of a closed curve.
 using Outline = std::vector<std::vector<SkinSpot>>;
 
 /// The ellipse round `centre` in the plane square to `normal` (unit), seen along it onto the skin.
 Outline outlineOf(const scene::World& world, const maps::SurfaceEllipse& ellipse, const Vec3& centre,
                   const Vec3& normal);
 
-/// Of the map's key points, seen along z as the map is. Costs some 0.1 ms an ellipse: keep them.
+/// Outlines of the map's key points, seen along z as the map is. Costs some 0.1 ms an ellipse: keep them.
 std::vector<Outline> keyOutlines(const scene::World& world);
 
 void addOutline(const Outline& outline, const DrawnSkin& skin, Paint paint, Lines& lines);
 
-/// A muscle as a drawing: its fibres next to each other, from where they arise to where they insert, with as many
-/// spots in each.
+/// A muscle as a drawing: its fibres next to each other, from origin to insertion, with the same number of spots in
+/// each.
 struct MuscleSheet {
   Paint paint;
   std::vector<std::vector<SkinSpot>> fibres;
@@ -90,11 +90,11 @@ struct OverlayShapes {
   Patches patches;
   Lines thin{1.3, {}};
   Lines bold{2.6, {}};
-  Patches seen_through;  ///< whatever lies before them
+  Patches seen_through;  ///< drawn over everything
   Patches solid;         ///< bodies under the skin
 };
 
-/// Keeps what does not change from picture to picture. The world must outlive it.
+/// Keeps shapes that stay the same from picture to picture. The world must outlive it.
 class Overlays {
  public:
   explicit Overlays(const scene::World& world) : world_(world) {}
@@ -103,7 +103,7 @@ class Overlays {
     partition_ = shown.partition ? std::optional(std::move(shown)) : std::nullopt;
   }
 
-  /// What the look asks for. Valid until the next call.
+  /// The shapes of the look. Valid until the next call.
   const OverlayShapes& shapes(const Look& look, const DrawnSkin& skin, std::span<const FingerMark> fingers);
 
  private:

@@ -12,7 +12,7 @@ namespace palpate::view {
 
 namespace {
 
-/// Each level is drawn with this share of the one above; fainter than the least is left out.
+/// Each level has this share of the opacity above; those below the least are left out.
 constexpr double kLevelShare = 0.8;
 constexpr double kMinShare = 0.1;
 constexpr double kBoxFill = 0.04;

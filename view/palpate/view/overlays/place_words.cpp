@@ -1,5 +1,5 @@
-// A place is a name, and then how far from it. Names are whole phrases to the catalogue, since sides have genders;
-// their only number, of a rib or a site, is taken out first.
+// A place is a name, then a distance from it. Names are whole phrases to the catalogue, since sides have genders; their
+// only number, of a rib or a site, is extracted first.
 #include "palpate/view/overlays/place_words.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace palpate::view {
 
 namespace {
 
-/// Those that are said in words; T6 is T6 everywhere.
+/// Names that are translated; T6 is T6 everywhere.
 constexpr std::array kPlaceNames = {
     toTranslate("left PSIS"), toTranslate("right PSIS"), toTranslate("left ASIS"), toTranslate("right ASIS"),
     toTranslate("left acromion"), toTranslate("right acromion"), toTranslate("left clavicle"),
@@ -74,7 +74,7 @@ std::string nameInLanguage(const std::string& name) {
   return number.empty() ? tr(*known) : filled(tr(*known), *known, number);
 }
 
-/// "30 mm right" and "right 30 mm" begin where the first of these is.
+/// "30 mm right" and "right 30 mm" begin at the first of these words.
 bool beginsDistance(std::span<const std::string> words, std::size_t at) {
   const auto is_direction = [](const std::string& word) {
     return std::ranges::find(kPlaceDirections, word) != kPlaceDirections.end();

@@ -1,5 +1,5 @@
 // Places of the body in the language of the window: "T6 rechts 30 mm", "SIPS izquierda". Scenes, tables and reports
-// keep the words of body/places.h; only what people read and type is translated.
+// keep the English of body/places.h; only the window's text and input are translated.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace palpate::view {
 
-/// Of the words that body::spokenName, inWords and placeWords give. What is unknown stays as it is.
+/// Translates results of body::spokenName, inWords and placeWords. Unknown words are kept.
 std::string placeInLanguage(const std::string& english);
 
-/// What was typed, in either language, in words for body::placeNamed; unknown words stay as they are.
+/// Translates input in either language for body::placeNamed; unknown words are kept.
 std::string placeInEnglish(std::span<const body::SkinLandmark> landmarks, const std::string& typed);
 
 }  // namespace palpate::view

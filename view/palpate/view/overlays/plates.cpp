@@ -1,5 +1,5 @@
-// Fourteen places round the point, those that are liked first; each is moved onto the page, then judged by the area
-// that it shares with what lies there. The first that shares nothing is taken, else the one that shares least.
+// Fourteen places round the point, in order of preference; each is moved onto the page, then rated by the area that it
+// shares with other labels. The first that shares nothing wins, else the one that shares least.
 #include "palpate/view/overlays/plates.h"
 
 #include <algorithm>
@@ -16,10 +16,10 @@ namespace {
 constexpr float kBeside = 34.0f;
 constexpr float kAbove = 30.0f;
 
-/// Where the plate may lie, seen from the tip; the first ones are liked best.
+/// A candidate place for the plate, seen from the tip; in order of preference.
 struct Direction {
-  float x, y;     ///< of the plate from the tip: -1, 0 or 1
-  float farther;  ///< times the usual distance
+  float x, y;     ///< from the tip to the plate: -1, 0 or 1
+  float farther;  ///< factor on the usual distance
 };
 // clang-format off
 constexpr std::array<Direction, 14> kDirections = {{

@@ -1,5 +1,5 @@
-// What is felt is taken to rest first, where the lumps are; the grid of taxels is cast onto the skin at rest and
-// follows it, so that it lies in the dent. Each picture.
+// The finger's place is mapped to rest first, where the lumps are; the grid of taxels is cast onto the skin at rest and
+// follows it, so that it is in the dent. Each picture.
 #include "palpate/view/overlays/pressure_pad.h"
 
 #include <algorithm>
@@ -18,9 +18,9 @@ namespace palpate::view {
 
 namespace {
 
-/// Taxels below this share of the scale stay clear: they feel nothing.
+/// Taxels below this share of the scale stay clear.
 constexpr double kFelt = 0.01;
-/// On the skin and through the finger, which is still to be seen where little is felt.
+/// On the skin and through the finger, which stays visible where the pressure is low.
 constexpr double kLeastOpacity = 0.25;
 constexpr double kMostOpacity = 0.9;
 constexpr Paint kPadRimPaint = {kPadPaint[0], kPadPaint[1], kPadPaint[2], 220};
@@ -39,10 +39,10 @@ PadReading readingOf(const scene::World& world, const contact::PressureGround& g
   return reading;
 }
 
-/// The corners of the taxels on the skin, rows from the head down; nothing where there is no skin.
+/// The corners of the taxels on the skin, rows from the head down; empty off the skin.
 std::vector<std::optional<Vec3>> cornersOn(const PadReading& reading, const scene::World& world,
                                            const DrawnSkin& skin) {
-  constexpr double kOutsideMm = 15.0;  // skin is looked for within this
+  constexpr double kOutsideMm = 15.0;  // search range for the skin
   const contact::PadPlane plane = contact::padPlane(reading.normal);
   const std::size_t n = reading.pad.taxels;
   const double taxel_mm = reading.pad.size_mm / static_cast<double>(n);

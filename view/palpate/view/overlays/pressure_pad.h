@@ -19,14 +19,14 @@
 
 namespace palpate::view {
 
-/// What the pad of a finger feels.
+/// The pressure on the pad of a finger.
 struct PadReading {
   contact::PressurePad pad;
   std::vector<double> kpa;  ///< rows from the head down, each in the order of u (contact/pressure_field.h)
   double greatest_kpa = 0.0;
   bool touches = false;
-  Vec3f colour = kLeftFinger;  ///< of the finger
-  // Of one that touches, on the body at rest.
+  Vec3f colour = kLeftFinger;  ///< colour of the finger
+  // For one in contact, on the body at rest.
   Vec3 middle = Vec3::Zero();  ///< on the skin
   Vec3 normal = Vec3::UnitZ();
 };
@@ -34,14 +34,14 @@ struct PadReading {
 /// Knows the patterns of a world's tissue. The world must outlive it.
 class PadReader {
  public:
-  /// Load time: some milliseconds where neither lumps nor pads of the scene have asked for the patterns before.
+  /// Load time: some milliseconds where neither lumps nor pads of the scene have computed the patterns before.
   explicit PadReader(const scene::World& world);
 
-  /// One for each finger, in order; none where the tissue has no known pattern. `lift_mm`: how far the breath has moved
-  /// the body. Some microseconds a finger.
+  /// One per finger, in order; none where the tissue has no known pattern. `lift_mm`: how far the breath has moved the
+  /// body. Some microseconds a finger.
   std::vector<PadReading> read(std::span<const FingerMark> fingers, double lift_mm) const;
 
-  /// Why there are none; empty where there are.
+  /// The reason for none; empty where there are some.
   const std::string& missing() const { return missing_; }
 
  private:
@@ -50,20 +50,20 @@ class PadReader {
   std::string missing_;
 };
 
-/// The upper end of a scale for these pads: a round number, at least 5 kPa, so that a light touch looks light.
+/// Upper end of a scale for these pads: a round number, at least 5 kPa, so that a light touch looks light.
 double padScaleTop(std::span<const PadReading> readings);
 
-/// From nearly black over red to light yellow, for shares of the scale from 0 to 1. Lightness grows all along, so that
-/// it is read without colours too.
+/// From nearly black over red to light yellow, for shares of the scale from 0 to 1. Lightness rises throughout, so that
+/// it can be read without colours.
 ColourBytes heatOf(double share);
 
-/// The taxels that feel something as patches on the deformed skin, and the rim of the pad; nothing for a finger that
-/// does not touch.
+/// The taxels under pressure as patches on the deformed skin, and the rim of the pad; nothing for a finger without
+/// contact.
 void addPad(const PadReading& reading, double top_kpa, const scene::World& world, const DrawnSkin& skin,
             Patches& patches, Lines& lines);
 
 /// Draws plates from the lower right corner `corner` of their room to the left, `width` points in all at most, and
-/// returns what they cover.
+/// returns the areas that they cover.
 std::vector<LabelBox> drawPads(Drawing& page, std::span<const PadReading> readings, const Vec2f& corner, float width,
                                const LabelInks& inks);
 

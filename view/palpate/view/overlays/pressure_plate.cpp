@@ -18,12 +18,12 @@ constexpr float kPlatePad = 8.0f;
 constexpr float kPadStripe = 3.0f;  ///< in the finger's colour, at the left edge
 constexpr float kHeatBar = 9.0f;
 constexpr float kBarNumbers = 30.0f;
-constexpr float kPadWords = 18.0f;       ///< a line of words above, and one below
+constexpr float kPadWords = 18.0f;       ///< a line of text above, and one below
 constexpr std::size_t kMostNumbers = 4;  ///< along a side: smaller taxels have no room for theirs
 
 struct PadPlate {
   Vec2f corner;  ///< upper left
-  float side;    ///< of the square of taxels
+  float side;    ///< side of the square of taxels
   Vec2f size() const {
     return {kPadStripe + side + kHeatBar + kBarNumbers + 3.0f * kPlatePad, side + 2.0f * kPadWords + kPlatePad};
   }

@@ -20,7 +20,7 @@ namespace {
 using tree::TriangleRecord;
 using Deformed = std::function<Vec3(Index)>;
 
-/// A drag shorter than this (mm) says nothing about where the finger wants to go.
+/// Shorter drags (mm) give no direction.
 constexpr double kMinDragMm = 0.2;
 
 Vec3 acrossThe(const Vec3& normal) {
@@ -79,7 +79,7 @@ std::optional<CrossedEdges> crossedEdges(const TriangleRecord& record, const Def
 
 /// The crossed triangle nearest to the plane's origin.
 Index startOf(const tree::TriangleTree& tree, const SectionPlane& plane, const Side& side) {
-  constexpr double kReachMm = 5.0;  // the origin lies on the skin; a corner's own triangles may all lie to one side
+  constexpr double kReachMm = 5.0;  // the origin is on the skin; a corner's own triangles may all be on one side
   const auto found = tree::nearestPointIf(tree, plane.origin, kReachMm, [&](Index record, const auto&) {
     const TriangleRecord& r = tree.records[record];
     return isCrossed(r, 0, side) || isCrossed(r, 1, side) || isCrossed(r, 2, side);
@@ -89,7 +89,7 @@ Index startOf(const tree::TriangleTree& tree, const SectionPlane& plane, const S
 
 struct Walk {
   std::vector<SectionPoint> points;
-  bool came_round = false;  ///< a closed body, back to the triangle that it began in
+  bool came_round = false;  ///< a closed body, back to the first triangle
 };
 
 /// Walks over the surface from a triangle's edge on, as far as the width, a border, or round a closed body.

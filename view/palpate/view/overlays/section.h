@@ -1,8 +1,8 @@
 // The cut through the skin at a finger: the curve at rest and the same skin deformed, in mm (Fig 4.7).
 //
-// The plane holds the contact's normal and the direction the finger drags in (across the body when it does not), so
-// that what presses and what pulls both lie in it. The curve is the cut of the skin at rest; its points are then
-// followed to where the deformation takes them. No GL but in drawSection (section_inset.cpp).
+// The plane contains the contact's normal and the direction of the drag (across the body without one), so that both
+// press and pull are in it. The curve is the cut of the skin at rest; its points then follow the deformation. No GL
+// except in drawSection (section_inset.cpp).
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@ namespace palpate::view {
 class Drawing;
 struct LabelInks;
 
-/// The finger whose cut is shown: the one that presses deepest, where none touches the first; null without fingers.
+/// The finger of the cut: the one that presses deepest, without contacts the first; null without fingers.
 const FingerMark* sectionFinger(std::span<const FingerMark> fingers);
 
 struct SectionPlane {
@@ -30,7 +30,7 @@ struct SectionPlane {
   Vec3 upward = Vec3::UnitZ();  ///< unit, square to `along`: out of the skin
 };
 
-/// The plane of a finger; for one in free space, of the skin below it.
+/// The plane of a finger; for one in free space, at the skin below it.
 SectionPlane sectionPlane(const scene::World& world, const contact::FingerOutput& contact);
 
 /// First coordinate along the plane, second upward, mm from its origin.
@@ -39,9 +39,8 @@ struct SectionPoint {
   Vec2 deformed;
 };
 
-/// The skin that hangs together with the origin, as far as `half_width_mm` to either side, in the order of `along`.
-/// Round a closed body that is narrower once, and its first point again. Empty where the plane meets no skin at its
-/// origin.
+/// The skin connected to the origin, up to `half_width_mm` to either side, in the order of `along`. Round a closed body
+/// that is narrower once, and its first point again. Empty where the plane does not meet the skin at its origin.
 std::vector<SectionPoint> sectionCurve(const scene::World& world, const deform::DeformedSurface& surface,
                                        const SectionPlane& plane, double half_width_mm = 60.0);
 
@@ -54,27 +53,27 @@ inline Vec3 onPlane(const SectionPlane& plane, const Vec2& point) {
   return plane.origin + point.x() * plane.along + point.y() * plane.upward;
 }
 
-/// What the two ends of a cut are called, in the picture and in the chart: letters, and the patient's side towards
-/// which an end lies where there is one: "A left", "B right".
+/// The names of the two ends of a cut, in the picture and in the chart: letters, and the patient's side of an end where
+/// there is one: "A left", "B right".
 struct SectionEnds {
   std::string low, high;
 };
 SectionEnds sectionEnds(const SectionPlane& plane);
 
-/// Where the section is drawn as a small chart, points; and what is written on it.
+/// The section's chart: its place on the page, points, and its text.
 struct SectionChart {
   Vec2f corner = Vec2f::Zero();  ///< upper left
   Vec2f size = {240.0f, 120.0f};
   SectionEnds ends = {};
-  /// How far the skin is drawn to give way at most, when the finger is deeper than that, mm.
+  /// Largest drawn depth of the skin, when the finger is deeper than that, mm.
   std::optional<double> cap_mm = {};
 };
 
-/// How far the chart reaches to either side of the contact, mm.
+/// Half width of the chart on either side of the contact, mm.
 inline constexpr double kSectionHalfWidthMm = 40.0;
 
-/// Draws it with both axes in mm. Heights are drawn larger than widths: the numbers at the axes tell by how much.
-/// Nothing for an empty curve.
+/// Draws it with both axes in mm. Heights are drawn larger than widths: the numbers at the axes show the ratio. Draws
+/// nothing for an empty curve.
 void drawSection(Drawing& page, std::span<const SectionPoint> curve, const SectionChart& chart, const LabelInks& inks);
 
 }  // namespace palpate::view

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kLeft = 34.0f;        ///< room for the numbers of the heights
 constexpr float kBelow = 30.0f;       ///< and for those of the widths, with their unit
-constexpr float kWordsAbove = 24.0f;  ///< and for the words
+constexpr float kWordsAbove = 24.0f;  ///< room for the text
 constexpr float kRight = 12.0f;
 
 /// From mm to the page.
@@ -44,7 +44,7 @@ Axes axesFor(std::span<const SectionPoint> curve, const SectionChart& chart) {
   constexpr double kMinMm = 2.0;
   const double range = std::max(axes.high.y() - axes.low.y(), kMinMm);
   const double room = 0.08 * range;
-  axes.low.y() -= chart.cap_mm ? 0.25 * range : room;  // words stand below the cap
+  axes.low.y() -= chart.cap_mm ? 0.25 * range : room;  // text goes below the cap
   axes.high.y() += room;
   axes.corner = chart.corner + Vec2f(kLeft, kWordsAbove);
   axes.extent = chart.size - Vec2f(kLeft + kRight, kWordsAbove + kBelow);
@@ -71,7 +71,7 @@ void drawGrid(Drawing& page, const Axes& axes, const LabelInks& inks) {
   page.text({end.x(), end.y() + 15.0f}, "mm", inks.letter, Align::right, TextSize::small);
 }
 
-/// The ends by the letters that stand at them in the picture.
+/// Labels the ends by their letters in the picture.
 void drawEnds(Drawing& page, const Axes& axes, const SectionEnds& ends, const LabelInks& inks) {
   const float y = axes.at({0.0, axes.low.y()}).y() + 15.0f;
   page.text({axes.corner.x() - kLeft + 6.0f, y}, ends.low, inks.letter, Align::left, TextSize::small);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kSinkRingPoints = 40;
 /// Above the skin, so that the lines do not sink in, mm.
 constexpr double kSinkLiftMm = 1.0;
-/// The skin is looked for from so far outside, mm: a back is that flat under a ring.
+/// Search range above the skin, mm: a back is flat enough under a ring.
 constexpr double kOutsideMm = 60.0;
 
 constexpr Paint kRingPaint{255, 255, 255, 255};

@@ -1,7 +1,7 @@
-// How far a finger sinks, as rings on the skin that open round it: for who presses without a hand that feels. One thin
-// ring for each whole millimetre, and a bold one outside that opens as the finger goes down.
+// Depth of a finger as rings on the skin round it, for users without force feedback. One thin ring for each whole
+// millimetre, and a bold one outside that opens as the finger goes down.
 //
-// They depend on the depth alone, wherever the finger presses: they say no more than the picture of a dent would.
+// They depend on the depth only, wherever the finger presses: they reveal no more than the picture of a dent would.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace palpate::view {
 
 /// The first ring opens at the rim of a fingertip, mm.
 inline constexpr double kSinkRimMm = 10.0;
-/// Each millimetre of sink opens the ring by so much: wide enough apart to be counted where a pixel is half a
+/// Each millimetre of sink opens the ring by this much: wide enough apart to be counted where a pixel is half a
 /// millimetre.
 inline constexpr double kSinkOpensMm = 4.0;
 /// Deeper than a press of training goes; more rings would cover the back.
@@ -23,7 +23,7 @@ inline constexpr int kMaxSinkRings = 14;
 /// Radius of the bold ring at this depth, mm.
 double sinkRadius(double depth_mm);
 
-/// Laid on the skin at rest; nothing for a finger that touches nothing.
+/// On the skin at rest; empty for a finger without contact.
 std::vector<Lines> sinkRings(const scene::World& world, const contact::FingerOutput& finger);
 
 }  // namespace palpate::view

@@ -1,6 +1,6 @@
-// Arrows: moved vertices sorted by the cube they lie in, the first of each cube gets one. Rings grow over sorted lists
-// and not over a mark a vertex: a ring is small, the skin is not.
-// Data flow: DrawnSkin -> here -> Lines -> line_layer.h, each picture that asks for it.
+// Arrows: moved vertices sorted by their cube, the first of each cube gets one. Rings grow over sorted lists and not
+// over a mark per vertex: a ring is small, the skin is not.
+// Data flow: DrawnSkin -> here -> Lines -> line_layer.h, in each picture with them.
 // Based on: Ji, dissertation 2008, section 4.5, for the rings.
 #include "palpate/view/overlays/marks.h"
 
@@ -40,7 +40,7 @@ std::vector<Moved> movedVertices(const deform::Skin& rest, const DrawnSkin& skin
   return moved;
 }
 
-/// The vertices joined to `ring` that lie in neither of the two rings; all sorted.
+/// The vertices joined to `ring` but in neither of the two rings; all sorted.
 std::vector<Index> nextRing(const mesh::IndexRows& neighbours, const std::vector<Index>& ring,
                             const std::vector<Index>& inner) {
   std::vector<Index> next;
@@ -67,7 +67,7 @@ void addEdgesWithin(const std::vector<Index>& ring, const mesh::IndexRows& neigh
   }
 }
 
-/// A point of the deformed curve, a little out of the skin, which it would else be drawn in.
+/// A point of the deformed curve, a little above the skin, in which it would be drawn otherwise.
 Vec3 liftedAt(const SectionPlane& plane, std::span<const SectionPoint> curve, std::size_t i) {
   constexpr double kLiftMm = 0.5;
   const Vec2 along = curve[std::min(i + 1, curve.size() - 1)].deformed - curve[i > 0 ? i - 1 : 0].deformed;
@@ -81,10 +81,10 @@ void addLifted(const SectionPlane& plane, std::span<const SectionPoint> curve, P
   }
 }
 
-/// From where the skin was to where it is. Seen from behind or from before it is a ring with a cross in it, as an arrow
-/// of paper shows its feathers: a straight press points away from the eye.
+/// From the skin at rest to the present one. Seen along its axis it is a ring with a cross in it, as the feathers of an
+/// arrow: a straight press points away from the eye.
 void addDisplacement(const Vec3& from, const Vec3& to, Lines& lines) {
-  constexpr double kRingShare = 0.3;  // of the length
+  constexpr double kRingShare = 0.3;  // share of the length
   constexpr double kLargestRingMm = 2.4;
   constexpr int kCorners = 10;
   lines.addArrow(from, to, kDisplacementPaint);

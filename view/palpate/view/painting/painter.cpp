@@ -1,6 +1,6 @@
 // The mode that the canvas can show -> eyes moved together where the parallax would tire -> one page of labels -> each
-// eye drawn, the page over it -> both composed. The page lies in the screen, so it is laid out once for both; only one
-// with names, whose dots lie on the skin, is laid out for each.
+// eye drawn, the page over it -> both composed. The page is in the screen, so it is laid out once for both; only one
+// with names, whose dots are on the skin, is laid out for each.
 #include "palpate/view/painter.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace palpate::view {
 
 namespace {
 
-/// One picture on its way.
+/// The current picture.
 struct Job {
   const Frame& frame;
   const deform::DeformedSurface& surface;
@@ -46,7 +46,7 @@ Vec2f wholePage(const EyePicture& picture, const Canvas& canvas) {
   return Vec2f(picture.seen_width, picture.seen_height) / static_cast<float>(canvas.pixels_per_point);
 }
 
-/// What is left of it for labels; never nothing.
+/// The part of it for labels; never empty.
 Part labelledPart(const EyePicture& picture, const Canvas& canvas) {
   const auto& [left, top, right, below] = canvas.covered;
   const Vec2f size = wholePage(picture, canvas) - Vec2f(left + right, top + below);
@@ -68,13 +68,13 @@ Screen partOf(const Screen& screen, const Part& part, const Vec2f& whole) {
 struct Painter::Impl {
   std::shared_ptr<const scene::World> world;
   Eigen::AlignedBox3d box;           // of the body
-  Eigen::AlignedBox3d with_support;  // and of what it lies on: all that is drawn
+  Eigen::AlignedBox3d with_support;  // with its support: all that is drawn
   Renderer renderer;
   StereoComposer composer;
   Drawing page;
   std::optional<Target> smaller;  // where the body has fewer pixels than the picture
   std::vector<BodyName> names;
-  bool named_places = false, named_muscles = false;  // what `names` are of
+  bool named_places = false, named_muscles = false;  // contents of `names`
   std::optional<PadReader> pads;                     // made when first shown, as names are
   std::optional<CutMaker> cutter;
 
@@ -90,7 +90,7 @@ struct Painter::Impl {
     named_places = named_muscles = false;
   }
 
-  /// Made when first shown.
+  /// The names of the look, made when first shown.
   std::span<const BodyName> namesFor(const Look& look) {
     const bool places = look.shows(Overlay::names);
     const bool muscles = look.shows(Overlay::muscles);
@@ -104,7 +104,7 @@ struct Painter::Impl {
     return names;
   }
 
-  /// What the look shows of the tissue below the fingers.
+  /// Reads the tissue below the fingers for the look.
   void readBeneath(Job& job) {
     const Look& look = job.settings.look;
     if (!job.settings.labels.beneath) return;
@@ -163,7 +163,7 @@ struct Painter::Impl {
     glViewport(0, 0, picture.width, picture.height);
   }
 
-  /// With the pixels of `picture`.
+  /// Draws the body with the pixels of `picture`.
   void paintBody(const Job& job, Eye eye, const EyePicture& picture) {
     const bool hands = job.settings.look.finger == FingerShape::hand && !job.frame.fingers.empty();
     const double room_mm = hands ? kRoomForHandsMm : kRoomMm;

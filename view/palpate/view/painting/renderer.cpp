@@ -1,5 +1,5 @@
-// The layers and the order they are drawn in (docs/explanation/rendering.md). Of OpenGL's state it sets depth and
-// winding; a layer turns on what it needs and leaves the depth test on, by "less", and blending and culling off. A
+// The layers and the order they are drawn in (docs/explanation/rendering.md). It sets depth and winding of OpenGL's
+// state; a layer turns on what it needs and leaves the depth test on, by "less", and blending and culling off. A
 // world with the same body exchanges maps and keeps its buffers. Each picture.
 #include "palpate/view/renderer.h"
 
@@ -35,7 +35,7 @@ FingerLayer::Form formOf(const Look& look) {
   return look.finger == FingerShape::hand ? FingerLayer::Form::hand : FingerLayer::Form::finger;
 }
 
-/// Where the skin is at rest, from its origin.
+/// Presses on the skin at rest, from its origin.
 std::vector<Press> pressesOf(const Frame& frame, const std::optional<body::BreathField>& breath, const Vec3& origin) {
   std::vector<Press> presses;
   for (const FingerMark& finger : frame.fingers) {
@@ -71,7 +71,7 @@ struct Renderer::Impl {
   std::vector<FingerPose> poses;
   std::vector<HandPose> hands;  // of the poses, unless balls are drawn
   std::vector<ShadowCaster> casters;
-  const OverlayShapes* shown = nullptr;  // of the picture under way
+  const OverlayShapes* shown = nullptr;  // for the current picture
 
   void setWorld(std::shared_ptr<const scene::World> next) {
     if (world && world->body == next->body) {
@@ -88,7 +88,7 @@ struct Renderer::Impl {
     world = std::move(next);
   }
 
-  /// Lumps are shown under skin that lets them through.
+  /// Lumps are shown under translucent skin.
   Look seenLook(Look look) const {
     if (look.shows(Overlay::lumps) && !world->lumps.empty()) {
       look.skin_opacity = std::min(look.skin_opacity, kSkinOverLumps);
@@ -117,7 +117,7 @@ struct Renderer::Impl {
     for (std::size_t i = 0; i < hands.size(); ++i) fingers.addCasters(formOf(look), poses[i], hands[i], casters);
   }
 
-  /// As all that goes to the graphics card.
+  /// Relative to the origin, like all data on the graphics card.
   void countFromOrigin() {
     const Vec3& origin = world->deformable->origin;
     for (FingerPose& pose : poses) pose.centre -= origin;
@@ -129,8 +129,8 @@ struct Renderer::Impl {
     drawHands(look, viewpoint, FingerLayer::Part::opaque);
   }
 
-  /// In another tone than the body, so that the two are distinguished. A hand fades before it reaches the near plane,
-  /// which leaves room for it; a finger is too short to come there.
+  /// In another tone than the body, so that the two are distinguishable. A hand fades before it reaches the near plane,
+  /// which leaves room for it; a finger is too short to reach it.
   void drawHands(const Look& look, const Viewpoint& viewpoint, FingerLayer::Part part) {
     const FingerLayer::Form form = formOf(look);
     const HandTones tones{.skin = look.skin_tone < kLightBody ? 4.0 : 2.0,
@@ -138,14 +138,13 @@ struct Renderer::Impl {
     for (std::size_t i = 0; i < hands.size(); ++i) fingers.drawHand(form, poses[i], hands[i], tones, viewpoint, part);
   }
 
-  /// From outside of an opaque skin without a border; the near plane must not cut it open either.
+  /// True from outside an opaque skin without a border, unless the near plane cuts it open.
   bool hidesBones(const Look& look, const Viewpoint& viewpoint) {
     return look.skin_opacity >= 1.0 && world->body->closed &&
            skin.buffers().box().exteriorDistance(viewpoint.eye) > viewpoint.near_mm;
   }
 
-  /// What hides comes first where nothing shines through, so that hidden pixels are never shaded; transparent skin
-  /// comes last, over what it covers.
+  /// Opaque things come first, so that hidden pixels are never shaded; transparent skin comes last, over the rest.
   void drawBody(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch) {
     const bool opaque = look.skin_opacity >= 1.0;
     if (opaque) skin.draw(look, viewpoint, touch);
