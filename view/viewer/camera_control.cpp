@@ -53,7 +53,7 @@ void CameraControl::flyTo(const view::Camera& camera) {
 }
 
 bool CameraControl::flyToPlace(const Vec3& point) {
-  constexpr double kReachMm = 60.0;  // of a place beside a landmark from the skin
+  constexpr double kReachMm = 60.0;  // from the skin, for a place next to a landmark
   constexpr double kCloser = 0.4;    // a hand's breadth around it
   const auto place = view::skinNear(world_->surface, point, kReachMm);
   if (!place) return false;

@@ -1,4 +1,4 @@
-// Where the body is looked at from because the user asked for it: standard views, home, a finger's place.
+// The user's moves of the camera: standard views, home, a finger's place.
 #pragma once
 
 #include "view/viewer/editing/pointer.h"
@@ -15,15 +15,15 @@ class CameraControl {
                 const std::shared_ptr<const scene::World>& world)
       : viewer_(viewer), pointer_(pointer), modes_(modes), world_(world) {}
 
-  /// True if the action was about the camera, and then it was done.
+  /// Returns true if the action was about the camera, and then it is done.
   bool act(window::Action action);
-  /// Of the whole body, or of the part that a mode is about.
+  /// The view of the whole body, or of a mode's part of it.
   void setView(view::StandardView side);
   void flyTo(const view::Camera& camera);
-  /// Close to a place of the skin, from the side where it is seen. True if the active finger waits there from now on;
-  /// one that presses stays where it is.
+  /// Flies close to a place of the skin, from the side where it is visible. True if the active finger waits there from
+  /// now on; a pressing one stays.
   bool flyToPlace(const Vec3& point);
-  /// Another body is seen from its back, or as its scene says.
+  /// Shows another body from its back, or as its scene says.
   void showBody(const view::Camera& camera);
 
  private:

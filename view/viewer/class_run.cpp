@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr double kLooksEveryS = 0.5;
 
-/// Whole, so that it means the same to the programs that are started.
+/// Absolute, so that it means the same to the started programs.
 std::string wholePath(const std::string& folder) { return fs::absolute(pathOf(folder)).lexically_normal().string(); }
 
 bool has(const std::string& folder, const char* file) {
@@ -34,7 +34,7 @@ std::string lastWordsOf(std::string_view words) {
   return last.starts_with(kProgram) ? last.substr(kProgram.size()) : last;
 }
 
-/// They speak as this window does.
+/// They use this window's language.
 std::string languageCode() { return std::string(language().code); }
 
 void endInOrder(std::unique_ptr<system::FedProgram>& program) {
@@ -44,7 +44,7 @@ void endInOrder(std::unique_ptr<system::FedProgram>& program) {
   program.reset();
 }
 
-/// True once, when it has ended; `trouble` says why where it should not have.
+/// True once, when it has ended; `trouble` has the reason of a failure.
 bool tookEnd(std::unique_ptr<system::FedProgram>& program, const char* what, std::string& trouble) {
   if (!program || !program->hasEnded()) return false;
   const std::string words = lastWordsOf(program->said());
@@ -123,7 +123,7 @@ void ClassRun::advance(double now_s, ClassShown& shown) {
 void ClassRun::follow(ClassShown& shown) {
   if (serve_ && !serve_->hasEnded()) {
     shown.words = lastWordsOf(serve_->said());
-    // It says something when broker and collector are there.
+    // Its first output means that broker and collector are running.
     if (!shown.words.empty() && !shown.opened_watch) {
       shown.opened_watch = true;
       watch(shown.folder, shown);

@@ -1,7 +1,7 @@
 // A class that is run from the window: the commands of `palpate class` and `palpate train --class`, each as a program
-// of its own, started and ended in order.
+// of its own, started and stopped properly.
 //
-//   StartClass ─► class init (where there is no class yet) ─► class serve --broker ─► class watch
+//   StartClass ─► class init (for a new class) ─► class serve --broker ─► class watch
 //   JoinClass ─► train --class;  WatchClass ─► class watch
 #pragma once
 
@@ -22,15 +22,15 @@ class ClassRun {
   explicit ClassRun(std::filesystem::path teach) : teach_(std::move(teach)) {}
   ClassRun(const ClassRun&) = delete;
   ClassRun& operator=(const ClassRun&) = delete;
-  /// Ends what runs, in order.
+  /// Stops the running programs properly.
   ~ClassRun();
 
   bool offered() const { return !teach_.empty(); }
-  /// None waits: `advance` says what came of it. What is wrong with the request is said at once.
+  /// None waits: `advance` reports the outcome. Faults of the request are reported at once.
   void start(const StartClass& request, ClassShown& shown);
   void watch(const std::string& folder, ClassShown& shown);
   void join(const std::string& folder, ClassShown& shown);
-  /// Waits for the end of all, a second or two.
+  /// Waits for all to stop, a second or two.
   void end(ClassShown& shown);
   /// Once a frame.
   void advance(double now_s, ClassShown& shown);

@@ -1,5 +1,5 @@
-// How two eyes see the picture of this frame: the mode that can be shown here, the tracked head where it is now, and
-// where a cursor in one half of the picture points. Knows no GL.
+// Stereo of this frame: the available mode, the present tracked head, and the target of a cursor in one half of the
+// picture. Knows no GL.
 #pragma once
 
 #include <span>
@@ -16,11 +16,11 @@ class Eyesight {
   /// Whether the window has a picture for each eye (StereoMode::quad_buffer).
   explicit Eyesight(bool quad_buffer_offered) : quad_buffer_offered_(quad_buffer_offered) {}
 
-  /// Where the eyes were measured (HeadTracker::measured).
+  /// A measured place of the eyes (HeadTracker::measured).
   void headAt(const Vec3& eyes_mm, double now_s) { head_.measured(eyes_mm, now_s); }
 
-  /// Once a frame. A mode that is not offered is taken back, with a message; the viewer's state learns where the head
-  /// is.
+  /// Once a frame. Reverts a mode that is not available, with a message; updates the head's place in the viewer's
+  /// state.
   view::StereoSettings settings(ViewerState& viewer);
 
  private:
@@ -31,8 +31,8 @@ class Eyesight {
   window::HeadTracker head_;
 };
 
-/// Events whose places are in the whole picture, as one eye has them: panels are drawn once for each eye.
+/// Events with places in the whole picture, as one eye has them: panels are drawn once for each eye.
 std::vector<window::InputEvent> mapEventsToEye(std::span<const window::InputEvent> events, view::StereoMode mode,
-                                               int width, int height);
+                                             int width, int height);
 
 }  // namespace palpate::viewer

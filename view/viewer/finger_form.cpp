@@ -8,7 +8,7 @@ namespace palpate::viewer {
 
 namespace {
 
-/// A frame that was in time takes back as much of the suspicion as several slow ones of its length brought.
+/// A frame in time reduces the suspicion by as much as several slow ones of its length raised it.
 constexpr double kFormForgiving = 2.0;
 constexpr double kLongestWaitS = 3600.0;
 
@@ -44,7 +44,7 @@ view::FingerShape fingerShapeNow(FingerForm& form, const ViewerState& viewer, do
     return chosen;
   }
   const bool any = viewer.finger_present[0] || viewer.finger_present[1];
-  // Pictures that are drawn simpler or with fewer pixels because they are slow leave no time for hands.
+  // Pictures that are slow enough to be simplified or drawn with fewer pixels leave no time for hands.
   const bool spared = viewer.simple_shading || (!form.hand() && viewer.performance.picture_share < 1.0);
   const bool says = counts && any && !spared && !viewer.building && !viewer.recording.sequence;
   form.frame(elapsed_s, 1e-3 * viewer.performance.frame_ms, says);

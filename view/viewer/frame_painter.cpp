@@ -12,11 +12,11 @@ namespace palpate::viewer {
 
 namespace {
 
-/// Of the finger that stays where it was put, points.
+/// Width for the finger that stays where it was put, points.
 constexpr double kOutline = 1.5;
 /// A script's finger without a size is drawn as a fingertip.
 constexpr double kDrawnPointMm = 8.0;
-/// Of a picture without background: each pixel is the mean of this many squared.
+/// For a picture without background: each pixel is the mean of this many squared.
 constexpr int kClearSupersampling = 2;
 
 /// A finger that moves less in a frame is at rest.
@@ -45,7 +45,7 @@ std::vector<view::FingerMark> marksBeside(const FrameParts& frame) {
   return marks;
 }
 
-/// The twelve edges of what each device that holds a finger reaches, where the clutch has moved it.
+/// The twelve edges of the workspace of each device that holds a finger, where the clutch has moved it.
 void addReach(const ViewerState& viewer, std::vector<view::Lines>& lines) {
   constexpr double kReachPx = 1.6;
   for (std::size_t i = 0; i < kFingers && viewer.state.shown.reach; ++i) {
@@ -63,7 +63,7 @@ void addReach(const ViewerState& viewer, std::vector<view::Lines>& lines) {
   }
 }
 
-/// None while the past is looked at: they are where the fingers are now.
+/// None while the past is shown: they mark the present fingers.
 std::vector<view::Lines> rings(const FrameParts& frame) {
   ViewerState& viewer = frame.viewer;
   if (viewer.ruler.active) return rulerLines(viewer.ruler);
@@ -108,7 +108,7 @@ view::PictureSettings FramePainter::pictureSettings(const FrameParts& frame) con
   return picture;
 }
 
-/// A finger touches or moves, or the view turns.
+/// Whether a finger touches or moves, or the view turns.
 bool FramePainter::inMotion(const FrameParts& frame) {
   const ViewerState& viewer = frame.viewer;
   bool moves = !sameView(viewer.camera, std::exchange(seen_from_, viewer.camera));
@@ -121,7 +121,7 @@ bool FramePainter::inMotion(const FrameParts& frame) {
   return moves;
 }
 
-/// Once a frame. A recording next to another shows both alike.
+/// Once a frame. Two recordings next to each other look alike.
 void FramePainter::chooseEffort(const FrameParts& frame) {
   ViewerState& viewer = frame.viewer;
   const double elapsed_s = viewer.now_s - painted_s_.value_or(viewer.now_s);
@@ -186,7 +186,7 @@ void FramePainter::paint(const FrameParts& frame, window::Gui::Choice windows) {
   viewer.performance.draw_ms = millisecondsSince(started);
 }
 
-/// Each in a half of what the panels leave free.
+/// Each in a half of the area that the panels leave free.
 void FramePainter::paintBeside(const FrameParts& frame, window::Gui::Choice windows) {
   const ViewerState& viewer = frame.viewer;
   const auto shown_width = static_cast<float>(viewer.size_points.x());
@@ -209,7 +209,7 @@ void FramePainter::paintBeside(const FrameParts& frame, window::Gui::Choice wind
   frame.gui.present(frame.target.width(), frame.target.height(), windows);
 }
 
-/// One of two bodies, by one eye, in the middle of its half and so far away that what is as wide as high has room.
+/// One of two bodies, by one eye, in the middle of its half and so far away that a square fits.
 void FramePainter::paintHalf(const FrameParts& frame, LiveModel& model, std::span<const view::FingerMark> fingers) {
   const ViewerState& viewer = frame.viewer;
   view::PictureSettings picture = pictureSettings(frame);

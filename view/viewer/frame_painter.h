@@ -1,5 +1,5 @@
-// One frame of the viewer as a picture: the body with fingers, rings and overlays, two recordings side by side, or what
-// a mode shows in place of the body; the panels over it.
+// One frame of the viewer as a picture: the body with fingers, rings and overlays, two recordings side by side, or a
+// mode's picture in place of the body; the panels over it.
 #pragma once
 
 #include <array>
@@ -22,13 +22,13 @@
 
 namespace palpate::viewer {
 
-// The most that a press came to, kept readable for a moment after the finger was lifted. Pure.
+// The maximum of a press, kept readable for a moment after the finger was lifted. Pure.
 
 class PressPeak {
  public:
   /// Once a frame.
   void follow(const contact::FingerOutput& contact, double now_s);
-  /// Nothing while the finger touches, and when the press is long over.
+  /// Empty while the finger touches, and long after the press.
   std::optional<view::Peak> shown(double now_s) const;
 
  private:
@@ -37,7 +37,7 @@ class PressPeak {
   bool touching_ = false;
 };
 
-/// What is painted, of this frame alone.
+/// The inputs of one frame.
 struct FrameParts {
   ViewerState& viewer;
   LiveModel& model;
@@ -72,15 +72,15 @@ class FramePainter {
   std::array<PressPeak, kFingers> peaks_;
   FingerForm finger_form_;
   PictureScale scale_;
-  bool moved_ = false;      ///< the frame before showed something in motion
+  bool moved_ = false;      ///< whether the frame before showed motion
   view::Camera seen_from_;  ///< in the frame before
   std::array<Vec3, kFingers> tips_ = {device::kNowhere, device::kNowhere};
-  view::FingerShape finger_shape_ = view::FingerShape::finger;  ///< of this frame
-  std::optional<double> painted_s_;                             ///< when the frame before was
-  std::unique_ptr<view::Target> half_;                          ///< of a picture of two recordings
+  view::FingerShape finger_shape_ = view::FingerShape::finger;  ///< in this frame
+  std::optional<double> painted_s_;                             ///< when the frame before was painted
+  std::unique_ptr<view::Target> half_;                          ///< for a picture of two recordings
 };
 
-/// It is drawn for both eyes into framebuffer 0.
+/// Whether it is drawn for both eyes into framebuffer 0.
 bool drawsItself(const view::StereoSettings& stereo, bool quad_buffer);
 
 }  // namespace palpate::viewer

@@ -12,7 +12,7 @@ namespace palpate::viewer {
 namespace {
 
 struct LeavesTheScene {
-  /// A recording is looked at in the scene that there is.
+  /// A recording is shown in the present scene.
   bool operator()(const OpenFile& request) const {
     return !request.sure && !trace::isForcesTable(pathOf(request.file)) && !trace::isRecording(pathOf(request.file));
   }

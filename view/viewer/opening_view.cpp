@@ -40,7 +40,7 @@ std::span<const window::InputEvent> OpeningView::frame(const Frame& frame, std::
     startPage({state_.recent, state_.start_page, pictures_, activities_, awaited_, building}, page_, output_);
     gui_.end();
   };
-  // A dialog knows its size, and is seen, from its second pass on.
+  // A dialog knows its size, and is visible, from its second pass on.
   if (first) draw({});
   std::span<const window::InputEvent> left = events;
   for (const auto pass : window::guiPasses(events)) {

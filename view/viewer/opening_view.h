@@ -1,6 +1,6 @@
-// The window's first second: the start page, or what is being built, before there is a body that the viewer can show.
+// The window's first second: the start page, or the progress, before there is a body that the viewer can show.
 //
-//   run ─► OpeningView::frame, until the body is built ─► its output, `page` ─► Viewer
+//   run ─► OpeningView::frame, until the body is built ─► its requests, `page` ─► Viewer
 #pragma once
 
 #include <functional>
@@ -19,8 +19,8 @@ namespace palpate::viewer {
 class OpeningView {
  public:
   struct Offers {
-    bool page = true;                             ///< the start page; else the progress alone
-    std::function<Activities()> activities = {};  ///< asked while the page is shown
+    bool page = true;                             ///< the start page; else only the progress
+    std::function<Activities()> activities = {};  ///< called while the page is shown
   };
   /// `state` must outlive it.
   OpeningView(ViewState& state, const Offers& offers) : state_(state), offers_(offers), page_(offers.page) {}
@@ -31,16 +31,16 @@ class OpeningView {
     double scale;      ///< pixels per point of the screen
     double elapsed_s;  ///< since the frame before
   };
-  /// The last of the events, from where the page was closed: they are for the body, which is still being built.
+  /// Returns the last events, after the page was closed: they are for the body, which is still being built.
   std::span<const window::InputEvent> frame(const Frame& frame, std::span<const window::InputEvent> events,
                                             const std::optional<engine::BuildProgress>& building);
-  /// A button is down on the page: what it does is known when it goes up.
+  /// Whether a button is down on the page: its effect is known when it goes up.
   bool isBeingClicked() const;
   const view::Target& target() const { return *target_; }
-  /// The page is still open.
+  /// Whether the page is still open.
   bool page() const { return page_; }
   UiOutput& output() { return output_; }
-  /// What the page waits for, to open it.
+  /// The activity that the page waits for, to open it.
   std::optional<Activity> awaited() const { return awaited_; }
 
  private:

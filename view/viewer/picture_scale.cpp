@@ -17,7 +17,7 @@ void PictureScale::frame(double between_s) {
   between_s > settings_.goal_s ? slow(between_s) : spare(between_s);
 }
 
-/// Pixels count by their square; what costs the same whatever their number needs another step.
+/// Costs per pixel fall with the square; fixed costs need another step.
 void PictureScale::slow(double between_s) {
   spare_s_ = 0.0;
   const double before_s = last_slow_s_;

@@ -1,7 +1,7 @@
-// What is shown in place of the present: the last minute of this run, a recording, a table of forces that is felt
-// again, the scene's own fingers; and a second recording beside it.
+// Shown in place of the present: the last minute of this run, a recording, a table of forces that is felt again, the
+// scene's own fingers; and a second recording next to it.
 //
-//   file ─ ReplayLoader, on its own thread ─► RecordedTouch ─► Recording::replay, plots, model ─ left ─► the present
+//   file ─ ReplayLoader, on its own thread ─► RecordedTouch ─► Recording::replay, plots, model ─ end ─► the present
 #pragma once
 
 #include <memory>
@@ -21,24 +21,24 @@ class ReplayPlayer {
  public:
   explicit ReplayPlayer(double ticks_per_s) : history_(ticks_per_s) {}
 
-  /// Begins to read a recording or a table of forces, to be shown alone or beside the one that is shown.
+  /// Begins to read a recording or a table of forces, to be shown alone or next to the shown one.
   void load(const std::string& file, bool beside, const std::shared_ptr<const scene::World>& world,
             ViewerState& viewer);
-  /// The scene's own fingers, or an end of them.
+  /// Starts or ends the scene's own fingers.
   void playScript(const std::shared_ptr<const scene::World>& world, ViewerState& viewer);
-  /// Of the reading under way, if any; a recording's body may take long to build.
+  /// Progress of the current reading, if any; a recording's body may take long to build.
   std::optional<engine::BuildProgress> progress() const { return loader_.progress(); }
   void cancel(ViewerState& viewer);
-  /// What has been read is shown, frozen at its beginning.
+  /// Shows the result of reading, frozen at its beginning.
   void take(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer);
 
-  /// A tick of a finger, while the present is shown.
+  /// Adds a tick of a finger, while the present is shown.
   void add(const trace::Sample& sample) { history_.add(sample); }
-  /// Another body: what was felt belongs to the one before.
+  /// Call for another body: the history belongs to the one before.
   void clear() { history_.clear(); }
 
-  /// Once a frame: time passes, and a recording that is no longer frozen is left. The moment to be shown; null: the
-  /// present.
+  /// Once a frame: advances time, and leaves a recording that is no longer frozen. Returns the moment to show; null:
+  /// the present.
   const TouchHistory::Moment* advance(const std::shared_ptr<const scene::World>& world, LiveModel& model,
                                       ViewerState& viewer, double elapsed_s);
 
@@ -52,9 +52,9 @@ class ReplayPlayer {
     RecordedTouch touch;
     LiveModel model;
   };
-  /// Null: there is none.
+  /// Null without one.
   Beside* beside() const { return beside_.get(); }
-  /// As long after its beginning as the one on the left.
+  /// The moment as long after its beginning as on the left.
   const TouchHistory::Moment& momentBeside(const Replay& replay) const;
 
  private:
@@ -62,7 +62,7 @@ class ReplayPlayer {
   void show(RecordedTouch touch, LiveModel& model, ViewerState& viewer);
   void leave(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer);
 
-  TouchHistory history_;  ///< of this run
+  TouchHistory history_;  ///< history of this run
   ReplayLoader loader_;
   bool loads_beside_ = false;
   std::optional<RecordedTouch> recorded_;

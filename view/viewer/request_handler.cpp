@@ -34,8 +34,8 @@ void RequestHandler::fulfil(const OpenFile& request) {
   to_look_at_ = request;  // the newest one wins
 }
 
-/// How large it is, beside the display: a body of 1.8 mm is one of 1.8 m. What takes long or is broken is opened as it
-/// is, and says so itself.
+/// Measures the file on its own thread: a body of 1.8 mm is one of 1.8 m. A slow or broken file is opened without a
+/// question, and shows its own error.
 void RequestHandler::advance() {
   lookAtSides();
   static constexpr PreviewLimits kLook{
@@ -47,7 +47,7 @@ void RequestHandler::advance() {
   look_.start([file = pathOf(looked_at_.file)] { return previewOf(file, kLook); });
 }
 
-/// Each mesh once, when it is there; beside the display.
+/// Each mesh once, when it is loaded; on its own thread.
 void RequestHandler::lookAtSides() {
   ViewerState& viewer = parts_.viewer;
   const std::shared_ptr<const scene::Body>& body = parts_.world->body;
@@ -81,7 +81,7 @@ void RequestHandler::lookAtSides() {
   });
 }
 
-/// Where millimetres are doubtful.
+/// Asks where millimetres are doubtful.
 void RequestHandler::askForUnit(OpenFile request, const std::optional<double>& longest_units) {
   const std::optional<UnitGuess> guess = longest_units ? unitGuess(*longest_units) : std::nullopt;
   request.sure = true;
@@ -108,7 +108,7 @@ void RequestHandler::fulfil(const Reload& /*request*/) {
   parts_.world_swap.open(parts_.default_scene, viewer);
 }
 
-/// What is shown to be at work (Viewer::useChanges).
+/// Cancels the work that is shown as in progress (Viewer::useChanges).
 void RequestHandler::fulfil(const CancelBuild& /*request*/) {
   parts_.replay.progress() ? parts_.replay.cancel(parts_.viewer) : parts_.world_swap.cancel(parts_.viewer);
 }
@@ -134,7 +134,7 @@ void RequestHandler::fulfil(const Undo& /*request*/) { parts_.viewer.history.und
 void RequestHandler::fulfil(const Redo& /*request*/) { parts_.viewer.history.redo(parts_.viewer); }
 void RequestHandler::fulfil(const UseProfile& /*request*/) { parts_.outputs.useProfile(parts_.viewer); }
 
-/// What waited for the answer is done, unless the saving failed or has to ask something itself.
+/// Continues the request that waited for the answer, unless the saving failed or has a question of its own.
 void RequestHandler::fulfil(const AnswerQuestion& request) {
   ViewerState& viewer = parts_.viewer;
   if (!viewer.question) return;

@@ -1,5 +1,5 @@
-// Does what panels, keys and menus have asked for and only the viewer can do: each request goes to the modes, then
-// waits for an answer if something would be lost, then to the part of the viewer that it is about.
+// Handles requests of panels, keys and menus that only the viewer can do: each goes to the modes, then waits for an
+// answer if something would be lost, then to its part of the viewer.
 #pragma once
 
 #include <functional>
@@ -23,7 +23,7 @@
 
 namespace palpate::viewer {
 
-// What only a window can do for the viewer; members may be empty.
+// Services of a window for the viewer; members may be empty.
 
 struct ViewerHost {
   std::function<void()> toggle_full_screen;
@@ -31,17 +31,17 @@ struct ViewerHost {
   std::function<std::string()> clipboard;
   std::function<void(bool)> show_cursor;
   std::function<void(const std::string&)> set_title;
-  /// Framebuffer 0 has a picture for each eye; the viewer then draws quad-buffer stereo into it (drawsItself).
+  /// Whether framebuffer 0 has a picture for each eye; the viewer then draws quad-buffer stereo into it (drawsItself).
   bool quad_buffer = false;
-  /// What there is of Palpate beside this window, asked while the start page is shown; empty: nothing.
+  /// Palpate's activities besides this window, called while the start page is shown; empty: none.
   std::function<Activities()> activities = {};
-  /// Lets the program that holds the activity open once this window is closed.
+  /// Makes the program for the activity open once this window is closed.
   std::function<void(Activity)> give_way = {};
-  /// What runs classes; empty: it is not installed.
+  /// program for classes; empty: not installed
   std::filesystem::path teach_program = {};
 };
 
-/// The parts of the viewer that requests are about; all must outlive the handler.
+/// Parts of the viewer for requests; all must outlive the handler.
 struct RequestParts {
   ViewerState& viewer;
   WorldSwap& world_swap;
@@ -53,7 +53,7 @@ struct RequestParts {
   ClassRun& class_run;
   const Modes& modes;
   const ViewerHost& host;
-  const scene::Scene& default_scene;  ///< for Read again, where there is no file
+  const scene::Scene& default_scene;  ///< for Reload without a file
   const std::shared_ptr<const scene::World>& world;
 };
 
@@ -61,13 +61,13 @@ class RequestHandler {
  public:
   explicit RequestHandler(const RequestParts& parts) : parts_(parts) {}
   void handle(const Request& request);
-  /// Once a frame: what was found out about a file that is to be opened.
+  /// Once a frame: handles the findings about a file to open.
   void advance();
-  /// The window was asked to close, and nothing is in the way.
+  /// Whether the window was asked to close, and nothing is in the way.
   bool quits() const { return quits_; }
 
  private:
-  // Nothing has to be asked any more.
+  // Without further questions.
   void fulfil(const OpenFile& request);
   void fulfil(const OpenBeside& request);
   void fulfil(const OpenPreset& request);
@@ -115,25 +115,25 @@ class RequestHandler {
 
   RequestParts parts_;
   bool quits_ = false;
-  std::optional<OpenFile> to_look_at_;  ///< a mesh whose unit is not known
+  std::optional<OpenFile> to_look_at_;  ///< a mesh of unknown unit
   OpenFile looked_at_;
   AsyncTask<FilePreview> look_;
-  const scene::Body* looked_at_body_ = nullptr;  ///< which way it faces was asked; compared alone
+  const scene::Body* looked_at_body_ = nullptr;  ///< the question about its side was asked; only compared
   AsyncTask<mesh::TurnOver> sides_;
   mesh::TurnOver turn_over_ = mesh::TurnOver::none;  ///< if the answer is yes
   AsyncTask<std::filesystem::path> turning_;
 };
 
-// What has to be asked before it is done, because something would be lost by it.
+// Questions before an action that would lose something.
 
-/// Whether the request throws changes away and has not been asked about; then the viewer's state asks, and it waits in
-/// there.
+/// Whether the request loses changes and the user was not asked; then the viewer's state has the question, with the
+/// waiting request.
 bool needsConfirmation(const Request& request, ViewerState& viewer);
 
-/// The answer to the viewer's question that a key means, or none.
+/// The key's answer to the viewer's question, or empty.
 std::string_view answerOf(window::Key key, const ViewerState& viewer);
 
-/// The window's title: what is open, and a star when there is something to save.
+/// The window's title: the open file, and a star for unsaved changes.
 std::string titleOf(const ViewerState& viewer);
 
 }  // namespace palpate::viewer

@@ -12,11 +12,11 @@ namespace palpate::viewer {
 
 namespace {
 
-/// A frame that was in time takes back as much of the suspicion as several slow ones of its length brought.
+/// A frame in time reduces the suspicion by as much as several slow ones of its length raised it.
 constexpr double kForgiving = 2.0;
 constexpr double kMaxPatience = 64.0;
 
-/// The picture could be drawn with fewer pixels, or would be if something moved.
+/// Whether the picture has fewer pixels to go to, or would have in motion.
 bool hasPixelsLeft(const ViewerState& viewer) {
   const bool adapts = viewer.state.adapts_resolution && viewer.state.stereo.mode == view::StereoMode::mono;
   return adapts && viewer.performance.picture_share > kMinPictureShare;
@@ -51,7 +51,7 @@ void guardShading(ShadingGuard& guard, ViewerState& viewer, double elapsed_s, bo
     const bool gains = counts && !viewer.building && !viewer.recording.sequence && !hasPixelsLeft(viewer);
     const auto change = guard.frame(elapsed_s, 1e-3 * viewer.performance.frame_ms, gains);
     if (change == ShadingGuard::Change::simpler) {
-      // The menu bar says so as long as it lasts; a plate over the picture would hide what is slow already.
+      // The menu bar shows it as long as it lasts; a plate over the picture would hide what is already slow.
       viewer.messages.note(trf("At {:.0f} fps the skin is drawn smooth for now; "
                                "Show > shading decides for good",
                                viewer.performance.frames_per_s),

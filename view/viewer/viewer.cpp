@@ -19,7 +19,7 @@ namespace palpate::viewer {
 
 namespace {
 
-/// The frame rate shown is the mean of about this many frames.
+/// The displayed frame rate is the mean of about this many frames.
 constexpr double kRateSmoothing = 0.05;
 /// Narrower windows start without the side panel.
 constexpr double kNarrowPoints = 1000.0;
@@ -54,7 +54,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
   if (host_.activities) viewer_.activities = host_.activities();
   viewer_.class_shown.offered = class_run_.offered();
   viewer_.ticks_per_s = servo_.thread().ticksPerS();
-  world_swap_.planNow(viewer_);  // tells the viewer's state what the limits are
+  world_swap_.planNow(viewer_);  // gives the viewer's state the limits
   for (SampleHistory& plot : viewer_.plots.fingers) plot = SampleHistory(viewer_.ticks_per_s);
   input_.settings = viewer_.state.input;
   viewer_.performance.graphics = view::rendererWords();
@@ -118,10 +118,10 @@ void Viewer::makeTarget(int width, int height) {
   target_ = std::make_unique<view::Target>(std::max(1, width), std::max(1, height));
 }
 
-/// What the cursor's pixels mean in this frame; the first time also where the camera stands.
+/// Maps the cursor's pixels in this frame; places the camera the first time.
 void Viewer::lookAround() {
   if (!std::exchange(seen_, true)) {
-    // The column of a mode stands in any window: the body keeps to what it leaves.
+    // A mode's column exists in any window: the body keeps to the rest.
     if (!modes_.claims().window && viewer_.size_points.x() < kNarrowPoints) viewer_.state.shown.panel = false;
     viewer_.camera = homeView(*world_, viewer_.state.shown, view::StandardView::back, viewer_.size_points);
     takeSceneLook(*world_, viewer_, viewer_.size_points);
@@ -136,7 +136,7 @@ void Viewer::lookAround() {
   for (const auto& mode : modes_) mode->look(sight, viewer_);
 }
 
-/// Of the middle of both eyes.
+/// The frustum of the middle of both eyes.
 view::Frustum Viewer::frustum() const {
   constexpr double kNearMm = 1.0;
   constexpr double kFarMm = 1e6;
@@ -171,7 +171,7 @@ void Viewer::takeWorld() {
   camera_.showBody(camera);
 }
 
-/// Nothing of it has been changed yet. What has no file is saved as it is seen, habits included.
+/// Starts without changes. A scene without a file is saved as seen, habits included.
 void Viewer::beginScene() {
   const bool of_file = !viewer_.document.file.empty();
   viewer_.opened = {.look = of_file ? viewer_.state.look : view::Look{},
@@ -201,13 +201,13 @@ void Viewer::takeSamples() {
     outputs_.addSample(viewer_, sample);
     devices_.felt(sample, viewer_);
     for (const auto& mode : modes_) mode->feel(sample);
-    if (viewer_.replay.frozen) continue;  // what is studied stays as it is
+    if (viewer_.replay.frozen) continue;  // a frozen moment stays
     viewer_.plot(sample);
     replay_.add(sample);
   }
 }
 
-/// Beside its second end, as the middle of both eyes sees it.
+/// Next to its second end, as seen from between the eyes.
 void Viewer::placeRulerLabel() {
   Ruler& ruler = viewer_.ruler;
   if (ruler.ends.size() < 2) return;
@@ -250,14 +250,14 @@ void Viewer::pointServo() {
   pointer_.targetsSent();
 }
 
-/// In a picture of two parts the system's pointer would be in one of them: ours is drawn in both.
+/// In a picture of two parts the system's pointer would be in one of them: our own is drawn in both.
 void Viewer::showCursor() {
   const bool own = view::hasTwoParts(stereo_.mode);
   ImGui::GetIO().MouseDrawCursor = own;
   if (std::exchange(own_cursor_, own) != own && host_.show_cursor) host_.show_cursor(!own);
 }
 
-/// Pictures are kept without what lies over them for a moment, unless that was asked for too.
+/// Pictures are saved without pop-ups, unless these were requested too.
 void Viewer::paintAndKeep(double scale) {
   const FrameParts parts{viewer_, *model_,  *world_, pointer_,          replay_, modes_,
                          gui_,    *target_, stereo_, host_.quad_buffer, scale,   outputs_.wantsFrame(viewer_)};

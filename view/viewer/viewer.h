@@ -1,10 +1,11 @@
-// The viewer: input events in, a picture out, sixty times a second; the servo thread beside it touches the body.
+// The viewer: input events in, a picture out, sixty times a second; the servo on its own thread touches the body.
 //
-//   InputEvents ─► gui, Input ─► Commands ─► Pointer (fingers, camera), editor, acts ─► session
-//   session ─► servo (targets, plans), builder (worlds)          servo ─► contacts, samples ─► model, plots, files
-//   model + session ─► Painter ─► Target ─► window │ image
+//   InputEvents ─► gui, Input ─► Commands ─► Pointer (fingers, camera), editor, acts ─► viewer state
+//   state ─► servo (targets, plans), builder (worlds)          servo ─► contacts, samples ─► model, plots, files
+//   model + state ─► Painter ─► Target ─► window │ image
 //
-// It knows no window: a host feeds it events and shows its target, so that it runs and is tested without a display.
+// It does not depend on a window: a host feeds it events and shows its target, so that it runs and is tested without a
+// display.
 #pragma once
 
 #include <filesystem>
@@ -37,13 +38,13 @@
 namespace palpate::viewer {
 
 struct ViewerSettings {
-  bool intro = true;                              ///< a finger shows by itself how to press, until the mouse moves
+  bool intro = true;                              ///< a finger demonstrates a press, until the mouse moves
   std::filesystem::path output_folder = ".";      ///< for pictures, tables and scenes without a file
-  SceneDocument document = {};                    ///< of the world's scene, as it was read
-  scene::Scene default_scene;                     ///< for Read again, where there is no file
-  std::vector<OpenedDevice> devices;              ///< that hold the first fingers instead of the mouse
-  std::filesystem::path recording_folder = {};    ///< of automatic recordings; empty: off
-  std::vector<std::unique_ptr<Mode>> modes = {};  ///< that the window has beside feeling the body; the first goes first
+  SceneDocument document = {};                    ///< for the world's scene, as read
+  scene::Scene default_scene;                     ///< for Reload without a file
+  std::vector<OpenedDevice> devices;              ///< for the first fingers, instead of the mouse
+  std::filesystem::path recording_folder = {};    ///< for automatic recordings; empty: off
+  std::vector<std::unique_ptr<Mode>> modes = {};  ///< besides feeling the body; the first goes first
 };
 
 /// Needs a current GL context; belongs to its thread. Throws Error where the world cannot be drawn or felt.
@@ -51,20 +52,20 @@ class Viewer {
  public:
   Viewer(const std::shared_ptr<const scene::World>& world, ViewState state, ViewerSettings settings,
          ViewerHost host = {});
-  /// Ends the servo thread and completes files that are being recorded.
+  /// Ends the servo thread and completes files that are being written.
   ~Viewer();
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  /// One frame, `width` x `height` pixels, `scale` pixels a point of the screen, `now_s` on any steady clock.
+  /// One frame, `width` x `height` pixels, `scale` pixels per point of the screen, `now_s` on any steady clock.
   void frame(int width, int height, double scale, double now_s, std::span<const window::InputEvent> events);
 
-  /// Where the eyes were measured, mm from the origin of what measures: right, up, towards the head, in the plane of
-  /// the screen. Any number of times a second; `now_s` on the clock of `frame`. Used while state.head.on.
+  /// Measured place of the eyes, mm from the tracker's origin: right, up, towards the head, in the plane of the screen.
+  /// Any number of times a second; `now_s` on the clock of `frame`. Used while state.head.on.
   void headAt(const Vec3& eyes_mm, double now_s) { eyesight_.headAt(eyes_mm, now_s); }
 
   const view::Target& target() const { return *target_; }
-  /// The last frame went to framebuffer 0: nothing is left but to swap.
+  /// Whether the last frame went to framebuffer 0: only the swap is left.
   bool drawsItself() const { return viewer::drawsItself(stereo_, host_.quad_buffer); }
   bool wantsToQuit() const { return quit_; }
   /// Press it from any thread or signal handler; lives as long as the viewer.
@@ -73,9 +74,10 @@ class Viewer {
   const window::Input& input() const { return input_; }
   const Pointer& pointer() const { return pointer_; }
   const scene::World& world() const { return model_->world(); }
-  /// For an end that cannot ask: a changed scene beside the one it came from; which, or empty. Throws Error.
+  /// For an end without questions: saves a changed scene next to its source. Returns the file, or empty. Throws Error.
   std::filesystem::path keepChanges() const { return outputs_.keepChanges(viewer_); }
-  /// Ends the servo; its report of the whole run. The session says what ended it. Nothing may be called afterwards.
+  /// Ends the servo and returns its report of the whole run. The recording notes what ended it. Call nothing
+  /// afterwards.
   servo::LoopReport finish(std::string_view ended_by = "done");
 
  private:
@@ -114,23 +116,23 @@ class Viewer {
   RecordingKeeper keeper_;
   ReplayPlayer replay_;
   Outputs outputs_;
-  Modes modes_;  ///< after the servo: what they record ends before it
+  Modes modes_;  ///< after the servo: their recordings end before it
   CameraControl camera_;
   ClassRun class_run_;
   RequestHandler requests_;
   Intro intro_;
   Eyesight eyesight_;
-  view::StereoSettings stereo_;  ///< of this frame
+  view::StereoSettings stereo_;  ///< in this frame
   ExamplePictures example_pictures_;
   PreviewPane file_preview_;
   ShadingGuard shading_guard_;
   FramePainter painter_;
   window::Gui gui_;
   std::unique_ptr<view::Target> target_;
-  view::Eyes eyes_;  ///< of this frame
+  view::Eyes eyes_;  ///< in this frame
   window::Theme theme_ = window::Theme::dark;
   double frame_s_ = 1.0 / 60.0;  ///< smoothed time between two frames
-  bool seen_ = false;            ///< the first frame has been looked at
+  bool seen_ = false;            ///< the first frame was handled
   bool own_cursor_ = false;      ///< drawn once for each eye, in place of the system's
   std::string title_;
   bool quit_ = false;

@@ -1,4 +1,4 @@
-// What the viewer hears: the events of a frame, pass by pass, become commands, and commands what they mean.
+// The viewer's input: the events of a frame, pass by pass, become commands, and commands are performed.
 #include "palpate/body/places.h"
 #include "palpate/view/overlays/place_words.h"
 #include "palpate/window/gui_passes.h"
@@ -15,21 +15,21 @@ namespace {
 
 using Kind = window::Command::Kind;
 
-/// What is typed is for a dialog or the search, not for the body.
+/// Whether typed text is for a dialog or the search, not for the body.
 bool ownsKeyboard(const ViewerState& viewer) { return dialogShown() || viewer.place_search.open; }
 
 }  // namespace
 
-/// What opens to be typed into gets the keyboard before the next event.
+/// A newly opened text field gets the keyboard before the next event.
 void Viewer::drawGuiPasses(std::span<const window::InputEvent> events, double points, double elapsed_s) {
   constexpr double kInstantS = 1e-4;
-  // A dialog knows its place from its second pass on; who clicked on the page while the viewer was made meant this one.
+  // A dialog knows its place from its second pass on; a click on the page while the viewer was made meant this one.
   const int passes_before = !seen_ && viewer_.state.shown.start ? 2 : 0;
   for (int i = 0; i < passes_before; ++i) drawGuiPass({}, points, kInstantS);
   for (const std::span<const window::InputEvent> pass : window::guiPasses(events)) {
     const bool owned = ownsKeyboard(viewer_);
     drawGuiPass(pass, points, std::exchange(elapsed_s, kInstantS));
-    // Its window appears, its field is focused, the field takes what is typed; and once it is closed, no longer.
+    // Its window appears, its field is focused, the field receives text; and once it is closed, no longer.
     const bool changed = owned != ownsKeyboard(viewer_);
     for (int i = 0; changed && i < 3; ++i) drawGuiPass({}, points, kInstantS);
   }

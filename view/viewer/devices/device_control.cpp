@@ -16,7 +16,7 @@ namespace palpate::viewer {
 namespace {
 
 constexpr double kTendedEveryS = 1.0;
-/// For the list of messages: over the picture lies the banner.
+/// For the list of messages: the banner is over the picture.
 constexpr const char* kStopped = toTranslate("Emergency stop: no device gets a force");
 
 BackEndFound found(const device::BackEnd& back_end) {
@@ -30,10 +30,10 @@ BackEndFound found(const device::BackEnd& back_end) {
           .devices = probe.devices};
 }
 
-/// Those that a window has no use for: the mouse is there anyway, a script is played by F7.
+/// Leaves out back ends that a window does not need: the mouse is there anyway, and F7 plays a script.
 bool isForWindows(const device::BackEnd& back_end) { return back_end.name != "mouse" && back_end.name != "script"; }
 
-/// What a hand holds is chosen before what is played.
+/// Devices held in a hand are offered before playback.
 std::size_t firstToOffer(const std::vector<BackEndFound>& back_ends) {
   for (std::size_t i = 0; i < back_ends.size(); ++i) {
     if (back_ends[i].available && back_ends[i].name != "playback" && back_ends[i].name != "remote") return i;
@@ -43,7 +43,7 @@ std::size_t firstToOffer(const std::vector<BackEndFound>& back_ends) {
 
 bool isOf(const std::string& words, std::string_view back_end) { return words.substr(0, words.find(':')) == back_end; }
 
-/// A tick without a position must not take a control from under a click that wants one.
+/// A tick without a position must not remove a control under the mouse during a click.
 void keepPlace(FingerHeld& held, double now_s) {
   constexpr double kKnownS = 0.5;
   const Vec3& place = held.reading.place;
@@ -56,8 +56,8 @@ void keepPlace(FingerHeld& held, double now_s) {
 
 DeviceControl::~DeviceControl() { give_up_ = true; }
 
-/// The scene may be a stranger's: what reaches beyond this program is asked for first, and a plugin that the file
-/// itself brings is refused.
+/// The scene may be another person's: access beyond this program needs consent, and a plugin of the file's own is
+/// refused.
 void DeviceControl::begin(ViewerState& viewer) {
   tellWho(viewer);
   std::string names;
@@ -145,7 +145,7 @@ void DeviceControl::takeOpened(std::size_t finger, ViewerState& viewer, const sc
   }
   looks_[finger] = {.since_s = viewer.now_s};
   viewer.devices.fingers[finger].interventions = {};
-  viewer.devices.fingers[finger].known_s = -1.0;  // of the device before, if any
+  viewer.devices.fingers[finger].known_s = -1.0;  // of the earlier device, if any
   tellWho(viewer);
   if (viewer.active_finger == finger && !servo_.isHeld(1 - finger)) viewer.active_finger = 1 - finger;
   viewer.report(Severity::info,
@@ -164,7 +164,7 @@ void DeviceControl::close(std::size_t finger, ViewerState& viewer) {
                 trf("{} is let go; the mouse has the {} finger", name, tr(std::string(kFingerNames[finger]).c_str())));
 }
 
-/// Looking opens a driver for a moment, so one that is held here is left alone.
+/// The search opens a driver for a moment, so a held one is left alone.
 void DeviceControl::lookForBackEnds(ViewerState& viewer) {
   std::vector<std::string> held;
   for (const FingerHeld& finger : viewer.devices.fingers) {
@@ -199,7 +199,7 @@ device::Workspace DeviceControl::workspaceNow(std::size_t finger, const std::str
   return device::workspaceOf(settings, origin.value_or(Vec3::Zero()));
 }
 
-/// By panel, undo or another scene: whoever changed it.
+/// After changes by panel, undo or another scene.
 void DeviceControl::placeDevices(ViewerState& viewer, const scene::World& world) {
   for (std::size_t i = 0; i < kFingers; ++i) {
     if (!servo_.isHeld(i)) continue;
@@ -232,7 +232,7 @@ void DeviceControl::tellTrouble(std::size_t finger, std::string trouble, ViewerS
   if (!is.empty() && was.empty()) viewer.report(Severity::warning, is);
 }
 
-/// Once a second: looking for a lost device may take its driver a moment, so it is done beside the display.
+/// Once a second, on its own thread: the search for a lost device may take its driver a moment.
 void DeviceControl::tend(ViewerState& viewer) {
   if (const auto troubles = tending_.take(); troubles && troubles->value) {
     for (std::size_t i = 0; i < kFingers; ++i) tellTrouble(i, (*troubles->value)[i], viewer);

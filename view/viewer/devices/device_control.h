@@ -1,7 +1,7 @@
-// Devices that come and go while the window is open: found, opened, closed and looked after beside the display; the
-// clutch, the emergency stop, and what the panel knows of all of them.
+// Devices that come and go while the window is open: found, opened, closed and monitored on threads of their own; the
+// clutch, the emergency stop, and the panel's data about all of them.
 //
-//   OpenDevice ─► open beside the display ─► LiveServo::hold, in one tick with its limits ─► DevicesShown, once a frame
+//   OpenDevice ─► open on its own thread ─► LiveServo::hold, in one tick with its limits ─► DevicesShown, once a frame
 #pragma once
 
 #include <array>
@@ -16,33 +16,33 @@
 
 namespace palpate::viewer {
 
-/// The limits, the words for who holds the fingers and the panel follow from what the servo has.
+/// The limits, the names of the fingers' holders and the panel follow the servo's state.
 class DeviceControl {
  public:
   /// Both must outlive it.
   DeviceControl(LiveServo& servo, WorldSwap& world_swap) : servo_(servo), world_swap_(world_swap) {}
-  /// Gives up what is being opened.
+  /// Abandons devices that are still being opened.
   ~DeviceControl();
   DeviceControl(const DeviceControl&) = delete;
   DeviceControl& operator=(const DeviceControl&) = delete;
 
-  /// The devices that the window began with; those that the scene names are opened, or asked for where they reach
+  /// Adopts the devices that the window began with; opens those that the scene names, after a question where they reach
   /// beyond this program.
   void begin(ViewerState& viewer);
-  /// What `begin` has asked for, whatever the scene says by now.
+  /// Opens the devices of `begin`'s question, whatever the scene says by now.
   void openAsked(ViewerState& viewer);
   void open(std::size_t finger, const std::string& words, ViewerState& viewer);
   void close(std::size_t finger, ViewerState& viewer);
   void lookForBackEnds(ViewerState& viewer);
   void stop(ViewerState& viewer);
   void release(ViewerState& viewer);
-  /// True if the event was the emergency stop's or the clutch's alone. The stop is heard whatever else is asked.
+  /// Returns true if the event was only the emergency stop's or the clutch's. The stop works in every state.
   bool handle(const window::InputEvent& event, bool text_wanted, ViewerState& viewer);
   /// One tick of a finger.
   void felt(const trace::Sample& sample, ViewerState& viewer);
-  /// Once a frame, before the changes of the scene are used.
+  /// Once a frame, before changes of the scene take effect.
   void advance(ViewerState& viewer, const scene::World& world);
-  /// Another body, or a scene read: devices whose place nobody named are put beside it.
+  /// Another body, or a scene read: devices without a place are put next to it.
   void bodyChanged() { origins_ = {}; }
 
  private:
@@ -64,8 +64,8 @@ class DeviceControl {
   LiveServo& servo_;
   WorldSwap& world_swap_;
   bool clutch_key_ = false;
-  std::vector<OpenDevice> asked_;                      ///< what the question that is open names
-  std::array<std::optional<Vec3>, kFingers> origins_;  ///< where nobody named one; found when it is needed
+  std::vector<OpenDevice> asked_;                      ///< named in the open question
+  std::array<std::optional<Vec3>, kFingers> origins_;  ///< default origins; computed when needed
   double tended_s_ = 0.0;
   std::array<Look, kFingers> looks_;
   std::atomic<bool> give_up_{false};

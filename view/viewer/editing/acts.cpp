@@ -18,7 +18,7 @@ namespace {
 
 using window::Action;
 
-/// The switch of an action, in a session that may be constant; null for actions that are no switches.
+/// The switch of an action, in a state that may be constant; null for other actions.
 template <class S>
 auto* switchOf(Action action, S& viewer) {
   auto& shown = viewer.state.shown;
@@ -46,7 +46,7 @@ auto* switchOf(Action action, S& viewer) {
   }
 }
 
-/// What an action only hands on to those who hold the window, the files and the servo; nothing for the others.
+/// The request for those who own the window, the files and the servo, if an action is one.
 std::optional<Request> requestOf(Action action) {
   switch (action) {
     case Action::emergency_stop:
@@ -102,13 +102,13 @@ void leaveEditors(ViewerState& viewer) {
   if (viewer.lump_editor.active) stopEditing(viewer.lumps());
 }
 
-/// Of lumps while they are edited, or where one of them alone is selected.
+/// Deletes lumps while they are edited, or where only one of them is selected.
 void deleteWhatIsSelected(ViewerState& viewer) {
   const bool of_lumps = viewer.lump_editor.active || (!viewer.editor.active && viewer.editor.selected < 0);
   of_lumps ? deleteSelected(viewer.lumps()) : deleteSelected(viewer.dysfunctions());
 }
 
-/// Anew, or an end of it; the editor wants the same button.
+/// Starts again, or sets an end; the editor uses the same button.
 void startMeasuring(ViewerState& viewer) {
   const bool on = !viewer.ruler.active;
   if (on) leaveEditors(viewer);
@@ -116,7 +116,7 @@ void startMeasuring(ViewerState& viewer) {
   viewer.ruler.active = on;
 }
 
-/// Speeds of time that are gone through.
+/// Steps of the speed of time.
 constexpr std::array<double, 7> kTimeSpeeds = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0};
 
 void changeTimeSpeed(ViewerState& viewer, int step) {
@@ -127,7 +127,7 @@ void changeTimeSpeed(ViewerState& viewer, int step) {
   viewer.report(Severity::info, trf("Playback speed x{:g}", viewer.time_speed));
 }
 
-/// Escape leaves the innermost thing: a page, then the editor. It never quits. Dialogs hear it themselves.
+/// Escape leaves the innermost thing: a page, then the editor. It never quits. Dialogs handle it themselves.
 void cancel(ViewerState& viewer) {
   Shown& shown = viewer.state.shown;
   if (shown.help) {
@@ -190,7 +190,7 @@ void perform(Action action, ViewerState& viewer) {
       return deleteWhatIsSelected(viewer);
     case Action::cancel:
       return cancel(viewer);
-    case Action::measure_person:  // no mode has taken it
+    case Action::measure_person:  // no mode has handled it
       return viewer.report(Severity::info, "This window measures no photographs");
     default:
       return;

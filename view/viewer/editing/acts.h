@@ -1,4 +1,4 @@
-// What the keys and menus do to the viewer's state: switches, modes, requests. Pure.
+// The effects of keys and menus on the viewer's state: switches, modes, requests. Pure.
 #pragma once
 
 #include "palpate/window/keys.h"
@@ -6,10 +6,10 @@
 
 namespace palpate::viewer {
 
-/// Does what changes data only, and leaves a request for the rest. Camera moves are requests to the viewer as well.
+/// Performs changes of data, and leaves a request for the rest. Camera moves are requests to the viewer as well.
 void perform(window::Action action, ViewerState& viewer);
 
-/// Whether a switch is on, for check marks in menus; false for actions that are no switches.
+/// Whether a switch is on, for check marks in menus; false for other actions.
 bool isOn(window::Action action, const ViewerState& viewer);
 
 /// The next of 100, 60, 30 and 0 %.

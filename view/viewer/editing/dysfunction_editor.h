@@ -1,4 +1,4 @@
-// Dysfunctions as things that are edited on the body (place_editor.h).
+// Dysfunctions edited on the body (place_editor.h).
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ struct EditRules<maps::Dysfunction> {
   using Items = std::vector<maps::Dysfunction>;
   static maps::Dysfunction placed(const Items& /*items*/) { return {}; }
   static double reachMm(const maps::Dysfunction& item) { return item.radius_mm; }
-  /// The radius, by a share of itself a notch.
+  /// Changes the radius by a share of itself per notch.
   static void resize(maps::Dysfunction& item, double notches);
-  /// The change, by some per cent a notch.
+  /// Changes the strength by some per cent per notch.
   static void strengthen(maps::Dysfunction& item, double notches);
   static std::string nameOf(const Items& items, int index);
 };

@@ -1,4 +1,4 @@
-// Lumps as things that are edited on the body (place_editor.h).
+// Lumps edited on the body (place_editor.h).
 #pragma once
 
 #include <string>
@@ -11,18 +11,18 @@ namespace palpate::viewer {
 template <>
 struct EditRules<scene::LumpSettings> {
   using Items = std::vector<scene::LumpSettings>;
-  /// With a name that no other has.
+  /// A new lump with a unique name.
   static scene::LumpSettings placed(const Items& items);
-  /// At least a fingertip: small ones are to be grabbed too.
+  /// At least a fingertip, so that small ones can be grabbed.
   static double reachMm(const scene::LumpSettings& item);
-  /// The diameter, or all half axes, by a share a notch.
+  /// Changes the diameter, or all half axes, by a share per notch.
   static void resize(scene::LumpSettings& item, double notches);
-  /// The stiffness, by a share a notch.
+  /// Changes the stiffness by a share per notch.
   static void strengthen(scene::LumpSettings& item, double notches);
   static std::string nameOf(const Items& items, int index);
 };
 
-// What scene files take (docs/reference/scene-files.md).
+// Ranges of scene files (docs/reference/scene-files.md).
 inline constexpr double kMinLumpMm = 2.0;  ///< diameter
 inline constexpr double kMaxLumpMm = 40.0;
 inline constexpr double kMinLumpRatio = 0.2;

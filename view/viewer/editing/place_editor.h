@@ -1,5 +1,5 @@
 // Placing, moving, sizing and deleting things of the body by hand, every gesture one step that can be undone
-// (edit_history.h). The same gestures for every kind of thing; what differs is in its EditRules. Pure.
+// (edit_history.h). The same gestures for every kind of thing; EditRules has the differences. Pure.
 //
 //   mouse ─ Input ─► Command ─ applyEdit ─┐
 //   panel, keys ──────────────────────────┴─► items of the scene ─ UiOutput::changed ─► a world with other tissue
@@ -25,11 +25,11 @@
 namespace palpate::viewer {
 
 /// A kind of thing has these as static functions:
-///   Item placed(const std::vector<Item>& items)              a new one, beside those that there are
-///   double reachMm(const Item& item)                          it is grabbed within this
+///   Item placed(const std::vector<Item>& items)              a new one, next to the existing ones
+///   double reachMm(const Item& item)                          grabbing distance
 ///   void resize(Item& item, double notches)                   by the wheel
 ///   void strengthen(Item& item, double notches)               by Shift and the wheel
-///   std::string nameOf(const std::vector<Item>& items, int index)    in the words of a step
+///   std::string nameOf(const std::vector<Item>& items, int index)    for the text of a step
 template <class Item>
 struct EditRules;
 
@@ -59,7 +59,7 @@ int itemAt(const std::vector<Item>& items, const Vec2& place) {
   return best;
 }
 
-/// Leaves the editor; also gives up the gesture under way.
+/// Leaves the editor; also cancels the current gesture.
 template <class Item>
 void stopEditing(const PlaceEdit<Item>& edit) {
   PlaceEditor<Item>& editor = edit.editor;
@@ -70,7 +70,7 @@ void stopEditing(const PlaceEdit<Item>& edit) {
   edit.output.changed |= kMapChange;
 }
 
-/// A new one there, selected.
+/// Adds a new one there, selected.
 template <class Item>
 Item& placeNew(const PlaceEdit<Item>& edit, const Vec2& place) {
   Item placed = EditRules<Item>::placed(edit.items);
@@ -88,7 +88,7 @@ void placeAt(const PlaceEdit<Item>& edit, const body::NamedPlace& place) {
   edit.output.step = trf("place {}", nameOfSelected(edit));
 }
 
-/// Its place is said in words where the body has names, and is there to the whole millimetre.
+/// Names its place where the body has names, to the whole millimetre.
 template <class Item>
 void putIntoWords(Item& item, std::span<const body::SkinLandmark> landmarks) {
   item.at = body::placeWords(landmarks, Vec2(item.x_mm, item.y_mm));
@@ -122,11 +122,11 @@ void moveSelected(const PlaceEdit<Item>& edit, const Vec2& place) {
   if (item == nullptr) return;
   item->x_mm = place.x();
   item->y_mm = place.y();
-  item->at.clear();  // words would put it back
+  item->at.clear();  // a name would put it back
   edit.output.changed |= kMapChange;
 }
 
-/// A turn of the wheel is a gesture of its own.
+/// One turn of the wheel is one gesture.
 template <class Item>
 void changeSelected(const PlaceEdit<Item>& edit, const char* verb, void (*change)(Item&, double), double notches) {
   Item* item = selectedOf(edit);
@@ -136,7 +136,8 @@ void changeSelected(const PlaceEdit<Item>& edit, const char* verb, void (*change
   edit.output.step = fmt::format("{} {}", verb, nameOfSelected(edit));
 }
 
-/// Editor commands of the input rules; `place` is the skin under the cursor, in the map plane. False for others.
+/// Handles editor commands of the input rules; `place` is the skin under the cursor, in the map plane. False for
+/// others.
 template <class Item>
 bool applyEdit(const window::Command& command, const std::optional<Vec2>& place, const PlaceEdit<Item>& edit) {
   using Kind = window::Command::Kind;

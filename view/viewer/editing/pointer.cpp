@@ -16,7 +16,7 @@ constexpr double kFineRingStepMm = 0.2;
 constexpr double kCentreFlightS = 0.2;
 /// A finger that slides off the skin's outline follows the nearest skin within this, mm.
 constexpr double kEdgeReachMm = 60.0;
-/// A hand that lies on the mouse moves it by less, pixels.
+/// A hand resting on the mouse moves it by less, pixels.
 constexpr double kAtRestPixels = 6.0;
 /// Force at which a resisting cursor moves half as fast, N.
 constexpr double kHalfSpeedN = 8.0;
@@ -42,7 +42,7 @@ std::optional<SkinPlace> Pointer::skinAt(const Vec2& pixel) const {
   return view::skinAlong(world_->surface, rayAt(pixel));
 }
 
-/// Past the outline a pressed finger goes on along the nearest skin instead of stopping dead.
+/// Past the outline a pressed finger continues along the nearest skin instead of stopping dead.
 void Pointer::moveFinger(std::size_t finger, const Vec2& pixel) {
   auto place = skinAt(pixel);
   Finger& moved = fingers_[finger];
@@ -59,7 +59,7 @@ void Pointer::moveFinger(std::size_t finger, const Vec2& pixel) {
 void Pointer::hover(std::size_t finger, const Vec2& pixel) {
   mouse_ = pixel;
   const Finger& hovering = fingers_[finger];
-  if (hovering.pressed) return;  // it stays where it was put
+  if (hovering.pressed) return;  // it stays where it was placed
   if (hovering.mouse_at_rest && (pixel - *hovering.mouse_at_rest).norm() < kAtRestPixels) return;
   moveFinger(finger, pixel);
 }
@@ -92,7 +92,7 @@ bool Pointer::apply(const window::Command& command, ViewerState& viewer) {
       press(fingers_[active]);
       return true;
     case Kind::hold:
-      // Where the mouse has led it, what lies under the mouse by now: the body may have been turned.
+      // To the present place under the mouse: the body may have been turned.
       if (!command.over_gui && !fingers_[active].mouse_at_rest) moveFinger(active, command.at);
       press(fingers_[active]);
       return true;
@@ -107,7 +107,7 @@ bool Pointer::apply(const window::Command& command, ViewerState& viewer) {
       for (Finger& finger : fingers_) finger.pressed = false;
       return true;
     case Kind::take_finger:
-      // The finger that is left keeps what it was asked for.
+      // The other finger keeps its target depth.
       fingers_[active].depth_mm = viewer.state.touch.depth_mm;
       fingers_[active].force_n = viewer.state.touch.force_n;
       viewer.active_finger = command.finger;
@@ -170,7 +170,7 @@ bool Pointer::step(window::Action action, bool fine, ViewerState& viewer) {
   if (!finger.place || !world_) return true;
   const Vec3 wanted = finger.place->point + (fine ? kFineRingStepMm : kRingStepMm) * direction;
   const Vec3 towards = (wanted - screen_.eye).normalized();
-  // Along the line of sight, as the mouse would go; behind an outline to the nearest skin.
+  // Along the line of sight, as the mouse would; behind an outline to the nearest skin.
   auto place = view::skinAlong(world_->surface, {screen_.eye, towards});
   if (!place || (place->point - wanted).norm() > kEdgeReachMm) {
     place = view::skinNear(world_->surface, wanted, kEdgeReachMm);

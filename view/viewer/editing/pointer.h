@@ -1,5 +1,5 @@
-// Where the mouse fingers and the camera go: commands of the input rules, applied to a camera and two finger targets.
-// Pure; the skin is asked through its surface at rest.
+// Moves the mouse fingers and the camera: commands of the input rules, applied to a camera and two finger targets.
+// Pure; it picks on the surface of the skin at rest.
 #pragma once
 
 #include <array>
@@ -29,41 +29,42 @@ class Pointer {
   view::Ray rayAt(const Vec2& pixel) const;
   std::optional<SkinPlace> skinAt(const Vec2& pixel) const;
 
-  /// What is looked at; once a frame.
+  /// The current view; once a frame.
   void look(const PickScreen& screen, std::shared_ptr<const scene::World> world);
-  /// Another body: no finger is on it yet.
+  /// Resets for another body: no finger is on it yet.
   void reset();
 
-  /// True if the command was about a finger or the camera, and then it was done; false for actions and the editor's.
+  /// Returns true if the command was about a finger or the camera, and then it is done; false for actions and the
+  /// editor's.
   bool apply(const window::Command& command, ViewerState& viewer);
   /// A ring step of the keyboard.
   bool step(window::Action action, bool fine, ViewerState& viewer);
-  /// A press by nobody's hand: the first seconds' demonstration.
+  /// Presses without a user: the first seconds' demonstration.
   void demonstrate(std::size_t finger, const SkinPlace& place, bool pressed);
-  /// A place that was named: the finger waits there, whatever lies under the mouse, until that really moves.
+  /// Puts a finger at a named place: it waits there, whatever is under the mouse, until that really moves.
   void put(std::size_t finger, const SkinPlace& place);
 
-  /// To be sent to the servo. Depth, force and radius come from the settings.
+  /// The target for the servo. Depth, force and radius come from the settings.
   device::FingerTarget target(std::size_t finger, const ViewerState& viewer) const;
   const std::optional<SkinPlace>& placeOf(std::size_t finger) const { return fingers_[finger].place; }
-  /// It waits, or presses, where it was put: until the mouse leads it elsewhere.
+  /// Whether it waits, or presses, where it was put, until the mouse leads it elsewhere.
   bool isAtNamedPlace(std::size_t finger) const { return fingers_[finger].named; }
   bool pressed(std::size_t finger) const { return fingers_[finger].pressed; }
-  /// Once a frame, when all targets have been sent: a tap that began and ended within the frame has been felt.
+  /// Once a frame, after all targets were sent: a tap that began and ended within the frame has been felt.
   void targetsSent();
-  /// Sends the camera to another view; at once with reduced motion.
+  /// Sends the camera to another view; immediately with reduced motion.
   void fly(const view::Camera& to, const ViewerState& viewer, double seconds);
-  /// Once a frame: the camera's flight goes on.
+  /// Once a frame: advances the camera's flight.
   void advance(ViewerState& viewer);
 
  private:
   struct Finger {
     std::optional<SkinPlace> place;
-    /// Its place was named or stepped to by keys, with the mouse here. Empty: it follows the mouse.
+    /// Set when its place was named or stepped to by keys, with the mouse here. Empty: it follows the mouse.
     std::optional<Vec2> mouse_at_rest;
     bool named = false;
     bool pressed = false;
-    bool fresh = false;   ///< pressed in this frame: no target has said so yet
+    bool fresh = false;   ///< pressed in this frame: not sent as a target yet
     bool tapped = false;  ///< and lifted in it: pressed until the next frame
     double depth_mm = 6.0;
     double force_n = 3.0;
@@ -88,22 +89,21 @@ class Pointer {
   std::optional<Flight> flight_;
 };
 
-// Rings on the skin that belong to the window, not to the picture: where each finger would press, and in the editor
-// where the dysfunctions are. Made as lines in space (Frame::marks), so that both eyes of a stereo picture see them
-// where they are. No GL.
+// Rings on the skin that belong to the window, not to the picture: where each finger would press, and in the editor the
+// dysfunctions. Made as lines in space (Frame::marks), so that both eyes of a stereo picture see them in place. No GL.
 
-/// Of lines that belong to a finger.
+/// Colours of a finger's lines.
 inline constexpr std::array<view::Paint, kFingers> kFingerPaint = {{{110, 165, 255, 230}, {255, 120, 105, 230}}};
 
 /// A ring under each finger that has been over the skin, as large as the finger, tilted with the skin; thicker the
-/// deeper it presses. A wider one round a place that was named, which the finger would hide.
+/// deeper it presses. A wider one round a named place, which the finger would hide.
 std::vector<view::Lines> fingerRings(const ViewerState& viewer, const Pointer& pointer);
 
-/// The rims of the dysfunctions, laid on the skin; the selected one bold. Where the pointer is on free skin, dashed:
-/// the one that a click would place.
+/// The rims of the dysfunctions on the skin; the selected one bold. With the pointer on free skin, dashed: the one that
+/// a click would place.
 std::vector<view::Lines> dysfunctionRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world);
 
-/// The same of lumps, as wide as they are.
+/// The same for lumps, as wide as they are.
 std::vector<view::Lines> lumpRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world);
 
 }  // namespace palpate::viewer

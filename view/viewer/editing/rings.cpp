@@ -17,8 +17,8 @@ namespace {
 constexpr int kRingPoints = 48;
 /// Above the skin, so that it does not seem to sink in, mm.
 constexpr double kLiftMm = 0.5;
-constexpr double kPointRadiusMm = 2.0;  ///< of the ring of a finger without size
-constexpr double kNamedPlaceMm = 24.0;  ///< of the ring round a named place: three fingertips wide
+constexpr double kPointRadiusMm = 2.0;  ///< radius of the ring of a finger without size
+constexpr double kNamedPlaceMm = 24.0;  ///< diameter of the ring round a named place: three fingertips wide
 constexpr view::Paint kDysfunctionPaint{240, 170, 60, 255};
 constexpr view::Paint kLumpRingPaint{170, 135, 255, 255};
 
@@ -40,7 +40,7 @@ view::Lines ringOn(const SkinPlace& place, double radius, double width_px, view:
   return ring;
 }
 
-/// A circle of the map plane, laid on the back of the skin; gaps where there is no skin below.
+/// A circle of the map plane, laid on the back of the skin; gaps without skin below.
 view::Lines ringOver(const scene::World& world, const Vec2& centre, double radius_mm, double width_px,
                      view::Paint paint, bool dashed) {
   const double top = mesh::boundingBox(world.body->skin).max().z() + 1.0;
@@ -65,7 +65,7 @@ double ringMm(const scene::LumpSettings& item) { return item.halfAxes().x(); }
 template <class Item>
 std::vector<view::Lines> ringsOf(const PlaceEdit<Item>& edit, const std::optional<SkinPlace>& under,
                                  const scene::World& world, view::Paint paint) {
-  constexpr double kGhostShare = 0.6;  // of the paint's opacity
+  constexpr double kGhostShare = 0.6;  // share of the paint's opacity
   std::vector<view::Lines> rings;
   for (std::size_t i = 0; i < edit.items.size(); ++i) {
     const Item& item = edit.items[i];

@@ -1,5 +1,5 @@
-// Reads with a clock that ends it, then draws triangles into a depth buffer, one light, no OpenGL: a display's thread
-// has better things to do, and another thread has no context.
+// Reads with a time limit, then draws triangles into a depth buffer, one light, no OpenGL: it would cost the display's
+// thread its frames, and another thread has no context.
 #include "view/viewer/files/file_preview.h"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ std::string kindOf(const fs::path& file) {
   return kind;
 }
 
-/// Of what a triangle can be drawn with; one broken vertex must not make the rest invisible.
+/// The box of the triangles' finite vertices; one broken vertex must not make the rest invisible.
 Eigen::AlignedBox3d finiteBox(const mesh::TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vec3& position : mesh.positions) {
@@ -44,7 +44,7 @@ Eigen::AlignedBox3d finiteBox(const mesh::TriangleMesh& mesh) {
   return box;
 }
 
-/// A depth buffer with the light of what is nearest.
+/// A depth buffer with the light of the nearest surface.
 class Sheet {
  public:
   Sheet(int width, int height) : image_(width, height, kGround), depth_(image_.pixels.size(), kNothing) {}
@@ -125,7 +125,7 @@ FilePreview previewOfScene(const fs::path& file, const PreviewLimits& limits) {
   FilePreview preview = previewOfMesh(
       scene.body.file, {.unit_mm = scene::millimetresOf(scene.body.unit), .max_bytes = limits.max_bytes}, limits);
   preview.words = fmt::format("{}: {}", title, preview.words);
-  preview.longest_units.reset();  // the scene says what it means
+  preview.longest_units.reset();  // the scene gives the unit
   return preview;
 }
 
@@ -186,9 +186,9 @@ std::optional<UnitGuess> unitGuess(double longest_units) {
       Candidate{scene::Unit::metre, toTranslate("metres"), toTranslate("Metres")},
       Candidate{scene::Unit::centimetre, toTranslate("centimetres"), toTranslate("Centimetres")},
       Candidate{scene::Unit::decimetre, toTranslate("decimetres"), toTranslate("Decimetres")}};
-  // A hand to the tallest person.
+  // From a hand to the tallest person.
   constexpr double kShortestMm = 120.0, kLongestMm = 2300.0;
-  // Between these, in millimetres: a body or a part of one, and nothing has to be asked.
+  // Between these, in millimetres, it is a body or a part of one, and no question is needed.
   constexpr double kSmallestPartMm = 40.0;
   if (!(longest_units > 0.0) || (longest_units >= kSmallestPartMm && longest_units <= mesh::kLongestBodyMm)) return {};
   for (const Candidate& candidate : kCandidates) {

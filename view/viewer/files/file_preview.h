@@ -1,5 +1,5 @@
-// What is known of a file before it is opened: a small picture, its size, and which unit it probably is in. Any thread;
-// files may be hostile, so their length and the time for them are bounded.
+// Facts about a file before it is opened: a small picture, its size, and its probable unit. Any thread; files may be
+// hostile, so their length and the time for them are bounded.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace palpate::viewer {
 
 struct PreviewLimits {
   std::uint64_t max_bytes = std::uint64_t{64} << 20;  ///< longer files have no preview
-  double max_seconds = 2.0;                           ///< reading, then as long again for drawing what was read
+  double max_seconds = 2.0;                           ///< for reading, then again for drawing
   int width = 168;                                    ///< pixels
   int height = 168;
 };
@@ -25,17 +25,17 @@ struct PreviewLimits {
 struct FilePreview {
   std::string words;                    ///< "59164 triangles, 430 x 720 x 240 mm", or why there is no picture
   std::optional<view::Image> picture;   ///< of a mesh, or of the mesh that a scene names
-  std::optional<double> longest_units;  ///< of a mesh file that says no unit: its longest edge, in units of the file
-  std::vector<std::string> notes = {};  ///< of a mesh: what was passed over or guessed while it was read, a line each
+  std::optional<double> longest_units;  ///< for a mesh file without a unit: its longest edge, in units of the file
+  std::vector<std::string> notes = {};  ///< for a mesh: lines on what was passed over or guessed while it was read
 };
 
-/// Never throws: what is wrong with the file is said in the words.
+/// Never throws: `words` describes a fault of the file.
 FilePreview previewOf(const std::filesystem::path& file, const PreviewLimits& limits = {});
 
-/// Matte, seen from behind and a little from the right and above. Stops where the time is over.
+/// Matte, seen from behind and a little from the right and above. Stops at the time limit.
 view::Image smallPicture(const mesh::TriangleMesh& mesh, const PreviewLimits& limits = {});
 
-/// The file's name says a format whose numbers have no unit.
+/// Whether the file's extension names a format without units.
 bool hasNoUnit(const std::filesystem::path& file);
 
 struct UnitGuess {
@@ -43,7 +43,7 @@ struct UnitGuess {
   std::string words;   ///< "This body is 1.8 across: metres? It would be 1.8 m long."
   std::string answer;  ///< "Metres"
 };
-/// Nothing where millimetres make a body of it, or no unit does.
+/// Empty where millimetres make it a body, or no unit does.
 std::optional<UnitGuess> unitGuess(double longest_units);
 
 }  // namespace palpate::viewer

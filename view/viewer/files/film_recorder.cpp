@@ -14,7 +14,7 @@ namespace {
 /// Pictures that may wait; a picture of 1280 x 800 takes 3 MB.
 constexpr std::size_t kMaxFilmWaiting = 8;
 
-/// The part of the picture that both have, from the upper left.
+/// The common part of both sizes, from the upper left.
 view::Image fitted(const view::Image& picture, const view::ImageSize& size) {
   if (picture.width == size.width && picture.height == size.height) return picture;
   view::Image fits(size.width, size.height);
@@ -45,7 +45,7 @@ void FilmRecorder::start(std::filesystem::path file) {
 
 void FilmRecorder::add(const view::Image& picture, double now_s) {
   constexpr double kPeriodS = 1.0 / kFilmFramesPerS;
-  // From the moment that was due, so that the rate holds; after a pause from now.
+  // From the due moment, so that the rate holds; after a pause from now.
   next_s_ = std::max(next_s_ + kPeriodS, now_s + 0.5 * kPeriodS);
   if (!thread_.joinable()) {
     size_ = {picture.width, picture.height};
@@ -78,7 +78,7 @@ std::optional<FilmRecorder::Ending> FilmRecorder::takeEnding() {
 }
 
 void FilmRecorder::run(const std::filesystem::path& file, view::ImageSize size) {
-  system::lowerPriority(5);  // behind what draws
+  system::lowerPriority(5);  // behind drawing
   Ending ending{file, {}};
   try {
     const auto film = film::beginFilm(file, {size, kFilmFramesPerS, film::Effort::live});

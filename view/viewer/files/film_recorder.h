@@ -1,5 +1,5 @@
-// A film of the window: pictures at a fixed rate, compressed and written by a thread of their own. The display never
-// waits: where the thread is too slow, pictures are left out, and the film keeps its time.
+// A film of the window: pictures at a fixed rate, compressed and written on a thread of their own. The display never
+// waits: if the thread is too slow, pictures are left out, and the film keeps its time.
 //
 //   frame ─► wants, add ─► a few waiting pictures ─► thread: film::Film ─► file, whole at its end
 #pragma once
@@ -22,25 +22,25 @@ inline constexpr double kFilmFramesPerS = 20.0;
 class FilmRecorder {
  public:
   FilmRecorder() = default;
-  /// A film that was not stopped is finished.
+  /// Finishes a film that was not stopped.
   ~FilmRecorder();
 
-  /// Waits for the end of an earlier one. The file is made with the first picture, which says how large all are.
+  /// Waits for the end of an earlier one. The first picture creates the file, and sets the size of all.
   void start(std::filesystem::path file);
-  /// A picture is due.
+  /// Whether a picture is due.
   bool wants(double now_s) const { return filming_ && now_s >= next_s_; }
-  /// One of another size, because the window was resized, is cut or gets a black edge.
+  /// A picture of another size, because the window was resized, is cropped or gets a black edge.
   void add(const view::Image& picture, double now_s);
-  /// The thread finishes what waits.
+  /// The thread finishes the waiting pictures.
   void stop();
-  /// For the thread; after `stop`.
+  /// Waits for the thread; after `stop`.
   void wait();
 
   struct Ending {
     std::filesystem::path file;
     std::string trouble;  ///< empty: it is whole
   };
-  /// Once, when the film has ended, by `stop` or by what went wrong.
+  /// Returns the ending once, after `stop` or a failure.
   std::optional<Ending> takeEnding();
 
  private:
@@ -50,7 +50,7 @@ class FilmRecorder {
   };
   void run(const std::filesystem::path& file, view::ImageSize size);
 
-  // Of the display's thread.
+  // Used on the display's thread.
   bool filming_ = false;
   double next_s_ = 0.0;
   std::filesystem::path file_;

@@ -164,7 +164,7 @@ class Reader {
     event.down = true;
     add(event);
     event.down = false;
-    event.modifiers = {};  // released with it: a Ctrl that stays down keeps fields from taking what is typed next
+    event.modifiers = {};  // released with it: a Ctrl that stays down keeps fields from accepting the next text
     add(event);
   }
 

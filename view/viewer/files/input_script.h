@@ -1,4 +1,4 @@
-// Input scripts: what a user did, as a file that does it again. Test, demonstration and bug report in one.
+// Input scripts: a user's input as a file that repeats it. Test, demonstration and bug report in one.
 //
 //   # time s, event, its values
 //   0.5, move, 640, 400            pixels from the upper left
@@ -7,7 +7,7 @@
 //   1.2, key, F12                  pressed and released; names as on the F1 page, e.g. Ctrl+S, PgDn
 //   1.3, text, hello
 //   1.5, focus, lost               lost | gained
-//   2.0, drop, some/file.obj       beside the script
+//   2.0, drop, some/file.obj       relative to the script
 //   2.5, size, 800, 600
 //   2.8, head, 120, 40, 550        the eyes: mm to the right of the screen's middle, above it, before it
 //   3.0, close

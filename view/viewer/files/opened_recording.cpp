@@ -31,7 +31,7 @@ std::uint32_t newestWorld(trace::RecordingReader& viewer) {
   return newest;
 }
 
-/// Those after the last change of the body, and no more than can be held.
+/// Those after the last change of the body, up to a maximum.
 void takeSamples(trace::RecordingReader& viewer, const trace::TickSpan& span, const trace::RecordingWorld& shown,
                  RecordedTouch& recorded, const Progress& progress) {
   constexpr std::uint64_t kBetweenReports = 4096;  // ticks

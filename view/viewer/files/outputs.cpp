@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kProfileStem = "profile";
 
-/// Does something with a file; what goes wrong becomes a message, which goes again when it is done after all.
+/// Does something with a file; a failure becomes a message, which success removes again.
 template <class Action>
 bool attempt(ViewerState& viewer, const fs::path& file, const Action& action) {
   try {
@@ -44,7 +44,7 @@ Outputs::~Outputs() {
   try {
     forces_.stop();
   } catch (const std::exception&) {
-    // Nobody is left to be told; `finish` tells when somebody is.
+    // No one is left to read a message; `finish` reports it.
   }
 }
 
@@ -56,7 +56,7 @@ void Outputs::addSample(ViewerState& viewer, const trace::Sample& sample) {
   }
 }
 
-/// The window goes on, and says what is left.
+/// The window continues, and names the remaining file.
 void Outputs::endBrokenForces(ViewerState& viewer, const std::string& why) {
   viewer.recording.forces = false;
   const std::string kept = forces_.abandon();
@@ -188,7 +188,7 @@ void Outputs::stopFilm(ViewerState& viewer) {
   film_.stop();
 }
 
-/// It is told when it is whole, which is some pictures after its end.
+/// Reported when it is complete, which is some pictures after its end.
 void Outputs::followFilm(ViewerState& viewer) {
   const std::optional<FilmRecorder::Ending> ending = film_.takeEnding();
   if (!ending) return;

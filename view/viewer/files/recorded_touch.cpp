@@ -16,24 +16,24 @@ namespace palpate::viewer {
 
 namespace {
 
-/// No hand moves so far in a tick, mm: the finger was put elsewhere, and forgets what it touched.
+/// No hand moves this far in a tick, mm: the finger was put elsewhere, and forgets its contact.
 constexpr double kJumpMm = 40.0;
 
 /// All fingers on one clock: a finger without a row at a time was nowhere.
 struct RecordedTips {
   std::vector<double> time_s;
   std::vector<std::string> names;
-  std::vector<std::vector<Vec3>> tips;  ///< a list a finger, an entry a time
+  std::vector<std::vector<Vec3>> tips;  ///< one list per finger, one entry per time
 };
 
-/// By the shortest step: a tick that came too late was left out, and leaves a longer one.
+/// By the shortest step: a late tick was left out, and leaves a longer one.
 double ticksPerS(const std::vector<double>& time_s, double fallback) {
   double shortest_s = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < time_s.size(); ++i) shortest_s = std::min(shortest_s, time_s[i] - time_s[i - 1]);
   return std::isfinite(shortest_s) ? std::max(1.0, std::round(1.0 / shortest_s)) : fallback;
 }
 
-/// The window's own fingers have their places, also when the right one was put on the body first or alone.
+/// The window's own fingers keep their places, also when the right one was put on the body first or alone.
 void sortHands(std::vector<trace::RecordedFinger>& fingers) {
   const auto is = [](std::string_view name) { return [=](const trace::RecordedFinger& f) { return f.name == name; }; };
   const auto right = std::find_if(fingers.begin(), fingers.end(), is(kFingerNames[1]));
@@ -61,7 +61,7 @@ RecordedTips tipsOf(std::vector<trace::RecordedFinger> fingers) {
   return recorded;
 }
 
-/// Reads the row that is at work; ticks that were left out have none.
+/// Reads the current row; ticks that were left out have none.
 servo::Rig rigFor(engine::ServoPlan& plan, const RecordedTips& of, double ticks_per_s, const std::size_t& row) {
   servo::RigParts parts{.solvers = std::move(plan.solvers),
                         .fingers = std::move(plan.fingers),
@@ -146,7 +146,7 @@ RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world, co
 
 namespace {
 
-/// Thrown by a sign of life of work that nobody waits for any more.
+/// Thrown at a report of progress when the result is no longer needed.
 struct GivenUp {};
 
 }  // namespace

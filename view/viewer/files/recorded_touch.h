@@ -1,5 +1,5 @@
-// A recorded table of forces, felt once more: its tips are pressed into the body at hand, tick by tick, as fast as the
-// machine can. On the body and with the settings it was recorded with, every force comes out as it was.
+// A recorded table of forces, felt once more: its tips are pressed into the present body, tick by tick, as fast as the
+// machine can. With the recorded body and settings, every force is reproduced.
 #pragma once
 
 #include <atomic>
@@ -22,47 +22,47 @@
 
 namespace palpate::viewer {
 
-/// Longer tables are cut: the newest part of this length is kept, s.
+/// Longer tables are cut to the newest part of this length, s.
 inline constexpr double kLongestReplayS = 600.0;
 
 struct RecordedTouch {
   std::string file;
   TouchHistory history;
   double ticks_per_s = 1000.0;
-  std::vector<double> radius_mm;                        ///< of each finger
-  bool of_script = false;                               ///< of the scene's own fingers: it plays when it is there
-  std::shared_ptr<const scene::World> world = nullptr;  ///< it was felt on; null: the one at hand
+  std::vector<double> radius_mm;                        ///< per finger
+  bool of_script = false;                               ///< from the scene's own fingers: it plays when ready
+  std::shared_ptr<const scene::World> world = nullptr;  ///< the recorded world; null: the present one
   std::vector<ReplayMark> marks = {};
-  std::vector<std::string> notes = {};  ///< what is not as it was, in words
+  std::vector<std::string> notes = {};  ///< differences from the recording
 };
 
 /// The first two fingers of the table. Throws Error when it cannot be read.
 RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, const scene::Scene& scene,
                            const std::filesystem::path& table, const Progress& progress = {});
 
-/// What the first two fingers of the scene do and feel by their scripts and trajectories, as `palpate simulate` feels
-/// it but for the device's limits. Throws Error where there is no path.
+/// The motion and forces of the scene's first two fingers by their scripts and trajectories, as in `palpate simulate`
+/// but for the device's limits. Throws Error without a path.
 RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world, const Progress& progress = {});
 
-/// Does it beside the display, one table at a time. Work is given up at its next sign of life.
+/// Loads on its own thread, one table at a time. Cancelled work stops at its next report of progress.
 class ReplayLoader {
  public:
   ReplayLoader() = default;
-  /// Gives up the work under way and joins.
+  /// Cancels the current work and joins.
   ~ReplayLoader() { cancel(); }
   ReplayLoader(const ReplayLoader&) = delete;  // the work writes into this one
   ReplayLoader& operator=(const ReplayLoader&) = delete;
-  /// False, with nothing done, while another table is at work.
+  /// False, with nothing done, while another table is loading.
   bool load(std::function<RecordedTouch(const Progress& progress)> read);
-  /// No result will come.
+  /// Drops the current work's result.
   void cancel() { cancelled_ = true; }
-  /// Of the work under way, if any.
+  /// The progress of the current work, if any.
   std::optional<engine::BuildProgress> progress() const;
   struct Result {
     std::optional<RecordedTouch> touch;
     std::string error;
   };
-  /// What became of it, once.
+  /// Returns the result once.
   std::optional<Result> take();
 
  private:
@@ -76,12 +76,12 @@ class ReplayLoader {
   std::optional<Background> work_;  // last: it uses the result
 };
 
-// A recording as the window plays it: what was felt, on the body it was felt on, with its marks.
+// A recording as the window plays it: the forces, on the recorded body, with its marks.
 //
-//   NAME.session ─ read beside the display ─► RecordedTouch ─► frozen picture, plots, marks on the bar
+//   NAME.session ─ read on its own thread ─► RecordedTouch ─► frozen picture, plots, marks on the bar
 
-/// The newest part of it that is no longer than kLongestReplayS and was felt on one body, as it was recorded: nothing
-/// is computed but the body. Throws Error when the file cannot be read or the body not be built.
+/// The newest part of it that is no longer than kLongestReplayS and on one body, as recorded: only the body is
+/// computed. Throws Error when the file cannot be read or the body cannot be built.
 RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& progress = {});
 
 }  // namespace palpate::viewer

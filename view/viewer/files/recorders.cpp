@@ -15,7 +15,7 @@ namespace {
 /// Pictures that may wait; a picture of 1280 x 800 takes 3 MB.
 constexpr std::size_t kMaxWaiting = 16;
 
-/// A finger that was not put on the body yet.
+/// Whether the finger was not put on the body yet.
 bool isNowhere(const Vec3& tip) { return tip.z() > 0.5 * device::kNowhere.z(); }
 
 }  // namespace
@@ -80,7 +80,7 @@ void PictureWriter::finish() {
 }
 
 void PictureWriter::run() {
-  system::lowerPriority(5);  // behind what draws; not far, or the queue fills and drawing waits after all
+  system::lowerPriority(5);  // behind drawing; not far, or the queue fills and drawing waits after all
   std::unique_lock lock(mutex_);
   while (true) {
     change_.wait(lock, [this] { return quit_ || !jobs_.empty(); });

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kExtension = ".session";
 
-/// A file that is written changes every 150 ms; one that has not for so long has lost its program.
+/// A live file changes every 150 ms; one that has not for so long has lost its program.
 constexpr std::chrono::seconds kAbandoned{10};
 
 bool isAbandoned(const fs::path& file) {
@@ -73,7 +73,7 @@ std::vector<fs::path> tidySessions(const fs::path& folder) {
       finished.push_back(target);
       all.push_back(target);
     } catch (const Error&) {
-      // It stays as it is, for `palpate body repair`.
+      // It stays, for `palpate body repair`.
     }
   }
   std::sort(all.begin(), all.end());
@@ -192,7 +192,7 @@ void RecordingKeeper::attachPicture(const fs::path& file) {
   try {
     recorder_->attach({0, "picture", file.filename().string(), "image/png", readFile(file, kMaxPictureBytes)});
   } catch (const Error&) {
-    // It was saved or its own message says why not.
+    // It was saved, or its own message has the reason.
   }
 }
 

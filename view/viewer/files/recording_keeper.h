@@ -1,10 +1,8 @@
-// The recording that the window records by itself: the last hour of every finger, in a file that a crash leaves
-// readable.
+// The window's automatic recording: the last hour of every finger, in a file that stays readable after a crash.
 //
-//   servo ─► engine::Recorder ─► FOLDER/2026-11-21T23-05-12.session ─ Shift+R ─► a copy where the user keeps
-//   files
+//   servo ─► engine::Recorder ─► FOLDER/2026-11-21T23-05-12.session ─ Shift+R ─► a copy among the user's files
 //
-// A run in which nobody touched the body leaves nothing. What a run that was killed left is finished by the next one.
+// A run without a touch leaves nothing. The next run finishes the file of one that was killed.
 #pragma once
 
 #include <filesystem>
@@ -21,16 +19,15 @@
 
 namespace palpate::viewer {
 
-/// Where recordings lie that nobody asked for: $XDG_STATE_HOME/palpate/sessions or ~/.local/state/...; empty without a
-/// home.
+/// Folder of automatic recordings: $XDG_STATE_HOME/palpate/sessions or ~/.local/state/...; empty without a home.
 std::filesystem::path recordingsFolder();
 
-/// So much of a run is kept, s, of so many runs.
+/// Kept length of a run, s, and number of runs.
 inline constexpr double kLastHourS = 3600.0;
 inline constexpr std::size_t kKeptRuns = 10;
 
 /// Finishes the recordings in the folder that are no longer written (their program was killed), and removes all but the
-/// newest. Returns those that it finished.
+/// newest. Returns the finished ones.
 std::vector<std::filesystem::path> tidySessions(const std::filesystem::path& folder);
 
 class RecordingKeeper {
@@ -38,14 +35,14 @@ class RecordingKeeper {
   /// An empty folder: nothing is recorded. The servo must outlive it.
   RecordingKeeper(LiveServo& servo, std::filesystem::path folder);
 
-  /// Once a frame: begins and ends as the recording's switch says, notes who holds the fingers, tells what went wrong.
+  /// Once a frame: begins and ends with the recording's switch, notes who holds the fingers, reports failures.
   void advance(ViewerState& viewer);
   /// Copies the last hour to a fresh name in the folder.
   void keep(ViewerState& viewer, const std::filesystem::path& folder);
   void mark(ViewerState& viewer, std::string words);
-  /// A picture that was saved, at the newest tick.
+  /// Attaches a saved picture at the newest tick.
   void attachPicture(const std::filesystem::path& file);
-  /// The run is over; the servo has stopped.
+  /// Call when the run is over and the servo has stopped.
   void finish(ViewerState& viewer, std::string_view ended_by);
 
  private:

@@ -12,7 +12,7 @@ namespace palpate::viewer {
 
 namespace {
 
-/// Twice as long as the triangle is large.
+/// Length: twice the triangle's area.
 Vec3 areaVector(const mesh::TriangleMesh& skin, const Triangle& triangle) {
   return mesh::areaVector2(skin.positions[triangle[0]], skin.positions[triangle[1]], skin.positions[triangle[2]]);
 }

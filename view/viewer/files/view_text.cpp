@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kWord = "palpate-view";
 
-/// Millimetres and degrees: farther than any body is looked at from.
+/// Millimetres and degrees: no body is viewed from farther.
 constexpr double kFarthest = 1e7;
 
 }  // namespace

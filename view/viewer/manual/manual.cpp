@@ -15,7 +15,7 @@ namespace {
 constexpr double kTitleScore = 100.0;
 constexpr double kHeadingScore = 20.0;
 constexpr double kBodyScore = 1.0;
-constexpr std::size_t kMaxCounted = 10;  ///< times that a word counts in one part of a page
+constexpr std::size_t kMaxCounted = 10;  ///< largest count of a word in one part of a page
 constexpr std::size_t kExcerpt = 150;    ///< letters
 
 std::string inLowerCase(std::string_view text) {
@@ -32,7 +32,7 @@ ManualPage readPage(const view::EmbeddedFile& file) {
   return page;
 }
 
-/// What stands under one heading.
+/// The text under one heading.
 struct Part {
   std::string heading = {};
   std::string text = {};
@@ -70,7 +70,7 @@ const std::vector<Indexed>& manualIndex() {
   return index;
 }
 
-/// Where the word begins in the text, from there on; npos: nowhere. Not in the middle of another one.
+/// Where the word begins in the text from `from` on; npos: nowhere. Not in the middle of another word.
 std::size_t findWord(std::string_view text, std::string_view word, std::size_t from = 0) {
   for (std::size_t at = text.find(word, from); at != std::string_view::npos; at = text.find(word, at + 1)) {
     if (at == 0 || std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0) return at;
@@ -98,7 +98,7 @@ double scoreOf(const Part& part, const SoughtWords& words) {
   return score;
 }
 
-/// In English or in the language of the window.
+/// Compares in English and in the language of the window.
 bool titleHolds(const Indexed& page, const std::string& word) {
   constexpr std::size_t kNowhere = std::string_view::npos;
   return findWord(page.lower_title, word) != kNowhere ||

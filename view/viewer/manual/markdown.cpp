@@ -15,7 +15,7 @@ constexpr std::string_view kFence = "```";
 
 std::size_t indentOf(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
-/// Comments mark figures that a study writes; a reader does not see them.
+/// Comments mark figures that a study writes; readers must not see them.
 std::string withoutComments(std::string_view text) {
   std::string kept;
   for (std::size_t begin = text.find("<!--"); begin != std::string_view::npos; begin = text.find("<!--")) {
@@ -32,7 +32,7 @@ struct Marked {
   std::size_t length;  ///< of the text with its marks
 };
 
-/// Between two equal marks at the begin of the text.
+/// The text between two equal marks at its begin.
 std::optional<Marked> between(std::string_view text, std::string_view mark, Inline::Kind kind) {
   if (!text.starts_with(mark)) return std::nullopt;
   const std::size_t end = text.find(mark, mark.size() + 1);
@@ -40,7 +40,7 @@ std::optional<Marked> between(std::string_view text, std::string_view mark, Inli
   return Marked{{kind, std::string(text.substr(mark.size(), end - mark.size()))}, end + mark.size()};
 }
 
-/// "[words](target)"; of a picture its words alone.
+/// "[words](target)"; for a picture its words only.
 std::optional<Marked> linkAt(std::string_view text) {
   const bool picture = text.starts_with("![");
   if (!picture && !text.starts_with('[')) return std::nullopt;
@@ -118,7 +118,7 @@ std::optional<ItemBegin> itemAt(std::string_view line) {
   return ItemBegin{std::string(line.substr(0, digits + 1)), digits + 2};
 }
 
-/// Line by line; what is under way ends where something else begins.
+/// Line by line; a block ends where another begins.
 class MarkdownReader {
  public:
   void take(std::string_view line) {
@@ -197,7 +197,7 @@ class MarkdownReader {
 std::vector<Block> readMarkdown(std::string_view text) {
   const std::string seen = withoutComments(text);
   MarkdownReader reader;
-  // Not `split`, which takes the spaces away that a line begins with.
+  // Not `split`, which would remove the spaces at the begin of a line.
   for (std::size_t begin = 0; begin < seen.size();) {
     const std::size_t end = std::min(seen.find('\n', begin), seen.size());
     reader.take(std::string_view(seen).substr(begin, end - begin));

@@ -1,4 +1,4 @@
-// What the documents are called, for the catalogues; a test holds it against their first headings.
+// The documents' titles, for the catalogues; a test compares them with the first headings.
 #include <algorithm>
 #include <array>
 

@@ -1,8 +1,8 @@
 // A use of the window other than pressing a body with the mouse: measuring photographs, training people. A program
-// hands in the modes that its window has (ViewerSettings::modes); the viewer is complete without any.
+// passes the modes of its window (ViewerSettings::modes); the viewer is complete without any.
 //
 //   InputEvent, Command, Request, answer ─► Modes ─ not handled ─► Viewer
-//   Mode ─ Claims ─► Viewer: which parts of the window the mode has taken
+//   Mode ─ Claims ─► Viewer: the parts of the window that the mode has taken
 #pragma once
 
 #include <memory>
@@ -23,9 +23,9 @@
 
 namespace palpate::viewer {
 
-/// What a mode has taken for now.
+/// The parts that a mode has taken for now.
 struct Claims {
-  bool window = false;  ///< menus, panels, hints, title and files: nothing of the viewer's is reached
+  bool window = false;  ///< menus, panels, hints, title and files: the viewer's own are unreachable
   bool body = false;    ///< the area where the body is drawn
   bool touch = false;   ///< the mouse presses and turns nothing
 };
@@ -35,7 +35,7 @@ struct ModeMenuItem {
   bool on;
 };
 
-/// What the middle of both eyes sees in this frame.
+/// The view from between the eyes in this frame.
 struct Sight {
   view::Frustum frustum;
   Vec2 size_points;
@@ -43,7 +43,7 @@ struct Sight {
   Pointer& pointer;
 };
 
-/// What a mode may work with once a frame.
+/// A mode's resources in a frame.
 struct ModeWork {
   ViewerState& viewer;
   LiveServo& servo;
@@ -64,7 +64,7 @@ class Mode {
   virtual Claims claims() const = 0;
   /// Once, before the first frame. Throws Error if the mode cannot work with this world.
   virtual void begin(ViewerState& /*viewer*/, const scene::World& /*world*/, window::Gui& /*gui*/) {}
-  /// The servo has taken a world.
+  /// The servo has adopted a world.
   virtual void worldCame(const scene::World& /*world*/) {}
   /// Every tick of every finger.
   virtual void feel(const trace::Sample& /*sample*/) {}
@@ -75,14 +75,14 @@ class Mode {
   virtual bool handle(const window::InputEvent& /*event*/, ViewerState& /*viewer*/, bool /*typing*/) { return false; }
   virtual bool handle(const window::Command& /*command*/, ViewerState& /*viewer*/) { return false; }
   virtual std::optional<ModeMenuItem> menuItem() const { return std::nullopt; }
-  /// Draws what has been claimed: the area of the body, or the whole window. Needs a Gui frame that has begun.
+  /// Draws the claimed part: the area of the body, or the whole window. Needs a Gui frame that has begun.
   virtual void draw(const FreeArea& /*area*/) {}
   virtual bool handle(const Request& /*request*/, ViewerState& /*viewer*/) { return false; }
-  /// True if the question was this mode's.
+  /// Returns true if the question was this mode's.
   virtual bool answer(const Question& /*question*/, std::string_view /*chosen*/, ViewerState& /*viewer*/) {
     return false;
   }
-  /// Before changes of the scene are used.
+  /// Called before changes of the scene take effect.
   virtual void advance(const ModeWork& /*work*/) {}
   virtual bool wantsToQuit() const { return false; }
   virtual void adjust(view::PictureSettings& /*picture*/) const {}
@@ -90,7 +90,7 @@ class Mode {
   virtual std::vector<view::Lines> marks(const scene::World& /*world*/, const ViewerState& /*viewer*/) const {
     return {};
   }
-  /// The run is over; the servo has stopped. What could not be kept, in words, or nothing.
+  /// The run is over; the servo has stopped. Returns what could not be kept, or empty.
   virtual std::string finish(std::string_view /*ended_by*/) { return {}; }
 };
 
@@ -102,7 +102,7 @@ class Modes {
   auto end() const { return modes_.end(); }
 
   Claims claims() const;
-  /// The one that has taken this part of the window, or null.
+  /// The mode that has taken this part of the window, or null.
   Mode* claimant(bool Claims::*part) const;
   std::optional<Eigen::AlignedBox3d> homeBox() const;
   bool handle(const window::InputEvent& event, ViewerState& viewer, bool typing) const;

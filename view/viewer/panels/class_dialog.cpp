@@ -1,5 +1,5 @@
-// A class from the window: run one on this computer, watch one, or take part in one. What is asked for here is done by
-// the commands of `palpate class` (class_run.h).
+// A class from the window: run one on this computer, watch one, or take part in one. The commands of `palpate class` do
+// the work (class_run.h).
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -19,13 +19,13 @@ namespace {
 
 constexpr double kMaxStations = 30.0;  ///< more are made by `palpate class init`
 
-/// What was typed; stays while the window is open.
+/// The typed text; stays while the window is open.
 struct ClassFields {
   StartClass start;
   double stations = 2.0;
   std::string watched;
   std::string station;
-  std::string offered_of;  ///< the class whose first station stands in the line
+  std::string offered_of;  ///< the class whose first station is in the line
 };
 
 std::filesystem::path inFolder(const std::filesystem::path& folder, const std::string& typed) {
@@ -39,7 +39,7 @@ bool textLine(const char* path, const char* label, std::string& text) {
   return entered;
 }
 
-/// Why the class cannot be started as it is typed; empty: it can.
+/// Why the class cannot be started with this input; empty: it can.
 std::string faultOf(const ClassFields& fields, bool exists) {
   if (fields.start.folder.empty()) return tr("Type a folder");
   if (exists) return {};
@@ -91,7 +91,7 @@ void watchPart(const ClassShown& shown, const std::filesystem::path& folder, Cla
 
 void joinPart(const ClassShown& shown, const std::filesystem::path& folder, ClassFields& fields, UiOutput& output) {
   ImGui::TextDisabled("%s", tr("Take part at this computer"));
-  if (shown.runs && fields.offered_of != shown.folder) {  // once: what is typed stays
+  if (shown.runs && fields.offered_of != shown.folder) {  // once: typed text stays
     fields.offered_of = shown.folder;
     fields.station = shown.folder + "/stations/s01";
   }

@@ -9,7 +9,7 @@ namespace palpate::viewer {
 namespace {
 
 struct ControlRow {
-  std::string_view path;  ///< one that ends in / is for all below it
+  std::string_view path;  ///< one that ends in / is for everything below it
   std::string_view words;
 };
 
@@ -105,7 +105,7 @@ constexpr ControlRow kControlWords[] = {
 };
 // clang-format on
 
-/// Words of the engine that are shown as they are: what is being built, safety rules, choices of keys and enumerations.
+/// Text of the engine that is shown unchanged: steps of a build, safety rules, choices of keys and enumerations.
 // clang-format off
 [[maybe_unused]] constexpr const char* kEngineWords[] = {
     toTranslate("dark"), toTranslate("light"), toTranslate("high contrast"),  // window::kThemeNames

@@ -1,6 +1,6 @@
 // Choosing a file to open or to save to: recent ones, a folder to walk through, and a line to type into.
 //
-// Own, because no library of Debian 12 fits: GTK's and Qt's dialogs want their own event loop beside GLFW's,
+// Own, because no library of Debian 12 fits: GTK's and Qt's dialogs want their own event loop next to GLFW's,
 // libportal's wants a desktop portal on the session bus, which bare X servers do not have, and Native File Dialog is
 // not packaged.
 #include <fmt/format.h>
@@ -64,7 +64,7 @@ Listing listingOf(const fs::path& folder, Kinds kinds = kSceneKinds) {
   return listing;
 }
 
-/// Of the display's thread, like ImGui's own state.
+/// Used on the display's thread, like ImGui's own state.
 Listing& shownListing() {
   static Listing listing = listingOf(fs::current_path());
   return listing;
@@ -76,13 +76,13 @@ bool listRow(const std::string& name) {
   return clicked;
 }
 
-/// The file that was clicked, or none.
+/// The clicked file, or none.
 struct Selection {
   std::string file = {};
   bool twice = false;  ///< clicked: open it
 };
 
-/// A listing is read when the folder changes, not in every frame. `path` is of the widgets; `selected` is drawn as
+/// A listing is read when the folder changes, not in every frame. `path` is the widgets'; `selected` is drawn as
 /// chosen.
 Selection walk(Listing& listing, const char* path, const std::string& selected = {}, float width = 0.0f) {
   Selection chosen;
@@ -107,7 +107,7 @@ Selection walk(Listing& listing, const char* path, const std::string& selected =
   return chosen;
 }
 
-/// A focused line to type a name into, with the buttons behind it. True when what is typed is to be used.
+/// A focused line to type a name into, with the buttons behind it. True when the input is confirmed.
 struct NameField {
   const char* path;         ///< of the widgets: "photograph"
   const char* button_path;  ///< "photograph/open"
@@ -126,7 +126,7 @@ bool nameField(const NameField& field, std::string& typed, bool& open) {
   return open && (pressed || enterPressed()) && !typed.empty();
 }
 
-/// A typed folder is gone into; a file that is not there is named. The file that is.
+/// Enters a typed folder; reports a missing file. Returns the file.
 std::string fileTyped(Listing& listing, std::string& typed, std::string& trouble) {
   const fs::path file = listing.folder / pathOf(typed);  // a full path stays one
   std::error_code error;
@@ -191,7 +191,7 @@ std::string walkWithPreview(Listing& listing, std::string& typed, PreviewPane& p
   return walked.twice ? walked.file : std::string();
 }
 
-/// What is typed may be a file.
+/// The typed text may be a file.
 void choosePreview(const Listing& listing, const std::string& typed, PreviewPane& preview) {
   const fs::path file = typed.empty() ? fs::path() : listing.folder / pathOf(typed);
   std::error_code error;
@@ -206,7 +206,7 @@ void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& pr
   if (!beginDialog("Open a scene or a mesh", open)) return;
   Listing& listing = shownListing();
   if (ImGui::IsWindowAppearing()) {
-    listing = listingOf(listing.folder);  // files may have come since it was last open
+    listing = listingOf(listing.folder);  // files may be new since it was last open
     typed.clear();
     trouble.clear();
   }
@@ -280,13 +280,13 @@ struct SaveAs {
   const char* path;         ///< of the widgets: "picture"
   const char* button_path;  ///< "picture/save"
   const char* button;
-  const char* stem;  ///< of the name that is proposed
+  const char* stem;  ///< stem of the proposed name
   Kinds kinds;       ///< the first one is the default
   const char* words;
 };
 
-/// What is typed as a whole path, with an ending; empty, with the reason, where it cannot be used. A file that is there
-/// is replaced when its name is confirmed.
+/// The input as a whole path, with an ending; empty, with the reason, where it cannot be used. An existing file is
+/// replaced when its name is confirmed.
 fs::path fileToWrite(const SaveAs& as, Listing& listing, std::string& typed, std::string& confirmed,
                      std::string& trouble) {
   fs::path file = listing.folder / pathOf(typed);
@@ -313,7 +313,7 @@ fs::path fileToWrite(const SaveAs& as, Listing& listing, std::string& typed, std
   return file;
 }
 
-/// The file to be written, or nothing yet.
+/// Returns the file to write, or empty so far.
 std::string saveAsDialog(const SaveAs& as, const fs::path& folder, bool& open) {
   static std::string typed;
   static std::string trouble;

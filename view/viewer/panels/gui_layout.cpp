@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kPerformance = toTranslate("Performance");
 
-/// Each section with the parts of the viewer's state that it is about.
+/// Each section with its parts of the viewer's state.
 constexpr PanelEntry kPanels[] = {
     {toTranslate("Touch"),
      [](ViewerState& s) {
@@ -109,7 +109,7 @@ std::vector<std::string> interventionLines(const ViewerState& viewer) {
   return lines;
 }
 
-/// Does what was asked for as of a key and says what was told.
+/// Performs the requested actions like keys, and shows the messages.
 void doActions(ViewerState& viewer, const Modes& modes) {
   for (const window::Action action : std::exchange(viewer.output.actions, {})) {
     if (modes.handle({.kind = window::Command::Kind::act, .action = action}, viewer)) continue;
@@ -137,7 +137,7 @@ void sidePanel(ViewerState& viewer, float width, const FreeArea& free) {
   if (ImGui::Begin("panel", nullptr, kFixed)) {
     viewRow(viewer.state.look, viewer.world, viewer.output);
     for (const PanelEntry& panel : kPanels) {
-      // F3 asks for this section from the keyboard.
+      // F3 opens this section from the keyboard.
       const bool asked = viewer.state.shown.performance && panel.name == kPerformance;
       if (asked) ImGui::SetNextItemOpen(true);
       const auto flags = panel.open_at_first ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
@@ -155,7 +155,7 @@ void sidePanel(ViewerState& viewer, float width, const FreeArea& free) {
 
 namespace {
 
-/// Side panel, plots, and what lies over the body.
+/// Side panel, plots, and everything over the body.
 void drawAroundTheBody(ViewerState& viewer, float width, const FreeArea& free) {
   const Shown& shown = viewer.state.shown;
   if (shown.panel) sidePanel(viewer, width, free);
@@ -170,7 +170,7 @@ void drawAroundTheBody(ViewerState& viewer, float width, const FreeArea& free) {
   }
 }
 
-/// The emergency stop and messages are seen whatever a mode shows.
+/// The emergency stop and messages are visible in every mode.
 void drawModeWindow(Mode& mode, ViewerState& viewer, const FreeArea& free) {
   mode.draw(free);
   if (viewer.devices.stopped) stopBanner(free, viewer.output);
@@ -181,7 +181,7 @@ void drawModeWindow(Mode& mode, ViewerState& viewer, const FreeArea& free) {
 
 namespace {
 
-/// A question comes first.
+/// A question has precedence.
 void drawStartPage(ViewerState& viewer, ExamplePictures& pictures) {
   if (viewer.question) return;
   startPage({.recent = viewer.state.recent,

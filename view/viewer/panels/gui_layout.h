@@ -1,4 +1,4 @@
-// The frame around the panels: what stands where on the screen, and which parts of the viewer's state each panel gets.
+// The frame around the panels: the layout of the screen, and the parts of the viewer's state for each panel.
 //
 //   ViewerState ─ drawGui ─► each panel (panels.h): the parts it shows and may change ─► UiOutput, for everything else
 //
@@ -16,19 +16,18 @@ namespace palpate::viewer {
 
 class Modes;
 
-/// What the gui shows that is made beside it.
+/// Pictures for the gui that are made outside it.
 struct GuiPictures {
   ExamplePictures& examples;
   PreviewPane& preview;
 };
 
-/// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs; or what a mode has in place of
-/// them. Does the actions that were asked for and passes the words on; requests and notes of changes stay in
-/// viewer.output.
+/// Draws everything over the picture: menu, side panel, plots, hint, message, dialogs; or a mode's own in their place.
+/// Performs the requested actions and shows the messages; requests and notes of changes stay in viewer.output.
 void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& pictures);
 
-/// Whether a window of this name belongs to a saved picture: menu bar, side panel, plots and what a mode draws in place
-/// of the body ("mode...") do, all else lies over it for a moment.
+/// Whether a window of this name belongs to a saved picture: menu bar, side panel, plots and a mode's picture in place
+/// of the body ("mode...") do, all others are temporary.
 bool staysInPictures(std::string_view window);
 
 using PanelFunction = void (*)(ViewerState&);

@@ -32,7 +32,7 @@ void row(const char* input, const char* does) {
   ImGui::TextWrapped("%s", tr(does));
 }
 
-/// Of the keys and buttons, points: those on the left of the page have long names.
+/// For the keys and buttons, points: those on the left of the page have long names.
 constexpr float kLeftNames = 190.0f;
 constexpr float kRightNames = 120.0f;
 
@@ -71,7 +71,7 @@ void helpPage(bool& open) {
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                        ImGuiWindowFlags_NoSavedSettings)) {
     constexpr float kMinForTwo = 760.0f;                           // in a narrow window one column, to be scrolled
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4.0f, 0.5f});  // all of it is to be seen at once
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4.0f, 0.5f});  // all of it should fit
     if (ImGui::BeginTable("columns", size.x < kMinForTwo ? 1 : 2)) {
       ImGui::TableNextColumn();
       mouseRules();

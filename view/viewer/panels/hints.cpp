@@ -33,7 +33,7 @@ std::string_view hintText(int i) {
 
 void countHint(const window::Command& command, int& hint, bool& wanted) {
   const Hint* present = hintNumber(hint);
-  const Kind done = command.kind == Kind::hold ? Kind::press : command.kind;  // by a key, which is a press as well
+  const Kind done = command.kind == Kind::hold ? Kind::press : command.kind;  // a press by a key counts as well
   if (present == nullptr || done != present->asks_for) return;
   if (command.kind == Kind::act && command.action != window::Action::help) return;
   if (hintNumber(++hint) == nullptr) wanted = false;

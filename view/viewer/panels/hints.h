@@ -1,7 +1,7 @@
-// What shows how the window is used: hints that follow each other, one until what it says was done (pure), and the
-// finger of the first seconds.
+// Shows how to use the window: hints that follow each other, each until its action was done (pure), and the finger of
+// the first seconds.
 //
-//   Command ─ countHint ─► number of the present hint ─ hintText ─► the words over the picture (notices.cpp)
+//   Command ─ countHint ─► number of the present hint ─ hintText ─► the text over the picture (notices.cpp)
 #pragma once
 
 #include <string_view>
@@ -11,21 +11,21 @@
 
 namespace palpate::viewer {
 
-/// In place of a number: none is shown in this run.
+/// In place of a number: no hints in this run.
 inline constexpr int kNoHint = -1;
 
-/// The words of hint number `i`, from 0; empty after the last.
+/// The text of hint number `i`, from 0; empty after the last.
 std::string_view hintText(int i);
 
-/// Goes to the next hint when the command is what the present one asks for; after the last, `wanted` becomes false.
+/// Goes to the next hint when the command does the present one; after the last, `wanted` becomes false.
 void countHint(const window::Command& command, int& hint, bool& wanted);
 
-// The first seconds: a finger comes from the side and presses, so that one sees what the mouse can do. Any movement of
-// the mouse ends it.
+// The first seconds: a finger enters from the side and presses, to show what the mouse can do. Any movement of the
+// mouse ends it.
 
 class Intro {
  public:
-  /// Where it presses: on the torso near T6, elsewhere in the middle of what faces the camera.
+  /// Starts it: on the torso near T6, elsewhere in the middle of the side that faces the camera.
   void begin(const scene::World& world, double now_s);
   void end(Pointer& pointer);
   bool running() const { return running_; }

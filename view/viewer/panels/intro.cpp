@@ -12,8 +12,8 @@ constexpr std::size_t kFinger = 0;
 constexpr double kComesS = 1.0;
 constexpr double kPressesS = 3.0;
 constexpr double kLeavesS = 0.6;
-constexpr double kComesFromMm = 90.0;  ///< to the right
-/// Beside the spinous process of T6, in the map plane.
+constexpr double kComesFromMm = 90.0;  ///< from the right
+/// Next to the spinous process of T6, in the map plane.
 const Vec2 kBesideT6(24.0, 38.0);
 
 std::optional<SkinPlace> skinOver(const scene::World& world, const Vec2& place) {

@@ -77,7 +77,7 @@ void results(ManualShown& manual, bool entered) {
 void pageShown(ManualShown& manual) {
   const ManualPage* page = manualPage(manual.page);
   if (page == nullptr) page = manualPage(kManualContents);
-  static std::pair<const ManualPage*, std::vector<Block>> shown;  // of the display's thread
+  static std::pair<const ManualPage*, std::vector<Block>> shown;  // used on the display's thread
   if (shown.first != page) shown = {page, blocksInLanguage(*page)};
   const std::string target = drawBlocks(shown.second, std::exchange(manual.heading, {}));
   if (target.empty()) return;

@@ -1,4 +1,4 @@
-// The menus: the same table of keys once more, for those who look before they type.
+// The menus: the same table of keys once more, for users who look before they type.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 using window::Action;
 
-/// The menus' parts together, and what they ask for.
+/// State of all menus, and their requests.
 struct Menus {
   const MenuBar& bar;
   ViewState& state;
@@ -226,7 +226,7 @@ void stopSign(const Menus& menus) {
   }
 }
 
-/// At the right end: what is touched, by what, how fast; as much of it as there is room for.
+/// At the right end: the body, its device and the rate; as much of it as there is room for.
 void statusLine(std::span<const std::string> parts) {
   for (; !parts.empty(); parts = parts.subspan(1)) {
     const std::string words = fmt::format("{}", fmt::join(parts, "   "));

@@ -1,4 +1,4 @@
-// What the program says over the picture: hints, messages, progress, that one is editing.
+// Messages over the picture: hints, notices, progress, the state of editing.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -17,12 +17,12 @@ namespace {
 constexpr auto kNotice = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
                          ImGuiWindowFlags_NoNav;
-/// Work that takes less than this is not worth a word.
+/// Shorter work shows no progress.
 constexpr double kProgressAfterS = 0.15;
 
 float middleOf(const FreeArea& free) { return 0.5f * (free.left + free.right); }
 
-/// Words break in here, so that a notice fits into a narrow window too.
+/// Text breaks in here, so that a notice fits into a narrow window too.
 float wordsWidth(const FreeArea& free) {
   constexpr float kMax = 640.0f;
   return std::clamp(free.right - free.left - 40.0f, 120.0f, kMax);
@@ -220,7 +220,7 @@ void questionDialog(const std::optional<Question>& question, UiOutput& output) {
       }
     }
   } else {
-    ImGui::CloseCurrentPopup();  // one that is only left out would go on taking the mouse
+    ImGui::CloseCurrentPopup();  // a popup that is only not drawn would continue to capture the mouse
   }
   ImGui::EndPopup();
 }

@@ -1,5 +1,5 @@
-// What holds the fingers: devices that are here and why others are not, opened and let go; how the one that holds a
-// finger does; where its space lies in the body.
+// The holders of the fingers: available devices, the reasons for unavailable ones, opening and releasing; the health of
+// a finger's device; its workspace in the body.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <imgui.h>
@@ -69,7 +69,7 @@ void stopWidgets(const DevicesShown& devices, UiOutput& output) {
   }
 }
 
-// ---- a finger that the mouse has
+// ---- a finger of the mouse
 
 void openWidgets(const Part& part) {
   FingerHeld& held = part.held();
@@ -88,7 +88,7 @@ void openWidgets(const Part& part) {
   }
 }
 
-// ---- a finger that a device has
+// ---- a finger of a device
 
 void liveWidgets(const Part& part) {
   const FingerHeld& held = part.held();
@@ -107,7 +107,7 @@ void liveWidgets(const Part& part) {
   const std::string up_to =
       devices.ratios_kept_to_n > 0.0 ? fmt::format(" {}", trf("up to {:.2g} N", devices.ratios_kept_to_n)) : "";
   valueLine("stiffness of all", fmt::format("{:.0f} %{}", 100.0 * devices.stiffness_factor, up_to));
-  // Always a line: what comes and goes must not move a control from under the mouse.
+  // Always a line: text that appears must not move a control from under the mouse.
   const std::string faults = faultWords(state.faults);
   valueLine("faults", faults.empty() ? tr("none") : faults);
 }

@@ -1,4 +1,4 @@
-// Places that are stiffer or softer than they should be: the list, and the editor's switch.
+// Places that are stiffer or softer than normal: the list, and the editor's switch.
 #include "view/viewer/editing/dysfunction_editor.h"
 #include "view/viewer/panels/panels.h"
 #include "view/viewer/panels/place_widgets.h"

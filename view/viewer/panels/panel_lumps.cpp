@@ -1,4 +1,4 @@
-// Lumps under the skin: the list, the editor's switch, and what the selected one is like.
+// Lumps under the skin: the list, the editor's switch, and the properties of the selected one.
 #include <algorithm>
 
 #include "view/viewer/editing/lump_editor.h"
@@ -21,7 +21,7 @@ void listOf(const LumpEdit& edit) {
   if (items.empty()) remark("None: there is nothing to be found under the skin.");
 }
 
-/// A ball has one size; another ellipsoid keeps its form.
+/// A ball has one size; another ellipsoid keeps its shape.
 void sizeField(const LumpEdit& edit, scene::LumpSettings& item, const std::string& name) {
   double wide_mm = 2.0 * item.halfAxes().x();
   const double before_mm = wide_mm;
@@ -53,7 +53,7 @@ void hardnessField(const LumpEdit& edit, scene::LumpSettings& item, const std::s
 }
 
 void mobilityField(const LumpEdit& edit, scene::LumpSettings& item, const std::string& name) {
-  constexpr double kLeastMobility = 0.1;  // of a scene file; below, it is fixed
+  constexpr double kLeastMobility = 0.1;  // least in a scene file; below, it is fixed
   if (!slider(edit, item.mobility_mm_per_n,
               {"lumps/mobility", "mobility", "%.1f mm/N", 0.0, 100.0, 0.0,
                "How far it moves under 1 N sideways; 0 is fixed."},

@@ -1,4 +1,4 @@
-// What is touched, which of the dissertation's formulae act, and how its triangles are sorted in space.
+// The body, the active formulae of the dissertation, and the spatial sorting of its triangles.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -68,7 +68,7 @@ void partitionWidgets(const SceneKeys& keys) {
   otherKeys(keys, "partition");
 }
 
-/// One erratum, with what is printed and what the engine does.
+/// One erratum, with the printed and the engine's form.
 bool erratumWidget(const scene::ErratumText& text, Fidelity& fidelity) {
   bool literal = fidelity.literal(text.erratum);
   const std::string name = scene::nameOf(text.erratum);

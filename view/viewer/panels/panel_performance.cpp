@@ -1,4 +1,4 @@
-// How fast and how punctual everything is: the hand's side and the eye's side apart.
+// Rates and punctuality: the hand's side and the eye's side separately.
 #include <fmt/format.h>
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-// What is written while one palpates: forces, pictures, the scene.
+// Files written during palpation: forces, pictures, the scene.
 #include <fmt/format.h>
 
 #include "palpate/base/language.h"
@@ -26,7 +26,7 @@ std::string recordingWords(const Recording& recording, double now_s) {
 
 namespace {
 
-/// What is recorded by itself.
+/// Controls of the automatic recording.
 void sessionPart(const Recording& recording, bool& keeps_last_hour, UiOutput& output) {
   flagWidget("record/session", "Record the last hour by itself", keeps_last_hour,
              "Every tick of both fingers, in a recording file that a crash leaves readable.");

@@ -1,4 +1,4 @@
-// How the picture looks and what is drawn over it.
+// The look of the picture and its overlays.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -15,7 +15,7 @@ namespace palpate::viewer {
 
 namespace {
 
-/// What is read here in place of the words of scene files.
+/// Titles in place of the words of scene files.
 constexpr std::string_view titleOf(view::Shading shading) {
   return shading == view::Shading::gouraud ? toTranslate("smooth (Gouraud)") : wordFor(shading);
 }
@@ -23,7 +23,7 @@ constexpr std::string_view titleOf(view::FingerShape shape) {
   return shape == view::FingerShape::automatic ? toTranslate("hand where it is fast") : wordFor(shape);
 }
 
-/// In the order of the words, which is that of the enumerators.
+/// In the order of the names, which is that of the enumerators.
 template <class E>
 constexpr auto allTitles() {
   std::array<std::string_view, WordsOf<E>::kAll.size()> titles;
@@ -39,7 +39,7 @@ void lookWidgets(const ShowPanel& panel) {
   if (choiceWidget("show/shading", "shading", shading, kShadings,
                    "Light at the corners, as in the dissertation and fastest, or at each pixel, as skin takes it.")) {
     look.shading = static_cast<view::Shading>(shading);
-    panel.simpler_when_slow = false;  // who chooses gets what he chose
+    panel.simpler_when_slow = false;  // an explicit choice stays
   }
   flagWidget("show/simpler", "smooth while it is slow", panel.simpler_when_slow,
              "Below 20 pictures a second the skin is drawn smooth, until there is time to spare.");
@@ -72,7 +72,7 @@ view::ColourRange& rangeOf(view::Look& look) {
   return look.colouring == view::Colouring::ellipses ? look.half_major_mm : look.strain_percent;
 }
 
-/// The range stays as the user set it until he asks for another: colours must mean the same before and after.
+/// The range keeps the user's setting until another is chosen: colours must mean the same before and after.
 void rangeWidgets(view::Look& look, const WorldFacts& world) {
   if (look.colouring == view::Colouring::plain) return;
   if (look.colouring == view::Colouring::scalar) return scalarWidgets(look, world);
@@ -113,7 +113,7 @@ void viewButtons(UiOutput& output) {
       view::StandardView::above, view::StandardView::below, view::StandardView::table};
   for (const view::StandardView side : kOrder) {
     const std::string name(wordFor(side));
-    // "table" is a law of the tissue, too, and another word in other languages.
+    // "table" is also a law of the tissue, and another word in other languages.
     const std::string label = side == view::StandardView::table ? toTranslate("on a table") : name;
     const float width = ImGui::CalcTextSize(tr(label.c_str())).x + 8.0f;
     const float left = ImGui::GetItemRectMax().x + 3.0f;
@@ -136,7 +136,7 @@ void colouringFlag(view::Look& look, view::Colouring colouring, const char* path
 }  // namespace
 
 void viewRow(view::Look& look, const WorldFacts& world, UiOutput& output) {
-  constexpr double kSeeThrough = 0.4;  // bones are seen, and the skin still is
+  constexpr double kSeeThrough = 0.4;  // bones are visible, and so is the skin
   viewButtons(output);
   bool bones = look.skin_opacity < 1.0;
   if (world.has_bones) {

@@ -1,4 +1,4 @@
-// How hard the body is and how its skin gives way.
+// Stiffness of the body and deformation of its skin.
 #include <imgui.h>
 
 #include "view/viewer/panels/panels.h"
@@ -30,13 +30,13 @@ void stiffnessWidgets(const SceneKeys& keys, bool has_bones, bool is_layered) {
 }
 
 /// Keys of the force law and of the profile that belong to the chosen kind only are refused by the scene when they do
-/// not fit; they are offered all the same.
+/// not fit; they are shown all the same.
 void lawWidgets(const SceneKeys& keys) {
   keyWidget(keys, {"tissue", "force_law", "force law"});
   keyWidget(keys, {"tissue", "exponent", "exponent", 1.0, 3.0});
 }
 
-/// Layers bring the radius of a dent with them.
+/// Layers determine the radius of a dent.
 void capWidgets(const SceneKeys& keys, bool is_layered) {
   keyWidget(keys, {"deformation", "f_adj", "skin looseness", 0.2, 2.0});
   keyWidget(keys, {"deformation", "normal_cap_mm", "deepest dent", 0.0, 40.0, "%.1f mm"});

@@ -47,7 +47,7 @@ void radiusWidget(scene::Scene& scene, std::size_t active, UiOutput& output) {
   while (scene.fingers.size() <= active) {
     scene::Finger finger;
     finger.name = fmt::format("finger_{}", scene.fingers.size() + 1);
-    finger.steps = {{}, {}};  // a scene file wants to know what a finger does: nothing
+    finger.steps = {{}, {}};  // a scene file needs a finger's steps: none
     scene.fingers.push_back(finger);
   }
   scene.fingers[active].radius_mm = radius;

@@ -1,5 +1,5 @@
-// What the body's file says of its vertices: the number that colours the skin, with its histogram, and the vertex that
-// was clicked.
+// Data of the vertices in the body's file: the number that colours the skin, with its histogram, and the clicked
+// vertex.
 #include <fmt/format.h>
 #include <imgui.h>
 

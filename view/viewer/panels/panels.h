@@ -1,9 +1,9 @@
-// The panels, each in a file of its own (panel_<name>.cpp), and what puts them on the screen.
+// The panels, each in a file of its own (panel_<name>.cpp), and the windows that hold them.
 //
 //   drawGui (gui_layout.h) ─► a panel: the parts it shows and may change, by reference ─► UiOutput, for everything else
 //
-// A panel is a function that draws the controls of one section; the frame around it is drawn by sidePanel. It knows no
-// ViewerState: what its struct does not hold, it neither sees nor changes. All need a Gui frame that has begun.
+// A panel is a function that draws the controls of one section; the frame around it is drawn by sidePanel. It does not
+// know ViewerState: it can only see and change the members of its struct. All need a Gui frame that has begun.
 #pragma once
 
 #include <array>
@@ -47,7 +47,7 @@ void touchPanel(const TouchPanel& panel, UiOutput& output);
 struct DevicePanel {
   DevicesShown& devices;
   scene::Scene& scene;
-  const std::optional<VertexReading>& reading;  ///< of the place that was clicked last
+  const std::optional<VertexReading>& reading;  ///< of the place clicked last
   bool& reach;
   double ticks_per_s;
 };
@@ -62,14 +62,14 @@ void tissuePanel(const TissuePanel& panel, UiOutput& output);
 
 struct DysfunctionPanel {
   DysfunctionEdit edit;
-  std::string undo_words = {};  ///< the step that would be taken back; empty: none
+  std::string undo_words = {};  ///< the next step to undo; empty: none
   std::string redo_words = {};
 };
 void dysfunctionPanel(const DysfunctionPanel& panel);
 
 struct LumpPanel {
   LumpEdit edit;
-  std::string undo_words = {};  ///< the step that would be taken back; empty: none
+  std::string undo_words = {};  ///< the next step to undo; empty: none
   std::string redo_words = {};
 };
 void lumpPanel(const LumpPanel& panel);
@@ -85,14 +85,14 @@ struct ShowPanel {
   view::Look& look;
   bool& adapts_resolution;
   bool& simpler_when_slow;
-  bool simple_now;  ///< it is drawn smooth because it was slow
+  bool simple_now;  ///< drawn smooth because it was slow
   const WorldFacts& world;
 };
 void showPanel(const ShowPanel& panel);
-/// Above all sections: from where one looks, and what is shown most often.
+/// Above all sections: the direction of view, and the most common switches.
 void viewRow(view::Look& look, const WorldFacts& world, UiOutput& output);
 
-/// Which number of the body's file colours the skin, by which colours, and how its values are spread.
+/// The number of the body's file that colours the skin, its colour map, and its distribution.
 void scalarWidgets(view::Look& look, const WorldFacts& world);
 
 struct VertexPanel {
@@ -111,7 +111,7 @@ struct StereoPanel {
 };
 void stereoPanel(const StereoPanel& panel);
 
-/// What is being recorded and for how long: "recording 0:12, 37 pictures"; empty when nothing is.
+/// The running recordings and their lengths: "recording 0:12, 37 pictures"; empty without any.
 std::string recordingWords(const Recording& recording, double now_s);
 /// `keeps_last_hour` is switched by it.
 void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s, UiOutput& output);
@@ -125,26 +125,26 @@ void profileCurve(const tissue::ProfileSettings& of_scene, ProfileEdit& profile,
 struct MenuBar {
   ViewState& state;
   int& hint;
-  std::bitset<window::kActions> on;  ///< switches that get a check mark
+  std::bitset<window::kActions> on;  ///< switches with a check mark
   std::size_t unread_messages;
   std::vector<std::string> status;  ///< at the right end; where room is short, without the first ones
   std::string recording;            ///< behind a red dot, while something is recorded
   bool filming = false;
   bool offers_stop = false;  ///< a device holds a finger
   bool stopped = false;
-  std::vector<window::Action> modes = {};  ///< what else this window can be used for (mode.h)
+  std::vector<window::Action> modes = {};  ///< other uses of this window (mode.h)
   float room_for_place = 0.0f;             ///< left free behind the menus (placeField), points
 };
 void menuBar(const MenuBar& menu, UiOutput& output);
 
-/// Names of places that hold all words typed, those that begin with them first; a few.
+/// A few names of places with all typed words, those that begin with them first.
 std::vector<std::string> placesLike(std::span<const body::SkinLandmark> landmarks, std::string_view typed);
-/// Two places that this body has, for a hint: "T6, left PSIS" where it has these. Empty without named places.
+/// Two places of this body, for a hint: "T6, left PSIS" where it has these. Empty without named places.
 std::string examplePlaces(std::span<const body::SkinLandmark> landmarks);
 /// The first of them.
 std::string firstExample(std::span<const body::SkinLandmark> landmarks);
-/// Behind the menus: the name of a place to go to, and `here`, where the active finger is. Nothing where the body has
-/// no names.
+/// Behind the menus: the name of a place to go to, and `here`, the place of the active finger. Hidden where the body
+/// has no names.
 struct PlaceField {
   PlaceSearch& search;
   std::span<const body::SkinLandmark> landmarks;
@@ -158,45 +158,45 @@ struct PlotStrips {
   const std::array<bool, 2>& present;
   double device_limit_n;
   double now_s;
-  std::optional<double> frozen_at_s;  ///< the moment that a frozen picture shows
+  std::optional<double> frozen_at_s;  ///< the moment of a frozen picture
 
-  /// Whose numbers stand above the strips.
+  /// The time of the numbers above the strips.
   double timeShown() const { return frozen_at_s ? *frozen_at_s : plots.shownEnd(); }
 };
 void plotStrips(const PlotStrips& panel, const FreeArea& free, UiOutput& output);
 
 void replayBar(Replay& replay, const FreeArea& free, UiOutput& output);
 void helpPage(bool& open);
-/// Files opened before, a folder to walk through, a line to type into, a picture of what is chosen.
+/// Files opened before, a folder to walk through, a line to type into, a preview of the chosen file.
 void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& preview, UiOutput& output);
-/// The same for a photograph: the file that was chosen, or nothing yet.
+/// The same for a photograph: the chosen file, or empty so far.
 std::string photographDialog(const char* title, bool& open);
-/// Where the scene is to be saved; begins beside `now`, or in `folder` when it has no file yet.
+/// UiOutput where to save the scene; begins next to `now`, or in `folder` when it has no file yet.
 void saveDialog(const std::filesystem::path& now, const std::filesystem::path& folder, bool& open, UiOutput& output);
-/// Where the picture of the window is to be saved, or its film from now on.
+/// UiOutput where to save the picture of the window, or a film of it from now on.
 void pictureDialog(const std::filesystem::path& folder, bool& open, UiOutput& output);
 void filmDialog(const std::filesystem::path& folder, bool& open, UiOutput& output);
 /// To run a class here, to watch one, or to take part in one.
 void classDialog(const ClassShown& shown, const std::filesystem::path& folder, bool& open, UiOutput& output);
 /// The documents, with search.
 void manualDialog(ManualShown& manual, bool& open);
-/// A page of it in the current window. The target of the link that was clicked, or empty. Scrolls to the heading of
-/// this anchor, if there is one.
+/// A page of it in the current window. Returns the target of the clicked link, or empty. Scrolls to the heading of this
+/// anchor, if there is one.
 std::string drawBlocks(const std::vector<Block>& blocks, const std::string& to_anchor);
-/// Where the dialogs look from now on; else where they looked last, in the beginning the working folder.
+/// Sets the dialogs' folder; by default the last one, in the beginning the working folder.
 void showFolder(const std::filesystem::path& folder);
-/// Bodies and recordings in that folder, the newest first, a few; the folder is read anew. A scene or a table is not
-/// among them: every second .toml and .csv of a computer is something else.
+/// A few bodies and recordings in that folder, the newest first; reads the folder again. Scenes and tables are left
+/// out: every second .toml and .csv of a computer is something else.
 std::vector<std::filesystem::path> newestHere();
-/// All photographs there, the newest first.
+/// All photographs in that folder, the newest first.
 std::vector<std::filesystem::path> photographsHere();
-/// A dialog is open in the current gui: it owns mouse and keyboard.
+/// Whether a dialog is open in the current gui: it owns mouse and keyboard.
 bool dialogShown();
-/// Closes the menus and lists that are open over the body or over a dialog. False where there are none.
+/// Closes the menus and lists that are open over the body or over a dialog. False without any.
 bool closeMenus();
-/// What is asked before something is lost; the answer is a request.
+/// UiOutput before a loss; the answer is a request.
 void questionDialog(const std::optional<Question>& question, UiOutput& output);
-/// In the colour of how much they matter.
+/// Text in the colour of its severity.
 void severeWords(Severity severity, const std::string& words);
 void messageList(Messages& messages, bool& open);
 void toast(Messages& messages, double now_s, const FreeArea& free);
@@ -205,11 +205,11 @@ void hint(std::string_view words, const FreeArea& free);
 void editingFrame(const FreeArea& free);
 /// Round the whole picture while the emergency stop is latched, with the button that releases it.
 void stopBanner(const FreeArea& free, UiOutput& output);
-/// Along the upper edge as long as --unsafe-stiffness holds; `notes` as servo::safetyNotes gives them.
+/// Along the upper edge as long as --unsafe-stiffness holds; `notes` of servo::safetyNotes.
 void unsafeBanner(std::span<const std::string> notes, const FreeArea& free);
-/// A line a finger: what the servo does to the force of a held one just now.
+/// One line per finger: the limiter's present effect on the force of a held one.
 void interventionNotice(std::span<const std::string> lines, const FreeArea& free);
-/// What a ruler measures, beside its second end; before, what to do.
+/// A ruler's result, next to its second end; before that, an instruction.
 void rulerNotice(const Ruler& ruler, const FreeArea& free);
 
 }  // namespace palpate::viewer

@@ -89,7 +89,7 @@ bool searchLine(PlaceSearch& search, const std::string& here, const std::string&
   return entered;
 }
 
-/// The name that was clicked, or none.
+/// The clicked name, or none.
 std::string suggestions(const std::vector<std::string>& names, bool& over_list) {
   std::string chosen;
   ImGui::Begin("places", nullptr, kPlain);

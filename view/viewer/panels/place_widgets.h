@@ -1,5 +1,5 @@
-// What the panels of things on the body have in common: the editor's switch, a slider that is a step, a place that is
-// typed, undo and redo. Paths begin with the panel's own word: "dysfunctions/place".
+// Shared by the panels of things on the body: the editor's switch, a slider that makes a step, a typed place, undo and
+// redo. Paths begin with the panel's own word: "dysfunctions/place".
 #pragma once
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@
 
 namespace palpate::viewer {
 
-/// `words`: what the step is called when it is taken back.
+/// `words`: the step's name in undo.
 template <class Item>
 bool slider(const PlaceEdit<Item>& edit, double& value, const NumberWidget& widget, const std::string& words) {
   if (!numberWidget(value, widget)) return false;
@@ -39,7 +39,7 @@ std::string placeOf(const Item& item) {
   return item.at.empty() ? fmt::format("({:.0f}, {:.0f}) mm", item.x_mm, item.y_mm) : view::placeInLanguage(item.at);
 }
 
-/// Typed in words; Enter puts the item there.
+/// A typed place; Enter puts the item there.
 template <class Item>
 void placeField(const std::string& panel, const PlaceEdit<Item>& edit, Item& item, const std::string& name) {
   if (edit.landmarks.empty()) return;
@@ -62,7 +62,7 @@ void placeField(const std::string& panel, const PlaceEdit<Item>& edit, Item& ite
   }
 }
 
-/// Typed in words, a new one is there: the short way to "T9 left".
+/// A typed place makes a new item there: the short way to "T9 left".
 template <class Item>
 void newField(const std::string& panel, const PlaceEdit<Item>& edit, const std::string& meaning) {
   if (edit.landmarks.empty()) return;
@@ -81,7 +81,7 @@ void newField(const std::string& panel, const PlaceEdit<Item>& edit, const std::
   }
 }
 
-/// The place in numbers; words would put it back.
+/// The place in numbers; a name would put it back.
 template <class Item>
 void placeNumbers(const char* x_path, const char* y_path, const PlaceEdit<Item>& edit, Item& item,
                   const std::string& name) {
@@ -93,7 +93,7 @@ void placeNumbers(const char* x_path, const char* y_path, const PlaceEdit<Item>&
   if (moved) item.at.clear();
 }
 
-/// Steps of the window that would be taken back and done again; empty: none.
+/// The next steps to undo and redo in this window; empty: none.
 struct HistoryWords {
   const std::string& undo;
   const std::string& redo;

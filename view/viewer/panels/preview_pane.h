@@ -1,4 +1,4 @@
-// The preview of the file that is chosen in a dialog: made on a thread of its own, shown when it is there.
+// The preview of the file that is chosen in a dialog: made on a thread of its own, shown when ready.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,12 @@
 
 namespace palpate::viewer {
 
-/// Needs a current GL context, of whose thread it is.
+/// Needs a current GL context, to whose thread it belongs.
 class PreviewPane {
  public:
-  /// Of the file that is chosen now; empty: of none. The newest one wins as soon as the work before it is done.
+  /// Chooses the file of the preview; empty: none. The newest one is next as soon as the work before it is done.
   void choose(const std::filesystem::path& file);
-  /// In the window that is being drawn, as wide as there is room.
+  /// Draws it in the current window, as wide as there is room.
   void draw();
   const FilePreview* shown() const { return preview_ && of_ == chosen_ ? &*preview_ : nullptr; }
 

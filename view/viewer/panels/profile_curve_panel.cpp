@@ -1,5 +1,5 @@
 // The displacement profile as a curve: how far the skin follows, from under the finger to the rim of the region. The
-// user's own curve has handles: drag them, double click for a new one, right click to take one away.
+// user's own curve has handles: drag them, double click for a new one, right click to remove one.
 #include <imgui.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kHeight = 110.0f;
 constexpr float kHandle = 5.0f;
-constexpr double kLowest = -0.4;  ///< of the values shown and allowed: a bulge around the finger
+constexpr double kLowest = -0.4;  ///< lowest value shown and allowed: a bulge around the finger
 constexpr int kCurvePoints = 96;
 constexpr int kFirstHandles = 7;
 constexpr double kMinGap = 0.01;  ///< between two handles
@@ -27,7 +27,7 @@ using tissue::ProfileSettings;
 struct Sheet {
   ImVec2 low;
   ImVec2 size;
-  /// Down on the sheet is down on the skin: a value of 1 lies at the bottom.
+  /// Down on the sheet is down on the skin: a value of 1 is at the bottom.
   ImVec2 at(double q, double value) const {
     const double share = (value - kLowest) / (1.0 - kLowest);
     return {low.x + static_cast<float>(q) * size.x, low.y + static_cast<float>(share) * size.y};
@@ -84,7 +84,7 @@ void addHandle(std::vector<ProfileKnot>& knots, const ProfileKnot& knot) {
   knots.insert(after, knot);
 }
 
-/// True when a gesture has come to its end and the curve is to be used.
+/// Returns true when a gesture has ended and the curve takes effect.
 bool editHandles(ProfileEdit& profile, const Sheet& sheet) {
   std::vector<ProfileKnot>& knots = profile.knots;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -118,7 +118,7 @@ void drawHandles(std::span<const ProfileKnot> knots, const Sheet& sheet) {
   }
 }
 
-/// The user's curve starts as the one there is.
+/// The user's curve starts as the present one.
 std::vector<ProfileKnot> firstHandles(const ProfileSettings& shown) {
   const tissue::ProfileCurve curve(shown);
   std::vector<ProfileKnot> knots;

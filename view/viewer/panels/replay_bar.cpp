@@ -1,4 +1,4 @@
-// The bar under a frozen picture: which moment it shows, and buttons that step it back and forth.
+// The bar under a frozen picture: its moment, and buttons that step it back and forth.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -46,7 +46,7 @@ void stepButtons(Replay& replay, UiOutput& output) {
   if (buttonWidget("replay/live", "live", "Back to what is touched now: Space.")) output.act(window::Action::freeze);
 }
 
-/// Where the marks are, over the slider that was drawn last.
+/// Draws the marks over the slider that was drawn last.
 void drawMarks(const Replay& replay) {
   const ImVec2 low = ImGui::GetItemRectMin();
   const ImVec2 high = ImGui::GetItemRectMax();
@@ -60,7 +60,7 @@ void drawMarks(const Replay& replay) {
   }
 }
 
-/// For what was recorded: marks, again and again, another one beside it.
+/// For a recording: marks, repetition, another one next to it.
 void sessionButtons(Replay& replay, UiOutput& output) {
   flagWidget("replay/loop", "loop", replay.loops, "Begins again at the end.");
   ImGui::SameLine();
@@ -85,7 +85,7 @@ void sessionButtons(Replay& replay, UiOutput& output) {
   ImGui::TextUnformatted(mark.c_str());
 }
 
-/// Whose half is whose.
+/// Names the recordings of the two halves.
 void nameHalves(const Replay& replay, const FreeArea& free) {
   const std::array<std::string, 2> names = {pathOf(replay.table).filename().string(),
                                             pathOf(replay.beside).filename().string()};

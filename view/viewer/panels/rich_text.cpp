@@ -13,7 +13,7 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr float kIndent = 20.0f;  ///< of a list, points
+constexpr float kIndent = 20.0f;  ///< for a list, points
 
 ImU32 linkInk() { return isLightTheme() ? IM_COL32(20, 80, 190, 255) : IM_COL32(130, 180, 255, 255); }
 ImU32 strongInk() { return isLightTheme() ? IM_COL32(0, 0, 0, 255) : IM_COL32(255, 225, 170, 255); }
@@ -23,7 +23,7 @@ ImU32 inkOf(Inline::Kind kind) {
   return kind == Inline::Kind::strong ? strongInk() : ImGui::GetColorU32(ImGuiCol_Text);
 }
 
-/// Words from the cursor to the right end of what is available.
+/// Text from the cursor to the right end of the available width.
 class Flow {
  public:
   Flow() : start_(ImGui::GetCursorScreenPos()), width_(std::max(40.0f, ImGui::GetContentRegionAvail().x)) {}
@@ -36,7 +36,7 @@ class Flow {
       if (!word.empty()) addWord(words, word, font);
     }
   }
-  /// Takes the room; the link that was clicked.
+  /// Takes up the room; returns the clicked link.
   std::string finish() {
     ImGui::Dummy({width_, y_ + lineHeight()});
     return clicked_;
@@ -118,7 +118,7 @@ void codeBlock(const Block& block, int number) {
   ImGui::PopFont();
 }
 
-/// By how much stands in the columns, none much narrower than another.
+/// By the columns' contents, none much narrower than another.
 void setUpColumns(const Block& table, std::size_t columns) {
   for (std::size_t column = 0; column < columns; ++column) {
     std::size_t longest = 6;

@@ -32,7 +32,7 @@ ImDrawList& pageList() { return *ImGui::GetWindowDrawList(); }
 
 float smaller() { return 0.87f * ImGui::GetFontSize(); }
 
-/// Words over what was drawn before, cut at the width.
+/// Text over earlier drawing, cut at the width.
 void wordsAt(const ImVec2& at, float size, ImGuiCol colour, std::string_view words, float width) {
   pageList().AddText(ImGui::GetFont(), size, at, ImGui::GetColorU32(colour), words.data(), words.data() + words.size(),
                      width);
@@ -60,13 +60,13 @@ bool choiceButton(const Choice& choice) {
   return pressed;
 }
 
-/// A choice whose program may be another, still being built, or not there.
+/// A choice whose program may be another, still being built, or missing.
 struct ActivityChoice {
   Activity activity;
   const char* path;
   const char* title;
   const char* what;
-  const char* package;  ///< that holds it
+  const char* package;  ///< package that has it
 };
 
 std::string whatOf(const ActivityChoice& choice, const ActivityState& state, bool awaited) {
@@ -82,7 +82,7 @@ std::string whatOf(const ActivityChoice& choice, const ActivityState& state, boo
   }
 }
 
-/// True when it is to open in this window. What is being built can be asked for, and not any more.
+/// True when it should open in this window. A choice that is being built can be awaited, and cancelled.
 bool activityChoice(const ActivityChoice& choice, const StartPage& page, bool& open, UiOutput& output) {
   using Kind = ActivityState::Kind;
   const ActivityState& state = stateOf(choice.activity, page.activities);
@@ -135,9 +135,9 @@ void recentFiles(const StartPage& page, bool& open, UiOutput& output) {
   }
 }
 
-/// What lies ready in the working folder, but for what is recent. Read when the page appears.
+/// Files in the working folder, except recent ones. Read when the page appears.
 void filesHere(const StartPage& page, bool& open, UiOutput& output) {
-  static std::vector<std::filesystem::path> here;  // of the display's thread, like ImGui's own state
+  static std::vector<std::filesystem::path> here;  // used on the display's thread, like ImGui's own state
   if (ImGui::IsWindowAppearing()) here = newestHere();
   bool titled = false;
   for (const std::filesystem::path& file : here) {
@@ -242,7 +242,7 @@ void startPage(const StartPage& page, bool& open, UiOutput& output) {
   ImGui::EndChild();
   if (!page.building && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) open = false;
   if (!open) {
-    page.awaited.reset();  // whoever has closed the page does something else
+    page.awaited.reset();  // a closed page means another choice
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();

@@ -1,5 +1,5 @@
-// What the window offers first: touch, train, open, measure, and ready examples with pictures. A dialog over the body,
-// or alone while the body is still being built.
+// The window's first offer: touch, train, open, measure, and examples with pictures. A dialog over the body, or alone
+// while the body is still being built.
 #pragma once
 
 #include <map>
@@ -18,13 +18,13 @@ namespace palpate::viewer {
 
 /// Small pictures of presets, as JPEG files that are part of the program: "back.jpg".
 std::span<const view::EmbeddedFile> startPictures();
-/// That of one preset; empty if there is none.
+/// The picture of one preset; empty if there is none.
 std::string_view pictureBytes(std::string_view preset);
 
-/// On the graphics card, from the first call on. Belongs to the thread of its context.
+/// Uploaded to the graphics card on first use. Belongs to the thread of its context.
 class ExamplePictures {
  public:
-  /// 0: there is none.
+  /// 0: none.
   view::GlId of(std::string_view preset);
 
  private:
@@ -37,7 +37,7 @@ struct StartPage {
   ExamplePictures& pictures;
   const Activities& activities;
   std::optional<Activity>& awaited;                    ///< opens when it is built
-  std::optional<engine::BuildProgress> building = {};  ///< of the body behind it
+  std::optional<engine::BuildProgress> building = {};  ///< for the body behind it
 };
 
 /// `open` becomes false when something was chosen.

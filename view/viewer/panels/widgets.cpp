@@ -19,10 +19,10 @@ namespace palpate::viewer {
 namespace {
 
 constexpr float kTooltipWidth = 320.0f;
-constexpr float kControlShare = 0.56f;  ///< of the panel's width; the rest is the label
+constexpr float kControlShare = 0.56f;  ///< share of the panel's width; the rest is the label
 
 void tooltip(const std::string& text, bool label_hovered = false) {
-  constexpr auto kAlso = ImGuiHoveredFlags_AllowWhenDisabled;  // why it cannot be used is worth knowing
+  constexpr auto kAlso = ImGuiHoveredFlags_AllowWhenDisabled;  // the reason of a disabled one is worth knowing
   if (text.empty() || (!label_hovered && !ImGui::IsItemHovered(kAlso))) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(kTooltipWidth);
@@ -33,7 +33,7 @@ void tooltip(const std::string& text, bool label_hovered = false) {
 
 void beginControl() { ImGui::SetNextItemWidth(kControlShare * ImGui::GetContentRegionAvail().x); }
 
-/// True when the user asked for the default.
+/// Returns true when the user requested the default.
 bool resetMenu(const std::string& fallback) {
   bool reset = false;
   if (ImGui::BeginPopupContextItem(nullptr)) {
@@ -54,7 +54,8 @@ struct SliderResult {
   bool label_hovered = false;
 };
 
-/// The label of the item drawn last, without being an item: that one stays the last. True while it is pointed at.
+/// The label of the item drawn last, without becoming an item: that one stays the last. True while the mouse is over
+/// it.
 bool drawLabel(const char* label) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const ImVec2 low(ImGui::GetItemRectMax().x + style.ItemInnerSpacing.x,
@@ -64,7 +65,7 @@ bool drawLabel(const char* label) {
   return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, {low.x + size.x, low.y + size.y});
 }
 
-/// Numbers in ready words, "0.46 N", with the language's decimal sign.
+/// Numbers in finished text, "0.46 N", with the language's decimal sign.
 std::string withDecimalSign(std::string words) {
   const auto digit = [&](std::size_t at) { return at < words.size() && words[at] >= '0' && words[at] <= '9'; };
   for (std::size_t i = 1; i < words.size(); ++i) {
@@ -79,7 +80,7 @@ std::string numberWords(double value, const char* format) {
   return withDecimalSign(text.data());
 }
 
-/// The number stands before the track, where no grab can cover it. Ctrl and click types it, in place of the track.
+/// The number is before the track, where no grab can cover it. Ctrl and click types it, in place of the track.
 SliderResult slider(double& value, const SliderLook& look) {
   constexpr float kNumber = 62.0f;  // room for most of them, so that tracks begin below each other
   constexpr float kMinTrack = 40.0f;
@@ -94,7 +95,7 @@ SliderResult slider(double& value, const SliderLook& look) {
   ImGui::TextUnformatted(words.c_str());
   ImGui::SameLine(left + column + gap);
   ImGui::SetNextItemWidth(track);
-  // The format stays, because values are rounded by it; only the number that it would write on the track is unseen.
+  // The format stays, because values are rounded by it; only the number that it would write on the track is hidden.
   const bool typed = ImGui::TempInputIsActive(ImGui::GetID("##slider"));
   if (!typed) ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_BLACK_TRANS);
   SliderResult slid;
@@ -114,7 +115,7 @@ std::string wordsOf(const KeyRow& row, const KeyWidget& widget) {
   return fmt::format("{}\n\n{}{}\n[{}] {}", tr(row.meaning.c_str()), row.takes, otherwise, widget.table, row.key);
 }
 
-/// Each draws one form and returns the new value as text, or nothing.
+/// Each draws one form and returns the new value as text, or empty.
 std::string editNumber(const KeyRow& row, const KeyWidget& widget, bool& label_hovered) {
   double value = parseNumber(row.fallback).value_or(0.0);
   const bool own = widget.low == widget.high;
@@ -191,7 +192,7 @@ bool setTo(const SceneKeys& keys, const KeyWidget& widget, const std::string& va
 }  // namespace
 
 WidgetPlaces& widgetPlaces() {
-  static WidgetPlaces places;  // of the display's thread, like ImGui's own state
+  static WidgetPlaces places;  // used on the display's thread, like ImGui's own state
   return places;
 }
 
@@ -239,7 +240,7 @@ void otherKeys(const SceneKeys& keys, const char* table) {
   notePlace(fmt::format("{}/more", table), "Every other key of this table of the scene file.");
   if (open) {
     for (const KeyRow& row : rest) keyWidget(keys, {table, row.key, row.key.c_str()});
-    // They are to be found here again in the next frame.
+    // The next frame must find them here.
     for (const KeyRow& row : rest) widgetPlaces().erase(fmt::format("{}/{}", table, row.key));
     ImGui::TreePop();
   }
@@ -259,7 +260,7 @@ bool numberWidget(double& value, const NumberWidget& widget) {
   tooltip(trf("{}\n\n{:g} to {:g}; default {:g}", tr(widget.meaning), widget.low, widget.high, widget.fallback),
           slid.label_hovered);
   ImGui::PopID();
-  if (changed) value = std::clamp(value, widget.low, widget.high);  // typed values are not held by the slider
+  if (changed) value = std::clamp(value, widget.low, widget.high);  // the slider does not clamp typed values
   return changed;
 }
 

@@ -1,8 +1,8 @@
-// Controls of the panels: each says what it is in plain words, explains itself when pointed at (unit, range, default,
-// the scene file's name for it), goes back to its default by a right click, and is known to tests by a path.
+// Controls of the panels: each is labelled in plain words, explains itself under the mouse (unit, range, default, the
+// scene file's name for it), returns to its default by a right click, and is known to tests by a path.
 //
-// Labels, meanings and words are handed over in English and translated here; tools/check-translations knows which
-// arguments of which functions they are (WIDGETS).
+// Labels, meanings and text are passed in English and translated here; tools/check-translations knows which arguments
+// of which functions they are (WIDGETS).
 #pragma once
 
 #include <array>
@@ -21,19 +21,18 @@ namespace palpate::viewer {
 using WidgetPlaces = std::map<std::string, std::array<float, 4>>;
 WidgetPlaces& widgetPlaces();
 
-/// Notes the control that was drawn last, which explains itself by these words or by its row of controlWords
-/// (below).
+/// Notes the control that was drawn last, with this explanation or that of its row of controlWords (below).
 void notePlace(const std::string& path, std::string_view words = {});
-/// Notes where it is alone.
+/// Notes its place only.
 void notePlaceOnly(const std::string& path);
-/// What a control says when it is pointed at, for those whose row has no words of its own: menus, buttons, fields. A
-/// number says its range itself, a key of the scene file what the file's reference says, an item of the table of keys
-/// its sentence. By the control's path; empty where there is no row (control_words.cpp).
+/// The tooltip of a control without a text of its own: menus, buttons, fields. A number shows its range itself, a key
+/// of the scene file the text of the file's reference, an item of the table of keys its sentence. By the control's
+/// path; empty without a row (control_words.cpp).
 std::string_view controlWords(std::string_view path);
-/// Notes the window that is being drawn.
+/// Notes the current window.
 void notePlaceOfWindow(const std::string& path);
 
-/// The scene that controls change, and where they say so.
+/// The scene that controls change, and where they report changes.
 struct SceneKeys {
   scene::Scene& scene;
   UiOutput& output;
@@ -48,11 +47,11 @@ struct KeyWidget {
   double high = 0.0;
   const char* format = "%.2f";
 };
-/// Draws it and changes the scene; nothing where the scene file has no such key. True when it was changed.
+/// Draws it and changes the scene; nothing where the scene file has no such key. Returns true after a change.
 bool keyWidget(const SceneKeys& keys, const KeyWidget& widget);
 
-/// All keys of a table that no keyWidget of this frame has shown, under a heading "more": what the scene file can say
-/// and no panel has words for.
+/// All keys of a table that no keyWidget of this frame has shown, under a heading "more": keys of scene files without a
+/// control.
 void otherKeys(const SceneKeys& keys, const char* table);
 
 struct NumberWidget {
@@ -72,17 +71,17 @@ bool choiceWidget(const char* path, const char* label, std::size_t& value, std::
                   const char* meaning);
 bool buttonWidget(const char* path, const char* label, const char* meaning = "");
 
-/// A red one that is as wide as there is room, or as its words.
+/// A red one as wide as the room, or as its text.
 bool stopButton(const char* path, const char* label, bool wide, const char* meaning);
 
 // A dialog in the middle of the window, which owns mouse and keyboard until it is closed: by its buttons, Enter or Esc.
 
-/// In the middle of the window, for ImGui::BeginPopupModal of this title; false where none is wanted or shown.
+/// In the middle of the window, for ImGui::BeginPopupModal of this title; false where none is open.
 bool placeModal(const char* title, bool open);
-/// `open` is where its caller keeps whether it is wanted. Call endDialog if it returns true.
+/// `open` is the caller's and is reset when it closes. Call endDialog if it returns true.
 bool beginDialog(const char* title, bool& open);
 void endDialog(bool& open);
-/// In this frame, also on the keypad.
+/// Whether Enter was pressed in this frame, also on the keypad.
 bool enterPressed();
 
 /// Whether the theme has dark letters on light windows.
@@ -90,7 +89,7 @@ bool isLightTheme();
 
 /// A line "label   value", the value right-aligned in digits of equal width.
 void valueLine(const char* label, const std::string& value);
-/// Small grey words.
+/// Small grey text.
 void remark(const std::string& words);
 
 }  // namespace palpate::viewer

@@ -14,7 +14,7 @@ namespace {
 constexpr float kFaint = 0.16f;
 constexpr float kTouching = 0.10f;
 constexpr float kTick = 6.0f;   ///< length of an event's stroke, points
-constexpr float kDot = 3.0f;    ///< of a dotted curve
+constexpr float kDot = 3.0f;    ///< length of a dot and of a gap
 constexpr float kSign = 16.0f;  ///< length of a sign of the legend
 constexpr float kSignGap = 5.0f;
 
@@ -26,7 +26,7 @@ float smallWidth(const std::string& words) {
   return ImGui::GetFont()->CalcTextSizeA(smallSize(), 1e6f, 0.0f, words.c_str()).x;
 }
 
-/// `align` 0 puts the words to the right of the place, 1 to its left.
+/// `align` 0 puts the text to the right of the place, 1 to its left.
 void smallText(const ImVec2& place, const std::string& words, float align = 0.0f) {
   list().AddText(ImGui::GetFont(), smallSize(), {place.x - align * smallWidth(words), place.y}, plotInk(),
                  words.c_str());
@@ -76,7 +76,7 @@ constexpr LegendEntry kLegendEntries[] = {
      }},
 };
 
-/// Calls `draw(entry, x, line)` for each in its place, line below line; returns the number of lines.
+/// Calls `draw(entry, x, line)` for each entry in its place, line below line; returns the number of lines.
 template <class Draw>
 int layLegend(float width, bool both_fingers, const Draw& draw) {
   constexpr float kEntryGap = 14.0f;
@@ -159,7 +159,7 @@ void drawPlotAxes(const PlotArea& area, double end, double window_s) {
   list().AddLine({area.low.x, middle}, {area.high.x, middle}, plotInk(kFaint));
   smallText({area.low.x + 3.0f, area.low.y + 1.0f}, fmt::format("{:g}", WrittenNumber{end}));
   smallText({area.low.x + 3.0f, middle + 1.0f}, fmt::format("{:g}", WrittenNumber{0.5 * end}));
-  constexpr int kTimes = 2;  // beside the newest
+  constexpr int kTimes = 2;  // besides the newest
   for (int i = 0; i <= kTimes; ++i) {
     const float share = static_cast<float>(i) / kTimes;
     const float x = area.low.x + share * area.width();

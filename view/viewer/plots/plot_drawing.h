@@ -1,5 +1,5 @@
-// What a strip of the plots is made of: curves, shades of contact, ticks of events, axes, a legend. Needs a window of
-// Dear ImGui that has begun.
+// Parts of a plot strip: curves, shades of contact, ticks of events, axes, a legend. Needs a window of Dear ImGui that
+// has begun.
 #pragma once
 
 #include <imgui.h>
@@ -23,13 +23,13 @@ struct PlotArea {
   }
 };
 
-// Inks of the theme, so that they are seen on light and dark.
+// Inks of the theme, readable on light and dark.
 
 /// Left blue and right red, as the fingers.
 ImU32 fingerInk(std::size_t finger, float opacity = 1.0f);
-inline constexpr float kPartOpacity = 0.6f;  ///< of the curves of a force's two parts
+inline constexpr float kPartOpacity = 0.6f;  ///< for the curves of a force's two parts
 ImU32 limitInk();
-/// Of the text.
+/// Ink of the text.
 ImU32 plotInk(float opacity = 1.0f);
 
 struct CurveLook {
@@ -41,13 +41,13 @@ void drawExtents(std::span<const Extent> extents, const PlotArea& area, double e
 /// The background of the columns in which the finger touched.
 void shadeTouching(std::span<const ColumnMarks> marks, const PlotArea& area);
 /// Short strokes at the foot where the finger slipped, at the top where its force was limited. Those of the second
-/// finger stand beside those of the first.
+/// finger are next to those of the first.
 void drawEvents(std::span<const ColumnMarks> marks, const PlotArea& area, std::size_t finger);
 /// Frame, the value at the top and in the middle, seconds before now below.
 void drawPlotAxes(const PlotArea& area, double end, double window_s);
-/// A horizontal line at a value that lies within the axis.
+/// A horizontal line at a value within the axis.
 void drawPlotLimit(const PlotArea& area, double limit, double end);
-/// How many lines of words explain all the above in this width, and how high one is.
+/// The number of lines of the legend in this width, and the height of one.
 int plotLegendLines(float width, bool both_fingers);
 inline constexpr float kPlotLegendLine = 18.0f;
 void drawPlotLegend(const ImVec2& corner, float width, bool both_fingers);

@@ -31,7 +31,7 @@ constexpr std::array<Strip, 3> kStrips = {{{toTranslate("force"), "N", PlotValue
                                            {toTranslate("depth"), "mm", PlotValue::depth, 5.0},
                                            {toTranslate("speed"), "mm/s", PlotValue::speed, 50.0}}};
 
-/// One look at both fingers: the columns of one frame, the same in every strip.
+/// Both fingers in one frame: the same columns in every strip.
 struct Columns {
   double end_s = 0.0;
   double window_s = 10.0;
@@ -39,13 +39,13 @@ struct Columns {
   std::array<std::vector<ColumnMarks>, 2> marks;
 };
 
-/// Where the axes end now: they grow at once and shrink after three seconds of less.
+/// The present ends of the axes: they grow immediately and shrink after three seconds of less.
 double steadyEnd(std::size_t strip, double wanted, double now_s) {
   struct Axis {
     double end = 0.0;
     double since_s = 0.0;
   };
-  static std::array<Axis, kStrips.size()> axes;  // of the display's thread
+  static std::array<Axis, kStrips.size()> axes;  // used on the display's thread
   constexpr double kPatienceS = 3.0;
   Axis& axis = axes[strip];
   if (wanted >= axis.end || now_s < axis.since_s || now_s > axis.since_s + kPatienceS) axis = {wanted, now_s};
@@ -66,12 +66,12 @@ Columns columnsOf(const PlotStrips& panel, float width) {
   return columns;
 }
 
-/// What one finger felt at a time; null where it is not there, or the history has lost it.
+/// One finger's sample at a time; null without one, or where the history has lost it.
 const PlotSample* sampleOf(const PlotStrips& panel, std::size_t finger, double time_s) {
   return panel.present[finger] ? panel.plots.felt(finger, time_s) : nullptr;
 }
 
-/// Above the strip, of the moment that the picture shows, of every finger that is there, in its colour; right-aligned.
+/// Above the strip: the numbers of the picture's moment, of every finger in its colour; right-aligned.
 void drawReadouts(const PlotStrips& panel, const PlotArea& area, PlotValue value) {
   float right = area.high.x;
   for (std::size_t f = panel.present.size(); f-- > 0;) {
@@ -84,7 +84,7 @@ void drawReadouts(const PlotStrips& panel, const PlotArea& area, PlotValue value
   }
 }
 
-/// Says of which moment the numbers are, where it is not now.
+/// Names the moment of the numbers, unless it is the present.
 void drawTitle(const PlotStrips& panel, const PlotArea& area, const Strip& strip) {
   std::string title = fmt::format("{}, {}", tr(strip.title), strip.unit);
   if (const double ago_s = panel.plots.pausedFor(); ago_s > 0.0 && !panel.frozen_at_s) {
@@ -109,7 +109,7 @@ struct CurvesLook {
   bool dotted = false;
 };
 
-/// A finger that is there, or was: another body lifts it, and what it felt before stays to be seen.
+/// Whether a finger is present or was: another body lifts it, and its past stays visible.
 bool isPlotted(const PlotStrips& panel, const Columns& columns, std::size_t finger) {
   return panel.present[finger] || std::ranges::any_of(columns.marks[finger], &ColumnMarks::touching);
 }
@@ -144,7 +144,7 @@ void pausePlots(Plots& plots, bool pause) {
   plots.paused = pause;
 }
 
-/// A click pauses or goes on; dragging scrolls back; the wheel takes a longer or a shorter time into view.
+/// A click pauses or resumes; dragging scrolls back; the wheel changes the length of the window.
 void useMouse(const PlotStrips& panel, const PlotArea& area) {
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
@@ -161,7 +161,7 @@ void useMouse(const PlotStrips& panel, const PlotArea& area) {
   if (io.MouseWheel < 0.0f && now < last) panel.plots.window_s = *std::next(now);
 }
 
-/// The time under the mouse; nothing where it is beside the strips.
+/// The time under the mouse; empty outside the strips.
 std::optional<double> timeUnderMouse(const PlotStrips& panel, std::span<const PlotArea> areas) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   for (const PlotArea& area : areas) {
@@ -186,7 +186,7 @@ void drawMoment(const PlotStrips& panel, std::span<const PlotArea> areas, double
   }
 }
 
-/// What the curves are there, on plates at the line, on that side of it where there is more room.
+/// The values of the curves there, on plates at the line, on the side with more room.
 void drawValuesAt(const PlotStrips& panel, std::span<const PlotArea> areas, double time_s) {
   constexpr float kAway = 4.0f;
   for (std::size_t i = 0; i < areas.size(); ++i) {
@@ -281,7 +281,7 @@ void plotStrips(const PlotStrips& panel, const FreeArea& free, UiOutput& output)
                           ImGuiWindowFlags_NoScrollWithMouse;
   if (ImGui::Begin("plots", nullptr, kFixed)) {
     constexpr float kButtons = 78.0f;
-    constexpr float kMinWithButtons = 300.0f;  // narrower strips need the place; the mouse does the same in them
+    constexpr float kMinWithButtons = 300.0f;  // narrower strips need the place; the mouse does the same
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float whole = ImGui::GetContentRegionAvail().x;
     const bool has_buttons = whole > kMinWithButtons;

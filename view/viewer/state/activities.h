@@ -1,4 +1,4 @@
-// What the start page leads to and another program of Palpate may hold.
+// Activities on the start page that another program of Palpate may have.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@ enum class Activity { training, measuring, classes };
 struct ActivityState {
   enum class Kind {
     here,       ///< this window shows it
-    elsewhere,  ///< another program holds it, to which the window gives way
+    elsewhere,  ///< another program has it, to which the window gives way
     being_built,
     missing,
   };
   Kind kind = Kind::missing;
-  int done = 0;  ///< steps of its build, of so many; 0 of 0: not known
+  int done = 0;  ///< steps of its build, out of `of`; 0 of 0: unknown
   int of = 0;
 };
 

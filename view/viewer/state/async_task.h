@@ -1,4 +1,4 @@
-// Work on its own thread that a display does not wait for: begun in one frame, its result taken in a later one.
+// Work on its own thread that a display does not wait for: begun in one frame, its result used in a later one.
 #pragma once
 
 #include <exception>
@@ -19,7 +19,7 @@ class AsyncTask {
   AsyncTask& operator=(const AsyncTask&) = delete;
 
   bool busy() const { return work_.has_value(); }
-  /// False, with nothing done, while there is other work.
+  /// False, with nothing done, while other work is running.
   bool start(std::function<T()> work) {
     if (busy()) return false;
     result_ = {};
@@ -36,7 +36,7 @@ class AsyncTask {
     std::optional<T> value = {};
     std::string error = {};  ///< why there is no value
   };
-  /// What became of it, once.
+  /// Returns the result once.
   std::optional<Result> take() {
     if (!work_ || !work_->done()) return std::nullopt;
     work_->join();

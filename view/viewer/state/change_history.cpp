@@ -18,7 +18,7 @@ namespace palpate::viewer {
 
 namespace {
 
-/// What is kept from run to run and is no change: what is open, and where.
+/// State that is kept from run to run and does not count as a change: open panels, places of windows.
 constexpr std::array<std::string_view, 11> kNoHabits = {"version",    "window_", "full_screen", "panel",
                                                         "plots",      "numbers", "reach",       "hints",
                                                         "start_page", "recent",  "language"};
@@ -59,7 +59,7 @@ std::string shortened(const std::string& value) {
   return value.size() <= kMax && value.find('\n') == std::string::npos ? value : "...";
 }
 
-/// The name of the first line that is another one.
+/// The name of the first line that differs.
 std::string changedHabit(const std::string& was, const std::string& is) {
   const auto before = split(was, '\n');
   const auto now = split(is, '\n');
@@ -98,7 +98,7 @@ void ChangeHistory::follow(ViewerState& viewer, const Stir& stir) {
   by_widget_ = stir.widget;
 }
 
-/// What only a hand on the body changes of the habits, the depth it presses to, is touching and no step.
+/// The depth of a press, the only habit that a hand on the body changes, is part of touching, not a step.
 void ChangeHistory::settle(ViewerState& viewer) {
   SessionSnapshot is = snapshotOf(viewer);
   std::string words = std::exchange(words_, {});
@@ -158,7 +158,7 @@ void ChangeHistory::restore(SessionSnapshot to, ViewerState& viewer) {
   };
   kept(viewer.editor, viewer.scene.dysfunctions.size());
   kept(viewer.lump_editor, viewer.scene.lumps.size());
-  // The file of the user's profile has one name, so its words are written back.
+  // The file of the user's profile has one name, so its contents are written back.
   ProfileEdit& profile = viewer.profile;
   if (!areSame(profile.drawn, to.drawn) && !to.drawn.empty() &&
       viewer.scene.deformation.forms.normal_profile.kind == tissue::ProfileKind::user) {
@@ -172,10 +172,10 @@ void ChangeHistory::restore(SessionSnapshot to, ViewerState& viewer) {
 std::uint32_t consequenceOf(std::string_view table) {
   if (table == "body") return kBodyChange;
   if (table == "friction" || table == "device") return kFingerChange;
-  if (table == "tissue") return kFingerChange | kMapChange;   // how it relaxes is the finger's
+  if (table == "tissue") return kFingerChange | kMapChange;   // relaxation belongs to the finger
   if (table == "contact") return kFingerChange | kMapChange;  // the source of the contact is built with the maps
   if (table == "output" || table == "safety" || table == "view") return kNothing;
-  if (table == "finger") return kFingerChange | kMapChange;  // their radii, and the paths that the world knows
+  if (table == "finger") return kFingerChange | kMapChange;  // their radii, and the paths of the world
   return kMapChange;
 }
 

@@ -18,7 +18,7 @@ inline constexpr std::size_t kUndoSteps = 100;
 template <class Value>
 class EditHistory {
  public:
-  /// A step has been done that began with this value; `words` name it: "move dysfunction 2".
+  /// Adds a finished step with the value before it and its name: "move dysfunction 2".
   void add(Value before, std::string words) {
     undo_.push_back({std::move(before), std::move(words)});
     if (undo_.size() > kUndoSteps) undo_.pop_front();
@@ -56,8 +56,8 @@ class EditHistory {
   std::deque<Step> redo_;
 };
 
-// Every change by whatever control, gesture or key as a step that can be taken back, and whether there is something to
-// save. It looks at the viewer's state once a frame instead of being told by each control: a new control needs nothing
+// Every change by whatever control, gesture or key as a step that can be undone, and whether there is something to
+// save. It compares the viewer's state once a frame instead of relying on each control: a new control needs nothing
 // here.
 //
 //   session ─ as text ─ differs from the last quiet frame ─► step        undo, redo, reset ─► session,
@@ -65,40 +65,41 @@ class EditHistory {
 
 struct ViewerState;
 
-/// All that can be taken back.
+/// Everything that can be undone.
 struct SessionSnapshot {
   scene::Scene scene = {};
   ViewState state = {};
   std::vector<tissue::ProfileKnot> drawn = {};  ///< the user's own profile
   scene::Scene document = {};                   ///< the scene with its look: sceneAsChanged
-  // What is compared in each quiet frame: the document, and what it does not say.
+  // Compared in each quiet frame: the document, and state that it does not contain.
   std::string document_text = {};
   std::string habits = {};
 };
 
-/// What is going on in this frame.
+/// Activity in this frame.
 struct Stir {
   bool widget = false;  ///< a control is held
   bool hand = false;    ///< something is being moved on the body
-  bool any = true;      ///< anything has happened that could change anything
+  bool any = true;      ///< anything that could cause a change
 };
 
 class ChangeHistory {
  public:
-  /// A scene was opened: there is nothing to take back and nothing to save.
+  /// Call for a newly opened scene: nothing to undo and nothing to save.
   void begin(const ViewerState& viewer);
-  /// Once a frame. A control that is held is one step however long it is dragged.
+  /// Once a frame. Holding a control is one step however long it is dragged.
   void follow(ViewerState& viewer, const Stir& stir);
-  /// What there is now is what the file says.
+  /// Call when the present state equals the file.
   void saved(const ViewerState& viewer);
 
   void undo(ViewerState& viewer);
   void redo(ViewerState& viewer);
-  /// As it was opened or saved; a step like others.
+  /// Restores the opened or saved state; a step like others.
   void reset(ViewerState& viewer);
 
   bool changed() const { return now_.document_text != saved_.document_text; }
-  /// Of the body, its tissue and fingers. A look alone is saved with them, but is not worth a question on leaving.
+  /// Whether body, tissue or fingers changed. A changed look is saved with them, but is not worth a question on
+  /// leaving.
   bool sceneChanged() const;
   const EditHistory<SessionSnapshot>& steps() const { return steps_; }
 
@@ -106,11 +107,11 @@ class ChangeHistory {
   void settle(ViewerState& viewer);
   void restore(SessionSnapshot to, ViewerState& viewer);
 
-  SessionSnapshot now_;  ///< of the last quiet frame
+  SessionSnapshot now_;  ///< in the last quiet frame
   SessionSnapshot saved_;
   EditHistory<SessionSnapshot> steps_;
   bool by_widget_ = false;
-  std::string words_;  ///< of the change under way (UiOutput::step)
+  std::string words_;  ///< name of the current change (UiOutput::step)
 };
 
 }  // namespace palpate::viewer

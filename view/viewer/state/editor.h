@@ -1,5 +1,5 @@
-// What is known while things are edited on the body: which one is selected, and how they were before the gesture under
-// way. Plain data; the gestures are in place_editor.h.
+// State of editing on the body: the selected item, and the items before the current gesture. Plain data; the gestures
+// are in place_editor.h.
 #pragma once
 
 #include <optional>
@@ -22,13 +22,13 @@ struct PlaceEditor {
 using Editor = PlaceEditor<maps::Dysfunction>;
 using LumpEditor = PlaceEditor<scene::LumpSettings>;
 
-/// All that an edit touches: items of the scene, their editor, and the way to say what changed.
+/// Everything that an edit touches: items of the scene, their editor, and the report of changes.
 template <class Item>
 struct PlaceEdit {
   std::vector<Item>& items;
   PlaceEditor<Item>& editor;
   UiOutput& output;
-  std::span<const body::SkinLandmark> landmarks = {};  ///< of the body: places get words
+  std::span<const body::SkinLandmark> landmarks = {};  ///< of the body: places get names
 };
 using DysfunctionEdit = PlaceEdit<maps::Dysfunction>;
 using LumpEdit = PlaceEdit<scene::LumpSettings>;

@@ -8,7 +8,7 @@
 namespace palpate::viewer {
 
 inline constexpr std::size_t kFingers = 2;
-/// In recordings.
+/// Names in recordings.
 inline constexpr std::array<std::string_view, kFingers> kFingerNames = {"left", "right"};
 
 }  // namespace palpate::viewer

@@ -5,7 +5,7 @@
 
 namespace palpate::viewer {
 
-/// Points of the screen that the picture has to itself.
+/// The picture's own part of the screen, points.
 struct FreeArea {
   float left = 0.0f;
   float top = 0.0f;
@@ -15,7 +15,7 @@ struct FreeArea {
 
 inline constexpr float kMenuBarHeight = 24.0f;
 inline constexpr float kSidePanelWidth = 300.0f;
-inline constexpr float kPlotsHeight = 150.0f;  ///< of the strips below the picture
+inline constexpr float kPlotsHeight = 150.0f;  ///< height of the strips below the picture
 
 /// Known before anything has been drawn.
 inline FreeArea freeArea(const Shown& shown, float width, float height) {

@@ -16,7 +16,7 @@ namespace {
 /// The part of the window that shows the picture alone, points.
 struct FreePart {
   Vec2 size;
-  Vec2 aside;  ///< of its middle from the window's, to the right and down
+  Vec2 aside;  ///< offset of its middle from the window's, to the right and down
   double window_height;
 };
 
@@ -28,7 +28,7 @@ FreePart freePart(const Shown& shown, const Vec2& size_points) {
           0.5 * Vec2(free.left + free.right - width, free.top + free.below - height), height};
 }
 
-/// What was in the window's middle comes into that of the free part.
+/// Moves the window's middle to that of the free part.
 view::Camera movedAside(view::Camera camera, const FreePart& part) {
   const double mm_per_pixel = 2.0 * camera.distance_mm * std::tan(0.5 * camera.height_rad) / part.window_height;
   camera.centre += mm_per_pixel * (part.aside.y() * camera.up() - part.aside.x() * camera.right());
@@ -87,7 +87,7 @@ constexpr std::array<std::string_view, 12> kLookKeys = {"lens",
                                                         "ellipse_range_mm"};
 constexpr std::array<std::string_view, 4> kStereoKeys = {"stereo", "eye_distance_mm", "convergence_mm", "swap_eyes"};
 
-/// Some key has another value than it would have if it were left out.
+/// Whether some key differs from its default.
 bool says(const scene::Scene& scene, std::span<const std::string_view> keys) {
   return std::any_of(keys.begin(), keys.end(), [&](std::string_view key) {
     const auto row = scene::keyOf(scene, "view", key);
@@ -103,14 +103,14 @@ bool takeSceneLook(const scene::World& world, ViewerState& viewer, const Vec2& s
   const view::PictureSettings said = view::pictureSettings(world, part.size.x() / part.size.y());
   if (says(world.scene, kLookKeys)) state.look = said.look;
   if (says(world.scene, kStereoKeys)) state.stereo = said.stereo;
-  state.stereo.head.reset();  // HeadSettings speaks for it
+  state.stereo.head.reset();  // HeadSettings has it
   if (said.stereo.head) {
     state.head.on = true;
     state.head.expected_mm = said.stereo.head->eyes_mm;
     state.head.screen_height_mm = said.stereo.head->screen_height_mm;
   }
   if (!says(world.scene, kCameraKeys)) return false;
-  // Before a screen of true size the camera says where that screen stands.
+  // Before a screen of true size the camera gives that screen's place.
   viewer.camera = said.stereo.head ? said.camera : intoPart(said.camera, part);
   return true;
 }

@@ -1,4 +1,4 @@
-// What the program tells the user: one message at a time over the picture, all of them kept in a list. Pure.
+// Messages to the user: one at a time over the picture, all of them kept in a list. Pure.
 #pragma once
 
 #include <cstddef>
@@ -19,16 +19,16 @@ inline constexpr double kInfoS = 4.0;
 inline constexpr double kWarningS = 10.0;
 inline constexpr std::size_t kKeptMessages = 200;
 
-/// Infos and warnings leave by themselves; an error stays until it is dismissed, and goes before the others.
+/// Infos and warnings disappear by themselves; an error stays until it is dismissed, and goes before the others.
 class Messages {
  public:
   void add(Severity severity, const std::string& text, double now_s);
-  /// Kept in the list alone: what the window shows in another way.
+  /// Adds it to the list only, for things that the window shows in another way.
   void note(const std::string& text, double now_s);
-  /// What is to be shown now, or nothing.
+  /// The message to show now, or null.
   const Message* toast(double now_s) const;
   void dismiss();
-  /// Success of what had failed: errors that begin with these words go away.
+  /// Call on success after a failure: removes errors that begin with this text.
   void clearErrors(const std::string& beginning);
 
   const std::deque<Message>& all() const { return all_; }

@@ -1,7 +1,7 @@
-// How a panel asks for what it cannot do itself: requests, actions as of a key, words for the user, and notes of what
-// it changed in the scene. Plain data; what draws the panels reads it afterwards.
+// Outputs of a panel: requests, actions as of a key, messages to the user, and notes of its changes to the scene. Plain
+// data; the caller of the panels reads it afterwards.
 //
-//   panel ─► UiOutput ─► drawGui: actions, words ─► RequestHandler, consequences of changes, once a frame
+//   panel ─► UiOutput ─► drawGui: actions, messages ─► RequestHandler, consequences of changes, once a frame
 #pragma once
 
 #include <cstdint>
@@ -21,25 +21,25 @@
 
 namespace palpate::viewer {
 
-/// What a change of the scene has consequences for; bits.
+/// Consequences of a change of the scene; bits.
 enum Consequence : std::uint32_t {
   kNothing = 0,
   kFingerChange = 1,  ///< the servo's settings
-  kMapChange = 2,     ///< what lies on the body: maps, laws, forms of the deformation
+  kMapChange = 2,     ///< things on the body: maps, laws, forms of the deformation
   kBodyChange = 4,    ///< the body itself
 };
-/// Of a key of this table of the scene file.
+/// The consequences of a key of this table of the scene file.
 std::uint32_t consequenceOf(std::string_view table);
 
-// What only the viewer can do. `sure`: whatever may be thrown away or overwritten.
+// Actions that only the viewer can do. `sure`: losses and overwriting are accepted.
 
 /// A scene, a mesh, a recording or a table of forces.
 struct OpenFile {
   std::string file = {};
   bool sure = false;
-  std::optional<scene::Unit> unit = {};  ///< of a mesh file that says none; default: asked about where it is doubtful
+  std::optional<scene::Unit> unit = {};  ///< for a mesh file without one; default: asked where it is doubtful
 };
-/// A recording, beside the one that is shown.
+/// A recording, next to the one that is shown.
 struct OpenBeside {
   std::string file = {};
 };
@@ -48,53 +48,53 @@ struct OpenPreset {
   std::string name = {};
   bool sure = false;
 };
-/// What was opened, once more.
+/// Opens the same again.
 struct Reload {
   bool sure = false;
 };
 struct CancelBuild {};
-/// The scene, to the file or where it came from.
+/// Saves the scene to the file or its own.
 struct SaveScene {
   std::string file = {};
   bool sure = false;
 };
-/// What is seen and felt now goes to the clipboard, as the text of a scene.
+/// Copies the present state to the clipboard, as the text of a scene.
 struct CopyScene {};
-/// Everything as it was opened or saved.
+/// Restores the opened or saved state.
 struct ResetScene {};
 struct Undo {};
 struct Redo {};
-/// The drawn curve is written to a file that the scene names.
+/// Writes the drawn curve to a file that the scene names.
 struct UseProfile {};
-/// To the recording's question.
+/// The answer to the current question.
 struct AnswerQuestion {
   std::string answer = {};
 };
 struct TakeScreenshot {
-  bool with_pop_ups = false;  ///< with what lies over the picture for a moment
+  bool with_pop_ups = false;  ///< with pop-ups over the picture
   std::string file = {};      ///< empty: a fresh name
 };
 /// The body alone, the rest transparent.
 struct TakeClearScreenshot {};
 /// A series of PNG files: start or stop.
 struct ToggleSequence {};
-/// What the window shows, from now on, as a film; its ending says which kind.
+/// Films the window from now on; the ending of the name chooses the format.
 struct StartFilm {
   std::string file = {};
 };
 struct StopFilm {};
-/// The scene's own fingers, or an end of them.
+/// Starts or ends the scene's own fingers.
 struct PlayScript {};
 struct SavePlots {};
 /// A table of forces: start or stop.
 struct ToggleForces {};
 struct KeepRecording {};
-/// In the recording, with these words.
+/// Sets a mark with this text in the recording.
 struct SetMark {
   std::string words = {};
 };
 struct GoHome {};
-/// To a named place, close by; the finger hovers over it.
+/// Flies close to a named place; the finger hovers over it.
 struct GoToPlace {
   std::string words = {};
 };
@@ -111,7 +111,7 @@ struct OpenDevice {
 struct CloseDevice {
   std::size_t finger = 0;
 };
-/// Which back ends are here, and why not.
+/// Searches for back ends.
 struct FindDevices {};
 /// The emergency stop.
 struct StopDevices {};
@@ -119,14 +119,14 @@ struct ReleaseStop {};
 struct Quit {
   bool sure = false;
 };
-/// The window closes, and that of the program which holds the activity opens.
+/// Closes the window and opens that of the program for the activity.
 struct GiveWay {
   Activity activity = Activity::training;
   bool sure = false;
 };
 /// The dialog of a class.
 struct ShowClass {};
-/// Makes the folder where there is none, runs the class's broker and collector, and opens the teacher's view.
+/// Makes the folder if missing, runs the class's broker and collector, and opens the teacher's view.
 struct StartClass {
   std::string folder = {};
   std::string name = {};
@@ -141,7 +141,7 @@ struct WatchClass {
 struct JoinClass {
   std::string folder = {};
 };
-/// All of it ends in order.
+/// Ends all of it properly.
 struct EndClass {};
 
 using Request =
@@ -151,7 +151,7 @@ using Request =
                  PasteView, OpenDevice, CloseDevice, FindDevices, StopDevices, ReleaseStop, Quit, GiveWay, StartFilm,
                  StopFilm, ShowClass, StartClass, WatchClass, JoinClass, EndClass>;
 
-/// The same once the user has been asked.
+/// The same after the user's consent.
 inline Request madeSure(Request request) {
   std::visit(
       [](auto& asked) {
@@ -161,23 +161,23 @@ inline Request madeSure(Request request) {
   return request;
 }
 
-/// What is asked before something would be lost; what was requested waits in it.
+/// A question before a loss; the request waits in it.
 struct Question {
   enum class Kind : std::uint8_t {
-    leave,      ///< changes would be thrown away
-    overwrite,  ///< a file would be that is not known here
-    turn,       ///< of a mesh that shows its back: turned over, or as it is
-    unit,       ///< of a mesh file, before it is opened: as guessed, millimetres, not at all
-    of_mode,    ///< a mode asks, and gets the answer (mode.h)
+    leave,      ///< changes would be lost
+    overwrite,  ///< an unknown file would be overwritten
+    turn,       ///< for a mesh that shows its back: turned over, or unchanged
+    unit,       ///< for a mesh file, before it is opened: as guessed, millimetres, not at all
+    of_mode,    ///< a mode's own, which gets the answer (mode.h)
     end_class,  ///< the class would end with the window
-    devices,    ///< of a scene, before they are opened: the mouse stays, open, not at all
+    devices,    ///< for a scene, before they are opened: the mouse stays, open, not at all
   };
   Kind kind = Kind::leave;
   std::string words = {};
-  /// As the buttons say them; the first is what Enter means, the last what Esc means.
+  /// Labels of the buttons; the first is Enter's, the last Esc's.
   std::vector<std::string> answers = {toTranslate("Save"), toTranslate("Discard"), toTranslate("Stay")};
-  std::string file = {};             ///< overwrite: which
-  std::optional<Request> then = {};  ///< what is done after the answer
+  std::string file = {};             ///< for overwrite
+  std::optional<Request> then = {};  ///< done after the answer
 };
 
 struct UiOutput {
@@ -189,7 +189,7 @@ struct UiOutput {
     std::string text;
   };
   std::vector<Words> words;
-  std::string step;  ///< what the change of this frame is called when it is taken back; empty: by what it changed
+  std::string step;  ///< name of this frame's change for undo; empty: from its contents
 
   void request(Request request) { requests.push_back(std::move(request)); }
   void act(window::Action action) { actions.push_back(action); }

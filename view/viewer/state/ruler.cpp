@@ -21,7 +21,7 @@ std::vector<SkinPlace> pathOver(const contact::Surface& surface, const SkinPlace
   for (int i = 1; i < kPathPieces; ++i) {
     const double share = static_cast<double>(i) / kPathPieces;
     const Vec3 inside = from.point + share * (to.point - from.point);
-    // No nearer skin than the two ends themselves is farther than the whole length.
+    // The skin nearest to an inner point is never farther than the whole length, since the ends are on it.
     if (const auto place = view::skinNear(surface, inside, length + 1.0)) path.push_back(*place);
   }
   path.push_back(to);

@@ -14,17 +14,17 @@ struct Ruler {
   bool active = false;               ///< the left button sets its ends
   std::vector<SkinPlace> ends = {};  ///< none, one or two
   std::vector<SkinPlace> path = {};  ///< over the skin from one end to the other
-  Vec2 label = Vec2::Zero();         ///< where its words stand, points; of this frame
+  Vec2 label = Vec2::Zero();         ///< place of its text, points; in this frame
 };
 
-/// A click: the first end, the second, or a first one again.
+/// A click: sets the first end, the second, or a new first one.
 void measureAt(const SkinPlace& place, const contact::Surface& surface, Ruler& ruler);
 
 double straightMm(const Ruler& ruler);
-/// Along the skin places that are nearest to the straight line: on a back within a per cent of the shortest way.
+/// Along places of the skin nearest to the straight line: on a back within a per cent of the shortest way.
 double alongSkinMm(const Ruler& ruler);
 
-/// What it says about two ends; empty before.
+/// Its result for two ends; empty before.
 std::string rulerWords(const Ruler& ruler);
 /// The line over the skin and its ends.
 std::vector<view::Lines> rulerLines(const Ruler& ruler);

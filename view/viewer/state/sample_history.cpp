@@ -17,7 +17,7 @@ constexpr double kSpeedSmoothingS = 0.03;
 constexpr double kJumpMmPerS = 5000.0;
 /// Slower than this the anchor only settles, mm/s.
 constexpr double kSlipMmPerS = 0.5;
-/// What a limiter does to a force; what follows a start is no news.
+/// The limiter's effects on a force; the ramp after a start is left out.
 constexpr std::uint32_t kLimiting =
     servo::kForceNotFinite | servo::kDamped | servo::kClamped | servo::kForceJumped | servo::kSoftened;
 
@@ -35,7 +35,7 @@ void SampleHistory::add(const trace::Sample& sample, double device_limit_n) {
   const double elapsed = std::max<double>(1.0, static_cast<double>(sample.tick - last_tick_)) * tick_s_;
   const double moved = count_ == 0 ? 0.0 : (sample.contact.tip - last_tip_).norm();
   const double speed = moved < kJumpMmPerS * elapsed ? moved / elapsed : 0.0;  // not for NaN either
-  // A finger that rests at the limit of friction is called slipping too; what is marked is that the skin gets away.
+  // A finger at rest at the limit of friction is called slipping too; marks show that the skin gets away.
   const bool gets_away = count_ > 0 && (sample.contact.hold - last_hold_).norm() > kSlipMmPerS * elapsed;
   const double share = 1.0 - std::exp(-elapsed / kSpeedSmoothingS);
   speed_ += static_cast<float>(share * (speed - speed_));

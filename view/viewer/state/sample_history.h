@@ -34,7 +34,7 @@ struct Extent {
   bool any = false;
 };
 
-/// What happened in one pixel column.
+/// Events in one pixel column.
 struct ColumnMarks {
   bool touching = false;
   bool slipping = false;
@@ -45,7 +45,7 @@ class SampleHistory {
  public:
   explicit SampleHistory(double ticks_per_s = 1000.0, double seconds = 60.0);
 
-  /// A force beyond `device_limit_n` counts as limited, as what the limiter itself shortened.
+  /// A force beyond `device_limit_n` counts as limited, like those that the limiter itself shortened.
   void add(const trace::Sample& sample, double device_limit_n = std::numeric_limits<double>::infinity());
   void clear();
 
@@ -79,30 +79,31 @@ class SampleHistory {
 
 float valueOf(const PlotSample& sample, PlotValue value);
 
-/// The upper end of an axis: the smallest of 1, 2, 5, 10, 20, ... that holds `value`, at least `least`.
+/// The upper end of an axis: the smallest of 1, 2, 5, 10, 20, ... above `value`, at least `least`.
 double axisEnd(double value, double least);
 
-/// Both fingers' histories, and which stretch of them the strips show.
+/// Both fingers' histories, and the part of them in the strips.
 struct Plots {
   std::array<SampleHistory, 2> fingers;
   double window_s = 10.0;
-  double end_s = 0.0;  ///< of the stretch, while paused
+  double end_s = 0.0;  ///< end of the strips, while paused
   bool paused = false;
 
-  /// What a finger felt at a time, or null where its history does not reach back so far.
+  /// A finger's sample at a time, or null where its history does not reach back so far.
   const PlotSample* felt(std::size_t finger, double time_s) const {
     constexpr double kReachS = 0.1;
     const SampleHistory& history = fingers[finger];
     return history.size() == 0 || time_s < history.at(0).time_s - kReachS ? nullptr : history.near(time_s);
   }
   double newestTime() const { return std::max(fingers[0].newestTime(), fingers[1].newestTime()); }
-  /// Where the strips end: the newest sample, or where they were stopped.
+  /// The end of the strips: the newest sample, or where they were stopped.
   double shownEnd() const { return paused ? end_s : newestTime(); }
   /// How long ago the end of the strips was, s.
   double pausedFor() const { return newestTime() - shownEnd(); }
 };
 
-/// The window of both fingers as a table: t_s, then normal_n, tangential_n, depth_mm, speed_mm_per_s, force_n of each.
+/// The window of both fingers as a table: t_s, then normal_n, tangential_n, depth_mm, speed_mm_per_s, force_n per
+/// finger.
 std::string historyAsCsv(std::span<const SampleHistory> fingers, double end_s, double window_s);
 
 }  // namespace palpate::viewer

@@ -19,9 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMaxPitchDeg = 89.0;  // what [view] takes
+constexpr double kMaxPitchDeg = 89.0;  // limit of [view]
 
-/// `kept` becomes `is` where that is no longer what it was.
+/// Sets `kept` to `is` if that has changed.
 template <class T>
 void keepChange(const T& was, const T& is, T& kept) {
   if (!(was == is)) kept = is;
@@ -101,8 +101,8 @@ bool wouldOverwrite(const SceneDocument& document, const fs::path& target) {
 
 void keepCamera(const ViewerState& viewer, scene::ViewSettings& view) {
   const view::Camera camera = cameraOfFreePart(viewer.camera, viewer.state.shown, viewer.size_points);
-  const view::Camera plain;                                                 // of the angle of view
-  const bool rolled = std::abs(camera.roll_rad) > 0.25 * std::numbers::pi;  // no other view is
+  const view::Camera plain;                                                 // default angle of view
+  const bool rolled = std::abs(camera.roll_rad) > 0.25 * std::numbers::pi;  // only the table's view is
   view.side = rolled ? scene::StandardView::table : scene::StandardView::back;
   const double yaw_rad = rolled ? camera.yaw_rad + view::kTableYawRad : camera.yaw_rad;
   view.yaw_deg = rounded(std::remainder(yaw_rad, 2.0 * std::numbers::pi) / kRadPerDeg, 100.0);

@@ -1,6 +1,6 @@
-// The scene as a file: what of the viewer's state is written, and into which words.
+// The scene as a file: the written part of the viewer's state, and its form.
 //
-//   session ─ sceneToSave ─► Scene ─ the lines of what changed (scene/scene_writer.h) ─► file
+//   viewer state ─ sceneToSave ─► Scene ─ the changed lines (scene/scene_writer.h) ─► file
 #pragma once
 
 #include <filesystem>
@@ -14,38 +14,38 @@ namespace palpate::viewer {
 
 struct ViewerState;
 
-/// Where the scene is kept, and what stood there when it was last read or written here.
+/// The scene's file, and its text when it was last read or written here.
 struct SceneDocument {
   std::filesystem::path file = {};  ///< absolute; empty: none yet
   std::string text = {};
-  std::string title = {};  ///< of a preset, which has no file: "Virtual Haptic Back"; tr() shows it
+  std::string title = {};  ///< for a preset, which has no file: "Virtual Haptic Back"; tr() shows it
 };
-/// Of a scene file; of none, or one that cannot be read, an empty one.
+/// The document of a scene file; empty for a missing or unreadable one.
 SceneDocument documentOf(const std::filesystem::path& file);
 
-/// There is something at `target` that this document has neither read nor written.
+/// Whether there is a file at `target` that this document has neither read nor written.
 bool wouldOverwrite(const SceneDocument& document, const std::filesystem::path& target);
 
-/// How it was looked at when the scene was opened or saved: what differs from it is saved.
+/// The look when the scene was opened or saved: differences are saved.
 struct OpenedLook {
   view::Look look = {};
   view::StereoSettings stereo = {};
   bool camera_moved = false;  ///< by the user
 };
 
-/// The scene with what was changed of its look ([view]); with the camera, too, if the user has moved it.
+/// The scene with the changes of its look ([view]); with the camera, too, if the user has moved it.
 scene::Scene sceneToSave(const ViewerState& viewer);
-/// The same without the camera: turning the body is looking, not changing.
+/// The same without the camera: turning the body does not change the scene.
 scene::Scene sceneAsChanged(const ViewerState& viewer);
-/// The camera as [view] says it, in hundredths of a degree and tenths of a millimetre.
+/// Stores the camera in [view], in hundredths of a degree and tenths of a millimetre.
 void keepCamera(const ViewerState& viewer, scene::ViewSettings& view);
 
 struct SceneWriting {
-  SceneDocument document;      ///< as it is from now on
-  bool as_it_was = false;      ///< it said all that already: nothing was written
-  std::filesystem::path kept;  ///< the old words, where they could not be kept in the file itself
+  SceneDocument document;      ///< the document from now on
+  bool as_it_was = false;      ///< the file is up to date: nothing was written
+  std::filesystem::path kept;  ///< the old text, where it could not be kept in the file itself
 };
-/// Writes it into the words of the document. Throws Error naming the file.
+/// Writes the scene into the document's text. Throws Error naming the file.
 SceneWriting writeScene(const scene::Scene& scene, const SceneDocument& document, const std::filesystem::path& target);
 
 }  // namespace palpate::viewer

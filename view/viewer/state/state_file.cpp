@@ -73,7 +73,7 @@ void forEachValue(Remembered& r, const Visitor& visit) {
   visit("screen_height_mm", s.head.screen_height_mm);
 }
 
-/// How many enumerators an enumeration has that a file may name by number.
+/// Number of enumerators of an enumeration that a file may name by number.
 template <class E>
 constexpr int countOf(E) {
   return static_cast<int>(WordsOf<E>::kAll.size());
@@ -81,11 +81,11 @@ constexpr int countOf(E) {
 constexpr int countOf(window::Theme) { return static_cast<int>(window::kThemeNames.size()); }
 constexpr int countOf(window::MousePreset) { return static_cast<int>(window::kMousePresetNames.size()); }
 
-/// No window stands farther out, no head farther off.
+/// Windows and heads are never farther away.
 constexpr std::int64_t kMaxPixels = 100'000;
 constexpr double kMaxMm = 1e5;
 
-/// A value out of range or of another type is as good as none: the default stays.
+/// A value out of range or of another type counts as missing: the default stays.
 struct StateReader {
   const scene::TomlNode& table;
   void operator()(const char* name, bool& value) const {
@@ -128,7 +128,7 @@ struct Writer {
   void operator()(const char* name, E value) const { text += fmt::format("{} = {}\n", name, static_cast<int>(value)); }
 };
 
-/// What a hand-edited file may not spoil.
+/// Repairs values of a hand-edited file.
 void keepSensible(Remembered& r) {
   r.window.width = std::clamp(r.window.width, 320, 16384);
   r.window.height = std::clamp(r.window.height, 240, 16384);

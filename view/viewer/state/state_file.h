@@ -1,7 +1,7 @@
-// What the viewer remembers from one run to the next: the window's place, what is open, recent files, habits.
+// State that the viewer keeps from one run to the next: the window's place, open panels, recent files, habits.
 //
-// One TOML file, $XDG_CONFIG_HOME/palpate/window.toml, with a version, written complete or not at all. One that cannot
-// be understood is put aside and never keeps the viewer from starting.
+// One TOML file, $XDG_CONFIG_HOME/palpate/window.toml, with a version, written complete or not at all. An unreadable
+// one is put aside and never keeps the viewer from starting.
 #pragma once
 
 #include <filesystem>
@@ -18,17 +18,17 @@ struct Remembered {
   window::WindowSettings window;
 };
 
-/// Where it is kept, by XDG_CONFIG_HOME or HOME; empty when neither says.
+/// Its file, by XDG_CONFIG_HOME or HOME; empty without both.
 std::filesystem::path stateFile();
 
 struct StateReading {
-  std::optional<Remembered> remembered;  ///< nothing on the first run
-  std::string note;                      ///< for the user: what was put aside
+  std::optional<Remembered> remembered;  ///< empty on the first run
+  std::string note;                      ///< for the user: a file that was put aside
 };
-/// Never fails.
+/// Never throws.
 StateReading readState(const std::filesystem::path& file);
 
-/// False, with no harm done, when it cannot be written.
+/// Returns false, with no harm done, when it cannot be written.
 bool writeState(const std::filesystem::path& file, const Remembered& remembered);
 
 /// As text; parseState throws Error.

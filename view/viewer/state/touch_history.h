@@ -14,10 +14,10 @@ class TouchHistory {
  public:
   using Moment = std::array<trace::Sample, kFingers>;
 
-  /// About 27 MB a minute at 1 kHz, taken as it fills.
+  /// About 27 MB a minute at 1 kHz, allocated as it fills.
   explicit TouchHistory(double ticks_per_s = 1000.0, double seconds = 60.0);
 
-  /// Samples come in the order of ticks, all fingers of a tick one after the other.
+  /// Add samples in the order of ticks, all fingers of a tick one after the other.
   void add(const trace::Sample& sample);
   void clear();
 
@@ -25,7 +25,7 @@ class TouchHistory {
   double oldestTime() const { return timeOf(0); }
   double newestTime() const { return timeOf(moments_.size() - 1); }
   double tick() const { return tick_s_; }
-  /// What was true at a time: the newest moment that is not later, else the oldest. Must not be empty.
+  /// The state at a time: the newest moment that is not later, else the oldest. Must not be empty.
   const Moment& at(double time_s) const;
   /// Calls `visit` for every sample, oldest first.
   template <class Visit>

@@ -1,5 +1,5 @@
-// What the user has chosen about looking and touching, kept from run to run (state/state_file.h); the camera is not
-// among it. Plain data.
+// The user's choices about viewing and touching, kept from run to run (state/state_file.h); without the camera. Plain
+// data.
 #pragma once
 
 #include <string>
@@ -24,26 +24,26 @@ struct WordsOf<device::PressBy> {
 
 namespace palpate::viewer {
 
-/// How the mouse presses.
+/// Settings of the mouse's press.
 struct TouchSettings {
   device::PressBy by = device::PressBy::depth;
   double depth_mm = 6.0;
   double force_n = 3.0;
-  bool resisting_cursor = true;  ///< a drag in depth goes slower the harder the skin pushes back
+  bool resisting_cursor = true;  ///< a drag in depth is slower the harder the skin pushes back
 };
 inline constexpr double kMaxDepthMm = 25.0;
 inline constexpr double kMaxForceN = 20.0;
 inline constexpr double kDepthPerNotchMm = 0.5;
 inline constexpr double kForcePerNotchN = 0.25;
 
-/// What is open.
+/// Open parts of the window.
 struct Shown {
   bool panel = true;
   bool panel_right = false;
   bool plots = true;
   bool performance = false;
   bool numbers = true;
-  bool reach = true;  ///< the box of what devices reach
+  bool reach = true;  ///< the box of the devices' workspaces
   bool help = false;
   bool messages = false;
   bool open_dialog = false;
@@ -58,8 +58,8 @@ struct Shown {
 /// A head before a real screen of known size (view::TrackedHead).
 struct HeadSettings {
   bool on = false;
-  Vec3 expected_mm = {0.0, 0.0, 600.0};  ///< where the eyes are taken to be while nothing measures them
-  Vec3 offset_mm = {0.0, 0.0, 0.0};      ///< from the middle of the screen to the origin of what measures
+  Vec3 expected_mm = {0.0, 0.0, 600.0};  ///< assumed place of the eyes without a measurement
+  Vec3 offset_mm = {0.0, 0.0, 0.0};      ///< from the middle of the screen to the origin of the tracker
   double screen_height_mm = 300.0;
 };
 inline constexpr double kNearestHeadMm = 100.0;
@@ -78,10 +78,10 @@ struct ViewState {
   window::Theme theme = window::Theme::dark;
   double text_size = 1.0;  ///< 0.75 to 2.5, on top of the screen's own scale
   bool reduced_motion = false;
-  std::string language = {};    ///< "de"; empty: the system's. Holds from the next start
-  bool keeps_last_hour = true;  ///< records the last hour without being asked
+  std::string language = {};    ///< "de"; empty: the system's. Effective from the next start
+  bool keeps_last_hour = true;  ///< records the last hour automatically
   bool hints = true;
-  bool start_page = true;           ///< when the window opens on no scene of the user's
+  bool start_page = true;           ///< when the window opens without a scene of the user's
   std::vector<std::string> recent;  ///< files, newest first
 };
 

@@ -11,7 +11,7 @@ namespace palpate::viewer {
 
 namespace {
 
-/// What the engine calls the body, in the language of the window; a mesh is called by its file.
+/// The engine's name of the body, in the language of the window; a mesh is named by its file.
 std::string nameOf(const scene::World& world) {
   const scene::BodySettings& body = world.scene.body;
   const auto triangles = [&](std::size_t by_itself) { return body.triangles != 0 ? body.triangles : by_itself; };

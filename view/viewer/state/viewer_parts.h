@@ -1,5 +1,5 @@
-// What the panels are about, besides the scene and what is kept between runs (view_state.h): plain data, a struct for
-// each. The session (viewer.h) holds one of every kind; a panel is handed those that it shows.
+// Data of the panels, besides the scene and the state that is kept between runs (view_state.h): plain data, one struct
+// each. The viewer's state has one of every kind; a panel gets those that it shows.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct World;
 
 namespace palpate::viewer {
 
-/// What is known about how fast everything is; a frame's times in ms.
+/// Measured rates; a frame's times in ms.
 struct Performance {
   servo::LoopVitals servo;
   std::size_t dropped_samples = 0;
@@ -29,7 +29,7 @@ struct Performance {
   double draw_ms = 0.0;
   double frame_ms = 0.0;
   double frames_per_s = 0.0;
-  double picture_share = 1.0;  ///< pixels along each side that the body was drawn with (picture_scale.h)
+  double picture_share = 1.0;  ///< pixels along each side of the body's picture (picture_scale.h)
   std::string graphics;        ///< name of the GL renderer
 };
 
@@ -43,16 +43,16 @@ struct Recording {
   bool film = false;
   double film_since_s = 0.0;
 
-  // The session that is recorded by itself.
-  bool viewer = false;         ///< it is
-  double session_s = 0.0;      ///< that it holds
-  std::uint64_t dropped = 0;   ///< samples that the disk was too slow for
+  // The automatic recording.
+  bool viewer = false;         ///< it is running
+  double session_s = 0.0;      ///< its length
+  std::uint64_t dropped = 0;   ///< samples lost to a slow disk
   std::size_t marks = 0;       ///< set in this run
   bool keeping = false;        ///< a copy is being written
-  std::string kept_file = {};  ///< the copy that was kept last
+  std::string kept_file = {};  ///< the newest copy
 };
 
-/// The world as the panels may know it.
+/// The world's data for panels.
 struct WorldFacts {
   std::string name;
   std::size_t triangles = 0;
@@ -64,37 +64,37 @@ struct WorldFacts {
   std::vector<std::string> notes;
   bool has_picture = false;
   std::shared_ptr<const scene::SkinChannels> channels = nullptr;  ///< numbers and colours of its file, or null
-  std::string tissue = {};                                        ///< and its force law, in words
+  std::string tissue = {};                                        ///< and its force law, as text
   std::vector<body::SkinLandmark> landmarks = {};                 ///< its named places
 };
 WorldFacts factsOf(const scene::World& world);
 
-/// The field that names a place to go to.
+/// The field for the name of a place to go to.
 struct PlaceSearch {
   bool open = false;       ///< it owns the keyboard
-  bool focused = false;    ///< and has been given it
+  bool focused = false;    ///< and has received it
   bool over_list = false;  ///< the cursor is over the suggestions
   std::string typed = {};
 };
 
-/// What of the manual is open (panels/manual_dialog.cpp).
+/// The open part of the manual (panels/manual_dialog.cpp).
 struct ManualShown {
   std::string page = "README.md";   ///< below docs/
-  std::string heading = {};         ///< to be scrolled to, once
-  std::vector<std::string> before;  ///< pages that a link or a result left
-  std::string searched = {};        ///< words; empty: a page is shown
-  std::string outside = {};         ///< the target of a link that leads out of the manual
+  std::string heading = {};         ///< to scroll to, once
+  std::vector<std::string> before;  ///< pages to go back to
+  std::string searched = {};        ///< text; empty: a page is shown
+  std::string outside = {};         ///< the target of a link out of the manual
 };
 
 /// A class that is run from this window.
 struct ClassShown {
   bool offered = false;       ///< palpate-teach is installed
-  std::string folder = {};    ///< of the one that runs or is being started; empty: none
+  std::string folder = {};    ///< of the class that runs or is being started; empty: none
   bool runs = false;          ///< broker and collector
   bool watched = false;       ///< the teacher's view is open
-  bool opened_watch = false;  ///< it was, once, by the class's start
+  bool opened_watch = false;  ///< once, by the class's start
   bool joined = false;        ///< the training of a station is open
-  std::string words = {};     ///< what the collector has so far
+  std::string words = {};     ///< the collector's status
   std::string trouble = {};   ///< why it does not run
 
   bool anything() const { return runs || watched || joined; }
@@ -106,11 +106,11 @@ struct SeenHead {
   window::HeadTracker::State state = window::HeadTracker::State::waiting;
 };
 
-/// The user's displacement profile while it is drawn.
+/// The user's displacement profile while it is being drawn.
 struct ProfileEdit {
   std::vector<tissue::ProfileKnot> knots;
-  std::vector<tissue::ProfileKnot> drawn = {};  ///< as it was last written to its file; empty: not in this run
-  int handle = -1;                              ///< the one that is being dragged
+  std::vector<tissue::ProfileKnot> drawn = {};  ///< as last written to its file; empty: not in this run
+  int handle = -1;                              ///< the one that is dragged
 };
 
 }  // namespace palpate::viewer

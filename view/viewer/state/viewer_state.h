@@ -1,8 +1,8 @@
-// Everything that is shown and changed while the window is open, as plain data: the requested scene, how it is looked
-// at, what was measured.
+// Everything that is shown and changed while the window is open, as plain data: the requested scene, the view,
+// measurements.
 //
-// Keys, menus and panels edit it and note what they touched (state/requests.h); the viewer (viewer.h) looks once a
-// frame at what was noted and does it. A panel is handed only the parts that it shows (panels/panels.h).
+// Keys, menus and panels edit it and note their changes (state/requests.h); the viewer (viewer.h) handles the notes
+// once a frame. A panel gets only the parts that it shows (panels/panels.h).
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@
 namespace palpate::viewer {
 
 struct ViewerState {
-  // Set by panels, keys and files.
-  scene::Scene scene;  ///< the world at work may lag behind
+  // Requested state.
+  scene::Scene scene;  ///< the present world may lag behind
   ViewState state;
   view::Camera camera;
   std::size_t active_finger = 0;
@@ -45,37 +45,37 @@ struct ViewerState {
   Ruler ruler;
   PlaceSearch place_search;
   ManualShown manual;
-  int hint = 0;                      ///< how many hints have been followed
-  SceneDocument document;            ///< where save goes; without a file: to a fresh name (files/outputs.h)
-  OpenedLook opened;                 ///< what is no change of the look
-  std::optional<Question> question;  ///< nothing else is heard until it has an answer
-  double time_speed = 1.0;           ///< of what plays by itself
-  std::string beside_at_first = {};  ///< a session to be shown beside the first one that is replayed
+  int hint = 0;                      ///< number of hints followed
+  SceneDocument document;            ///< target of saving; without a file: a fresh name (files/outputs.h)
+  OpenedLook opened;                 ///< base for changes of the look
+  std::optional<Question> question;  ///< blocks everything else until it has an answer
+  double time_speed = 1.0;           ///< for automatic playback
+  std::string beside_at_first = {};  ///< a recording to show next to the first one that is replayed
   UiOutput output;
 
-  // Filled in each frame by the viewer, for panels to read.
+  // Present state.
   double now_s = 0.0;
-  std::string held_by = "mouse";           ///< what moves the fingers, in words
-  std::vector<device::Capabilities> held;  ///< of the devices that hold fingers; empty: all are the mouse's
+  std::string held_by = "mouse";           ///< holder of the fingers, as text
+  std::vector<device::Capabilities> held;  ///< devices that hold fingers; empty: all are the mouse's
   DevicesShown devices;
-  double ticks_per_s = 1000.0;  ///< of the servo: those of the scene that the window began with
+  double ticks_per_s = 1000.0;  ///< the servo's: those of the scene that the window began with
   WorldFacts world;
-  std::optional<VertexReading> reading;  ///< of the vertex that was clicked last
+  std::optional<VertexReading> reading;  ///< of the vertex clicked last
   bool vertex_panel_open = false;
   std::optional<engine::BuildProgress> building;
-  bool opening = false;  ///< another scene is on its way: what changes meanwhile is no step
+  bool opening = false;  ///< another scene is being opened: changes meanwhile are not steps
   std::array<contact::FingerOutput, 2> fingers;
   std::array<bool, 2> finger_present{};
   double device_limit_n = 3.3;
-  Vec2 size_points = Vec2(1280, 800);   ///< of the window
-  std::filesystem::path output_folder;  ///< absolute: for what has no place yet
-  std::string place_words = {};         ///< where the active finger is: "T6, 12 mm right"
+  Vec2 size_points = Vec2(1280, 800);   ///< size of the window
+  std::filesystem::path output_folder;  ///< absolute: for files without a place of their own
+  std::string place_words = {};         ///< place of the active finger: "T6, 12 mm right"
   SeenHead head;
   Recording recording;
   ClassShown class_shown;
   Performance performance;
-  bool simple_shading = false;           ///< drawn smooth for now, whatever state.look says
-  Activities activities = {};            ///< of Palpate, that the start page leads to
+  bool simple_shading = false;           ///< drawn smooth for now, overriding state.look
+  Activities activities = {};            ///< Palpate's, for the start page
   std::optional<Activity> awaited = {};  ///< opens when it is built
   bool quad_buffer_offered = false;      ///< the window has a picture for each eye
   Messages messages;
@@ -84,9 +84,9 @@ struct ViewerState {
   void ask(Question asked) { question = std::move(asked); }
   void report(Severity severity, const std::string& text) { messages.add(severity, text, now_s); }
   void plot(const trace::Sample& sample) { plots.fingers[sample.finger].add(sample, device_limit_n); }
-  /// Something is edited on the body: the left button places and moves.
+  /// Whether something is edited on the body: the left button places and moves.
   bool editing() const { return editor.active || lump_editor.active; }
-  /// A gesture of it is under way.
+  /// Whether an editing gesture is in progress.
   bool editingNow() const { return editor.before.has_value() || lump_editor.before.has_value(); }
   LumpEdit lumps() { return {scene.lumps, lump_editor, output, world.landmarks}; }
   DysfunctionEdit dysfunctions() { return {scene.dysfunctions, editor, output, world.landmarks}; }

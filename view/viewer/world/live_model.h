@@ -22,7 +22,7 @@ class LiveModel {
     double deform_ms = 0.0;
     double upload_ms = 0.0;
   };
-  /// Deforms the skin by the newest contacts and uploads what changed.
+  /// Deforms the skin by the newest contacts and uploads the changes.
   Times follow(std::span<const trace::Sample> contacts);
 
   const scene::World& world() const { return *world_; }

@@ -9,16 +9,16 @@ namespace palpate::viewer {
 
 namespace {
 
-/// A fingertip: what a mouse finger is when the scene does not say.
+/// Default radius of a mouse finger: a fingertip's.
 constexpr double kFingertipMm = 8.0;
 
-/// A mouse pushes nobody's hand, so its force is neither shortened nor softened: what is shown is what the skin gives.
+/// A mouse pushes no hand, so its force is neither shortened nor softened: the window shows the skin's own force.
 void removeLimits(servo::LimiterSettings& settings) { settings.limited = false; }
 
 }  // namespace
 
 double fingerRadius(const scene::Scene& scene, std::size_t finger) {
-  if (scene.contact.source == scene::ContactSource::hdb) return 0.0;  // it knows points only
+  if (scene.contact.source == scene::ContactSource::hdb) return 0.0;  // it supports points only
   if (finger >= scene.fingers.size() || scene.fingers[finger].radius_mm <= 0.0) return kFingertipMm;
   return scene.fingers[finger].radius_mm;
 }
@@ -75,7 +75,7 @@ std::vector<device::Device> LiveServo::devicesAtFirst() {
   return devices;
 }
 
-/// The mouse's fingers go their way whoever has them; a device says by its state that it is none of them.
+/// The mouse's fingers follow their path whoever holds them; a device's state shows that it is not one of them.
 engine::ServoThread::Guide LiveServo::guide() {
   return [this](std::span<servo::FingerChain> fingers) {
     for (std::size_t i = 0; i < kFingers; ++i) {

@@ -19,21 +19,20 @@
 
 namespace palpate::viewer {
 
-/// A device that is open, and where its space lies in the body.
+/// An open device, and the place of its workspace in the body.
 struct OpenedDevice {
-  std::string words;  ///< as it was asked for: "openhaptics:Left"
+  std::string words;  ///< as requested: "openhaptics:Left"
   device::Device device;
   device::Workspace workspace;
 };
 
 /// The plan for a world with the settings of a scene: the first two fingers' radii, a fingertip where there are fewer.
-/// A mouse pushes nobody's hand and has no limits; where hardware is held, the scene's hold for all fingers, and those
-/// of the weakest device (device/device_profile.h). `tick_s` is the servo's; 0: as the scene says. Throws Error for
-/// settings that make no sense.
+/// A mouse pushes no hand and has no limits; with hardware, the scene's hold for all fingers, and those of the weakest
+/// device (device/device_profile.h). `tick_s` is the servo's; 0: the scene's. Throws Error for invalid settings.
 engine::ServoPlan planFor(std::shared_ptr<const scene::World> world, const scene::Scene& scene, bool other_body,
                           std::span<const device::Capabilities> held = {}, double tick_s = 0.0);
 
-/// As its workspace makes it: what the limits are taken from.
+/// Capabilities after its workspace: the source of the limits.
 device::Capabilities abilityOf(const OpenedDevice& opened);
 std::vector<device::Capabilities> abilitiesOf(const std::vector<OpenedDevice>& devices);
 
@@ -51,28 +50,27 @@ class LiveServo {
 
   // Devices come and go while the servo runs: in one tick, with the limits of the plan, the one before at zero force.
 
-  /// The device takes the finger; one that held it goes. The plan must have its limits.
+  /// Gives the finger to the device; an earlier one is released. The plan must have its limits.
   void hold(std::size_t finger, OpenedDevice opened, engine::ServoPlan plan);
-  /// The mouse takes the finger back.
+  /// Gives the finger back to the mouse.
   void letGo(std::size_t finger, engine::ServoPlan plan);
-  /// Devices that were let go and that the servo has given back: dropping them closes their drivers, which may take
-  /// its time.
+  /// Released devices that the servo no longer uses: dropping them closes their drivers, which may take some time.
   std::vector<device::Device> takeLeaving();
 
-  /// A device has the finger, the mouse has not.
+  /// Whether a device, not the mouse, has the finger.
   bool isHeld(std::size_t finger) const { return held_[finger].has_value(); }
   bool anyHeld() const { return isHeld(0) || isHeld(1); }
-  /// Of a finger that is held: the device as it was opened, before its workspace.
+  /// For a held finger: the device as opened, before its workspace.
   const OpenedDevice& opened(std::size_t finger) const { return held_[finger]->opened; }
-  /// Of a finger that is held: the device as the servo has it.
+  /// For a held finger: the device as the servo has it.
   const device::Device& device(std::size_t finger) const { return held_[finger]->placed; }
-  /// Of the devices that hold fingers; the same if this finger were held by that device, or for null by the mouse.
+  /// For the devices that hold fingers; the same as if this finger were held by that device, or for null by the mouse.
   std::vector<device::Capabilities> abilities() const;
   std::vector<device::Capabilities> abilitiesWith(std::size_t finger, const OpenedDevice* opened) const;
 
-  // Of a finger that is held; nothing happens to another.
+  // For a held finger; no effect on another.
 
-  /// The device's space lies elsewhere. True if it was not there already; the plan's limits may have to follow.
+  /// Moves the device's workspace. True if it was elsewhere; the plan's limits may have to follow.
   bool place(std::size_t finger, const device::Workspace& workspace);
   void clutch(std::size_t finger, bool held);
   device::WorkspaceReading reading(std::size_t finger);

@@ -21,7 +21,7 @@ namespace palpate::viewer {
 
 namespace {
 
-/// With nothing behind it the beginning of all such messages.
+/// Without `why` it is the beginning of all such messages.
 std::string cannotOpen(const std::string& why = {}) { return trf("cannot open {}", why); }
 
 /// A broken picture must not reach the display.
@@ -35,7 +35,7 @@ void tellRate(ViewerState& viewer) {
                                     viewer.ticks_per_s, viewer.scene.ticks_per_s));
 }
 
-/// The panel, the plots and the banner show what the servo gets.
+/// Gives panel, plots and banner the servo's limits.
 void tellLimits(const engine::ServoPlan& plan, ViewerState& viewer) {
   DevicesShown& shown = viewer.devices;
   const scene::SafetySettings& safety = plan.world->scene.safety;
@@ -62,7 +62,7 @@ OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like) {
   const std::filesystem::path path(pathOf(file));
   const std::string kind = inSmallLetters(path.extension().string());
   if (kind == ".toml") {
-    // Before it is read: who writes it in between is asked about, not written over.
+    // Before it is read: a write in between then leads to a question, not to a loss.
     SceneDocument document = documentOf(path);
     return {scene::load(path), std::move(document)};
   }
@@ -74,12 +74,12 @@ OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like) {
   scene.lumps.clear();
   scene.fingers.clear();
   for (scene::DeviceSettings& device : scene.devices) device.origin_mm.reset();
-  scene.view = {};  // how it is looked at stays (ViewerState::state)
+  scene.view = {};  // the view stays (ViewerState::state)
   scene.ellipses.key_points.clear();
   scene.body = {};
   scene.body.kind = scene::BodyKind::mesh;
   scene.body.file = path;
-  scene.safety.unsafe_stiffness = false;  // it was given for another body
+  scene.safety.unsafe_stiffness = false;  // the consent was for another body
   return {std::move(scene), {}};
 }
 
@@ -125,7 +125,7 @@ void WorldSwap::cancel(ViewerState& viewer) {
   body_requested_ = false;
   opening_.clear();
   viewer.opening = false;
-  // What is at work is what is requested again.
+  // The present body is requested again.
   viewer.scene.body = shown_->scene.body;
   viewer.report(Severity::info, "Cancelled: the body stays as it was");
 }
@@ -155,7 +155,7 @@ void WorldSwap::takeResult(ViewerState& viewer, engine::ServoThread& servo) {
   if (!result) return;
   const std::string opened = std::exchange(opening_, {});
   body_requested_ =
-      body_requested_ && !result->world && opened.empty();  // one that failed is tried again with the next request
+      body_requested_ && !result->world && opened.empty();  // a failed one is tried again with the next request
   if (!result->world) {
     viewer.opening = false;
     failure_ = result->error;
@@ -175,7 +175,7 @@ void WorldSwap::takeResult(ViewerState& viewer, engine::ServoThread& servo) {
 }
 
 void WorldSwap::adopt(ViewerState& viewer, const engine::BuildResult& result, engine::ServoThread& servo) {
-  // A swelling over a lump is another body to the fingers, and the same one to the eye.
+  // To the fingers a swelling over a lump makes another body, to the eye the same.
   const bool other_body = result.request.body == nullptr || result.world->body != shown_->body;
   try {
     engine::ServoPlan plan = planFor(result.world, viewer.scene, other_body, viewer.held, 1.0 / viewer.ticks_per_s);
