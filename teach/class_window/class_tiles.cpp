@@ -16,11 +16,11 @@ using classroom::Need;
 using classroom::Tile;
 
 constexpr double kFullForceN = 5.0;  ///< a bar is full: harder than anybody palpates
-/// What a station reports of its device (training_mode.cpp).
+/// Texts that stations report about their device (training_mode.cpp).
 constexpr const char* kEmergencyStop = toTranslate("emergency stop");
 constexpr double kCountsN = 0.5;  ///< a press counts from here on (training/exploration.h)
 
-// Blue and orange tell apart for every eye; what they mean is also written.
+// Blue and orange are distinguishable with any colour vision; what they mean is also written.
 constexpr ImU32 kCalm = IM_COL32(86, 156, 214, 255);
 constexpr ImU32 kUrgent = IM_COL32(230, 145, 40, 255);
 constexpr ImU32 kStale = IM_COL32(120, 120, 120, 255);

@@ -26,8 +26,8 @@ struct ClassWindowSettings {
   int height = 800;
   double seconds = 0.0;          ///< ends by itself; 0: never
   std::string picture;           ///< the last picture goes there (PNG); empty: nowhere
-  std::string opened;            ///< a station that is open at first
-  std::function<bool()> ending;  ///< somebody outside asks for the end
+  std::string opened;            ///< station that is open at first
+  std::function<bool()> ending;  ///< set from outside: the window must close
 };
 
 /// Until it is closed. Throws Error without a display.
@@ -35,19 +35,19 @@ void runClassWindow(classroom::ClassWatch& watch, const ClassWindowSettings& set
 
 // The tiles of a class and the station that is opened, drawn with Dear ImGui in a frame that has begun.
 
-/// What the window remembers between frames.
+/// State that the window keeps between frames.
 struct ClassView {
   std::string opened;  ///< a station; empty: none
   std::array<char, classroom::kMaxCommandText> message{};
-  std::string told;  ///< what the last button did
+  std::string told;  ///< result of the last button
 };
 
 /// A picture of the back, and where places of the body are in it, each from 0 to 1 from its upper left corner.
 struct BackPicture {
-  std::uint32_t texture = 0;  ///< of the graphics card; 0: none
+  std::uint32_t texture = 0;  ///< texture of the graphics card; 0: none
   double aspect = 1.0;        ///< width over height
-  std::vector<Vec2> sites;    ///< of sites 1, 2, ...
-  /// Of a finger; nothing without a picture.
+  std::vector<Vec2> sites;    ///< positions of sites 1, 2, ...
+  /// Where a finger is on the picture; nothing without a picture.
   std::function<std::optional<Vec2>(const Vec3& place_mm)> seen_at;
 };
 
@@ -80,7 +80,7 @@ struct OpenedStation {
   const std::vector<classroom::ForcePoint>& forces;
   const BackPicture& back;
 };
-/// A command that was asked for.
+/// Returns the command that the user requested, if any.
 std::optional<classroom::Command> openedStation(const OpenedStation& station, ClassView& view);
 
 void classCurve(const std::vector<classroom::CurvePoint>& curve);

@@ -31,7 +31,7 @@ using classroom::MqttLink;
 using classroom::MqttSettings;
 
 constexpr double kPatienceS = 5.0;
-constexpr double kShutOutS = 1.5;  // a broker that lets nobody in says so sooner
+constexpr double kShutOutS = 1.5;  // a broker that refuses us says so sooner
 constexpr std::uint64_t kMaxPemBytes = 65536;
 
 struct Finding {
@@ -105,7 +105,7 @@ Finding checkShutOut(const Member& member) {
   return {"nobody gets in without a certificate", !let_in, let_in ? "the broker lets anybody in" : ""};
 }
 
-/// A question goes to the collector and to its database, and an acknowledgement comes back.
+/// Sends a question to the collector and its database, and expects an acknowledgement.
 Finding checkCollector(const Member& member) {
   Finding finding{"what a station records reaches the database"};
   const training::Uuid key = training::uuidOf(training::utcMs(), training::systemRandom());
@@ -129,7 +129,7 @@ Finding checkCollector(const Member& member) {
   return finding;
 }
 
-/// With a certificate of its own: a certificate is one connection, and nobody is to lose theirs.
+/// Uses a certificate of its own: a certificate allows one connection, and no member may lose theirs to the check.
 std::vector<Finding> findingsOfClass(const classroom::ClassFolder& folder) {
   std::vector<Finding> findings;
   for (const classroom::CertificateLife& life : classroom::certificateLives(folder)) findings.push_back(lifeOf(life));

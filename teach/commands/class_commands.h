@@ -25,19 +25,19 @@ void addClassCheckCommand(Command& parent);
 void addClassWatchCommand(Command& parent);
 void addClassLoadCommand(Command& parent);
 
-/// What `palpate class watch --json` prints of a station.
+/// A station as `palpate class watch --json` prints it.
 Json tileJson(const classroom::Tile& tile);
 
 // A class of simulated stations in one process: each with its own link, certificate and records, ten live samples a
-// second and an answer every now and then; and one instructor who watches. What tools/check-class measures with.
+// second and an answer every now and then; and one instructor who watches. tools/check-class measures with it.
 
 struct ClassLoadSettings {
-  int first = 1;      ///< of the class's stations
+  int first = 1;      ///< number of the first station
   int stations = 50;  ///< in one process: libmosquitto waits by select, which knows no more than 1024 open files
   double seconds = 60.0;
   double trial_every_s = 25.0;   ///< on average; 17 to 39 s in a class
   double catch_up_s = 120.0;     ///< afterwards, for what still waits
-  std::filesystem::path folder;  ///< of the stations' records; must be there
+  std::filesystem::path folder;  ///< for the stations' records; must exist
 };
 
 struct ClassLoadReport {
@@ -50,10 +50,10 @@ struct ClassLoadReport {
   std::set<training::Uuid> trials;  ///< that stations have kept
   std::size_t waiting = 0;          ///< at the end
   double caught_up_s = 0.0;         ///< after the last answer, until nothing waited; negative: never
-  double longest_keep_ms = 0.0;     ///< of a trial, on the station's disk
+  double longest_keep_ms = 0.0;     ///< longest time to store a trial on the station's disk
 };
 
-/// `going` is asked ten times a second; false: it ends early.
+/// `going` is called ten times a second; false ends the run.
 ClassLoadReport runClassLoad(const classroom::ClassFolder& folder, const ClassLoadSettings& settings,
                              const std::function<bool(double done_s)>& going);
 

@@ -125,7 +125,7 @@ class LoadedStation {
   std::unique_ptr<StationLink> link_;
 };
 
-/// Of the station that is loaded as the i-th.
+/// Name of the i-th loaded station.
 const std::string& loadedName(const classroom::ClassFolder& folder, const ClassLoadSettings& load, int i) {
   const int at = load.first - 1 + i;
   return folder.stations.at(static_cast<std::size_t>(at));
@@ -256,7 +256,7 @@ ClassLoadReport runClassLoad(const classroom::ClassFolder& folder, const ClassLo
     }
   }
   const auto ended = Clock::now();
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // what is on its way
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // lets messages in transit arrive
   viewer.stopCounting();
   viewer.fill(report);
   while (waitingIn(stations) > 0 && secondsSince(ended) < settings.catch_up_s && going(settings.seconds)) {

@@ -1,5 +1,5 @@
 // `palpate class load DIR`, which the help does not list: a class of simulated stations (class_commands.h), and the
-// servo loop beside one station's link. tools/check-class runs it.
+// servo loop alongside one station's link. tools/check-class runs it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ struct ClassLoadArguments {
   int servo_pairs = 7;
 };
 
-/// Of the whole class. A database that was just killed is waited for, a minute long.
+/// Trials of the whole class. Waits up to a minute for a database that was just killed.
 std::multiset<training::Uuid> trialsWhenItAnswers(const std::string& database) {
   constexpr int kAttempts = 120;
   for (int attempt = 1;; ++attempt) {

@@ -42,7 +42,7 @@ struct ClassWatchArguments {
   std::string language;
 };
 
-/// What was measured before anybody watched.
+/// Loads what was measured before the watch began.
 void rememberRecords(const std::string& file, classroom::ClassWatch& watch) {
   training::Store store = recordsAt(file, training::Store::Open::read_only);
   for (const training::SessionRow& session : store.sessions()) {

@@ -18,7 +18,7 @@ namespace {
 struct CodesArguments {
   int count = 12;
   std::string class_id;
-  std::string key;  ///< of a class that has one
+  std::string key;  ///< secret of a class that has one
   bool csv = false;
   bool json = false;
 };

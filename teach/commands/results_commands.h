@@ -24,7 +24,7 @@ void addResultsReportCommand(Command& parent);
 void addResultsVerifyCommand(Command& parent);
 
 struct ResultsArguments {
-  std::string class_folder;  ///< whose secret tells pseudonyms from codes; empty: what the records remember
+  std::string class_folder;  ///< its secret distinguishes pseudonyms from codes; empty: what the records remember
   std::string file;          ///< or the address of a class's database; empty: the user's own
   bool json = false;
 };
@@ -39,7 +39,7 @@ ClassSecret secretIn(const std::string& folder);
 /// [FILE] and --json. `arguments` must outlive the command.
 void addResultsFile(Command& command, ResultsArguments& arguments);
 
-/// Brings a file forward where it is older. Throws Error, which says where records are made when there are none.
+/// Migrates an older file. Throws Error, which says where records are made when there are none.
 training::Store openedResults(const ResultsArguments& arguments);
 
 /// A file, or a copy of what the database at this address holds (classroom/database_copy.h).
@@ -48,7 +48,7 @@ training::Store recordsAt(const std::string& file_or_address, training::Store::O
 /// By the code on their card, their pseudonym, or its first letters. Throws Error.
 training::TraineeRow traineeCalled(training::Store& store, const std::string& code_or_id);
 
-/// What the help calls it.
+/// Help text of the trainee argument.
 inline constexpr const char* kTraineeHelp = "The code on the trainee's card, or the pseudonym (its beginning will do)";
 
 std::string whenWords(std::int64_t ms);  ///< "2026-11-22 10:03", UTC

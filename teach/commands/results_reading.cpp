@@ -1,4 +1,4 @@
-// What of the records can be read at a glance: sessions, one trainee, everybody, and whether all of it is whole.
+// Prints what can be read at a glance: sessions, one trainee, all trainees, and whether the records are intact.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ struct TraineeSummary {
   std::size_t sessions = 0;
   std::size_t trials = 0;
   std::int64_t last_ms = 0;
-  std::optional<BlockRow> first = {}, last = {};  ///< of those that measured
+  std::optional<BlockRow> first = {}, last = {};  ///< blocks that measured
 };
 
 TraineeSummary traineeSummary(Store& store, const TraineeRow& row) {

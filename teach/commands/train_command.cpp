@@ -1,4 +1,5 @@
-// `palpate train`: a window in which people feel, answer, and are told how well; or a simulated trainee without one.
+// `palpate train`: a window in which people feel, answer and learn how well they did; or a simulated trainee without
+// one.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -70,7 +71,7 @@ window::WindowSettings trainingWindow(const TrainOptions& options) {
   return settings;
 }
 
-/// Of what people have chosen for `palpate run`, what helps them to read.
+/// The display settings of `palpate run` that help to read.
 viewer::ViewState readableState(const TrainOptions& options) {
   viewer::ViewState state;
   if (options.no_state) return state;
@@ -84,7 +85,7 @@ viewer::ViewState readableState(const TrainOptions& options) {
   return state;
 }
 
-/// What is on the screen, a line whenever it changes: for tests and for whoever helps from afar.
+/// Prints the screen's text, one line per change: for tests and for remote help.
 class ScreenTeller {
  public:
   void tell(const viewer::TrainingMode& training) {
@@ -151,7 +152,7 @@ void addTrainCommand(Command& app) {
   addTrainOptions(*command, *options);
   addTraineeOptions(*command, *simulated);
   command->callback([=] {
-    if (!command->get_subcommands().empty()) return;  // the results were asked for
+    if (!command->get_subcommands().empty()) return;  // a subcommand runs instead
     useLanguage(options->language);
     if (!options->screens.empty()) return showScreens(*options);
     if (options->trainee.empty()) {

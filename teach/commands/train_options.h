@@ -1,4 +1,4 @@
-// What `palpate train` was asked for: the same for the window and for a simulated trainee (trainee_course.h).
+// Options of `palpate train`, the same for the window and for a simulated trainee (trainee_course.h).
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,19 @@ struct TrainOptions {
   std::string scene;             ///< scene or mesh file; empty: the built-in body
   std::string records;           ///< file of results; empty: recordsFile()
   std::string protocol = "vhb";  ///< built in, or a file
-  std::string kind;              ///< what is done, as WordsOf<SessionKind> spells it with hyphens; empty: chosen
-  std::string class_id;          ///< empty: none
-  std::string code;              ///< signs in at once; empty: typed (a simulated trainee: made up from its seed)
+  std::string kind;      ///< kind of session, as WordsOf<SessionKind> spells it with hyphens; empty: the user chooses
+  std::string class_id;  ///< empty: none
+  std::string code;      ///< signs in at once; empty: typed (a simulated trainee: made up from its seed)
   std::vector<std::string> devices;
-  std::string thimble;                ///< recorded with the device: "rigid", "soft", "none"; empty: asked for
+  std::string thimble;  ///< recorded with the device: "rigid", "soft", "none"; empty: the trainee is asked
   std::optional<std::uint64_t> seed;  ///< nothing: the system's randomness
-  std::string trainee;                ///< words of a simulated trainee (observerNamed); empty: a person at the window
-  int sessions = 1;                   ///< of a simulated trainee, one after the other
+  std::string trainee;                ///< describes a simulated trainee (observerNamed); empty: a person at the window
+  int sessions = 1;                   ///< how many a simulated trainee does in a row
   std::string out;                    ///< a simulated trainee: what it did, as a file; the window: folder for pictures
   bool json = false;
   bool no_recording_file = false;  ///< trials are not kept tick by tick
 
-  // Of the window.
+  // For the window.
   std::string play;
   std::uint64_t frames = 0;
   int width = 0;
@@ -38,7 +38,7 @@ struct TrainOptions {
   bool no_state = false;
   bool no_speech = false;
   bool verbose = false;
-  std::string language;  ///< of the window and its voice; empty: the system's
+  std::string language;  ///< for the window and its voice; empty: the system's
   std::string screens;   ///< folder for a picture of every screen; empty: a window is opened
 };
 
@@ -51,21 +51,21 @@ std::filesystem::path recordsFile(const TrainOptions& options);
 /// The scene that is felt, apart from what a trial hides in it. Throws Error.
 scene::Scene sceneToTrainOn(const TrainOptions& options);
 
-/// The kind that was asked for by name, if one was.
+/// The requested kind, if one was named.
 std::optional<training::SessionKind> kindAskedFor(const TrainOptions& options);
-/// The protocol that was named; of sittings with lumps that with lumps, where none was. Throws Error.
+/// The named protocol; by default the one for lumps if the session has lumps. Throws Error.
 training::Protocol protocolAskedFor(const TrainOptions& options);
 
 // `palpate train --trainee WORDS`: a simulated trainee instead of a person, without a window.
 
-/// What only a simulated trainee can be asked for.
+/// Options that only a simulated trainee has.
 struct TraineeOptions {
-  bool programme = false;  ///< the whole course: pre-test, six practices, post-test
+  bool programme = false;  ///< pre-test, six practices, post-test
   bool fast = false;       ///< without a body
   int trainees = 1;
-  double spread = 0.33;  ///< of the thresholds of several: SD of the logarithm
+  double spread = 0.33;  ///< SD of the logarithm of several trainees' thresholds
   std::string hand = "thimble,touch_x";
-  std::string start = "2026-01-05T09:00:00Z";  ///< of the first session
+  std::string start = "2026-01-05T09:00:00Z";  ///< time of the first session
   int most_trials = 0;
 };
 

@@ -174,7 +174,7 @@ class TraineeCommand {
         lump_observer_(finds_lumps_ ? training::lumpTraineeNamed(options.trainee) : training::LumpTraineeSettings()),
         seed_(options.seed.value_or(finds_lumps_ ? lump_observer_.seed : observer_.seed)),
         start_ms_(startMs(simulated.start)) {
-    // What is wrong is said before a body is built.
+    // Faults are reported before a body is built.
     if (simulated.trainees > 1 && !options.code.empty()) throw Error("--code is one trainee's; --trainees are several");
     if (!options.code.empty() && !training::codeTyped(options.code)) {
       throw Error(fmt::format("--code '{}' is not a code: a letter of it is wrong", options.code));
@@ -217,7 +217,7 @@ class TraineeCommand {
     return simulated_.fast ? std::string(training::kNoBody) : training::deviceWords(bench_.hand);
   }
 
-  /// What the first session's rows refer to.
+  /// Stores the rows that the first session refers to.
   void keepFirst(training::Store& store) {
     training::StationRow station = training::simulatedStation(start_ms_);
     station.device = deviceWords();
@@ -234,7 +234,7 @@ class TraineeCommand {
     store.keep(training::ClassRow{.id = id, .label = id});
   }
 
-  /// Until the class has it all, nothing went for a while, or the end was asked for: what waits goes another time.
+  /// Sends until the class has it all, no progress was made for a while, or the user stopped: the rest goes next time.
   void sendWaiting(training::Store& store) {
     constexpr double kPatienceS = 10.0;
     Clock::time_point went = Clock::now();
@@ -260,7 +260,7 @@ class TraineeCommand {
     bench_.answered = [this](const training::TrialRow& trial) { answered(trial); };
   }
 
-  /// Of a class each session is too much to read.
+  /// For a class, printing each session would be too much to read.
   bool tells() const { return !options_.json && (simulated_.trainees == 1 || options_.verbose); }
 
   void answered(const training::TrialRow& trial) {
@@ -285,7 +285,7 @@ class TraineeCommand {
     const bool alone = simulated_.trainees == 1;
     const training::TraineeRow row =
         training::simulatedTrainee(classId(), code, start_ms_, member_ ? member_->trainee_key : std::string());
-    // Anew for a class, which may have forgotten somebody who was away.
+    // Stored again for a class, which may have forgotten a trainee who was away.
     if (const auto known = store.trainee(row.id); !known || member_) store.keep(known.value_or(row));
     training::TraineeCourse course;
     course.observer = alone ? observer_ : training::oneOfClass(observer_, simulated_.spread, seed_, number);
@@ -326,7 +326,7 @@ class TraineeCommand {
     fmt::print("kept in {}\n", store.file().string());
   }
 
-  /// Of tests; what a practice reads on its way is no result.
+  /// Tests only: intermediate readings of a practice are not results.
   std::string classLines() const {
     std::string lines;
     for (const auto& [kind, thresholds] : finished_) {
@@ -344,13 +344,13 @@ class TraineeCommand {
 
   const TrainOptions& options_;
   const TraineeOptions& simulated_;
-  bool finds_lumps_;  ///< it is asked for a sitting with lumps
+  bool finds_lumps_;  ///< the session has lumps
   training::ObserverSettings observer_;
   training::LumpTraineeSettings lump_observer_;
   std::uint64_t seed_;
   std::int64_t start_ms_;
   training::TraineeBench bench_;
-  std::optional<classroom::Member> member_;  ///< of a class on the network
+  std::optional<classroom::Member> member_;  ///< for a class on the network
   ProgressLine progress_;
   std::string person_;
   Json trainees_ = Json::array();

@@ -1,5 +1,5 @@
-// The part of a training report that sittings with lumps fill: what was found, by size, depth and hardness, what was
-// false alarms, and what was known of the lumps.
+// The part of a training report about sessions with lumps: lumps found, by size, depth and hardness, false alarms, and
+// what was known of the lumps.
 #include <fmt/format.h>
 
 #include "palpate/base/json.h"

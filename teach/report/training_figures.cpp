@@ -1,4 +1,4 @@
-// Changes stand in per cent on logarithmic axes: as much better is as far down everywhere.
+// Changes are in per cent on logarithmic axes: as much better is as far down everywhere.
 #include "teach/report/training_figures.h"
 
 #include <fmt/format.h>
@@ -180,7 +180,7 @@ void addBlocks(const TraineeStatistics& trainee, bool tests, ShownChanges& shown
   plot.series.push_back(std::move(points));
 }
 
-/// Of many occasions the first, the last and the direction are enough to be told; all are in the table.
+/// Describes many occasions by the first, the last and the direction; the table has all.
 std::string firstAndLast(const std::string& what, const std::string& first, const std::string& last,
                          std::size_t count) {
   if (count == 1) return fmt::format("{}: {}.", what, first);
@@ -310,7 +310,7 @@ TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics
     for (const TraineeStatistics& trainee : statistics.trainees) {
       for (const ThresholdPoint& point : trainee.points) {
         if (!point.threshold || point.kind != occasion.kind || point.nth != occasion.nth) continue;
-        // Beside each other in a fixed pattern, so that equal results do not cover each other.
+        // Spread sideways in a fixed pattern, so that equal results do not cover each other.
         constexpr std::size_t kPlaces = 13;
         const double aside = static_cast<double>(of_occasion++ * 5 % kPlaces) / (kPlaces - 1) - 0.5;
         everybody.x.push_back(at - 0.12 + 0.2 * aside);
@@ -491,7 +491,7 @@ TrainingPicture accuracyPicture(const TestsAndPracticeShown& shown) {
 
 namespace {
 
-/// Somebody who only lifts and presses never searches.
+/// A trainee who only lifts and presses never searches.
 std::string medianForce(const training::Spread& force) {
   return force.count == 0 ? tr("not measured") : fmt::format("{:.2f} N", WrittenNumber{force.median});
 }

@@ -12,7 +12,7 @@ namespace palpate::app {
 struct TrainingPicture {
   std::string id;           ///< in the page
   std::string caption;      ///< how to read it
-  std::string alternative;  ///< what is seen
+  std::string alternative;  ///< describes the figure in words
   figures::Figure figure;
 };
 
@@ -26,7 +26,7 @@ TrainingPicture fitPicture(const std::vector<const training::ThresholdPoint*>& b
 /// All answers of a class against the change in units of each one's threshold.
 TrainingPicture collapsedPicture(const std::vector<training::AnswerBox>& boxes);
 
-/// What of tests, what of practice; either may have nothing.
+/// Statistics of tests and of practice; either may be null.
 struct TestsAndPracticeShown {
   const training::TrialStatistics* tests = nullptr;
   const training::TrialStatistics* practice = nullptr;

@@ -1,4 +1,4 @@
-// The page from its summary to its definitions. Pictures have their words beside them, so it can be read as text.
+// The page from its summary to its definitions. Pictures have texts next to them, so it can be read as text.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using training::ThresholdPoint;
 using training::TraineeStatistics;
 using training::TrialStatistics;
 
-/// Sites of whoever has sites of their own are found by the words of their protocol.
+/// Custom sites are found by the place names of their protocol.
 std::optional<ReportBack> reportBack(const TrainingReport& report) {
   const body::Torso torso = body::makeTorso();
   ReportBack back{.skin = torso.skin.mesh, .sites = {}};
@@ -34,7 +34,7 @@ std::optional<ReportBack> reportBack(const TrainingReport& report) {
     back.sites =
         places.empty() ? training::twelveSites(torso.landmarks) : training::sitesNamed(torso.landmarks, places);
   } catch (const Error&) {
-    return std::nullopt;  // places of another body: the tables tell
+    return std::nullopt;  // places of another body: the tables have them
   }
   return back;
 }

@@ -88,7 +88,7 @@ void keepOne(TrainingReport& report, const WantedTrainee& wanted) {
 
 std::string resultSentence(const TraineeStatistics& trainee, bool found_lumps) {
   const ThresholdPoint* latest = trainee.latest();
-  if (found_lumps && trainee.points.empty()) return {};  // sittings with lumps alone have sentences of their own
+  if (found_lumps && trainee.points.empty()) return {};  // sessions with lumps alone have sentences of their own
   if (latest == nullptr) return tr("No result yet: no block has enough answers for a threshold.");
   const auto& t = *latest->threshold;
   if (!t.telling()) {

@@ -2,8 +2,8 @@
 //
 //   Store ─ trainingReport ─► TrainingReport ─► trainingReportJson, trainingReportPage (pictures: training_figures.h)
 //
-// Nobody's name is in a records file; a trainee is called by the first letters of the pseudonym, or by the code where
-// whoever asked for the report typed it.
+// A records file holds no names; a trainee is called by the first letters of the pseudonym, or by the code if the user
+// typed it.
 #pragma once
 
 #include <filesystem>
@@ -38,16 +38,16 @@ struct ReportBack {
 struct TrainingReport {
   std::filesystem::path file;
   bool of_class = false;
-  std::string name;  ///< of the trainee, as it may be shown
+  std::string name;  ///< the trainee's name, as it may be shown
   std::string class_words;
   training::TrainingRecord record;
-  training::TrainingStatistics statistics;  ///< of the trainee alone, or of all
+  training::TrainingStatistics statistics;  ///< for the trainee alone, or for all
   /// A trainee's report: the class's occasions, where enough others were there.
   std::vector<training::Occasion> others;
-  std::vector<training::LumpGroup> lumps;  ///< sittings with lumps of the same trainees
+  std::vector<training::LumpGroup> lumps;  ///< for the same trainees
 };
 
-/// Throws Error for what is no records file, and for a trainee or class that it does not hold.
+/// Throws Error if the file is not a records file or does not hold the trainee or class.
 TrainingReport trainingReport(const TrainingReportSettings& settings, const Progress& progress);
 
 /// Every number of the report.
@@ -59,12 +59,12 @@ std::vector<std::string> trainingSentences(const TrainingReport& report);
 /// One HTML page that needs nothing else, well-formed, with all numbers as JSON in it. Draws its pictures.
 std::string trainingPage(const TrainingReport& report, const Progress& progress);
 
-/// What no number here shows, in English, for tr().
+/// Limits of the numbers here, in English, for tr().
 inline constexpr const char* kNotShown = toTranslate(
     "These numbers show how small a difference of stiffness somebody finds on this simulator, with this device. They "
     "do not show skill on patients: nobody has tested yet whether it carries over.");
 
-/// Of others' results a trainee may see quartiles only where so many stand behind them that nobody is recognised.
+/// A trainee may see quartiles of others' results only where at least this many keep each from being recognised.
 inline constexpr int kMinOthers = 5;
 
 /// "pre-test", "practice 3".
@@ -80,9 +80,9 @@ std::string thresholdWords(double median, double low, double high);
 /// 1763853600000 -> "2025-11-22".
 std::string dayWords(std::int64_t utc_ms);
 
-// The tables of a training report, as they stand in its page; empty where there is nothing to tell.
+// The tables of a training report, as in its page; empty without data.
 
-/// What the numbers are of: file, class, times, devices, protocols, versions.
+/// Source of the numbers: file, class, times, devices, protocols, versions.
 std::string trainingFacts(const TrainingReport& report);
 
 /// Every block of a trainee with its result.
@@ -96,13 +96,13 @@ std::string traineesTable(const training::TrainingStatistics& statistics);
 std::string levelsTable(const training::TrialStatistics& trials, const std::string& what);
 /// `set`: the names of the sites; may be empty.
 std::string sitesTable(const training::TrialStatistics& trials, const training::SiteSet& set, const std::string& what);
-/// Force, speed, time: tests beside practice.
+/// Force, speed, time: tests and practice.
 std::string handlingTable(const training::TrialStatistics& tests, const training::TrialStatistics& practice);
 std::string secondsTable(const training::TrialStatistics& tests, const training::TrialStatistics& practice);
 std::string answersTable(const training::TrialStatistics& trials, const std::string& what);
 std::string qualitySection(const TrainingReport& report);
 
-// Of sittings with lumps; empty without any.
+// Sections about sessions with lumps; empty without any.
 
 std::string lumpSections(const TrainingReport& report);
 std::vector<std::string> lumpSentences(const TrainingReport& report);

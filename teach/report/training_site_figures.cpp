@@ -84,11 +84,11 @@ TrainingPicture answersPicture(const TrialStatistics& trials, const std::string&
   field.unit = "%";
   field.colours = ColourMap::cividis;
   for (int row = 1; row <= answers.sites; ++row) {
-    const int truth = answers.sites + 1 - row;  // site 1 stands on top
+    const int truth = answers.sites + 1 - row;  // site 1 is on top
     const int all = answers.of(truth);
     for (int column = 1; column <= columns; ++column) {
       const int count = answers.at(truth, column == columns ? 0 : column);
-      // What never happened stays white: errors then stand out.
+      // Empty cells stay white, so that errors stand out.
       const double share = count > 0 ? static_cast<double>(count) / all : std::numeric_limits<double>::quiet_NaN();
       field.values.push_back(100.0 * share);
       if (count == 0) continue;

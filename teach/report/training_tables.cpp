@@ -134,7 +134,7 @@ MadeWith madeWith(const TrainingReport& report) {
 std::string eventsWords(const training::SessionQuality& session) {
   std::string words;
   for (const auto& [kind, count] : session.events) {
-    if (kind == "block" || kind == "screen") continue;  // of the ordinary course
+    if (kind == "block" || kind == "screen") continue;  // part of every session
     words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, recordWord(kind));
   }
   return words.empty() ? std::string(kNoValue) : words;

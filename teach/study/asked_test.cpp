@@ -33,7 +33,7 @@ int choicesOf(const Psychometric& trainee) { return static_cast<int>(std::lround
 
 std::vector<double> vhbRising() { return {kVhbLevels.rbegin(), kVhbLevels.rend()}; }
 
-/// The level that tells most about threshold, slope and lapse rate together, as QUEST+ has it.
+/// Chooses the most informative level about threshold, slope and lapse rate together, as QUEST+ does.
 class JointPsi {
  public:
   JointPsi(std::vector<double> levels, const Posterior& like) : levels_(std::move(levels)) {

@@ -45,7 +45,7 @@ double stiffnessShare(double change) {
          1.0;
 }
 
-/// With fewer places than the test asks about, places stand in for each other by turns.
+/// With fewer places than the test asks about, places are reused by turns.
 double normalAt(const std::vector<double>& normal_px, int site) {
   return normal_px[static_cast<std::size_t>(site - 1) % normal_px.size()];
 }

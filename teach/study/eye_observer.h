@@ -42,9 +42,9 @@ struct EyeMeasurement {
   double sink_normal_px = 0.0, sink_stiffer_px = 0.0;    ///< means over sites
   double rings_normal_px = 0.0, rings_stiffer_px = 0.0;  ///< likewise
   double d_prime_sink = 0.0, d_prime_rings = 0.0;
-  double off_line_percent = 0.0;          ///< of the stiffer sinks from (1 - d) times the normal ones, the most
+  double off_line_percent = 0.0;          ///< largest error of the stiffer sinks against (1 - d) times the normal ones
   training::BlockResult first{};          ///< the test of the seed
-  std::vector<double> medians{};          ///< of all tests, compliance
+  std::vector<double> medians{};          ///< medians of all tests, compliance
   std::vector<double> stiffness_share{};  ///< lower, middle and upper 2.5, 50, 97.5 % of tests, as k'/k - 1
 };
 

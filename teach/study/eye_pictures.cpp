@@ -21,7 +21,7 @@ namespace palpate::study {
 
 namespace {
 
-/// What the training window of 1280 x 800 leaves beside its column, and how much of the body it shows round the sites.
+/// The body's share of a training window of 1280 x 800, and how much of the body it shows round the sites.
 constexpr int kPictureWidth = 980;
 constexpr int kPictureHeight = 776;
 constexpr double kRoomRoundSitesMm = 110.0;

@@ -17,10 +17,10 @@
 
 namespace palpate::study {
 
-/// What the mouse presses with in training, N.
+/// Force of the mouse's press in training, N.
 inline constexpr double kEyePressN = 2.0;
 
-/// Of one press, pixels.
+/// Reading of one press, pixels.
 struct EyeReading {
   double sink = 0.0;   ///< in the close view: how far the finger's cuff went down since it touched
   double rings = 0.0;  ///< in the whole picture: half of the rings' width

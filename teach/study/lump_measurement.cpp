@@ -20,7 +20,7 @@ using lumps::LumpObserver;
 namespace {
 
 constexpr double kNotPrinted = std::numeric_limits<double>::quiet_NaN();
-/// Of the pattern in the fits: finer ones tell hardly more of lumps so deep.
+/// Resolution of the pattern in the fits: finer ones add hardly anything for lumps this deep.
 constexpr std::size_t kTaxels = 8;
 constexpr double k95 = 1.96;
 
@@ -147,8 +147,8 @@ double rootBetween(double low, double high, const Rises& rises) {
   return std::sqrt(low * high);
 }
 
-/// The observer who finds the largest and the smallest lumps as often as is printed: a Weber fraction for each spread,
-/// and of these the spread that tells the sizes so far apart.
+/// Fits the observer who finds the largest and the smallest lumps as often as is printed: a Weber fraction for each
+/// spread, and the spread that separates the sizes this far.
 LumpObserver fittedObserver(const FeltSet& set, double large_percent, double small_percent) {
   LumpObserver observer{.taxels = kTaxels};
   const auto weberAt = [&](double spread) {
@@ -195,7 +195,7 @@ struct MeanOfPeople {
   double high = 0.0;
 };
 
-/// Of shares, in percent, with their 95 % interval.
+/// Mean of shares, in percent, with its 95 % interval.
 MeanOfPeople meanOf(const std::vector<double>& shares) {
   const auto count = static_cast<double>(shares.size());
   double sum = 0.0;
@@ -254,7 +254,7 @@ LumpCue clearestCue(const FeltSet& set, double diameter_mm, const LumpObserver& 
   });
 }
 
-/// What one cue is more than another: Weber fractions are of what is felt already.
+/// Relative difference of two cues: Weber fractions refer to what is felt already.
 LumpCue moreThan(const LumpCue& more, const LumpCue& less) {
   return {.force = (1.0 + more.force) / (1.0 + less.force) - 1.0,
           .pattern = (1.0 + more.pattern) / (1.0 + less.pattern) - 1.0};

@@ -1,7 +1,7 @@
 // Published examinations of lumps in silicone, repeated by simulated trainees whose finger is the engine's.
 //
 //   layers, solved ─ LumpSheet with a lump each ─┬─ strokes at every distance ─ fittedObserver ─► LumpObserver
-//                                                └─ strokes of trainees ─► found or not ─► figures beside the printed
+//                                                └─ strokes of trainees ─► found or not ─► compared with print
 //
 // Numbers that are printed are those of the studies that docs/explanation/lump-finding.md names.
 #pragma once
@@ -55,11 +55,11 @@ struct ExaminedGroup {
   std::string words;
   lumps::LumpObserver observer = {};
   std::vector<DetectionFigure> figures;
-  double expected_mean = 0.0;        ///< %, of a large group: of all lumps
-  double expected_easiest = 0.0;     ///< of the largest hard ones
-  double expected_hardest = 0.0;     ///< of the smallest soft ones
-  double force_only_mean = 0.0;      ///< %, of the same observer without the pattern
-  double force_only_smallest = 0.0;  ///< of lumps of 0.3 cm
+  double expected_mean = 0.0;        ///< %, of all lumps, in a large group
+  double expected_easiest = 0.0;     ///< %, of the largest hard ones
+  double expected_hardest = 0.0;     ///< %, of the smallest soft ones
+  double force_only_mean = 0.0;      ///< %, for the same observer without the pattern
+  double force_only_smallest = 0.0;  ///< %, for lumps of 0.3 cm
 
   /// Throws Error for a name that there is not.
   const DetectionFigure& figure(std::string_view name_of) const;
@@ -87,7 +87,7 @@ struct AssumedOtherwise {
   std::vector<double> expected;  ///< as ExaminedGroup::figures
 };
 
-/// What a finger right over a lump feels.
+/// The cue for a finger right over a lump.
 struct CueRow {
   double diameter_mm = 0.0;
   double young_kpa = 0.0;
@@ -95,7 +95,7 @@ struct CueRow {
 };
 
 struct LumpPlan {
-  std::size_t people = 1000;  ///< of each group
+  std::size_t people = 1000;  ///< in each group
   std::uint64_t seed = 1;
   bool otherwise = true;  ///< whether the assumptions are varied
 };

@@ -77,7 +77,7 @@ TextTable otherwiseTable(const LumpMeasurement& found) {
 
 // ------------------------------------------------------------------------------------------- pictures
 
-/// Of a 95 % interval, an upright line.
+/// Draws a 95 % interval as an upright line.
 void addInterval(Plot& plot, double x, double low, double high) {
   if (plot.shapes.empty()) plot.shapes.push_back({.name = "95 %", .closed = false, .colour = figures::kBlue});
   plot.shapes.front().paths.push_back({Vec2(x, low), Vec2(x, high)});

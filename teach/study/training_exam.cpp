@@ -14,7 +14,7 @@ using training::Verdict;
 namespace {
 
 constexpr int kPlaces = 12;
-/// An examination's pass mark until judges have set one.
+/// An examination's pass mark until examiners have set one.
 constexpr double kPassMark = 0.20;
 
 struct LeftOutRun {

@@ -24,14 +24,14 @@ namespace {
 constexpr int kTestTrials = 40;
 /// Where the interval of a test's user ends: SD of ln T that trials are counted until.
 constexpr double kWantedError = 0.15;
-/// Reversals whose mean is told without a posterior.
+/// Reversals whose mean is reported without a posterior.
 constexpr std::size_t kToldReversals = 6;
 
-/// What one run of the main table gives.
+/// Result of one run of the main table.
 struct RecoveryRun {
   ThresholdSummary reported;
   std::vector<double> error_ln;  ///< after each trial
-  AskedTest test;                ///< of the first 40 trials
+  AskedTest test;                ///< the first 40 trials
 };
 
 RecoveryRun recoveryRun(AskedBy method, double truth, int longest, std::uint64_t seed) {

@@ -1,5 +1,5 @@
-// Tests, examinations and lessons of simulated trainees whose thresholds are known: what comes back, how surely, after
-// how many trials.
+// Tests, examinations and lessons of simulated trainees whose thresholds are known: what is recovered, how surely,
+// after how many trials.
 #pragma once
 
 #include <cstddef>
@@ -23,13 +23,13 @@ namespace palpate::study {
 //
 //   method, trainee, seed ─ askedTest ─► answers ─► posterior after every trial ─► recovery.h
 //
-// What the product can ask it asks itself (training/block.h); the methods that it was chosen against are here.
+// The product's own methods are asked through it (training/block.h); the methods it was chosen against are here.
 
 enum class AskedBy {
   marginal_psi,
   marginal_psi_vhb,  ///< the seven levels only
   quest,             ///< at the posterior's mean
-  joint_psi,         ///< tells most about threshold, slope and lapse rate together
+  joint_psi,         ///< most informative about threshold, slope and lapse rate together
   two_down,
   three_down,
   weighted,  ///< up by three steps, down by one: 75 %
@@ -41,9 +41,9 @@ std::string nameOf(AskedBy method);
 
 struct AskedTest {
   std::vector<training::Answer> answers;
-  std::vector<double> reversals;  ///< of two_down: the changes at which it turned
-  double level = 0.0;             ///< of mastery: the smallest that was mastered; 0: none
-  double first_failed = 0.0;      ///< of mastery: the smallest mastered when a level was failed first; 0: none
+  std::vector<double> reversals;  ///< two_down: the changes at which it turned
+  double level = 0.0;             ///< mastery: the smallest that was mastered; 0: none
+  double first_failed = 0.0;      ///< mastery: the smallest mastered when a level was failed first; 0: none
 };
 
 /// `trials` of them; the trainee's guess says among how many places.
@@ -55,21 +55,21 @@ training::Psychometric usualTrainee(double threshold, int choices = 12);
 /// Posterior after all answers.
 training::Posterior believed(const std::vector<training::Answer>& answers, int choices = 12);
 
-/// `work(i)` for every i below `count`, by two threads where there are two. What it throws is thrown here.
+/// Runs `work(i)` for every i below `count`, on two threads where there are two. Rethrows its exceptions.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work);
 
-/// Of the run `i` of a cell: no two cells share answers.
+/// Seed of run `i` of a cell: no two cells share answers.
 std::uint64_t runSeed(std::uint64_t seed, std::uint64_t cell, std::size_t i);
 
 struct TrainingPlan {
   std::uint64_t seed = 1;
   std::size_t runs = 1000;         ///< a cell of the main table, of exploration and examination
-  std::size_t beside_runs = 1000;  ///< of the methods that are not the product's first
-  std::size_t robust_runs = 400;   ///< of what lies outside the model
-  std::size_t two_runs = 400;      ///< of two intervals
-  std::size_t repeats = 400;       ///< of a comparison of ten trainees
+  std::size_t beside_runs = 1000;  ///< for methods other than the product's first
+  std::size_t robust_runs = 400;   ///< for cases outside the model
+  std::size_t two_runs = 400;      ///< for two intervals
+  std::size_t repeats = 400;       ///< for a comparison of ten trainees
   std::size_t people = 300;        ///< who learn over six sessions
-  std::size_t groups = 60;         ///< of 89, for how often an interval of their mean is right
+  std::size_t groups = 60;         ///< groups of 89, for how often an interval of their mean is right
   int longest = 80;                ///< trials that convergence is followed for
   bool all = true;                 ///< else only what the main numbers need
 };
@@ -81,7 +81,7 @@ TrainingPlan trainingPlan(bool quick, std::optional<std::size_t> runs = {});
 struct RecoveryCell {
   double truth = 0.0;
   double bias_points = 0.0;  ///< mean of what is reported, less the truth; percentage points
-  double sd_ln = 0.0;        ///< of ln T over runs
+  double sd_ln = 0.0;        ///< SD of ln T over runs
   double coverage = 0.0;     ///< share of 95 % intervals that hold the truth
   double mean_trials = 0.0;
   double trials_90 = 0.0;  ///< nine in ten take no more
@@ -89,19 +89,19 @@ struct RecoveryCell {
 
 struct MethodRow {
   AskedBy method = AskedBy::marginal_psi;
-  std::vector<RecoveryCell> cells{};  ///< of each truth, after 40 trials
+  std::vector<RecoveryCell> cells{};  ///< one per truth, after 40 trials
   std::vector<double> error_ln{};     ///< rms error of ln T after each trial, over runs and truths
   int least_to_15 = 0;                ///< trials until that error stays below 0.15, for the best and the worst truth;
   int most_to_15 = 0;                 ///< 0: not within the longest
 };
 
-/// What is told without a posterior, at 40 trials, as a ratio to the truth.
+/// Readings without a posterior, at 40 trials, as a ratio to the truth.
 struct ReadingRow {
   std::string name;
   double least_ratio = 0.0;  ///< mean over runs, of the truths
   double most_ratio = 0.0;
   double sd_ln = 0.0;     ///< the largest
-  double coverage = 0.0;  ///< of the interval from the reversals' own spread, around what the rule aims at; 0: none
+  double coverage = 0.0;  ///< how often the interval of the reversals' own spread covers the rule's aim; 0: none
   double told = 1.0;      ///< share of runs that give a reading at all
 };
 
@@ -111,7 +111,7 @@ struct NamedCells {
 };
 
 struct ExplorationRow {
-  int searched = 12;       ///< of twelve
+  int searched = 12;       ///< sites searched, of twelve
   RecoveryCell corrected;  ///< trials of targets not felt left out, guesses and threshold converted
   RecoveryCell naive;      ///< every trial taken as one among twelve
   double usable = 0.0;     ///< trials of 40
@@ -141,7 +141,7 @@ struct LearningRow {
 /// One person twice.
 struct ChangeRow {
   int trials = 0;
-  double factor = 1.0;       ///< that is asked for
+  double factor = 1.0;       ///< requested
   double false_alarm = 0.0;  ///< share of unchanged people who are called changed
   double seen = 0.0;         ///< share of those who went from 28 to 14 %
 };
@@ -168,7 +168,7 @@ struct WorkedExample {
 
 struct TrainingMeasurement {
   TrainingPlan plan;
-  std::vector<double> truths{};      ///< of the main table
+  std::vector<double> truths{};      ///< in the main table
   std::vector<MethodRow> methods{};  ///< marginal psi first, 2-down-1-up second
   std::vector<ReadingRow> readings{};
   std::vector<NamedCells> robust{};      ///< marginal psi, then 2-down-1-up
@@ -182,18 +182,18 @@ struct TrainingMeasurement {
   std::vector<ChangeRow> changes{};
   LearningExample learner{};
   WorkedExample example{};
-  double next_level_us_p50 = 0.0;  ///< of processor time
+  double next_level_us_p50 = 0.0;  ///< processor time
   double next_level_us_p99 = 0.0;
 };
 
 /// The same for any number of threads, but for the times.
 TrainingMeasurement measureTraining(const TrainingPlan& plan, const Progress& progress);
 
-/// Of one cell, by the reported summaries of its runs.
+/// Summarises one cell, by the reported summaries of its runs.
 RecoveryCell cellOf(double truth, const std::vector<training::ThresholdSummary>& reported,
                     const std::vector<double>& trials = {});
 
-// What tests of simulated trainees say, in sentences whose verdicts their numbers decide.
+// Findings of simulated trainees' tests, in sentences whose verdicts their numbers decide.
 
 std::vector<std::string> trainingFindings(const TrainingMeasurement& found);
 

@@ -1,4 +1,4 @@
-// What must be reached by tests of thresholds, what was, and the main results by the names that programs know.
+// Required and achieved accuracy of threshold tests, and the main results by the names that programs know.
 #pragma once
 
 #include <string>
@@ -29,12 +29,12 @@ struct CellExtremes {
   double mean_trials = 0.0;
 };
 
-/// Of cells whose truth is not over `most_truth`: 40 % is held against bars of its own.
+/// Extremes over cells whose truth is at most `most_truth`: 40 % has bars of its own.
 CellExtremes extremesOf(const std::vector<RecoveryCell>& cells, double most_truth = 0.3);
 
 const MethodRow& rowOf(const TrainingMeasurement& found, AskedBy method);
 
-/// How far the corrected threshold of those who search so many places is from the truth, percent; naive likewise.
+/// How far the corrected threshold of this row's trainees is from the truth, percent; naive likewise.
 double correctedPercent(const ExplorationRow& row);
 double naivePercent(const ExplorationRow& row);
 

@@ -28,13 +28,13 @@ void measureTwoIntervals(TrainingMeasurement& found, const Progress& progress);
 void measureLeftOut(TrainingMeasurement& found, const Progress& progress);
 void measureExam(TrainingMeasurement& found, const Progress& progress);
 
-// Of people (training_people.cpp).
+// Measurements of people (training_people.cpp).
 void measurePower(TrainingMeasurement& found, const Progress& progress);
 void measureLearning(TrainingMeasurement& found, const Progress& progress);
 void measureChanges(TrainingMeasurement& found, const Progress& progress);
 void measureExample(TrainingMeasurement& found, const Progress& progress);
 
-/// Of a whole number of runs.
+/// `some` / `all`, for whole numbers of runs.
 double shareOf(std::size_t some, std::size_t all);
 
 }  // namespace palpate::study

@@ -18,7 +18,7 @@ namespace {
 constexpr int kTrialsOfATest = 40;
 constexpr double kBefore = 0.28;
 constexpr double kAfter = 0.14;
-/// Of ln T over people, before and after: with what a test adds (0.14) the published spread, 9.5 of 28 and 4.4 of 14 %.
+/// SD of ln T over people, before and after: with a test's own 0.14 the published spread, 9.5 of 28 and 4.4 of 14 %.
 constexpr double kSpread = 0.30;
 constexpr std::size_t kPeopleOfExample = 89;
 constexpr int kSessions = 6;

@@ -1,4 +1,4 @@
-// What the training window tells a class and hears from its instructor, once a frame; without a class nothing.
+// Reports the training window to a class and receives its instructor's commands, once a frame; idle without a class.
 //
 //   session, samples ─► ClassLine ─► classroom::StationLink ─► class        instructor ─► takeCommand ─► desk
 #pragma once
@@ -19,7 +19,7 @@ class ClassLine {
       : link_(member, store, info) {}
 
   void felt(const trace::Sample& sample);
-  /// Once a frame; null: nobody sits.
+  /// Call once a frame; null: no trainee is signed in.
   void follow(const training::Session* session);
   void safety(const std::string& words) { link_.publishSafety(words); }
   std::optional<classroom::Command> takeCommand() { return link_.takeCommand(); }
@@ -27,7 +27,7 @@ class ClassLine {
   std::string trouble() const { return link_.trouble(); }
 
  private:
-  /// What a state is made of that costs something: it is looked at again when one of these changed.
+  /// Inputs of a state that is costly to build: it is built again when one of these changed.
   struct Seen {
     training::Screen screen = training::Screen::finished;
     int trial = 0;

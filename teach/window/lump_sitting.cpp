@@ -49,7 +49,7 @@ std::string keysOf(const LumpView& view) {
 }
 
 /// The mouse gives the hand nothing: the eye sees how far the finger sinks, by the same force everywhere. Rings and
-/// close view are of the skin alone, so they tell no more than a hand would feel.
+/// close view are of the skin alone, so they reveal no more than a hand would feel.
 void addSink(const LumpView& view, TrainingScreen& screen) {
   if (!view.by_mouse) return;
   screen.shows_sink = true;

@@ -1,11 +1,11 @@
-// A sitting with lumps in the window: what its screen says, the place that was touched last, the body that is felt, and
-// its rows in the record.
+// A session with lumps in the window: the text of its screen, the place that was touched last, the body that is felt,
+// and its rows in the record.
 //
 //   samples ─► LumpSitting ─ screen, marks ─► TrainingMode ─► painting          act ─► LumpSession ─► rows
 //                   └─ wanted ─► the body of a trial
 //
-// A place is named by touching it: the finger's last press is what Here means, whoever holds the finger: a device, the
-// mouse or the keyboard (training_mode.h).
+// A place is named by touching it: Here means the finger's last press, whether a device, the mouse or the keyboard
+// moves the finger (training_mode.h).
 #pragma once
 
 #include <optional>
@@ -18,14 +18,14 @@
 
 namespace palpate::viewer {
 
-/// What a screen is made of.
+/// Inputs of a screen.
 struct LumpView {
   const training::LumpSession* session = nullptr;
   std::string corner = {};  ///< who is signed in
   bool waiting = false;     ///< for the body
   bool touched = false;     ///< a place was, that Here would name
   bool by_mouse = false;    ///< no device holds the finger
-  std::size_t named = 0;    ///< of the marks, those that were named, first
+  std::size_t named = 0;    ///< number of marks, from the first, that were named
   std::size_t marks = 0;
 };
 /// Pure: words, buttons and marks.
@@ -49,9 +49,9 @@ class LumpSitting {
   void worldCame(const scene::World& world);
   void ready(const training::Moment& now) { session_.ready(now); }
   void feel(const trace::Sample& sample, const training::Moment& now);
-  /// What a button or key asked for; true: the sitting is over and may be closed.
+  /// Handles a button or key; true: the session is over and may be closed.
   bool act(TrainingAct act, int value, const training::Moment& now);
-  /// The button of a device: names the place that is touched, else goes on.
+  /// Handles a device's button: names the touched place, else continues.
   bool deviceButton(const training::Moment& now);
 
   TrainingScreen screen(const std::string& corner, bool waiting, bool by_mouse) const;
@@ -64,9 +64,9 @@ class LumpSitting {
 
   RowWriter rows_;
   training::LumpSession session_;
-  std::optional<Vec3> touched_;  ///< on the skin: of the newest press of this body
-  std::vector<Vec3> named_;      ///< of this body
-  std::vector<Vec3> feet_;       ///< of the body's lumps, on the skin
+  std::optional<Vec3> touched_;  ///< place on the skin of the newest press of this body
+  std::vector<Vec3> named_;      ///< places named in this body
+  std::vector<Vec3> feet_;       ///< points on the skin over the body's lumps
   std::vector<Vec3> places_;
 };
 

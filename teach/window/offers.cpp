@@ -20,7 +20,7 @@ struct KindWords {
   const char* name;
   const char* line;
 };
-/// As they stand on the screen, in English.
+/// Labels on the screen, in English.
 constexpr std::array<KindWords, 9> kKindWords = {{
     {SessionKind::pre_test, toTranslate("Test before practice"),
      toTranslate("How small a change you can feel now, without feedback.")},

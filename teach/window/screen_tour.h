@@ -1,6 +1,6 @@
-// A picture of every screen of the training window, without a window: for the manual, and for eyes that judge them.
+// A picture of every screen of the training window, without a window: for the manual, and for review by eye.
 //
-//   world ─► Viewer, offscreen, with records of nobody ─ keys, as a person would press them ─► 01-welcome.png ...
+//   world ─► Viewer, offscreen, with empty records ─ keys, as a person would press them ─► 01-welcome.png ...
 #pragma once
 
 #include <filesystem>

@@ -41,7 +41,7 @@ void RowWriter::record(LiveServo& servo) {
   recorder_ = std::make_unique<engine::Recorder>(servo.thread(), std::move(settings));
 }
 
-/// So that whoever opens the recording finds the trials in it.
+/// Marks the trials in the recording for its readers.
 void RowWriter::mark(const training::Row& row) {
   if (!recorder_) return;
   if (const auto* trial = std::get_if<training::TrialRow>(&row)) {

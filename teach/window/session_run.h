@@ -4,7 +4,7 @@
 //   Session::takeRows ─ keep ─► Store           servo ─► engine::Recorder ─► sessions/ID.session ─ locked when
 //   it is over
 //
-// Where a row cannot be written it waits, and nothing goes on until it is.
+// A row that cannot be written waits, and the session does not continue until it is written.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,8 @@ namespace palpate::viewer {
 
 class RowWriter {
  public:
-  /// `file`: of the recording, as a session's row names it; empty: none. Begins it: one that cannot be made is told
-  /// before anybody has answered anything. Throws Error.
+  /// `file`: name of the recording in the session's row; empty: none. Starts it, so that a failure is known before the
+  /// first answer. Throws Error.
   RowWriter(training::Store& store, LiveServo& servo, const std::string& file);
 
   /// They go into the record, after those that wait; whether nothing waits. If not, `trouble` says why.
@@ -82,7 +82,7 @@ class SessionRun {
 class TrialWorld {
  public:
   /// A body that is to be felt, and for which trial: another trial is another body, even if the place is the same, so
-  /// that the time it takes tells nothing.
+  /// that the build time reveals nothing.
   struct Body {
     std::optional<training::HiddenNow> hidden = {};
     int trial = 0;
@@ -111,7 +111,7 @@ class TrialWorld {
   }
   /// Requested, and not felt yet.
   bool waiting() const { return state_ != State::felt; }
-  /// True once for each trial: one that was interrupted goes on when its body comes again.
+  /// True once for each trial: an interrupted one continues when its body is built again.
   bool begins() {
     if (!requested_ || begun_ == *requested_) return false;
     begun_ = *requested_;
@@ -132,7 +132,7 @@ class TrialWorld {
   State state_ = State::felt;
   std::optional<Body> requested_;
   Body begun_ = kNone;        ///< whose clock has begun; GCC 12.2 miscompiles the comparison of two optionals here
-  std::uint32_t newest_ = 0;  ///< of the worlds that were felt
+  std::uint32_t newest_ = 0;  ///< newest of the worlds that were felt
   std::uint32_t before_ = 0;  ///< the newest when the body was requested
 };
 

@@ -62,7 +62,7 @@ void SignIn::signIn() {
   }
 }
 
-/// Whoever is known and has agreed.
+/// Enters a known trainee who has agreed.
 void SignIn::enter() {
   if (settings_.kind) {
     chosen_ = settings_.kind;

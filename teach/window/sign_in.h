@@ -18,7 +18,7 @@ namespace palpate::viewer {
 struct SignInSettings {
   std::string class_id = {};
   std::string trainee_key = {};  ///< the class's secret, from which ids are made; empty: it has none
-  /// Signs in at once; a typing error is told as if it had been typed.
+  /// Signs in at once; a typing error is reported as if it had been typed.
   std::string code = {};
   /// Done at once after signing in, in place of the choice.
   std::optional<training::SessionKind> kind = {};
@@ -29,10 +29,10 @@ class SignIn {
   /// The store must outlive it.
   SignIn(training::Store& store, training::Protocol protocol, SignInSettings settings);
 
-  /// Nobody has signed in, and none has begun to.
+  /// No trainee has signed in or begun to.
   bool asksForCode() const { return stage_ == TrainingStage::sign_in; }
 
-  // Typing, while a code is asked for.
+  // Typing, while the screen asks for a code.
   void type(std::string_view letters);
   void erase();
 

@@ -12,7 +12,7 @@ namespace palpate::viewer {
 namespace {
 
 // On skin of any tone a light line needs a dark rim and the other way round. The pair is the Okabe-Ito palette's blue
-// and orange, which every kind of colour vision tells apart.
+// and orange, distinguishable with any colour vision.
 constexpr ImU32 kLightInk = IM_COL32(255, 255, 255, 255);
 constexpr ImU32 kDarkInk = IM_COL32(18, 20, 26, 235);
 constexpr ImU32 kBlueInk = IM_COL32(86, 180, 233, 255);
@@ -64,7 +64,7 @@ void leadTo(ImDrawList& list, const ImVec2& at, bool from_left, bool arrow, cons
   const float wanted = from_left ? tail.x - width - 6.0f : tail.x + 6.0f;
   const float room = ImGui::GetIO().DisplaySize.x - kTrainingColumn;
   const float left = std::max(kEdge, std::min(wanted, room - width - kEdge));
-  // Where there is no room beside the arrow its words stand under it.
+  // Without room at the side of the arrow its text is below it.
   const float middle = at.y + (left == wanted ? 0.0f : size.y + 16.0f);
   const ImVec2 corner(left, middle - 0.5f * size.y - 5.0f);
   const ImVec2 opposite(left + width, middle + 0.5f * size.y + 5.0f);
@@ -106,7 +106,7 @@ int paintSiteMarks(const TrainingScreen& screen, const std::vector<SeenSite>& si
     if (!screen.picks_sites) continue;
     widgetPlaces()[fmt::format("training/tag/{}", mark.number)] = {tag.x - kTagRadius, tag.y - kTagRadius,
                                                                    tag.x + kTagRadius, tag.y + kTagRadius};
-    // The hand that presses the skin beside it has its finger down already.
+    // A hand that presses the skin next to it has its finger down already.
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const bool over = std::hypot(mouse.x - tag.x, mouse.y - tag.y) <= kTagRadius;
     if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) clicked = mark.number;

@@ -12,7 +12,7 @@ namespace {
 using window::Key;
 using StrokeKind = TrainingStroke::Kind;
 
-/// What a test may not reach is reached by no key: these alone are left of the window's.
+/// During a test only these of the window's keys work: no other key may reach what a test hides.
 bool passesThrough(const window::InputEvent& event) {
   static constexpr std::array kKept = {Key::f12,           Key::page_up, Key::page_down,         Key::left_bracket,
                                        Key::right_bracket, Key::home,    window::functionKey(11)};

@@ -1,4 +1,4 @@
-// What keys mean on a training screen: everything can be done without a mouse.
+// Meanings of keys on a training screen: everything can be done without a mouse.
 //
 //   InputEvent, TrainingScreen ─ strokeOf ─► what is meant
 //

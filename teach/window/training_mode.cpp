@@ -21,11 +21,11 @@ using training::Screen;
 
 /// A finger of the mouse presses as hard as this everywhere, so that what differs is how far the skin gives way.
 constexpr double kMousePressN = 2.0;
-/// So long "Answer saved." stands over the next trial, s.
+/// "Answer saved." stays this long over the next trial, s.
 constexpr double kAnswerSavedS = 3.0;
 /// Digits that follow each other faster belong to one number, ms.
 constexpr std::int64_t kSameNumberMs = 1500;
-/// Around the sites as much of the body is seen as tells where on it they are, mm.
+/// Margin of the body around the sites that shows where on it they are, mm.
 constexpr double kRoomAsideMm = 110.0;
 /// Bodies of familiarisation have numbers below those of trials and below TrialWorld's "none".
 constexpr int kFamiliarBodies = -2;
@@ -112,7 +112,7 @@ bool TrainingMode::clockRuns() const { return (run_ || lumps_) && !world_.waitin
 // --- the body
 
 TrialWorld::Body TrainingMode::wanted() const {
-  // While something is asked there is nothing to be felt: nobody searches while the clock stands still.
+  // Nothing can be felt while a question is open: no searching while the clock is stopped.
   if (lumps_ && state_ == State::going_on) return lumps_->wanted();
   if (!run_ || state_ != State::going_on || run_->session().paused()) return {};
   const training::Session& session = run_->session();
@@ -240,7 +240,7 @@ void TrainingMode::adjust(view::PictureSettings& picture) const {
   picture.look.skin_opacity = 1.0;
   picture.look.lens = screen_.shows_sink;
   picture.labels = view::LabelSettings::none();
-  // What the fingertip feels, where practice shows it: the pressures alone, never what lies below.
+  // The fingertip's pressures, where practice shows them: never what lies below.
   if (!lumps_ || state_ != State::going_on || !lumps_->session().padShown()) return;
   picture.look.show(view::Overlay::pressure);
   picture.labels.beneath = true;
@@ -319,7 +319,7 @@ void TrainingMode::speak() {
   }
 }
 
-// --- what is asked for
+// --- requests
 
 bool TrainingMode::handle(const window::InputEvent& event, ViewerState& /*viewer*/, bool /*typing*/) {
   const TrainingStroke stroke = strokeOf(event, screen_);
@@ -457,7 +457,7 @@ void TrainingMode::actOnSession(TrainingAct act, int value) {
       session.goOn(now());
       break;
     case TrainingAct::leave:
-      // What is over already needs no question.
+      // A finished session needs no question.
       if (session.screen() == Screen::block_summary || session.screen() == Screen::finished) return leaveNow(false);
       state_ = State::leaving;
       return;
@@ -512,7 +512,7 @@ void TrainingMode::actOnLumps(TrainingAct act, int value) {
   keepRows();
 }
 
-/// What is over already needs no question.
+/// A finished session needs no question.
 bool TrainingMode::asksBeforeLeaving() const {
   const training::LumpScreen screen = lumps_->session().screen();
   return screen != training::LumpScreen::summary && screen != training::LumpScreen::finished;
@@ -580,7 +580,7 @@ void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {
       store_.keep(training::ClassRow{member->class_id, member->class_id, member->retention.days,
                                      member->retention.samples_days});
     }
-    // Anew for the class, which may have forgotten somebody who was away for long.
+    // Stored again for the class, which may have forgotten a trainee who was away for long.
     if (const auto trainee = store_.trainee(sign_in_.trainee().id)) store_.keep(*trainee);
     store_.keep(training::protocolRowOf(settings_.protocol));
     training::SessionPlan plan = planOf(kind, viewer);
@@ -619,7 +619,7 @@ void TrainingMode::keepRows() {
   trouble_ = run_->trouble();
 }
 
-/// For the record: a force that was cut off is no force of the trainee's.
+/// Marks the record: a force that was cut off is not the trainee's.
 void TrainingMode::followSafety(const ViewerState& viewer) {
   if (std::exchange(stopped_, viewer.devices.stopped) == viewer.devices.stopped) return;
   if (class_) class_->safety(stopped_ ? "emergency stop" : "ok");
@@ -627,7 +627,7 @@ void TrainingMode::followSafety(const ViewerState& viewer) {
   run_->session().safety(stopped_ ? "emergency stop" : "emergency stop released", now());
 }
 
-/// What an instructor may ask: nothing of it touches device or force.
+/// Follows an instructor's commands: none affects device or force.
 void TrainingMode::followClass() {
   if (!class_) return;
   class_->follow(session());

@@ -2,10 +2,10 @@
 // session, from the session to the body that is felt, to the screen, to the voice and to the record.
 //
 //   InputEvent, click, device's button ─► act ─► SignIn │ Session ─► rows ─► Store
-//   Session::hidden ─ trialScene ─► WorldSwap (built beside, handed to the servo) ─► the trial's clock begins
+//   Session::hidden ─ trialScene ─► WorldSwap (built aside, handed to the servo) ─► the trial's clock begins
 //   servo ─ samples ─► Session::feel
 //
-// While a session goes on nothing of the window can be reached that would tell more than the finger does.
+// During a session the window offers nothing that would reveal more than the finger does.
 #pragma once
 
 #include <memory>
@@ -29,11 +29,11 @@ struct TrainingSettings {
   std::filesystem::path records;
   training::Protocol protocol = training::builtInProtocol();
   SignInSettings sign_in = {};
-  std::string thimble = {};                      ///< of a device; empty: asked for
+  std::string thimble = {};                      ///< worn with a device; empty: the trainee is asked
   std::optional<std::uint64_t> seed = {};        ///< nothing: the system's randomness, another one for each session
   bool recording_files = true;                   ///< trials are kept tick by tick
   std::optional<std::string> speech = {};        ///< program
-  std::optional<classroom::Member> member = {};  ///< of a class that is told live
+  std::optional<classroom::Member> member = {};  ///< for a class with a live view
   bool leads_back = false;                       ///< to the start page, from the sign-in
 };
 
@@ -57,19 +57,19 @@ class TrainingMode : public Mode {
   /// Where sites are seen, and the keyboard's finger.
   void look(const Sight& sight, const ViewerState& viewer) override;
   bool handle(const window::InputEvent& event, ViewerState& viewer, bool typing) override;
-  /// Of the commands of the mouse and the keys that are left, those that a test allows go on to the viewer.
+  /// Passes on to the viewer the commands of the mouse and the keys that a test allows.
   bool handle(const window::Command& command, ViewerState& viewer) override;
   void draw(const FreeArea& area) override;
-  /// The window is to be closed: while a block goes on it asks first.
+  /// Handles a request to close the window: asks first while a block is running.
   bool handle(const Request& request, ViewerState& viewer) override;
-  /// Obeys what was asked for, keeps rows, has the world changed that a trial needs.
+  /// Handles pending acts, stores rows, and requests the world that a trial needs.
   void advance(const ModeWork& work) override;
   bool wantsToQuit() const override { return quit_; }
   /// To the start page, once the window is closed.
   bool goesBack() const { return goes_back_; }
   /// Skin as it is, and nothing that would give a place away.
   void adjust(view::PictureSettings& picture) const override;
-  /// How far the mouse's finger sinks, as rings: the eye stands in for the hand.
+  /// How far the mouse's finger sinks, as rings: a visual substitute for the hand.
   std::vector<view::Lines> marks(const scene::World& world, const ViewerState& viewer) const override;
   std::string finish(std::string_view ended_by) override;
 
@@ -79,13 +79,13 @@ class TrainingMode : public Mode {
   bool waiting() const { return world_.waiting(); }
 
  private:
-  /// What has to be answered before anything else.
+  /// Question that blocks everything else.
   enum class State : std::uint8_t { going_on, leaving, quitting, trouble, message };
   /// A finger that no hand moves: it walks from site to site, where lumps are sought step by step over the skin, and
   /// presses by a key.
   struct KeyboardFinger {
     bool presses = false;
-    bool moved = false;  ///< the pointer has not been told yet
+    bool moved = false;  ///< the pointer is still to be moved
     std::optional<SkinPlace> place = {};
     Vec2 step = Vec2::Zero();  ///< lumps: how far it goes on the screen, points; y up
     void press(bool down) {
@@ -93,7 +93,7 @@ class TrainingMode : public Mode {
       moved = true;
     }
   };
-  /// What holds the finger that is trained, and what it can render.
+  /// Holder of the trained finger, and what it can render.
   struct Holder {
     bool mouse = true;
     std::string words = "mouse";
@@ -142,9 +142,9 @@ class TrainingMode : public Mode {
   scene::Scene base_;
   std::optional<training::SessionKind> kind_;  ///< chosen, waits for the thimble
   std::unique_ptr<SessionRun> run_;
-  std::unique_ptr<LumpSitting> lumps_;                       ///< a sitting with lumps goes on in place of a run
+  std::unique_ptr<LumpSitting> lumps_;                       ///< replaces the run in a session with lumps
   std::shared_ptr<const scene::World> body_;                 ///< that lumps are hidden in
-  std::shared_ptr<const training::LumpBodies> lump_bodies_;  ///< once they were asked for
+  std::shared_ptr<const training::LumpBodies> lump_bodies_;  ///< filled on first use
   State state_ = State::going_on;
   std::string message_;
   std::string trouble_;
@@ -159,7 +159,7 @@ class TrainingMode : public Mode {
   std::int64_t digits_ms_ = 0;  ///< when the last of them came
   KeyboardFinger keyboard_;
   std::vector<TrainingClick> clicks_;
-  // Clocks: of trials, which stands still while the body is made and while something is asked.
+  // The trials' clock: stopped while the body is built and while a question is open.
   double clock_s_ = 0.0;
   std::uint64_t tick_ = 0;
   std::uint32_t buttons_ = 0;

@@ -18,7 +18,7 @@ constexpr float kWideCard = 900.0f;
 constexpr float kCardPadding = 30.0f;
 constexpr float kButtonHeight = 42.0f;
 constexpr float kTallButton = 58.0f;
-/// With so many buttons a card has two columns of them, where the window is wide enough.
+/// From this many buttons on a card has two columns, where the window is wide enough.
 constexpr std::size_t kManyButtons = 7;
 constexpr float kRingRadius = 44.0f;
 /// Below this height of the window, points, which large text leaves of a small one, ring and buttons are smaller: the
@@ -54,7 +54,7 @@ void largeWords(const std::string& text) {
   ImGui::PopFont();
 }
 
-/// What Enter presses has a frame, not only a colour.
+/// The button that Enter presses has a frame, not only a colour.
 void frameOfButton(const ImVec2& corner, const ImVec2& opposite, bool focused) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 line = ImGui::GetColorU32(focused ? ImGuiCol_Text : ImGuiCol_TextDisabled, focused ? 1.0f : 0.35f);
@@ -120,7 +120,7 @@ TrainingClick buttons(const TrainingScreen& screen, bool two_columns, float low_
   const ImGuiStyle& style = ImGui::GetStyle();
   const float room = ImGui::GetContentRegionAvail().x;
   const float width = two_columns ? 0.5f * (room - style.ItemSpacing.x) : room;
-  float height = 0.0f;  // of the row
+  float height = 0.0f;  // row's height
   for (std::size_t i = 0; i < screen.buttons.size(); ++i) {
     const TrainingButton& button = screen.buttons[i];
     const bool second = two_columns && i % 2 == 1;
@@ -219,7 +219,7 @@ TrainingClick card(const TrainingScreen& screen) {
   return clicked;
 }
 
-// --- beside the body
+// --- next to the body
 
 void strip(const TrainingScreen& screen, const ImVec2& room) {
   ImGui::SetNextWindowPos({0.0f, 0.0f});

@@ -23,10 +23,10 @@ struct TrainingClick {
 /// Where each site of the body is seen, points, by its number from 1; nothing: it is on the far side.
 struct SeenSite {
   std::optional<Vec2> at;
-  bool tag_left = false;  ///< its number stands on the left of it
+  bool tag_left = false;  ///< its number is on the left of it
 };
 
-/// Beside the body stands a column this wide, points; above it a strip as high as its words need, at most this.
+/// Width of the column next to the body, points; the strip above it is as high as its text needs, at most this.
 inline constexpr float kTrainingColumn = 300.0f;
 inline constexpr float kTrainingStrip = 96.0f;
 
@@ -39,7 +39,7 @@ TrainingClick paintTraining(const TrainingScreen& screen, const std::vector<Seen
 /// Draws all; the number whose tag was clicked, or 0.
 int paintSiteMarks(const TrainingScreen& screen, const std::vector<SeenSite>& sites);
 
-/// Ring or disc of a site in the ink of words: on a button of a light theme the light ink for skin could not be told.
+/// Ring or disc of a site in the text's colour: the light ink for skin would vanish on a button of a light theme.
 void paintSiteDot(ImDrawList& list, const ImVec2& at, float radius, bool pressed);
 
 /// A ring of which this share is left, from the top clockwise, open where the time has gone.

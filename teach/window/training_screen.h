@@ -1,5 +1,5 @@
-// What a trainee sees, as plain data: every word, button and mark of a screen. The painting (training_painting.h) only
-// puts it where it belongs, so a test that reads this has read all that is on the screen.
+// A training screen as plain data: every word, button and mark. The painting (training_painting.h) only places them, so
+// a test that reads this has read all that is on the screen.
 //
 //   front desk, session ─ screenOf (training_words.h) ─► TrainingScreen ─► painting, speech
 //                                                              a key, a click ─► TrainingAct ─► desk
@@ -11,11 +11,11 @@
 
 namespace palpate::viewer {
 
-/// What a button or a key asks for.
+/// Action of a button or a key.
 enum class TrainingAct : std::uint8_t {
   none,
   sign_in,    ///< with what was typed
-  make_code,  ///< for somebody who has none
+  make_code,  ///< for a trainee without one
   yes,        ///< to the question of the screen
   no,         ///< back
   choose,     ///< the offer, hand or thimble `value`
@@ -27,7 +27,7 @@ enum class TrainingAct : std::uint8_t {
   leave,     ///< asks first
   sign_out,  ///< another trainee
   quit,      ///< the window
-  retry,     ///< what could not be written
+  retry,     ///< writes again what could not be written
 };
 
 struct TrainingButton {
@@ -35,7 +35,7 @@ struct TrainingButton {
   int value = 0;
   std::string label = {};
   std::string line = {};   ///< one line under it
-  std::string badge = {};  ///< beside the label: "suggested"
+  std::string badge = {};  ///< next to the label: "suggested"
   bool enabled = true;
 };
 
@@ -47,13 +47,13 @@ struct SiteMark {
   bool touched = false;  ///< a finger is on it: a second ring
   bool is_true = false;  ///< when it is shown: an arrow to it
   bool is_own = false;   ///< feedback alone: what was answered
-  /// Beside it, at the arrow's far end: "feel it here", "your answer"; empty: nothing.
+  /// At the arrow's far end: "feel it here", "your answer"; empty: nothing.
   std::string word = {};
 };
 
 enum class TrainingPlace : std::uint8_t {
   card,  ///< a sheet in the middle
-  body,  ///< the body is there to be felt, words above it, buttons beside it
+  body,  ///< the body is there to be felt, text above it, buttons next to it
 };
 
 struct TrainingScreen {
@@ -67,18 +67,18 @@ struct TrainingScreen {
   };
   std::optional<Entry> entry = {};
   std::vector<TrainingButton> buttons = {};
-  std::size_t focus = 0;  ///< of the buttons: what Enter presses
+  std::size_t focus = 0;  ///< index of the button that Enter presses
   std::vector<SiteMark> sites = {};
-  bool picks_sites = false;              ///< sites can be picked: the list of them stands beside the body
-  bool shows_sink = false;               ///< the eye stands in for the hand: rings and a close view from the side
+  bool picks_sites = false;              ///< sites can be picked: their list is next to the body
+  bool shows_sink = false;               ///< visual substitute for the hand: rings and a close view from the side
   std::optional<double> time_left = {};  ///< share of the trial's time; nothing: no ring
   std::optional<double> done = {};       ///< share of the block, as a bar without a number
   std::string progress = {};             ///< practice alone: "Trial 3 of 20, two right"
-  std::string notice = {};               ///< what just happened or has to be done, e.g. "Answer saved."
+  std::string notice = {};               ///< news or a request, e.g. "Answer saved."
   bool trouble = false;                  ///< the notice is about something that must be mended
   enum class Outcome : std::uint8_t { none, right, wrong } outcome = Outcome::none;  ///< feedback: a tick or a cross
-  std::string keys = {};                                                             ///< what the keyboard does here
-  std::string corner = {};                                                           ///< who is signed in
+  std::string keys = {};    ///< help on the keys of this screen
+  std::string corner = {};  ///< who is signed in
 };
 
 }  // namespace palpate::viewer

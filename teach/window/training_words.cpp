@@ -114,7 +114,7 @@ TrainingScreen thimbleScreen(const TrainingView& view) {
 
 // --- a session
 
-/// What was answered, once it may be shown; 0: nothing.
+/// The trainee's answer, once it may be shown; 0: nothing.
 int ownAnswer(const training::Session& session) {
   const bool shown = session.screen() == Screen::feedback && !session.trials().empty();
   return shown ? session.trials().back().site_answer : 0;
@@ -194,7 +194,7 @@ void nextButton(const char* label, TrainingScreen& screen) {
 }
 
 /// The mouse gives the hand nothing: the eye sees how far the finger sinks. The same words, rings and close view
-/// wherever it presses, so they tell no more than a hand would feel.
+/// wherever it presses, so they reveal no more than a hand would feel.
 void addSink(const TrainingView& view, TrainingScreen& screen) {
   if (!view.by_mouse) return;
   screen.shows_sink = true;
@@ -206,7 +206,7 @@ void addTouchKeys(const TrainingView& view, TrainingScreen& screen) {
   if (view.by_mouse) screen.keys += std::string(" ") + tr("Arrows go from place to place, T presses and lifts.");
 }
 
-/// The sentence of the session is what is read first; a trial's own stands above what has just been said.
+/// The session's sentence is read first; a trial's own is above what has just been said.
 void addSaid(const TrainingView& view, TrainingScreen& screen) {
   const training::Session& session = *view.session;
   const std::string said = session.said().text;

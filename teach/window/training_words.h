@@ -2,8 +2,7 @@
 //
 //   TrainingView (front desk or session, and what was typed and picked) ─ screenOf ─► TrainingScreen
 //
-// Pure. What a test hides never gets this far: of the hidden place it reads nothing but, in feedback, which site it
-// was.
+// Pure. The hidden place of a test never gets this far: only feedback's site is read.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +22,14 @@ class Store;
 
 namespace palpate::viewer {
 
-// What a trainee may do next, and what is suggested: test, practise, test again, be examined, come back after a week.
+// Offers of the next session, and which is suggested: test, practise, test again, be examined, come back after a week.
 //
 //   sessions and blocks of the record ─ TrainingPast ─ offersFor ─► Offer, one for each kind, one of them suggested
 //
 // Pure. The order is that of the published course: six practices between the two tests.
 // Based on: Howell et al., BMC Medical Education 8:14, 2008.
 
-/// What the record says about a trainee.
+/// A trainee's past in the record.
 struct TrainingPast {
   struct OfKind {
     int finished = 0;  ///< blocks
@@ -47,7 +46,7 @@ TrainingPast trainingPastOf(training::Store& store, const std::string& trainee);
 struct Offer {
   training::SessionKind kind = training::SessionKind::practice;
   std::string name;
-  std::string line;  ///< what it is, or why not yet
+  std::string line;  ///< describes it, or why it is not available yet
   bool enabled = true;
   bool suggested = false;
 };
@@ -63,7 +62,7 @@ std::string nameOfKind(training::SessionKind kind);
 
 enum class TrainingStage : std::uint8_t {
   sign_in,
-  new_code,  ///< nobody has signed in with it here
+  new_code,  ///< first sign-in with this code here
   own_code,  ///< one was made up, to be written down
   consent,
   hand,
@@ -72,10 +71,10 @@ enum class TrainingStage : std::uint8_t {
   session,
 };
 
-/// What lies over a stage and is answered first.
+/// Overlay that must be answered before the stage.
 enum class TrainingOver : std::uint8_t { none, paused, leaving, trouble, message };
 
-/// What a finger that a device holds wears: thresholds belong to it.
+/// Cover of a finger in a device: thresholds are measured with one of them.
 struct Thimble {
   std::string_view word;  ///< in the record
   const char* name;       ///< tr() shows them
@@ -94,20 +93,20 @@ struct TrainingView {
   std::string typed = {};
   bool leads_back = false;   ///< from the sign-in to the start page
   std::string notice = {};   ///< a sentence of the front desk or of the window
-  std::string trouble = {};  ///< what could not be done
-  std::string message = {};  ///< of the instructor
-  std::string code = {};     ///< of who is signed in or about to be
+  std::string trouble = {};  ///< the failed action
+  std::string message = {};  ///< the instructor's
+  std::string code = {};     ///< code of the trainee who is signed in or about to be
   std::vector<Offer> offers = {};
   std::string device = {};  ///< that holds the finger, in words
   bool by_mouse = false;
-  double force_share = 1.0;       ///< of the body's forces, what the device can render (DevicesShown::stiffness_factor)
+  double force_share = 1.0;  ///< share of the body's forces that the device can render (DevicesShown::stiffness_factor)
   double ratios_kept_to_n = 0.0;  ///< above this force places differ less than they do; 0: nowhere
   std::size_t focus = 0;
   const training::Session* session = nullptr;
   training::Moment now = {};
   bool waiting = false;  ///< for the body of the trial
   int picked = 0;
-  bool said_long_ago = false;  ///< what the session said last
+  bool said_long_ago = false;  ///< the session's last text is old
 };
 
 TrainingScreen screenOf(const TrainingView& view);

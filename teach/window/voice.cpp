@@ -42,7 +42,7 @@ std::optional<std::string> inPath(const std::string& name) {
 
 bool isEspeak(const std::string& program) { return fs::path(program).filename() == kSpeechProgram; }
 
-/// Its own process, quiet: whatever it prints belongs to nobody.
+/// Starts the program in its own process, its output discarded.
 pid_t spawned(const std::string& program, const std::string& sentence) {
   std::string text = sentence;
   std::array<std::string, 6> words = {program, "-v", std::string(language().code), "-s", kWordsAMinute, "--"};

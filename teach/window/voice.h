@@ -1,6 +1,6 @@
 // Says sentences aloud, where a speech program is installed: a child process a sentence, never waited for. One sentence
-// is spoken, the newest of those that came meanwhile follows it; older ones are not worth hearing any more. Whatever is
-// said stands on the screen as well.
+// is spoken, the newest of those that came meanwhile follows it; older ones are not worth hearing any more. All of it
+// is also on the screen.
 #pragma once
 
 #include <sys/types.h>
@@ -18,7 +18,7 @@ class Voice {
  public:
   /// Without a program it is silent.
   explicit Voice(std::optional<std::string> program) : program_(std::move(program)) {}
-  /// What is being spoken is cut off.
+  /// Cuts off the current sentence.
   ~Voice();
   Voice(const Voice&) = delete;
   Voice& operator=(const Voice&) = delete;

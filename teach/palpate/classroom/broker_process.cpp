@@ -60,7 +60,8 @@ void BrokerProcess::start() {
   const pid_t child = fork();
   if (child < 0) throw Error("mosquitto cannot be started: no new process");
   if (child == 0) {
-    // Only calls that are allowed between fork and exec. It goes when we go, however that happens, and hears no Ctrl-C.
+    // Only calls that are allowed between fork and exec. The broker dies with us, however that happens, and ignores
+    // Ctrl-C.
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent) _exit(1);
     setpgid(0, 0);

@@ -14,8 +14,8 @@ std::filesystem::path brokerProgram();
 
 class BrokerProcess {
  public:
-  /// Writes the configuration again and starts it; what it says goes to `log`, appended. Throws Error where there is no
-  /// mosquitto or it ends at once, with its last words.
+  /// Writes the configuration again and starts the broker; its output is appended to `log`. Throws Error if mosquitto
+  /// is missing or exits at once, with its last words.
   BrokerProcess(const ClassFolder& folder, std::filesystem::path log);
   ~BrokerProcess();  ///< ends it in order
   BrokerProcess(const BrokerProcess&) = delete;

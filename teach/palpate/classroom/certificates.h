@@ -1,5 +1,5 @@
-// The certificates of a class: its own authority, the broker's, and one for each who takes part. Made here, so that a
-// class needs nobody else's, and nothing of it is worth anything outside.
+// The certificates of a class: its own authority, the broker's, and one per member. Made here, so that a class depends
+// on no one else's, and worthless outside.
 //
 // Keys are EC P-256; certificates X.509 version 3, signed with SHA-256.
 #pragma once
@@ -17,17 +17,17 @@ struct Certified {
 
 /// Ten years: longer than a class lasts, for it can sign new members as long.
 inline constexpr int kAuthorityDays = 3650;
-/// Two years: a course and its repetition; `palpate class renew` makes new ones.
+/// Two years: a year's class and its repetition; `palpate class renew` makes new ones.
 inline constexpr int kMemberDays = 730;
 /// So long before a certificate ends people are warned.
 inline constexpr int kWarnDays = 60;
 
 /// Who signs the others. Throws Error, as all of these.
 Certified makeAuthority(const std::string& name);
-/// Of a broker that is reached under these names and addresses.
+/// Makes the certificate of a broker that is reached under these names and addresses.
 Certified makeServerCertificate(const Certified& authority, const std::vector<std::string>& hosts,
                                 int days = kMemberDays);
-/// Of one who connects; `name` is what the broker's access list knows it by.
+/// Makes the certificate of a client; `name` is what the broker's access list knows it by.
 Certified makeMemberCertificate(const Certified& authority, const std::string& name, int days = kMemberDays);
 /// The names and addresses of a broker's certificate, in order.
 std::vector<std::string> hostsOf(const std::string& certificate);
@@ -38,7 +38,7 @@ std::string makeRevocationList(const Certified& authority, const std::vector<std
 
 /// SHA-256 of the certificate itself, hex.
 std::string fingerprintOf(const std::string& certificate);
-/// Days until it is no longer valid; negative: it is not.
+/// Days until it expires; negative once it has.
 int daysLeft(const std::string& certificate);
 
 }  // namespace palpate::classroom

@@ -114,7 +114,7 @@ std::string newTraineeKey() {
   return key;
 }
 
-/// Of the windows that are there.
+/// Numbers of the existing windows.
 std::vector<int> instructorsOf(const ClassFolder& folder) {
   std::vector<int> numbers;
   for (int number = 1; number <= kMaxInstructors; ++number) {
@@ -342,7 +342,7 @@ std::vector<fs::path> renewCertificates(const ClassFolder& folder, const std::ve
   }
   std::vector<std::string> left = names;
   std::vector<fs::path> renewed;
-  // Once for each that is there and is asked for.
+  // Once for each that exists and was requested.
   const auto renew = [&](const fs::path& at, const auto& write) {
     const std::string name = at.filename().string();
     if (!names.empty() && std::erase(left, name) == 0) return;

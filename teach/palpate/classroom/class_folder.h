@@ -55,34 +55,34 @@ struct ClassFolder {
 
 /// Throws Error for names that make no sense and where a class is already; what was there stays as it is.
 ClassFolder makeClassFolder(const std::filesystem::path& folder, const ClassPlan& plan);
-/// Throws Error for what is no such folder.
+/// Throws Error if `folder` is not a class folder.
 ClassFolder readClassFolder(const std::filesystem::path& folder);
 
-/// One more station: the next number, or this name. Throws Error where it is already. The broker need not be told.
+/// Adds a station: the next number, or this name. Throws Error if it exists. The broker needs no restart.
 std::string addStation(const ClassFolder& folder, const std::string& name = {});
 
-/// Its certificate is revoked: a broker that is started from now on lets it in no longer, whoever has its folder. Its
-/// rows stay, and the name may be added again. Throws Error where there is no such station.
+/// Revokes its certificate: a broker started from now on refuses it, even from a copy of its folder. Its rows stay, and
+/// the name may be added again. Throws Error for an unknown station.
 void removeStation(const ClassFolder& folder, const std::string& name);
 
 /// The broker's configuration for where the folder lies now, written again: paths in it are absolute.
 void writeBrokerConfiguration(const ClassFolder& folder);
 std::string accessList(const std::string& class_id);
 
-/// What is there and differs from what would be written now; empty: nothing. In words, with what it lacks.
+/// Describes how the stored configuration differs from what would be written now; empty: not at all.
 std::string outdatedConfiguration(const ClassFolder& folder);
 
-/// What certificates of roles are named. The plus sign keeps the broker from ever matching them with the patterns for
+/// The name of a role's certificate. The plus sign keeps the broker from ever matching them with the patterns for
 /// stations. `number`: of an instructor's window.
 std::string roleCertificateName(Role role, int number = 1);
 
 /// Windows of a class at once; the broker knows of all of them from the beginning.
 inline constexpr int kMaxInstructors = 9;
-/// One more window, which the broker need not be told: its folder. Throws Error where there are kMaxInstructors.
+/// Adds a window, returns its folder; the broker needs no restart. Throws Error where there are kMaxInstructors.
 std::filesystem::path addInstructor(const ClassFolder& folder);
 
 /// New certificates and keys for these ("broker", "instructor", "instructor-2", "ingest", "checker", stations); empty:
-/// for all, and whatever an older class lacks. What is older stays valid to its end. Returns the folders, whose
+/// for all, and those that an older class lacks. What is older stays valid to its end. Returns the folders, whose
 /// contents are to be carried to where they are used. Throws Error for a name that is not there.
 std::vector<std::filesystem::path> renewCertificates(const ClassFolder& folder,
                                                      const std::vector<std::string>& names = {},
@@ -94,7 +94,7 @@ struct CertificateLife {
   std::filesystem::path file;
   int days_left = 0;  ///< negative: it has ended
 };
-/// Of all that are there, the authority's too. Throws Error for one that cannot be read.
+/// Lives of all certificates, including the authority's. Throws Error for one that cannot be read.
 std::vector<CertificateLife> certificateLives(const ClassFolder& folder);
 /// One line for each that ends within kWarnDays.
 std::vector<std::string> certificateWarnings(const std::vector<CertificateLife>& lives);

@@ -19,9 +19,9 @@ class TomlTable;
 
 namespace palpate::classroom {
 
-/// What a certificate is for; the broker's access list gives each its topics.
+/// Purpose of a certificate; the broker's access list gives each its topics.
 enum class Role : std::uint8_t {
-  station,     ///< publishes under its own name, hears its own commands and acknowledgements
+  station,     ///< publishes under its own name, receives its own commands and acknowledgements
   instructor,  ///< reads all, writes commands
   ingest,      ///< reads rows, writes acknowledgements
   checker,     ///< asks whether broker, collector and database answer (`palpate class check`)
@@ -42,16 +42,16 @@ struct Member {
   Role role = Role::station;
   std::string class_id;       ///< "osteo-1"
   std::string name;           ///< in topics and as the certificate's subject: "s01"; "instructor", "ingest", "checker"
-  training::Uuid station_id;  ///< of its rows (training::StationRow::id); empty for the other roles
+  training::Uuid station_id;  ///< id in its rows (training::StationRow::id); empty for the other roles
   std::string host = "localhost";
   int port = kStandardPort;
-  Retention retention;  ///< of a station's own records
+  Retention retention;  ///< for a station's own records
   /// The class's secret, from which trainees' ids are made (training::pseudonymOf); empty: an older class has none.
   std::string trainee_key;
   // Absolute, once read.
   std::filesystem::path authority;    ///< ca.crt: who signed the broker's certificate
-  std::filesystem::path certificate;  ///< of this member
-  std::filesystem::path key;          ///< its private key; nobody else may read it
+  std::filesystem::path certificate;  ///< this member's certificate
+  std::filesystem::path key;          ///< private key, readable only by its owner
   friend bool operator==(const Member&, const Member&) = default;
 };
 
@@ -66,14 +66,14 @@ std::string memberText(const Member& member);
 void readRetention(const scene::TomlTable& table, Retention& retention);
 std::string retentionText(const Retention& retention);
 
-/// A word that may stand in a topic and in a certificate: lower-case letters, digits and hyphens, at most 32.
+/// A word allowed in a topic and in a certificate: lower-case letters, digits and hyphens, at most 32.
 bool isClassWord(std::string_view text);
-/// Of a station: a class word, and none of the roles'.
+/// A class word that is not the name of a role.
 bool isStationName(std::string_view text);
 
 /// The file of the class's secret, in the class's folder and in each station's: 64 hex digits, its owner's alone.
 inline constexpr const char* kTraineeKeyFile = "trainees.key";
-/// Throws Error for a file that holds no such key; empty where there is none.
+/// Throws Error for a file that does not hold a key; empty if there is no file.
 std::string readTraineeKey(const std::filesystem::path& folder);
 
 /// Any computer makes the same of the same names.

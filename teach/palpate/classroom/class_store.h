@@ -23,12 +23,12 @@ namespace palpate::classroom {
 
 class ClassStore {
  public:
-  /// Connects, makes the tables where there are none and brings older ones forward. Throws DatabaseAway, or Error for
-  /// a schema that is newer than ours and for an address with a password in it (refusePassword).
+  /// Connects, creates missing tables and migrates older ones. Throws DatabaseAway, or Error for a schema newer than
+  /// ours and for an address with a password in it (refusePassword).
   explicit ClassStore(std::string connection, KeeperRules rules = {});
 
   bool connected() const { return sql_.connected(); }
-  /// Anew. Throws DatabaseAway.
+  /// Connects again. Throws DatabaseAway.
   void reconnect();
 
   using Kept = KeptRows;
@@ -37,11 +37,11 @@ class ClassStore {
   /// As the teacher, who may write anybody's rows.
   Kept keep(std::span<const training::AnyRow> rows);
 
-  /// The trainee, everything of theirs, and whatever of theirs still comes. True: there was somebody.
+  /// Deletes the trainee, everything of theirs, and whatever of theirs still arrives. Returns false if unknown.
   bool erase(const training::Uuid& trainee, std::string_view actor);
 
-  /// What the class has kept for long enough (training::keptLongEnough). Nobody is marked as deleted: whoever comes
-  /// back is welcome. One transaction.
+  /// Deletes what the class has kept for long enough (training::keptLongEnough), in one transaction. Trainees are not
+  /// marked as deleted: they may come back.
   training::Purged purge(std::int64_t now_ms);
 
   /// Deleted rows that still lie in the server's files, because this role may not rewrite them: why, and what to do;

@@ -15,12 +15,12 @@
 
 namespace palpate::classroom {
 
-// What an instructor sees of a class: messages become a tile for each station, those who need help first. Knows no
-// network, no window and no clock: each message and each question brings its time.
+// An instructor's view of a class: messages become one tile per station, those who need help first. Knows no network,
+// no window and no clock: each message and each question carries its time.
 //
 //   topic, payload, now ─ take ─► ClassBoard ─ tiles(now) ─► window, `palpate class watch --json`
 
-/// Why somebody should walk over, the most urgent first.
+/// Reasons to walk over to a station, the most urgent first.
 enum class Need : std::uint8_t {
   alarm,          ///< the device was stopped
   three_errors,   ///< three wrong answers in a row
@@ -44,9 +44,9 @@ struct Tile {
   std::string station;
   bool online = false;
   StationStatus status;
-  std::optional<StationState> state;  ///< nothing: nobody is signed in
+  std::optional<StationState> state;  ///< no trainee is signed in
   LiveSample live;                    ///< the newest; of long ago, perhaps
-  std::optional<double> age_s;        ///< of the newest live sample; nothing: none ever came
+  std::optional<double> age_s;        ///< age of the newest live sample; nothing: none ever came
   bool fresh = false;                 ///< online, and live data are not stale
   Need need = Need::none;
 };
@@ -57,11 +57,11 @@ struct ForcePoint {
   double force_n = 0.0;
 };
 
-/// Of the class after its n-th measured block.
+/// The class after its n-th measured block.
 struct CurvePoint {
   int number = 0;
   int trainees = 0;
-  double median = 0.0, low = 0.0, high = 0.0;  ///< of thresholds; quartiles
+  double median = 0.0, low = 0.0, high = 0.0;  ///< threshold and its quartiles
 };
 
 class ClassBoard {
@@ -95,9 +95,9 @@ class ClassBoard {
     std::optional<double> live_s;   ///< when the newest came
     double touched_s = 0.0;         ///< the newest touch
     double firm_s = 0.0;            ///< the newest press that counts
-    double touching_since_s = 0.0;  ///< of this trial; 0: not touched yet
+    double touching_since_s = 0.0;  ///< start of touching in this trial; 0: not touched yet
     std::deque<ForcePoint> forces;
-    // Of the newest block row: T so far.
+    // From the newest block row: T so far.
     double threshold = 0.0, low = 0.0, high = 0.0;
   };
   void takeLive(Seen& seen, const LiveSample& live, double now_s) const;
@@ -110,7 +110,7 @@ class ClassBoard {
   BoardRules rules_;
   std::map<std::string, Seen, std::less<>> seen_;
   std::map<training::Uuid, training::Uuid> trainee_of_session_;
-  /// Of each trainee, the finished blocks by id (version 7: in the order of time) and their thresholds.
+  /// Per trainee, the finished blocks by id (version 7: in order of time) and their thresholds.
   std::map<training::Uuid, std::map<training::Uuid, double>> measured_;
 };
 

@@ -24,16 +24,17 @@ namespace {
 
 using training::AnyRow;
 
-// What does not fit is dropped and comes again. Bytes as rows are unpacked: 263 on the way may be 64 kB here.
+// Rows that do not fit are dropped; their station sends them again. Bytes as unpacked: 263 on the way may be 64 kB
+// here.
 constexpr std::size_t kMaxInboxRows = 20000;
 constexpr std::size_t kMaxInboxBytes = std::size_t{32} << 20;
-constexpr std::size_t kMaxStationBytes = std::size_t{4} << 20;  // of one station among them
-constexpr std::size_t kRowBytes = 200;                          // beside its text
+constexpr std::size_t kMaxStationBytes = std::size_t{4} << 20;  // one station's share
+constexpr std::size_t kRowBytes = 200;                          // besides its text
 constexpr std::size_t kMaxBatchBytes = std::size_t{8} << 20;
 constexpr std::size_t kMaxBatch = 500;  // rows of one commit
 /// A batch waits so long for company: a commit costs more than its rows.
 constexpr auto kGather = std::chrono::milliseconds(20);
-/// A station is told again of deletions that it has not confirmed.
+/// A station is reminded of deletions that it has not confirmed.
 constexpr auto kTellsAgain = std::chrono::seconds(5);
 constexpr auto kSaysAgain = std::chrono::minutes(1);
 constexpr std::size_t kMaxSaidLines = 100;
@@ -113,7 +114,7 @@ struct Collector::Impl {
     {
       const std::lock_guard lock(mutex);
       stations.insert(at->station);
-      // Not even unpacked: whoever sends faster than the database takes it waits for itself.
+      // Not even unpacked: a station that sends faster than the database accepts delays only itself.
       if (bytes_of[at->station] >= kMaxStationBytes || inbox_bytes >= kMaxInboxBytes || inbox.size() >= kMaxInboxRows) {
         ++counts.dropped;
         return;
@@ -181,7 +182,7 @@ struct Collector::Impl {
       retry = kFirstRetry;
       settle(batch, kept);
     } catch (const Error& error) {
-      // The batch is let go: whatever is in it comes again.
+      // The batch is dropped: its rows will be sent again.
       {
         const std::lock_guard lock(mutex);
         counts.database = false;
@@ -195,7 +196,7 @@ struct Collector::Impl {
     woken.wait_for(lock, retry, [this] { return ending; });
     retry = std::min<std::chrono::milliseconds>(2 * retry, kLongestRetry);
   }
-  /// What is in the database is said to be there, and what was refused is said to be refused.
+  /// Acknowledges the rows that are in the database, and reports those that were refused.
   void settle(const Batch& batch, const KeptRows& kept) {
     std::map<std::string, std::vector<training::Uuid>> keys;
     auto refused = batch.refused;
@@ -277,12 +278,12 @@ struct Collector::Impl {
   std::uint64_t sequence = 1;
   std::map<training::Uuid, Clock::time_point> told_at;  ///< the collector's thread alone
 
-  mutable std::mutex mutex;  ///< of what follows
+  mutable std::mutex mutex;  ///< guards what follows
   std::condition_variable woken;
   bool ending = false;
   std::deque<ArrivedRow> inbox;
   std::size_t inbox_bytes = 0;
-  std::map<std::string, std::size_t> bytes_of;  ///< of the inbox, by station
+  std::map<std::string, std::size_t> bytes_of;  ///< bytes in the inbox, by station
   std::deque<std::string> said;
   std::map<std::string, Clock::time_point> said_at;
   std::set<std::string> stations;

@@ -1,6 +1,6 @@
-// What gathers a class: rows of all stations come from the broker, go into the database in batches, and are
-// acknowledged when they are there. It may be killed at any moment, and so may the broker and the database: what was
-// not acknowledged comes again.
+// Gathers a class's rows: rows of all stations come from the broker, go into the database in batches, and are
+// acknowledged when they are there. It may be killed at any moment, and so may the broker and the database:
+// unacknowledged rows come again.
 //
 //   broker ─ rows ─► inbox ─ batch ─► RowSink::keep (commit) ─► ack to each station
 //
@@ -31,7 +31,7 @@ class RowSink {
   virtual ~RowSink() = default;
   /// One transaction. Throws Error when the database is away: nothing was kept then, and the next call connects again.
   virtual KeptRows keep(std::span<const SentRow> rows) = 0;
-  /// What the database would not do with rows that it has deleted, in words; empty: nothing.
+  /// Why the database could not handle rows that it has deleted; empty: no trouble.
   virtual std::string trouble() const { return {}; }
 
  protected:
@@ -48,7 +48,7 @@ struct SinkRules {
   std::string trainee_key = {};
 };
 
-/// An SQLite file, made where there is none. Throws Error.
+/// An SQLite file, created if missing. Throws Error.
 std::unique_ptr<RowSink> fileSink(const std::filesystem::path& file, const SinkRules& rules = {});
 /// PostgreSQL, as libpq has it: "host=/run/postgresql dbname=class". A server that does not answer yet is waited for.
 std::unique_ptr<RowSink> databaseSink(const std::string& connection, const SinkRules& rules = {});
@@ -57,9 +57,9 @@ struct CollectorReport {
   bool connected = false;    ///< to the broker
   bool database = true;      ///< the newest batch was kept
   std::uint64_t rows = 0;    ///< kept and acknowledged, repeats among them
-  std::uint64_t trials = 0;  ///< of them
+  std::uint64_t trials = 0;  ///< trials among them
   std::uint64_t commits = 0;
-  std::uint64_t waited = 0;   ///< what they belong to had not come yet; they come again
+  std::uint64_t waited = 0;   ///< rows whose parents had not come yet; they come again
   std::uint64_t refused = 0;  ///< were no rows, or rows that their sender may not write (row_keeper.h)
   std::uint64_t dropped = 0;  ///< came faster than the database took them; they come again
   std::size_t inbox = 0;      ///< rows waiting now
@@ -79,8 +79,8 @@ class Collector {
   Collector& operator=(const Collector&) = delete;
 
   CollectorReport report() const;
-  /// What has happened that a teacher should know, one line each, since this was last asked: rows that were refused,
-  /// and what a deletion has left. Of each station at most one line in a minute.
+  /// Returns events that a teacher should know, one line each, since the last call: refused rows, and the remains of a
+  /// deletion. At most one line per station and minute.
   std::vector<std::string> takeSaid();
 
  private:

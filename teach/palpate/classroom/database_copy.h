@@ -1,5 +1,5 @@
-// What a class's PostgreSQL holds at one moment, as records that everything which reads a station's file reads too:
-// lists, exports, verification, reports.
+// A snapshot of a class's PostgreSQL as records that everything which reads a station's file reads too: lists, exports,
+// verification, reports.
 //
 //   PostgreSQL ─ one snapshot ─► Store in memory ─► results, reports
 #pragma once
@@ -16,7 +16,7 @@ bool isDatabaseAddress(std::string_view text);
 
 /// The collector may go on meanwhile. The copy is called "database NAME", never by the address, which may hold a
 /// password. Throws DatabaseAway, or Error for a database that holds no training records of this version; nothing is
-/// made or brought forward there.
+/// created or migrated there.
 training::Store copyOfDatabase(const std::string& address);
 
 }  // namespace palpate::classroom

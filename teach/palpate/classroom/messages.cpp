@@ -65,7 +65,7 @@ std::string shortened(const std::string& text, std::size_t most) {
   return text.substr(0, end);
 }
 
-/// The members of a message, each of which must be there and be what it should; all is judged at the end.
+/// Reads the members of a message, all of which must exist and have the right type; faults are reported at the end.
 class MessageReader {
  public:
   MessageReader(std::string_view text, std::size_t most_bytes) {

@@ -1,5 +1,5 @@
-// What travels through a class: topics and messages, written and read. Nothing that arrives is believed: whatever is
-// not exactly a message of this kind is no message.
+// Messages of a class: topics and payloads, written and read. Input is not trusted: anything that is not exactly a
+// message of this kind is refused.
 //
 //   palpate/v1/<class>/st/<station>/
 //     status   retained, last will "offline"     state    retained, cleared at sign-off     live   10 Hz, QoS 0
@@ -36,7 +36,7 @@ struct Topic {
   std::string kind;  ///< "live", "trial", "ack", ...
 };
 std::string topicText(const Topic& topic);
-/// Nothing for what is no topic of a class.
+/// Returns nothing if `text` is not a topic of a class.
 std::optional<Topic> parseTopic(std::string_view text);
 /// Asks whether rows would reach the database: acknowledged, and kept nowhere.
 inline constexpr std::string_view kCheckKind = "check";
@@ -45,11 +45,11 @@ bool isRowKind(std::string_view kind);
 
 struct Envelope {
   std::uint64_t sequence = 0;  ///< counts the station's messages since it started
-  training::Uuid id;           ///< of a row; else of the session at hand
+  training::Uuid id;           ///< row's id, else the current session's
   double monotonic_s = 0.0;    ///< the station's own clock: its differences mean something
 };
 
-/// What a station is, as long as it is there.
+/// Identity of a station while it is online.
 struct StationStatus {
   bool online = false;
   std::string app;     ///< "palpate 0.9"
@@ -58,7 +58,7 @@ struct StationStatus {
   friend bool operator==(const StationStatus&, const StationStatus&) = default;
 };
 
-/// What happens at a station now, as its instructor sees it; never shown at the station.
+/// Activity at a station, as its instructor sees it; never shown at the station.
 struct StationState {
   training::Uuid session;
   training::Uuid trainee;  ///< the pseudonym
@@ -75,7 +75,7 @@ struct StationState {
   double palpate_force_n = 0;  ///< mean, of that trial; 0: none yet
   friend bool operator==(const StationState&, const StationState&) = default;
 };
-/// Of a session: all of the above.
+/// Fills in the state from a session.
 StationState stateOf(const training::Session& session);
 
 /// The finger that presses hardest, ten times a second.
@@ -89,18 +89,18 @@ struct LiveSample {
 };
 
 enum class CommandKind : std::uint8_t {
-  pause,       ///< the trial's clock stands still
+  pause,       ///< stops the trial's clock
   go_on,       ///< after a pause
   message,     ///< words for the trainee
   next_block,  ///< put this block down and begin the next
 };
-/// What an instructor may ask of a station. There is none that touches force or device.
+/// Instructors' commands to a station. None affects force or device.
 struct Command {
   CommandKind kind = CommandKind::pause;
-  std::string text;  ///< of a message, at most 200 bytes
+  std::string text;  ///< text of a message, at most 200 bytes
   friend bool operator==(const Command&, const Command&) = default;
 };
-/// A command that is older is not obeyed: whoever sent it has seen that nothing happened.
+/// Older commands are ignored: the sender has already seen that nothing happened.
 inline constexpr double kCommandExpiryS = 10.0;
 inline constexpr std::size_t kMaxCommandText = 200;
 
@@ -129,7 +129,7 @@ std::vector<std::string> refusalTexts(const Envelope& envelope, const std::vecto
 /// On the topic of acknowledgements too: trainees who were deleted for every station (training::deletedMark).
 std::vector<std::string> hearTexts(const Envelope& envelope, const std::vector<std::string>& marks);
 
-// Reading; nothing for what is no such message.
+// Readers return nothing for a text that is not such a message.
 std::optional<Message<StationStatus>> parseStatus(std::string_view text);
 std::optional<Message<StationState>> parseState(std::string_view text);
 std::optional<Message<LiveSample>> parseLive(std::string_view text);

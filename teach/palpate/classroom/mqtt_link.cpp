@@ -43,7 +43,7 @@ void startLibrary() {
   static_cast<void>(started);
 }
 
-/// Whether anybody answers there. The library's own attempt would hold the thread for minutes where nobody does.
+/// Whether a server answers there. The library's own attempt would block the thread for minutes where none does.
 bool somebodyAnswers(const std::string& host, int port) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
@@ -103,7 +103,7 @@ struct MqttLink::Impl {
     thread = std::thread([this] { run(); });
   }
   ~Impl() {
-    // What was handed over last, a goodbye among it, is given a moment.
+    // Gives the last messages, a goodbye among them, a moment to leave.
     const auto until = Clock::now() + std::chrono::duration<double>(kLongestGoodbyeS);
     while (is_connected && under_way > 0 && Clock::now() < until) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -1,7 +1,7 @@
 // A connection to a class's broker: MQTT 5 over TLS with a certificate, kept up by itself. Thin on purpose: what may be
 // lost, must not be lost and is resent is decided by those who use it (station_link.h, collector.h).
 //
-//   publish ─► at most so many on their way ─► broker        broker ─► on_message, in the link's own thread
+//   publish ─► a limited number in flight ─► broker        broker ─► on_message, in the link's own thread
 //
 // Based on: libmosquitto, the client library of Eclipse Mosquitto; its names do not leave mqtt_link.cpp.
 #pragma once

@@ -16,12 +16,12 @@ namespace palpate::classroom {
 
 using training::DatabaseAway;
 
-/// Throws Error for an address that has a password in it: whoever sees the list of processes would see it. libpq finds
-/// passwords in ~/.pgpass, in a service file, or in PGPASSWORD.
+/// Throws Error for an address that has a password in it, which the list of processes would show. libpq finds passwords
+/// in ~/.pgpass, in a service file, or in PGPASSWORD.
 void refusePassword(const std::string& connection);
 
-/// What a server gave for a value of this type (an OID of its catalogue), as text. Throws Error for what is no such
-/// value.
+/// Converts a server's text for a value of this type (an OID of its catalogue). Throws Error if it does not fit the
+/// type.
 training::SqlValue postgresValue(unsigned type, std::string_view text);
 
 /// A connection; one thread. It is not made again by itself: `connect` does that, and forgets nothing but the
@@ -33,7 +33,7 @@ class PostgresSql : public training::Sql {
   explicit PostgresSql(std::string connection);
 
   void connect();  ///< throws DatabaseAway
-  /// What the server has warned of since this was last asked, one line each; the newest hundred.
+  /// Warnings of the server since the last call, one line each; the newest hundred.
   std::vector<std::string> takeWarnings();
   bool connected() const;
 
@@ -59,7 +59,7 @@ class PostgresSql : public training::Sql {
   std::string settings_;
   std::vector<std::string> warnings_;
   std::unique_ptr<pg_conn, Finish> connection_;
-  std::map<std::string, std::string, std::less<>> names_;  // of statements that the server has prepared
+  std::map<std::string, std::string, std::less<>> names_;  // names of statements that the server has prepared
 };
 
 }  // namespace palpate::classroom

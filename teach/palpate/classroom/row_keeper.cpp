@@ -36,7 +36,7 @@ constexpr std::string_view kPartsActor = "collector";
 /// Numbers of notes that another program may have drawn and not committed yet when later ones were read.
 constexpr std::int64_t kNotesUnderWay = 1000;
 constexpr std::size_t kMaxRowsRemembered = 20000;
-/// Keys, indices and visits beside the row itself.
+/// Bytes of keys, indices and visits in addition to the row itself.
 constexpr std::int64_t kRowOverheadBytes = 200;
 
 /// Rows after those that they refer to, however they arrived, but never across a deletion: that is where order counts.
@@ -56,7 +56,7 @@ std::vector<std::size_t> insertionOrder(std::span<const SentRow> rows) {
   return order;
 }
 
-/// Of all its times.
+/// The latest of its times.
 std::int64_t latestMs(const AnyRow& row) {
   if (std::holds_alternative<DeletionRow>(row)) return 0;  // goes by the order of arrival
   std::int64_t latest = 0;
@@ -74,7 +74,7 @@ std::int64_t latestMs(const AnyRow& row) {
   return latest;
 }
 
-/// Made by any computer from the station's name: nobody else's. Others were made at random before a station joined.
+/// Made from the station's name by any computer, so it is unique. Others were made at random before a station joined.
 bool isNamedStation(const Uuid& id) { return id.size() == 36 && id[14] == '8'; }
 
 template <class Map>
@@ -143,7 +143,7 @@ void RowKeeper::note(std::string_view actor, const std::string& mark) {
   tables_.note(training::utcMs(), actor, kDeletedAction, mark);
 }
 
-/// What belongs to it will come as well, and is to be known by it.
+/// Notes ids of rows whose parts will come as well.
 void RowKeeper::noteParts(const AnyRow& row) {
   if (!std::holds_alternative<SessionRow>(row) && !std::holds_alternative<BlockRow>(row)) return;
   const std::string mark = training::deletedMark(training::idOf(row));
@@ -238,7 +238,7 @@ Uuid RowKeeper::ownerOfStation(const Uuid& station) {
 Uuid RowKeeper::ownerOfTrainee(const Uuid& trainee) {
   std::string owner = textOf("SELECT station_id FROM origin WHERE subject = $1", trainee);
   if (!owner.empty()) return owner;
-  // Of before version 3, or whose own station has forgotten them: who has their first session.
+  // For rows from before version 3, or forgotten by their own station: the owner of their first session.
   const std::string station =
       textOf("SELECT station_id FROM session WHERE trainee_id = $1 ORDER BY start_ms, id LIMIT 1", trainee);
   return station.empty() ? station : ownerOfStation(station);
@@ -251,7 +251,7 @@ Uuid RowKeeper::ownerOfSession(const Uuid& session) {
   if (station.empty()) return {};
   const Uuid owner = ownerOfStation(station);
   boundMap(session_owner_);
-  // Of nobody who is known: of nobody who may change it.
+  // Without a known owner no sender may change it.
   return session_owner_[session] = owner.empty() ? station : owner;
 }
 
@@ -269,7 +269,7 @@ void RowKeeper::claim(const Uuid& subject, const Uuid& station) {
                        {subject, station});
 }
 
-/// Nothing: the row is its sender's own, or nobody's yet.
+/// Returns nothing if the row is its sender's own or unowned.
 std::optional<std::string> RowKeeper::notTheirs(const SentRow& sent) {
   const auto other = [&](const Uuid& owner) { return !owner.empty() && owner != sent.station; };
   const auto of_other = [&](std::string_view what, const Uuid& session) -> std::optional<std::string> {
@@ -382,7 +382,7 @@ void RowKeeper::write(const SentRow& sent) {
     }
   };
   if (const auto* of = std::get_if<ClassRow>(&sent.row); of != nullptr && !rules_.class_id.empty()) {
-    // How long a class keeps things is said by its folder, and of other classes by nobody here.
+    // The class's folder sets its retention; for other classes nothing here does.
     if (of->id != rules_.class_id) keep(ClassRow{.id = of->id, .label = of->id});
     return;
   }

@@ -1,4 +1,4 @@
-// Which rows a class keeps, the same in both of its databases: a station's own, none of somebody who was deleted, none
+// Decides which rows a class keeps, the same in both of its databases: a station's own, none of a deleted trainee, none
 // that are dated after now, and no more than a station's share of the disk.
 //
 //   rows, each with who sent it ─ keep, one transaction ─► RowTables, and what became of each row
@@ -7,8 +7,7 @@
 // deletion goes by identity and by order of arrival, never by a clock:
 //   - a station's notice takes away what that station has sent so far; whatever it sends later is of a later sign-in;
 //   - a deletion in the class's own records (or by the teacher's certificate) holds for every station until that
-//   station
-//     says that it has heard of it (a notice with at_ms = 0). What it sends after that is of a later sign-in.
+// station reports that it has received it (a notice with at_ms = 0). What it sends after that is of a later sign-in.
 #pragma once
 
 #include <cstdint>
@@ -27,14 +26,15 @@ namespace palpate::classroom {
 /// A row and who sent it.
 struct SentRow {
   training::AnyRow row;
-  training::Uuid station = {};  ///< by its certificate (stationIdOf); empty: the teacher, who may write anybody's rows
-  std::string name = {};        ///< of the station, for messages
-  std::size_t bytes = 0;        ///< as it came
+  training::Uuid station =
+      {};                 ///< by its certificate (stationIdOf); empty: the teacher, who may write any station's rows
+  std::string name = {};  ///< station's name in messages
+  std::size_t bytes = 0;  ///< as it came
 };
 
 enum class RowFate : std::uint8_t {
-  kept,     ///< in the database, or of somebody who was deleted: to be acknowledged
-  waits,    ///< what it belongs to has not come yet, or it contradicts another row: sent again, it may be kept
+  kept,     ///< in the database, or of a deleted trainee: to be acknowledged
+  waits,    ///< its parent has not come yet, or it contradicts another row: sent again, it may be kept
   refused,  ///< not its sender's, dated after now, or beyond its sender's share: to be answered
 };
 struct NotKept {
@@ -46,8 +46,8 @@ struct KeptRows {
   std::vector<training::Uuid> keys;  ///< outbox keys of those that were kept, in order
   std::vector<NotKept> waits;
   std::vector<NotKept> refused;
-  std::vector<std::string> said;  ///< what a deletion has left, for people
-  /// Deletions of which a station must hear, by the station's id: training::deletedMark.
+  std::vector<std::string> said;  ///< remains of a deletion, for people to read
+  /// Deletions to report to a station, by the station's id: training::deletedMark.
   std::map<training::Uuid, std::vector<std::string>> to_hear;
 };
 
@@ -58,7 +58,7 @@ inline constexpr std::int64_t kStationBytes = std::int64_t{256} << 20;
 
 struct KeeperRules {
   std::string class_id = {};  ///< other classes' rows are kept with the standard retention; empty: of any class
-  std::int64_t station_bytes = kStationBytes;  ///< of rows since the last purge
+  std::int64_t station_bytes = kStationBytes;  ///< limit of rows since the last purge
 };
 
 /// One thread, as the tables.
@@ -69,7 +69,7 @@ class RowKeeper {
   /// One transaction. Throws DatabaseAway; nothing was kept then, as far as anybody can know.
   KeptRows keep(std::span<const SentRow> rows);
 
-  /// In the caller's transaction: everything of the trainee, for every station. True: there was somebody.
+  /// Deletes everything of the trainee, for every station, in the caller's transaction. Returns false if unknown.
   bool erase(const training::Uuid& trainee, std::string_view actor);
 
   /// Rows were deleted since the last time this was asked.
@@ -105,9 +105,9 @@ class RowKeeper {
   std::int64_t& bytesOf(const training::Uuid& station);
   void saveBytes();
 
-  /// What anybody has deleted since the last time: asked once for a batch instead of for each row.
+  /// Reads the deletions made since the last time: once per batch instead of once per row.
   void loadTombstones();
-  /// What was learned may have been undone.
+  /// Discards what was learned, since it may have been rolled back.
   void forget();
   KeptRows keepEach(std::span<const SentRow> rows, std::span<const std::size_t> order, bool savepoints);
 
@@ -116,8 +116,8 @@ class RowKeeper {
 
   // Notes of the audit by number, which is the order of arrival.
   std::int64_t last_note_ = 0;
-  std::map<std::string, std::int64_t, std::less<>> marks_;                ///< of whatever was deleted
-  std::map<std::string, std::int64_t, std::less<>> for_all_;              ///< of trainees: for every station
+  std::map<std::string, std::int64_t, std::less<>> marks_;             ///< marks of deletions
+  std::map<std::string, std::int64_t, std::less<>> for_all_;           ///< trainees deleted for every station
   std::map<std::pair<std::string, std::string>, std::int64_t> notified_;  ///< mark, station
 
   // Found before; forgotten when they are many, and whenever something is deleted.

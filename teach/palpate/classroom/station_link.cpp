@@ -140,7 +140,7 @@ struct StationLink::Impl {
   bool hasNews(Clock::time_point live_next) const {
     return (mqtt->connected() && (status_stale || state_stale)) || (live && Clock::now() >= live_next);
   }
-  /// A file that another process holds for a moment is no reason to stop; it is said and tried again.
+  /// A file that another process holds for a moment does not stop the thread; it is reported and tried again.
   template <class Work>
   void work(const Work& what) {
     std::string said;
@@ -199,7 +199,7 @@ struct StationLink::Impl {
     const auto entries = own.waiting(sender.window(Clock::now()));
     sender.restrictTo(entries);
     for (const training::OutboxEntry& entry : entries) {
-      // What was recorded after a deletion must not reach the class before it.
+      // Rows recorded after a deletion must not reach the class before it.
       const bool last = entry.kind == "delete";
       if (!sender.due(entry.row, Clock::now())) {
         if (last) return;
@@ -214,7 +214,7 @@ struct StationLink::Impl {
       if (last) return;
     }
   }
-  /// What was acknowledged last.
+  /// Removes the last acknowledged rows from the outbox.
   void finish() {
     std::vector<training::Uuid> keys;
     {
@@ -235,7 +235,7 @@ struct StationLink::Impl {
   std::atomic<std::uint64_t> sent_count = 0;
   std::atomic<std::uint64_t> repeat_count = 0;
 
-  mutable std::mutex mutex;  ///< of what follows
+  mutable std::mutex mutex;  ///< guards what follows
   std::condition_variable woken;
   bool ending = false;
   StationStatus status;

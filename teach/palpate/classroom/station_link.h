@@ -1,6 +1,6 @@
 // A station's side of a class: rows of the outbox go to the collector until it says that they are in the database;
 // state and finger go to the instructor; the instructor's commands come back. Without a class or a network the session
-// goes on as ever, and what waits goes out later.
+// continues as usual, and waiting rows go out later.
 //
 //   Store's outbox ─► rows, oldest first, resent until acknowledged ─► collector ─ ack ─► Store::acknowledged
 //   publishState, publishLive ─► instructor           instructor ─ cmd ─► takeCommand
@@ -39,23 +39,23 @@ struct StationInfo {
 
 /// How rows go out; numbers of docs/reference/class-protocol.md.
 struct OutboxPace {
-  double most_per_s = 50.0;  ///< so that a class that comes back after a break does not flood its collector
+  double most_per_s = 50.0;  ///< keeps a class that reconnects after a break from flooding its collector
   double resend_s = 3.0;     ///< without an acknowledgement
   int most_under_way = 200;  ///< rows sent and not yet acknowledged
 };
 
-/// What went out since the link began.
+/// Messages sent since the link began.
 struct LinkCounts {
   std::uint64_t live = 0;
   std::uint64_t rows = 0;     ///< repeats among them
-  std::uint64_t repeats = 0;  ///< of rows that were not acknowledged in time
+  std::uint64_t repeats = 0;  ///< rows not acknowledged in time
   std::size_t refused = 0;    ///< rows that the class would not have; tried again after ten minutes
 };
 
 class StationLink {
  public:
-  /// Turns the outbox of `store` on and goes on with a connection of its own to the same file. A broker that is not
-  /// there is no error. Throws Error for certificates that cannot be used and for a file that cannot be opened.
+  /// Turns the outbox of `store` on and opens a connection of its own to the same file. A missing broker is not an
+  /// error. Throws Error for certificates that cannot be used and for a file that cannot be opened.
   StationLink(const Member& member, training::Store& store, const StationInfo& info, const OutboxPace& pace = {});
   /// Signs off: the retained state is cleared, the status says offline. Waits for the network at most a second.
   ~StationLink();
@@ -64,7 +64,7 @@ class StationLink {
 
   // Any thread.
   void publishState(const StationState& state);
-  /// Nobody is signed in: the retained state is cleared.
+  /// Clears the retained state: no trainee is signed in.
   void clearState();
   void publishLive(const LiveSample& live);
   void publishSafety(const std::string& safety);  ///< "ok", or what stopped the device
@@ -87,13 +87,14 @@ inline constexpr double kMinDiskBytes = 1e9;
 // Which rows of a station's outbox may be sent now, and the commands that wait for it. Each by itself, without network
 // and without threads of its own.
 
-/// Rate, resending, and how much is tried while nobody acknowledges. One thread.
+/// Limits the rate, resends, and tries fewer rows while none is acknowledged. One thread.
 class OutboxSender {
  public:
   using Time = Clock::time_point;
   OutboxSender(const OutboxPace& pace, Time now) : pace_(pace), tokens_(kBurst), filled_(now) {}
 
-  /// So many of the oldest rows may be looked at. Wider again with time, should the oldest be rows that nobody takes.
+  /// How many of the oldest rows may be looked at. Widens with time, in case the oldest are rows that are never
+  /// accepted.
   std::size_t window(Time now) const;
   /// Forgets what has left the outbox.
   void restrictTo(const std::vector<training::OutboxEntry>& waiting);
@@ -105,7 +106,7 @@ class OutboxSender {
   bool wasSent(const training::Uuid& row) const { return sent_.contains(row); }
   void acknowledged() { silent_since_.reset(); }
 
-  /// As long as nothing is acknowledged, about so many are tried again: with the collector away, two hundred stations
+  /// As long as nothing is acknowledged, about this many are tried again: with the collector away, two hundred stations
   /// would else send all that they have every three seconds.
   static constexpr double kProbes = 20.0;
 

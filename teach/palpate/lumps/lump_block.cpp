@@ -22,7 +22,7 @@ constexpr double kApartMm = 45.0;
 const double kFirstStep = elementary::log(2.0);
 const double kLaterStep = elementary::log(1.5);
 constexpr int kFirstTurns = 2;
-/// Of kinds as plain as the walk asks for, so many are drawn from: a level is not a kind that can be known again.
+/// Number of kinds nearest to the walk's cue, of which one is drawn: a level must not reveal the kind.
 constexpr std::size_t kDrawnFrom = 3;
 
 /// A stream of its own for each body, whatever was drawn before.
@@ -40,7 +40,7 @@ HiddenLump ofKind(int kind) {
 }
 
 double lnCue(double cue) {
-  constexpr double kLeast = 1e-4;  // of what cannot be felt at all
+  constexpr double kLeast = 1e-4;  // cue that cannot be felt at all
   return elementary::log(std::max(cue, kLeast));
 }
 
@@ -168,7 +168,7 @@ bool LumpBlock::answer(const Vec2& place_mm) {
     return true;
   }
   now.findings.back().place_mm = place_mm;
-  // Of a place where there is none nothing can be asked.
+  // A false place has no kind to ask about.
   now.over = !judged(now, settings_.task).back().lump;
   return true;
 }

@@ -1,5 +1,5 @@
 // Bodies with and without lumps, one after the other, and what is answered about each: drawn from a seed, so that a
-// block that was interrupted goes on where it stopped.
+// block that was interrupted continues where it stopped.
 //
 //   settings, seed ─► hidden() ─ felt ─► question() ─ answer ─► ... ─► result(), state()
 //
@@ -22,7 +22,7 @@ namespace palpate::lumps {
 
 /// Grades count from 0: the smallest, the least deep, the softest of LumpTask.
 struct HiddenLump {
-  Vec2 place_mm = Vec2::Zero();  ///< of the skin over it, on the map plane (x right, y up)
+  Vec2 place_mm = Vec2::Zero();  ///< position of the skin over it, on the map plane (x right, y up)
   int size = 0;
   int depth = 0;
   int hardness = 0;
@@ -31,7 +31,7 @@ struct HiddenLump {
   friend bool operator==(const HiddenLump&, const HiddenLump&) = default;
 };
 
-/// What somebody says of a lump: where, and of which kind.
+/// A trainee's statement about a lump: where, and which kind.
 struct LumpFinding {
   static constexpr int kUnsaid = -1;
   std::optional<Vec2> place_mm = {};
@@ -51,10 +51,10 @@ struct LumpTrial {
   friend bool operator==(const LumpTrial&, const LumpTrial&) = default;
 };
 
-/// Of a finding: the number of its lump in LumpTrial::hidden, and how far beside it.
+/// A finding with the number of its lump in LumpTrial::hidden, and the distance between them.
 struct JudgedFinding {
   std::optional<std::size_t> lump = {};
-  std::optional<double> error_mm = {};  ///< to the nearest lump; none: there is no lump
+  std::optional<double> error_mm = {};  ///< to the nearest lump; nothing without lumps
 };
 /// Each lump belongs to the nearest finding within LumpTask::hitMm that belongs to no nearer lump.
 std::vector<JudgedFinding> judged(const LumpTrial& trial, const LumpTask& task);
@@ -80,20 +80,20 @@ struct CueThreshold {
 
 /// Counts of a block; of practice and examinations alike.
 struct LumpCounts {
-  int bodies = 0;          ///< that are done
-  int with = 0;            ///< of them: something is hidden in
-  int without = 0;         ///< of them: nothing is
-  int said_with = 0;       ///< of those with: "there is one"
-  int said_without = 0;    ///< of those without: "there is one"
-  int lumps = 0;           ///< hidden in bodies that are done
-  int found = 0;           ///< of them
-  int false_places = 0;    ///< named where there is none
+  int bodies = 0;          ///< finished
+  int with = 0;            ///< finished bodies that hide something
+  int without = 0;         ///< finished bodies without lumps
+  int said_with = 0;       ///< hits: answered "there is one" where there is
+  int said_without = 0;    ///< false alarms: answered "there is one" where there is none
+  int lumps = 0;           ///< hidden in finished bodies
+  int found = 0;           ///< lumps found
+  int false_places = 0;    ///< places named without a lump
   bool passed = false;     ///< an examination's marks are met
-  CueThreshold threshold;  ///< of the lumps so far; zeros without any
+  CueThreshold threshold;  ///< over the lumps so far; zeros without any
 };
 LumpCounts countsOf(const std::vector<LumpTrial>& trials, const LumpTask& task);
 
-/// More places than this are not taken in one body: whoever names every place has found nothing.
+/// Limits the places named in one body: naming every place is not finding.
 inline constexpr std::size_t kMostFindings = 12;
 
 struct LumpBlockSettings {
@@ -105,20 +105,20 @@ struct LumpBlockSettings {
 
 class LumpBlock {
  public:
-  /// Throws Error where there is no room for the lumps of an examination.
+  /// Throws Error if the lumps of an examination do not fit.
   LumpBlock(LumpBlockSettings settings, std::uint64_t seed);
-  /// Goes on from `state()`, with the body that was felt then. Throws Error for what is no such state.
+  /// Continues from `state()`, with the body that was felt then. Throws Error if `state` cannot be read.
   static LumpBlock resumed(LumpBlockSettings settings, std::string_view state);
 
   bool finished() const;
-  int number() const { return static_cast<int>(trials_.size()); }  ///< of the body at hand, from 1
+  int number() const { return static_cast<int>(trials_.size()); }  ///< number of the current body, from 1
   int bodies() const { return settings_.exam ? kExamBodies : settings_.task.bodies; }
   const LumpTrial& trial() const { return trials_.back(); }  ///< at hand, or the last one
   LumpQuestion question() const;
   /// False: the question takes another answer.
   bool answer(int choice);
   bool answer(const Vec2& place_mm);
-  bool noMore();   ///< of an examination
+  bool noMore();   ///< ends the current body of an examination
   void timeOut();  ///< the body is done with what was said so far
   /// After a body that is done, unless that was the last.
   void next();
@@ -139,7 +139,7 @@ class LumpBlock {
   LumpBlockSettings settings_;
   std::uint64_t seed_ = 1;
   std::vector<LumpTrial> trials_;
-  std::vector<double> ln_cue_of_kinds_;  ///< once they were asked for
+  std::vector<double> ln_cue_of_kinds_;  ///< filled on first use
 };
 
 // As text, for records.
@@ -153,7 +153,7 @@ struct LumpState {
 /// Throws Error.
 LumpState parseLumpState(std::string_view text);
 std::string lumpStateText(const LumpState& state);
-/// Of one body: a column of its own in the records. Throws Error.
+/// Reads one body, which has a column of its own in the records. Throws Error.
 LumpTrial parseLumpTrial(std::string_view text);
 std::string lumpTrialText(const LumpTrial& trial);
 

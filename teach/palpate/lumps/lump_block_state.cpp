@@ -13,7 +13,7 @@ namespace {
 
 /// Changes with the way in which bodies follow from settings, seed and answers.
 constexpr int kDrawingVersion = 1;
-/// Longer than any sitting: what a damaged file may claim.
+/// Longer than any session: an upper bound for counts in a damaged file.
 constexpr std::size_t kMostOfAny = 1000;
 
 [[noreturn]] void wrongText(std::string_view what) {

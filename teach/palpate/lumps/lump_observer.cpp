@@ -25,8 +25,8 @@ double normalOf(const contact::FingerOutput& felt) noexcept { return felt.force.
 /// The greatest rise of a taxel over itself in the press without lumps; over softer lumps the greatest fall.
 double patternOf(const contact::FingerOutput& with, const contact::FingerOutput& without, const contact::Lumps* lumps,
                  const contact::PressureGround& ground, std::size_t taxels) noexcept {
-  // Of the greatest taxel: those at the rim that bear less are told as a change of so much. Nobody feels a tenfold
-  // nothing.
+  // Share of the greatest taxel: changes of weaker ones at the rim are taken over at least this. A tenfold change of
+  // almost nothing cannot be felt.
   constexpr double kFaint = 0.1;
   const std::size_t count = taxels * taxels;
   if (count == 0 || count > kMostTaxels) return 0.0;

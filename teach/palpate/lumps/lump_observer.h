@@ -1,5 +1,5 @@
-// How a person finds lumps: what a press tells that the same press without the lumps would not, and how often somebody
-// notices it.
+// How people find lumps: how a press differs from the same press without the lumps, and how often people notice the
+// difference.
 //
 //   what a tick felt, Lumps, PressureGround ─ cueOf ─┐
 //   a place, pressed with its lumps and without ─────┴─► LumpCue ─ clarityOf ─► C ─ detectionOf ─► how often it is
@@ -22,28 +22,29 @@ namespace palpate::lumps {
 
 /// Strokes of a search lie so far apart, mm: a fingertip's width.
 inline constexpr double kStrokesApartMm = 16.0;
-/// Of what is clear altogether somebody misses this share, by inattention.
+/// Share of completely clear lumps that people miss by inattention.
 inline constexpr double kInattention = 0.02;
 
 struct LumpObserver {
-  double force_weber = 0.08;     ///< clinicians' Weber fraction of the force (De Carvalho 2019)
-  double pattern_weber = 0.036;  ///< of the pressure on a taxel; fitted: 0.036 and 3.4, or 0.080 and 1.5 (1985)
-  double spread = 3.4;           ///< s, of ln C
-  bool field = true;             ///< feels the pattern; false: the force alone
-  std::size_t taxels = 8;        ///< along a side of a fingertip that feels the pattern; 0 as without a field
+  double force_weber = 0.08;  ///< clinicians' Weber fraction of the force (De Carvalho 2019)
+  double pattern_weber =
+      0.036;               ///< Weber fraction of a taxel's pressure; fitted: 0.036 and 3.4, or 0.080 and 1.5 (1985)
+  double spread = 3.4;     ///< s, of ln C
+  bool field = true;       ///< feels the pattern; false: the force alone
+  std::size_t taxels = 8;  ///< along a side of a fingertip that feels the pattern; 0 as without a field
 };
 
 /// Throws Error naming what makes no sense.
 void check(const LumpObserver& observer);
 
-/// What lumps change in a press, over the same press without them at the same depth.
+/// Changes that lumps make to a press, over the same press without them at the same depth.
 struct LumpCue {
-  double force = 0.0;    ///< of the normal force, a share; negative over softer lumps
+  double force = 0.0;    ///< change of the normal force, as a share; negative over softer lumps
   double pattern = 0.0;  ///< the greatest rise of a taxel over itself; over softer lumps the greatest fall; >= 0
 };
 
-/// Of what one tick felt. The press without lumps is what FingerOutput says without its lump_force: no second finger is
-/// needed. Nothing for a finger that touches nothing. `taxels`: 0, or 2 to 16. No allocation; any thread.
+/// The cue in one tick. The press without lumps is FingerOutput without its lump_force: no second finger is needed.
+/// Nothing for a finger that touches nothing. `taxels`: 0, or 2 to 16. No allocation; any thread.
 LumpCue cueOf(const contact::FingerOutput& felt, const contact::Lumps* lumps, const contact::PressureGround& ground,
               std::size_t taxels) noexcept;
 
@@ -54,7 +55,7 @@ LumpCue cueOf(const contact::FingerOutput& with, const contact::FingerOutput& wi
 /// C >= 0; 1 is what is found half the time.
 double clarityOf(const LumpCue& cue, const LumpObserver& observer) noexcept;
 
-/// P that somebody of the group finds what is so clear.
+/// P that a person of the group finds a lump this clear.
 double detectionOf(double clarity, const LumpObserver& observer) noexcept;
 
 /// P of naming, of two presses, the one over the lump: d' = C.
@@ -62,7 +63,7 @@ double twoIntervals(double clarity) noexcept;
 
 // Simulated trainees: half of the spread (of its square) is between people, half between lumps.
 
-/// What a person is better than others, in ln C: drawn once a person.
+/// Draws how much better than others a person is, in ln C: once per person.
 double drawSkill(const LumpObserver& observer, Random& random);
 /// Whether a person of this skill finds it: drawn once a lump.
 bool finds(double clarity, double skill, const LumpObserver& observer, Random& random);

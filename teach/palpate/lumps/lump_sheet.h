@@ -23,7 +23,7 @@ class LumpSheet {
 
   /// On the skin over the lump; not on an edge of the sheet's triangles.
   static Vec3 foot() { return {20.0, 10.0, 0.0}; }
-  /// How deep a fingertip presses with so much force where there is no lump, mm.
+  /// Depth of a fingertip that presses with this force away from the lump, mm.
   double depthAt(double force_n) const;
 
   const tissue::LayerStack& stack() const { return table_.stack; }
@@ -34,8 +34,8 @@ class LumpSheet {
   std::shared_ptr<const contact::PressureGround> ground_;
 };
 
-/// A finger pressed so deep on a sheet and led straight past the lump, so far beside it, tick by tick: what it tells
-/// each millimetre of the way, from half a stroke's width before to as far behind. An observer goes by the clearest.
+/// Strokes a finger straight past the lump at this depth and lateral distance, tick by tick: returns the cue at each
+/// millimetre, from half a stroke's width before to as far behind. An observer goes by the clearest.
 std::vector<LumpCue> strokePast(const ComparedSkin& skin, double beside_mm, double depth_mm, std::size_t taxels);
 double clearestOf(const std::vector<LumpCue>& cues, const LumpObserver& observer) noexcept;
 

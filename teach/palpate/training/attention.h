@@ -1,4 +1,4 @@
-// Whether somebody paid attention throughout a block, from its answers alone: misses in a row where the trainee's own
+// Whether a trainee paid attention throughout a block, from the answers alone: misses in a row where the trainee's own
 // threshold leaves hardly any.
 //
 //   answers in order, fitted T and slope ─ attentionOf ─► AttentionCheck ─► report; a comparison that is not made
@@ -23,7 +23,7 @@ inline constexpr double kBurstEvidence = 5.25;
 
 struct AttentionCheck {
   int easy = 0;           ///< answers to easy changes
-  int easy_missed = 0;    ///< of them
+  int easy_missed = 0;    ///< easy changes missed
   double evidence = 0.0;  ///< the highest that the sum came to, nat
   bool warned() const { return evidence >= kBurstEvidence; }
 };

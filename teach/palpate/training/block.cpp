@@ -15,7 +15,7 @@ namespace palpate::training {
 
 namespace {
 
-/// What is drawn from a seed; the streams do not disturb each other.
+/// Random streams of a seed, one per purpose, which do not disturb each other.
 enum class DrawnFor : std::uint64_t { sites = 1, easy, order };
 
 Random streamOf(std::uint64_t seed, DrawnFor what) {
@@ -90,7 +90,7 @@ class Rounds {
   std::size_t at_;
 };
 
-/// Which of the measured trials are easy: one at a drawn place of every stretch, so that nobody can count them off.
+/// Which of the measured trials are easy: one at a drawn place of every stretch, so that they cannot be counted off.
 class EasyTrials {
  public:
   EasyTrials(const BlockSettings& settings, Random random) : random_(random) {
@@ -165,7 +165,7 @@ struct Block::Impl {
     planned.change = planned.kind == TrialKind::measured ? measuredChange() : levels.back();
   }
 
-  /// Only what was felt tells anything: whoever felt one place alone had nothing to compare it with.
+  /// Only felt places inform: a trainee who felt one place alone had nothing to compare it with.
   static bool counts(const TrialOutcome& outcome) { return outcome.target_visited && outcome.visited >= 2; }
 
   void take(const TrialOutcome& outcome) {
@@ -213,15 +213,15 @@ struct Block::Impl {
   std::optional<MarginalPsi> psi;
   std::optional<Staircase> staircase;
   std::optional<Mastery> mastery;
-  Rounds sites;             ///< of the balanced draw
-  Random independent_site;  ///< of the other
+  Rounds sites;             ///< balanced draw
+  Random independent_site;  ///< independent draw
   EasyTrials easy;
-  Rounds order;  ///< of constant levels
+  Rounds order;  ///< for constant levels
   PlannedTrial planned;
   bool over = false;
-  int given = 0;     ///< warm-up left out
-  int excluded = 0;  ///< of them
-  int correct = 0;   ///< of those that count
+  int given = 0;     ///< without warm-up
+  int excluded = 0;  ///< given trials that do not count
+  int correct = 0;   ///< counted trials that were right
 };
 
 Block::Block(const BlockSettings& settings, std::uint64_t seed) {

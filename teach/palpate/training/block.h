@@ -1,7 +1,7 @@
 // A block of trials: which change and which site come next, when it is over, what it says. The one thing that differs
 // between practice, test and examination is its settings.
 //
-//   BlockSettings, seed ─► Block ─ next ─► PlannedTrial ─ (somebody answers) ─► TrialOutcome ─ answer ─► Block ...
+//   BlockSettings, seed ─► Block ─ next ─► PlannedTrial ─ (an answer) ─► TrialOutcome ─ answer ─► Block ...
 //   result
 //
 // Deterministic: the same settings, seed and outcomes give the same trials, also when the block was put down and taken
@@ -24,14 +24,14 @@
 namespace palpate::training {
 
 enum class Method : std::uint8_t {
-  marginal_psi,     ///< the level that tells most about T
+  marginal_psi,     ///< the most informative level about T
   two_down_one_up,  ///< practice: harder after two right answers, easier after a wrong one
   mastery,          ///< VHB: three of four at a level, then the next; a request is a level, never a threshold
   constant_levels,  ///< every level equally often, in drawn order
 };
 
 enum class SiteDraw : std::uint8_t {
-  independent,  ///< each trial by itself: guessing stays exactly one in so many
+  independent,  ///< each trial by itself: guessing stays exactly one in N
   balanced,     ///< shuffled rounds in which every site comes once
 };
 
@@ -43,7 +43,7 @@ struct StopRule {
   /// After `least`: enough when half the 95 % interval of ln T is narrower; 0: only the numbers count.
   double half_width = 0.0;
   /// An examination's pass mark: a change; 0: none. After `least`: enough when P(T < mark) is beyond `sure`. With
-  /// `least` below `most`, marginal psi then asks for what tells most about T < mark, instead of about T.
+  /// `least` below `most`, marginal psi then asks for the most informative level about T < mark, instead of about T.
   double mark = 0.0;
   double sure = 0.95;
 };
@@ -52,11 +52,11 @@ struct BlockSettings {
   Method method = Method::marginal_psi;
   ChangeMeaning meaning = ChangeMeaning::compliance;
   std::vector<double> levels = {};  ///< rising; empty: the method's own (adaptiveLevels, kVhbLevels)
-  double start = 0.5;               ///< of the methods that walk
+  double start = 0.5;               ///< first level of the methods that walk
   int choices = 12;
   SiteDraw draw = SiteDraw::independent;
   int warm_up = 0;          ///< at first, at the top level; not counted
-  int easy = 0;             ///< so many of the counted ones at the top level, spread out: they tell lapses
+  int easy = 0;             ///< number of counted ones at the top level, spread out: they show lapses
   double easy_share = 0.0;  ///< instead of a number, of a walking method
   StopRule stop = {};       ///< counts what is measured, warm-up left out
   Prior prior = {};
@@ -72,15 +72,15 @@ struct PlannedTrial {
 struct TrialOutcome {
   int answer = 0;  ///< a site; 0: none came in time
   bool correct = false;
-  int visited = 12;            ///< sites that were felt
-  bool target_visited = true;  ///< else the trial is not counted: nobody can find what was never touched
+  int visited = 12;            ///< sites felt
+  bool target_visited = true;  ///< else the trial is not counted: an untouched target cannot be found
 };
 
 enum class Verdict : std::uint8_t { none, pass, not_yet, repeat };
 
 struct BlockResult {
   int trials = 0;                   ///< counted
-  int correct = 0;                  ///< of them
+  int correct = 0;                  ///< counted trials that were right
   int excluded = 0;                 ///< not counted: target never felt
   ThresholdSummary threshold;       ///< from all that counts, whatever the method
   std::optional<double> level;      ///< mastery: the smallest change that was mastered; none yet
@@ -107,7 +107,7 @@ class Block {
 
   /// JSON: seed and outcomes so far. Settings are the protocol's.
   std::string state() const;
-  /// Takes it up again. Throws Error for text that is no such state or does not fit the settings.
+  /// Continues from `state`. Throws Error for text that cannot be read or does not fit the settings.
   static Block resumed(const BlockSettings& settings, std::string_view state);
 
  private:
@@ -115,7 +115,7 @@ class Block {
   std::unique_ptr<Impl> impl_;
 };
 
-// What a block writes down of itself, and reads again: which settings, which seed, what was answered. JSON.
+// A block's stored form: settings, seed and answers. JSON.
 //
 //   {"version": 1, "seed": 7, "settings": "0123456789abcdef", "outcomes": [[answer, correct, visited, target], ...]}
 //
@@ -130,7 +130,7 @@ struct BlockState {
 std::string settingsDigest(const BlockSettings& settings);
 
 std::string blockStateText(const BlockSettings& settings, const BlockState& state);
-/// Throws Error for what is no such text, of another version, or of other settings.
+/// Throws Error for text that cannot be read, of another version, or of other settings.
 BlockState parseBlockState(const BlockSettings& settings, std::string_view text);
 
 }  // namespace palpate::training

@@ -20,7 +20,7 @@ int Exploration::nearest(const Vec3& place) const noexcept {
     const double dx = place.x() - site.place_mm.x();
     const double dy = place.y() - site.place_mm.y();
     const double squared = dx * dx + dy * dy;
-    // The front of a closed body lies on the same map plane: it is no site.
+    // The front of a closed body lies on the same map plane: it is not a site.
     if (!(squared <= least) || std::abs(place.z() - site.point_mm.z()) > kMaxOverSiteMm) continue;
     least = squared;
     nearest_site = site.number;

@@ -13,7 +13,7 @@ namespace {
 /// A group of people who are all alike has no narrower spread than this, in ln T: the steps below stay finite.
 constexpr double kMinSpread = 0.03;
 constexpr int kMaxSteps = 400;
-constexpr double kSettled = 1e-7;  ///< of a step, in ln T
+constexpr double kSettled = 1e-7;  ///< step in ln T below which the fit has settled
 
 /// A normal of ln T, fitted to likelihoods.
 struct FittedNormal {
@@ -22,7 +22,7 @@ struct FittedNormal {
   double error_of_mean = 0.0;
 };
 
-/// Of one person under the normal.
+/// Mean and variance of one person's ln T under the normal.
 struct MeanAndVariance {
   double mean = 0.0;
   double variance = 0.0;
@@ -96,7 +96,7 @@ FittedNormal fitNormal(std::span<const ThresholdLikelihood> people) {
 }  // namespace
 
 double student95(int degrees_of_freedom) {
-  const double z = 1.959963985;  // of a normal
+  const double z = 1.959963985;  // quantile of a normal
   const double n = degrees_of_freedom;
   const double z3 = z * z * z;
   const double z5 = z3 * z * z;

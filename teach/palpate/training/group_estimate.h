@@ -1,6 +1,6 @@
-// Thresholds of a group, and how they changed: estimated from everybody's answers at once.
+// Thresholds of a group, and how they changed: estimated from all people's answers at once.
 //
-// The mean of the medians that people are told is pulled towards the prior, and its standard error leaves out how
+// The mean of the reported medians is pulled towards the prior, and its standard error leaves out how
 // unsure each of them is. Here ln T of a person is a draw from a normal whose mean and spread are fitted to what all
 // answers say (thresholdLikelihood), so that neither happens.
 //
@@ -19,17 +19,17 @@ namespace palpate::training {
 
 struct GroupEstimate {
   int people = 0;
-  double mean = 0.0;  ///< of T over people (arithmetic)
+  double mean = 0.0;  ///< mean of T over people (arithmetic)
   double low = 0.0;   ///< 95 % interval of the mean
   double high = 0.0;
-  double sd = 0.0;  ///< of T over people, without what measuring adds
+  double sd = 0.0;  ///< SD of T over people, without measurement noise
   // The same in ln T.
   double mean_ln = 0.0;
   double error_of_mean_ln = 0.0;
   double sd_ln = 0.0;
 };
 
-/// Of two people or more; of fewer only `people` is filled in.
+/// Needs two people or more; with fewer only `people` is filled in.
 GroupEstimate groupThreshold(std::span<const ThresholdLikelihood> people);
 
 struct GroupChange {

@@ -28,7 +28,7 @@ constexpr double kStartReachSd = 3.0;
 constexpr std::size_t kGains = 25;
 constexpr double kMaxGain = 1.8;   ///< ln(start / end): a sixth is left
 constexpr double kMaxLoss = -0.3;  ///< some get worse
-/// In sessions, each as likely: from all at once to hardly within a course.
+/// In sessions, each as likely: from all at once to hardly within all sessions.
 constexpr std::array kPaces = {0.7, 1.0, 1.5, 2.2, 3.3, 5.0, 7.5};
 /// Places of the curve between two sessions.
 constexpr int kPlacesBetween = 4;
@@ -114,7 +114,7 @@ std::optional<LearningFit> fitLearning(std::span<const SessionAnswers> sessions,
     for (WeighedCurve& curve : curves) curve.weight *= valueAt(told, std::log(curve.at(static_cast<double>(n))));
   }
   if (with_answers < 3) return std::nullopt;
-  // What weighs nothing need not be sorted.
+  // Curves without weight need not be sorted.
   const auto lightest =
       std::max_element(curves.begin(), curves.end(), [](const auto& a, const auto& b) { return a.weight < b.weight; })
           ->weight *

@@ -17,7 +17,7 @@
 
 namespace palpate::training {
 
-/// What counted in one session, in any order.
+/// Counted answers of one session, in any order.
 struct SessionAnswers {
   std::vector<Answer> answers;
 };
@@ -55,8 +55,8 @@ struct LearningFit {
 std::optional<LearningFit> fitLearning(std::span<const SessionAnswers> sessions, int choices = 12,
                                        const Prior& prior = {});
 
-/// For planning: by what factor two separate results of so many trials will have to differ, about 1.45 for 40 and 40
-/// trials, 1.67 for 20 and 20. What they do say, changeBetween tells by their own intervals.
+/// For planning: the factor by which two separate results with these numbers of trials must differ, about 1.45 for 40
+/// and 40 trials, 1.67 for 20 and 20. changeBetween goes by their own intervals instead.
 double factorOfRealChange(int trials_before, int trials_after);
 
 /// How two results that share no answers differ (not filtered points): the one rule of summaries, reports and study.

@@ -10,7 +10,7 @@ namespace {
 
 /// Thresholds that are less likely add less than this to the information, and are left out.
 constexpr double kMinThresholdWeight = 1e-12;
-/// Levels that differ by less tell as much as each other: the smallest is taken, whatever the last bit says.
+/// Levels that differ by less are equally informative: the smallest is chosen, whatever the last bit is.
 constexpr double kSameInformation = 1e-12;
 
 /// x ln x, and its limit.
@@ -94,7 +94,7 @@ std::vector<double> MarginalPsi::informationAtMark(const Posterior& posterior, d
   const Marginals marginals = marginalsOf(posterior);
   const double cells_to_mark = (std::log(mark) - posterior.lnThresholds().front()) /
                                (posterior.lnThresholds()[1] - posterior.lnThresholds().front());
-  // Of each T: how much of its cell lies below the mark.
+  // Per T: how much of its cell lies below the mark.
   std::vector<double> share(thresholds_);
   double below = 0.0;
   double above = 0.0;

@@ -1,5 +1,5 @@
-// The change to ask about next: the one whose answer is expected to tell most about the threshold, whatever slope and
-// lapse rate may be.
+// Chooses the next change: the one whose answer is expected to be most informative about the threshold, whatever slope
+// and lapse rate may be.
 //
 //   Posterior ─ MarginalPsi::best ─► place in the list of levels ─► Block::next
 //
@@ -20,12 +20,12 @@ class MarginalPsi {
   /// For posteriors with the grid of `like`; `levels` are changes, at least one.
   MarginalPsi(const std::vector<double>& levels, const Posterior& like);
 
-  /// The first of the levels that tell most.
+  /// The first of the most informative levels.
   std::size_t best(const Posterior& posterior) const;
-  /// The first of those that tell most about whether T is below `mark`: what an examination wants to know. Decides
-  /// earlier, and tells less about T itself.
+  /// The first of the most informative levels about whether T is below `mark`, which an examination decides. Decides
+  /// earlier, but learns less about T itself.
   std::size_t bestAtMark(const Posterior& posterior, double mark) const;
-  /// What each level's answer is expected to tell about T, nat.
+  /// Expected information of each level's answer about T, nat.
   std::vector<double> information(const Posterior& posterior) const;
   /// The same about whether T is below `mark`.
   std::vector<double> informationAtMark(const Posterior& posterior, double mark) const;
@@ -33,8 +33,8 @@ class MarginalPsi {
  private:
   /// The posterior without the lapse rate.
   struct Marginals {
-    std::vector<double> weight;  ///< of each T
-    std::vector<double> left;    ///< of (T, slope): what guess and lapses leave of its weight
+    std::vector<double> weight;  ///< weight of each T
+    std::vector<double> left;    ///< share of a weight (T, slope) that guess and lapses leave
   };
   Marginals marginalsOf(const Posterior& posterior) const;
   /// How likely this T and a right answer at this level are together.

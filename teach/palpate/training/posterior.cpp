@@ -22,7 +22,7 @@ constexpr std::array kLapseValues = {0.0, 0.02, 0.05, 0.10};
 constexpr std::array kLapseWeights = {0.25, 0.45, 0.22, 0.08};
 /// Smaller weights are nothing: they never come back, and numbers below 1e-308 slow every product down.
 constexpr double kMinWeight = 1e-200;
-/// Of the 95 % interval.
+/// Quantiles of the 95 % interval.
 constexpr double kLowShare = 0.025;
 constexpr double kHighShare = 0.975;
 
@@ -151,7 +151,7 @@ void Posterior::diffuse(double sd_ln) {
   std::vector<double> wandered(weights_.size(), 0.0);
   std::vector<double> reached(ln_t_.size());
   for (std::size_t from = 0; from < ln_t_.size(); ++from) {
-    double all = 0.0;  // of what stays on the grid: at its borders nothing is lost
+    double all = 0.0;  // weight that stays on the grid: at its borders nothing is lost
     for (std::size_t to = 0; to < ln_t_.size(); ++to) {
       reached[to] = bellOf(cell * (static_cast<double>(to) - static_cast<double>(from)) / sd_ln);
       all += reached[to];

@@ -1,4 +1,4 @@
-// What answers tell about a trainee's threshold: a grid of likelihoods over ln T, slope and lapse rate, exact Bayes.
+// The posterior of a trainee's threshold: a grid of likelihoods over ln T, slope and lapse rate, exact Bayes.
 //
 //   Answer ─ Posterior::add ─► weights ─► summary (median, 95 % interval), P(T < mark), the next level (marginal_psi.h)
 //
@@ -11,7 +11,7 @@
 
 namespace palpate::training {
 
-/// What is believed before the first answer, and the grid: 61 x 7 x 4.
+/// The belief before the first answer, and the grid: 61 x 7 x 4.
 struct Prior {
   double threshold = 0.22;  ///< median of T
   double sd_ln_t = 0.8;
@@ -28,14 +28,14 @@ struct Answer {
 };
 
 struct ThresholdSummary {
-  double median = 0.0;  ///< of T, for Posterior::choices places
+  double median = 0.0;  ///< median of T, for Posterior::choices places
   double low = 0.0;     ///< 2.5 %
   double high = 0.0;    ///< 97.5 %
   double mean_ln = 0.0;
   double sd_ln = 0.0;
-  double halfWidth() const;  ///< of ln T: half of ln(high / low)
-  /// Narrow enough to be shown to people: a factor of two either way at most. After one trial the interval runs from
-  /// 10 to 157 %, which nobody can use.
+  double halfWidth() const;  ///< in ln T: half of ln(high / low)
+  /// Narrow enough to be shown to people: a factor of two either way at most. After one trial the interval is a useless
+  /// 10 to 157 %.
   bool telling() const;
 };
 

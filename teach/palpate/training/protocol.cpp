@@ -7,7 +7,7 @@ namespace {
 /// The Virtual Haptic Back's own levels, rising.
 std::vector<double> vhbLevels() { return {kVhbLevels.rbegin(), kVhbLevels.rend()}; }
 
-/// Marginal psi, no feedback: three to warm up, 40 that count, four of them plain enough to tell lapses.
+/// Marginal psi, no feedback: three to warm up, 40 that count, four of them plain enough to reveal lapses.
 SessionSettings measuringSession() {
   SessionSettings settings;
   settings.block.warm_up = 3;

@@ -1,5 +1,5 @@
-// What is trained and tested, as plain settings: the sites, the hidden dysfunction, and a block's settings for each
-// kind of session. From a TOML file or built in (`protocolNamed`).
+// Settings of training and tests: the sites, the hidden dysfunction, and a block's settings for each kind of session.
+// From a TOML file or built in (`protocolNamed`).
 #pragma once
 
 #include <array>
@@ -36,9 +36,9 @@ constexpr bool hidesLumps(SessionKind kind) { return kind == SessionKind::lump |
 struct HiddenPlace {
   double radius_mm = 22.0;
   double edge_softness = 0.4;
-  /// How deep it lies. What reaches a finger on the skin is weaker by 1 / (1 + (depth / radius)^2), and wider.
+  /// How deep it lies. At the skin it is weaker by 1 / (1 + (depth / radius)^2), and wider.
   double depth_mm = 0.0;
-  /// The bone under it stands so much nearer to the skin: stiffer by the depth law, besides the change. 0: as ever.
+  /// The bone under it is this much nearer to the skin: stiffer by the depth law, besides the change. 0: unchanged.
   double bony_displacement_mm = 0.0;
   friend bool operator==(const HiddenPlace&, const HiddenPlace&) = default;
 };
@@ -55,14 +55,14 @@ struct Protocol {
   std::string id = "vhb";
   int version = 1;
   std::string title;
-  std::vector<std::string> sites;  ///< places in words; empty: the twelve
-  double base_n_per_mm = 0.3;      ///< of the uniform tissue that tests are made on
+  std::vector<std::string> sites;  ///< place names; empty: the twelve
+  double base_n_per_mm = 0.3;      ///< for the uniform tissue of tests
   HiddenPlace hidden;
   ExplorationSettings exploration;
   double break_after_min = 15.0;  ///< a block is offered to be put down after this long; 0: never
   double least_days_to_retention = 7.0;
   SessionSettings practice, mastery, pre_test, post_test, exam, retention;
-  std::optional<lumps::LumpTask> lump = {};  ///< of sittings with lumps; none: there are none
+  std::optional<lumps::LumpTask> lump = {};  ///< for sessions with lumps; nothing without them
 };
 
 /// free, and sittings with lumps: that of practice.
@@ -74,14 +74,14 @@ double largestChange(const BlockSettings& settings);
 /// As documented: practice 2-down-1-up from 50 %, blocks of 20; tests marginal psi, 40 trials; examination sequential
 /// at 20 %.
 Protocol builtInProtocol();
-/// The same with sittings that hide lumps.
+/// The built-in protocol with sessions that hide lumps.
 Protocol builtInLumpProtocol();
-/// "vhb", "lumps" or a file. Throws Error with the line for what is no such file, an unknown key, a value out of range.
+/// "vhb", "lumps" or a file. Throws Error with the line for an unreadable file, an unknown key, a value out of range.
 Protocol protocolNamed(const std::string& name_or_file);
 Protocol parseProtocol(std::string_view text, std::string_view file);
 /// With explanations; parseProtocol gives the same settings back.
 std::string protocolText(const Protocol& protocol);
-/// Of protocolText (SHA-256, hex).
+/// Hash of protocolText (SHA-256, hex).
 std::string protocolSha256(const Protocol& protocol);
 
 }  // namespace palpate::training

@@ -1,4 +1,4 @@
-// A protocol as a TOML file: read key by key, written with explanations. Changes stand in per cent there.
+// A protocol as a TOML file: read key by key, written with explanations. Changes are in per cent there.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -40,7 +40,7 @@ constexpr std::array kSessions = {
     NamedSession{"retention", &Protocol::retention, "the same a week later"},
 };
 
-/// A number that stands in per cent in the file and as a share inside.
+/// Reads a number that is in per cent in the file and a share inside.
 void readPercent(const TomlTable& table, const char* key, double& share, const NumberRange& percent) {
   double value = 100.0 * share;
   table.read(key, value, percent);

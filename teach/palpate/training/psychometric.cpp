@@ -8,14 +8,14 @@ namespace palpate::training {
 
 namespace {
 
-/// Numbers of places whose ideal observer is kept; others are computed when asked for.
+/// Numbers of places whose ideal observer is kept; others are computed on request.
 constexpr int kKeptChoices = 40;
 
 /// Where an observer whose d' grows with the change is right half of the time, guesses taken off, and how steep it is
 /// around there.
 struct IdealObserver {
   double d_prime = 0.0;  ///< at F = 1/2
-  double slope = 0.0;    ///< of the Weibull that takes as long from F = 1/4 to 3/4
+  double slope = 0.0;    ///< slope of the Weibull that takes as long from F = 1/4 to 3/4
 };
 
 double standardNormalBelow(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
@@ -28,7 +28,7 @@ struct RightAndRise {
 
 /// The integral of phi(x - d') Phi(x)^(choices - 1): the rule of equal steps is exact to rounding for such bells.
 RightAndRise idealRight(double d_prime, int choices) {
-  constexpr double kReach = 8.5;  // of a bell, sd: what lies outside is below 1e-16
+  constexpr double kReach = 8.5;  // bell's half width, sd: its tail beyond is below 1e-16
   constexpr double kStep = 0.25;
   constexpr int kSteps = static_cast<int>(2.0 * kReach / kStep);
   RightAndRise sum;

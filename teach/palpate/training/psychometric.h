@@ -24,7 +24,7 @@ struct Psychometric {
 /// In [guess, 1 - lapse]; rises with the change.
 double probabilityCorrect(const Psychometric& function, double change);
 
-/// Beta of the ideal observer among so many places (>= 2).
+/// Beta of the ideal observer among `choices` places (>= 2).
 double idealSlope(int choices);
 /// T among `choices` places over T of the same observer among `reference` places.
 double thresholdFactor(int choices, int reference);

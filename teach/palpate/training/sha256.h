@@ -14,7 +14,7 @@ std::array<std::uint8_t, 32> sha256Of(std::string_view bytes);
 std::array<std::uint8_t, 32> hmacSha256Of(std::string_view key, std::string_view bytes);
 /// 64 letters of lower case hex.
 std::string sha256Hex(std::string_view bytes);
-/// Of what the file holds, read piece by piece. Throws Error.
+/// Hash of the file's contents, read piece by piece. Throws Error.
 std::string sha256OfFile(const std::filesystem::path& file);
 
 }  // namespace palpate::training

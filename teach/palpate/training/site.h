@@ -18,7 +18,7 @@ namespace palpate::training {
 enum class Side : std::uint8_t { left, right, middle };
 
 struct Site {
-  int number = 0;     ///< what the trainee sees and says, from 1
+  int number = 0;     ///< number that the trainee sees and says, from 1
   std::string at;     ///< in words that every body knows: "left site 4"
   std::string label;  ///< for teachers: "T10, left"
   int level = 0;      ///< from the top, from 1: sites of one level lie opposite each other
@@ -38,7 +38,7 @@ struct SiteSet {
 /// 1 to 6 down the left side, 7 to 12 down the right. Throws Error for a body without these landmarks.
 SiteSet twelveSites(std::span<const body::SkinLandmark> landmarks);
 
-/// Places in words ("T6 right 30 mm"), numbered as they stand: at least two, at most 40. Throws Error naming the place
+/// Places in words ("T6 right 30 mm"), numbered in order: at least two, at most 40. Throws Error naming the place
 /// that the body does not know, or two that lie nearer to each other than 15 mm.
 SiteSet sitesNamed(std::span<const body::SkinLandmark> landmarks, std::span<const std::string> places);
 

@@ -8,7 +8,7 @@ namespace palpate::training {
 
 namespace {
 
-/// What a step of practice is meant to be, as a ratio of changes.
+/// The intended step of practice, as a ratio of changes.
 constexpr double kWantedStep = 1.2;
 
 }  // namespace

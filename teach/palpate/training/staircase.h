@@ -1,11 +1,11 @@
-// Walks along a list of levels: what practice and the Virtual Haptic Back do instead of asking for the level that tells
-// most.
+// Walks along a list of levels, as practice and the Virtual Haptic Back do instead of choosing the most informative
+// level.
 //
 //   levels, start ─► Staircase, Mastery ─ change ─► trial ─ right or wrong ─► answer ─► change ...
 //
-// A staircase's levels hover where so many right answers in a row are as likely as not: 70.7 % right for two, 79.4 %
-// for three. That is no threshold T (psychometric.h): among twelve places two in a row aim at 1.35 T, among two at 0.85
-// T. What a block reports comes from the posterior of its answers, whichever way its levels were walked. Based on:
+// A staircase's levels hover where this number of right answers in a row is as likely as not: 70.7 % right for two,
+// 79.4 % for three. That is not a threshold T (psychometric.h): among twelve places two in a row aim at 1.35 T, among
+// two at 0.85 T. A block reports the posterior of its answers, whichever way its levels were walked.
 // Levitt, J. Acoust. Soc. Am. 49:467, 1971; Kaernbach, Perception & Psychophysics 49:227, 1991 (unequal steps); the
 // mastery rule of the Virtual Haptic Back (Howell et al. 2008).
 #pragma once
@@ -21,10 +21,10 @@ std::size_t nearestLevel(const std::vector<double>& levels, double change);
 
 /// How a staircase walks. Steps are places in the list of levels.
 struct StaircaseRule {
-  int right_for_harder = 2;  ///< so many right answers in a row
+  int right_for_harder = 2;  ///< right answers in a row for a harder level
   std::size_t harder_steps = 1;
   std::size_t easier_steps = 1;
-  int double_until = 2;  ///< steps are twice as long before so many reversals
+  int double_until = 2;  ///< steps are doubled before this many reversals
 };
 
 /// 2-down-1-up whose step is about 20 %: one place of the seven levels, two of the adaptive ones.
@@ -68,7 +68,7 @@ class Mastery {
   std::optional<double> mastered() const { return mastered_; }
   /// There is nothing smaller to master.
   bool masteredAll() const { return mastered_ == levels_.front(); }
-  /// So many levels were mastered or not since the beginning.
+  /// Number of levels that were mastered or not since the beginning.
   int settled() const { return settled_; }
 
  private:

@@ -15,7 +15,7 @@ namespace palpate::training {
 enum class ChangeMeaning : std::uint8_t {
   compliance,  ///< the place is less compliant by d: k'/k = 1 / (1 - d), d < 1
   stiffness,   ///< the place is stiffer by d: k'/k = 1 + d
-  cue,         ///< of a lump: C, how plainly it is felt (lumps/lump_observer.h); no hidden place has it
+  cue,         ///< a lump's C, how plainly it is felt (lumps/lump_observer.h); no hidden place has it
 };
 
 /// The factor on the stiffness at the centre of the place; d in (0, kMaxChange of the meaning].

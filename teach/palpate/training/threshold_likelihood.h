@@ -1,5 +1,5 @@
-// What answers alone say about ln T, with no belief of before: for curves and groups, where a prior that pulls every
-// person to the middle would pull their mean too.
+// Likelihoods of ln T from answers alone, without a prior: for curves and groups, where a prior that pulls every person
+// to the middle would pull their mean too.
 //
 //   answers ─ thresholdLikelihood ─► ThresholdLikelihood ─► fitLearning (learning_curve.h), groupThreshold
 //   (group_estimate.h)
@@ -21,10 +21,10 @@ struct ThresholdLikelihood {
 
 ThresholdLikelihood thresholdLikelihood(std::span<const Answer> answers, int choices = 12);
 
-/// Of ln T_after - ln T_before of one person, whatever T was before.
+/// The likelihood of one person's ln T_after - ln T_before, whatever T was before.
 ThresholdLikelihood changeLikelihood(const ThresholdLikelihood& before, const ThresholdLikelihood& after);
 
-/// As if T had wandered by `sd_ln` between the answers and what is asked about.
+/// The same as if T had wandered by `sd_ln` between the answers and now.
 ThresholdLikelihood blurred(const ThresholdLikelihood& likelihood, double sd_ln);
 
 }  // namespace palpate::training

@@ -1,4 +1,4 @@
-// What people read and hear: one place for every sentence, at most 12 words each, no blame, no numbers in a test.
+// Texts that people read and hear: one place for every sentence, at most 12 words each, no blame, no numbers in a test.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace palpate::training {
 
-/// What is told at the end of a measuring block, and of the one before it.
+/// The threshold reported at the end of a measuring block, and that of the one before it.
 struct ShownThreshold {
   double median = 0.0, low = 0.0, high = 0.0;
 };

@@ -19,7 +19,7 @@ int removeFilesOf(const RecordingFiles& files, const Uuid& session) {
   return removed;
 }
 
-/// What waits for the class of this session, and of what belongs to it.
+/// Drops the outbox rows of this session and its parts.
 void forgetWaiting(Store& store, const Uuid& session) {
   Sql& sql = store.rows().sql();
   const auto forget = [&sql](const Uuid& id) { sql.change("DELETE FROM outbox WHERE subject = $1", {id}); };
@@ -47,7 +47,7 @@ std::int64_t endOf(const SessionRow& session) { return std::max(session.start_ms
 
 enum class Tell : std::uint8_t { nobody, the_class };
 
-/// Files and rows of somebody who is in the records.
+/// Deletes files and rows of a known trainee.
 Deleted forget(Store& store, const TraineeRow& trainee, std::string_view actor, Tell tell) {
   RecordingFiles files(store);
   Deleted deleted{.found = true};

@@ -2,10 +2,10 @@
 //
 //   deleteTrainee: key ─ recordings ─ rows ─ what waits for the class ─ a notice to the class ─ the file rewritten
 //
-//   purge: what keptLongEnough says, of each trainee; nobody else is told
+//   purge: what keptLongEnough says, of each trainee; without notice to others
 //
-// In this order, so that after a power cut in between nothing readable is left that nobody knows of: doing it again
-// finishes it. What was exported or sent elsewhere is elsewhere; a class learns by the notice.
+// In this order, a power cut in between leaves nothing readable that the records do not know: doing it again finishes
+// it. Exports and copies elsewhere remain; a class learns by the notice.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct Deleted {
 /// are. Throws Error.
 Deleted deleteTrainee(Store& store, const Uuid& trainee, std::string_view actor);
 
-/// What has been kept of one trainee for as long as their class said.
+/// Data of one trainee kept for as long as their class said.
 struct KeptLongEnough {
   TraineeRow trainee;
   std::vector<SessionRow> sessions;  ///< whose rows are to go
@@ -42,14 +42,14 @@ std::vector<KeptLongEnough> keptLongEnough(RowTables& rows, std::int64_t now_ms)
 struct Purged {
   int sessions = 0;  ///< with their rows, older than the class keeps them
   int files = 0;     ///< recordings, older than the class keeps those
-  int trainees = 0;  ///< of whom nothing was left
+  int trainees = 0;  ///< trainees of whom nothing was left
 };
 
-/// Forgets what `keptLongEnough` says. A class is told nothing: it keeps what it has by its own days, and who is gone
-/// here may have sat elsewhere since. `really`: else it is only counted.
+/// Forgets what `keptLongEnough` says, without notice to a class: it keeps what it has by its own days, and the trainee
+/// may have trained elsewhere since. `really`: else it is only counted.
 Purged purge(Store& store, std::int64_t now_ms, bool really);
 
-/// Of a class's records: how many bytes a station has sent since the last purge, under this name with the station's id.
+/// Setting of a class's records: bytes that a station has sent since the last purge, this name with the station's id.
 inline constexpr std::string_view kSentBytesSetting = "sent_bytes/";
 /// In the caller's transaction: every station's share of the disk begins again.
 void forgetSentBytes(Sql& sql);

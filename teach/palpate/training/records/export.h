@@ -1,5 +1,5 @@
-// The records for others: tables, JSON, statements for a learning record store. Nothing leaves that would tell a
-// trainee of trials to come, or that somebody typed about them.
+// The records for others: tables, JSON, statements for a learning record store. Leaves out whatever would reveal trials
+// to come, and remarks typed about a trainee.
 //
 //   RowTables ─ exportedRows ─► csvFiles, jsonText, xapiText ─► the caller writes them
 #pragma once
@@ -20,15 +20,15 @@ struct ExportedFile {
 /// All rows, as they may be seen outside: of blocks that go on no state and no seed, of instructors' messages no text.
 std::vector<AnyRow> exportedRows(RowTables& rows);
 
-/// A table a file, and data_dictionary.csv, which says what each column means. RFC 4180. Texts that a spreadsheet would
-/// take for formulas are told by `kind`.
+/// One table per file, and data_dictionary.csv, which explains each column. RFC 4180. `kind` decides about texts that a
+/// spreadsheet would run as formulas.
 std::vector<ExportedFile> csvFiles(RowTables& rows, CsvText kind = CsvText::safe);
 
 /// One object with a list for each table; trials have their visits in them.
 std::string jsonText(RowTables& rows);
 
 struct XapiSettings {
-  std::string home_page = "https://palpate.example";  ///< of the accounts; never a mail address
+  std::string home_page = "https://palpate.example";  ///< for the accounts; never a mail address
 };
 
 /// A list of xAPI 1.0.3 statements, oldest first. Their ids are made of the rows': the same rows give the same text.

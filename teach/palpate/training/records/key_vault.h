@@ -1,4 +1,4 @@
-// The keys of a station's trainees: NAME.keys beside NAME.results, readable by its owner alone, one random key each.
+// The keys of a station's trainees: NAME.keys next to NAME.results, readable by its owner alone, one random key each.
 // A trainee is forgotten by destroying their key: copies and backups of their recordings say nothing any more. So
 // the file of keys is the one that must not be backed up together with the others.
 #pragma once
@@ -25,24 +25,24 @@ using TraineeKey = std::array<std::uint8_t, 32>;
 /// From the system's own randomness. Throws Error.
 TraineeKey newTraineeKey();
 
-/// `key_ref` stands in the file for whoever looks for the key. The file appears whole or not at all; what was there is
-/// replaced. Throws Error.
+/// `key_ref` is stored in the file, to find the key by. The file appears whole or not at all, and replaces an older
+/// one. Throws Error.
 void lockFile(const std::filesystem::path& in, const std::filesystem::path& out, const TraineeKey& key,
               const std::string& key_ref);
-/// Throws Error for what is no locked file, was locked with another key, or is not what was locked.
+/// Throws Error if `in` is not a locked file, was locked with another key, or was altered.
 void unlockFile(const std::filesystem::path& in, const std::filesystem::path& out, const TraineeKey& key);
 
-/// Which key it wants; nothing: it is no locked file.
+/// Name of its key; nothing if it is not a locked file.
 std::optional<std::string> lockedWith(const std::filesystem::path& file);
 
 class KeyVault {
  public:
-  /// Of a file of records. Nothing is made or opened before it is needed.
+  /// The vault of a file of records. Nothing is created or opened before it is needed.
   explicit KeyVault(const std::filesystem::path& records);
 
   /// A new key, safe on the disk; its name says nothing about whose it is. Throws Error.
   std::string make();
-  /// Nothing: there is no such key, or no longer. Throws Error for a vault that cannot be read.
+  /// Returns nothing for a missing or destroyed key. Throws Error for a vault that cannot be read.
   std::optional<TraineeKey> find(const std::string& key_ref) const;
   /// Overwritten in the file, then removed. True: there was one.
   bool destroy(const std::string& key_ref);

@@ -24,7 +24,7 @@ namespace {
 constexpr std::string_view kLockMagic = "PALPLOCK";
 constexpr std::uint32_t kLockVersion = 1;
 constexpr std::uint32_t kPieceBytes = 1u << 18;
-constexpr std::uint32_t kLargestPiece = 1u << 24;  // what a stranger's file may make us take
+constexpr std::uint32_t kLargestPiece = 1u << 24;  // limits the memory that a stranger's file can claim
 constexpr std::size_t kSealBytes = 16;
 constexpr std::size_t kFixedHeader = 28;
 constexpr std::uint32_t kLongestKeyRef = 64;

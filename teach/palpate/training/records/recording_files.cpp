@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kRecordingsFolder = "sessions/";
 constexpr std::string_view kRecordingExtension = ".session";
 
-/// What its recorder left: finished, or the newest that was not.
+/// The file that its recorder left: finished, or the newest unfinished one.
 std::optional<fs::path> recordedFile(const fs::path& finished) {
   std::error_code error;
   if (fs::exists(finished, error)) return finished;
@@ -95,7 +95,7 @@ int RecordingFiles::lockLeftBehind(double older_than_s) {
   for (const SessionRow& session : store_.sessions()) {
     const auto recorded = recordedFile(pathOf(nameFor(session.id)));
     if (!recorded) continue;
-    // A writer's newest bytes are in the log beside its file.
+    // A writer's newest bytes are in the log next to its file.
     auto written = fs::last_write_time(*recorded, error);
     const auto log = fs::last_write_time(recorded->string() + "-wal", error);
     if (!error) written = std::max(written, log);

@@ -44,7 +44,7 @@ class RecordingFiles {
 
   /// SessionRow::file, while it is recorded: "sessions/SITTING.session".
   static std::string nameFor(const Uuid& session);
-  /// Of SessionRow::file. Throws Error for a name that leads out of the folder.
+  /// Path of SessionRow::file. Throws Error for a name that leads out of the folder.
   std::filesystem::path pathOf(const std::string& name) const;
 
   /// Where recordings are kept, for its owner alone (mode 0700, also where an earlier version left it open). Throws
@@ -57,7 +57,8 @@ class RecordingFiles {
   /// Locks the session's file, keeps its new name and its SHA-256, and removes the open one. A file that its recorder
   /// left unfinished is finished first. False: there is none. Throws Error; the open file is then still there.
   bool lock(const Uuid& session);
-  /// The same for all that were left behind, unless somebody writes to them: none changed for so long.
+  /// The same for all that were left behind and have not changed for this time: a recorder may still write to newer
+  /// ones.
   int lockLeftBehind(double older_than_s = 600.0);
 
   /// Into a folder for temporary files. Throws Error where the file or its key is gone.

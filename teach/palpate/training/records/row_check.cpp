@@ -1,5 +1,5 @@
-// What texts and numbers of a row may be. A row that is refused here would be refused by one of the two databases, or
-// read as something else by whoever reads an export.
+// Checks texts and numbers of a row. A row refused here would be refused by one of the two databases, or be misread by
+// readers of an export.
 #include "palpate/training/records/row_check.h"
 
 #include <fmt/format.h>
@@ -86,7 +86,7 @@ void checkField(std::string_view kind, std::string_view name, const std::string&
 }
 
 void checkField(std::string_view kind, std::string_view name, double value, const FieldRule& rule) {
-  // Also what is no number at all.
+  // Also refuses NaN.
   if (!(value >= rule.low && value <= rule.high)) {
     throw Error(fmt::format("{}: '{}' is {}, not within {} to {}", kind, name, value, rule.low, rule.high));
   }

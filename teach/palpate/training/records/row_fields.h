@@ -15,7 +15,7 @@
 
 namespace palpate::training {
 
-/// What a value must be like, also when it comes over a network from who knows whom.
+/// Constraints of a value, which may come over a network from an unknown sender.
 struct FieldRule {
   enum class Form : std::uint8_t {
     number,  ///< within [low, high]; also yes or no, and words of an enumeration
@@ -24,16 +24,16 @@ struct FieldRule {
     uuid,    ///< lower case, with dashes
     hash,    ///< 64 hex digits
     file,    ///< relative, inside the folder of the records
-    seed,    ///< 64 bits; in JSON as text, since not every reader of JSON keeps so many
+    seed,    ///< 64 bits; in JSON as text, since many readers of JSON round them
   };
   Form form = Form::number;
   double low = 0.0;
   double high = 0.0;
   std::size_t longest = 0;
   bool may_be_empty = false;  ///< "none"
-  // Of the column.
+  // The column in SQL and in the dictionary.
   std::string_view means = {};  ///< with its unit
-  std::string_view sql = {};    ///< what SQL is told besides, in both dialects
+  std::string_view sql = {};    ///< more constraints, in both dialects
   int since = 1;                ///< version of the schema; who sends an earlier one does not know it
 
   bool isOptional() const { return since > 1; }
@@ -61,7 +61,7 @@ inline constexpr FieldRule kTick = number(0, kMaxTick);
 inline constexpr FieldRule kShare = number(0, 1);
 inline constexpr FieldRule kSite = number(0, 1000);
 inline constexpr FieldRule kForce = number(0, 1000);  // N: no device of ours gives a tenth of it
-inline constexpr FieldRule kAnyWord = {};             // of an enumeration, or yes and no
+inline constexpr FieldRule kAnyWord = {};             // value of an enumeration, or yes and no
 
 constexpr FieldRule column(FieldRule rule, std::string_view means, std::string_view sql = {}, int since = 1) {
   rule.means = means;

@@ -54,7 +54,7 @@ Json objectOf(const R& row) {
   return object;
 }
 
-/// Fills a row from an object that somebody sent.
+/// Fills a row from an object of a sender.
 class FieldsFromJson {
  public:
   FieldsFromJson(const Json& object, std::string_view kind) : object_(object), kind_(kind) {}
@@ -119,7 +119,7 @@ class FieldsFromJson {
       value = static_cast<Value>(whole(name, from, rule));
     }
   }
-  /// Judged before it is narrowed.
+  /// Checks the value before it is narrowed.
   std::int64_t whole(const char* name, const Json& from, const FieldRule& rule) const {
     if (!from.is_number_integer()) refuse(name, "must be a whole number");
     const bool in_range = from.is_number_unsigned() ? static_cast<double>(from.get<std::uint64_t>()) <= rule.high

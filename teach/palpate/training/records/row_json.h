@@ -16,8 +16,8 @@
 
 namespace palpate::training {
 
-/// "Whatever you have of this trainee: delete it." Says who by a hash, so that a station that has deleted somebody
-/// holds their id no longer, not even in this notice.
+/// "Delete whatever you have of this trainee." Names the trainee by a hash, so that a station that has deleted them
+/// does not keep their id, not even in this notice.
 struct DeletionRow {
   std::string trainee_sha256;  ///< deletedMark(id)
   std::int64_t at_ms = 0;      ///< for people; 0: a station has heard of a deletion in the class, and asks for none
@@ -49,11 +49,11 @@ inline constexpr std::size_t kLongestRowJson = 65536;
 /// elsewhere are refused. Throws Error ("trial: 'change' is 7, not within 0 to 1").
 AnyRow rowFromJson(std::string_view kind, std::string_view text);
 
-/// What OutboxEntry::row holds and an acknowledgement names: the id of a trial or event, which never changes; else a
-/// UUID made of kind and content. The same for a row that came over the wire as for the one that was sent.
+/// The key in OutboxEntry::row and in an acknowledgement: the id of a trial or event, which never changes; else a UUID
+/// made of kind and content. Equal for a sent row and the row that arrives.
 Uuid outboxKey(const AnyRow& row);
 
-/// The hash by which a deleted trainee, session or block is remembered: nobody is found by it who is not known already.
+/// The hash by which a deleted trainee, session or block is remembered: it finds only those who are known already.
 std::string deletedMark(std::string_view id);
 
 }  // namespace palpate::training

@@ -36,7 +36,7 @@ struct FieldsToSql {
     } else if constexpr (std::is_floating_point_v<Value>) {
       values.emplace_back(value);
     } else {
-      values.emplace_back(static_cast<std::int64_t>(value));  // of a seed all 64 bits, as a signed number
+      values.emplace_back(static_cast<std::int64_t>(value));  // a seed's 64 bits as a signed number
     }
   }
 };
@@ -108,7 +108,7 @@ constexpr std::string_view kKeyOf = "id";
 template <>
 constexpr std::string_view kKeyOf<ProtocolRow> = "id, version";
 
-/// What must hold for a row that came over a network to replace the one that is there.
+/// Condition for a row from a network to replace the stored one.
 template <class R>
 constexpr std::string_view kNewerThanKept;
 template <>
@@ -159,7 +159,7 @@ bool insertRow(Sql& sql, const R& row, RowTables::Update update) {
   return sql.change(insertOf<R>(update), values) > 0;
 }
 
-/// For so many rows at once: over a network each statement is a way there and back.
+/// Inserts this many rows at once: over a network each statement costs a round trip.
 std::string visitsStatement(std::size_t rows) {
   const auto columns = columnsOf<SiteVisit>();
   std::string text = fmt::format("INSERT INTO site_visit (trial_id, {}) VALUES ", fmt::join(columns, ", "));
@@ -189,7 +189,7 @@ bool keepRow(Sql& sql, const R& row, RowTables::Update update) {
   } else {
     checkRow(kindOf(AnyRow(row)), row);
     if constexpr (std::same_as<R, TraineeRow>) {
-      // Somebody who was never told what the class is called still has its id.
+      // A sender that does not know the class's name still has its id.
       if (!row.class_id.empty()) {
         static const std::string insert =
             "INSERT INTO class (id, label, retain_days, retain_samples_days) VALUES ($1, $2, $3, $4) "
@@ -209,7 +209,7 @@ bool keepRow(Sql& sql, const R& row, RowTables::Update update) {
   }
 }
 
-/// What a row is missing, in words, where the database says "foreign key".
+/// Names the row that is missing where the database says "foreign key".
 std::string explained(const AnyRow& row, std::string_view cause) {
   const std::string what = fmt::format("{} {}", kindOf(row), oneLine(idOf(row)));
   const bool lacks =

@@ -52,7 +52,7 @@ class RowTables {
   /// Every row that is older than all that refer to it: as they must be kept again elsewhere.
   std::vector<AnyRow> all();
 
-  /// The trainee and whatever belongs to them: true where there was somebody.
+  /// Deletes the trainee and whatever belongs to them. Returns false if unknown.
   bool erase(const Uuid& trainee);
   void note(std::int64_t at_ms, std::string_view actor, std::string_view action, std::string_view subject);
   /// There is a note of this action about this subject; when the newest was made.

@@ -1,5 +1,5 @@
-// What is kept of training, row by row: plain data, the columns of docs/reference/results-schema.md. The same rows go
-// into SQLite on the station, over the wire, and into PostgreSQL of a class.
+// The stored rows of training: plain data, the columns of docs/reference/results-schema.md. The same rows go into
+// SQLite on the station, over the wire, and into PostgreSQL of a class.
 #pragma once
 
 #include <cstdint>
@@ -55,7 +55,7 @@ struct SessionRow {
   Uuid station_id = {};
   SessionKind kind = SessionKind::practice;
   std::int64_t start_ms = 0;
-  std::int64_t end_ms = 0;  ///< 0: goes on, or was cut off
+  std::int64_t end_ms = 0;  ///< 0: still running, or cut off
   std::string app_version = {};
   std::uint64_t rng_seed = 0;
   std::string device = {};       ///< with its thimble: thresholds belong to it
@@ -71,15 +71,15 @@ struct BlockRow {
   ChangeMeaning change_meaning = ChangeMeaning::compliance;
   std::string protocol_id = {};
   int protocol_version = 1;
-  std::string state_json = {};  ///< Block::state: goes on from here
+  std::string state_json = {};  ///< Block::state: continues from here
   bool finished = false;
-  // Of Block::result, so far.
+  // From Block::result, so far.
   double threshold = 0.0, threshold_low = 0.0, threshold_high = 0.0;
   int trials = 0;
   std::optional<double> mastered_change = {};
   Verdict verdict = Verdict::none;
 
-  /// What the block knows by now.
+  /// Copies the block's current state and result.
   void keepStateOf(const Block& block) {
     const BlockResult so_far = block.result();
     state_json = block.state();
@@ -109,10 +109,10 @@ struct TrialRow {
   std::string excluded = {};                              ///< why it does not count; empty: it counts
   int sites_felt = 0;                                     ///< sites that were felt
   std::uint64_t file_tick_first = 0, file_tick_last = 0;  ///< in the session's recording
-  // Of all samples of the trial, for reports without the recording.
+  // Over all samples of the trial, for reports without the recording.
   double mean_force_n = 0.0, peak_force_n = 0.0, mean_speed_mm_per_s = 0.0;
   double search_force_n = 0.0, palpate_force_n = 0.0;  ///< mean while moving (over 20 mm/s) and while staying
-  /// Of sittings with lumps: what was hidden in this body and what was said of it (lumps::lumpTrialText); else empty.
+  /// In a session with lumps, what this body hid and what was answered (lumps::lumpTrialText); else empty.
   std::string lumps = {};
   std::vector<SiteVisit> visits = {};
 };

@@ -1,7 +1,7 @@
 // One description, two dialects. STRICT and rowids are SQLite's; PostgreSQL has types of its own for ids and truth.
 //
 // A new column: one line of row_fields.h with `since` one above kSchemaVersion, which then rises; a fresh schema and
-// one that was brought forward must not differ (teach/tests/training/records_schema_test.cpp).
+// a migrated one must not differ (teach/tests/training/records_schema_test.cpp).
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using enum ColumnType;
 
-/// Tells files of ours from others: "PalR" (SQLite's application_id).
+/// Marks our files: "PalR" (SQLite's application_id).
 constexpr int kApplicationId = 0x50616c52;
 
 std::string_view typeName(ColumnType type, Dialect dialect) {

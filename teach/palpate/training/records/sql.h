@@ -1,5 +1,5 @@
-// What both databases can do, so that one piece of code keeps and reads rows in either: a station's SQLite file
-// (sqlite_sql.h) and a class's PostgreSQL (classroom/class_store.h).
+// The common interface of both databases, so that one piece of code writes and reads rows in either: a station's SQLite
+// file (sqlite_sql.h) and a class's PostgreSQL (classroom/class_store.h).
 #pragma once
 
 #include <cstdint>
@@ -34,16 +34,16 @@ struct ColumnInfo {
   std::string_view name;
   ColumnType type = ColumnType::text;
   std::string_view means;       ///< with its unit
-  std::string_view rules = {};  ///< of SQL, in both dialects; ours are NOT NULL unless `may_be_null`
+  std::string_view rules = {};  ///< SQL constraints, in both dialects; ours are NOT NULL unless `may_be_null`
   bool may_be_null = false;
-  int since = 1;  ///< the version of the schema that brought it; later ones need a DEFAULT among their rules
+  int since = 1;  ///< the first schema version with it; later ones need a DEFAULT among their rules
 };
 
 struct TableInfo {
   std::string_view name;
   std::string_view means;
   std::vector<ColumnInfo> columns;
-  std::string_view rules = {};                 ///< of the table: primary key, unique
+  std::string_view rules = {};                 ///< table constraints: primary key, unique
   std::vector<std::string_view> indexed = {};  ///< column lists
   int since = 1;
 };
@@ -60,8 +60,8 @@ std::string ddl(Dialect dialect, int version = kSchemaVersion);
 /// From the version before `to`.
 std::string migration(Dialect dialect, int to);
 
-/// Makes the tables where there are none, and brings older ones forward, all in one transaction. `what` is for
-/// messages. Throws Error for a schema newer than ours.
+/// Creates missing tables and migrates older ones, all in one transaction. `what` is for messages. Throws Error for a
+/// schema newer than ours.
 void bringForward(Sql& sql, std::string_view what);
 /// 0: there are no such tables.
 int schemaVersionOf(Sql& sql);

@@ -32,7 +32,7 @@ void turn(Sql& sql, const char* setting, bool on) {
       {std::string(setting), std::string(on ? "on" : "off")});
 }
 
-/// A file of nothing: whoever made it was killed before there was a table in it.
+/// An empty file: its creator was killed before it had a table.
 void makeEmptyFile(const fs::path& file) {
   std::error_code error;
   const bool was_there = fs::exists(file, error);
@@ -44,7 +44,7 @@ void makeEmptyFile(const fs::path& file) {
   }
 }
 
-/// Tables of every version, made by it or brought forward to it.
+/// Tables of every version, created or migrated.
 const trace::KnownSchema& schemaOfRecords() {
   static const trace::KnownSchema known = [] {
     trace::KnownSchema all;
@@ -101,7 +101,7 @@ void settle(SqliteSql& sql, const fs::path& file, Store::Open how) {
                             ? "was written by a newer palpate"
                             : "was written by an older palpate; `palpate train results list` brings it forward");
   }
-  // What `keep` returned from is on the disk: every commit waits for it. What was deleted is overwritten.
+  // Rows are on the disk when `keep` returns: every commit waits for it. Deleted data is overwritten.
   sql.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA secure_delete = ON");
   bringForward(sql, file.string());
 }
@@ -126,7 +126,7 @@ struct Store::Impl {
     const std::string kind(kindOf(row));
     const std::string key = outboxKey(row);
     const std::string body = rowJson(row);
-    // Where an older version waits it is replaced where it stands: rows that refer to it come after it.
+    // A waiting older version is replaced in place: rows that refer to it come after it.
     if (sql->change("UPDATE outbox SET row_id = $1, body = $2, refused = '' WHERE subject = $3 AND kind = $4",
                     {key, body, idOf(row), kind}) == 0) {
       sql->change("INSERT INTO outbox (kind, subject, row_id, body) VALUES ($1, $2, $3, $4)",
@@ -249,7 +249,7 @@ void Store::tryRefusedAgain() { impl_->sql->change("UPDATE outbox SET refused = 
 
 void Store::hearDeleted(std::span<const std::string> marks) {
   SqlTransaction transaction(*impl_->sql);
-  // A trainee's row that waits would not be kept: a later one must stand after this notice.
+  // A waiting trainee's row would not be kept: a later one must come after this notice.
   std::vector<Uuid> gone;
   for (const SqlValues& row : impl_->sql->ask("SELECT subject FROM outbox WHERE kind = 'trainee'")) {
     const auto& subject = std::get<std::string>(row[0]);

@@ -1,5 +1,5 @@
-// The record of a station: an SQLite file that holds every trainee, session, block and trial, and the outbox of what a
-// class has not acknowledged yet. What `keep` returned from is on the disk, whatever happens next.
+// The record of a station: an SQLite file that holds every trainee, session, block and trial, and the outbox of rows
+// that a class has not acknowledged yet. Rows are on the disk once `keep` returns.
 //
 //   Session::takeRows ─ keep ─► NAME.results ─► reports, exports, outbox ─► class (room `classroom`)
 //
@@ -29,7 +29,7 @@ struct OutboxEntry {
 class Store {
  public:
   enum class Open { existing, create_too, read_only };
-  /// Brings an older schema forward, inside one transaction. Throws Error for what is no such file, or of a newer
+  /// Migrates an older schema, inside one transaction. Throws Error if `file` is not a records file or has a newer
   /// schema.
   Store(const std::filesystem::path& file, Open how);
   /// Empty, gone with the object, for copies of what another database holds; messages call it so.
@@ -37,8 +37,7 @@ class Store {
   ~Store();
   Store(Store&&) noexcept;
 
-  // Each is one transaction, durable on return. Rows that are there already are brought up to date (by id). Throws
-  // Error.
+  // Each is one transaction, durable on return. Existing rows are updated (by id). Throws Error.
   void keep(const StationRow& row);
   void keep(const ClassRow& row);
   void keep(const TraineeRow& row);
@@ -83,7 +82,7 @@ class Store {
   /// The secret of a class whose trainees sit here (trainee_code.h), remembered in the file, so that codes can be
   /// found.
   void rememberTraineeKey(const std::string& class_id, const std::string& key);
-  /// Every pseudonym that may stand here for a code: of each class, with its secret and, as older ones are, without.
+  /// Every pseudonym that a code may have here: per class, with its secret and, as older ones are, without.
   std::vector<Uuid> pseudonymsOf(std::string_view code);
 
   /// Remembered in the file: rows of other computers, of a class; the recordings that they name lie there.
@@ -93,8 +92,8 @@ class Store {
   /// For what reads the records of a station and of a class alike, and for `deletion.h`.
   RowTables& rows();
 
-  const std::filesystem::path& file() const;  ///< what it is called, where it is in memory
-  std::filesystem::path folder() const;       ///< of the file: recordings lie in it
+  const std::filesystem::path& file() const;  ///< its name, where it is in memory
+  std::filesystem::path folder() const;       ///< the file's folder: recordings are in it
 
  private:
   struct Impl;
@@ -102,7 +101,7 @@ class Store {
   std::unique_ptr<Impl> impl_;
 };
 
-// Where the records lie when nobody says where.
+// The default place of the records.
 
 /// $XDG_DATA_HOME/palpate/palpate.results, or ~/.local/share/palpate/palpate.results. Throws Error without a home.
 std::filesystem::path defaultRecords();

@@ -18,7 +18,7 @@ namespace palpate::training {
 namespace {
 
 constexpr std::string_view kCodeAlphabet = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
-constexpr int kCodeLetters = 9;  // of the code; one more checks them
+constexpr int kCodeLetters = 9;  // without the check letter
 constexpr int kDashAfter = 5;
 
 using CodeSymbols = std::array<unsigned, kCodeLetters>;

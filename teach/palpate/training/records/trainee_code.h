@@ -1,5 +1,5 @@
-// What a trainee types to sign in, and the pseudonym that it stands for: any station makes the same of the same code,
-// so nobody has to carry a list from one to the other. Whoever has the code has the pseudonym; names stay outside.
+// The code that a trainee types to sign in, and its pseudonym: any station derives the same from the same code, so no
+// list has to be carried from one to the other. The code gives away the pseudonym; names stay outside.
 //
 //   "7Q2MK-9DXP4" ─ pseudonymOf ─► UUID version 8: 122 bits of HMAC-SHA-256 of class and code with the class's secret;
 //                                  of a class without a secret, SHA-256
@@ -19,7 +19,7 @@ namespace palpate::training {
 std::string codeOf(std::uint64_t random_bits);
 /// As it is written on a card, whatever was typed (lower case, O for 0, blanks); nothing: a typing error, or no code.
 std::optional<std::string> codeTyped(std::string_view typed);
-/// `key`: the class's secret (64 hex digits), so that whoever has seen a card cannot tell its pseudonym; empty: none.
+/// `key`: the class's secret (64 hex digits), without which a card does not reveal its pseudonym; empty: none.
 Uuid pseudonymOf(std::string_view class_id, std::string_view code, std::string_view key = {});
 
 /// UUID version 8 that any computer makes of the same text.

@@ -37,7 +37,7 @@ class RecordsCheck {
 
   Verified done() {
     checkDatabase();
-    if (!found_.ok()) return std::move(found_);  // what is damaged is not looked at any further
+    if (!found_.ok()) return std::move(found_);  // a damaged database is not checked any further
     checkProtocols();
     found_.trainees = store_.trainees().size();
     for (const SessionRow& session : store_.sessions()) checkSession(session);
@@ -140,7 +140,7 @@ class RecordsCheck {
     hidesLumps(kind) ? checkLumps(block, trials) : checkResult(block, kind, trials.size());
   }
 
-  /// The bodies of a sitting with lumps: those of the rows are those that the block's result is computed from.
+  /// Checks the bodies of a session with lumps: rows must hold those that the block's result is computed from.
   void checkLumps(const BlockRow& block, const std::vector<TrialRow>& trials) {
     for (const ProtocolRow& row : store_.protocols()) {
       if (row.id != block.protocol_id || row.version != block.protocol_version) continue;
@@ -193,7 +193,7 @@ class RecordsCheck {
     }
   }
 
-  /// Samples of somebody whom no row knows.
+  /// Finds recordings that no row names.
   void checkStrayFiles() {
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(files_.folder(), error)) {

@@ -12,7 +12,7 @@ namespace palpate::training {
 
 struct Verified {
   std::vector<std::string> faults;  ///< each a sentence; none: all is well
-  std::vector<std::string> notes;   ///< what could not be looked at, or is as it should be but unusual
+  std::vector<std::string> notes;   ///< parts that could not be checked, or are valid but unusual
   std::size_t trainees = 0;
   std::size_t sessions = 0;
   std::size_t blocks = 0;
@@ -25,9 +25,9 @@ struct Verified {
 /// Throws Error for a file that cannot be read at all.
 Verified verifyRecords(Store& store);
 
-/// What the block's protocol and state give now; nothing where this version cannot read them.
+/// The result recomputed from the block's protocol and state; nothing where this version cannot read them.
 std::optional<BlockResult> recomputed(RowTables& rows, const BlockRow& block, SessionKind kind);
-/// The same of a sitting with lumps.
+/// The same for a session with lumps.
 std::optional<lumps::LumpCounts> recomputedLumps(RowTables& rows, const BlockRow& block);
 
 }  // namespace palpate::training

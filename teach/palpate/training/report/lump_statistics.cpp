@@ -107,7 +107,7 @@ std::vector<lumps::LumpTrial> bodiesOf(const BlockRecord& block) {
     try {
       bodies.push_back(lumps::parseLumpTrial(trial.lumps));
     } catch (const Error&) {
-      continue;  // of a newer version
+      continue;  // written by a newer version
     }
   }
   return bodies;

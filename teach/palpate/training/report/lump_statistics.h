@@ -1,10 +1,10 @@
-// What sittings with lumps say: how many were found, of each size, depth and hardness, how many false alarms there
-// were, and how well bodies with a lump were told from those without.
+// Statistics of sessions with lumps: how many were found, of each size, depth and hardness, how many false alarms there
+// were, and how well bodies with a lump were distinguished from those without.
 //
-//   TraineeRecord ... ─ lumpGroups ─► LumpGroup: kind of sitting, protocol, rates with intervals, d', the cue's
+//   TraineeRecord ... ─ lumpGroups ─► LumpGroup: kind of session, protocol, rates with intervals, d', the cue's
 //   threshold
 //
-// Sittings of another kind or protocol are never counted together: their lumps are others.
+// Sessions of another kind or protocol are never counted together: their lumps differ.
 // Based on: Wilson's intervals (trial_statistics.h); d' by Gourevitch and Galanter, Psychometrika 32:25, 1967, with
 // half an answer added to each count (Hautus, Behav. Res. Methods 27:46, 1995), so that it is finite.
 #pragma once
@@ -31,10 +31,10 @@ struct DPrime {
   double low = 0.0;  ///< 95 %
   double high = 0.0;
 };
-/// Of "there is one" where there was, and where there was none.
+/// Sensitivity, from the shares of "there is one" with and without a lump.
 DPrime dPrime(const LumpRate& hits, const LumpRate& false_alarms);
 
-/// What was said of lumps of each kind: [as it is][as it was said].
+/// Counts by [true grade][answered grade].
 using SaidGrades = std::array<std::array<int, lumps::kGrades>, lumps::kGrades>;
 
 struct LumpStatistics {
@@ -45,13 +45,13 @@ struct LumpStatistics {
   std::optional<DPrime> prime;  ///< where there were bodies of both kinds
   std::array<LumpRate, lumps::kGrades> by_size, by_depth, by_hardness;  ///< found, of each grade
   LumpRate fixed, mobile;                                               ///< found
-  SaidGrades size{}, depth{}, hardness{};                               ///< of lumps that were found and described
-  LumpRate mobility_right;                                              ///< of those
-  Spread error_mm;                                                      ///< of lumps that were found
+  SaidGrades size{}, depth{}, hardness{};                               ///< lumps found and described
+  LumpRate mobility_right;                                              ///< among these
+  Spread error_mm;                                                      ///< over lumps that were found
 };
 LumpStatistics lumpStatistics(const std::vector<lumps::LumpTrial>& trials, const lumps::LumpTask& task);
 
-/// A block of such a sitting.
+/// One block of such a session.
 struct LumpSitting {
   Uuid trainee;
   BlockRow block;
@@ -71,7 +71,7 @@ struct LumpGroup {
   LumpStatistics all;
 };
 
-/// Of these trainees; practice before examinations. Blocks whose protocol the record has lost are left out.
+/// Groups of these trainees; practice before examinations. Leaves out blocks whose protocol the record has lost.
 std::vector<LumpGroup> lumpGroups(const TrainingRecord& record);
 
 }  // namespace palpate::training

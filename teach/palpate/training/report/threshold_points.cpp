@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kMinDrawn = 0.03;
 constexpr int kDrawnChanges = 49;
-/// Of a band: 2.5 % on each side are left out.
+/// Share of a band left out on each side.
 constexpr double kTail = 0.025;
 
-/// What a block's protocol says that its answers are judged by; as built in where the record has lost it.
+/// A protocol's settings for judging a block's answers; the built-in ones where the record has lost it.
 struct BlockRules {
   int choices = 12;
   double felt_ms = 300.0;
@@ -81,7 +81,7 @@ ThresholdPoint pointOf(const TrainingRecord& record, const SessionRecord& sessio
   return point;
 }
 
-/// What a weight of the grid says of one change.
+/// One change with its weight in the grid.
 struct Weighed {
   double probability = 0.0;
   double weight = 0.0;

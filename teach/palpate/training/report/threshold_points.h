@@ -3,7 +3,7 @@
 //
 //   TraineeRecord ─ thresholdPoints ─► ThresholdPoint ... ─► training_statistics.h
 //
-// A block's own result stands in its row too; here it is computed again, so that a report and the record can be held
+// A block's own result is in its row too; here it is computed again, so that a report and the record can be held
 // against each other (`stored`).
 #pragma once
 
@@ -24,7 +24,7 @@
 
 namespace palpate::training {
 
-// What a report is made of: the rows of some trainees, put together as they belong.
+// The data of a report: the rows of some trainees, put together as they belong.
 //
 //   Store ─ trainingRecord ─► TrainingRecord ─ training_statistics.h ─► numbers ─► page, JSON
 
@@ -47,13 +47,13 @@ struct TraineeRecord {
 struct TrainingRecord {
   std::vector<ClassRow> classes;
   std::vector<ProtocolRow> protocols;
-  std::map<std::pair<std::string, int>, Protocol> settings;  ///< of protocols by id and version (readProtocols)
+  std::map<std::pair<std::string, int>, Protocol> settings;  ///< protocols by id and version (readProtocols)
   std::vector<TraineeRecord> trainees;                       ///< in the order of their pseudonyms: of no meaning
 };
 
 using TraineeRequest = std::function<bool(const TraineeRow&)>;
 
-/// Of the trainees that are wanted. Throws Error for a file that cannot be read.
+/// Reads the requested trainees. Throws Error for a file that cannot be read.
 TrainingRecord trainingRecord(Store& store, const TraineeRequest& wanted);
 
 /// Fills in `settings`; what this version cannot read stays out: the rows can still be counted.
@@ -70,7 +70,7 @@ bool isTest(SessionKind kind);
 struct ThresholdPoint {
   Uuid block;
   SessionKind kind = SessionKind::practice;
-  int nth = 1;  ///< of its kind, of this trainee
+  int nth = 1;  ///< number among the trainee's sessions of this kind
   std::int64_t start_ms = 0;
   Method method = Method::marginal_psi;
   ChangeMeaning meaning = ChangeMeaning::compliance;
@@ -86,7 +86,7 @@ struct ThresholdPoint {
   std::optional<ThresholdSummary> threshold;
   double slope = 0.0, lapse = 0.0;                           ///< posterior means
   AttentionCheck attention = {};                             ///< where there is a threshold
-  double stored = 0.0, stored_low = 0.0, stored_high = 0.0;  ///< of the block's row
+  double stored = 0.0, stored_low = 0.0, stored_high = 0.0;  ///< from the block's row
   std::vector<Answer> answers;                               ///< that count
   Prior prior;
 };
@@ -101,7 +101,7 @@ bool measuresThreshold(const ThresholdPoint& point);
 /// The trials of a block as they are counted; they point into `block`.
 std::vector<ChosenTrial> chosenTrials(const TrainingRecord& record, const BlockRecord& block);
 
-/// Of the answers, from nothing known before.
+/// The posterior of the answers, from a flat start.
 Posterior posteriorOf(const ThresholdPoint& point);
 
 /// How often an answer is right, as the posterior has it: its mean and the middle 95 % of it, change by change.

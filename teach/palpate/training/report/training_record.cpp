@@ -40,7 +40,7 @@ void readProtocols(TrainingRecord& record) {
     try {
       record.settings.insert_or_assign({row.id, row.version}, parseProtocol(row.text, row.id));
     } catch (const Error&) {
-      record.settings.erase({row.id, row.version});  // of another version
+      record.settings.erase({row.id, row.version});  // written by another version
     }
   }
 }

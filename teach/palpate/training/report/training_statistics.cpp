@@ -9,7 +9,7 @@ namespace palpate::training {
 
 namespace {
 
-/// Of change over threshold: boxes of the collapsed answers, even on a logarithmic scale.
+/// Boxes of the collapsed answers over change / threshold, even on a logarithmic scale.
 constexpr BoxScale kCollapsed{.from = 0.25, .to = 8.0, .boxes = 10};
 /// A stored result that differs by more is not that of the trials: the rest is rounding in other programs.
 constexpr double kSameThreshold = 1e-6;
@@ -29,7 +29,7 @@ struct TestsAndPractice {
 TestsAndPractice trialsOf(const TrainingRecord& record, const TraineeRecord& trainee) {
   TestsAndPractice all;
   for (const SessionRecord& session : trainee.sessions) {
-    if (hidesLumps(session.row.kind)) continue;  // of another kind: lump_statistics.h
+    if (hidesLumps(session.row.kind)) continue;  // hides lumps: see lump_statistics.h
     for (const BlockRecord& block : session.blocks) {
       const ChosenTrials chosen = chosenTrials(record, block);
       ChosenTrials& into = isTest(session.row.kind) ? all.tests : all.practice;
@@ -39,7 +39,7 @@ TestsAndPractice trialsOf(const TrainingRecord& record, const TraineeRecord& tra
   return all;
 }
 
-/// What one device, meaning and number of places say of one hand: practice and tests alike.
+/// Whether one hand on one device felt both, with one meaning and number of places: practice and tests alike.
 bool sameHand(const ThresholdPoint& a, const ThresholdPoint& b) {
   return a.meaning == b.meaning && a.choices == b.choices && a.device == b.device;
 }
@@ -112,7 +112,7 @@ TraineeStatistics traineeStatistics(const TrainingRecord& record, const TraineeR
 
 using OccasionKey = std::pair<SessionKind, int>;
 
-/// Those of all trainees, and where in a trainee's course they stand on average.
+/// Those of all trainees, and their average place among a trainee's sessions.
 struct OccasionPoints {
   std::vector<const ThresholdPoint*> points;
   double places = 0.0;
@@ -145,7 +145,7 @@ std::vector<Occasion> occasionsOf(const std::vector<TraineeStatistics>& trainees
   return occasions;
 }
 
-/// What answers alone say, of every block with a threshold; each is asked for more than once.
+/// Likelihoods of every block with a threshold; each is needed more than once.
 using Likelihoods = std::map<const ThresholdPoint*, ThresholdLikelihood>;
 
 Likelihoods likelihoodsOf(const std::vector<TraineeStatistics>& trainees) {

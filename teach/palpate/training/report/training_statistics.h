@@ -18,7 +18,7 @@
 
 namespace palpate::training {
 
-/// What a session was made with, and what went wrong in it.
+/// Equipment of a session, and its problems.
 struct SessionQuality {
   SessionRow row;
   std::map<std::string, int> events;  ///< by kind; their texts are not shown
@@ -65,8 +65,8 @@ struct TraineeStatistics {
 struct Occasion {
   SessionKind kind = SessionKind::practice;
   int nth = 1;
-  Spread medians = {};       ///< of the trainees' own thresholds
-  GroupEstimate group = {};  ///< of the class behind them
+  Spread medians = {};       ///< spread of the trainees' own thresholds
+  GroupEstimate group = {};  ///< estimate for the class behind them
   Reasons verdicts = {};     ///< examinations: how many of each
 };
 
@@ -91,10 +91,10 @@ struct TrainingStatistics {
   ClassStatistics all;
 };
 
-/// What costs time and is not asked of every report.
+/// Statistics that cost time and are not needed in every report.
 struct StatisticsRequest {
-  bool curves = true;  ///< of single trainees: filtered and fitted
-  bool groups = true;  ///< of the class: mean and change of those behind the results
+  bool curves = true;  ///< single trainees: filtered and fitted
+  bool groups = true;  ///< the class: mean and change
 };
 TrainingStatistics trainingStatistics(const TrainingRecord& record, const StatisticsRequest& request = {});
 

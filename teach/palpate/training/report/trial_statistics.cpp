@@ -27,7 +27,7 @@ constexpr int kSpeedBoxes = 30;
 constexpr double kSecondsBox = 5.0;
 constexpr int kSecondsBoxes = 24;
 
-/// What `value` says of the trials that pass; warm-ups never do.
+/// Values of the trials that pass; warm-ups never do.
 template <class Passes, class Value>
 std::vector<double> valuesWhere(Trials trials, const Passes& passes, const Value& value) {
   std::vector<double> values;

@@ -24,10 +24,10 @@ struct ChosenTrial {
 
 /// Neither a warm-up nor left out: it says something about the trainee.
 bool countsForResults(const TrialRow& trial);
-/// Why a trial that is no warm-up does not count; empty: it counts.
+/// Why a trial other than a warm-up does not count; empty: it counts.
 std::string whyLeftOut(const TrialRow& trial);
 
-/// Of a set of values; all 0 where there are none.
+/// Summary of a set of values; all 0 where there are none.
 struct Spread {
   std::size_t count = 0;
   double mean = 0.0, least = 0.0, lower_quartile = 0.0, median = 0.0, upper_quartile = 0.0, greatest = 0.0;
@@ -36,7 +36,7 @@ Spread spreadOf(std::vector<double> values);
 /// Between neighbours on a straight line; `sorted` rises and is not empty.
 double sortedQuantile(std::span<const double> sorted, double share);
 
-/// Of `part` among `whole` > 0, the 95 % interval.
+/// The 95 % interval of the share `part` / `whole`; `whole` > 0.
 struct ShareInterval {
   double low = 0.0, high = 1.0;
 };
@@ -48,7 +48,7 @@ struct LevelAccuracy {
   int correct = 0;
   double share = 0.0;
   ShareInterval interval;
-  double chance = 0.0;     ///< mean of one in so many places as were felt
+  double chance = 0.0;     ///< mean of 1 / places felt
   double corrected = 0.0;  ///< (share - chance) / (1 - chance): 0 for a guesser
 };
 
@@ -70,7 +70,7 @@ struct AnswerBox {
   double chance = 0.0, corrected = 0.0, expected = 0.0;
 };
 
-/// So many boxes between two places, even on a logarithmic scale; what lies outside is left out, and so are empty ones.
+/// Boxes between two places, even on a logarithmic scale; leaves out what lies outside, and empty boxes.
 struct BoxScale {
   double from = 0.03, to = 1.0 + 1e-9;  ///< all changes: 100 % too
   int boxes = 10;
@@ -86,7 +86,7 @@ struct Histogram {
 struct SiteFelt {
   int site = 0;
   int trials = 0;           ///< in which it could have been felt: warm-ups left out
-  int felt = 0;             ///< of them: pressed hard enough, long enough
+  int felt = 0;             ///< trials in which it was pressed hard and long enough
   double presses = 0.0;     ///< a trial, on average over all
   double dwell_s = 0.0;     ///< the same
   double peak_force_n = 0;  ///< mean over the trials that touched it
@@ -111,12 +111,12 @@ struct WrongAnswers {
 };
 
 struct TrialStatistics {
-  // What was put to the trainee.
+  // Trials put to the trainee.
   int shown = 0;
   int warm_up = 0;
   int excluded = 0;
   int counted = 0;
-  int correct = 0;       ///< of the counted
+  int correct = 0;       ///< counted trials that were right
   int timeouts = 0;      ///< warm-ups left out
   int not_all_felt = 0;  ///< fewer places felt than there are, warm-ups left out
   int easy = 0;          ///< counted ones at the top level, that only a lapse can miss
@@ -124,9 +124,9 @@ struct TrialStatistics {
   std::vector<LevelAccuracy> levels;  ///< rising changes
   std::vector<AnswerBox> boxes;       ///< the same, neighbours together
   std::vector<SiteFelt> felt;         ///< each site
-  SiteAnswers answers;                ///< of the counted
+  SiteAnswers answers;                ///< answers in the counted trials
   WrongAnswers wrong;
-  // Of trials that are no warm-up.
+  // Over trials other than warm-ups.
   Spread seconds, seconds_correct, seconds_wrong;
   Spread places_felt;
   Spread mean_force_n, peak_force_n, speed_mm_per_s;

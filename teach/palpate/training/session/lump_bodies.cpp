@@ -21,7 +21,7 @@ namespace {
 
 /// Between two places where a lump may be, mm: nearer to each other than anybody names them.
 constexpr double kGridMm = 4.0;
-/// Beside the outermost sites.
+/// Margin around the outermost sites.
 constexpr double kBesideSitesMm = 8.0;
 /// C of a lump is that of a press with this, N: firm, and no more than desktop devices hold.
 constexpr double kCuePressN = 3.0;

@@ -168,7 +168,7 @@ struct LumpSession::Impl {
     return true;
   }
 
-  /// To the next body. An answer of an examination is kept with it, so that nobody feels the same body twice.
+  /// Goes to the next body. An examination's answer is stored with it, so that the same body is never felt twice.
   void goOn(const Moment& now) {
     block.next();
     keepBlock();
@@ -238,7 +238,7 @@ void LumpSession::next(const Moment& now) {
   if (paused()) return goOn(now);
   switch (screen()) {
     case LumpScreen::instruction:
-      // A body that was done before the sitting was interrupted is not asked about again.
+      // A body that was finished before the interruption is not asked about again.
       return impl_->block.trial().over ? impl_->goOn(now) : impl_->begin(now);
     case LumpScreen::feedback:
       return impl_->goOn(now);

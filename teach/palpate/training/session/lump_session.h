@@ -1,11 +1,11 @@
-// A sitting with lumps, from the instruction to the summary, as a machine of screens beside session.h: practice asks
+// A session with lumps, from the instruction to the summary, as a machine of screens like session.h: practice asks
 // whether there is a lump, where, and of which kind; an examination has every lump of six bodies named.
 //
 //   answers, places, samples ─► LumpSession ─► screen, question, words, what is hidden now (lump_bodies.h), rows to
 //   keep
 //
-// Knows no clock, no window, no file. Every single answer is in the rows (`takeRows`) at once, so that a sitting which
-// was interrupted goes on with the question that was asked last. One thread.
+// Knows no clock, no window, no file. Every answer is in the rows (`takeRows`) at once, so that an interrupted session
+// continues with the last question. One thread.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ namespace palpate::training {
 
 enum class LumpScreen : std::uint8_t {
   instruction,
-  trial,     ///< a question is asked
+  trial,     ///< asks a question
   feedback,  ///< practice: what there was is shown, and can be felt
   summary,
   finished,
@@ -30,11 +30,11 @@ struct LumpSessionPlan {
   Protocol protocol;
   SessionKind kind = SessionKind::lump;  ///< or lump_exam
   std::shared_ptr<const LumpBodies> bodies;
-  SiteSet sites;  ///< what places are called by
+  SiteSet sites;  ///< names of places
   std::uint64_t seed = 1;
   double tick_s = 0.001;
   SessionRow row = {};                   ///< ids, station, device and file filled in
-  std::optional<BlockRow> resumed = {};  ///< a block that was interrupted: goes on where it stopped
+  std::optional<BlockRow> resumed = {};  ///< an interrupted block, which continues where it stopped
 };
 
 class LumpSession {
@@ -48,11 +48,11 @@ class LumpSession {
   LumpScreen screen() const;
   Said said() const;
   lumps::LumpQuestion question() const;
-  /// What the body that is felt now must hold. Never to be shown: `shown` is.
+  /// Lumps of the current body. Never to be shown: `shown` is.
   std::vector<lumps::HiddenLump> hidden() const;
   /// Feedback of practice alone: the lumps as they are. Nothing on every other screen, and never in an examination.
   std::vector<lumps::HiddenLump> shown() const;
-  /// What was named in this body so far: the trainee's own places.
+  /// Places that the trainee has named in this body so far.
   std::vector<lumps::LumpFinding> named() const;
   /// Whether the pressures under the finger may be shown now: in practice alone, before the answer if the protocol
   /// says so.
@@ -70,15 +70,15 @@ class LumpSession {
   bool answer(int choice, const Moment& now);
   bool answer(const Vec2& place_mm, const Moment& now);
   bool noMore(const Moment& now);
-  /// While a body is asked about: the clock stands still, nothing is hidden and nothing can be answered.
+  /// While a body is asked about: stops the clock, hides nothing and accepts no answer.
   void pause(const Moment& now);
   void goOn(const Moment& now);
   bool paused() const;
   void leave(const Moment& now);
 
   const LumpSessionPlan& plan() const;
-  const std::vector<TrialRow>& trials() const;  ///< bodies that were done in this sitting
-  lumps::LumpCounts counts() const;             ///< of the whole block
+  const std::vector<TrialRow>& trials() const;  ///< bodies finished in this session
+  lumps::LumpCounts counts() const;             ///< over the whole block
   std::vector<Row> takeRows();
 
  private:
@@ -86,11 +86,11 @@ class LumpSession {
   std::unique_ptr<Impl> impl_;
 };
 
-// What is said (lump_words.cpp).
+// Texts (lump_words.cpp).
 
 std::string lumpInstruction(bool exam);
 std::string lumpQuestionWords(lumps::LumpQuestion question, bool exam, std::size_t named);
-/// What is chosen from, in the order of the choices: "no", "yes"; "small", "middle", "large"; ...
+/// The choices, in order: "no", "yes"; "small", "middle", "large"; ...
 std::vector<std::string> lumpChoices(lumps::LumpQuestion question);
 /// After a body of practice: right or not, where it lies, and of which kind it is.
 std::string lumpFeedback(const lumps::LumpTrial& trial, const lumps::LumpTask& task, const SiteSet& sites);

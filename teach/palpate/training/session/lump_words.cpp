@@ -1,4 +1,4 @@
-// What a sitting with lumps says, on the screen and aloud.
+// Texts of a session with lumps, on the screen and aloud.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -17,7 +17,7 @@ namespace palpate::training {
 
 namespace {
 
-/// The place that familiarisation shows first, where there are so many: in the middle of the left side.
+/// The place that familiarisation shows first, if it exists: in the middle of the left side.
 constexpr int kFamiliarSite = 4;
 /// Draws of familiarisation are those of no block: blocks count from 1.
 constexpr int kFamiliarDraws = -1;
@@ -59,7 +59,7 @@ ProtocolRow protocolRowOf(const Protocol& protocol) {
 struct Session::Impl {
   SessionPlan plan;
   const SessionSettings& settings;
-  Random ids;  // of rows
+  Random ids;  // for rows
   Screen screen = Screen::instruction;
   Said said;
   Exploration exploration;
@@ -72,13 +72,13 @@ struct Session::Impl {
   Moment trial_started;
   double paused_s = 0.0;  // in this trial
   std::optional<Moment> paused_since;
-  bool warned = false;  // of places not pressed, in this trial
+  bool warned = false;  // about places not pressed, in this trial
   bool device_works = false;
   bool break_offered = false;
   std::optional<BlockResult> result;
-  HiddenNow answered;  // what feedback lets feel
+  HiddenNow answered;  // place that feedback reveals
   FamiliarPlaces familiar;
-  int familiar_stiffer = 0;  // in the body now, whether it is shown or asked for
+  int familiar_stiffer = 0;  // in the current body, whether shown or asked for
   Random familiar_draws;
 
   Impl(const SessionPlan& the_plan, const Moment& now)
@@ -307,7 +307,7 @@ struct Session::Impl {
 
   bool measures() const { return !settings.feedback; }
 
-  /// Practice goes on with another block, a test has one.
+  /// Practice continues with another block; a test has one.
   void afterSummary(const Moment& now) {
     if (measures()) return finish(now);
     beginBlock(block_row.number + 1, now);

@@ -1,10 +1,10 @@
-// One session of one trainee, from the code at the door to the summary, as a machine of screens: the window shows what
-// it says and tells it what was done; a simulated trainee does the same without a window.
+// One session of one trainee, from the code at the door to the summary, as a machine of screens: the window shows them
+// and passes on the trainee's actions; a simulated trainee does the same without a window.
 //
 //   code, device, "next", answers, samples ─► Session ─► screen, words, hidden place now (trial_scene.h), rows to keep
 //
-// Knows no clock (every event brings its Moment), no window, no file. What it wants kept it hands out as rows
-// (`takeRows`), in their order; a trial counts as kept when its rows are. One thread.
+// Knows no clock (every event carries its Moment), no window, no file. Returns rows to store (`takeRows`), in order; a
+// trial counts as stored when its rows are. One thread.
 #pragma once
 
 #include <cstdint>
@@ -20,16 +20,16 @@
 
 namespace palpate::training {
 
-/// When something happened, on the clocks of whoever runs the session.
+/// Time of an event, on the caller's clocks.
 struct Moment {
   double s = 0.0;           ///< steady
   std::int64_t utc_ms = 0;  ///< since 1970
-  std::uint64_t tick = 0;   ///< of the recording
+  std::uint64_t tick = 0;   ///< recording's tick
 };
 
 enum class Screen : std::uint8_t {
   device_check,     ///< touch the skin once: the device works
-  familiarisation,  ///< one obvious change: shown beside a normal place, then asked for until it is found
+  familiarisation,  ///< one obvious change: shown next to a normal place, then asked for until it is found
   instruction,
   trial,
   feedback,  ///< practice: right or wrong; the true site can be felt
@@ -45,7 +45,7 @@ struct SessionPlan {
   std::uint64_t seed = 1;
   double tick_s = 0.001;
   SessionRow row = {};                        ///< ids, station, device and file filled in
-  std::optional<BlockRow> resumed = {};       ///< a block that was interrupted: goes on where it stopped
+  std::optional<BlockRow> resumed = {};       ///< an interrupted block, which continues where it stopped
   std::optional<ShownThreshold> before = {};  ///< the trainee's last measured result, for the summary
   bool familiar = false;                      ///< has had device check and familiarisation today
 };
@@ -61,17 +61,17 @@ struct HiddenNow {
 struct FamiliarPlaces {
   int first = 0;
   int second = 0;
-  int stiffer = 0;  ///< which of them, while it is shown; 0: it is asked for
+  int stiffer = 0;  ///< which of them, while it is shown; 0: the trainee is asked
   int round = 0;    ///< how often it has been asked for: each time is another body
 };
 
-/// What the screen says, in words that are also spoken.
+/// Text of a screen, also spoken.
 struct Said {
   std::string text;
   std::uint64_t number = 0;  ///< another number: it is to be spoken once
 };
 
-/// What has to be kept before the first block names it.
+/// The row to store before the first block, which names it.
 ProtocolRow protocolRowOf(const Protocol& protocol);
 
 class Session {
@@ -84,13 +84,13 @@ class Session {
 
   Screen screen() const;
   Said said() const;
-  /// What the world must hold; nothing: no hidden place. Never to be shown by a test's screen.
+  /// The hidden place that the world must hold; nothing: none. Never to be shown by a test's screen.
   std::optional<HiddenNow> hidden() const;
   bool feelsTruth() const;  ///< the true site is shown: feedback, and familiarisation that does not ask
-  std::optional<FamiliarPlaces> familiarPlaces() const;  ///< of familiarisation alone
+  std::optional<FamiliarPlaces> familiarPlaces() const;  ///< during familiarisation alone
   bool asks() const;                                     ///< `answer` would be taken
 
-  // Of a trial that is on the screen.
+  // For a trial that is on the screen.
   int trialNumber() const;  ///< from 1
   int trialsAtMost() const;
   double secondsLeft(const Moment& now) const;  ///< infinity without a limit
@@ -101,14 +101,14 @@ class Session {
 
   // Events.
   /// The world at work holds what `hidden` says since now: the trial's clock starts, and what was felt before it is
-  /// forgotten. Whoever rebuilds worlds in no time need not call it.
+  /// forgotten. Callers that rebuild worlds in no time need not call it.
   void ready(const Moment& now);
   void feel(const trace::Sample& sample, const Moment& now);  ///< every sample of every finger
   void next(const Moment& now);                               ///< "Next", "Start", "Continue"
   /// A site's number. The first answer with places not yet pressed is answered by words only; the same answer again is
   /// taken, flagged. In familiarisation: which of the two is stiffer. True: it was taken.
   bool answer(int site, const Moment& now);
-  void pause(const Moment& now);  ///< the clock of the trial stands still; nothing is felt
+  void pause(const Moment& now);  ///< stops the trial's clock; nothing is felt
   void goOn(const Moment& now);
   bool paused() const;
   void tick(const Moment& now);                             ///< any number of times a second: time limits
@@ -117,7 +117,7 @@ class Session {
   void leave(const Moment& now);
 
   const SessionPlan& plan() const;
-  const std::vector<TrialRow>& trials() const;  ///< of this session's block, in this session
+  const std::vector<TrialRow>& trials() const;  ///< trials of the block in this session
   std::optional<BlockResult> result() const;    ///< once a block is over
   std::vector<Row> takeRows();
 

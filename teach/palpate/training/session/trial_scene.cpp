@@ -10,7 +10,7 @@ namespace palpate::training {
 
 namespace {
 
-/// The soft tissue over the transverse processes beside the spine, mm: where a bone that stands nearer is felt.
+/// Thickness of the soft tissue over the transverse processes, mm: where a bone nearer to the skin is felt.
 constexpr double kTissueOverBoneMm = 30.0;
 
 /// Boussinesq's pressure under a small load falls with the depth squared: what lies deep gives that much less.
@@ -65,7 +65,7 @@ scene::Scene trialScene(const scene::Scene& base, const Protocol& protocol, Sess
   const SessionSettings& settings = settingsOf(protocol, kind);
   scene::Scene scene = base;
   scene.dysfunctions.clear();
-  scene.lumps.clear();  // what is hidden is the trial's alone
+  scene.lumps.clear();  // only the trial may hide lumps
   if (!settings.natural_stiffness && !hidesLumps(kind)) makeEven(scene, protocol.base_n_per_mm);
   if (!hidden) return scene;
   const Site* site = sites.numbered(hidden->site);

@@ -22,7 +22,7 @@ namespace palpate::training {
 double feltRatio(const HiddenPlace& place, double change, ChangeMeaning meaning);
 
 /// The base that a device can render together with the largest change of any session, at most the protocol's. A device
-/// that cannot is given the whole body softer (servo/device_limits.h), more for a larger change: that would tell the
+/// that cannot is given the whole body softer (servo/device_limits.h), more for a larger change: that would reveal the
 /// answer's size, so the base is lowered once instead, for all sessions alike. `stiffest`: what the hand may feel,
 /// N/mm.
 double renderableBase(const Protocol& protocol, double stiffest_n_per_mm);
@@ -38,7 +38,7 @@ maps::Dysfunction dysfunctionAt(const Site& site, const HiddenPlace& place, doub
 scene::Scene trialScene(const scene::Scene& base, const Protocol& protocol, SessionKind kind, const SiteSet& sites,
                         const std::optional<HiddenNow>& hidden);
 
-// What a trial's samples say besides which sites were felt: how hard, how fast, searching or staying.
+// Effort in a trial, from its samples: how hard, how fast, searching or staying.
 //
 //   trace::Sample of every tick ─ follow ─► forces and speed of the trial, for its row
 //

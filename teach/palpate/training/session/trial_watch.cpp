@@ -20,7 +20,7 @@ void TrialWatch::follow(const trace::Sample& sample) noexcept {
   const bool touches = contact.touch != contact::Touch::free;
   if (touches && finger.touched) {
     Vec3 velocity = (contact.tip - finger.tip) / tick_s_;
-    velocity -= velocity.dot(contact.normal) * contact.normal;  // along the skin: pressing is no search
+    velocity -= velocity.dot(contact.normal) * contact.normal;  // along the skin: pressing is not searching
     finger.velocity += std::min(1.0, tick_s_ / kSmoothingS) * (velocity - finger.velocity);
     const double force_n = sample.device_force.norm();
     const double speed = finger.velocity.norm();

@@ -9,7 +9,7 @@ namespace palpate::training {
 
 namespace {
 
-// What the closed loop takes (trainee_finger.cpp): from over one site to over the next, down to the requested force,
+// Durations of the closed loop (trainee_finger.cpp): from over one site to over the next, down to the requested force,
 // up.
 constexpr double kImaginedTravelS = 0.3;
 constexpr double kImaginedDownS = 0.36;

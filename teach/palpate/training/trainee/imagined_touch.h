@@ -10,9 +10,9 @@
 
 namespace palpate::training {
 
-/// SessionRow::device of whoever trained like this.
+/// SessionRow::device of trainees who trained like this.
 inline constexpr std::string_view kNoBody = "simulated, no body";
-/// Of its samples, s.
+/// Interval of its samples, s.
 inline constexpr double kImaginedTickS = 0.01;
 
 class ImaginedTouch final : public Touching {
@@ -35,7 +35,7 @@ class ImaginedTouch final : public Touching {
   Protocol protocol_;
   ChangeMeaning meaning_;
   std::optional<HiddenNow> hidden_;
-  std::optional<Vec3> place_;  ///< of the finger; nothing: not yet anywhere
+  std::optional<Vec3> place_;  ///< finger's place; nothing: not yet anywhere
   std::uint64_t next_ = 0;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 /// To make up its mind about a body.
 constexpr double kDecideS = 1.5;
-/// A place is named so far beside what is meant, mm, along each axis.
+/// SD between named and intended place, mm, along each axis.
 constexpr double kNamedBesideSdMm = 3.0;
 
 }  // namespace
@@ -21,7 +21,7 @@ constexpr double kNamedBesideSdMm = 3.0;
 LumpRun::LumpRun(LumpSession& session, BodyTouch& touch, const LumpOrders& orders, std::int64_t start_ms)
     : session_(session), touch_(touch), orders_(orders), start_ms_(start_ms), random_(orders.trainee.seed) {
   skill_ = lumps::drawSkill(orders_.trainee, random_);
-  // The same person, another day: what is drawn from here on belongs to the sitting.
+  // The same person, another day: later draws depend on the session.
   random_ = Random(random_.bits() ^ session.plan().seed);
 }
 
@@ -43,7 +43,7 @@ void LumpRun::run() {
     } else if (session_.screen() == LumpScreen::trial) {
       tryBody();
     } else {
-      // A sitting is a block: reads what is said, goes on.
+      // A session is one block: reads the text and continues.
       touch_.rest(kDecideS, [](const trace::Sample&) {});
       session_.next(now());
     }
@@ -60,7 +60,7 @@ void LumpRun::tryBody() {
   const FeltLump last_named{.truth = hidden.empty() ? lumps::HiddenLump() : hidden.back(), .clarity = 1.0};
   const std::vector<FeltLump> found = findingsOf(hidden);
   touch_.rest(kDecideS, [&](const trace::Sample& sample) { session_.feel(sample, now()); });
-  describe(last_named);  // a sitting that was interrupted goes on with the question that was asked last
+  describe(last_named);  // an interrupted session continues with the last question
   if (session_.question() == lumps::LumpQuestion::there) {
     session_.answer(found.empty() ? 0 : 1, now());
     keepRows();

@@ -1,11 +1,11 @@
-// A simulated trainee in a sitting with lumps: strokes 16 mm apart run along the back, and of each only the press that
-// passes nearest to a lump is made, with the whole haptic loop; there is nothing to be felt elsewhere. What that press
-// tells (lumps/lump_observer.h) decides whether the lump is found, and how much is known of it.
+// A simulated trainee in a session with lumps: strokes 16 mm apart run along the back, and of each only the press that
+// passes nearest to a lump is made, with the whole haptic loop; elsewhere there is nothing to feel. The cue of that
+// press (lumps/lump_observer.h) decides whether the lump is found, and how much is known of it.
 //
 //   LumpSession::hidden ─ BodyTouch ─► what was felt ─ cueOf, finds ─► answers, places ─► LumpSession ─► rows
 //
-// Assumed, since nobody has measured it: a place that is named lies some millimetres beside the lump, or beside the
-// finger of one who does not feel the pattern; size, depth, hardness and mobility are each known as often as a lump so
+// Assumed, since no study has measured it: a named place is some millimetres off the lump, or off the finger of a
+// trainee who does not feel the pattern; size, depth, hardness and mobility are each known as often as a lump this
 // plain is found, and guessed else.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace palpate::training {
 
 struct LumpOrders {
   LumpTraineeSettings trainee;
-  int most_bodies = 0;  ///< puts the block down after so many; 0: goes on to its end
+  int most_bodies = 0;  ///< stops the block after this many; 0: continues to its end
   /// Rows in their order, after every answer.
   std::function<void(std::vector<Row>)> keep = {};
   std::function<void(const TrialRow&)> answered = {};  ///< once a body's rows are kept; may be empty
@@ -47,7 +47,7 @@ class LumpRun {
   void tryBody();
   FeltLump feel(const lumps::HiddenLump& lump);
   void press(const Vec2& place_mm, contact::FingerOutput* firmest);
-  /// What it would name in this body, without what it has named before an interruption.
+  /// Findings that it would name in this body, without those named before an interruption.
   std::vector<FeltLump> findingsOf(const std::vector<lumps::HiddenLump>& hidden);
   bool isNamed(const lumps::HiddenLump& lump) const;
   void answerPlace(const FeltLump& lump);
@@ -61,7 +61,7 @@ class LumpRun {
   LumpOrders orders_;
   std::int64_t start_ms_;
   Random random_;
-  double skill_ = 0.0;  ///< of this person, in ln C
+  double skill_ = 0.0;  ///< this person's, in ln C
   int bodies_ = 0;
 };
 

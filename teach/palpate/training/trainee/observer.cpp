@@ -31,7 +31,7 @@ const std::array kObserverKeys = {
     ObserverKey{"weber_end", &ObserverSettings::weber_end, {0.0, 1.0}},
     ObserverKey{"learning_blocks", &ObserverSettings::learning_blocks, {0.1, 1000.0}},
     ObserverKey{"lapse", &ObserverSettings::lapse, {0.0, 0.5}},
-    // Harder than a device of 3.3 N holds, or shorter than a reflex, is no palpation.
+    // Harder than a device of 3.3 N holds, or shorter than a reflex, is not palpation.
     ObserverKey{"press_n", &ObserverSettings::press_n, {0.1, 3.0}},
     ObserverKey{"press_s", &ObserverSettings::press_s, {0.05, 5.0}},
 };

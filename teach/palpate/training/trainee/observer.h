@@ -24,12 +24,12 @@ struct ObserverSettings {
   double weber_end = 0.0;  ///< 0: does not learn
   double learning_blocks = 3.0;
   double lapse = 0.02;
-  int sites = 12;  ///< of the sites are searched, the same in a trial, drawn again in each
+  int sites = 12;  ///< sites searched in each trial, drawn again in each
   std::uint64_t seed = 1;
   // How it presses.
   double press_n = 1.5;
   double press_s = 0.5;
-  /// Of the change that `weber` speaks of: the protocol's.
+  /// Meaning of the change in `weber`: the protocol's.
   ChangeMeaning meaning = ChangeMeaning::compliance;
 };
 

@@ -1,5 +1,5 @@
-// What a simulated trainee's finger is on: a body in a closed loop (body_touch.h), or nothing but the numbers that one
-// would give (imagined_touch.h).
+// The thing that a simulated trainee's finger touches: a body in a closed loop (body_touch.h), or only the numbers that
+// one would give (imagined_touch.h).
 #pragma once
 
 #include <cstdint>
@@ -30,9 +30,9 @@ struct PressRequest {
   double hold_s = 0.5;
 };
 
-/// What was felt while it held: means over the hold, its first 0.1 s left out.
+/// Means over the hold, without its first 0.1 s.
 struct FeltPress {
-  double force_n = 0.0;  ///< of the device, along the press
+  double force_n = 0.0;  ///< the device's, along the press
   double depth_mm = 0.0;
   bool reached = false;  ///< the wanted force came
   double stiffness() const { return depth_mm > 0.0 ? force_n / depth_mm : 0.0; }
@@ -62,7 +62,7 @@ class TraineeFinger {
   PressRequest request_;
   Phase phase_ = Phase::over;
   double time_s_ = 0.0;  // in the phase
-  Vec3 place_;           // of the goal
+  Vec3 place_;           // goal's place
   Vec3 lift_to_;         // over the place at hand
   Vec3 from_;            // where the phase began
   FeltPress felt_;
@@ -89,14 +89,14 @@ class Touching {
 
   /// From the next tick on the body holds this.
   virtual void change(const std::optional<HiddenNow>& hidden) = 0;
-  /// Goes there, presses, and comes up again; every tick is told.
+  /// Goes there, presses, and comes up again; calls `each_tick` at every tick.
   virtual FeltPress press(const Site& site, const MeantPress& meant, const EachTick& each_tick) = 0;
   /// Waits over the skin.
   virtual void rest(double seconds, const EachTick& each_tick) = 0;
   /// The number of the next tick: those before have been.
   virtual std::uint64_t tick() const = 0;
   virtual double tickS() const = 0;
-  /// A word for whoever looks at the recording, at the next tick.
+  /// Adds a remark to the recording, at the next tick.
   virtual void mark(const std::string& text) = 0;
   /// Writes what there is to write; the last call.
   virtual void finish(std::int64_t end_ms) = 0;

@@ -22,7 +22,7 @@ namespace palpate::training {
 
 namespace {
 
-/// Of the station's id: any number, always the same.
+/// Seed of the station's id: any number, always the same.
 constexpr std::uint64_t kStationSeed = 1;
 
 /// Between two sessions: half of a week, as two practices a week are.
@@ -178,9 +178,9 @@ SatThrough sitThrough(Store& store, const TraineeBench& bench, const TraineeSess
 
 namespace {
 
-/// What the records know of a trainee so far.
+/// A trainee's state in the records so far.
 struct CourseSoFar {
-  std::vector<SessionKind> done;  ///< of finished blocks
+  std::vector<SessionKind> done;  ///< kinds of finished blocks
   int sessions = 0;
   int practised = 0;
   std::int64_t newest_ms = 0;  ///< 0: none

@@ -1,9 +1,9 @@
 // Sessions of simulated trainees from end to end, kept as a person's are: the session, its recording, its rows in a
-// station's file of results; one after the other through a course, or for a whole class.
+// station's file of results; one after the other through a programme, or for a whole class.
 //
 //   TraineeBench, TraineeSession ─ sitThrough ─► Store, sessions/<session>.session
 //
-// A block that was interrupted goes on. Deterministic: ids, times and answers come from the seed and the start.
+// A block that was interrupted continues. Deterministic: ids, times and answers come from the seed and the start.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@
 
 namespace palpate::training {
 
-/// What all sessions of a run share.
+/// Settings and files that all sessions of a run share.
 struct TraineeBench {
   Protocol protocol;
   SiteSet sites;
@@ -41,7 +41,7 @@ SiteSet sitesOn(const scene::World& body, const Protocol& protocol);
 
 struct TraineeSession {
   ObserverSettings observer;
-  LumpTraineeSettings lump_observer = {};  ///< of sittings with lumps
+  LumpTraineeSettings lump_observer = {};  ///< for sessions with lumps
   SessionKind kind = SessionKind::pre_test;
   Uuid trainee;
   std::uint64_t seed = 1;
@@ -50,13 +50,13 @@ struct TraineeSession {
   int most_trials = 0;
 };
 
-/// What came of one.
+/// Result of one session.
 struct SatThrough {
   SessionRow row;
   BlockRow block;
-  std::vector<TrialRow> trials;       ///< of this session
-  std::optional<BlockResult> result;  ///< of the whole block, once it is over
-  lumps::LumpCounts lumps = {};       ///< of a sitting with lumps: of the whole block so far
+  std::vector<TrialRow> trials;       ///< trials of this session
+  std::optional<BlockResult> result;  ///< result of the whole block, once it is over
+  lumps::LumpCounts lumps = {};       ///< over the whole block so far, in a session with lumps
   bool resumed = false;
   double simulated_s = 0.0;
 };
@@ -72,7 +72,7 @@ struct TraineeCourse {
   std::vector<SessionKind> kinds;
   bool goes_on = false;  ///< those kinds that the records hold already are left out
   std::uint64_t seed = 1;
-  std::int64_t start_ms = 0;  ///< of the first, or later where the records hold newer ones
+  std::int64_t start_ms = 0;  ///< start of the first session, or later where the records hold newer ones
   int most_trials = 0;
 };
 
@@ -87,7 +87,7 @@ TraineeRow simulatedTrainee(const std::string& class_id, const std::string& code
 /// A code as a real one is written, from a seed.
 std::string simulatedCode(std::uint64_t seed, int number);
 
-/// The course of the Virtual Haptic Back: a pre-test, six practices, a post-test.
+/// The programme of the Virtual Haptic Back: a pre-test, six practices, a post-test.
 std::vector<SessionKind> vhbCourse();
 
 /// Trainee number `number` of a class: thresholds before and after are log-normal around the given means, with this
@@ -105,7 +105,7 @@ ObserverSettings oneOfClass(const ObserverSettings& mean, double spread, std::ui
 struct TraineeOrders {
   ObserverSettings observer;
   int practised = 0;    ///< blocks that it has learned from
-  int most_trials = 0;  ///< puts the block down after so many; 0: goes on to its end
+  int most_trials = 0;  ///< stops the block after this many; 0: continues to its end
   /// Rows in their order, after each answer and screen: a trial counts when this returns.
   std::function<void(std::vector<Row>)> keep = {};
   std::function<void(const TrialRow&)> answered = {};  ///< once its rows are kept; may be empty
@@ -121,7 +121,7 @@ class TraineeRun {
   void run();
   Moment now() const;
 
-  /// What was felt in the trial at hand or the last one: the sites, and their stiffness over the middle one's.
+  /// The sites felt in the current or last trial, and their stiffness over the middle one's.
   struct FeltSites {
     std::vector<int> sites;
     std::vector<double> stiffness_n_per_mm;
@@ -147,8 +147,8 @@ class TraineeRun {
   std::int64_t start_ms_;
   Random random_;
   Touching::EachTick each_tick_;
-  std::optional<HiddenNow> held_;  ///< by the body now
-  Vec2 place_mm_ = Vec2::Zero();   ///< of the finger, on the map plane
+  std::optional<HiddenNow> held_;  ///< in the body now
+  Vec2 place_mm_ = Vec2::Zero();   ///< finger's place on the map plane
   FeltSites felt_;
   int answers_ = 0;
 };

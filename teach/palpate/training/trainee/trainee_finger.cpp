@@ -16,8 +16,8 @@ constexpr double kArcShare = 0.12;
 constexpr double kTravelS = 0.2;
 constexpr double kTravelMmPerS = 500.0;
 
-/// Of the goal on its way into the skin, mm/s; the pad, held back by the tissue, is slower. Who wants to press with
-/// less than a newton comes down more gently, or the hand's own lag would press harder than that.
+/// Speed of the goal on its way into the skin, mm/s; the pad, held back by the tissue, is slower. A press of less than
+/// a newton comes down more gently, or the hand's own lag would press harder than that.
 constexpr double kDownMmPerS = 60.0;
 constexpr double kGentleN = 1.0;
 constexpr double kMinShareOfSpeed = 0.2;

@@ -114,7 +114,7 @@ void TraineeRun::walkScreen() {
   }
 }
 
-/// As firmly as it is asked to, also by one who presses too lightly later.
+/// Presses as firmly as requested, even for a trainee who presses too lightly later.
 void TraineeRun::checkDevice() {
   constexpr int kMaxTries = 3;
   const double asked_n = 2.0 * session_.plan().protocol.exploration.force_n;
@@ -171,7 +171,7 @@ void TraineeRun::tryTrial() {
   touching_.mark(fmt::format("trial {}", trial));
   search(trial);
   if (session_.screen() == Screen::trial && session_.trialNumber() == trial) touching_.rest(kThinkS, each_tick_);
-  // The time may have run out meanwhile, and the end may have been asked for.
+  // The time may have run out meanwhile, and a stop may have been requested.
   const bool over = session_.screen() != Screen::trial || session_.trialNumber() != trial;
   if (!over && stops()) return;
   if (!over) {
