@@ -26,10 +26,9 @@ namespace palpate::classroom {
 /// A row and who sent it.
 struct SentRow {
   training::AnyRow row;
-  training::Uuid station =
-      {};                 ///< by its certificate (stationIdOf); empty: the teacher, who may write any station's rows
-  std::string name = {};  ///< station's name in messages
-  std::size_t bytes = 0;  ///< as it came
+  training::Uuid station = {};  ///< by its certificate (stationIdOf); empty: the teacher, who may write all rows
+  std::string name = {};        ///< station's name in messages
+  std::size_t bytes = 0;        ///< as it came
 };
 
 enum class RowFate : std::uint8_t {

@@ -26,12 +26,11 @@ inline constexpr double kStrokesApartMm = 16.0;
 inline constexpr double kInattention = 0.02;
 
 struct LumpObserver {
-  double force_weber = 0.08;  ///< clinicians' Weber fraction of the force (De Carvalho 2019)
-  double pattern_weber =
-      0.036;               ///< Weber fraction of a taxel's pressure; fitted: 0.036 and 3.4, or 0.080 and 1.5 (1985)
-  double spread = 3.4;     ///< s, of ln C
-  bool field = true;       ///< feels the pattern; false: the force alone
-  std::size_t taxels = 8;  ///< along a side of a fingertip that feels the pattern; 0 as without a field
+  double force_weber = 0.08;     ///< clinicians' Weber fraction of the force (De Carvalho 2019)
+  double pattern_weber = 0.036;  ///< for a taxel's pressure; fitted: 0.036 and 3.4, or 0.080 and 1.5 (1985)
+  double spread = 3.4;           ///< s, of ln C
+  bool field = true;             ///< feels the pattern; false: the force alone
+  std::size_t taxels = 8;        ///< along a side of a fingertip that feels the pattern; 0 as without a field
 };
 
 /// Throws Error naming what makes no sense.
