@@ -58,7 +58,7 @@ struct DotsArguments {
   bool json = false;
 };
 
-/// What is measured, with the pictures that the overlay needs.
+/// A measurement with the pictures that the overlay needs.
 struct Measuring {
   std::optional<measure::Photograph> before;
   std::optional<measure::Photograph> after;
@@ -138,7 +138,7 @@ std::vector<std::string> write(const DotsArguments& arguments, const Outputs& ou
   return written;
 }
 
-// --- what is asked for ----------------------------------------------------------------------------------------------
+// --- arguments  ----------------------------------------------------------------------------------------------
 
 /// "-100,55", or the words of an examiner on the body that has no name.
 std::optional<Vec2> placeFrom(const std::string& text) {

@@ -10,11 +10,11 @@
 
 namespace palpate::app {
 
-/// What is known of a measurement beside the Measurement.
+/// Facts about a measurement that Measurement does not hold.
 struct MeasuredPair {
   std::string name = "P1";
   std::vector<std::string> files = {};         ///< pictures before and after, or the table of dots
-  std::optional<Vec2> place_mm = {};           ///< of the contact on the body
+  std::optional<Vec2> place_mm = {};           ///< place of the contact on the body
   std::optional<double> null_drift_mm = {};    ///< between two pictures before
   std::vector<std::string> notes = {};         ///< on the pictures
   std::optional<double> seconds_between = {};  ///< the pictures, by the camera's clock

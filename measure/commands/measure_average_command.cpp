@@ -29,7 +29,7 @@ namespace {
 using measure::MeanEllipse;
 using measure::PointMean;
 
-constexpr double kShare = 0.2;  ///< of the true size, over the back
+constexpr double kShare = 0.2;  ///< share of the true size, over the back
 constexpr std::size_t kMaxPanels = 24;
 
 std::vector<Vec2> outlineOf(const maps::Ellipse& ellipse, const Vec2& centre, double share) {
@@ -119,7 +119,7 @@ struct MeasureAverageArguments {
   bool json = false;
 };
 
-/// Of several files each is a person's where its rows do not say whose they are.
+/// Each of several files is one person's where its rows do not name a subject.
 std::vector<measure::PressRow> pressesFrom(const std::vector<std::string>& files) {
   std::vector<measure::PressRow> all;
   for (const std::string& file : files) {

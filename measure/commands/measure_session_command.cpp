@@ -113,7 +113,7 @@ void runInit(const MeasureSessionArguments& arguments) {
 
 // --- measuring
 
-/// Measures as measurePictures does, and leaves overlay and report beside the pictures.
+/// Measures as measurePictures does, and leaves overlay and report next to the pictures.
 measure::PressOutcome measureWithOverlay(const fs::path& folder, const Protocol& protocol,
                                          const measure::PlannedPress& planned, const measure::PressPictures& pictures,
                                          const Progress& progress) {

@@ -27,7 +27,7 @@ namespace {
 using measure::SyntheticCase;
 using measure::TailFamily;
 
-/// What is not asked for is drawn from the seed.
+/// Values that are not given are drawn from the seed.
 struct SynthesizeArguments {
   std::string folder;
   std::int64_t seed = 1;
@@ -80,7 +80,7 @@ void changePress(const SynthesizeArguments& arguments, measure::Press& press) {
   take(press.asymmetry, arguments.asymmetry_percent, 0.01);
   if (!arguments.contact_mm.empty()) press.contact_mm = {arguments.contact_mm[0], arguments.contact_mm[1]};
   if (press.peak_mm > 0.0) return;
-  press.dent_mm = 0.0;  // nothing is pressed: nobody holds a stick
+  press.dent_mm = 0.0;  // no press, so no stick in the picture
   press.stick = false;
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr double kMargin = 12.0;
 constexpr double kBetweenPanels = 10.0;
 constexpr double kPanelUnit = 400.0;  // marks and lines are given for a panel so wide
-constexpr double kSample = 22.0;      // of a line in a legend
+constexpr double kSample = 22.0;      // length of a line in a legend
 constexpr TextStyle kWords{.size_px = 11.5, .down = Align::start};
 constexpr TextStyle kVerdict{.size_px = 13.5, .bold = true, .down = Align::start};
 constexpr double kRow = 16.0;
@@ -58,7 +58,7 @@ struct PanelFrame {
   double unit() const { return place.width() / kPanelUnit; }
 };
 
-/// What of the pictures' plane is shown.
+/// Visible part of the pictures' plane.
 struct Extent {
   Vec2 corner_px = Vec2::Zero();
   Vec2 size_px = {400.0, 500.0};

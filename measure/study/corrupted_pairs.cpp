@@ -99,7 +99,7 @@ CorruptedPair corruptedPair(std::size_t kind, std::uint64_t seed, double megapix
   pair.before = std::move(rendered.before);
   pair.after = std::move(rendered.after);
   if (kind == kindNamed("another person")) {
-    // Of the same ink and camera: only the back is another's.
+    // Same ink and camera: only the back is another's.
     SyntheticCase other = measure::drawCase(random.bits(), {.megapixels = megapixels});
     other.marks.ink = pair.made.marks.ink;
     other.camera = pair.made.camera;

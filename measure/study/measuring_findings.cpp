@@ -1,4 +1,4 @@
-// What the sentences of measuring_findings.txt say in numbers, and the verdicts that these decide.
+// Fills in the sentences of measuring_findings.txt and the verdicts that the numbers decide.
 #include "measure/study/measuring_measurement.h"
 
 #include <algorithm>

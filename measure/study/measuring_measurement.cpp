@@ -26,7 +26,7 @@ std::uint64_t seedOf(std::uint64_t seed, Stream stream, std::size_t i) {
   return random.bits();
 }
 
-/// `work(i)` for every i below `count`, by two threads where there are two; the progress is told by the caller's.
+/// `work(i)` for every i below `count`, on two threads where there are two; the caller's reports the progress.
 void shareOut(std::size_t count, const Progress& progress, std::string_view stage,
               const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
@@ -73,7 +73,7 @@ std::vector<JudgedCorrupted> measureCorrupted(const MeasuringPlan& plan, const P
   return judged;
 }
 
-/// What a set of pairs without pixels has in common.
+/// Settings that a set of pairs without pixels shares.
 struct ExactKind {
   std::string name;
   Stream stream;

@@ -1,4 +1,4 @@
-// Synthetic pairs measured by the product and judged by their truth: good ones, corrupted ones, ones outside its
+// Synthetic pairs, measured by the product and checked against their truth: good ones, corrupted ones, ones outside its
 // formula.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace palpate::study {
 
-// What a measurement of a synthetic pair is worth: each number beside the truth.
+// Errors of a measurement of a synthetic pair against the truth.
 //
 //   SyntheticTruth, Measurement ─ judgePair ─► JudgedPair ─► shares and percentiles (measuring_numbers.h)
 
@@ -28,7 +28,7 @@ struct AxisError {
 struct LevelErrors {
   AxisError major;
   AxisError minor;
-  double worsePercent() const;  ///< of the two, without sign
+  double worsePercent() const;  ///< the larger of the two, without sign
   double worseInSds() const;
 };
 
@@ -43,9 +43,9 @@ struct JudgedPair {
   std::string reason;                 ///< text of the first refusal
   double seconds = 0.0;
 
-  // Of dots.
+  // Dots.
   double found_before = 0.0;  ///< share of the true marks, also in no order
-  double found_after = 0.0;   ///< of those that are not hidden
+  double found_after = 0.0;   ///< share of the visible ones
   double in_order = 0.0;      ///< share of the true dots that are in the grid
   std::size_t strays_in_order = 0;
   std::size_t matched = 0;
@@ -84,8 +84,8 @@ struct MeasuringPlan {
   std::uint64_t seed = 1;
   std::size_t cases = 100;  ///< good pairs, every second one with a long tail
   double megapixels = 2.0;
-  std::size_t large_every = 25;    ///< every so manyth good pair has 12 megapixels; 0: none
-  std::size_t corrupted_each = 4;  ///< of every kind
+  std::size_t large_every = 25;    ///< interval of good pairs with 12 megapixels; 0: none
+  std::size_t corrupted_each = 4;  ///< number per kind
   std::size_t exact_each = 60;     ///< pairs without pixels, of every kind
   double timed_megapixels = 12.0;
 };
@@ -108,7 +108,7 @@ struct MeasuringMeasurement {
   std::vector<JudgedPair> good;
   std::vector<JudgedCorrupted> corrupted;
   ExactPairs drifted;     ///< moved by 1.5 mm, measured as if the breath had been held
-  ExactPairs breathing;   ///< the same, and the measurement is told so
+  ExactPairs breathing;   ///< the same, with breathing allowed for
   ExactPairs half_space;  ///< elastic, outside the fitted formula
   ExactPairs windowed;    ///< the same, cut by a window
   ExactPairs lopsided;    ///< 20 % stronger behind the stick
@@ -125,11 +125,11 @@ MeasuringMeasurement measureMeasuring(const MeasuringPlan& plan, const Progress&
 // Pairs of photographs that something is wrong with: what a measurement must refuse, and what it may not be wrong
 // about.
 
-/// What may become of a pair of a kind.
+/// Acceptable outcomes for a kind of pair.
 enum class Fate : unsigned char {
   refused,           ///< it must be
   refused_or_right,  ///< accepted only where it is right
-  not_seen           ///< nothing in the pictures tells
+  not_seen           ///< nothing in the pictures shows it
 };
 
 struct CorruptedKind {
@@ -150,7 +150,7 @@ struct CorruptedPair {
 /// The kind by its place in corruptedKinds(); drawn from the seed.
 CorruptedPair corruptedPair(std::size_t kind, std::uint64_t seed, double megapixels);
 
-// What a measurement of synthetic pairs says, in sentences whose verdicts its numbers decide.
+// Findings of measuring synthetic pairs, in sentences whose verdicts the numbers decide.
 
 std::vector<std::string> measuringFindings(const MeasuringMeasurement& found);
 

@@ -1,4 +1,4 @@
-// Shares and percentiles of judged pairs, and the bars that they are held against.
+// Shares and percentiles of the pairs' errors, and the bars for them.
 #pragma once
 
 #include <string>
@@ -20,20 +20,20 @@ struct Percentiles {
 /// Below this ratio an ellipse is too round for its direction to be held against a bar.
 inline constexpr double kDirectedRatio = 1.15;
 
-/// Of a set of pairs; errors are of the accepted ones, half axes by the worse of the two.
+/// Numbers of a set of pairs; errors are of the accepted ones, half axes by the worse of the two.
 struct SetNumbers {
   std::size_t pairs = 0;
   std::size_t accepted = 0;
   Percentiles axis2_percent;
   Percentiles axis4_percent;
   Percentiles ratio;
-  Percentiles direction_deg;  ///< of ratios from kDirectedRatio
+  Percentiles direction_deg;  ///< for ratios from kDirectedRatio
   Percentiles contact_mm;
   Percentiles drag_deg;
   Percentiles peak_percent;
   Percentiles displacement_mm;
   Percentiles chord_percent;        ///< as the dissertation reads the contour
-  Percentiles chord_direction_deg;  ///< of ratios from kDirectedRatio
+  Percentiles chord_direction_deg;  ///< for ratios from kDirectedRatio
   double worst_axis_percent = 0.0;
   double worst_axis_sds = 0.0;  ///< over the sd that is stated
   double within_2_sd = 0.0;     ///< share
@@ -43,26 +43,26 @@ struct SetNumbers {
 SetNumbers numbersOf(const std::vector<JudgedPair>& pairs);
 std::vector<JudgedPair> ofFamily(const std::vector<JudgedPair>& pairs, measure::TailFamily family);
 
-/// What became of the pairs of one corrupted kind.
+/// Outcomes of the pairs of one corrupted kind.
 struct CorruptedNumbers {
   CorruptedKind kind;
   std::size_t pairs = 0;
   std::size_t refused = 0;
   std::size_t right = 0;             ///< accepted, and within 8 % or 2 sd
-  double worst_percent = 0.0;        ///< of the accepted
-  std::vector<std::string> codes{};  ///< of the refusals, each once
+  double worst_percent = 0.0;        ///< largest error of the accepted
+  std::vector<std::string> codes{};  ///< codes of the refusals, each once
   std::size_t wrong() const { return pairs - refused - right; }
 };
 
 std::vector<CorruptedNumbers> corruptedNumbers(const MeasuringMeasurement& found);
 
-/// Of dots, over all good pairs.
+/// Dots over all good pairs.
 struct DotNumbers {
   double found_mean = 0.0;
-  double found_least = 0.0;  ///< of one picture
+  double found_least = 0.0;  ///< in one picture
   double in_order_mean = 0.0;
   double wrong_per_1000 = 0.0;
-  double strays_in_order = 0.0;  ///< of a picture
+  double strays_in_order = 0.0;  ///< per picture
 };
 
 DotNumbers dotNumbers(const std::vector<JudgedPair>& pairs);

@@ -15,7 +15,7 @@ Study measuringStudy();
 // `palpate study measuring --family NAME`: presses of one family outside the fitted forms, and whether the stated
 // uncertainty holds there.
 
-/// Pairs of a family where nothing else is asked for.
+/// Default number of pairs of a family.
 inline constexpr std::size_t kOutsideCases = 24;
 
 struct OutsideNumbers {
@@ -25,8 +25,8 @@ struct OutsideNumbers {
   double axes_within_2sd = 0.0;      ///< share of accepted pairs: both half axes of 2 mm
   double axes4_within_2sd = 0.0;     ///< and of 4 mm
   double peak_within_2sd = 0.0;      ///< share of the stated peaks; 1 where none is stated
-  double warned_share = 0.0;         ///< of accepted pairs: a warning about the form, or no peak
-  double missed_warned_share = 0.0;  ///< of accepted pairs with an axis beyond 2 sd: those with a warning; 1 of none
+  double warned_share = 0.0;         ///< accepted pairs with a warning about the form, or without peak
+  double missed_warned_share = 0.0;  ///< accepted pairs with an axis beyond 2 sd: share with a warning; 1 of none
   double acceptedShare() const { return pairs > 0 ? static_cast<double>(accepted) / static_cast<double>(pairs) : 0.0; }
 };
 

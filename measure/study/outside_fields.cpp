@@ -20,7 +20,7 @@ namespace {
 
 using Motion = std::function<Vec2(const Vec2&)>;
 
-constexpr std::size_t kStacks = 6;  // of a layered family, by turns
+constexpr std::size_t kStacks = 6;  // layered stacks, used by turns
 constexpr double kPi = std::numbers::pi;
 
 constexpr std::array kOutsideFamilies = {
@@ -52,7 +52,7 @@ Motion turned(double drag_rad, Motion along_x) {
 }
 
 /// Share of the peak at a place of a half space: a tangential and a normal force at a point, seen at a depth under it
-/// that stands for the patch which they are spread over.
+/// that represents the patch which they are spread over.
 Motion halfSpace(double depth_mm, double poisson, double pressed_over_dragged) {
   const auto unscaled = [=](const Vec2& p) -> Vec2 {
     const double z = depth_mm;
@@ -101,7 +101,7 @@ Motion irregularOf(const Press& press, bool long_tail, Random& random) {
   // q^2 at the unit circle is what leaves 2 mm.
   const double q2 = long_tail ? std::pow(level, 1.0 / power) - 1.0 : std::log(level);
   const double size = random.uniform(0.15, 0.30);
-  const double share = random.uniform(0.3, 0.7);  // of one side against the opposite one
+  const double share = random.uniform(0.3, 0.7);  // share of one side against the opposite one
   const double first = random.uniform(-kPi, kPi);
   const double third = random.uniform(-kPi, kPi);
   return [=](const Vec2& offset) -> Vec2 {
@@ -180,7 +180,7 @@ measure::DotPair exactDots(const measure::SyntheticCase& made, const measure::Sy
   };
   for (const measure::TrueDot& dot : truth.dots) {
     pair.before.push_back(seen(dot.before_px));
-    // One that is half hidden has its middle elsewhere; its area would tell.
+    // One that is half hidden has its middle elsewhere; its area would show it.
     if (dot.covered == 0.0) pair.after.push_back(seen(dot.after_px));
   }
   return pair;

@@ -44,7 +44,7 @@ class OutsideFields {
 
  private:
   OutsideFamily family_;
-  std::vector<elements::DragField> solved_;  // of a drag by 1 mm
+  std::vector<elements::DragField> solved_;  // for a drag by 1 mm
 };
 
 // A pair without pixels: the dots of a synthetic case as a perfect camera program would find them, with a little noise.

@@ -1,4 +1,4 @@
-// Line by line, so that comments and order of a table that somebody wrote stay.
+// Edits line by line, so that comments and order of a user's table stay.
 #include "measure/window/key_table_file.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxTableBytes = std::size_t{64} << 20;
-/// Of a table that does not name its columns.
+/// Columns of a table that does not name them.
 constexpr std::string_view kPlainColumns = "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg";
 constexpr std::size_t kPlainCount = 6;
 
@@ -38,7 +38,7 @@ std::string inColumns(const KeyTableRow& row, const std::vector<std::string>& co
   return line;
 }
 
-/// Of its first line that holds something.
+/// Columns of the first non-empty line.
 std::vector<std::string> columnsOfTable(const std::vector<std::string>& lines) {
   const auto first = std::find_if(lines.begin(), lines.end(), holdsSomething);
   if (first == lines.end()) return {};

@@ -1,4 +1,4 @@
-// A table of key points that grows by one row: what stands in its file stays as it is.
+// A table of key points that grows by one row: the rest of its file stays unchanged.
 //
 //   accepted measurement ─ row ─► tableWith ─ writeFile ─► FILE, which [ellipses] key_points reads
 #pragma once
@@ -14,11 +14,11 @@ struct KeyTableFile {
   enum class Kind : unsigned char { none, key_points, other };
   Kind kind = Kind::none;
   std::string text = {};
-  std::vector<std::string> names = {};  ///< of its key points
-  std::string trouble = {};             ///< why it is no such table
+  std::vector<std::string> names = {};  ///< names of its key points
+  std::string trouble = {};             ///< why it cannot be read as a table
   bool has(std::string_view name) const;
 };
-/// What there is; never throws for what a file holds.
+/// Reads what it can; never throws because of the file's contents.
 KeyTableFile readKeyTable(const std::filesystem::path& file);
 
 /// Columns by name, and the values of one key point.

@@ -54,7 +54,7 @@ fs::path tableOf(const MeasuringView& view, const ViewerState& viewer) {
   return (viewer.output_folder / view.form.table).lexically_normal();
 }
 
-/// What speaks against it, a sentence each.
+/// Objections to accepting, one sentence each.
 std::string doubts(const measure::Measurement& measured, const KeyTableFile& table, const fs::path& file,
                    const std::string& name) {
   std::string words;
@@ -127,7 +127,7 @@ bool MeasuringMode::handle(const Request& request, ViewerState& viewer) {
   return closes && asksFirst(request, viewer);
 }
 
-/// What was corrected in photographs stays while the view is closed, but goes with them.
+/// Corrections in photographs stay while the view is closed, but go with the photographs.
 bool MeasuringMode::asksFirst(Waiting waiting, ViewerState& viewer) {
   if (!view_.unsaved) return false;
   waiting_ = std::move(waiting);
@@ -194,7 +194,7 @@ void MeasuringMode::advance(ViewerState& viewer, std::span<const body::SkinLandm
   if (view_.open) resolvePlace(view_.form, landmarks);
 }
 
-/// What is stale goes to work; marks not before the mouse has let them go.
+/// Starts work on stale results, but not while the mouse still drags a mark.
 void MeasuringMode::startMeasuring() {
   MeasuringView& view = view_;
   if (view.stale == Stale::nothing || (view.stale == Stale::marks && view.drag)) return;

@@ -1,6 +1,6 @@
-// Measuring a person in the window. What the view cannot do itself: reads and measures beside the display, brings
-// photographs to the graphics card, finds places on the body, writes what was accepted into its table and has the scene
-// use it.
+// Measuring a person in the window, the part that the view cannot do itself: reads and measures on its own thread,
+// uploads photographs to the graphics card, finds places on the body, writes accepted results into its table and has
+// the scene use it.
 //
 //   MeasuringView ─ stale ─► MeasuringWork ─► taken ─► AcceptMeasurement ─► table ─► scene.ellipses.key_points
 #pragma once
@@ -28,7 +28,7 @@
 
 namespace palpate::viewer {
 
-// Photographs read and measured beside the display, one piece of work at a time: the newest request wins.
+// Reads and measures photographs on its own thread, one job at a time: the newest request wins.
 //
 //   MeasuringJob ─ own thread: readPhotograph, measurePair │ measureDots, overlayOf ─► MeasuringResult, taken by a
 //   frame
@@ -38,8 +38,8 @@ struct MeasuringJob {
       {};  ///< photographs to be read, and if there are two measured; both empty: the marks
   measure::DotPair marks = {};
   measure::MeasureSettings settings = {};
-  std::vector<measure::Finding> of_photographs = {};  ///< what marks alone cannot tell; goes to their result
-  int width_px = 0;                                   ///< of the photographs that the marks are of
+  std::vector<measure::Finding> of_photographs = {};  ///< not visible from marks alone; goes to their result
+  int width_px = 0;                                   ///< width of the photographs that the marks are in
   int height_px = 0;
   bool ofPhotographs() const { return !files[0].empty() || !files[1].empty(); }
 };
@@ -90,7 +90,7 @@ class MeasuringWork {
 
   std::optional<MeasuringJob> next_;
   std::atomic<bool> give_up_{false};
-  bool of_photographs_ = false;  ///< what is at work
+  bool of_photographs_ = false;  ///< kind of the running work
   mutable std::mutex mutex_;     // guards the state
   State state_;
   AsyncTask<MeasuringResult> work_;  // last: it uses the above
@@ -123,7 +123,7 @@ class MeasuringMode : public Mode {
   Accepting accept(ViewerState& viewer, bool sure);
 
  private:
-  /// What waits for an answer.
+  /// Request that waits for an answer.
   using Waiting = std::variant<Request, MeasuringRequest>;
 
   void handle(const MeasuringRequest& request, ViewerState& viewer);
@@ -136,7 +136,7 @@ class MeasuringMode : public Mode {
   MeasuringRequests requests_;
   std::optional<Waiting> waiting_;
   std::array<std::optional<view::FlatPicture>, 2> pictures_;
-  std::vector<measure::Finding> of_photographs_;  ///< what marks alone cannot tell
+  std::vector<measure::Finding> of_photographs_;  ///< not visible from marks alone
   MeasuringWork work_;
 };
 

@@ -1,5 +1,5 @@
-// Corrections by hand are snapshots of all marks: some hundred numbers a step. What is measured again follows from
-// `stale`, which the desk looks at once a frame.
+// Corrections by hand are snapshots of all marks: some hundred numbers a step. `stale`, checked once a frame, decides
+// what is measured again.
 #include "measure/window/measuring_view.h"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ bool leaveSomething(MeasuringView& view) {
   return true;
 }
 
-/// Of other photographs.
+/// Forgets results of other photographs.
 void forgetMeasured(MeasuringView& view) {
   view.marks = {};
   view.history.clear();

@@ -1,7 +1,7 @@
 // Measuring a person in the window: two photographs, the marks in them, what came of them and what was corrected by
 // hand. Plain data and pure functions, without ImGui, files or threads.
 //
-//   mouse, keys, fields ─► MeasuringView ─ stale ─► MeasuringMode: measured beside the display ─► taken by the view
+//   mouse, keys, fields ─► MeasuringView ─ stale ─► MeasuringMode: measured on its own thread ─► taken by the view
 #pragma once
 
 #include <array>
@@ -27,22 +27,22 @@ namespace palpate::viewer {
 enum class Photo : std::uint8_t { before, after };
 inline constexpr std::array<std::string_view, 2> kPhotoNames = {toTranslate("before"), toTranslate("after")};
 
-/// What the left button does on a photograph.
+/// Action of the left button on a photograph.
 enum class MeasuringTool : std::uint8_t { look, contact, dots };
-/// `numbers` is a tab only where the window is too narrow for a column beside the photographs.
+/// `numbers` is a tab only where the window is too narrow for a column next to the photographs.
 enum class MeasuringTab : std::uint8_t { before, after, result, all, numbers };
-/// What has to be measured once more.
+/// Part that has to be measured again.
 enum class Stale : std::uint8_t { nothing, marks, photographs };
 
 struct ShownPhoto {
   std::string file = {};  ///< empty: none chosen
-  int width_px = 0;       ///< of the photograph itself; 0: not read
+  int width_px = 0;       ///< photograph's own width; 0: not read
   int height_px = 0;
   std::vector<std::string> notes = {};
-  std::uint32_t texture = 0;  ///< of the graphics card (view::GlId), perhaps smaller; 0: none
+  std::uint32_t texture = 0;  ///< on the graphics card (view::GlId), perhaps smaller; 0: none
 };
 
-// What only the mode can do.
+// Requests that only the mode can fulfil.
 
 /// This photograph takes a place.
 struct ShowPhoto {
@@ -64,7 +64,7 @@ struct ChosenMark {
   bool operator==(const ChosenMark&) const = default;
 };
 
-/// What can be taken back.
+/// State that undo restores.
 struct Corrections {
   measure::DotPair marks = {};
   std::optional<Vec2> contact_px = {};
@@ -86,10 +86,10 @@ struct AcceptForm {
   std::string place = {};  ///< as an examiner says it ("T6 left 40 mm"), or "x, y" in mm
   std::string table = {};  ///< a file of key points
   bool use_in_scene = true;
-  // What the place is on the body at hand.
+  // Place of the contact on the current body.
   std::optional<Vec2> at_mm = {};
   std::string place_name = {};   ///< "T6 left 40 mm"; empty: numbers were typed
-  std::string place_words = {};  ///< with its numbers, or why there is no such place
+  std::string place_words = {};  ///< with its numbers, or why it cannot be found
 };
 std::string acceptedName(const AcceptForm& form);
 
@@ -118,7 +118,7 @@ struct MeasuringView {
   bool unsaved = false;      ///< corrected, and not accepted since
   Stale stale = Stale::nothing;
 
-  // Of the work under way.
+  // Work in progress.
   bool working = false;
   std::string stage = {};
   double done = 0.0;
@@ -127,7 +127,7 @@ struct MeasuringView {
   MeasuringTab tab = MeasuringTab::before;
   MeasuringTool tool = MeasuringTool::look;
   double zoom = 1.0;                  ///< 1: the whole photograph
-  Vec2 middle = Vec2::Constant(0.5);  ///< of what is seen, in widths and heights
+  Vec2 middle = Vec2::Constant(0.5);  ///< middle of the visible part, in widths and heights
   std::optional<Photo> dialog = {};   ///< which is being chosen
   AcceptForm form = {};
 
@@ -157,11 +157,11 @@ bool isPhotograph(std::string_view file);
 
 /// Every mark that the photographs' measurement found.
 measure::DotPair marksOf(const measure::Measurement& measured);
-/// A result and what is drawn of it. Of photographs: the marks are those that were found.
+/// A result and its overlay. With `of_photographs` the marks are those that were found.
 void takeMeasured(MeasuringView& view, std::shared_ptr<const measure::Measurement> measured, measure::Overlay overlay,
                   bool of_photographs);
 
-/// The nearest mark within so many pixels of the photograph.
+/// The nearest mark within `reach_px` of the photograph.
 std::optional<std::size_t> markAt(const MeasuringView& view, Photo which, const Vec2& at_px, double reach_px);
 
 /// Marks cannot be corrected on the result, so it is left for them.
@@ -176,7 +176,7 @@ void removeSelected(MeasuringView& view);
 void nudgeSelected(MeasuringView& view, const Vec2& by_px);
 void setContact(MeasuringView& view, const std::optional<Vec2>& at_px);
 
-/// What was taken back in words; empty: nothing.
+/// Undoes a correction and describes it; empty: nothing to undo.
 std::string undoCorrection(MeasuringView& view);
 std::string redoCorrection(MeasuringView& view);
 
@@ -191,7 +191,7 @@ void panBy(MeasuringView& view, const Vec2& by);
 bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers& modifiers,
                   MeasuringRequests& requests);
 
-/// What keeps the result from being accepted; empty: nothing. A refusal by the measuring is none: that is asked.
+/// Why the result cannot be accepted; empty: it can. A refusal by the measuring does not count: the user is asked.
 std::string obstacleToAccept(const MeasuringView& view);
 
 }  // namespace palpate::viewer

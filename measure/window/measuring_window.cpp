@@ -36,7 +36,7 @@ void tabs(MeasuringView& view, std::size_t count) {
   }
 }
 
-/// At the right end of the same row, or below it where there is no room for both.
+/// At the right end of the same row, or below it if there is not enough room.
 void tools(MeasuringView& view) {
   constexpr std::array<const char*, 3> kNames = {toTranslate("Look"), toTranslate("Contact"), toTranslate("Dots")};
   constexpr std::array<const char*, 3> kPaths = {"measuring/look", "measuring/contact", "measuring/dots"};

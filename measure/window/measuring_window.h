@@ -1,4 +1,4 @@
-// The measuring view on the screen: a column of what is chosen, found and accepted, and the photographs beside it.
+// The measuring view on the screen: a column of settings and results, and the photographs next to it.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ void measuringWindow(MeasuringView& view, const FreeArea& free, MeasuringRequest
 
 // Everything of the measuring view but the photographs: which they are, tools, settings, what was found, accepting.
 
-/// Of MeasureSettings::partial.
+/// Label of MeasureSettings::partial.
 inline constexpr const char* kPartialBox = toTranslate("may leave the dots");
 
 /// In the window that is being drawn.
@@ -24,7 +24,7 @@ void measuringColumn(MeasuringView& view, MeasuringRequests& requests);
 
 // A photograph with what was found in it, to be zoomed, shifted, clicked and dragged on.
 
-/// What a panel shows.
+/// Contents of a panel.
 struct PhotoPanel {
   Photo photo = Photo::before;
   const measure::OverlayPanel* overlay = nullptr;  ///< or none yet
@@ -34,7 +34,7 @@ struct PhotoPanel {
 /// In the rest of the window that is being drawn, so wide and high.
 void photoPanel(MeasuringView& view, const PhotoPanel& panel, const Vec2& size);
 
-// What was measured, in words and numbers with their standard deviations, line by line.
+// Measured numbers with their standard deviations, as lines of text.
 
 struct MeasuredNumber {
   std::string label;
@@ -43,10 +43,10 @@ struct MeasuredNumber {
 /// Empty without a fit.
 std::vector<MeasuredNumber> measuredNumbers(const measure::Measurement& measured);
 
-/// What was found, with the window's names for what can be done about it: a box in place of an option of the command.
+/// A finding's text, with the window's names for the remedy: a box in place of an option of the command.
 std::string wordsHere(const measure::Finding& finding);
 
-/// "71.3 ± 1.2 mm", with so many decimals.
+/// "71.3 ± 1.2 mm", with `digits` decimals.
 std::string withSd(const measure::Estimate& estimate, int digits, const char* unit);
 
 }  // namespace palpate::viewer

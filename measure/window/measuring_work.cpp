@@ -33,7 +33,7 @@ bool has(const std::vector<measure::Finding>& findings, const measure::Finding& 
                      [&](const auto& finding) { return finding.text == wanted.text; });
 }
 
-/// Those that the marks of the same photographs do not tell by themselves: of time stamps, colours, the stick.
+/// Findings that the marks of the same photographs do not show: time stamps, colours, the stick.
 std::vector<measure::Finding> toldByPhotographsAlone(const measure::Measurement& whole) {
   const measure::DotPair marks = marksOf(whole);
   const std::vector<measure::Finding> by_marks = measure::measureDots(marks, whole.settings).findings;

@@ -12,11 +12,11 @@ namespace palpate::viewer {
 
 /// Points of the screen; photographs count pixels from the centre of the top left one.
 struct PhotoFrame {
-  Vec2 corner = Vec2::Zero();  ///< of the area, upper left
+  Vec2 corner = Vec2::Zero();  ///< upper left of the area
   Vec2 size = Vec2::Ones();
   Vec2 photo_px = Vec2::Ones();       ///< width and height
   double zoom = 1.0;                  ///< 1: the whole photograph
-  Vec2 middle = Vec2::Constant(0.5);  ///< what lies in the middle of the area, in widths and heights
+  Vec2 middle = Vec2::Constant(0.5);  ///< point in the middle of the area, in widths and heights
 
   double pointsPerPx() const { return zoom * size.cwiseQuotient(photo_px).minCoeff(); }
   Vec2 toScreen(const Vec2& px) const {

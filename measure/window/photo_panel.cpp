@@ -16,7 +16,7 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr double kReachPoints = 10.0;  ///< of a click to a mark
+constexpr double kReachPoints = 10.0;  ///< distance of a click to a mark
 constexpr double kSlackPoints = 3.0;   ///< a click that moves less is a click
 constexpr double kZoomPerNotch = 1.2;
 constexpr ImU32 kBesidePhoto = IM_COL32(46, 46, 48, 255);

@@ -24,7 +24,7 @@ using maps::LogTensor;
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSectorDeg = 45.0;
-/// Two drags closer than this do not tell the tissue from the drag (axes, so 90 is the most).
+/// Two drags closer than this do not separate the tissue from the drag (axes, so 90 is the most).
 constexpr double kMinBetweenDragsDeg = 60.0;
 constexpr double kHardlyDeg = 10.0;
 constexpr double kHardlyResultant = 0.6;
@@ -56,7 +56,7 @@ int sectorOf(const std::optional<double>& drag_deg) {
 
 // --- one press
 
-/// Of the logarithm, from the stated errors of size, ratio and direction; none where nothing is stated.
+/// Covariance of the logarithm, from the stated errors of size, ratio and direction; nothing unless all are stated.
 std::optional<Mat3> statedCovariance(const PressRow& press) {
   if (!press.sd_half_major_mm || !press.sd_ratio || !press.sd_direction_deg) return std::nullopt;
   const double size = *press.sd_half_major_mm / press.half_major_mm;
@@ -164,7 +164,7 @@ Group groupOf(std::vector<const PressRow*> presses) {
 
 // --- how sure
 
-/// Scatter of people, and of presses of one person, over all points: what a point with few of them is told.
+/// Scatter of people, and of presses of one person, over all points: the error of a point with few of them.
 struct PooledScatter {
   Mat3 sum = Mat3::Zero();
   double freedom = 0.0;
@@ -181,7 +181,7 @@ struct Error3 {
   double freedom = 0.0;
 };
 
-/// The error of a group's mean.
+/// Error of a group's mean.
 Error3 meanError(const Group& group, const PooledScatter& pooled) {
   const auto n = static_cast<double>(group.units.size());
   if (pooled.known()) {
@@ -192,7 +192,7 @@ Error3 meanError(const Group& group, const PooledScatter& pooled) {
   return {};
 }
 
-/// Student's: 95 % lie within so many standard errors.
+/// Student's quantile: 95 % are within this many standard errors.
 double quantile95(double freedom) {
   constexpr std::array kTable = {12.71, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
   if (freedom < 1.0) return kTable.front();
@@ -310,7 +310,7 @@ Estimate takeOutDrag(const std::vector<DragMean>& drags, OverDrags& all) {
   return {ratio, all.error.freedom > 0.0 ? 2.0 * ratio * std::sqrt(variance) : kNotKnown};
 }
 
-/// Over all presses that tell it.
+/// Mean over all presses that state it.
 std::optional<double> meanNumber(const std::vector<const PressRow*>& presses, std::optional<double> PressRow::*member) {
   double sum = 0.0;
   double count = 0.0;
@@ -387,7 +387,7 @@ void addMirrors(Averages& averages) {
   }
 }
 
-/// Of every point in the order of the rows, its groups.
+/// The groups of every point, in the order of the rows.
 std::vector<std::vector<Group>> groupsOf(std::span<const PressRow> presses, const AverageSettings& settings) {
   std::vector<std::string> order;
   std::map<std::string, std::map<int, std::vector<const PressRow*>>, std::less<>> points;

@@ -8,8 +8,8 @@
 // makes the standard error; with few presses it is drawn towards the scatter of all points, as if that were two more.
 //
 // One drag says nothing of the tissue's own direction: skin of any tissue gives way along the drag (E34). Two drags 60
-// degrees or more apart tell the stretch along the drag from the tissue's ellipse, which is what the table then holds.
-// Based on: Ji, dissertation 2008, section 5.1; Arsigny and others 2006 (ellipse.h). The rest is own;
+// degrees or more apart separate the stretch along the drag from the tissue's ellipse, which is what the table then
+// holds. Based on: Ji, dissertation 2008, section 5.1; Arsigny and others 2006 (ellipse.h). The rest is own;
 // docs/explanation/measuring.md.
 #pragma once
 
@@ -30,18 +30,18 @@ namespace palpate::measure {
 struct AverageSettings {
   maps::Averaging averaging = maps::Averaging::tensorial;
   std::optional<double> drag_deg = {};  ///< only presses of this way of pulling
-  /// Points that nobody measured, as mirror images on the other side of the spine: from, to.
+  /// Unmeasured points to fill in as mirror images from the other side of the spine: from, to.
   std::vector<std::pair<std::string, std::string>> mirrors = {};
 };
 
 /// The mean of some presses.
 struct MeanEllipse {
   maps::Ellipse ellipse;
-  // With standard errors; NaN where one press without a stated uncertainty tells nothing.
+  // With standard errors; NaN where one press without a stated uncertainty determines nothing.
   Estimate half_major_mm;
   Estimate major_over_minor;
   Estimate direction_deg;          ///< in (-90, 90]; 52 is an error that says nothing
-  Mat3 covariance = Mat3::Zero();  ///< of the logarithm of the tensor (maps::LogTensor)
+  Mat3 covariance = Mat3::Zero();  ///< covariance of the tensor's logarithm (maps::LogTensor)
   double freedom = 0.0;            ///< degrees of freedom behind it; 0: not known
   std::size_t subjects = 0;
   std::size_t presses = 0;
@@ -80,7 +80,7 @@ Averages averagePresses(std::span<const PressRow> presses, const AverageSettings
 /// known of the error.
 std::array<std::vector<Vec2>, 2> confidenceBand(const MeanEllipse& mean);
 
-/// What stands between a pulled direction and a statement about the tissue, in words; empty where nothing does.
+/// Why a pulled direction may not be the tissue's; empty if it is.
 std::string dragRemark(const PointMean& point);
 
 /// A row a point as readKeyPoints (maps/key_points.h) takes it; with `by_drag` a row a point and drag, "P1 up".

@@ -24,7 +24,7 @@ constexpr std::array kDragWords = {DragWord{"right", 0.0},  DragWord{"up and rig
 std::string optionalField(const std::optional<double>& number) { return number ? fmt::format("{:.6g}", *number) : ""; }
 std::string errorField(double sd) { return std::isfinite(sd) ? fmt::format("{:.4g}", sd) : ""; }
 
-/// Ten digits: what was rounded as printed comes back as it was.
+/// Ten digits: values printed with fewer are read back unchanged.
 std::string rowOf(const std::string& name, const PointMean& point, const MeanEllipse& mean,
                   const std::optional<double>& drag_deg) {
   return fmt::format("{},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{},{},{},{},{},{},{}\n", name, point.place_mm.x(),

@@ -16,7 +16,7 @@ namespace {
 constexpr int kContourRays = 180;
 constexpr double kRayStepMm = 3.0;
 constexpr double kFarthestMm = 400.0;
-constexpr double kMinOfContour = 0.5;  // of the rays: less is no contour
+constexpr double kMinOfContour = 0.5;  // share of the rays that must meet the contour
 constexpr double kDiffersSd = 2.0;
 
 struct Traced {

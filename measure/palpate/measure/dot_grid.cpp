@@ -21,12 +21,12 @@ namespace {
 constexpr std::size_t kNearest = 10;  // dots that may be neighbours in the lattice, strays among them
 constexpr double kOpposite = 0.25;    // |v + w| of a pair, of its length
 constexpr double kAcross = 0.5;       // cosine between the two pairs of a seed, at most
-constexpr double kLengthRatio = 1.8;  // of the two pairs, at most: perspective and tilt
+constexpr double kLengthRatio = 1.8;  // largest ratio of the two pairs' lengths: perspective and tilt
 constexpr std::size_t kSeeds = 5;
-constexpr double kReach = 0.27;       // a dot is on a site within so much of the spacing
-constexpr double kAreaWeight = 0.04;  // of the spacing, for a dot of e times the neighbours' area
+constexpr double kReach = 0.27;       // a dot is on a site within this share of the spacing
+constexpr double kAreaWeight = 0.04;  // in spacings, for a dot of e times the neighbours' area
 constexpr int kForetellingSites = 2;  // sites that foretell another; also the farthest jump over a gap
-constexpr double kMinOutlier = 0.08;  // of the spacing
+constexpr double kMinOutlier = 0.08;  // in spacings
 constexpr double kOutlierMedians = 4.5;
 constexpr int kCleanings = 6;
 constexpr std::size_t kMinGrid = 9;  // fewer is chance
@@ -38,7 +38,7 @@ struct Seed {
   std::size_t dot = 0;
   Vec2 first = Vec2::Zero();
   Vec2 second = Vec2::Zero();
-  double misfit = 0.0;  // of its four neighbours, of a spacing
+  double misfit = 0.0;  // misfit to its four neighbours, in spacings
 };
 
 std::vector<Vec2> nearestOffsets(std::span<const Dot> dots, std::size_t from) {

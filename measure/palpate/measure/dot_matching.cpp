@@ -107,7 +107,7 @@ std::optional<Vec2> predictedMotion(const DotGrid& grid, const DotsBySite& sites
   return mean;
 }
 
-/// From matched dots to unmatched ones beside them, the best half of a round first.
+/// Grows from matched dots to unmatched neighbours, the best half of a round first.
 void growInwards(const DotGrid& grid, std::span<const Dot> after, DotMatch& match) {
   const DotsBySite sites = sitesOf(grid);
   std::vector<bool> used(after.size(), false);
@@ -143,7 +143,7 @@ void count(DotMatch& match) {
       std::count_if(match.of.begin(), match.of.end(), [](const auto& mark) { return mark.has_value(); }));
 }
 
-/// Marks whose area says that something lies over them do not tell where the dot's middle is.
+/// Drops marks whose area shows that they are partly covered, since their centroid is not the dot's.
 void dropHalfHidden(const DotGrid& grid, std::span<const Dot> after, DotMatch& match) {
   std::vector<double> ratios;
   const auto ratio_of = [&](std::size_t i) {

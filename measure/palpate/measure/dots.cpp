@@ -14,29 +14,29 @@ namespace palpate::measure {
 
 namespace {
 
-constexpr double kReducedPixels = 2e6;       // more gives no better centres of blobs, only time
-constexpr double kWindowShare = 0.12;        // of the width, for the skin around: must exceed one spacing of the dots
-constexpr int kBackgroundReduction = 4;      // a median over so wide a window needs no finer picture
-constexpr double kBlurPx = 0.8;              // of the reduced picture: sensor noise
-constexpr double kMinChroma = 8.0;           // below it a blot of redness is as strong
-constexpr double kChromaNoises = 4.0;        // robust sd's of the chroma
-constexpr int kMinBlobPx = 12;               // of the reduced picture
-constexpr double kLargestBlobShare = 0.004;  // of the picture
-constexpr double kMinFill = 0.6;             // of a blob's box: a disc has 0.785
+constexpr double kReducedPixels = 2e6;   // more gives no better centres of blobs, only time
+constexpr double kWindowShare = 0.12;    // share of the width, for the skin around: must exceed one spacing of the dots
+constexpr int kBackgroundReduction = 4;  // a median over so wide a window needs no finer picture
+constexpr double kBlurPx = 0.8;          // in the reduced picture: sensor noise
+constexpr double kMinChroma = 8.0;       // below it a blot of redness is as strong
+constexpr double kChromaNoises = 4.0;    // robust sd's of the chroma
+constexpr int kMinBlobPx = 12;           // in the reduced picture
+constexpr double kLargestBlobShare = 0.004;  // share of the picture
+constexpr double kMinFill = 0.6;             // share of a blob's box: a disc has 0.785
 constexpr double kMaxFill = 0.95;
 constexpr double kMinAspect = 0.5;
 constexpr double kHueKernelRad = 0.15;
 constexpr double kSameHueRad = 0.35;  // blobs of the ink, among the first ones
-constexpr double kPeakShare = 0.45;   // of the middle blob's peak: where a dot ends
+constexpr double kPeakShare = 0.45;   // share of the middle blob's peak: where a dot ends
 constexpr double kCrossShare = 0.6;   // another hue than the ink's
-constexpr double kMinArea = 0.2;      // of the middle blob's
+constexpr double kMinArea = 0.2;      // share of the middle blob's
 constexpr double kMaxArea = 4.0;
 // Centring: weights rise from a quarter to three quarters of the way from the skin around to the dot's own peak.
 constexpr double kRampFrom = 0.25;
 constexpr double kRampTo = 0.75;
 constexpr int kCentrings = 3;
-constexpr double kInsideRadii = 1.35;  // of the dot: what is weighed
-constexpr double kRingRadii = 1.8;     // of the dot: the skin around lies between these two
+constexpr double kInsideRadii = 1.35;  // in radii of the dot: the weighed disc
+constexpr double kRingRadii = 1.8;     // in radii of the dot: the skin around is between these two
 
 /// Chroma less that of the skin around, and how much the full picture was reduced for it.
 struct InkPicture {
@@ -87,9 +87,9 @@ InkPicture inkPictureOf(const Photograph& picture) {
   return ink;
 }
 
-/// Of a channel that is zero but for dots: 1.48 medians of its size.
+/// Robust sd of a channel that is zero but for dots: 1.48 medians of its size.
 double robustSd(const cv::Mat1f& channel) {
-  constexpr int kStep = 3;  // a ninth of the pixels tells it as well
+  constexpr int kStep = 3;  // a ninth of the pixels will do
   std::vector<float> sizes;
   for (int y = 0; y < channel.rows; y += kStep) {
     for (int x = 0; x < channel.cols; x += kStep) sizes.push_back(std::abs(channel(y, x)));

@@ -18,12 +18,12 @@ namespace palpate::measure {
 /// The colour of a pen as a step from the skin beneath: an angle in the plane of CIELAB's a and b.
 struct Ink {
   double hue_rad = 0.0;
-  double peak_chroma = 0.0;  ///< of the middle dot, in units of a and b (8 bits)
+  double peak_chroma = 0.0;  ///< peak of the middle dot, in units of a and b (8 bits)
 };
 
 struct Dot {
   Vec2 place_px = Vec2::Zero();
-  double area_px = 0.0;  ///< of the full picture; 0: not known
+  double area_px = 0.0;  ///< in the full picture; 0: not known
 };
 
 struct FoundDots {
@@ -32,14 +32,14 @@ struct FoundDots {
 };
 
 /// All marks of the commonest ink, strays among them, or those of the given ink (of the other picture of a pair). Few
-/// or none is no error. One thread; 0.5 s for 12 megapixels.
+/// or none are not an error. One thread; 0.5 s for 12 megapixels.
 FoundDots findDots(const Photograph& picture, const std::optional<Ink>& ink = {});
 
 // The order of the dots: which belongs to which row and column of the stencil.
 //
 //   FoundDots ─ growGrid ─► DotGrid ─► matchDots, fitChart (skin_chart.h)
 
-/// Of the stencil: column to the right of the picture, row up in it; any origin.
+/// Site of the stencil: column to the right of the picture, row up in it; any origin.
 struct GridSite {
   int column = 0;
   int row = 0;
@@ -53,13 +53,13 @@ struct GridDot {
 
 struct DotGrid {
   std::vector<GridDot> dots;
-  std::vector<Dot> strays;    ///< of the same ink, but no site of the grid
+  std::vector<Dot> strays;    ///< same ink, but not on a site of the grid
   double spacing_px = 0.0;    ///< median distance of neighbours; 0 without a grid
   double irregularity = 0.0;  ///< median misfit of a dot to its neighbours, left out by turns, of a spacing
-  double roll_deg = 0.0;      ///< of the columns against the picture's upright, -45 to 45
+  double roll_deg = 0.0;      ///< turn of the columns from the picture's upright, -45 to 45
 };
 
-/// Grows a lattice from the best seeds. Empty where there is none.
+/// Grows a lattice from the best seeds. Empty if no seed grows.
 DotGrid growGrid(std::span<const Dot> dots);
 
 // Which dot of the second picture is which of the grid.
@@ -77,10 +77,10 @@ DotMatch matchDots(const DotGrid& grid, std::span<const Dot> after);
 /// Where a fit foretells them, px: closer, and without dots that are partly hidden.
 DotMatch matchAt(const DotGrid& grid, std::span<const Vec2> predicted_px, std::span<const Dot> after);
 
-// What the neighbours of a site say of it: a plane, or with many neighbours a bent surface, through their values.
+// Prediction of a site from its neighbours: a plane, or with many neighbours a bent surface, through their values.
 
 struct Neighbour {
-  Vec2 offset = Vec2::Zero();  ///< sites from the one that is asked for
+  Vec2 offset = Vec2::Zero();  ///< sites from the predicted one
   Vec2 value = Vec2::Zero();
 };
 

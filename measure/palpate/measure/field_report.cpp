@@ -19,25 +19,25 @@ namespace palpate::measure {
 namespace {
 
 constexpr int kDrawsOfFit = 300;
-constexpr double kSlopeStep = 0.02;  // of an sd
+constexpr double kSlopeStep = 0.02;  // in sds
 constexpr int kRaysOfDraw = 24;
 constexpr int kRootSteps = 12;
 constexpr int kHalvings = 24;
 constexpr double kFarthestRho = 1e4;
-constexpr std::uint64_t kSeed = 20080611;  // of the draws: any, but always the same
+constexpr std::uint64_t kSeed = 20080611;  // seed of the draws: any, but always the same
 /// ln(q) of the half Gaussian at its rim (E20): exp(-6.158) is what the dissertation cuts off.
 constexpr double kGaussianRim = 6.158;
-/// What no dot saw of the peak is extrapolated: so much of it counts as unsure.
+/// A peak that no dot saw is extrapolated: this share of it counts as unsure.
 constexpr double kSdOfUnseen = 0.25;
 constexpr double kSdOfUnseenDeep = 0.6;  // how the stick's load is spread is not seen either
-constexpr double kCoreShare = 0.5;       // of the peak: where the skin moves farther is the core
+constexpr double kCoreShare = 0.5;       // share of the peak: where the skin moves farther is the core
 /// An ellipse around few dots is read between them: this share over (1 + dots)^1.5 counts as unsure. Both from pairs
 /// outside the fitted forms (docs/explanation/measuring.md).
 constexpr double kSdBetweenDots = 0.2;
-/// Of a half axis: six stacks stand for all skin over bone.
+/// Relative sd of a half axis: six stacks represent all skin over bone.
 constexpr double kSdOfSolved = 0.013;
 constexpr double kSdOfDeep = 0.02;     // how the stick's load is spread
-constexpr double kCompactTail = 0.45;  // of 1/P: above it a tail has no rim
+constexpr double kCompactTail = 0.45;  // in 1/P: above it a tail has no rim
 
 /// rho^2 along a ray at which the motion falls to the level; 0 where even the peak is below.
 double smoothLevelOnRay(const SkinField& field, const Vec2& ray, double level_mm) {
@@ -46,7 +46,7 @@ double smoothLevelOnRay(const SkinField& field, const Vec2& ray, double level_mm
   const auto strength = [&](double rho2) {
     return (field.peak_mm + field.sideways * rho2 / (1.0 + rho2) * radial).norm();
   };
-  // Of the form without sideways motion in closed form; with it, the strength of the last round stands for the peak.
+  // Without sideways motion in closed form; with it, the strength of the last round replaces the peak.
   const auto solved = [&](double peak) {
     const double logarithm = std::log(peak / level_mm);
     if (logarithm <= 0.0) return 0.0;
@@ -145,7 +145,7 @@ Eigen::Vector<double, kAxes> logAxesOf(const Reported& reported) {
   return logarithms;
 }
 
-/// Of the logarithms of the half axes, by every unknown in its sd; forwards, away from the bound of the tail at 0.
+/// Slopes of the half axes' logarithms by every unknown in its sd; forwards, away from the bound of the tail at 0.
 AxisSlopes axisSlopesOf(const FittedField& fitted, const Mat2& mean_to_skin) {
   const Eigen::Vector<double, kAxes> here =
       logAxesOf(reportedOf(fitted.numbers, fitted.form, mean_to_skin, kRaysOfDraw));
@@ -190,7 +190,7 @@ std::vector<Reported> drawsOf(std::span<const WeighedField> forms, const Mat2& m
   return draws;
 }
 
-/// Of the likeliest form, with lengths that are means by the shares of all.
+/// The likeliest form's report, with lengths averaged over all forms by their shares.
 Reported meanOf(std::span<const WeighedField> forms, const Mat2& mean_to_skin) {
   Reported mean;
   for (std::size_t i = 0; i < forms.size(); ++i) {

@@ -1,5 +1,5 @@
-// What is reported of a fitted field: ellipses at two levels, contact, peak, drag, each with its standard deviation;
-// the contour beside it, and the verdict.
+// The report of a fitted field: ellipses at two levels, contact, peak, drag, each with its standard deviation; the
+// contour, and the verdict.
 #pragma once
 
 #include <span>
@@ -15,18 +15,18 @@ namespace palpate::measure {
 struct LevelEllipse {
   double half_major_mm = 0.0;
   double half_minor_mm = 0.0;
-  double direction_rad = 0.0;  ///< of the major axis, in (-pi/2, pi/2]
+  double direction_rad = 0.0;  ///< major axis, in (-pi/2, pi/2]
 };
 LevelEllipse levelEllipse(const SkinField& field, double level_mm, int rays = 72);
 
-/// Of the forms that were fitted, likeliest first; axes, contact and peak are means by their shares. Standard
+/// Reports the fitted forms, likeliest first; axes, contact and peak are means by their shares. Standard
 /// deviations by draws from the covariances, the same draws every time: what the forms differ by is in them.
 /// `mean_to_skin`: from the picture's mm to the skin's in the middle of the dots, for the drift. Leaves residual_rms_mm
 /// and inside_share alone.
 FieldFit reportField(std::span<const WeighedField> forms, const Mat2& mean_to_skin, const DriftPrior& prior);
 
-/// What the dots could not see: no peak where none lies in the core, a wider one where the best moved by much less, and
-/// wider half axes where few dots lie within the ellipse. `data` and `numbers`: of the likeliest form.
+/// Widens for the unseen: no peak where no dot is in the core, a wider one where the best moved by much less, and wider
+/// half axes where few dots are within the ellipse. `data` and `numbers` are the likeliest form's.
 void widenByDots(std::span<const FieldDatum> data, const FieldNumbers& numbers, FieldFit& fit);
 
 // The measurement as the dissertation made it: the field between the dots interpolated, its contour traced.
@@ -43,10 +43,10 @@ inline constexpr std::size_t kMinDotsInOrder = 30;
 /// More marks than this are no dots of a stencil.
 inline constexpr std::size_t kMaxMarks = 1500;
 
-/// What of the grid forbids to go on, if anything.
+/// Findings about the grid that rule out a measurement.
 std::vector<Finding> judgeGrid(const DotGrid& grid, const MeasureSettings& settings, const char* which = "first");
 
-/// Of everything else. `newly_visible`: sites that only the second picture shows.
+/// Findings about the rest. `newly_visible`: sites that only the second picture shows.
 std::vector<Finding> judgeFit(const Measurement& measurement, std::size_t newly_visible);
 
 }  // namespace palpate::measure

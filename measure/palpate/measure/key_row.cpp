@@ -29,7 +29,7 @@ std::string measuredFields(const FieldFit& fit) {
   const Estimate none{.value = std::nan(""), .sd = std::nan("")};
   const Estimate& half_major_4 = has_4_mm ? fit.at_4_mm.half_major_mm : none;
   std::string row = field(half_major_4.value) + field(fit.peak_mm.value_or(none).value);
-  // The tail of other forms is no P.
+  // Other forms have a tail without P.
   row += fit.field.form == FieldForm::smooth && k > kMinInverseTail ? field(1.0 / k) : ",";
   row += field(fit.drift.length_mm) + field(fit.gaussian_rim_mm) + field(fit.drag_deg.value);
   row +=

@@ -1,5 +1,5 @@
-// A measurement as a row of a table of key points: the columns that maps read (maps/key_points.h), then what was
-// measured beside them.
+// A measurement as a row of a table of key points: the columns that maps read (maps/key_points.h), then the other
+// measured values.
 //
 //   Measurement ─ keyRow ─► a line of key_points.csv ─► maps, `measure average`
 #pragma once
@@ -19,7 +19,7 @@ std::string keyRowHeader();
 /// along z. A number that is not known is an empty field; so is tail_p of the half Gaussian, which is infinite.
 std::string keyRow(const Measurement& measurement, std::string_view name, const Vec2& place_mm);
 
-/// What is wrong with a name of a key point, for it becomes a field of a table; empty: nothing.
+/// Returns the fault of a key point's name, which becomes a field of a table; empty: none.
 std::string faultOfKeyName(std::string_view name);
 
 }  // namespace palpate::measure

@@ -21,9 +21,9 @@ namespace {
 
 constexpr int kMatchesAgain = 2;
 constexpr std::size_t kMinForFit = 12;
-constexpr int kEllipsePlaces = 72;          // at which it is asked whether dots are around
-constexpr double kNewlyVisibleReach = 0.2;  // of the spacing
-constexpr double kNeighbourReach = 1.5;     // of the spacing: with diagonals
+constexpr int kEllipsePlaces = 72;          // points of the ellipse that are checked for nearby dots
+constexpr double kNewlyVisibleReach = 0.2;  // in spacings
+constexpr double kNeighbourReach = 1.5;     // in spacings: with diagonals
 
 void check(const MeasureSettings& settings) {
   if (!(settings.spacing_mm >= 5.0 && settings.spacing_mm <= 100.0)) throw Error("spacing: 5 to 100 mm");
@@ -180,7 +180,7 @@ class DotPairReading {
     return datumAt(*m_.chart, scale_, place_px / weights);
   }
 
-  /// So many columns and rows, on the skin.
+  /// This number of columns and rows, on the skin.
   Vec2 skinStep(int columns, int rows) const {
     return m_.settings.spacing_mm * headUp(Vec2(columns, rows), m_.settings.head);
   }
@@ -211,7 +211,7 @@ class DotPairReading {
     fit.inside_share = static_cast<double>(inside) / kEllipsePlaces;
   }
 
-  /// Of what the likeliest form leaves, between neighbours over each by itself.
+  /// Correlation of neighbouring residuals of the likeliest form.
   double residualPattern() const {
     const SkinField field = fieldOf(fitted_.numbers, fitted_.form);
     std::vector<Vec2> left;
@@ -238,7 +238,7 @@ class DotPairReading {
   PictureScale scale_;
   DriftPrior prior_;
   std::vector<FieldDatum> data_;          // one a dot of the grid
-  std::vector<FieldDatum> matched_data_;  // of the last fit
+  std::vector<FieldDatum> matched_data_;  // data of the last fit
   DotMatch match_;
   FittedField fitted_;  // the likeliest
   std::vector<WeighedField> forms_;

@@ -25,7 +25,7 @@ namespace palpate::measure {
 enum class HeadTowards : unsigned char { top, left, bottom, right };
 
 struct MeasureSettings {
-  double spacing_mm = 30.0;  ///< of the stencil; 5 to 100
+  double spacing_mm = 30.0;  ///< stencil's spacing; 5 to 100
   double drift_mm = 0.4;     ///< how far the body may have moved between the pictures, sd; 0.01 to 20
   HeadTowards head = HeadTowards::top;
   std::optional<Vec2> contact_px = {};  ///< marked place of the stick in the first picture
@@ -39,7 +39,7 @@ struct MeasuredDot {
   std::optional<Vec2> after_px = {};  ///< none: hidden
   Vec2 skin_mm = Vec2::Zero();        ///< where it lies on the skin, before
   Vec2 moved_mm = Vec2::Zero();       ///< with the drift of the body
-  Vec2 drift_mm = Vec2::Zero();       ///< of it, as fitted
+  Vec2 drift_mm = Vec2::Zero();       ///< fitted drift in it
   double residual_mm = 0.0;           ///< between measured and fitted
 };
 
@@ -49,7 +49,7 @@ struct Drift {
   Estimate headwards_mm;
   double scale_percent = 0.0;
   double turn_deg = 0.0;
-  double length_mm = 0.0;  ///< of the shift
+  double length_mm = 0.0;  ///< length of the shift
   double in_sd = 0.0;      ///< fitted shift, scale and turn over what was allowed
 };
 
@@ -67,7 +67,7 @@ struct FieldFit {
   Estimate contact_y_mm;
   std::vector<FormShare> forms;     ///< that explain the dots about equally well, likeliest first: that of `field`
   std::optional<Estimate> peak_mm;  ///< none where no dot lies in the core: it would only be extrapolated
-  Estimate drag_deg;                ///< of the peak against +x, in (-180, 180]
+  Estimate drag_deg;                ///< direction of the peak against +x, in (-180, 180]
   Estimate inverse_tail;            ///< k = 1/P
   Estimate sideways;                ///< kappa
   Drift drift;
@@ -76,14 +76,14 @@ struct FieldFit {
   /// Rim of the dissertation's half Gaussian with the same peak and 2 mm contour (E20); none for a long tail or a peak
   /// under 2 mm.
   std::optional<double> gaussian_rim_mm = {};
-  double inside_share = 0.0;  ///< of the 2 mm ellipse that lies within the dots
+  double inside_share = 0.0;  ///< share of the 2 mm ellipse within the dots
 };
 
 /// As the dissertation read it: contour of the interpolated field, its longest chord, the ellipse of the contour.
 struct ContourReading {
   std::vector<Vec2> contour_2_mm = {};  ///< on the skin, mm; open where it leaves the dots
   std::vector<Vec2> contour_4_mm = {};
-  double inside_share = 0.0;                  ///< of the 2 mm contour that lies within the dots
+  double inside_share = 0.0;                  ///< share of the 2 mm contour within the dots
   double half_chord_mm = 0.0;                 ///< half the longest chord
   double half_across_mm = 0.0;                ///< half the extent across it
   double chord_deg = 0.0;                     ///< in (-90, 90]
@@ -105,10 +105,10 @@ class SkinChart;
 
 struct Measurement {
   MeasureSettings settings;
-  int width_px = 0;  ///< of the pictures; 0 when only dots were given
+  int width_px = 0;  ///< width of the pictures; 0 when only dots were given
   int height_px = 0;
   Ink ink;
-  DotGrid grid;                   ///< of the first picture
+  DotGrid grid;                   ///< grid of the first picture
   std::vector<Dot> after_dots;    ///< all marks of the second
   std::vector<MeasuredDot> dots;  ///< one a dot of the grid
   std::size_t matched = 0;
@@ -121,7 +121,7 @@ struct Measurement {
   bool accepted() const;
 };
 
-/// What `measureDots` is given: all marks of two pictures.
+/// Input of `measureDots`: all marks of two pictures.
 struct DotPair {
   std::vector<Dot> before;
   std::vector<Dot> after;

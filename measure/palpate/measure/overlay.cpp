@@ -1,7 +1,7 @@
 // The layers of the three panels, one small function each. Places of the skin go into the picture by the chart; what
 // has no chart or no fit is left out.
 //
-// Colours are of the palette of Okabe and Ito, which people with any common colour vision can tell apart: what was
+// Colours are of the palette of Okabe and Ito, which people with any common colour vision can distinguish: what was
 // fitted is blue, what the contour says is vermilion, 2 mm solid and 4 mm dashed.
 #include "palpate/measure/overlay.h"
 
@@ -161,7 +161,7 @@ class Layers {
 
   Vec2 pictureOf(const Vec2& skin_mm) const { return m_.chart->pictureAt(skin_mm); }
 
-  /// The ellipse, its radius longer or shorter by so many sd of its three numbers.
+  /// The ellipse, its radius longer or shorter by `sds` sd of its three numbers.
   std::vector<Vec2> ellipsePlaces(const KeyEllipse& key, double sds) const {
     const double a = key.half_major_mm.value;
     const double b = key.half_minor_mm.value;

@@ -1,5 +1,5 @@
-// What is drawn over the pictures of a measurement, as plain lines, marks and words: the command paints it with cairo,
-// the window with its own lists, both the same.
+// The overlay of a measurement's pictures, as plain lines, marks and texts: the command paints it with cairo, the
+// window with its own lists, both the same.
 //
 //   Measurement ─ overlayOf ─► Overlay (three panels, places in px of the pictures)
 #pragma once
@@ -26,7 +26,7 @@ enum class MarkForm : unsigned char { ring, square, cross, star, dot };
 struct OverlayLine {
   std::vector<Vec2> places_px;
   OverlayColour colour;
-  float width = 1.0f;  ///< of a panel 400 wide
+  float width = 1.0f;  ///< on a panel 400 wide
   bool dashed = false;
   bool closed = false;
   bool filled = false;  ///< its inside too, at a quarter of the opacity (a band: outer line, then inner reversed)
@@ -36,7 +36,7 @@ struct OverlayMark {
   Vec2 place_px = Vec2::Zero();
   MarkForm form = MarkForm::ring;
   OverlayColour colour;
-  float radius = 4.0f;  ///< of a panel 400 wide
+  float radius = 4.0f;  ///< on a panel 400 wide
 };
 
 struct OverlayArrow {

@@ -26,18 +26,17 @@ struct Photograph {
   /// EXIF's time of taking in seconds since 1970 as if its clock were UTC, with its fractions; only differences between
   /// two pictures of one camera mean something.
   std::optional<double> taken_at_s = {};
-  /// What had to be changed to read it, for people: "16 bits a channel, reduced to 8". Empty: nothing.
+  /// Conversions made to read it, for people: "16 bits a channel, reduced to 8". Empty: none.
   std::vector<std::string> notes = {};
 };
 
 /// JPEG, PNG or TIFF, by content and not by name. 16 bits a channel are reduced, grey becomes three equal channels,
 /// transparency is laid over white, of several pages the first is taken (with a note). Throws Error naming the file for
-/// what is no such picture, truncated, animated, in CMYK, larger than kMaxPixels, or smaller than 200 x 200 pixels.
+/// a file of another format, truncated, animated, in CMYK, larger than kMaxPixels, or smaller than 200 x 200 pixels.
 Photograph readPhotograph(const std::filesystem::path& file);
 Photograph decodePhotograph(std::span<const std::byte> bytes, std::string_view name);
 
-/// The same picture with fewer pixels, each the mean of those that it takes the place of; as it is where it is no
-/// wider.
+/// The same picture with fewer pixels, each the mean of those that it replaces; unchanged if it is at most this wide.
 Photograph reducedTo(const Photograph& picture, int width_px);
 
 /// As PNG or JPEG (quality 90), by the name's extension; through the one checked writer. Throws Error.

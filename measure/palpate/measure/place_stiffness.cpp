@@ -20,9 +20,9 @@ using tissue::ForceCurve;
 using tissue::ForceFit;
 using tissue::ForceForm;
 
-/// Of the largest force: a balance's zero wanders by less.
+/// Share of the largest force: a balance's zero wanders by less.
 constexpr double kBackwards = 0.05;
-/// Of the largest force: so much a press may give way and still be one.
+/// Share of the largest force by which a press may give way and still count.
 constexpr double kFalls = 0.1;
 constexpr double kNothingMissed = 1e-3;  // no balance is better
 constexpr double kPoorFit = 0.9;         // R^2
@@ -41,7 +41,7 @@ ForceCurve allRows(const std::vector<const PlaceCurve*>& presses) {
   return all;
 }
 
-// --- what is no press
+// --- faults of a press
 
 /// Means over the quarters of the rows by depth.
 std::array<double, 4> quarters(const ForceCurve& rows) {
@@ -108,7 +108,7 @@ FormOfPlace formOf(const ForceCurve& rows, ForceForm form) {
   return found;
 }
 
-/// Of these that which foretells best; the simplest of those that do so exactly, rounding apart.
+/// The fit that predicts best; the simplest of those that do so exactly, rounding apart.
 ForceForm bestForm(std::vector<ForceFit> fits) {
   for (ForceFit& fit : fits) fit.unseen_rms = std::max(fit.unseen_rms, kNothingMissed);
   return bestOf(fits).form;
@@ -136,7 +136,7 @@ MeanAndError meanOf(const std::vector<double>& values) {
   return found;
 }
 
-/// Of every person the secants of their presses; presses too short for a fit of their own are in the rows only.
+/// Secants of every person's presses; presses too short for a fit of their own are in the rows only.
 std::vector<std::vector<double>> secantsOf(const std::vector<const PlaceCurve*>& presses, ForceForm form) {
   std::vector<std::string> names;
   std::vector<std::vector<double>> people;

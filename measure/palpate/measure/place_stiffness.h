@@ -42,20 +42,20 @@ inline constexpr std::array kPlaceForms = {tissue::ForceForm::linear, tissue::Fo
 /// A form on all rows of a place.
 struct FormOfPlace {
   tissue::ForceFit fit;
-  double r_squared = 0.0;  ///< of the forces, about their mean
+  double r_squared = 0.0;  ///< share of the forces' variance explained
   double rms_n = 0.0;
 };
 
 struct PlaceStiffness {
   std::string place;
   std::optional<Vec2> at_mm = {};
-  tissue::ForceCurve rows = {};  ///< of all presses
+  tissue::ForceCurve rows = {};  ///< rows of all presses
   std::size_t presses = 0;
   std::size_t subjects = 0;
   std::vector<FormOfPlace> forms = {};  ///< in the order of kPlaceForms; none where refused
-  std::size_t chosen = 0;               ///< of them
+  std::size_t chosen = 0;               ///< index of the chosen one
   Estimate secant_n_per_mm = {};        ///< at 8 mm, of the chosen form; over people, each a mean over presses
-  std::string refusal = {};             ///< what was seen and what to do; empty: fine
+  std::string refusal = {};             ///< reason and remedy; empty: fine
   std::vector<std::string> warnings = {};
 
   bool refused() const { return !refusal.empty(); }
@@ -76,11 +76,11 @@ struct PlaceFits {
 PlaceFits fitPlaces(std::span<const PlaceCurve> curves, const PlaceFitSettings& settings = {},
                     const Progress& progress = {});
 
-/// The places as key points: those of `keys` with the same name get the stiffness, others stand alone without an
+/// The places as key points: those of `keys` with the same name get the stiffness, others are added without an
 /// ellipse. Throws Error for a place that neither lies anywhere nor is among the keys.
 std::vector<maps::KeyPoint> withStiffness(const PlaceFits& fits, std::vector<maps::KeyPoint> keys = {});
 
-/// Key points as a table that readKeyPoints takes; empty fields where there is no ellipse or no stiffness.
+/// Key points as a table for readKeyPoints; fields of missing ellipses and stiffnesses are empty.
 std::string stiffnessTable(std::span<const maps::KeyPoint> keys);
 
 /// Lines of a scene's [tissue] for the shape that the places share; empty without one.

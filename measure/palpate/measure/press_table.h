@@ -1,6 +1,6 @@
-// Tables of presses: what several measurements of the same places gave, of one person or of many.
+// Tables of presses: results of several measurements at the same places, of one person or of many.
 //
-//   measure dots, or somebody's notes ─ readPresses ─► PressRow ─ averagePresses (average.h) ─► key points
+//   measure dots, or a user's notes ─ readPresses ─► PressRow ─ averagePresses (average.h) ─► key points
 //
 // A header names the columns. Needed: name (or point), x_mm, y_mm, direction_deg, and the size as half_major_mm and
 // major_over_minor or, as the dissertation prints it, as full axes major_cm and minor_cm (E16). Wanted where known:
@@ -35,8 +35,8 @@ struct PressRow {
   std::optional<double> stiffness_n_per_mm = {};
 };
 
-/// Throws Error with the line for a missing column, a wrong number of fields, what is no number or out of range; with
-/// the file for a table without rows. Files of at most 64 MB.
+/// Throws Error with the line for a missing column, a wrong number of fields, an invalid number or one out of range;
+/// with the file for a table without rows. Files of at most 64 MB.
 std::vector<PressRow> readPresses(const std::filesystem::path& file);
 std::vector<PressRow> parsePresses(std::string_view text, std::string_view file);
 

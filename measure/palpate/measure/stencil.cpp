@@ -20,7 +20,7 @@ constexpr double kEdgeMm = 6.0;         ///< that printers leave white
 constexpr double kWordsMm = 30.0;       ///< room for words below the holes
 constexpr double kAboveMm = 16.0;       ///< room for the arrow
 constexpr double kRulerMm = 16.0;       ///< room for the scale target
-constexpr double kTileWidthMm = 190.0;  ///< of A4, what a tile shows
+constexpr double kTileWidthMm = 190.0;  ///< part of A4 that a tile shows
 constexpr double kTileHeightMm = 270.0;
 constexpr double kCheckMm = 100.0;
 
@@ -150,8 +150,8 @@ class Drawing {
   }
 
   const StencilSettings& settings_;
-  double left_mm_ = 0.0;    // of the first column
-  double bottom_mm_ = 0.0;  // of the lowest row, from above
+  double left_mm_ = 0.0;    // left edge of the first column
+  double bottom_mm_ = 0.0;  // lower edge of the lowest row, from above
   double words_mm_ = 0.0;
 };
 

@@ -26,7 +26,7 @@ struct StencilSettings {
   int rows = 13;
   double hole_mm = 8.0;  ///< across; less than half the spacing
   StencilPage page = StencilPage::fitting;
-  bool scale_target = false;  ///< a ruler of 100 mm to cut out and tape onto the skin beside the dots
+  bool scale_target = false;  ///< a ruler of 100 mm to cut out and tape onto the skin next to the dots
 };
 
 /// Holes and contact marks, mm from the stencil's lower left hole, x to the right, y towards the head.
@@ -35,7 +35,7 @@ std::vector<Vec2> stencilHoles(const StencilSettings& settings);
 std::vector<Vec2> contactMarks(const StencilSettings& settings);
 
 struct StencilSheet {
-  std::string name;  ///< of a tile: "r1c2", row from the top, column from the left; empty: the only sheet
+  std::string name;  ///< name of a tile: "r1c2", row from the top, column from the left; empty: the only sheet
   std::string svg;
 };
 

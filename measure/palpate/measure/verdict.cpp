@@ -16,23 +16,23 @@ namespace palpate::measure {
 namespace {
 
 constexpr std::size_t kEnoughDotsInOrder = 60;
-constexpr double kMaxRollDeg = 35.0;        // at 45 nobody knows which way is up
-constexpr double kMaxIrregularityMm = 3.0;  // of the marks; a stencil gives 0.5 to 1.2, a free hand 2 to 2.6
+constexpr double kMaxRollDeg = 35.0;        // at 45 the upright is undecidable
+constexpr double kMaxIrregularityMm = 3.0;  // marks of a stencil give 0.5 to 1.2, a free hand 2 to 2.6
 constexpr double kMinMatched = 0.6;
 constexpr double kMaxResidualMm = 0.9;
 constexpr double kUsualResidualMm = 0.3;
 constexpr double kMinPeakMm = 4.0;
-constexpr double kMaxAxisSd = 0.08;     // of a half axis; what the forms differ by is in it
+constexpr double kMaxAxisSd = 0.08;     // relative sd of a half axis; includes how much the forms differ
 constexpr double kUsualAxisSd = 0.055;  // more is warned of
-constexpr double kMinInside = 0.6;      // of the ellipse within the dots
-constexpr double kSureShare = 0.8;      // of the likeliest form: below it others explain the dots about as well
-constexpr double kUsualPattern = 0.25;  // of residuals of neighbouring dots; by chance 0, drift takes some of it off
+constexpr double kMinInside = 0.6;      // share of the ellipse within the dots
+constexpr double kSureShare = 0.8;      // share of the likeliest form: below it others explain the dots about as well
+constexpr double kUsualPattern = 0.25;  // neighbours' correlation; by chance 0, drift lowers it
 constexpr double kPatternedResidualMm = 0.15;
 constexpr double kMaxDriftSds = 2.0;
 constexpr double kHardlyDeterminedDeg = 10.0;
 constexpr double kNearlyRound = 1.15;  // major over minor: below it the direction is hardly determined whatever is seen
 constexpr double kContactSds = 3.0;
-constexpr double kMinContactSdMm = 1.0;        // nobody clicks better
+constexpr double kMinContactSdMm = 1.0;        // no user clicks better
 constexpr std::size_t kSuspiciousVisible = 4;  // sites that only the second picture shows
 
 Finding refusal(std::string code, std::string text) { return {Severity::refusal, std::move(code), std::move(text)}; }

@@ -1,6 +1,6 @@
 // Levenberg and Marquardt's method on the motions of all dots at once. The dots say how far the body moved between the
 // pictures as well as how the skin was dragged: both are unknowns of one fit, the first with a prior. So are bends of
-// the body that a similarity does not have: left out, they stretch long tails by a tenth and nothing tells. Each dot
+// the body that a similarity does not have: left out, they stretch long tails by a tenth unnoticed. Each dot
 // counts by what can be known of it (weightsOf); a dot that nothing explains counts less (pseudo-Huber). First the form
 // with one ellipse, from four starts; then, from the best, sideways motion too.
 //
@@ -39,24 +39,24 @@ enum Unknown : int {
   kDrift = kFirstDrift
 };
 
-// What is known before the dots are looked at.
-constexpr double kTailMean = 0.8;  // of 1/P: from the half Gaussian, 0, to a half space's long tail, 1 to 1.8
+// Priors, before the dots are looked at.
+constexpr double kTailMean = 0.8;  // mean of 1/P: from the half Gaussian, 0, to a half space's long tail, 1 to 1.8
 constexpr double kTailSd = 0.8;
 constexpr double kTailMost = 2.0;
 static_assert(kTailMost == tissue::kSolvedLongestTail);
 
-/// What a form knows besides.
+/// Priors that a form has in addition.
 struct FormPrior {
-  double elongation_sd = 0.0;  ///< of ln(a/b)
-  double sideways_mean = 0.0;  ///< of kappa
+  double elongation_sd = 0.0;  ///< sd of ln(a/b)
+  double sideways_mean = 0.0;  ///< mean of kappa
   double sideways_sd = 0.0;
   bool presses = false;  ///< skin that moves outwards all around the stick
   double shape_mean = 0.0;
-  double shape_sd = 0.0;  ///< of the mean of ln W; 0: nothing is known
+  double shape_sd = 0.0;  ///< sd of the mean of ln W; 0: nothing is known
 };
 
 /// The solved one has the ellipse of the drag in itself, and its size from the stick's tip: 6 mm, give or take a third.
-/// Of the others, kappa of a half space of incompressible matter is 1.
+/// For the others, kappa of a half space of incompressible matter is 1.
 FormPrior formPriorOf(FieldForm form) {
   if (form == FieldForm::deep)
     return {.elongation_sd = 0.35, .sideways_mean = 0.95, .sideways_sd = 0.1, .presses = true};
@@ -71,32 +71,32 @@ FormPrior formPriorOf(FieldForm form) {
 // The peak lies between the dots, under the stick, and a long tail's core is narrow: what no dot saw is bounded,
 // softly.
 constexpr double kPeakMostMm = 30.0;   // skin is not dragged farther
-constexpr double kPeakOverSeen = 3.0;  // of the dot that moved most: no core is narrower than stick and skin make it
-constexpr double kPeakSd = 0.1;        // of that bound
+constexpr double kPeakOverSeen = 3.0;  // times any dot's motion: no core is narrower than stick and skin make it
+constexpr double kPeakSd = 0.1;        // share of that bound
 constexpr double kPressedFarSd =
     0.15;  // Boussinesq against Cerruti where nu is 0.4 and the press as strong as the drag
 constexpr double kPressedNearSd = 0.7;
 constexpr double kNone = 1e-4;
 constexpr double kSidewaysLeast = -0.9;
 constexpr double kSidewaysMost = 4.0;
-// Of a body that breathes or rolls between the pictures, of its shift: a turn about the spine by 0.06 degrees lowers
-// the flanks by 0.05 mm.
+// Relative to the shift of a body that breathes or rolls between the pictures: a turn about the spine by 0.06 degrees
+// lowers the flanks by 0.05 mm.
 constexpr double kStretchOfDrift = 0.1;
 constexpr double kBendOfDrift = 0.035;
-constexpr int kStretches = 2;               // of the bends, the first ones
+constexpr int kStretches = 2;               // the first bends are stretches
 constexpr double kShapeLeast = -14.0;       // mean of ln W: radii to 1.1 m
 constexpr double kShapeMost = -2.2;         // ... from 3 mm
-constexpr double kSolvedShapeLeast = -4.8;  // of the patch under the stick: to 11 mm
+constexpr double kSolvedShapeLeast = -4.8;  // ln(1/mm^2) for the patch under the stick: to 11 mm
 
 // Weights: noise of marks and chart, which grows with the displacement itself.
 constexpr double kMinSdMm = 0.08;
-constexpr double kSdMedians = 1.8;           // of the residuals
+constexpr double kSdMedians = 1.8;           // in medians of the residuals
 constexpr double kSdOfMotion = 0.04;         // the chart's own error
 constexpr double kResidualOfFormMm = 0.115;  // root mean square; more says that the field is not of this form
-constexpr double kMinScatter = 0.5;  // of chi2: errors of the chart are alike from dot to dot and leave small residuals
-constexpr double kFirstSdMm = 0.15;  // before there are residuals
-constexpr double kRobustSds = 3.0;   // beyond, a dot counts less
-constexpr int kLookSteps = 6;        // of each start, before the best is chosen
+constexpr double kMinScatter = 0.5;          // chart errors are alike from dot to dot and leave small residuals
+constexpr double kFirstSdMm = 0.15;          // before there are residuals
+constexpr double kRobustSds = 3.0;           // beyond, a dot counts less
+constexpr int kLookSteps = 6;                // steps per start before the best is chosen
 constexpr int kMaxSteps = 40;
 constexpr double kConverged = 1e-5;  // decrease of the cost, of it
 constexpr std::array kStartTails = {0.1, 1.2};
@@ -112,7 +112,7 @@ constexpr double kSmoothBefore = 2.0;  // how much likelier than each other form
 
 using Jacobian = Eigen::Matrix<double, 2, kFieldUnknowns>;
 
-/// What the shape's three numbers make of W, and its derivatives by the two deviators.
+/// W from the shape's three numbers, and its derivatives by the two deviators.
 struct Shape {
   Mat2 w;
   std::array<Mat2, 2> by_deviator;
@@ -142,7 +142,7 @@ Shape shapeOf(const FieldNumbers& n) {
 constexpr int kDriftUnknowns = kFieldUnknowns - kFirstDrift;
 using DriftSlope = Eigen::Matrix<double, 2, kDriftUnknowns>;
 
-/// Motions in the picture, mm, for one of each unknown of the drift: a similarity, then what is none.
+/// Motions in the picture, mm, for one of each unknown of the drift: a similarity, then bends.
 DriftSlope driftSlopeAt(const Vec2& picture_mm) {
   const double x = 0.01 * picture_mm.x();
   const double y = 0.01 * picture_mm.y();
@@ -199,7 +199,7 @@ struct Normal {
   double cost = 0.0;
 };
 
-/// What is known before the dots are fitted.
+/// Prior knowledge, before the dots are fitted.
 struct Prior {
   FieldForm form = FieldForm::smooth;
   DriftPrior drift;

@@ -1,5 +1,5 @@
-// The numbers of a skin field, found from how the dots moved: thirteen that are asked for, ten that only take care of
-// how the stick pressed besides and how the body bent between the pictures.
+// The numbers of a skin field, found from how the dots moved: thirteen wanted ones, and ten nuisance ones for how else
+// the stick pressed and how the body bent between the pictures.
 //
 //   dots on the chart ─ fitField ─► FittedField ─ reportField (field_report.h) ─► ellipses, contact, peak with their sd
 #pragma once
@@ -33,7 +33,7 @@ using FieldNumbers = Eigen::Matrix<double, kFieldUnknowns, 1>;
 using FieldCovariance = Eigen::Matrix<double, kFieldUnknowns, kFieldUnknowns>;
 
 SkinField fieldOf(const FieldNumbers& numbers, FieldForm form = FieldForm::smooth);
-/// Of the skin, mm, at a dot.
+/// Motion of the skin by drift, mm, at a dot.
 Vec2 driftAt(const FieldNumbers& numbers, const FieldDatum& datum);
 
 struct DriftPrior {

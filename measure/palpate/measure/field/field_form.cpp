@@ -26,10 +26,10 @@ Fall fallAt(double s, double k) {
   return {f, -f / (1.0 + k * s), f * (logarithm / (k * k) - s / (k * (1.0 + k * s)))};
 }
 
-/// Of the deep form: c from -0.2 to 1.8.
+/// The deep form's c is from -0.2 to 1.8.
 constexpr double kTailWithoutCore = 0.2;
 
-/// Of the pointed form, of rho: no skin has a kink.
+/// Rounds the pointed form's rho: no skin has a kink.
 constexpr double kRounding = 0.1;
 
 FormValue withSideways(const Fall& fall, double s_by_rho2, double rho2, double sideways) {

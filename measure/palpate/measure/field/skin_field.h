@@ -47,7 +47,7 @@ struct KeyEllipse {
   Estimate half_major_mm;
   Estimate half_minor_mm;
   Estimate major_over_minor;
-  Estimate direction_deg;  ///< of the major axis against +x, in (-90, 90]
+  Estimate direction_deg;  ///< major axis against +x, in (-90, 90]
 };
 
 inline maps::Ellipse ellipseOf(const KeyEllipse& key) {

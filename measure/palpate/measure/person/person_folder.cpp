@@ -96,7 +96,7 @@ void addFile(Hash& hash, const fs::path& file) {
   }
 }
 
-/// Of the pictures and of all that the measurement depends on.
+/// Hash of the pictures and of all that the measurement depends on.
 std::string hashOf(const Protocol& protocol, const PlannedPress& planned, const PressPictures& pictures) {
   Hash hash;
   addFile(hash, pictures.before);

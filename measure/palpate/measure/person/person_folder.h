@@ -22,7 +22,7 @@
 
 namespace palpate::measure {
 
-// What is to be measured of a person: protocol.toml of their folder.
+// A person's measuring plan: protocol.toml of their folder.
 //
 //   protocol.toml ─ readProtocol ─► Protocol ─ plannedPresses ─► which pictures are wanted (person_folder.h)
 //
@@ -55,20 +55,20 @@ struct Protocol {
   double drift_mm = 0.4;
   HeadTowards head = HeadTowards::top;
   bool partial = false;
-  int presses = 3;  ///< of each drag at each point
-  int enough = 2;   ///< of them that must count
+  int presses = 3;  ///< per drag and point
+  int enough = 2;   ///< accepted ones needed
   std::vector<ProtocolDrag> drags;
   std::vector<ProtocolPoint> points;
   std::vector<ListedPictures> pictures = {};
-  // Of the body in the scene; 0: the built-in one's.
+  // The body in the scene; 0: the built-in one's.
   double stature_mm = 0.0;
   double body_mass_index = 0.0;
 };
 
-/// What is wrong with a code for a person; empty: nothing. Letters and digits, one digit at least: no name.
+/// Returns the fault of a person's code; empty: none. Letters and digits, one digit at least, so that it is not a name.
 std::string faultOfPerson(std::string_view code);
 
-/// Throws Error with the line for what is no such file, an unknown key, a value out of range, names that stand twice.
+/// Throws Error with the line for an unreadable file, an unknown key, a value out of range, or a repeated name.
 Protocol readProtocol(const std::filesystem::path& file);
 Protocol parseProtocol(std::string_view text, std::string_view file);
 
@@ -100,11 +100,11 @@ struct PressPictures {
   std::optional<Vec2> contact_px = {};
 };
 
-/// What measuring a press gave.
+/// Result of measuring a press.
 struct PressOutcome {
   bool accepted = false;
-  std::string row = {};                    ///< of the key-point table (key_row.h), without its end; empty: none
-  std::vector<std::string> refusals = {};  ///< what was seen and what to do
+  std::string row = {};                    ///< row of the key-point table (key_row.h), without its end; empty: none
+  std::vector<std::string> refusals = {};  ///< each with its remedy
   std::vector<std::string> warnings = {};
   std::optional<double> null_drift_mm = {};
 };
@@ -141,7 +141,7 @@ struct PersonWalk {
   bool complete() const;
 };
 
-/// Measures one press; files beside the pictures (overlay) are its own to write.
+/// Measures one press; may write files next to the pictures (overlay).
 using MeasurePress =
     std::function<PressOutcome(const Protocol&, const PlannedPress&, const PressPictures&, const Progress&)>;
 
@@ -166,7 +166,7 @@ struct WalkDecisions {
 PersonWalk walkPerson(const std::filesystem::path& folder, const MeasurePress& measure_press,
                       const WalkDecisions& decisions = {}, const Progress& progress = {});
 
-/// Of a complete walk.
+/// Result of a complete walk.
 struct PersonResult {
   Averages averages;
   std::optional<PlaceFits> stiffness = {};

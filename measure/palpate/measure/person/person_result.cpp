@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Counting presses as rows, which way they were pulled as was asked for where the fit does not say.
+/// Accepted presses as rows; where the fit does not find the pull's direction, the planned one is used.
 std::vector<PressRow> countingRows(const PersonWalk& walk) {
   std::string table = keyRowHeader();
   for (const WalkedPress& press : walk.presses) {
@@ -127,7 +127,7 @@ std::vector<std::string> beginPerson(const fs::path& folder, const Protocol& pro
     writeFile(folder / name, text);
     written.push_back((folder / name).string());
   };
-  parseProtocol(protocolText(protocol), kProtocolFile);  // what is written is read again
+  parseProtocol(protocolText(protocol), kProtocolFile);  // checks that the text can be read again
   for (const StencilSheet& sheet :
        stencilSheets({.spacing_mm = protocol.spacing_mm, .hole_mm = std::min(8.0, 0.3 * protocol.spacing_mm)})) {
     write(sheet.name.empty() ? "stencil.svg" : "stencil-" + sheet.name + ".svg", sheet.svg);

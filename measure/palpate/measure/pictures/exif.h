@@ -1,5 +1,5 @@
-// What a camera notes beside a picture (EXIF): how it was held, and when. Read from hostile bytes, and written as
-// cameras write it into JPEG.
+// A camera's notes in a picture (EXIF): how it was held, and when. Read from hostile bytes, and written as cameras
+// write it into JPEG.
 #pragma once
 
 #include <cstddef>
@@ -18,19 +18,19 @@ struct TiffTag {
   std::uint16_t tag = 0;
   std::uint16_t type = 0;
   std::uint32_t count = 0;
-  std::size_t value_at = 0;  ///< of its first value, from the start of the block
+  std::size_t value_at = 0;  ///< offset of its first value, from the start of the block
 };
 
 class TiffDirectory {
  public:
   TiffDirectory() = default;
-  /// The directory at this offset; empty where there is none. `bytes` must outlive it.
+  /// The directory at this offset; empty if none is there. `bytes` must outlive it.
   TiffDirectory(std::string_view bytes, bool big_endian, std::size_t at);
 
   const TiffTag* find(std::uint16_t tag) const;
-  /// Of a tag of whole numbers; nothing when it is missing or of another kind.
+  /// A tag of whole numbers; nothing when it is missing or of another kind.
   std::optional<std::uint32_t> number(std::uint16_t tag, std::size_t index = 0) const;
-  /// Of a tag of letters, up to its first zero; empty when it is missing.
+  /// A tag of letters, up to its first zero; empty when it is missing.
   std::string_view text(std::uint16_t tag) const;
   /// Offset of the next directory; 0: this is the last one, or is cut off.
   std::size_t next() const { return next_; }

@@ -1,4 +1,4 @@
-// What people have that is no JPEG, PNG or TIFF, distinguished by its first bytes so that the message can say it.
+// Recognises pictures other than JPEG, PNG and TIFF by their first bytes, so that the message can name them.
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -44,7 +44,7 @@ std::string_view gifOrWebp(std::string_view bytes) {
                : "is a GIF, which has too few colours: save the photograph itself as JPEG, PNG or TIFF";
   }
   if (bytes.starts_with("RIFF") && bytes.substr(std::min<std::size_t>(8, bytes.size())).starts_with("WEBP")) {
-    constexpr std::size_t kFlagsAt = 20;  // of the chunk VP8X
+    constexpr std::size_t kFlagsAt = 20;  // offset in the chunk VP8X
     const bool is_animated = bytes.size() > kFlagsAt && bytes.substr(12, 4) == "VP8X" && (bytes[kFlagsAt] & 0x02) != 0;
     return is_animated ? "is animated (a WebP): save one picture of it as JPEG, PNG or TIFF"
                        : "is a WebP picture: save it as JPEG, PNG or TIFF";

@@ -44,7 +44,7 @@ class Segments {
   int nextMarker() {
     if (at_ + 2 > bytes_.size()) throw Error::inFile(name_, kTruncated);
     if (byteAt(at_) != 0xff) throw Error::inFile(name_, kDamaged);
-    while (at_ < bytes_.size() && byteAt(at_) == 0xff) ++at_;  // any number of them may stand before a marker
+    while (at_ < bytes_.size() && byteAt(at_) == 0xff) ++at_;  // any number of them may come before a marker
     if (at_ == bytes_.size()) throw Error::inFile(name_, kTruncated);
     return static_cast<int>(byteAt(at_++));
   }

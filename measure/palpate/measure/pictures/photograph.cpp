@@ -1,5 +1,5 @@
-// Photographs by OpenCV's decoders, which see only what picture_header.h let pass. They are told to turn nothing: how a
-// picture was held is read once, for all formats, and applied here.
+// Photographs by OpenCV's decoders, which see only what picture_header.h let pass. They must not turn the picture: how
+// a picture was held is read once, for all formats, and applied here.
 //
 //   file ─ readPictureHeader ─► cv::imdecode ─► over white, 8 bits ─► turned ─► Photograph
 //
@@ -61,7 +61,7 @@ cv::Mat withEightBits(const cv::Mat& picture) {
   return reduced;
 }
 
-/// Of four channels three, over white.
+/// Blends four channels over white, to three.
 cv::Mat overWhite(const cv::Mat& picture, bool is_multiplied) {
   cv::Mat laid(picture.size(), CV_8UC3);
   for (int row = 0; row < picture.rows; ++row) {

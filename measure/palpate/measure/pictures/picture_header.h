@@ -1,5 +1,5 @@
-// What the first bytes of a picture say, before memory is taken for it: its kind, its size, and whether it can be used.
-// One file a format; everything that is no usable photograph is refused here, by name.
+// Reads the first bytes of a picture before memory is allocated for it: its kind, its size, and whether it can be used.
+// One file per format; unusable files are refused here, by name.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct PictureHeader {
   bool is_multiplied = false;  ///< its transparency is in the colours already
   std::size_t pages = 1;       ///< 2: more than one
   Exif exif = {};
-  std::size_t orientation_at = 0;  ///< TIFF: where its number stands, for the decoder must not turn the picture too
+  std::size_t orientation_at = 0;  ///< TIFF: offset of its number, for the decoder must not turn the picture too
   bool orientation_big_endian = false;
 };
 
@@ -36,7 +36,7 @@ PictureHeader readTiffHeader(std::string_view bytes, std::string_view name);
 /// Throws Error for a size that is not taken.
 void checkPictureSize(const PictureHeader& header, std::string_view name);
 
-/// What it is instead, with what to do: "is a WebP picture: save it as JPEG, PNG or TIFF".
+/// Names a foreign format and the remedy: "is a WebP picture: save it as JPEG, PNG or TIFF".
 std::string_view foreignPicture(std::string_view bytes);
 
 }  // namespace palpate::measure

@@ -29,8 +29,8 @@ class SyntheticBody {
   double heightAt(double x, double y) const;
 
   BackShape shape_;
-  std::vector<double> row_y_;     // of every row of the chart
-  std::vector<double> column_x_;  // of every place of every row, row by row
+  std::vector<double> row_y_;     // one per row of the chart
+  std::vector<double> column_x_;  // one per place of every row, row by row
 };
 
 /// After the body's own motion about its middle.

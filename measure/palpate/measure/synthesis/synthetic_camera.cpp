@@ -7,7 +7,7 @@ namespace palpate::measure {
 
 namespace {
 
-/// Of half the frame that the back may fill.
+/// Share of half the frame that the back may fill.
 constexpr double kFill = 0.94;
 /// No picture of two megapixels has more; others in proportion.
 constexpr double kMaxPixelsPerMm = 3.2;

@@ -32,7 +32,7 @@ class SyntheticCamera {
   double focal_px_ = 1.0;
   double distance_mm_ = 1.0;
   double distortion_ = 0.0;
-  double corner_ = 1.0;  // of the picture, as the tangent of its angle from the axis
+  double corner_ = 1.0;  // picture's corner, as the tangent of its angle from the axis
 };
 
 }  // namespace palpate::measure

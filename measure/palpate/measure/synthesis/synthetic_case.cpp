@@ -20,7 +20,7 @@ int between(Random& random, int least, int most) {
   return least + static_cast<int>(random.below(static_cast<std::uint64_t>(most - least) + 1));
 }
 
-/// A stream of its own for each part: what is asked of one changes nothing in the others.
+/// A separate stream for each part, so that drawing more for one does not change the others.
 Random streamOf(std::uint64_t seed, std::uint64_t part) {
   Random mixed(seed ^ (part * 0xd1342543de82ef95ull));
   return Random(mixed.bits());

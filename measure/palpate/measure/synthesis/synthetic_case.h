@@ -17,9 +17,9 @@ namespace palpate::measure {
 struct BackShape {
   double flank_mm = 35.0;  ///< how far it falls towards its sides
   double flank_power = 2.3;
-  double sway_mm = 8.0;          ///< of the bow along the spine
+  double sway_mm = 8.0;          ///< bow along the spine
   double blade_mm = 12.0;        ///< height of the shoulder blades
-  double blade_apart_mm = 75.0;  ///< of each from the midline
+  double blade_apart_mm = 75.0;  ///< from the midline to each
   double furrow_mm = 6.0;        ///< depth of the furrow over the spine
   double furrow_width_mm = 14.0;
 };
@@ -28,7 +28,7 @@ struct SkinLook {
   int colour = 0;  ///< 0 to 3, light to dark
   int moles = 15;  ///< and as many pimples
   int hairs = 60;
-  std::uint64_t seed = 1;  ///< of everything that is drawn on it
+  std::uint64_t seed = 1;  ///< for everything that is drawn on it
 };
 
 enum class InkColour : unsigned char { red, blue, green };
@@ -39,10 +39,10 @@ struct DotMarks {
   double opacity = 0.85;
   double radius_mm = 4.0;
   double spacing_mm = 30.0;
-  double jitter_mm = 0.4;  ///< of the hand, sd along each axis
+  double jitter_mm = 0.4;  ///< error of the hand, sd along each axis
   int columns = 10;
   int rows = 12;
-  Vec2 corner_mm = {-135.0, -165.0};  ///< of the dot at the bottom left
+  Vec2 corner_mm = {-135.0, -165.0};  ///< dot at the bottom left
   int missing = 3;
   int strays = 5;
   std::uint64_t seed = 1;
@@ -51,7 +51,7 @@ struct DotMarks {
 /// `given`: as Press::given has it.
 enum class TailFamily : unsigned char { compact, long_tail, half_space, windowed_half_space, given };
 
-/// What the stick does to the skin.
+/// Effect of the stick on the skin.
 struct Press {
   TailFamily family = TailFamily::compact;
   Vec2 contact_mm = Vec2::Zero();  ///< on the skin, before
@@ -59,8 +59,8 @@ struct Press {
   double drag_rad = 0.0;
   double half_major_mm = 80.0;  ///< where the skin moves 2 mm
   double ratio = 1.3;           ///< major over minor; a half space has its own
-  double direction_rad = 0.0;   ///< of the major axis; a half space: along the drag
-  double tail_power = 0.7;      ///< of a long tail
+  double direction_rad = 0.0;   ///< major axis; a half space: along the drag
+  double tail_power = 0.7;      ///< exponent of a long tail
   double sideways = 0.0;        ///< kappa of skin_field.h
   double asymmetry = 0.0;       ///< how much stronger behind the stick than before it; 0.2: 20 %
   /// Displacement at a place from the contact, mm, of family `given`; its peak lies at 0 and is peak_mm along the drag.
@@ -68,8 +68,8 @@ struct Press {
   double dent_mm = 6.0;  ///< along the normal
   bool stick = true;     ///< stick, hand, forearm and their shadow are seen
   double stick_length_mm = 110.0;
-  double stick_turn_rad = 0.0;  ///< of the stick against the opposite of the drag
-  double arm_turn_rad = 0.2;    ///< of the forearm against the stick
+  double stick_turn_rad = 0.0;  ///< turn of the stick against the opposite of the drag
+  double arm_turn_rad = 0.2;    ///< turn of the forearm against the stick
 };
 
 struct CameraPose {
@@ -78,12 +78,12 @@ struct CameraPose {
   double tilt_azimuth_rad = 0.0;
   double roll_rad = 0.0;
   double distortion = 0.0;             ///< k1: the share by which the corner of the picture is moved outwards
-  Vec2 aim_mm = Vec2::Zero();          ///< of the back, where it looks
-  Vec2 later_shift_mm = Vec2::Zero();  ///< of the camera, right and up, before the second picture
+  Vec2 aim_mm = Vec2::Zero();          ///< point of the back where it looks
+  Vec2 later_shift_mm = Vec2::Zero();  ///< motion of the camera, right and up, before the second picture
   double later_roll_rad = 0.0;
 };
 
-/// Of the body between two pictures, about its middle.
+/// Motion of the body between two pictures, about its middle.
 struct BodyMotion {
   Vec3 shift_mm = Vec3::Zero();
   Vec3 turn_rad = Vec3::Zero();
@@ -95,7 +95,7 @@ struct PictureLook {
   double ambient = 0.5;
   double sheen = 0.05;
   double vignette = 0.15;
-  Vec3 balance = Vec3::Ones();  ///< of red, green, blue
+  Vec3 balance = Vec3::Ones();  ///< gains of red, green, blue
   double exposure = 1.0;
   double blur_px = 0.8;
   double noise = 2.0;  ///< sd, of 255
@@ -113,12 +113,12 @@ struct SyntheticCase {
   DotMarks marks;
   Press press;
   CameraPose camera;
-  BodyMotion motion;       ///< of the body until the second picture
-  BodyMotion null_motion;  ///< of the body between the two pictures before the press
+  BodyMotion motion;       ///< until the second picture
+  BodyMotion null_motion;  ///< between the two pictures before the press
   PictureLook look;
 };
 
-/// What may be asked for before anything is drawn.
+/// Choices that can be made before the rest is drawn.
 struct CaseRequests {
   double megapixels = 2.0;
   std::optional<TailFamily> family = {};  ///< none: compact or long, either as likely

@@ -1,4 +1,4 @@
-// A synthetic pair as a folder of files, as a camera and somebody who knows the truth would leave it.
+// A synthetic pair as a folder of files: pictures as a camera leaves them, and the truth.
 #pragma once
 
 #include <filesystem>

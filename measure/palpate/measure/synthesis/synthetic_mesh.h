@@ -13,11 +13,11 @@
 
 namespace palpate::measure {
 
-/// What a pixel of a band of rows sees.
+/// Skin seen by the pixels of a band of rows.
 struct SeenSkin {
   cv::Mat place;  ///< CV_32FC2: chart, mm
   cv::Mat light;  ///< CV_32FC2: share of the oblique light, sheen
-  cv::Mat depth;  ///< CV_32F: mm; infinite where there is no skin
+  cv::Mat depth;  ///< CV_32F: mm; infinite off the skin
 };
 
 class SyntheticMesh {
@@ -46,7 +46,7 @@ class SyntheticMesh {
   std::vector<Node> nodes_;
 };
 
-// What stands before the back in the second picture: a stick, the hand that holds it, the forearm, and their shadow.
+// Objects before the back in the second picture: a stick, the hand that holds it, the forearm, and their shadow.
 // Private to the folder: nothing outside it sees OpenCV.
 
 struct StickPicture {

@@ -47,7 +47,7 @@ std::uint16_t shownOf(float light) {
   return static_cast<std::uint16_t>((1.0f - part) * table[i] + part * table[i + 1]);
 }
 
-/// What is the same for all pictures of a case.
+/// Data shared by all pictures of a case.
 struct Stage {
   explicit Stage(const SyntheticCase& wanted)
       : made(wanted), body(wanted.back), field(wanted.press), marks(layMarks(wanted.marks)) {
@@ -224,7 +224,7 @@ Photograph render(const Stage& stage, Moment moment) {
   const SyntheticMesh mesh(made, stage.body, camera, after ? &stage.field : nullptr, motion);
   Photograph photograph = developed(Painter(stage, camera, stick).paint(mesh), made.look, moment);
   photograph.name = after ? "after" : moment == Moment::again ? "before2" : "before";
-  // Of a session: the first pictures, then the press two seconds later.
+  // Times of one session: the first pictures, then the press two seconds later.
   constexpr double kNoon = 1.7672e9;
   photograph.taken_at_s = kNoon + (after ? 6.0 : moment == Moment::again ? 3.0 : 0.0);
   return photograph;

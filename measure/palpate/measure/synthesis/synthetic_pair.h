@@ -29,7 +29,7 @@ struct TrueDot {
 struct SyntheticTruth {
   std::vector<TrueDot> dots;
   std::vector<Vec2> strays_px;  ///< in the first picture
-  SkinField field;              ///< of a half space only contact and peak
+  SkinField field;              ///< for a half space only contact and peak
   KeyEllipse at_2_mm;           ///< every sd is 0
   KeyEllipse at_4_mm;
   double drag_deg = 0.0;
@@ -53,7 +53,7 @@ Photograph renderPicture(const SyntheticCase& made, Moment moment);
 SyntheticPair renderPair(const SyntheticCase& made);
 SyntheticTruth truthOf(const SyntheticCase& made);
 
-/// What JPEG makes of a picture.
+/// The picture after JPEG compression.
 Photograph throughJpeg(const Photograph& picture, int quality);
 /// The bytes of such a file, without times.
 std::vector<std::uint8_t> jpegBytes(const Photograph& picture, int quality);

@@ -13,7 +13,7 @@ namespace palpate::measure {
 
 /// One mark of the stencil: where the hand set it.
 struct InkMark {
-  GridSite site;  ///< of a stray: 0, 0
+  GridSite site;  ///< a stray's: 0, 0
   Vec2 skin_mm = Vec2::Zero();
   double radius_mm = 0.0;
 };
@@ -30,7 +30,7 @@ struct SkinTexture {
   cv::Mat albedo;  ///< CV_16UC3; row 0 is the head's end
   double texels_per_mm = 4.0;
 
-  /// Of a place of the skin, in texels from the centre of the first.
+  /// A place of the skin, in texels from the centre of the first.
   cv::Point2f texelOf(const Vec2& skin_mm) const;
 };
 

@@ -14,11 +14,11 @@ namespace palpate::measure {
 
 namespace {
 
-/// Of skin and what lies under it: almost incompressible.
+/// Skin and the tissue under it are almost incompressible.
 constexpr double kPoisson = 0.48;
 /// A window ends at this many half axes.
 constexpr double kWindow = 3.0;
-/// Behind the stick becomes before it over about so many half axes.
+/// Behind the stick becomes before it over about this many half axes.
 constexpr double kLopsidedOver = 0.5;
 
 double polynomial(const std::array<double, 9>& factors, double x) {
@@ -107,7 +107,7 @@ TrueField::TrueField(const Press& press) : press_(press) {
   const Vec2 drag(std::cos(press.drag_rad), std::sin(press.drag_rad));
   formula_.contact_mm = press.contact_mm;
   formula_.peak_mm = press.peak_mm * drag;
-  const double share = press.peak_mm > 2.0 ? 2.0 / press.peak_mm : 0.5;  // of what moves less there is no such place
+  const double share = press.peak_mm > 2.0 ? 2.0 / press.peak_mm : 0.5;  // half the peak where 2 mm is never reached
   if (press.family == TailFamily::compact || press.family == TailFamily::long_tail) {
     formula_.sideways = press.sideways;
     formula_.inverse_tail = press.family == TailFamily::compact ? 0.0 : 1.0 / press.tail_power;

@@ -18,7 +18,7 @@ class TrueField {
   /// Into the body at this place of the skin, mm.
   double dentAt(const Vec2& place_mm) const;
 
-  /// Through the places that move by this much; half axes 0 where nothing does. Of a field outside the family: the
+  /// Through the places that move by this much; half axes 0 where nothing does. For a field outside the family, the
   /// ellipse through its contour. Every sd is 0.
   KeyEllipse ellipseAt(double level_mm) const;
 
@@ -33,7 +33,7 @@ class TrueField {
   Press press_;
   SkinField formula_;
   double patch_mm_ = 0.0;   // sd of the load on a half space
-  double strength_ = 0.0;   // of it: displacement times distance, far away, mm^2
+  double strength_ = 0.0;   // its strength: displacement times distance, far away, mm^2
   double window_mm_ = 0.0;  // where a windowed one ends; 0: nowhere
 };
 

@@ -15,7 +15,7 @@
 namespace palpate::measure {
 
 /// Throws Error with the line for a missing header, a wrong number of fields, another word than before and after, a
-/// number that is none or out of range; with the file where a picture has no marks or more than kMaxTableMarks.
+/// number that is invalid or out of range; with the file where a picture has no marks or more than kMaxTableMarks.
 DotPair readDotTable(const std::filesystem::path& file);
 DotPair parseDotTable(std::string_view text, std::string_view file);
 
