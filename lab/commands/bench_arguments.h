@@ -1,4 +1,4 @@
-// What several benchmark commands take: a mesh or a trajectory, and the kind of partition.
+// Common arguments of benchmark commands: a mesh or a trajectory, and the kind of partition.
 #pragma once
 
 #include <filesystem>

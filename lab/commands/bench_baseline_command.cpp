@@ -21,11 +21,11 @@ namespace palpate::app {
 
 namespace {
 
-/// What the file holds: ratios of kernels to fixed reference loops, measured on some machine.
+/// Contents of the file: ratios of kernels to fixed reference loops, measured on some machine.
 struct Baseline {
   std::string file;
   std::string simd;           ///< vectors of the machine it was measured on; empty where the file does not name them
-  std::size_t triangles = 0;  ///< of the back that the kernels ran on
+  std::size_t triangles = 0;  ///< on the back that the kernels ran on
   std::vector<bench::KernelTime> kernels;
 };
 
@@ -42,7 +42,7 @@ bench::KernelTime kernelFrom(const Json& json) {
   return time;
 }
 
-/// Throws Error (file: cause) for a file that is no baseline or holds a ratio that is not above 0.
+/// Throws Error (file: cause) for a file that cannot be read as a baseline or holds a ratio not above 0.
 Baseline readBaseline(const std::filesystem::path& file) {
   const std::string text = readFile(file, kMaxBytes);
   try {

@@ -1,4 +1,4 @@
-// `palpate study bench batch`: many fingers on one world and on several threads, beside one finger in a plain loop.
+// `palpate study bench batch`: many fingers on one world and on several threads, against one finger in a plain loop.
 #include <fmt/format.h>
 
 #include <string>

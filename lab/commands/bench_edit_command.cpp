@@ -30,9 +30,9 @@ namespace {
 
 constexpr double kPressMm = 4.0;
 constexpr double kRadiusMm = 25.0;
-/// What a slider moves from one picture to the next.
+/// Change of a slider from one picture to the next.
 constexpr double kChangePercent = 2.0;
-/// Longer than this nobody calls it immediate.
+/// No user calls a longer wait immediate.
 constexpr double kPatienceS = 5.0;
 
 struct EditArguments {

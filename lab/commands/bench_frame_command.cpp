@@ -32,7 +32,7 @@ namespace {
 // Times whole pictures of a back under a finger that wanders: the numbers of `palpate study bench frame`.
 
 struct FrameRun {
-  std::size_t triangles = 41582;  ///< of the skin; the bones come on top
+  std::size_t triangles = 41582;  ///< on the skin; the bones come on top
   bool trunk = false;             ///< the closed built-in body, on which opaque skin hides the bones; else the torso
   view::Shading shading = view::Shading::gouraud;
   view::StereoMode stereo = view::StereoMode::mono;
@@ -40,16 +40,16 @@ struct FrameRun {
   int height = 720;
   double skin_opacity = 1.0;
   bool labels = true;
-  bool close = false;    ///< the camera stands near the finger, so that most of the skin is outside the picture
+  bool close = false;    ///< the camera is near the finger, so that most of the skin is outside the picture
   bool cull = true;      ///< false: skin outside the picture is drawn too
   double seconds = 2.0;  ///< how long to repeat
 };
 
 /// Milliseconds a picture: mean over the finger's places, of each place's shortest time.
 struct FrameFigures {
-  std::size_t triangles = 0;       ///< of the skin
+  std::size_t triangles = 0;       ///< on the skin
   std::size_t bone_triangles = 0;  ///< beneath it
-  std::string renderer;            ///< what OpenGL says of itself
+  std::string renderer;            ///< OpenGL's own name
   double deform_ms = 0.0;
   double upload_ms = 0.0;
   double draw_ms = 0.0;  ///< until the last pixel is there, labels and stereo included

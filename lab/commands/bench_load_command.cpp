@@ -34,20 +34,20 @@ namespace {
 struct LoadStep {
   std::string name;             ///< as the progress line calls it
   double seconds = 0.0;         ///< all stretches of that name together
-  double peak_memory_gb = 0.0;  ///< of the process since its start, when the step ended
+  double peak_memory_gb = 0.0;  ///< process's peak since its start, when the step ended
 };
 
 struct LoadFigures {
   double seconds = 0.0;           ///< file to force
-  double peak_memory_gb = 0.0;    ///< of the process, 1e9 bytes; what was loaded before counts too
-  std::uint64_t page_faults = 0;  ///< of the process from file to force; large pages take few
+  double peak_memory_gb = 0.0;    ///< process's peak, 1e9 bytes, including what was loaded before
+  std::uint64_t page_faults = 0;  ///< process's, from file to force; large pages take few
   std::vector<LoadStep> steps;
-  std::size_t triangles = 0;  ///< of the skin that is felt, after repair
+  std::size_t triangles = 0;  ///< triangles of the skin after repair
   std::size_t vertices = 0;
   double first_force_n = 0.0;
   double tree_bytes_per_triangle = 0.0;     ///< tree and walk records
   double tree_build_ns_per_triangle = 0.0;  ///< the same, built once more by itself
-  std::uint64_t hash = 0;                   ///< of skin and first force
+  std::uint64_t hash = 0;                   ///< hash of skin and first force
   double change_ms = 0.0;                   ///< until the world has another dysfunction; the median of some
 };
 

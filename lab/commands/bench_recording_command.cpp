@@ -24,7 +24,7 @@ struct RecordingArguments {
   bool json = false;
 };
 
-/// A folder of its own that goes when it is no longer needed, whatever happens.
+/// A temporary folder, removed at the end whatever happens.
 class ScratchFolder {
  public:
   explicit ScratchFolder(const std::filesystem::path& beside) {

@@ -1,4 +1,4 @@
-// What every `palpate study bench` command prints in the same way: percentiles, counts and the machine.
+// Output that all `palpate study bench` commands share: percentiles, counts and the machine.
 #pragma once
 
 #include <cstdint>

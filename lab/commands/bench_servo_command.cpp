@@ -89,7 +89,7 @@ void runServoBench(const ServoArguments& arguments) {
   input.seconds = 0.0;  // here it is how long to measure, not how long the scene lasts
   const auto world = scene::build(sceneFor(input), progress.callback());
   const RealtimeReport ours = measureServo(*world, arguments.input.seconds, progress.display());
-  endIfAsked();  // a part of it is no measurement
+  endIfAsked();  // a partial run does not count
   Json json = jsonOf(ours);
   std::string text = textOf(ours.loop);
   addSafety(bench::measureSafety(*world, device::pathsOf(*world), std::min(kMaxSafetyS, 0.5 * arguments.input.seconds)),

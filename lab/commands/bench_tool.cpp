@@ -1,4 +1,4 @@
-// A tool along a trajectory, beside a finger for each of its pads: what is printed of it.
+// Prints a tool along a trajectory, compared with one finger for each of its pads.
 #include <fmt/format.h>
 
 #include <utility>

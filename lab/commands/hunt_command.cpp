@@ -1,4 +1,4 @@
-// `palpate study hunt`: random bodies and paths, judged by code that shares nothing with the finger; failing paths are
+// `palpate study hunt`: random bodies and paths, checked by code that shares nothing with the finger; failing paths are
 // made short and written as cases.
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ namespace palpate::app {
 
 namespace {
 
-// What `palpate study hunt` is asked, and the plan that it makes.
+// Arguments of `palpate study hunt`, and the plan that they make.
 
 struct HuntArguments {
   std::size_t ticks = 1000000;
@@ -50,7 +50,7 @@ struct HuntArguments {
   bool json = false;
 };
 
-/// A file whose body is smaller or larger than a finger can make sense of is brought to the size of a torso's half.
+/// A file whose body is smaller or larger than a finger can make sense of is scaled to the size of a torso's half.
 constexpr double kMinDiagonalMm = 20.0, kMaxDiagonalMm = 10000.0, kFittedDiagonalMm = 400.0;
 
 /// `fit_mm` below 0: only where the size makes no sense. 0: never.
@@ -131,7 +131,7 @@ lab::HuntPlan planOf(const HuntArguments& arguments, const Progress& progress) {
   return plan;
 }
 
-// What a hunt found: as text, as JSON, as folders of cases.
+// Results of a hunt: as text, as JSON, as folders of cases.
 
 /// Lines of the text report; the JSON has all of them.
 constexpr std::size_t kMaxLines = 20;

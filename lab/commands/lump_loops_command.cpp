@@ -16,7 +16,7 @@ namespace palpate::app {
 
 namespace {
 
-/// Of what is stored; and N mm.
+/// Shares of the stored energy; and N mm.
 constexpr double kMostShare = 1e-5;
 constexpr double kMostGivenNMm = 1e-5;
 /// As the stability map allows it where a run may start.
@@ -39,7 +39,7 @@ bool fallsWithTheSquare(const lab::ClosedPathsFigures& closed) {
   return closed.by_steps[1].mean_share > kFourfold * closed.by_steps[0].mean_share;
 }
 
-/// What the three measurements found.
+/// Results of the three measurements.
 struct LumpLoops {
   lab::ClosedPathsFigures closed;
   lab::HeldLumpsFigures held;

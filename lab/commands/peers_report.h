@@ -12,9 +12,9 @@
 
 namespace palpate::app {
 
-// The option --peers: ours beside the libraries that people know.
+// The option --peers: ours compared with the libraries that people know.
 //
-// The libraries are linked to a program of their own, palpate_peers, which lies beside `palpate` where it was built:
+// The libraries are linked to a program of their own, palpate_peers, which is next to `palpate` in the build folder:
 // one of them (CGAL) is under the GPL, and a command for everybody should not depend on any of them. That program has
 // the same benchmark commands and measures ours and theirs in one process; `palpate` hands over to it.
 
@@ -36,7 +36,7 @@ void handOverToPeersProgram(const PeersOption& option);
 void addBenchContactCommand(Command& parent, std::vector<bench::Peer> peers, std::vector<bench::ToolPeer> tool_peers);
 void addBenchPartitionCommand(Command& parent, std::vector<bench::Peer> peers);
 
-/// What a benchmark asks of its peers: the names of its own keys.
+/// A benchmark's task for its peers: the names of its own keys.
 enum class PeerTask { contact, boxes, tool };
 
 /// Adds `peers` and `ratio_to` (ours over theirs at p50) to the report of ours.

@@ -1,4 +1,4 @@
-// What a result was measured on, so that a number is never shown without it.
+// The machine behind a result, so that a number is never shown without it.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace palpate::lab {
 struct Machine {
   std::string cpu;         ///< as the processor calls itself; "unknown" where the system does not say
   unsigned cores = 0;      ///< that this process may run on
-  double memory_gb = 0.0;  ///< of the machine, 1e9 bytes
+  double memory_gb = 0.0;  ///< machine's, 1e9 bytes
   std::string kernel;      ///< name, release and processor family of the system
   std::string compiler;    ///< name and version of what built the benchmark kit
   std::string build;       ///< build type and compiler flags

@@ -1,7 +1,7 @@
-// What a stretch of work asked of the system - memory, locks, pages: a servo tick must ask for nothing.
+// Counts system requests of a stretch of work - memory, locks, pages: a servo tick must make none.
 //
 // Linked into a program, thread_counts.cpp puts itself in front of the C library's allocator and locks, and counts the
-// calls of each thread. Nothing can be counted where a sanitizer stands there already, or where the C library is not
+// calls of each thread. Nothing can be counted where a sanitizer is there already, or where the C library is not
 // glibc, whose internal names the calls go on to: those counts are empty, which is not zero.
 #pragma once
 
@@ -31,7 +31,7 @@ inline constexpr bool kCountsCalls = false;
 /// Allocations made by the calling thread since it started: operator new, malloc and their relatives.
 std::optional<std::uint64_t> allocationsOfThisThread();
 
-/// Mutexes and read-write locks that the calling thread has asked for since it started, whether it got them or not.
+/// Mutexes and read-write locks that the calling thread has requested since it started, whether it got them or not.
 /// std::mutex and its relatives are these; a condition variable cannot be waited for without one.
 std::optional<std::uint64_t> locksOfThisThread();
 
@@ -41,10 +41,10 @@ struct ThreadCounts {
   std::optional<std::uint64_t> page_faults;  ///< minor and major; Linux only
 };
 
-/// Of the calling thread since it started.
+/// Counts of the calling thread since it started.
 ThreadCounts countsOfThisThread();
 
-/// Of the calling thread since `before` was taken on it.
+/// Counts of the calling thread since `before` was taken on it.
 ThreadCounts countsSince(const ThreadCounts& before);
 
 }  // namespace palpate::lab

@@ -1,4 +1,4 @@
-// Jobs are numbered; whoever is free takes the next, and results are added up in the order of the numbers. A body is
+// Jobs are numbered; a free thread takes the next, and results are added up in the order of the numbers. A body is
 // built for each of its portions: it is a tenth of a second against a second of ticks.
 // Data flow: HuntPlan -> here -> lab/commands, tests.
 #include "lab/hunt/hunt.h"
@@ -23,9 +23,9 @@
 namespace palpate::lab {
 namespace {
 
-/// One generated body for so many ticks: three or four paths for each radius.
+/// Ticks per generated body: three or four paths for each radius.
 constexpr std::size_t kTicksABody = 20000;
-/// A body's ticks are shared among threads in portions of at most so many.
+/// A body's ticks are shared among threads in portions of at most this many.
 constexpr std::size_t kTicksAPortion = 250000;
 constexpr std::size_t kMinPathTicks = 500, kMaxPathTicks = 3000;
 
@@ -87,7 +87,7 @@ void addAll(const HuntResult& more, HuntResult& sum) {
   sum.failing.insert(sum.failing.end(), more.failing.begin(), more.failing.end());
 }
 
-/// What several threads work on.
+/// Work that several threads share.
 class Hunt {
  public:
   explicit Hunt(const HuntPlan& plan) : plan_(plan) {
@@ -106,7 +106,7 @@ class Hunt {
         run(job, result.sum, progress);
       } catch (const std::exception& error) {
         result.error = fmt::format("{}: {}", bodyName(plan_, job.body), error.what());
-        next_ = std::size_t{1} << 60;  // nobody goes on
+        next_ = std::size_t{1} << 60;  // stops all threads
       }
       keep(number, job, std::move(result));
     }
@@ -188,7 +188,7 @@ class Hunt {
   const HuntPlan& plan_;
   std::vector<Job> jobs_;
   std::atomic<std::size_t> next_ = 0, done_ = 0;
-  std::mutex mutex_;  ///< of what follows
+  std::mutex mutex_;  ///< guards what follows
   std::vector<JobResult> results_;
   std::vector<std::size_t> touched_;
   Clock::time_point begun_ = Clock::now();

@@ -1,4 +1,4 @@
-// The hunt: random bodies, random paths, every radius, judged tick by tick, on as many threads as are wanted.
+// The hunt: random bodies, random paths, every radius, checked tick by tick, on any number of threads.
 //
 // plan -> jobs (a body and a portion of the ticks) -> paths -> hunt_world.h -> HuntResult. The same plan gives the same
 // result whatever the number of threads, unless it is limited by time.
@@ -23,14 +23,14 @@ struct NamedBody {
 
 struct HuntPlan {
   std::size_t ticks = 1000000;
-  std::optional<double> seconds;  ///< this long instead of so many ticks
+  std::optional<double> seconds;  ///< this long instead of `ticks`
   std::uint64_t seed = 1;
   std::vector<double> radii_mm{0.0, 0.5, 2.0, 5.0, 8.0};
   std::vector<NamedBody> meshes;
   bool generated = true;           ///< bodies of hunted_bodies.h
-  std::vector<std::string> kinds;  ///< of them alone; none: all kinds
+  std::vector<std::string> kinds;  ///< their kinds; empty: all
   std::size_t bodies = 0;          ///< generated ones; 0: one for every 20,000 ticks
-  double scale = 1.0;              ///< a millimetre is so many units
+  double scale = 1.0;              ///< units per millimetre
   std::size_t lumps = 0;           ///< under the skin of each body, felt by two fingers; at scale 1 only
   std::size_t threads = 0;         ///< 0: as many as there are processors
   /// Asked before every path, by any thread: ends the hunt with what it has. May be empty.
@@ -40,21 +40,21 @@ struct HuntPlan {
 /// A path with a fault. Body, seed and radius make it again.
 struct FailingPath {
   std::string body;        ///< "kind#seed" or the name of a mesh
-  std::uint64_t seed = 0;  ///< of the path
+  std::uint64_t seed = 0;  ///< seed of the path
   double radius_mm = 0.0;
-  std::size_t ticks = 0;  ///< of the path
+  std::size_t ticks = 0;  ///< length of the path
   Fault fault = Fault::fall;
   Finding finding;  ///< lengths and forces in the scaled world
 };
 
 struct HuntResult {
   std::size_t ticks = 0, touching_ticks = 0, held_through_ticks = 0, events = 0, paths = 0;
-  std::size_t open_ticks = 0;              ///< of `ticks`, on bodies that have a border
-  std::size_t held_in_air_open_ticks = 0;  ///< of those of Fault::held_in_air, the ticks on such bodies
+  std::size_t open_ticks = 0;              ///< among `ticks`, on bodies that have a border
+  std::size_t held_in_air_open_ticks = 0;  ///< ticks among Fault::held_in_air on such bodies
   std::size_t bodies = 0;
   std::array<std::size_t, kFaults> fault_ticks{};
   std::vector<FailingPath> failing;
-  double seconds = 0.0;  ///< of the wall
+  double seconds = 0.0;  ///< wall time
 };
 
 /// Throws Error for a plan without bodies, radii or ticks, and naming a body that cannot be felt.

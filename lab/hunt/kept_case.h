@@ -24,7 +24,7 @@ struct KeptCase {
   std::string body;  ///< see FailingPath
   std::uint64_t seed = 0;
   double radius_mm = 0.0;  ///< before the scale
-  double scale = 1.0;      ///< of mesh and tips
+  double scale = 1.0;      ///< applied to mesh and tips
   std::size_t lumps = 0;   ///< under its skin (putLumps); its scene has none of them
   Fault fault = Fault::fall;
   Finding finding;  ///< only its numbers are read back
@@ -38,8 +38,8 @@ std::string folderNameOf(const KeptCase& kept);
 /// Makes the folder. Throws Error naming the file that cannot be written.
 void writeCase(const std::filesystem::path& folder, const KeptCase& kept);
 
-/// Where there is no note, the scene's own body and its first finger's radius and trajectory, as somebody else wrote
-/// them. Throws Error naming the file that cannot be read or understood.
+/// Without a note, uses the scene's own body and its first finger's radius and trajectory. Throws Error naming the file
+/// that cannot be read or understood.
 KeptCase readCase(const std::filesystem::path& folder);
 
 /// A new finger along the case.

@@ -24,10 +24,10 @@ struct TouchedPlace {
 
 struct DeformReport {
   std::size_t moved = 0;         ///< vertices
-  std::size_t unconnected = 0;   ///< of them: not joined to any touched place through vertices that moved
-  std::size_t off_plane = 0;     ///< of them: farther off the planes of all places than those allow
+  std::size_t unconnected = 0;   ///< moved, but not joined to any touched place through vertices that moved
+  std::size_t off_plane = 0;     ///< moved, farther off the planes of all places than those allow
   std::size_t turned = 0;        ///< triangles: deformed normal against rest normal, or no area left
-  std::size_t too_thin = 0;      ///< triangles that rounding to float may turn over: not judged
+  std::size_t too_thin = 0;      ///< triangles that rounding to float may turn over: not checked
   double longest_tear_mm = 0.0;  ///< how much the two ends of an edge moved apart, less the edge's length, at most
   bool isSound() const { return unconnected == 0 && off_plane == 0 && turned == 0; }
 };

@@ -1,5 +1,5 @@
 // A small automaton over ticks, from outside to entered to held or fallen. A tick with force needs no question, so only
-// the others pay for the side of their tip. A tip let go beside a border may have left there: its past is unknown.
+// the others pay for the side of their tip. A tip released near a border may have left there: its past is unknown.
 // Data flow: tips and forces of a run -> here, afterwards -> FallReport.
 #include "lab/judges/fall_check.h"
 
@@ -49,7 +49,7 @@ class FallJudge {
   /// A tip that came from outside is inside, without a force.
   void addInside(const Observation& tick, std::size_t index) {
     if (past_ == Past::held && surface_.sideOf(held_at_, reach_) == Side::unknown)
-      past_ = Past::unknown;  // let go at a border
+      past_ = Past::unknown;  // released at a border
     if (past_ == Past::unknown) return;
     if (past_ == Past::outside) {
       ++report_.first_contacts;

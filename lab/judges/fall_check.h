@@ -1,9 +1,9 @@
-// Did the finger fall through the skin, and did it feel the skin at once? Judged from tips and forces alone.
+// Did the finger fall through the skin, and did it feel the skin at once? Checked from tips and forces alone.
 //
-// A proxy of radius 0 lies on the skin and so cannot show a fall; what can really fall is a *free* tip. So every tick
-// without contact is asked for the side of its tip, and a tip that is inside although it came from outside, or was
-// held a tick before, has fallen. A tip of unknown past (from beyond a border, let go beside one, or inside from the
-// start) is let be until it has been outside.
+// A proxy of radius 0 is on the skin and so cannot show a fall; what can really fall is a *free* tip. So every tick
+// without contact is checked for the side of its tip, and a tip that is inside although it came from outside, or was
+// held a tick before, has fallen. A tip of unknown past (from beyond a border, released near one, or inside from the
+// start) is ignored until it has been outside.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@
 
 namespace palpate::lab {
 
-/// What a judge may see of one tick.
+/// The data of one tick that a check may use.
 struct Observation {
   Vec3 tip = Vec3::Zero();
-  Vec3 centre = Vec3::Zero();  ///< of the drawn sphere (proxy + radius * normal); only read for radius > 0
+  Vec3 centre = Vec3::Zero();  ///< centre of the drawn sphere (proxy + radius * normal); only read for radius > 0
   bool touching = false;       ///< the finger says that it is in contact
   bool has_force = false;
 };
@@ -39,8 +39,8 @@ struct SphereReport {
   double least_distance = 1.0;       ///< smallest distance of the centre to the mesh, in r
 };
 
-/// For a finger of radius > 0: is the drawn sphere outside the body, and is no contact missed? Points next to a border
-/// are left out.
+/// For a finger of radius > 0: is the drawn sphere outside the body, and is every contact found? Points next to a
+/// border are left out.
 SphereReport checkSphere(SurfaceSide& surface, std::span<const Observation> ticks, double radius);
 
 }  // namespace palpate::lab

@@ -14,7 +14,7 @@
 namespace palpate::lab {
 namespace {
 
-/// A node stands for its triangles from this many times its radius on. The paper's beta: 2 is its choice with one more
+/// A node replaces its triangles from this many times its radius on. The paper's beta: 2 is its choice with one more
 /// term; without it the middle of a ball, where all errors add up, needs 4.
 constexpr double kFarOverRadius = 4.0;
 constexpr double kFullAngle = 4.0 * std::numbers::pi;

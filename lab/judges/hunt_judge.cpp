@@ -26,7 +26,7 @@ constexpr double kStepShare = 1.1;
 constexpr double kProxyAndTip = 3.0;
 /// The way from a proxy to its tip begins off the skin, by this share of it.
 constexpr double kOffTheProxy = 1e-6;
-/// Beside a border a force fades and a finger may be let go: within this share of the diagonal nothing is said.
+/// Near a border a force fades and a finger may be released: within this share of the diagonal nothing is checked.
 constexpr double kBorderShare = 0.02;
 /// Far from its openings the winding number of an open body is a whole number but for their solid angle: up to here.
 constexpr double kSurelyWhole = 0.1;
@@ -38,7 +38,7 @@ constexpr double kBeyondAnOpening = 0.5;
 
 bool touches(const contact::FingerOutput& o) { return o.touch != contact::Touch::free; }
 
-/// The device said nothing that makes sense, so there is no force: counted, and not held to the bound on steps.
+/// The device's values make no sense, so force is off: counted, and not held to the bound on steps.
 bool isEvent(std::uint32_t status) { return (status & contact::kTipLost) != 0; }
 
 /// The proxy is still on its way, or a sphere still on its way out: its geometry may be wrong for now.
@@ -188,7 +188,7 @@ bool HuntJudge::cameThroughSkin(const Vec3& tip) {
 
 bool HuntJudge::wasHeldFarFromBorder(const Vec3& tip) {
   const double path = (kProxyAndTip - 1.0) * (tip - last_tip_).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
-  // Beyond a border a sphere may be let go as long as the force can have faded: as far beyond as the tip is deep.
+  // Beyond a border a sphere may be released as long as the force can have faded: as far beyond as the tip is deep.
   const bool fades = last_afloat_ && body_.slow().distanceToBorder(last_tip_) <= kFadeShare * last_reach_ + path;
   return past_ == Past::held && !fades && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
 }
@@ -211,9 +211,9 @@ void HuntJudge::judgeAfloat(const contact::FingerOutput& o) {
   last_afloat_ = centre;
 }
 
-/// Where there is a border a tip may come in round it, and may be let go at it: only what passes through the skin
-/// itself, and what is let go farther from any border than the proxy can go in this tick, is a fault. A proxy that was
-/// on its way, or a sphere beyond the border, may have gone through the opening already.
+/// Where there is a border a tip may come in round it, and may be released at it: a fault is only what passes through
+/// the skin itself, or is released farther from any border than the proxy can go in this tick. A proxy that was on its
+/// way, or a sphere beyond the border, may have gone through the opening already.
 void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   const double distance = body_.nearest(o.tip).distance;
   if (distance <= body_.tolerance()) return;
@@ -274,7 +274,7 @@ void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
   }
 }
 
-/// A way through an edge, to rounding, meets the skin: where two boxes touch along an edge there is no gap.
+/// A way through an edge, to rounding, meets the skin: two boxes that touch along an edge leave no gap.
 bool HuntJudge::isSkinBetween(const Vec3& from, const Vec3& to) const {
   const Vec3 along = to - from;
   const Vec3 aside = along.unitOrthogonal() * (10.0 * body_.tolerance());
@@ -287,8 +287,8 @@ bool HuntJudge::isSkinBetween(const Vec3& from, const Vec3& to) const {
   return false;
 }
 
-/// Of an embedded body the nearest skin tells, if it is not that of a part within; where sheets pierce each other the
-/// winding number.
+/// For an embedded body the nearest skin decides, unless it is that of a part within; where sheets pierce each other
+/// the winding number.
 bool HuntJudge::isOutFarFromBorders(const contact::FingerOutput& o) {
   const Vec3 centre = o.proxy + settings_.radius_mm * o.normal;
   const double reach = (centre - o.tip).norm() + settings_.radius_mm;
@@ -324,7 +324,7 @@ void HuntJudge::judgeForce(const contact::FingerOutput& o) {
 void HuntJudge::judgePoint(const contact::FingerOutput& o) {
   const double tolerance = body_.selfIntersecting() ? kTinySphereShare * body_.diagonal() : body_.tolerance();
   const BoxTree& tree = body_.tree();
-  if ((o.status & contact::kAtBorder) != 0) return;  // beside the sheet, continued flat
+  if ((o.status & contact::kAtBorder) != 0) return;  // past the sheet, continued flat
   const bool named = o.triangle < tree.triangles();
   const double off =
       named ? (nearestOnTriangle(tree.corners(tree.slotOf(o.triangle)), o.proxy) - o.proxy).norm() : body_.diagonal();
@@ -339,7 +339,7 @@ void HuntJudge::judgePoint(const contact::FingerOutput& o) {
 }
 
 void HuntJudge::judgeSphere(const contact::FingerOutput& o) {
-  if ((o.status & contact::kAtBorder) != 0) return;  // beside the sheet, continued flat
+  if ((o.status & contact::kAtBorder) != 0) return;  // past the sheet, continued flat
   const double radius = settings_.radius_mm, least = radius * (1.0 - kSinkShare);
   const Vec3 centre = o.proxy + radius * o.normal;
   const NearPoint near = body_.nearest(centre);

@@ -1,8 +1,8 @@
-// What a finger did wrong along a path, tick by tick, in a microsecond or two each: the judge of `palpate study hunt`.
+// Faults of a finger along a path, tick by tick, in a microsecond or two each: the oracle of `palpate study hunt`.
 //
 // It sees outputs and a mesh and has its own geometry; nothing of `contact` but the plain data of finger_state.h, and
-// nothing of `tree`. docs/explanation/hunt.md says in words what each fault is. Unlike the other judges it keeps up
-// with a run of ten million ticks: a free tip is only asked for its side when it has left the ball round the last place
+// nothing of `tree`. docs/explanation/hunt.md says in words what each fault is. Unlike the other oracles it keeps up
+// with a run of ten million ticks: a free tip's side is only computed when it has left the ball round the last place
 // that is known to hold no surface.
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace palpate::lab {
 
-// Boxes in boxes over a mesh's triangles, for judges that are asked in every tick: nearest point and crossings.
+// A tree of boxes over a mesh's triangles, for oracles that run in every tick: nearest point and crossings.
 //
 // Plain on purpose, and without any code of `tree` or `contact`: split at the median of the centres, one box a node.
 
@@ -76,9 +76,9 @@ inline double distance2(const BoxNode& node, const Vec3& place) {
 }
 
 // The generalised winding number of a surface in a microsecond: 1 inside a closed body, 0 outside, 2 where two bodies
-// overlap, a share in between beside a hole.
+// overlap, a share in between near a hole.
 //
-// For judges that ask in every tick; `windingNumber` of surface_side.h is the exact sum that this one is tested
+// For oracles that run in every tick; `windingNumber` of surface_side.h is the exact sum that this one is tested
 // against.
 
 class FastWinding {
@@ -90,12 +90,12 @@ class FastWinding {
   double at(const Vec3& point) const;
 
  private:
-  /// What a node's triangles are from afar.
+  /// A node's triangles from afar.
   struct Dipole {
-    Vec3 centre = Vec3::Zero();  ///< of their area
+    Vec3 centre = Vec3::Zero();  ///< centre of their area
     Vec3 area = Vec3::Zero();    ///< sum of area vectors
     Mat3 spread = Mat3::Zero();  ///< sum of (centre of triangle - centre) x area vector: what the dipole leaves out
-    double far2 = 0.0;           ///< squared distance from which on it stands for them
+    double far2 = 0.0;           ///< squared distance from which on it replaces them
   };
   void summarise(Index node);
 
@@ -109,7 +109,7 @@ enum class Fault {
   wrong_force,     ///< not finite, pulling, out of the friction cone, of a sphere sunk in, of a proxy off the skin
   step,            ///< the force changed by more than the tip's motion and the catch-up allow
   held_in_air,  ///< a force although the tip is outside, clear of the skin, and nothing lies between it and its proxy
-  lump_force,   ///< what lumps add is not the slope of their energy (lump_check.h)
+  lump_force,   ///< the lumps' share is not the slope of their energy (lump_check.h)
   lump_step,    ///< it changed by more than the motions of tip and lumps allow
   lump_moved    ///< a lump went too far, or its motion made energy
 };
@@ -123,7 +123,7 @@ struct Finding {
   std::size_t ticks = 0;
   std::size_t first_tick = 0;
   const char* what = "";               ///< in words, of the first
-  double measured = 0.0, bound = 0.0;  ///< of the first, in the unit that `what` names
+  double measured = 0.0, bound = 0.0;  ///< first one's, in the unit that `what` names
 };
 
 struct HuntReport {
@@ -139,7 +139,7 @@ struct HuntReport {
   bool clean() const;
 };
 
-/// The judge's view of a body; immutable but for open bodies, whose `SurfaceSide` remembers: one thread at a time.
+/// The oracle's view of a body; immutable but for open bodies, whose `SurfaceSide` remembers: one thread at a time.
 class JudgedBody {
  public:
   /// `mesh` as repair left it. Throws Error for one without a triangle.
@@ -152,7 +152,7 @@ class JudgedBody {
   bool closed() const { return closed_; }
   bool selfIntersecting() const { return self_intersecting_; }
   double diagonal() const { return diagonal_; }
-  /// Rounding of finger and judge together: nearer than this is on the surface.
+  /// Rounding of finger and oracle together: nearer than this is on the surface.
   double tolerance() const { return 1e-9 * diagonal_; }
   double winding(const Vec3& point) const { return winding_.at(point); }
   /// On a torn body beyond doubt only; never on an open sheet, where half a turn is the most there is.
@@ -160,7 +160,7 @@ class JudgedBody {
   NearPoint nearest(const Vec3& point) const { return tree_.nearest(point, 1e3 * diagonal_ + 2.0 * far(point)); }
   /// Unit; zero for a triangle without area.
   Vec3 normalOf(Index triangle) const;
-  /// The slow judge, for sides at and beyond a border.
+  /// The slow oracle, for sides at and beyond a border.
   SurfaceSide& slow() { return slow_; }
 
  private:
@@ -176,7 +176,7 @@ class JudgedBody {
   Vec3 middle_;
 };
 
-/// One finger along one path: a judge is made again for each. Settings and stiffness (the same everywhere, Hooke's law)
+/// One finger along one path: a new one is made for each. Settings and stiffness (the same everywhere, Hooke's law)
 /// in the body's units.
 class HuntJudge {
  public:
@@ -204,12 +204,12 @@ class HuntJudge {
   /// The tip went through the skin itself since the last tick, not round a border.
   bool cameThroughSkin(const Vec3& tip);
   bool isFarFromBorder(const Vec3& place, double reach);
-  /// What was held was not at a border, and cannot have come to one in this tick.
+  /// Whether the last hold was away from borders, and cannot have come to one in this tick.
   bool wasHeldFarFromBorder(const Vec3& tip);
   std::optional<Vec3> afloatAt(const contact::FingerOutput& o) const;
   void judgeAfloat(const contact::FingerOutput& o);
   void judgeTouching(const contact::FingerOutput& o);
-  /// Of an open body only where every border is farther from the tip than its lag and its radius.
+  /// For an open body only where every border is farther from the tip than its lag and its radius.
   bool isOutFarFromBorders(const contact::FingerOutput& o);
   void judgeHeldInAir(const contact::FingerOutput& o);
   bool isSkinBetween(const Vec3& from, const Vec3& to) const;

@@ -1,5 +1,5 @@
-// What must hold in every tick of a finger, whatever the surface and the trajectory: checked from its outputs with the
-// judge's own geometry.
+// Invariants of every tick of a finger, whatever the surface and the trajectory: checked from its outputs with an own
+// geometry.
 #pragma once
 
 #include <array>

@@ -7,7 +7,7 @@ namespace palpate::lab {
 
 namespace {
 
-/// Of forces, N, and of energies, N mm.
+/// Rounding of forces, N, and of energies, N mm.
 constexpr double kLumpRounding = 1e-6;
 constexpr double kEnergyRounding = 1e-9;
 /// A lump moves no farther in a tick.
@@ -23,13 +23,13 @@ double energyOf(const contact::Lump& lump, const Vec2& moved, const Vec3& tip, d
   return lump.energy.at(offsetOf(lump, moved, tip).norm(), depth_mm).energy_n_mm;
 }
 
-/// Of springs and presses together, with the shares that the presses have.
+/// Energy of springs and presses together, with the shares that the presses have.
 double energyOf(const contact::Lumps& lumps, const contact::LumpPlaces& places,
                 std::span<const contact::LumpPress> presses) {
   double sum = 0.0;
   for (std::size_t i = 0; i < lumps.all.size(); ++i) {
     sum += 0.5 * lumps.all[i].mobility.spring_n_per_mm * places.moved_mm[i].squaredNorm();
-    // What leans away from a lump's axis is felt in part; the lump does not know by how much its energy is.
+    // A press that leans away from a lump's axis is felt in part, which the lump's own energy leaves out.
     for (const contact::LumpPress& press : presses) {
       const double facing = std::clamp(2.0 * press.normal.dot(lumps.all[i].axis), 0.0, 1.0);
       const double share = press.share * facing * facing * (3.0 - 2.0 * facing);

@@ -1,5 +1,5 @@
-// What lumps under a finger did wrong along a path. It knows their energies (tissue/lump_energy.h) and where they lie,
-// and has its own geometry; nothing of `contact` but plain data.
+// Faults of lumps under a finger along a path. Uses their energies (tissue/lump_energy.h), their places and its own
+// geometry; nothing of `contact` but plain data.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace palpate::lab {
 
-/// Of all fingers of a body: a finding counts ticks of the path, not of a finger.
+/// Checks all fingers of a body at once: a finding counts ticks of the path, not of a finger.
 class LumpCheck {
  public:
   LumpCheck(const contact::Lumps& lumps, const contact::FingerSettings& settings, std::size_t fingers);
@@ -38,7 +38,7 @@ class LumpCheck {
   const contact::Lumps& lumps_;
   contact::FingerSettings settings_;
   std::vector<Last> last_;
-  double steepest_n_per_mm_ = 0.0;  ///< of all lumps together
+  double steepest_n_per_mm_ = 0.0;  ///< sum over all lumps
   double shifted_mm_ = 0.0;         ///< in this tick, of the lump that moved most
   std::size_t tick_ = 0;
   std::array<Finding, kFaults> findings_;

@@ -1,5 +1,5 @@
-// Chosen for being plain: edges one by one in place of regions, the winding number summed over all triangles. What
-// would be too slow is helped by a grid, a tree of boxes and a ball round the last point known to hold no surface.
+// Chosen for being plain: edges one by one in place of regions, the winding number summed over all triangles. A grid, a
+// tree of boxes and a ball round the last point known to hold no surface speed up the rest.
 // Based on: see surface_side.h; the grid, the tree and the ball are our own.
 #include "lab/judges/surface_side.h"
 

@@ -1,5 +1,5 @@
-// On which side of a surface a point lies, decided without any code of the contact room: the judge of a finger must not
-// share its mistakes.
+// On which side of a surface a point is, decided without any code of the contact module: an oracle must not share the
+// finger's mistakes.
 //
 // Three kinds of surface, three methods:
 //   height field  every triangle faces +z and there is a border: the height of the triangles over (x, y)
@@ -39,19 +39,19 @@ double windingNumber(const mesh::TriangleMesh& mesh, const Vec3& point);
 /// The point of a triangle nearest to `point`.
 Vec3 nearestOnTriangle(const std::array<Vec3, 3>& corners, const Vec3& point);
 
-/// Copies the mesh. Building the nearest-point tree is put off until it is asked for.
+/// Copies the mesh. The nearest-point tree is built on first use.
 class SurfaceSide {
  public:
   explicit SurfaceSide(mesh::TriangleMesh mesh);
 
   SurfaceKind kind() const { return kind_; }
   double diagonal() const { return diagonal_; }
-  /// Points nearer than this to the surface count as on it: rounding of this judge, 1e-9 of the box's diagonal.
+  /// Points nearer than this to the surface count as on it: rounding of this oracle, 1e-9 of the box's diagonal.
   double tolerance() const { return 1e-9 * diagonal_; }
   const mesh::TriangleMesh& mesh() const { return mesh_; }
 
   /// Unknown beyond the border, and nearer to the border than the point is deep plus `reach`: there a finger may have
-  /// been let go sideways (a sphere leaves a border up to 2 radii earlier than a point). Not for several threads at
+  /// been released sideways (a sphere leaves a border up to 2 radii earlier than a point). Not for several threads at
   /// once: it remembers the last answer.
   Side sideOf(const Vec3& point, double reach = 0.0);
 

@@ -13,7 +13,7 @@ namespace palpate::bench {
 
 namespace {
 
-/// Of loading: corners welded to vertices, and the triangle tree.
+/// Kernels of loading: corners welded to vertices, and the triangle tree.
 std::vector<Kernel> buildingKernels(std::size_t triangles) {
   const auto mesh = std::make_shared<const mesh::TriangleMesh>(lab::backMesh(triangles));
   const auto weld = [mesh] {

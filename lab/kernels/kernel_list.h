@@ -10,7 +10,7 @@
 
 namespace palpate::bench {
 
-/// What a kernel's time is mostly made of; decides which fixed loop it is compared with.
+/// Main cost of a kernel; decides which fixed loop it is compared with.
 enum class Burden : std::uint8_t {
   arithmetic,  ///< arithmetic and dependent reads that mostly hit the caches
   memory       ///< streaming through arrays
@@ -18,14 +18,14 @@ enum class Burden : std::uint8_t {
 
 struct Kernel {
   std::string name;
-  std::string item;    ///< what `items` counts: "tick", "vertex", ...
+  std::string item;    ///< unit of `items`: "tick", "vertex", ...
   double items = 0.0;  ///< done by one call of `run`
   Burden burden = Burden::arithmetic;
   std::function<double()> run;  ///< the same work in every call; a sum over all results, so that none is optimised away
 };
 
-/// All kernels on a back of so many triangles. Takes about a microsecond a triangle, once; kernels share what they read
-/// and keep it alive.
+/// All kernels on a back of this many triangles. Takes about a microsecond a triangle, once; kernels share what they
+/// read and keep it alive.
 std::vector<Kernel> makeKernels(std::size_t triangles);
 
 /// Parts of makeKernels.

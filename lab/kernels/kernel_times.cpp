@@ -19,7 +19,7 @@ constexpr int kMinRounds = 3;
 /// A sample lasts at least this long, so that what it finds in the caches is its own.
 constexpr double kMinSampleNs = 2e5;
 
-volatile double kept;  // keeps the optimiser from leaving out work whose result nobody reads
+volatile double kept;  // keeps the optimiser from leaving out work with unused results
 
 /// Time that this thread had a processor, ns: another program that takes turns with it does not count.
 double processorNs() {
@@ -55,7 +55,7 @@ class Shortest {
   double best_ns_ = 1e300;
 };
 
-/// A kernel beside the loop that suits it.
+/// A kernel and the loop that suits it.
 struct Pair {
   Shortest kernel, loop;
 

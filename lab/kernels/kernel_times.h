@@ -42,10 +42,10 @@ struct KernelTime {
   std::string name;
   std::string item;
   double ns = 0.0;     ///< an item
-  double ratio = 0.0;  ///< of `ns` to a step of the reference loop that suits the kernel's burden
+  double ratio = 0.0;  ///< `ns` over a step of the reference loop that suits the kernel's burden
 };
 
-/// Goes round all kernels, each beside its reference loop, for about `seconds`; at least three rounds, the shortest
+/// Goes round all kernels, each with its reference loop, for about `seconds`; at least three rounds, the shortest
 /// processor times count.
 std::vector<KernelTime> timeKernels(std::span<const Kernel> kernels, double seconds);
 

@@ -50,7 +50,7 @@ void Deformation::apply(std::span<const Touch> touches) {
 }
 
 int Deformation::movedNodes() const {
-  std::vector<int> nodes(moved_.begin(), moved_.end());  // a node of two regions stands there twice
+  std::vector<int> nodes(moved_.begin(), moved_.end());  // a node of two regions is in it twice
   std::sort(nodes.begin(), nodes.end());
   return static_cast<int>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
 }

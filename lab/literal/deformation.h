@@ -29,7 +29,7 @@ class Deformation {
  public:
   explicit Deformation(const mesh::TriangleMesh& skin);
 
-  /// Brings back what the last call moved and deforms the skin by these touches. Allocates, as the text has it.
+  /// Restores what the last call moved and deforms the skin by these touches. Allocates, as in the text.
   void apply(std::span<const Touch> touches);
 
   /// Nodes that lie in a region of the last call.

@@ -15,7 +15,7 @@ namespace palpate::bench::literal {
 struct HdbContact {
   Mesh mesh;
   hdb::Partition tree;
-  double edge_mm = 0.0;  ///< of the detecting box: a quarter of the model's longest edge
+  double edge_mm = 0.0;  ///< edge of the detecting box: a quarter of the model's longest
   hdb::LeafHits leaves;
 };
 

@@ -1,5 +1,4 @@
-// The textbook's tests of one triangle, for float and double: what a peer that only finds boxes has to ask of each, and
-// what its judge asks.
+// The textbook's tests of one triangle, for float and double: for a peer that only finds boxes, and for its oracle.
 // Based on: Akenine-Moeller, "Fast 3D triangle-box overlap testing" (2001); Ericson, "Real-Time Collision Detection"
 // (2005), 5.1.5.
 #pragma once
@@ -38,7 +37,7 @@ bool triangleMeetsBox(const std::array<Eigen::Matrix<Real, 3, 1>, 3>& corners, c
   return true;
 }
 
-/// Of a point to a triangle; plain, without care for slivers.
+/// Squared distance of a point to a triangle; plain, without care for slivers.
 template <class Real>
 Real squaredDistance(const Eigen::Matrix<Real, 3, 1>& p, const Eigen::Matrix<Real, 3, 1>& a,
                      const Eigen::Matrix<Real, 3, 1>& b, const Eigen::Matrix<Real, 3, 1>& c) {

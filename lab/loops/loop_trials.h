@@ -1,4 +1,4 @@
-// What is done to a closed loop to see whether it is safe to touch: a kick, a tap, a slow press, a slide over a map.
+// Trials of a closed loop that show whether it is safe to touch: a kick, a tap, a slow press, a slide over a map.
 #pragma once
 
 #include <memory>
@@ -24,7 +24,7 @@ enum class Protection : std::uint8_t {
   identified,  ///< both measured, the delay uncertain by half a tick
 };
 
-/// Limits that leave the stiffness as it is: what is asked is what is rendered.
+/// Limits that leave the stiffness as it is: the request is rendered.
 servo::LimiterSettings limitsOf(const device::DeviceProfile& device, double tick_s, double delay_ticks,
                                 Protection protection);
 
@@ -52,10 +52,10 @@ class ClosedLoop {
   explicit ClosedLoop(const LoopSettings& settings);
 
   device::SimulatedHand& hand(std::size_t finger = 0) { return *hands_[finger]; }
-  /// Brings the first contact to where its device is, which may be inside, and forgets how: as if it had rested there.
+  /// Moves the first contact to where its device is, which may be inside, and forgets how: as if it had rested there.
   void settleContact();
   const trace::Sample& tick();
-  std::span<const trace::Sample> samples() const { return samples_; }  ///< of the last tick, one per finger
+  std::span<const trace::Sample> samples() const { return samples_; }  ///< last tick, one per finger
   servo::Rig& rig() { return rig_; }
   const contact::Surface& surface() const { return *surface_; }
   const servo::LimiterState& limiter() const { return rig_.fingers.front().limiter; }
@@ -78,7 +78,7 @@ struct LoopPlan {
   double jitter_ticks = 0.0;
   double amplifier_lag_s = 0.0;
   Protection protection = Protection::assumed;
-  /// What controls the loop believes the device to be; the device itself unless said.
+  /// The device that controls are designed for; null: the device itself.
   const device::DeviceProfile* believed = nullptr;
   double believed_delay_ticks = -1.0;  ///< below 0: the true one
   bool quantised = true;
@@ -132,12 +132,12 @@ struct TapResult {
 /// `phase`, 0 to 1: where between two samples the surface is met.
 TapResult tap(const LoopPlan& plan, double speed_mm_per_s, double phase);
 
-// Pressed and let go at 1 Hz, with a tremor of 0.1 mm at 9 Hz.
+// Pressed and released at 1 Hz, with a tremor of 0.1 mm at 9 Hz.
 
 struct PressResult {
-  double stiffness_bias = 0.0;  ///< of the slope of motor force over true depth, against the plate's
+  double stiffness_bias = 0.0;  ///< slope of motor force over true depth, against the plate's
   double hysteresis = 0.0;      ///< lost in a press over what was put in; below 0: gained
-  double noise_n = 0.0;         ///< of the motor's force above 20 Hz, rms
+  double noise_n = 0.0;         ///< motor's force above 20 Hz, rms
   double slope_n_per_mm = 0.0;
   double damped_share = 0.0;  ///< ticks in which the controller acted
 };

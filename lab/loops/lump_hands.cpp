@@ -20,9 +20,9 @@ namespace {
 
 constexpr double kSkinNPerMm = 0.5;
 constexpr double kTicksPerS = 1000.0;
-/// Of a path, with goals that move.
+/// Share of a path with goals that move.
 constexpr double kMovingShare = 0.8;
-/// Of a path, at its end, that is looked at for oscillations.
+/// Share of a path, at its end, that is checked for oscillations.
 constexpr double kWatchedShare = 0.1;
 
 /// The most that a press of 5 mm pushes it sideways, N.
@@ -46,7 +46,7 @@ contact::Lumps mobileLump(Random& random) {
   }
 }
 
-/// Where a hand wants to be: from above the skin into it, here and there beside the lump.
+/// Where a hand wants to be: from above the skin into it, here and there around the lump.
 class Goal {
  public:
   /// `give`: how much farther than the tip a hand has to go that is pushed back.
@@ -84,7 +84,7 @@ double storedBy(const contact::Surface& plate, const contact::LumpPlaces& places
   return skin + contact::lumpEnergy(*plate.lumps, places, presses);
 }
 
-/// What a finger feels there that came straight down.
+/// Force on a finger there that came straight down.
 Vec3 forceAt(const contact::Surface& plate, const contact::LumpPlaces& places, const Vec3& tip) {
   contact::FingerSettings finger;
   finger.mu_static = finger.mu_dynamic = 0.0;
@@ -110,7 +110,7 @@ double workAlong(const contact::Surface& plate, const contact::LumpPlaces& place
   return work;
 }
 
-/// How often something turns round and comes back by more than this: a slow creep does not.
+/// How often a value turns round by more than this: a slow creep does not.
 int turnsOf(const std::vector<double>& values, double most) {
   int turns = 0;
   int direction = 0;

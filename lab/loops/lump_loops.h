@@ -1,4 +1,4 @@
-// What lumps may not do: give energy away. Fixed ones along closed paths, mobile ones under simulated hands.
+// Checks that lumps give no energy away: fixed ones along closed paths, mobile ones under simulated hands.
 //
 // The oracle is the energy itself (contact::lumpEnergy, the skin's own) against the work of the forces that were felt.
 #pragma once
@@ -11,11 +11,11 @@
 
 namespace palpate::lab {
 
-// A point or a fingertip without friction goes along a closed path over fixed lumps and comes back to where it was.
+// A point or a fingertip without friction goes along a closed path over fixed lumps and returns to where it was.
 
 struct ClosedPathsPlan {
   std::size_t paths = 10000;
-  double step_mm = 0.01;  ///< of a path, on average
+  double step_mm = 0.01;  ///< length of a step, on average
   std::uint64_t seed = 1;
   std::size_t threads = 0;  ///< 0: as many as there are processors
 };
@@ -31,7 +31,7 @@ struct ClosedPathsFigures {
   std::size_t paths = 0;
   std::size_t ticks = 0;
   std::size_t lumps = 0;          ///< drawn
-  double worst_work_n_mm = 0.0;   ///< of the path with the worst share, at the plan's step
+  double worst_work_n_mm = 0.0;   ///< work of the path with the worst share, at the plan's step
   double stored_n_mm = 0.0;       ///< the most that its lumps stored
   std::vector<BySteps> by_steps;  ///< at the plan's step, at twice and at four times as long ones
   double worstShare() const { return by_steps.empty() ? 0.0 : by_steps.front().worst_share; }
@@ -45,7 +45,7 @@ ClosedPathsFigures measureClosedPaths(const ClosedPathsPlan& plan, const Progres
 
 struct HeldLumpsPlan {
   std::size_t paths = 400;
-  double seconds = 4.0;  ///< of a path; for the last fifth the goals stay
+  double seconds = 4.0;  ///< length of a path; for the last fifth the goals stay
   std::uint64_t seed = 1;
   std::size_t threads = 0;  ///< 0: as many as there are processors
 };
@@ -73,7 +73,7 @@ struct StiffestLumpPlan {
 
 struct StiffestLumpFigures {
   std::size_t systems = 0;
-  double slope_n_per_mm = 0.0;       ///< of skin and lump together, at most
+  double slope_n_per_mm = 0.0;       ///< largest of skin and lump together
   std::size_t oscillating = 0;       ///< still after a kick
   std::size_t oscillating_bare = 0;  ///< the same without the passivity controller
   double port_energy_mj = 0.0;       ///< the most that the device gave after a tap at 0.5 m/s

@@ -48,7 +48,7 @@ class ClosedPath {
     }
     return place;
   }
-  /// So many that a step is this long on average; a multiple of the coarsest.
+  /// Number of steps of this length on average; a multiple of the coarsest.
   std::size_t steps(double step_mm) const {
     constexpr std::size_t kLooks = 400;
     double length = 0.0;
@@ -99,7 +99,7 @@ PathWork workAlong(const ClosedPath& path, double step_mm, const contact::Surfac
   return result;
 }
 
-/// Some lumps beside each other in one place.
+/// Some lumps next to each other in one place.
 contact::Surface plateWithLumps(Random& random) {
   constexpr double kApartMm = 18.0;
   const tissue::LumpPlace place = randomLumpPlace(random);

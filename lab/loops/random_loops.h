@@ -8,7 +8,7 @@
 
 namespace palpate::lab {
 
-/// What all systems of one cell of the table have in common.
+/// Properties that all systems of one cell of the table share.
 struct RandomCell {
   double stiffness_n_per_mm = 1.0;
   double delay_ticks = 1.0;

@@ -1,4 +1,4 @@
-// Numbered jobs for whoever is free: results come in the order of the numbers, whatever the number of threads.
+// Numbered jobs for free threads: results come in the order of the numbers, whatever the number of threads.
 #pragma once
 
 #include <atomic>

@@ -30,7 +30,7 @@ const device::DeviceProfile& believedProfile(scene::DeviceModel model, bool refu
   return profiles.at({model, refused});
 }
 
-/// Of one system, independent of all others.
+/// Random stream of one system, independent of all others.
 Random randomOf(const StabilityCell& cell, std::uint64_t seed, std::size_t number) {
   std::uint64_t mixed = seed;
   for (const std::uint64_t part : {static_cast<std::uint64_t>(cell.device), static_cast<std::uint64_t>(cell.hand),

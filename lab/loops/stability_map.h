@@ -14,11 +14,11 @@ namespace palpate::lab {
 struct StabilityMapPlan {
   std::vector<double> rates{250.0, 500.0, 1000.0, 2000.0, 4000.0};  ///< Hz
   std::vector<int> delays{0, 1, 2, 3, 4, 5, 6};                     ///< ticks
-  /// `unknown` stands for a device of which the loop knows nothing: the mechanics of the others, in turn.
+  /// `unknown` is a device of which the loop knows nothing: the mechanics of the others, in turn.
   std::vector<scene::DeviceModel> devices;
   std::vector<device::HandKind> hands{device::HandKind::stylus_x, device::HandKind::stylus_z, device::HandKind::thimble,
                                       device::HandKind::arm, device::HandKind::dead_load};
-  std::size_t systems = 60;  ///< of a cell
+  std::size_t systems = 60;  ///< per cell
   std::uint64_t seed = 20261124;
   std::size_t threads = 0;  ///< 0: one for each core
 };

@@ -1,4 +1,4 @@
-// A grid over the outline's box, empty outside; places come in pairs of mirror images, or symmetry could not be judged.
+// A grid over the outline's box, empty outside; places come in pairs of mirror images, to measure symmetry.
 #include "lab/measured/back_map.h"
 
 #include <cmath>

@@ -11,7 +11,7 @@
 
 namespace palpate::study {
 
-/// Of a place in the map plane, mm.
+/// Value at a place in the map plane, mm.
 using MapValue = std::function<double(const Vec2& place)>;
 
 /// How a map is shown: the colour bar and its range.

@@ -17,7 +17,7 @@ using lab::kBackWidthMm;
 
 // Strokes stay this far from the border of the back.
 constexpr double kBorderMm = 40.0;
-// Of the way that is then walked at constant speed.
+// Step of the way that is then walked at constant speed.
 constexpr double kWayStepMm = 0.5;
 
 bool isInside(const Vec2& place) {

@@ -1,5 +1,5 @@
-// Strokes over the benchmark's back: a finger that comes down, presses and slides at one speed. What the study of
-// punctures moves.
+// Strokes over the benchmark's back, for the study of punctures: a finger that comes down, presses and slides at one
+// speed.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // Each part of a frame is run alone, several times, and the shortest counts: other load only ever adds. Results are
-// kept, or the optimiser would leave the work out. What is timed is literal_process.h and the engine.
+// kept, or the optimiser would leave the work out. Times literal_process.h and the engine.
 #include "lab/measured/haptic_frames.h"
 
 #include <numeric>

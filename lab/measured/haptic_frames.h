@@ -1,4 +1,4 @@
-// What a frame of the haptic process costs on a model: in the dissertation's way (literal_process.h) and in ours.
+// Cost of a frame of the haptic process on a model: in the dissertation's way (literal_process.h) and in ours.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace palpate::study {
 
-/// What the dissertation chose: at most so many triangles a leaf (3.3.1: "proved as the best value in our experiments")
+/// The dissertation's choice: at most this many triangles a leaf (3.3.1: "proved as the best value in our experiments")
 /// and a box whose edge is this share of the model's longest (3.3.3).
 inline constexpr Index kPrintedThreshold = 1024;
 inline constexpr double kPrintedBoxShare = 0.25;
@@ -21,7 +21,7 @@ struct HapticModel {
   mesh::TriangleMesh mesh;
   bench::literal::Mesh literal;
   std::vector<SkinPlace> places;
-  double longest_edge = 0.0;  ///< of its box, mm
+  double longest_edge = 0.0;  ///< longest of its box, mm
 };
 
 HapticModel hapticModel(std::size_t triangles, int places);
@@ -37,7 +37,7 @@ struct FrameTimes {
   double touchedMicroseconds() const { return find_us + collide_us + force_us; }
 };
 
-/// A frame at one place: the finger 5 mm deep, come from 1 mm above the skin. Of `runs` runs the fastest counts, part
+/// A frame at one place: the finger 5 mm deep, come from 1 mm above the skin. The fastest of `runs` runs counts, part
 /// by part. Without a partition the whole model is rendered.
 FrameTimes literalFrame(const HapticModel& model, const hdb::Partition* partition, double edge_mm,
                         const SkinPlace& place, int runs);

@@ -2,8 +2,8 @@
 // tested, each by itself, as a haptic library has to do with whatever was drawn (3.3, 3.3.4).
 //
 // "Untouched" is collision detection: the way of the tip against every triangle. "Touched" adds the generation of the
-// force: the nearest point of every triangle, then spring and friction. What the library of 2008 really did with its
-// triangles was never published; this is the least that it had to do.
+// force: the nearest point of every triangle, then spring and friction. The real work of the library of 2008 on its
+// triangles was never published; this is the least it had to do.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace palpate::study {
 
-/// What is drawn for haptics in a frame: the triangles of some leaves, or of the whole model.
+/// Haptically drawn triangles of a frame: those of some leaves, or of the whole model.
 using RenderedLeaves = std::vector<std::span<const Index>>;
 
 RenderedLeaves wholeModel(const std::vector<Index>& all_triangles);
@@ -24,7 +24,7 @@ std::size_t countOf(const RenderedLeaves& leaves);
 
 struct LiteralHit {
   Vec3 point = Vec3::Zero();
-  double fraction = 1.0;  ///< of the way
+  double fraction = 1.0;  ///< share of the way
   Index triangle = kNoIndex;
 };
 

@@ -35,7 +35,7 @@ mesh::TriangleMesh openHandModel(std::size_t triangles) {
       std::min_element(hand.triangles.begin(), hand.triangles.end(), is_nearer_wrist) - hand.triangles.begin());
   std::vector<Index> cut{first};
   std::set<Index> seen(hand.triangles[first].begin(), hand.triangles[first].end());
-  // Each triangle that is joined on brings a vertex of its own, so that none comes to lie inside.
+  // Each triangle that is joined on has a vertex of its own, so that none comes to lie inside.
   for (std::size_t i = 0; i < cut.size() && cut.size() < hole; ++i) {
     for (const Index next : neighbours[cut[i]]) {
       std::size_t known = 0;

@@ -1,4 +1,4 @@
-// The meshes that stand in for the dissertation's models, which were never published.
+// Substitutes for the dissertation's models, which were never published.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace palpate::study {
 
-inline constexpr std::size_t kBackTriangles = 2962;      ///< of the back of Figure 3.2
-inline constexpr std::size_t kHandTriangles = 2818;      ///< of the hand of Appendix A (E13), 1418 vertices
-inline constexpr std::size_t kNamelessTriangles = 2786;  ///< of the model of Appendix A with 1401 vertices and no name
+inline constexpr std::size_t kBackTriangles = 2962;      ///< back of Figure 3.2
+inline constexpr std::size_t kHandTriangles = 2818;      ///< hand of Appendix A (E13), 1418 vertices
+inline constexpr std::size_t kNamelessTriangles = 2786;  ///< model of Appendix A with 1401 vertices and no name
 
 /// The built-in sheet of 350 x 400 x 120 mm without bones showing: made at once.
 mesh::TriangleMesh backModel(std::size_t triangles = kBackTriangles);
-/// The built-in hand; stands in for the bunny as the closed model.
+/// The built-in hand; replaces the bunny as the closed model.
 mesh::TriangleMesh handModel();
 
-/// The built-in hand cut open at the wrist: exactly so many triangles (even), and as many vertices as Appendix A
+/// The built-in hand cut open at the wrist: exactly `triangles` (even) triangles, and as many vertices as Appendix A
 /// counts, 1418 for 2818 by a border of 16 edges, 1401 for 2786 by one of 14.
 mesh::TriangleMesh openHandModel(std::size_t triangles);
 

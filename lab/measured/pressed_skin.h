@@ -17,9 +17,9 @@ struct Press {
   Vec2 at = Vec2::Zero();
   double depth_mm = 0.0;
   Vec2 drag_mm = Vec2::Zero();          ///< as seen along z; laid into the tangent plane
-  double half_major_mm = 60.0;          ///< of the drag's region
+  double half_major_mm = 60.0;          ///< region of the drag
   double aspect = 1.0;                  ///< minor/major
-  double direction_rad = 1.5707963268;  ///< of its major axis
+  double direction_rad = 1.5707963268;  ///< its major axis
 };
 
 deform::Contact contactOf(const mesh::TriangleMesh& mesh, const Press& press, const deform::FormSettings& forms);
@@ -29,10 +29,10 @@ struct FeltStroke {
   Vec2 at = Vec2::Zero();
   double depth_mm = 10.0;
   Vec2 stroke_mm = Vec2::Zero();
-  double stiffness_ratio = 1.0;  ///< of the tangential spring; 0.23 reaches (4.17)'s 20 mm at 10 mm depth (E2)
+  double stiffness_ratio = 1.0;  ///< factor of the tangential spring; 0.23 reaches (4.17)'s 20 mm at 10 mm depth (E2)
 };
 
-/// What the deformation gets from that finger at the end of its way: anchor, depth and drag as friction gives them, the
+/// The deformation's input from that finger at the end of its way: anchor, depth and drag as friction gives them, the
 /// ellipse of the dissertation's map at the anchor.
 deform::Contact feltContact(const mesh::TriangleMesh& mesh, const FeltStroke& stroke,
                             const deform::FormSettings& forms = {});

@@ -1,5 +1,5 @@
 // Bullet: a tree of quantised boxes over the triangles, and for each part of a tool one compound of spheres that is
-// laid against it. What comes back are points of contact, of which only whether there is one is asked here.
+// laid against it. It returns points of contact; only whether there is one matters here.
 //
 // Based on: Coumans, "Bullet physics simulation", SIGGRAPH courses 2015. Coordinates are floats, as Debian builds it.
 
@@ -67,7 +67,7 @@ struct Part {
   btCompoundShape shape;
   std::vector<std::unique_ptr<btSphereShape>> spheres;
   btCollisionObject object;
-  std::vector<char> touches;  ///< of each of its pads
+  std::vector<char> touches;  ///< one per pad
 };
 
 std::vector<std::unique_ptr<Part>> partsOf(const contact::ToolShape& tool) {

@@ -126,7 +126,7 @@ bool crosses(const Model& model, const Vec3& from, const Vec3& to) {
   return hit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
 }
 
-/// `told`: the point query is told the bound that the finger knows, instead of its whole reach.
+/// `told`: the point query gets the finger's known bound, instead of its whole reach.
 template <bool told>
 PeerRun<ContactAnswer> answerContact(const mesh::TriangleMesh& mesh, std::span<const ContactQuery> queries,
                                      double seconds) {

@@ -24,7 +24,7 @@ namespace {
 
 using Model = fcl::BVHModel<fcl::OBBRSS<double>>;
 using Place = fcl::Transform3<double>;
-/// Radius of the capsule that stands for a segment, as a share of its length.
+/// Radius of the capsule that replaces a segment, as a share of its length.
 constexpr double kThinness = 1e-6;
 
 std::unique_ptr<Model> buildModel(const mesh::TriangleMesh& mesh) {

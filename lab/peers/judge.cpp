@@ -1,5 +1,5 @@
 // Contact: the exact answer of our tree, within what single precision leaves. Boxes: brute force over slightly smaller
-// and larger boxes gives the least and most that an answer may hold; a hundred boxes are judged, for each is slow.
+// and larger boxes gives the least and most that an answer may hold; a hundred boxes are checked, for each is slow.
 #include "lab/peers/judge.h"
 
 #include <algorithm>
@@ -64,7 +64,7 @@ void judge(const PeerRun<ContactAnswer>& run, const ContactWorld& world, std::sp
   figures.hash = hash.value();
 }
 
-/// What must be in a box, and what may be besides.
+/// Triangles that must be in a box, and those that may be.
 struct Expected {
   std::size_t least = 0, most = 0;
 };
@@ -93,7 +93,7 @@ Expected expected(const mesh::TriangleMesh& mesh, const std::vector<Index>& near
   return counts;
 }
 
-/// Counts are compared; a hundred boxes spread over the run stand for all, for each is brute force.
+/// Compares counts, on a hundred boxes spread over the run, for each needs brute force.
 void judge(const Peer& peer, const PeerRun<BoxAnswer>& run, const mesh::TriangleMesh& mesh, const hdb::Partition& ours,
            std::span<const Box3> boxes, PeerFigures& figures) {
   constexpr std::size_t kJudged = 100;

@@ -24,9 +24,9 @@ struct PeerFigures {
   double build_ns_per_triangle = 0.0;
   std::optional<double> bytes_per_triangle;
   std::size_t disagreements = 0;  ///< answers other than ours by more than single precision explains
-  std::uint64_t hash = 0;         ///< of every bit of every answer
+  std::uint64_t hash = 0;         ///< hash of every bit of every answer
   // Contact
-  double mean_distance_mm = 0.0;  ///< of the nearest points
+  double mean_distance_mm = 0.0;  ///< mean distance of the nearest points
   std::size_t hits = 0;           ///< segments that cross the surface
   // Boxes
   double mean_triangles = 0.0;
@@ -34,7 +34,7 @@ struct PeerFigures {
   double mean_touching = 0.0;  ///< pads
 };
 
-/// Builds each peer, asks it and judges it, one after the other; peers that cannot do it are left out. `mesh` is the
+/// Builds, queries and checks each peer, one after the other; peers that cannot do it are left out. `mesh` is the
 /// world's own, repaired.
 std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const ContactWorld& world,
                                       std::span<const ContactQuery> queries, double seconds_per_peer);
@@ -48,7 +48,7 @@ std::vector<PeerFigures> comparePeers(std::span<const ToolPeer> peers, const Con
 struct ContactComparison {
   ContactFigures ours;
   std::size_t queries = 0;        ///< ticks of the window
-  std::size_t nearest_asked = 0;  ///< of these, with a nearest point to find; all have a segment
+  std::size_t nearest_asked = 0;  ///< those with a nearest point to find; all have a segment
   std::vector<PeerFigures> peers;
 };
 

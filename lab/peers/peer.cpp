@@ -11,7 +11,7 @@ namespace {
 /// Proxies are lifted off the skin by this share of the body's diagonal, 0.05 mm on a back: below what can be felt,
 /// above the rounding of single precision.
 constexpr double kLift = 1e-4;
-/// A sphere at rest on the skin is at its radius from it, to rounding: this much more is asked for.
+/// A sphere at rest on the skin is at its radius from it, to rounding: this is a little more.
 constexpr double kSphereReach = 1.01;
 /// So that rounding does not lose the point that made the bound; the lift is added, for a tip on the skin.
 constexpr double kBoundSlack = 1.001;

@@ -17,7 +17,7 @@
 
 namespace palpate::bench {
 
-/// What a finger has to ask of a surface in a tick.
+/// Queries of a finger to a surface in one tick.
 ///
 /// Point finger: where it touches, the nearest point of the skin to the tip, and whether the way from the old proxy to
 /// the new one is free (lifted off the skin, for both ends lie on it); in free space, whether the way of the tip is
@@ -32,7 +32,7 @@ struct ContactQuery {
 };
 
 struct ContactAnswer {
-  double distance = std::numeric_limits<double>::infinity();  ///< of the nearest point; infinite: none, or not asked
+  double distance = std::numeric_limits<double>::infinity();  ///< to the nearest point; infinite: none, or not queried
   bool crosses = false;
 };
 
@@ -44,18 +44,18 @@ std::vector<ContactQuery> contactQueries(const ContactWorld& world, const Finger
 /// By our own tree, exactly: what the peers should say.
 ContactAnswer exactAnswer(const tree::TriangleTree& tree, const ContactQuery& query);
 
-/// What a library answered: `answers[i]` and `query_us[i]` belong to query `asked[i]`. All queries, or as many as the
+/// A library's answers: `answers[i]` and `query_us[i]` belong to query `asked[i]`. All queries, or as many as the
 /// time allowed, in blocks spread over the run.
 template <class Answer>
 struct PeerRun {
   double build_ns_per_triangle = 0.0;        ///< processor time from the mesh to the first query, one thread
-  std::optional<double> bytes_per_triangle;  ///< what the library keeps; none where it cannot be counted
+  std::optional<double> bytes_per_triangle;  ///< memory of the library; nothing where it cannot be counted
   std::vector<std::uint32_t> asked;
   std::vector<Answer> answers;
   std::vector<double> query_us;
 };
 
-/// What a box query found: how many triangles, and the sum of their hashed numbers, which does not depend on the order.
+/// Result of a box query: how many triangles, and the sum of their hashed numbers, which does not depend on the order.
 struct BoxAnswer {
   std::size_t count = 0;
   std::uint64_t sum = 0;
@@ -64,7 +64,7 @@ struct BoxAnswer {
 
 BoxAnswer summaryOf(std::span<const Index> triangles);
 
-/// What "in the box" means to a library.
+/// Meaning of "in the box" in a library.
 enum class BoxTest : std::uint8_t {
   triangle_box,  ///< the triangle's own box meets it: ours and the dissertation's
   triangle       ///< the triangle itself does
@@ -85,7 +85,7 @@ struct Peer {
 /// Where a tool's parts lay on the skin, tick by tick (posesOnSkin): pads are spheres.
 struct ToolQueries {
   const contact::ToolShape& shape;
-  std::vector<contact::ToolPose> poses;  ///< of every part in every tick
+  std::vector<contact::ToolPose> poses;  ///< one per part and tick
   std::size_t ticks() const { return poses.size() / shape.rest.size(); }
   std::span<const contact::ToolPose> at(std::size_t tick) const {
     return std::span(poses).subspan(tick * shape.rest.size(), shape.rest.size());
@@ -108,7 +108,7 @@ struct ToolPeer {
   PeerRun<ToolAnswer> (*tool)(const mesh::TriangleMesh& mesh, const ToolQueries& queries, double seconds) = nullptr;
 };
 
-/// Of sphere and triangle each; a part is one compound.
+/// Tests sphere against triangle, one by one; a part is one compound.
 ToolPeer bulletToolPeer();
 ToolPeer fclToolPeer();
 

@@ -21,7 +21,7 @@ std::optional<double> heapBytes();
 template <class Answer, class Build>
 auto timedBuild(std::size_t triangles, PeerRun<Answer>& run, Build&& build) {
   const std::optional<double> before = heapBytes();
-  const std::clock_t start = std::clock();  // processor time: other load is none of the library's
+  const std::clock_t start = std::clock();  // processor time, so that other load does not count
   auto built = build();
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   run.build_ns_per_triangle = 1e9 * seconds / static_cast<double>(triangles);

@@ -1,5 +1,5 @@
 // Threads make their own fingers, so that these lie where they work, and meet once, before the first tick. They share
-// the body, which nobody writes.
+// the body, which is read-only.
 #include "lab/runs/servo_costs.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace palpate::bench {
 
 namespace {
 
-/// Of all fingers in a pass: 70 ms of points, half a second of fingertips.
+/// Ticks of all fingers in a pass: 70 ms of points, half a second of fingertips.
 constexpr std::size_t kPassTicks = 500000;
 /// Another program slows the pass that it interrupts; of two passes one may have been left alone.
 constexpr int kMinBatchRounds = 2;
@@ -29,13 +29,13 @@ struct Begun {
   contact::FingerState state;
 };
 
-/// What a pass is about; the same for all of its threads.
+/// Subject of a pass; the same for all of its threads.
 struct Pass {
   const scene::World& world;
   contact::FingerSettings finger;
   std::span<const Vec3> path;
   std::vector<Begun> fingers;
-  std::size_t finger_ticks = 0;  ///< of each
+  std::size_t finger_ticks = 0;  ///< per finger
   std::size_t action_ticks = 0;  ///< divides finger_ticks
 };
 
@@ -52,13 +52,13 @@ std::vector<Begun> begunOn(const scene::World& world, const contact::FingerSetti
   return begun;
 }
 
-/// What a finger felt in a pass: its last tick, and the sum of all forces, which no tick leaves as it was.
+/// Felt by a finger in a pass: its last tick, and the sum of all forces, which every tick changes.
 struct Felt {
   contact::FingerOutput last;
   Vec3 sum = Vec3::Zero();
 };
 
-/// What one thread brings home.
+/// Result of one thread.
 struct Share {
   Clock::time_point began, ended;
   std::size_t touching = 0;

@@ -29,9 +29,9 @@ namespace palpate::bench {
 struct ContactWorld {
   double scale = 1.0;
   double stiffness_n_per_mm = 0.5;  ///< real, the same everywhere
-  std::size_t triangles = 0;        ///< of the mesh before repair
+  std::size_t triangles = 0;        ///< mesh before repair
   contact::Surface surface;
-  lab::SurfaceSide side;  ///< the judge's view of the same (repaired) mesh
+  lab::SurfaceSide side;  ///< the oracle's view of the same (repaired) mesh
 };
 
 /// Scales and repairs. Throws Error when the mesh cannot be felt or a number is not positive.
@@ -40,7 +40,7 @@ ContactWorld buildContactWorld(mesh::TriangleMesh mesh_mm, double scale = 1.0, d
 /// The repaired mesh that a contact surface was built from, in the surface's units, its triangles in their own order.
 mesh::TriangleMesh meshOf(const contact::Surface& surface);
 
-/// What a run gave, in the world's units (N for forces).
+/// Result of a run, in the world's units (N for forces).
 struct FingerRun {
   std::vector<contact::FingerOutput> outputs;  ///< one a tick
   std::vector<double> tick_us;                 ///< time of each step, the clock's own cost taken off
@@ -68,7 +68,7 @@ struct ContactFigures {
   std::size_t triangles = 0, ticks = 0, contact_ticks = 0;
   lab::Percentiles tick_us;
   lab::Percentiles lag_mm;  ///< |A - D| over ticks in contact, A where friction holds
-  lab::FallReport falls;    ///< of the whole run, whatever the window
+  lab::FallReport falls;    ///< over the whole run, whatever the window
   std::optional<lab::SphereReport> sphere;
   FrictionFigures friction;
   double peak_force_n = 0.0;
@@ -76,13 +76,13 @@ struct ContactFigures {
   std::size_t max_force_step_tick = 0;
   double peak_depth_mm = 0.0;
   std::size_t teleports = 0;  ///< ticks left out of friction and force figures: |dD| > 5 mm
-  lab::ThreadCounts counts;   ///< of the whole run, whatever the window
-  std::uint64_t hash = 0;     ///< of every bit of every output
+  lab::ThreadCounts counts;   ///< over the whole run, whatever the window
+  std::uint64_t hash = 0;     ///< hash of every bit of every output
 };
 
-/// Runs and measures. `real` holds real lengths; the trajectory is in mm and is resampled to the finger's tick. Of
-/// several rounds each tick has its least time, all else is the last's: a tick does the same in each, what interrupts
-/// it does not.
+/// Runs and measures. `real` holds real lengths; the trajectory is in mm and is resampled to the finger's tick. Each
+/// tick has its least time over the rounds, all else is the last round's: the work is the same in each, interruptions
+/// are not.
 ContactFigures measureContact(ContactWorld& world, const device::Trajectory& trajectory,
                               const contact::FingerSettings& real, const Window& window = {}, int rounds = 1);
 
@@ -97,7 +97,7 @@ std::vector<Vec3> scaledTips(const device::Trajectory& ticks, double scale);
 
 struct HdbRunSettings {
   hdb::BuildSettings build;
-  double edge_mm = 0.0;  ///< of the box; 0: a quarter of the longest edge
+  double edge_mm = 0.0;  ///< edge of the box; 0: a quarter of the longest edge
   hdb::HdbSettings hdb;  ///< its edges are set from edge_mm
 };
 
@@ -105,7 +105,7 @@ struct HdbFigures {
   ContactFigures contact;
   std::size_t leaves = 0;
   std::size_t most_listed = 0;  ///< triangles in the box's list
-  std::uint64_t queries = 0;    ///< of the partition
+  std::uint64_t queries = 0;    ///< number of queries to the partition
   double edge_mm = 0.0;
 };
 
@@ -114,15 +114,15 @@ HdbFigures measureHdb(ContactWorld& world, const device::Trajectory& trajectory,
                       const HdbRunSettings& settings, const Window& window = {});
 
 // Runs a tool of several pads along a trajectory and, on the same tips, a finger alone for each pad: what the tool
-// costs beside what its pads would cost, and whether they feel the same.
+// costs against its pads alone, and whether they feel the same.
 //
 // Every part follows the trajectory of one finger, a stretch of time after the part before it, so that parts lie apart
 // and all are pressed as deep as that finger; each is turned so that its z points out of the skin under it.
 
 struct ToolFigures {
   std::size_t triangles = 0, pads = 0, parts = 0, groups = 0;
-  std::size_t ticks = 0;      ///< of the window
-  std::size_t all_touch = 0;  ///< of these, with every pad in contact
+  std::size_t ticks = 0;      ///< in the window
+  std::size_t all_touch = 0;  ///< with every pad in contact
   lab::Percentiles tick_us;   ///< over the ticks in which every pad touches; over all where there are none
   lab::Percentiles any_tick_us;
   lab::Percentiles air_tick_us;    ///< the same path, lifted clear of the skin
@@ -130,7 +130,7 @@ struct ToolFigures {
   std::size_t different = 0;       ///< pads and ticks in which a pad did not feel what its finger did, to the bit
   contact::Wrench wrench;          ///< with the largest force, about the first part's origin
   double peak_moment_n_mm = 0.0;
-  lab::ThreadCounts counts;  ///< of all ticks of the tool
+  lab::ThreadCounts counts;  ///< over all ticks of the tool
 };
 
 /// The tools that can be measured.
@@ -140,12 +140,12 @@ std::vector<std::string> toolNames();
 contact::ToolShape toolNamed(std::string_view name);
 
 /// The same way, but on the skin instead of in it: each part is moved as far as its pads come out of the skin on
-/// average. All parts of a tick, then those of the next. Of `finger` the radius is not looked at.
+/// average. All parts of a tick, then those of the next. The radius of `finger` is ignored.
 std::vector<contact::ToolPose> posesOnSkin(const ContactWorld& world, const device::Trajectory& trajectory,
                                            const contact::ToolShape& shape, const contact::FingerSettings& finger,
                                            const Window& window = {});
 
-/// In a world of scale 1. Of `finger` the radius is not looked at.
+/// In a world of scale 1. The radius of `finger` is ignored.
 ToolFigures measureTool(const ContactWorld& world, const device::Trajectory& trajectory,
                         const contact::ToolShape& shape, const contact::FingerSettings& finger,
                         const Window& window = {});

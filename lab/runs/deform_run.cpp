@@ -31,7 +31,7 @@ namespace {
 constexpr double kFingersApartMm = 40.0;
 /// The literal deformation takes a thousand times as long as a frame may: every fourth place must do.
 constexpr int kLiteralStride = 4;
-/// Of applies whose time is kept for the percentiles.
+/// Number of applies whose time is kept for the percentiles.
 constexpr std::size_t kMaxSamples = 100000;
 
 Index triangleAt(const mesh::TriangleMesh& mesh, const Vec2& place) {
@@ -124,7 +124,7 @@ struct Timings {
     best_ns[place] = std::min(best_ns[place], ns);
     if (all_us.size() < all_us.capacity()) all_us.push_back(1e-3 * ns);
   }
-  /// Of one round.
+  /// Time of one round.
   double bestRoundNs(std::size_t places) const {
     return std::accumulate(best_ns.begin(), best_ns.begin() + static_cast<std::ptrdiff_t>(places), 0.0);
   }

@@ -16,11 +16,11 @@
 namespace palpate::bench {
 
 struct DeformRun {
-  std::size_t triangles = 1000000;              ///< of the back
+  std::size_t triangles = 1000000;              ///< triangles of the back
   std::optional<mesh::TriangleMesh> body = {};  ///< in its place, mm; the fingers wander around `at` on it
   std::optional<Vec3> at = {};                  ///< left out: the highest place (z)
   int fingers = 1;                              ///< side by side, 40 mm apart
-  double half_major_mm = 60.0;                  ///< of the normal and the tangential region
+  double half_major_mm = 60.0;                  ///< normal and tangential region's
   double aspect = 0.8;                          ///< minor/major
   double depth_mm = 8.0;
   double drag_mm = 0.0;      ///< along x, on a body along the skin that way; 0 presses only
@@ -41,13 +41,13 @@ deform::Contact contactAt(const mesh::TriangleMesh& mesh, Index triangle, const 
 inline constexpr int kPlaces = 16;
 std::array<Vec2, kPlaces> placesAround(const Vec2& middle);
 
-/// What one implementation needs for an apply: whole, from the contacts to the surface with its normals.
+/// Cost of an apply in one implementation: whole, from the contacts to the surface with its normals.
 struct ApplyFigures {
   double vertices = 0.0;       ///< moved by one apply, mean over the places of the fingers
   double ns_per_vertex = 0.0;  ///< per moved vertex, best round
-  double us_per_frame = 0.0;   ///< of the best round
+  double us_per_frame = 0.0;   ///< in the best round
   lab::Percentiles apply_us;   ///< over all rounds
-  std::uint64_t hash = 0;      ///< of the positions and normals at the first place
+  std::uint64_t hash = 0;      ///< hash of the positions and normals at the first place
 };
 
 struct DeformFigures {

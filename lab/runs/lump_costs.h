@@ -1,4 +1,4 @@
-// What lumps and pressure pads cost a servo tick.
+// Cost of lumps and pressure pads in a servo tick.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace palpate::bench {
 
 /// Shortest of many blocks of ticks, us: a busy machine makes others longer.
 struct LumpCosts {
-  double tick_us = 0.0;           ///< of a fingertip in contact, without lumps
+  double tick_us = 0.0;           ///< fingertip in contact, without lumps
   double one_us = 0.0;            ///< that a tick takes longer with one lump under the path, and so on
   double eight_us = 0.0;          ///< all within reach
   double eight_mobile_us = 0.0;   ///< the same on springs, their motion counted in

@@ -13,14 +13,14 @@ namespace palpate::bench {
 
 struct PartitionRun {
   hdb::BuildSettings settings;
-  double speed_mm_s = 200.0;  ///< of the finger that slides over the surface at 1 kHz
+  double speed_mm_s = 200.0;  ///< speed of the finger that slides over the surface at 1 kHz
   double margin = hdb::kCoherentMargin;
   int ticks = 5000;
 };
 
 struct PartitionFigures {
   std::size_t triangles = 0;
-  double edge_mm = 0.0;           ///< of the box: a quarter of the model's longest edge
+  double edge_mm = 0.0;           ///< edge of the box: a quarter of the model's longest
   lab::Percentiles hdb_query_us;  ///< the exact triangles, found and written out one by one
   lab::Percentiles ranges_us;     ///< found only, as ranges of entries
   lab::Percentiles leaves_us;     ///< the leaves only
@@ -32,11 +32,11 @@ struct PartitionFigures {
   std::uint64_t hybrid_refreshes = 0;
   double linked_us_per_tick = 0.0;  ///< the hybrid of tree and linked list follows the box
   double linked_worst_us = 0.0;
-  double linked_boxes = 0.0;  ///< of nodes and triangles that it tests a tick
+  double linked_boxes = 0.0;  ///< nodes and triangles that it tests in a tick
   double bytes_per_triangle = 0.0;
   double build_ns_per_triangle = 0.0;
   std::optional<std::uint64_t> allocations;  ///< during all queries
-  std::uint64_t hash = 0;                    ///< of everything that the queries found
+  std::uint64_t hash = 0;                    ///< hash of everything that the queries found
 };
 
 /// The finger slides between random vertices of the surface, held to it; every tick asks. Throws Error for a mesh

@@ -27,7 +27,7 @@ servo::Rig rigFor(const scene::World& world, const device::FingerPaths& paths) {
   return rig;
 }
 
-/// servo::runTick without what stands between contact and hand.
+/// servo::runTick without the guards between contact and hand.
 void bareTick(servo::Rig& rig, std::uint64_t tick, std::span<trace::Sample> samples) {
   for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
     servo::FingerChain& finger = rig.fingers[i];
@@ -62,7 +62,7 @@ SafetyCost measureSafety(const scene::World& world, const device::FingerPaths& p
   const auto started = Clock::now();
   std::uint64_t first = 0;
   while (secondsSince(started) < seconds || differences.empty()) {
-    const bool with_first = differences.size() % 2 == 0;  // whoever comes second finds warm caches
+    const bool with_first = differences.size() % 2 == 0;  // the second of two finds warm caches
     const double one = with_first ? blockUs(first, with) : blockUs(first, without);
     const double other = with_first ? blockUs(first, without) : blockUs(first, with);
     differences.push_back(with_first ? one - other : other - one);

@@ -1,6 +1,6 @@
-// The bits of what a scene gives, as three numbers: the same from every compiler, processor and system.
+// The bits of a scene's results, as three numbers: the same from every compiler, processor and system.
 //
-// Stands on the core alone: tests/platforms/bits.cpp prints them for every platform, `palpate study credibility`
+// Uses the core alone: tests/platforms/bits.cpp prints them for every platform, `palpate study credibility`
 // compares them with the ones that are kept. docs/explanation/same-bits.md
 #pragma once
 
@@ -14,12 +14,12 @@ namespace palpate::bench {
 struct SceneBits {
   // 64 bits each, FNV-1a (base/hash.h): equal ones say that not a bit changed.
   std::uint64_t world = 0;   ///< places, triangles and stiffness of the skin
-  std::uint64_t forces = 0;  ///< of every finger in every tick
+  std::uint64_t forces = 0;  ///< forces of every finger in every tick
   std::uint64_t skin = 0;    ///< places, normals and strain as drawn, where the fingers together are deepest
   friend bool operator==(const SceneBits&, const SceneBits&) = default;
 };
 
-/// Along the scene's paths to their end (`ticks` 0), or again and again for so many ticks. Any thread; the time of a
+/// Along the scene's paths to their end (`ticks` 0), or again and again for `ticks` ticks. Any thread; the time of a
 /// world's ticks, and a skin that is deformed once.
 SceneBits bitsOf(const scene::World& world, std::uint64_t ticks = 0);
 

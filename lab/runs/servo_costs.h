@@ -1,4 +1,4 @@
-// What else than contact costs a servo tick: guards and passivity, a recording, and that there are many fingers.
+// Costs of a servo tick other than contact: guards and passivity, a recording, and many fingers.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,9 @@
 
 namespace palpate::bench {
 
-// What guards and passivity cost a servo tick: the product's tick beside one that sends the contact's force as it is.
+// Cost of guards and passivity in a servo tick: the product's tick against one that sends the contact's force as it is.
 
-/// Of one tick of one finger, us.
+/// Cost for one tick of one finger, us.
 struct SafetyCost {
   double safety_us = 0.0;  ///< guards, start rule, toe, passivity, clamp, rate guard
   double tick_us = 0.0;    ///< the whole tick with them
@@ -27,7 +27,7 @@ struct SafetyCost {
 /// medians. Devices take their forces, so that the controller has a loop to look after.
 SafetyCost measureSafety(const scene::World& world, const device::FingerPaths& paths, double seconds);
 
-// What a recording costs: in the servo thread, on the disk, in a replay, in a search.
+// Cost of a recording: in the servo thread, on the disk, in a replay, in a search.
 
 struct RecordingRunSettings {
   double seconds = 20.0;    ///< recorded and felt again, of simulated time
@@ -37,17 +37,17 @@ struct RecordingRunSettings {
 
 struct RecordingRun {
   std::size_t fingers = 0;
-  double record_us_per_tick = 0.0;  ///< of all fingers: handing a tick to the recorder
+  double record_us_per_tick = 0.0;  ///< handing a tick of all fingers to the recorder
   double tick_us = 0.0;             ///< the same ticks, of all fingers
   std::size_t blocks = 0;           ///< compared
-  double bytes_per_tick = 0.0;      ///< of all fingers, in the finished file
+  double bytes_per_tick = 0.0;      ///< all fingers', in the finished file
   double write_mb_per_s = 0.0;      ///< bytes a second of simulated time
   double write_times_real_time = 0.0;
   double replay_times_real_time = 0.0;
   bool identical = false;
   double long_hours = 0.0;
   double long_mb = 0.0;
-  double open_s = 0.0;  ///< of the long recording, the worst of several
+  double open_s = 0.0;  ///< worst of several openings of the long recording
   double seek_s = 0.0;  ///< opening it and reading the first tick at a random time, the worst
   std::uint64_t dropped = 0;
 };
@@ -56,34 +56,34 @@ struct RecordingRun {
 RecordingRun measureRecording(const scene::World& world, const device::FingerPaths& paths,
                               const RecordingRunSettings& settings, const Progress& progress = {});
 
-// What a tick costs beside one finger in a plain loop when many fingers are on one world, as learning and sweeps ask
-// for them, and whether threads hold each other up.
+// Cost of a tick with many fingers on one world, as learning and sweeps need them, against one finger in a plain loop,
+// and whether threads hold each other up.
 //
 // Every finger goes along the same path, from a place that it came to along it. A batch moves each a few ticks at a
 // time, one finger after the other, as a vectorised environment does; a rollout takes each along its whole way first.
 
 struct BatchSettings {
   std::size_t fingers = 1024;
-  std::size_t action_ticks = 10;  ///< of a batch: of one finger, before the next
+  std::size_t action_ticks = 10;  ///< one finger's ticks in a batch, before the next
   std::size_t threads = 2;        ///< compared with one
   double seconds = 4.0;           ///< to measure for; each pass is made twice at least
 };
 
-/// Of one order of the ticks. Rates are those of the fastest pass: other programs only slow it down.
+/// Rates of one order of the ticks, in the fastest pass: other programs only slow it down.
 struct BatchRates {
   double one_thread_ticks_per_s = 0.0;
-  double ticks_per_s = 0.0;  ///< of all threads together
+  double ticks_per_s = 0.0;  ///< all threads together
   double scaling() const { return one_thread_ticks_per_s > 0.0 ? ticks_per_s / one_thread_ticks_per_s : 0.0; }
 };
 
 struct BatchFigures {
   std::size_t triangles = 0;
-  std::size_t pass_ticks = 0;       ///< of all fingers together
+  std::size_t pass_ticks = 0;       ///< all fingers together
   double touching = 0.0;            ///< share of a pass's ticks
   double native_ticks_per_s = 0.0;  ///< one finger alone on one thread
   BatchRates batch, rollout;
   std::size_t different = 0;  ///< fingers that felt otherwise with more threads, to the bit
-  std::optional<std::uint64_t> allocations = 0, locks = 0;  ///< of all ticks
+  std::optional<std::uint64_t> allocations = 0, locks = 0;  ///< during all ticks
 };
 
 /// `path`: tips, a tick each, gone again and again. Throws Error where settings and world do not suit.

@@ -13,7 +13,7 @@ namespace palpate::bench {
 
 namespace detail {
 
-/// What two readings of the clock cost when nothing is between them.
+/// Cost of two readings of the clock with nothing between them.
 inline double emptyTimerMicroseconds() {
   std::vector<double> samples(2000);
   for (double& sample : samples) {

@@ -86,7 +86,7 @@ lab::ThreadCounts timeTicks(std::vector<double>& us, Tick&& tick) {
   return lab::countsSince(before);
 }
 
-/// What a pass of the tool gave. Outputs of every pad in every tick would be too many.
+/// Result of a pass of the tool. Outputs of every pad in every tick would be too many.
 struct ToolPass {
   std::vector<double> us;
   std::vector<std::size_t> touching;

@@ -1,5 +1,5 @@
-// Paths find the surface by the judge's own nearest point and never by the contact room, so that a fault of the finger
-// cannot hide in them. Noise comes last: a path never feeds back on it.
+// Paths find the surface by the oracle's own nearest point and never by the contact module, so that a fault of the
+// finger cannot hide in them. Noise comes last: a path never feeds back on it.
 #include "lab/workloads/heldout_paths.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Trajectories for any mesh: what a hand, a robot or a broken device may do to a surface nobody tuned for.
+// Trajectories for any mesh: motions of a hand, a robot or a broken device on a surface that was never tuned for.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace palpate::lab {
 
 struct PathSettings {
-  std::size_t ticks = 20000;   ///< of 1 ms
+  std::size_t ticks = 20000;   ///< each 1 ms
   double step_mm = 0.3;        ///< a tick; 0.3 mm are 300 mm/s
   double depth_mm = 5.0;       ///< how far below the skin
   double start_above_mm = 10;  ///< height of the first tip over the skin: out of a sphere finger's reach

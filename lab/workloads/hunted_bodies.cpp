@@ -219,7 +219,7 @@ mesh::TriangleMesh voxels(Random& random) {
   return mesh;
 }
 
-/// Boxes made beside each other, with a nanometre to a tenth of a millimetre between them.
+/// Boxes next to each other, with a nanometre to a tenth of a millimetre between them.
 mesh::TriangleMesh hairlineParts(Random& random) {
   const double gap = std::pow(10.0, random.uniform(-6, -1));
   const int cells = 2 + static_cast<int>(random.below(5));
@@ -272,8 +272,7 @@ mesh::TriangleMesh openAtOneEnd(mesh::TriangleMesh mesh, Random& random) {
   return mesh;
 }
 
-/// What a scan is: a whole body but for one cut, a hand at the wrist. Half of them have gaps that a finger is pressed
-/// through.
+/// A scan: a whole body but for one cut, a hand at the wrist. Half of them have gaps that a finger is pressed through.
 mesh::TriangleMesh farHole(Random& random) {
   constexpr std::array kWithGaps{"comb", "fingers", "crossing_crevices", "plates", "limbs"};
   const std::size_t pick = random.below(2 * kWithGaps.size());
@@ -295,7 +294,7 @@ mesh::TriangleMesh doubledCaps(Random& random) {
   mesh::TriangleMesh mesh;
   const auto ring = 2 * (rows + 1);
   for (Index i = 0; i <= columns; ++i) {
-    const double along = (static_cast<double>(i) / columns - 0.5) * 2.0;  // of it the middle half is the bend
+    const double along = (static_cast<double>(i) / columns - 0.5) * 2.0;  // the middle half is the bend
     const double angle = turn * std::clamp(along, -0.5, 0.5);
     const Vec3 out(std::sin(angle), std::cos(angle), 0.0);
     const double straight = 80.0 * (along - std::clamp(along, -0.5, 0.5));

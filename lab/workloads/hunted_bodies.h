@@ -22,8 +22,7 @@ std::vector<std::string> huntedBodyKinds();
 /// same seed. Throws Error for another kind.
 mesh::TriangleMesh huntedBody(std::string_view kind, std::uint64_t seed);
 
-// What happens to a sound mesh on its way to a user: squeezed, split into slivers, shaken, torn, doubled, glued
-// together.
+// Damage to a sound mesh on its way to a user: squeezed, split into slivers, shaken, torn, doubled, glued together.
 
 /// Every length along one direction times `factor`: triangles become slivers, the body a leaf.
 void squeeze(mesh::TriangleMesh& mesh, const Vec3& direction, double factor);

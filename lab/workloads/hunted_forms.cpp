@@ -1,6 +1,6 @@
-// One function a form: unions of primitives with others cut out. What is thinner than a cell gets holes or is lost when
-// it is meshed: that too is a body. Data flow: random numbers -> here -> hunted_shapes.cpp. The distances are
-// those of body/signed_distance.h.
+// One function a form: unions of primitives with others cut out. Parts thinner than a cell get holes or are lost in
+// meshing: that too is a body. Data flow: random numbers -> here -> hunted_shapes.cpp. The distances are those of
+// body/signed_distance.h.
 #include "lab/workloads/hunted_bodies.h"
 
 #include <algorithm>
@@ -231,7 +231,7 @@ HuntedForm blocks(Random& random) {
           54, 2.6};
 }
 
-/// A sheet rolled up: a wall beside a wall, turn after turn.
+/// A sheet rolled up: a wall next to a wall, turn after turn.
 HuntedForm scroll(Random& random) {
   const double pitch = random.uniform(11, 18), wall = random.uniform(1.8, 3.2);
   return {[=](const Vec3& p) {

@@ -1,5 +1,5 @@
 // One function a kind moves a PathWriter's tip until its share of the ticks is used up; then comes another kind.
-// Data flow: judged body and seed -> here -> hunt/hunt_world.h.
+// Data flow: oracle's body and seed -> here -> hunt/hunt_world.h.
 #include "lab/workloads/hunted_paths.h"
 
 #include <fmt/format.h>
@@ -18,8 +18,8 @@
 namespace palpate::lab {
 namespace {
 
-// Writes the ticks of one hunted path: knows where the tip is, goes on from there, and finds places on the skin by the
-// judge's own geometry.
+// Writes the ticks of one hunted path: knows where the tip is, continues from there, and finds places on the skin by
+// the oracle's own geometry.
 //
 // Places are found on random triangles, not on random area: small triangles are where trouble is.
 
@@ -219,7 +219,7 @@ void tour(PathWriter& w) {
   }
 }
 
-/// From vertex to vertex, at a depth, by edges of the mesh: each kept on while it goes on straight.
+/// Follows edges of the mesh at a depth, from vertex to vertex, continuing as straight as it can.
 void crease(PathWriter& w) {
   const SkinSpot place = w.start(height(w));
   const double depth = w.mm * anySize(w.random, 1e-4, 10), step = w.mm * anySize(w.random, 0.01, 2);
@@ -369,7 +369,7 @@ constexpr std::array<PathKind, 16> kPathKinds{{{"press", press},
                                                {"slow", slow},
                                                {"gap", gap}}};
 
-/// Of one path in four: a device's noise, microns.
+/// Adds a device's noise, microns, to one path in four.
 void addNoise(std::vector<Vec3>& tips, double mm, Random& random) {
   if (random.below(4) != 0) return;
   const double size = mm * anySize(random, 1e-4, 0.02);

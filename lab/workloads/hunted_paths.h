@@ -1,4 +1,4 @@
-// The paths of `palpate study hunt`: deep, quick, crooked and exact ones, found by the judge's own geometry.
+// The paths of `palpate study hunt`: deep, quick, crooked and exact ones, found by the oracle's own geometry.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 namespace palpate::lab {
 
 struct HuntedPathSettings {
-  std::size_t ticks = 1500;  ///< of 1 ms
+  std::size_t ticks = 1500;  ///< each 1 ms
   double mm = 1.0;           ///< one millimetre in units of the body
-  double radius_mm = 0.0;    ///< of the finger: paths begin out of its reach, grazing ones stay at it
+  double radius_mm = 0.0;    ///< radius of the finger: paths begin out of its reach, grazing ones stay at it
   std::uint64_t seed = 1;
 };
 
-/// What the finger does: press (to 80 mm, oblique too), drag, stab (0.05 to 5 m/s), jump (to 30 mm a tick), cross
+/// Motions of the finger: press (to 80 mm, oblique too), drag, stab (0.05 to 5 m/s), jump (to 30 mm a tick), cross
 /// (through limbs and plates), tour (in and out at any angle), crease (along edges), sheets (round places where
 /// sheets pierce each other), circle, walk (at random, inside), tremble (noise of microns), exact (stops on vertices,
 /// edges and planes), graze, burrow (deeper and deeper into a pocket), slow and gap (through gaps about as wide as the

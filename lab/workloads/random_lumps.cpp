@@ -31,7 +31,7 @@ tissue::LumpPlace randomLumpPlace(Random& random) {
 
 contact::Lump randomLump(const tissue::LumpPlace& place, const Vec3& foot, const Vec3& axis, double skin_n_per_mm,
                          Random& random) {
-  constexpr double kDeepestMm = 12.0;  // of the top, under where it may be
+  constexpr double kDeepestMm = 12.0;  // largest depth of the top below the shallowest
   constexpr double kLeftMm = 0.5;
   tissue::LumpShape shape;
   const double across = random.uniform(1.0, 10.0);
@@ -65,7 +65,7 @@ contact::Lump stiffestLump(const Vec3& foot, const Vec3& axis, double skin_n_per
 }
 
 void boundSlope(contact::Lump& lump, double skin_n_per_mm, bool stretch) {
-  constexpr double kAlways = 0.25;  // of the skin's own slope
+  constexpr double kAlways = 0.25;  // share of the skin's own slope
   const tissue::LumpSteepness steepest = lump.energy.steepest();
   const double room = std::max(tissue::kStiffestTissue - skin_n_per_mm, kAlways * skin_n_per_mm);
   const double factor = std::min(room / steepest.depth, tissue::kStiffestTissue / steepest.rho);
