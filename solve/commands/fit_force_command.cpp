@@ -167,7 +167,7 @@ using tissue::ForceCurve;
 using tissue::ForceFit;
 using tissue::ForceForm;
 
-/// Of --form: a form, or the one that foretells unseen rows best.
+/// Value of --form: a form, or the one that predicts unseen rows best.
 constexpr const char* kBestWord = "best";
 
 struct FitForceArguments {

@@ -1,4 +1,4 @@
-// What `palpate tissue fit` found.
+// Reports of `palpate tissue fit`.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace palpate::app {
 
-// What `palpate tissue fit force` found, for people and for programs.
+// Results of `palpate tissue fit force`, for people and for programs.
 
 /// Every form on one curve; the fits in the order of kForceForms.
 struct FittedCurve {
@@ -29,7 +29,7 @@ struct ForceResult {
   std::string table;                 ///< that was written; empty: none
   std::vector<std::string> written;  ///< every file
 
-  /// Of the only curve, or those that all share.
+  /// Fits of the only curve, or those that all share.
   const std::vector<tissue::ForceFit>& fits() const { return shared.empty() ? curves.front().fits : shared; }
 };
 
@@ -41,15 +41,15 @@ std::string sceneKeys(const ForceResult& result);
 std::string textOf(const ForceResult& result);
 Json jsonOf(const ForceResult& result);
 
-// What `palpate tissue fit profile` found, for people and for programs, and as a picture.
+// Results of `palpate tissue fit profile`, for people and for programs, and as a picture.
 
 struct ProfileResult {
   std::string file;
   std::vector<tissue::SkinProfile> profiles;          ///< by depth; at least one
-  std::vector<std::vector<tissue::ProfileFit>> fits;  ///< of each depth all forms, in the order of kProfileForms
+  std::vector<std::vector<tissue::ProfileFit>> fits;  ///< per depth all forms, in the order of kProfileForms
   tissue::ProfileForm chosen = tissue::ProfileForm::two_gaussians;
   std::optional<tissue::ForceFit> force;  ///< where forces were given
-  tissue::LayeredTable table;             ///< of the chosen form
+  tissue::LayeredTable table;             ///< table of the chosen form
   tissue::SharedProfile shared;           ///< one curve for all depths
   std::string table_file;                 ///< that was written; empty: none
   std::string profile_file;               ///< likewise

@@ -28,7 +28,7 @@ struct Look {
 };
 
 Look lookOfTable(std::size_t i) {
-  constexpr std::size_t kColours = 7;  // of seriesColour
+  constexpr std::size_t kColours = 7;  // colours in seriesColour
   return {figures::seriesColour(i), kMarkers[i % kMarkers.size()],
           i < kColours ? figures::Stroke::solid : figures::Stroke::dashed};
 }

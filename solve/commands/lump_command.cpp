@@ -41,7 +41,7 @@ Json spreadJson(const lab::Spread& spread) {
       {"mean", spread.mean}, {"p90", spread.p90}, {"p95", spread.p95}, {"worst", spread.worst}, {"of", spread.count}};
 }
 
-/// Of all lumps, with those to 12 mm apart.
+/// Spreads of all lumps, and of those to 12 mm apart.
 Json twoSpreadsJson(const lab::Spread& all, const lab::Spread& small) {
   Json json = spreadJson(all);
   json["to_12_mm"] = spreadJson(small);

@@ -25,7 +25,7 @@ struct LumpSolveArguments {
   bool json = false;
 };
 
-/// A lump beside what its table alone would say.
+/// A lump, solved and by its table alone.
 struct SolvedLump {
   const scene::PlacedLump& placed;
   tissue::LumpEnergy table;  ///< as it would be without a solve

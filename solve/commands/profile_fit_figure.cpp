@@ -17,7 +17,7 @@ using tissue::SkinProfile;
 constexpr double kShownRadiusMm = 60.0;
 
 figures::Colour depthColour(std::size_t i, std::size_t count) {
-  constexpr double kLightest = 0.85;  // of the map: lighter cannot be read on white
+  constexpr double kLightest = 0.85;  // place on the map: lighter cannot be read on white
   return figures::mapColour(ColourMap::viridis,
                             count < 2 ? 0.0 : kLightest * static_cast<double>(i) / static_cast<double>(count - 1));
 }
@@ -72,7 +72,7 @@ Plot fittedOutward(const ProfileResult& result) {
   return plot;
 }
 
-/// Of every form at every depth.
+/// Misses of every form at every depth.
 Plot formMisses(const ProfileResult& result) {
   Plot plot{.title = "what the forms miss",
             .x = {.label = "depth", .unit = "mm"},

@@ -1,4 +1,4 @@
-// What `palpate tissue realism` finds beside its figure: with --living and with --radius, for people and for programs.
+// Reports of `palpate tissue realism` next to its figure: with --living and with --radius, for people and for programs.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@
 
 namespace palpate::app {
 
-// What `palpate tissue realism --living` finds, for people and for programs.
+// Results of `palpate tissue realism --living`, for people and for programs.
 
-/// Of people with odd numbers, which the limb's muscles were fitted to, and with even ones, which nothing was.
+/// People with odd numbers, whom the limb's muscles were fitted to, and with even ones, whom nothing was fitted to.
 struct LivingHalves {
   lab::LivingFigures odd;
   lab::LivingFigures even;
@@ -40,7 +40,7 @@ struct RadiusPress {
   std::string name;
   double radius_mm = 0.0;
   double depth_mm = 0.0;
-  double true_force_n = 0.0;  ///< of finite elements
+  double true_force_n = 0.0;  ///< by finite elements
   double force_n = 0.0;       ///< that the finger feels
   double fingertip_n = 0.0;   ///< that a fingertip of 8 mm would feel: the force before the radius counted
   double error() const { return force_n / true_force_n - 1.0; }

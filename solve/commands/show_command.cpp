@@ -49,7 +49,7 @@ std::vector<NamedTable> tablesFrom(const std::vector<std::string>& files) {
   return tables;
 }
 
-/// One that is asked for and every table has.
+/// Checks the requested depth, which every table must have.
 void checkDepth(const ShowArguments& arguments, const std::vector<NamedTable>& tables) {
   if (!arguments.depth_mm) return;
   for (std::size_t i = 0; i < tables.size(); ++i) {

@@ -1,4 +1,4 @@
-// Reads the cases key by key, so that a fault is told with its place.
+// Reads the cases key by key, so that an error names its place.
 #include "solve/realism/fem_cases.h"
 
 #include <fmt/format.h>

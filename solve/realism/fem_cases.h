@@ -1,4 +1,4 @@
-// Solved presses to be judged by: the skin's shape and the force of stacks of layers at single depths.
+// Solved reference presses: the skin's shape and the force of stacks of layers at single depths.
 //
 // The form: {"r": [radii, mm], "cases": [{"name", "layers_mm_kPa": [[mm, kPa], ...], "depth": mm, "u0": mm, "force_N",
 // "uz": [down / u0], "ur": [outward / u0]}, ...]}. Keys beyond these are left alone, but "friction": a case with any
@@ -31,7 +31,7 @@ bool isLayered(const tissue::LayerStack& stack);
 
 /// Throws Error naming the file, the case and the key.
 FemCases readFemCases(const std::filesystem::path& file);
-/// The text of such a file; `file` stands for it in messages.
+/// Parses the text of such a file; messages name `file`.
 FemCases parseFemCases(std::string_view text, const std::filesystem::path& file);
 
 /// The cases that a table holds, one a depth.

@@ -23,7 +23,7 @@ constexpr double kBodySkinMm = 2.0;
 
 struct Bracket {
   std::size_t low = 0;
-  double share = 0.0;  ///< of the upper one
+  double share = 0.0;  ///< weight of the upper one
 };
 
 template <std::size_t N>
@@ -37,7 +37,7 @@ Bracket bracketIn(const std::array<double, N>& ladder, double value, double (*sc
 double same(double value) { return value; }
 double logarithm(double value) { return std::log(value); }
 
-/// Of one site: the stacks that were needed so far.
+/// The solved stacks of one site, as far as needed.
 class SolvedLimb {
  public:
   SolvedLimb(double bone_radius_mm, double muscle_kpa) : bone_radius_mm_(bone_radius_mm), muscle_kpa_(muscle_kpa) {}
@@ -72,7 +72,7 @@ class SolvedLimb {
       probe.length_mm = kProbeLengthMm;
       probe.width_mm = kProbeAreaMm2 / kProbeLengthMm;
       probe.bone_radius_mm = bone_radius_mm_;
-      probe.fineness = 0.7;  // 3 % too stiff beside a mesh half as wide again; a tenth of what people differ by
+      probe.fineness = 0.7;  // 3 % too stiff against a mesh half as wide again; a tenth of what people differ by
       found->second = elements::probeStiffness(stack, probe);
     }
     return found->second;

@@ -50,7 +50,7 @@ struct LivingFigures {
   double thinCoverRatio() const { return covers.front().ratio; }
 };
 
-/// Of tests and their stiffness by the model, N/mm, in order.
+/// Compares tests with their stiffness by the model, N/mm, in order.
 LivingFigures livingFigures(std::span<const LivingTest> tests, std::span<const double> n_per_mm);
 
 enum class LimbModel {

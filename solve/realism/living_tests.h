@@ -30,7 +30,7 @@ struct LivingTests {
   int left_out = 0;  ///< rows whose thickness or stiffness is empty: the people's own exclusions
 };
 
-/// What the list is called; readLivingTests takes it or the folder that it lies in.
+/// Name of the list; readLivingTests accepts it or its folder.
 inline constexpr const char* kLivingList = "001_MasterList_indentation_orig.csv";
 
 /// Throws Error naming file and line for a table that is something else, too large, or has numbers no limb has.

@@ -20,15 +20,15 @@ namespace {
 constexpr std::uint64_t kMaxLumpBytes = 64u << 20u;
 constexpr double kPercent = 0.01;
 
-/// Of two keys that stand for each other, the one that is given.
+/// Whether the first of two alternative keys is given.
 bool hasFirst(const Json& json, const char* first, const char* second) {
   if (json.contains(first) == json.contains(second))
     throw Error(fmt::format("a lump takes {} or {}, one of the two", first, second));
   return json.contains(first);
 }
 
-/// With the keys of [[lump]] in scenes (scene/lump_keys.cpp). Where it lies on a body is no matter here; what would
-/// change the press is refused. Other keys are notes of whoever solved it.
+/// Reads the keys of [[lump]] in scenes (scene/lump_keys.cpp). Its place on a body does not matter here; keys that
+/// would change the press are refused. Other keys are the solver's notes.
 tissue::LumpShape lumpFrom(const Json& json) {
   for (const char* key : {"mobility_mm_per_n", "raise_mm"}) {
     if (json.value(key, 0.0) != 0.0) throw Error(fmt::format("a lump of a solved press has no {}", key));

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kLeastDepthMm = 2.0;
 constexpr double kSmallMm = 12.0;    // diameter
-constexpr double kLargestMm = 14.0;  // whose extra force is judged
-constexpr double kShallowMm = 3.5;   // of the top
+constexpr double kLargestMm = 14.0;  // whose extra force is compared
+constexpr double kShallowMm = 3.5;   // depth of the top
 constexpr double kMnPerN = 1e3;
 
 double diameterOf(const tissue::LumpShape& lump) { return 2.0 * lump.half_axes_mm[0]; }
@@ -33,7 +33,7 @@ struct KnownStack {
 
 KnownStack solvedStack(const tissue::LayerStack& stack) {
   constexpr double kDeepestMm = 10.0;
-  constexpr double kShare = 0.6;  // of the thickness
+  constexpr double kShare = 0.6;  // share of the thickness
   elements::PressSettings settings;
   settings.field_depths_mm = elements::fieldDepths(std::min(kDeepestMm, kShare * tissue::totalThickness(stack)));
   settings.depths_mm = {settings.field_depths_mm.back()};
@@ -108,7 +108,7 @@ double surfacePercent(const std::vector<double>& radii, const std::vector<double
   return 100.0 * std::sqrt(squares) / radii.back();
 }
 
-/// What is gathered over all cases.
+/// Values gathered over all cases.
 struct Gathered {
   std::vector<double> force, force_small, pressure, pressure_small, surface_small, surface_large;
   std::vector<double> shallow, shallow_scaled;
@@ -150,7 +150,7 @@ LumpFindings::One judgeCase(const LumpCase& one, const KnownStack& known, const 
   return worst;
 }
 
-/// Of a ball of 1 mm by the field of the table, mm^3 per kPa of mu; lambda over mu is that of the stack.
+/// Energy of a ball of 1 mm by the field of the table, mm^3 per kPa of mu; lambda over mu is that of the stack.
 double ballEnergy(const KnownStack& known, const FieldEntry& entry, std::size_t press) {
   constexpr int kAlong = 16;
   const double nu = known.stack.poisson;

@@ -1,5 +1,5 @@
-// Lumps as the product feels them against finite elements with the lump in the mesh: force, pressure, what lies beside
-// the axis, and the field that all of it is made of.
+// The product's lumps against finite elements with the lump in the mesh: force, pressure, points off the axis, and the
+// field behind all of it.
 //
 // Cases come from a file (tests/data/golden/lumps.json has the form) or are drawn and solved. Bars and errors:
 // docs/explanation/lumps.md.
@@ -23,8 +23,8 @@ struct LumpPress {
   double force_n = 0.0;
   double force_without_n = 0.0;
   double contact_radius_mm = 0.0;            ///< seen along the axis
-  std::vector<double> pressure_kpa;          ///< means over rings of 1 mm; empty: not known, and not judged
-  std::vector<double> surface_change_share;  ///< of the depth, at LumpCases::surface_radii_mm
+  std::vector<double> pressure_kpa;          ///< means over rings of 1 mm; empty: unknown, and not compared
+  std::vector<double> surface_change_share;  ///< at LumpCases::surface_radii_mm, share of the depth
 };
 
 struct LumpCase {
@@ -34,10 +34,10 @@ struct LumpCase {
   std::vector<LumpPress> presses;
 };
 
-/// A press beside a lump, from a solver whose mesh is too coarse for its size: only ratios count.
+/// A press off a lump's axis, from a solver whose mesh is too coarse for its size: only ratios count.
 struct BesidePress {
   double depth_mm = 0.0;
-  double extra_share = 0.0;    ///< of the force without lump
+  double extra_share = 0.0;    ///< over the force without lump
   double lateral_share = 0.0;  ///< away from the lump
 };
 
@@ -62,7 +62,7 @@ struct FieldEntry {
 struct LumpCases {
   std::vector<std::string> stack_names;
   std::vector<tissue::LayerStack> stacks;
-  std::vector<std::vector<double>> forces_n;  ///< of each stack without lump, at 1, 2, 3 ... mm
+  std::vector<std::vector<double>> forces_n;  ///< per stack without lump, at 1, 2, 3 ... mm
   std::vector<double> surface_radii_mm;
   std::vector<LumpCase> cases;
   std::vector<BesideCase> beside;  ///< those on the axis (at_mm 0) first among those of one mesh
@@ -71,7 +71,7 @@ struct LumpCases {
 
 /// Throws Error naming the file and what is wrong with it.
 LumpCases readLumpCases(const std::filesystem::path& file);
-/// The text of such a file; `file` stands for it in messages.
+/// Parses the text of such a file; messages name `file`.
 LumpCases parseLumpCases(std::string_view text, const std::filesystem::path& file);
 
 /// Stacks and lumps without presses, four to a stack: skin over fat of 2 to 20 kPa over muscle; balls of 3 to 14
@@ -104,7 +104,7 @@ struct LumpFindings {
   Spread pressure;                   ///< RMS over the contact, % of the peak
   Spread pressure_small;
   double pressure_gain = 0.0;  ///< mean error over that of a pattern without bump, tops to 3.5 mm
-  Spread surface_small;        ///< of the skin drawn as without lump, RMS over 40 mm, % of the depth
+  Spread surface_small;        ///< error of the skin drawn as without lump, RMS over 40 mm, % of the depth
   Spread surface_large;
   Spread field;  ///< % of mu w_s + lambda w_v in balls of 1 mm
   struct Beside {

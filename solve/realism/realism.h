@@ -18,11 +18,11 @@
 
 namespace palpate::lab {
 
-/// What is judged.
+/// Errors of a shape.
 struct ShapeError {
   double normal_rms = 0.0;  ///< fractions of the centre's depth
   double vector_rms = 0.0;
-  double worst = 0.0;  ///< of the normal part, at a point
+  double worst = 0.0;  ///< largest of the normal part, at a point
 };
 
 struct PressError {
@@ -46,7 +46,7 @@ double pressedForce(const scene::World& world, double radius_mm, double depth_mm
 /// A drag of the skin: RMS over 60 mm along and across, a square, of the share that follows.
 double dragError(const scene::World& world, const elements::DragField& truth);
 
-// The figure for realism: a row for each solved press, with the layered, the Gaussian and the literal skin beside it.
+// The figure for realism: a row for each solved press, with the layered, the Gaussian and the literal skin.
 
 /// A stack, solved; and the tissue that the product has for it.
 struct JudgedStack {
@@ -74,7 +74,7 @@ struct JudgedDrag {
   double gaussian_rms = 0.0;
 };
 
-/// Of layered stacks; presses of at least `from_mm`.
+/// Worst errors of layered stacks, for presses of at least `from_mm`.
 struct WorstErrors {
   double normal_rms = 0.0;
   double vector_rms = 0.0;
@@ -90,7 +90,7 @@ struct RealismFigures {
   double worstDrag(double JudgedDrag::*of) const;
 };
 
-/// Presses shallower than this are shown and not judged by the shape.
+/// Shallower presses are shown, but their shape does not count.
 inline constexpr double kJudgedFromMm = 5.0;
 
 RealismFigures judgeRealism(const std::vector<JudgedStack>& stacks, const Progress& progress = {});

@@ -1,4 +1,4 @@
-// Which stacks `palpate tissue realism` judges by, and their solution.
+// The reference stacks of `palpate tissue realism`, and their solution.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace palpate::lab {
 
-/// Where a body is judged, and what the product makes of the place out of the shipped stacks.
+/// A reference place on a body, and the product's stand-in from the shipped stacks.
 struct JudgedPlace {
   std::string name;
   double thickness_mm = 0.0;

@@ -13,7 +13,7 @@ namespace palpate::lab {
 /// A small press on a deep block of one material.
 struct HertzCheck {
   double force_error = 0.0;    ///< fraction, absolute
-  double contact_error = 0.0;  ///< of the contact's radius: fraction, absolute
+  double contact_error = 0.0;  ///< error of the contact's radius: fraction, absolute
 };
 /// Throws Error where the press is not solved. A second or two.
 HertzCheck checkHertz();
@@ -23,11 +23,11 @@ double energyError(const tissue::LayerStack& stack, double depth_mm);
 
 /// One press on meshes of falling element size.
 struct RefinedPress {
-  std::vector<double> fineness;  ///< of PressSettings, each twice the one before
+  std::vector<double> fineness;  ///< PressSettings::fineness, each twice the one before
   std::vector<double> force_n;   ///< as many
   /// As the last three differ; none where they do not come nearer and nearer.
   std::optional<double> order;
-  /// Of the finest of the three: fraction of the force (gridConvergence).
+  /// Index for the finest of the three: fraction of the force (gridConvergence).
   double grid_convergence = 0.0;
   /// The mesh that tables are solved on (fineness 1) against the finest: fraction, absolute.
   double default_error = 0.0;
@@ -47,7 +47,7 @@ double stepError(const tissue::LayerStack& stack, double depth_mm);
 std::optional<double> observedOrder(double coarse, double middle, double fine);
 
 /// The grid convergence index of the finest: 1.25 times the error that the order says; 3 times the last difference
-/// where there is no order.
+/// where the order is undefined.
 double gridConvergence(double coarse, double middle, double fine);
 
 }  // namespace palpate::lab

@@ -1,5 +1,5 @@
 // The skin dragged sideways a little: a round patch of it, bonded to the finger, on layers over bone. Linear, three
-// dimensions, 8-node boxes; one quarter stands for the whole.
+// dimensions, 8-node boxes; one quarter represents the whole.
 //
 // The same patch pressed straight down says what share of the stiffness against a press the drag has.
 #pragma once
@@ -14,13 +14,13 @@ namespace palpate::elements {
 
 struct DragSettings {
   double patch_radius_mm = 6.0;
-  double half_width_mm = 150.0;  ///< of the square block; its sides and its base are held
+  double half_width_mm = 150.0;  ///< to each side of the square block; its sides and its base are held
   double fineness = 1.0;         ///< 2: elements half as large
 };
 
-/// Of a drag by 1 mm along x, on the quarter of the surface where x, y >= 0.
+/// Solution of a drag by 1 mm along x, on the quarter of the surface where x, y >= 0.
 struct DragField {
-  std::vector<double> lines_mm;         ///< of the grid, along x and along y alike, from 0
+  std::vector<double> lines_mm;         ///< lines of the grid, along x and along y alike, from 0
   std::vector<double> along;            ///< u_x; that of x = lines[i], y = lines[j] at i * size + j
   std::vector<double> across;           ///< u_y, in the same order
   double drag_n_per_mm = 0.0;           ///< stiffness of the whole patch along x
@@ -36,7 +36,7 @@ DragField solveDragField(const tissue::LayerStack& stack, const DragSettings& se
 /// (1 + q^2)^-p fitted to the quarter square from 0 to `to_mm`, and what was solved at the radii.
 struct FittedDrag {
   tissue::DragShape shape;
-  double rms = 0.0;  ///< of the fit over the square, share of the drag
+  double rms = 0.0;  ///< misfit over the square, share of the drag
 };
 FittedDrag fitDrag(const DragField& field, const std::vector<double>& radii_mm, double to_mm = 60.0);
 

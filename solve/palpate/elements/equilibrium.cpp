@@ -54,7 +54,7 @@ class Descent {
     return false;
   }
 
-  /// What stands in the way, after steps that led nowhere.
+  /// The obstacle, after steps that led nowhere.
   std::string trouble() const {
     if (!possible()) return "an element is turned inside out, " + model_.placeOfElement(state_.balance.inverted);
     if (inverted_ >= 0) return "an element turns inside out, " + model_.placeOfElement(inverted_);
@@ -69,7 +69,7 @@ class Descent {
   Equilibrium result() { return std::move(state_); }
 
  private:
-  /// Empty where there is none.
+  /// Empty if the tangent cannot be factorised.
   Eigen::VectorXd direction() {
     int negative = model_.tangent().factorise();
     ++state_.systems;
@@ -86,7 +86,7 @@ class Descent {
   PressModel& model_;
   double depth_mm_;
   Equilibrium state_;
-  Eigen::VectorXd residual_;  ///< of the state; the model's own is of what was tried last
+  Eigen::VectorXd residual_;  ///< residual of the state; the model's own is that of the last trial
   Eigen::VectorXd step_;
   int strayed_ = 0;
   int inverted_ = -1;  ///< in the last search for a step

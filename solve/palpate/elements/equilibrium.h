@@ -1,4 +1,4 @@
-// Newton's method on the energy of a press at one depth: every step goes downhill, or there is none.
+// Newton's method on the energy of a press at one depth: every step goes downhill, or the search ends.
 //
 // An equilibrium is a least of the energy. Where the tangent has a negative pivot the step is taken with its convex
 // neighbour instead; where that has to be done again and again, the tissue has no equilibrium nearby: it gives way.

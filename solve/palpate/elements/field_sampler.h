@@ -22,13 +22,13 @@ class FieldSampler {
   /// Points of one layer: the same heights in every column.
   struct LayerPoints {
     std::vector<double> depths_mm;      ///< at rest, increasing
-    std::vector<std::size_t> elements;  ///< of each column, from the axis: the layer's first from above
-    std::size_t rows = 0;               ///< of elements
+    std::vector<std::size_t> elements;  ///< column by column, from the axis: the layer's first from above
+    std::size_t rows = 0;               ///< rows of elements
   };
 
   const PressModel& model_;
   tissue::PressField knots_;   ///< without densities
-  std::vector<double> radii_;  ///< of the solver's points
+  std::vector<double> radii_;  ///< radii of the solver's points
   std::vector<LayerPoints> layers_;
   std::vector<std::vector<float>> shear_;  ///< one list per press, by row and radius
   std::vector<std::vector<float>> volume_;
@@ -40,7 +40,7 @@ std::vector<double> ringPressures(const std::vector<ContactRing>& rings, double 
 /// q fitted to rings of half a millimetre, c where the skin leaves the sphere.
 tissue::PressurePattern patternOf(const std::vector<ContactRing>& rings);
 
-/// Of a pattern with a sum of 1 N, over rings of this width.
+/// Pressures of a pattern with a sum of 1 N, over rings of this width.
 std::vector<double> ringPressures(const tissue::PressurePattern& pattern, double width_mm, std::size_t count);
 
 }  // namespace palpate::elements

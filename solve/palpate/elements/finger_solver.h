@@ -18,9 +18,8 @@ double deepestOf(double finger_mm);
 /// A press of one sphere with a disc that is large enough for it.
 PressSettings settingsOf(double finger_mm, std::vector<double> depths_mm);
 
-/// Of every radius of tissue::LayeredForce but the indenter's, at its depths (or the deepest possible where they all
-/// lie deeper); less deep where there is no equilibrium. `stop` ends it with what is reached. Throws Error as
-/// solvePress.
+/// Forces at every radius of tissue::LayeredForce but the indenter's, at its depths (or the deepest possible if all are
+/// deeper); less deep without an equilibrium. `stop` ends it with what is reached. Throws Error as solvePress.
 std::vector<tissue::FingerForces> solveFingers(const tissue::LayerStack& stack, const PressSettings& indenter,
                                                const Progress& progress = {}, const std::function<bool()>& stop = {});
 

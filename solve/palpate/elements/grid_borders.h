@@ -19,15 +19,15 @@ struct Spacing {
 std::vector<double> bordersAlong(const Spacing& spacing);
 
 struct RowFineness {
-  double first_mm = 1.0;  ///< of the skin's rows; deeper ones are higher
-  int fewest = 2;         ///< of a layer
+  double first_mm = 1.0;  ///< height of the skin's rows; deeper ones are higher
+  int fewest = 2;         ///< per layer
   int most = 14;
 };
 
 /// From the surface down; a row each between two depths.
 struct LayerRows {
   std::vector<double> depths_mm;  ///< from 0
-  std::vector<int> layers;        ///< of the stack, a row each
+  std::vector<int> layers;        ///< layer of the stack for each row
 };
 
 LayerRows layerRows(const tissue::LayerStack& stack, const RowFineness& fineness);

@@ -27,7 +27,7 @@ struct HexBlock {
   HexMatrix stiffnessOf(int i, int j, int k) const;
 };
 
-/// What is held or moved by so much; the rest is free.
+/// Nodes that are held or moved by a given distance; the rest is free.
 class HexBoundary {
  public:
   explicit HexBoundary(const HexBlock& block)
@@ -41,7 +41,7 @@ class HexBoundary {
 
 struct HexMotion {
   Eigen::VectorXd displacement;  ///< u_x, u_y, u_z of every node, mm
-  double n_per_mm = 0.0;         ///< of all four quarters, where 1 mm is given
+  double n_per_mm = 0.0;         ///< stiffness of all four quarters, where 1 mm is given
 };
 
 /// Throws Error, which names `what`, where the equations are not solved.

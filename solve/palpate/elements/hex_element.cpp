@@ -8,7 +8,7 @@ namespace {
 
 using Gradients = Eigen::Matrix<double, 8, 3>;
 
-/// Of the nodes' functions at a place of the cube from -1 to 1.
+/// Gradients of the nodes' functions at a place of the cube from -1 to 1.
 Gradients gradientsAt(const Vec3& place, const Vec3& size) {
   Gradients gradients;
   for (int v = 0; v < 8; ++v) {

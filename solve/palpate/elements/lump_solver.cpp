@@ -1,5 +1,5 @@
-// It installs itself while the program starts. Nobody names it, so whoever links the library asks the linker for
-// `palpate_lump_solver` (solve/CMakeLists.txt): without that an archive would leave it out.
+// It installs itself while the program starts. Nothing refers to it, so programs that link the library ask the linker
+// for `palpate_lump_solver` (solve/CMakeLists.txt): without that an archive would leave it out.
 #include "palpate/elements/lump_solver.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace {
 
 PressSettings pressBeside(const tissue::LumpShape& lump, const tissue::LayerStack& stack) {
   constexpr double kDeepestMm = 8.0;
-  constexpr double kShare = 0.5;  // of the thickness
+  constexpr double kShare = 0.5;  // share of the thickness
   PressSettings settings;
   settings.depths_mm.clear();
   const double deepest_mm = std::min(kDeepestMm, kShare * tissue::totalThickness(stack));

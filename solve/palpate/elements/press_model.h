@@ -17,7 +17,7 @@ namespace palpate::elements {
 /// A displacement that turns an element inside out has no energy: `inverted` says which, and nothing else is filled in.
 struct Balance {
   double strain_energy = 0.0;   ///< uJ
-  double contact_energy = 0.0;  ///< uJ, of the springs that stand for a rigid sphere
+  double contact_energy = 0.0;  ///< uJ, in the springs that model a rigid sphere
   double force_mn = 0.0;
   double contact_radius_mm = 0.0;
   int inverted = -1;
@@ -53,7 +53,7 @@ class PressModel {
 
   /// Also fills in the residual and the tangent.
   Balance evaluate(const Eigen::VectorXd& displacement, double depth_mm, Tangent tangent);
-  /// Of the energy with the free displacements, mN; 0 in equilibrium.
+  /// Gradient of the energy in the free displacements, mN; 0 in equilibrium.
   const Eigen::VectorXd& residual() const { return residual_; }
   StiffnessMatrix& tangent() { return matrix_; }
 
@@ -74,7 +74,7 @@ class PressModel {
   std::vector<std::string> layer_names_;
   Sphere sphere_;
   std::vector<QuadPoints> points_;   ///< an element each
-  std::vector<QuadLaws> lump_laws_;  ///< of the elements that a lump is in
+  std::vector<QuadLaws> lump_laws_;  ///< for the elements that a lump is in
   std::vector<int> lump_law_of_;     ///< an element each: place in `lump_laws_`, or -1; empty without lump
   StiffnessMatrix matrix_;
   Eigen::VectorXd residual_;

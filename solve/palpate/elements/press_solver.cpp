@@ -51,7 +51,7 @@ class PressPath {
   }
 
  private:
-  static constexpr double kMinStepShare = 0.003;  // of the sphere's radius
+  static constexpr double kMinStepShare = 0.003;  // share of the sphere's radius
 
   /// Lands on the target instead of just before it.
   double nextDepth(double target_mm) const {
@@ -96,7 +96,7 @@ struct Pair {
   double outward = 0.0;
 };
 
-/// Of the surface, by the shape functions of its edges.
+/// Point of the surface, by the shape functions of its edges.
 Pair surfaceAt(const QuadMesh& mesh, const Eigen::VectorXd& displacement, double r) {
   const auto after = std::upper_bound(mesh.columns.begin() + 1, mesh.columns.end() - 1, r);
   const auto edge = static_cast<std::size_t>(after - mesh.columns.begin()) - 1;
@@ -125,7 +125,7 @@ tissue::PressedShape shapeOf(const PressPath& path, const QuadMesh& mesh, const 
   return shape;
 }
 
-/// Of the force over the depth, which between two steps is close to a power of it.
+/// Integral of the force over the depth, which between two steps is close to a power of it.
 double workOf(const std::vector<PressStep>& steps) {
   double work = 0.0;
   double depth = 0.0;
@@ -146,7 +146,7 @@ void checkSize(const char* what, double value, double least, double most) {
   throw Error(fmt::format("{} is {:g}; it must be {:g} to {:g}", what, value, least, most));
 }
 
-/// Of depths that must increase from above 0; 0 where there is none.
+/// Last of depths that must increase from above 0; 0 for an empty list.
 double lastOf(const std::vector<double>& depths) {
   double before = 0.0;
   for (const double depth : depths) {
@@ -247,7 +247,7 @@ MeshFineness meshFor(const tissue::LayerStack& stack, const PressSettings& setti
 
 namespace {
 
-/// Of shapes and of fields.
+/// Depths of shapes and of fields.
 std::vector<double> allDepths(const PressSettings& settings) {
   std::vector<double> depths;
   std::ranges::set_union(settings.depths_mm, settings.field_depths_mm, std::back_inserter(depths));

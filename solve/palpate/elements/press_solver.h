@@ -19,13 +19,13 @@ namespace palpate::elements {
 struct PressSettings {
   double indenter_radius_mm = 8.0;
   std::vector<double> depths_mm = {2.0, 4.0, 6.0, 8.0, 10.0};  ///< increasing, > 0
-  double radius_mm = 150.0;                                    ///< of the disc; its rim is held
+  double radius_mm = 150.0;                                    ///< radius of the disc; its rim is held
   double fineness = 1.0;                                       ///< 2: elements half as large
-  double contact_kpa_per_mm = 1500.0;                          ///< of the springs that stand for a rigid sphere
+  double contact_kpa_per_mm = 1500.0;                          ///< stiffness of the springs that model a rigid sphere
   double first_step_mm = 0.25;
   double longest_step_mm = 1.0;
   /// 0: the base is a plane. Otherwise the layers lie over the round top of a post of bone this wide, and the deepest
-  /// goes on around it, 30 mm farther down.
+  /// continues around it, 30 mm farther down.
   double bone_radius_mm = 0.0;
   bool bone_flat_top = false;  ///< the post's top is flat
   /// Presses whose field the table gets (tissue::PressField), increasing; none: no field. Needs a plane base.
@@ -34,7 +34,7 @@ struct PressSettings {
   std::optional<Inclusion> lump = {};
 };
 
-/// Depths of a field up to the deepest press that is asked for: half a millimetre apart for light presses, one for
+/// Depths of a field up to the deepest press that is requested: half a millimetre apart for light presses, one for
 /// deeper ones; 8 to 16 of them where the deepest is 4 mm or more. The first always.
 std::vector<double> fieldDepths(double deepest_mm);
 
@@ -49,17 +49,17 @@ struct PressStep {
   double depth_mm = 0.0;
   double force_n = 0.0;
   double energy_mj = 0.0;  ///< stored, in tissue and contact
-  int systems = 0;         ///< of equations, that it took
+  int systems = 0;         ///< systems of equations solved
 };
 
 struct PressSolution {
-  tissue::LayeredTable table;    ///< of the depths that were reached, and of the deepest where some were not
+  tissue::LayeredTable table;    ///< holds the depths that were reached, and the deepest where some were not
   double converged_to_mm = 0.0;  ///< deepest equilibrium
   std::string stopped_by;        ///< why it went no deeper; empty: all depths were reached
   std::vector<PressStep> path;
   /// One per shape of the table: kPa, means over rings of 1 mm from the middle, seen along the axis.
   std::vector<std::vector<double>> ring_pressures_kpa;
-  double work_mj = 0.0;  ///< of the sphere, from force and depth; as much as is stored, but for the path's steps
+  double work_mj = 0.0;  ///< work of the sphere, from force and depth; as much as is stored, but for the path's steps
   double seconds = 0.0;
 };
 

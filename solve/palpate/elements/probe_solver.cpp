@@ -38,7 +38,7 @@ std::vector<double> linesTo(double half_probe_mm, double half_block_mm, double f
   return lines;
 }
 
-/// The deepest layer goes on down to the middle of the bone.
+/// The deepest layer continues down to the middle of the bone.
 tissue::LayerStack withBone(tissue::LayerStack stack, double bone_radius_mm) {
   if (bone_radius_mm > 0.0) {
     tissue::Layer around = stack.layers.back();
@@ -64,7 +64,7 @@ double boneDepth(double y, double cover_mm, double bone_radius_mm) {
   return cover_mm + bone_radius_mm - std::sqrt(bone_radius_mm * bone_radius_mm - y * y);
 }
 
-/// The row nearest to the bone's surface; those below are in the bone. `deep()` where there is none.
+/// The row nearest to the bone's surface; those below are in the bone. `deep()` if the block ends above it.
 int boneRow(const HexBlock& block, double bone_depth_mm) {
   const std::vector<double>& rows = block.rows.depths_mm;
   if (bone_depth_mm > rows.back()) return block.deep();

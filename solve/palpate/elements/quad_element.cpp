@@ -89,7 +89,7 @@ void addStiffness(const QuadPoint& point, const Answer& law, std::array<double, 
   for (std::size_t a = 0; a < kGradients; ++a) {
     for (std::size_t b = 0; b <= a; ++b) full[b][a] = full[a][b] = point.volume * law.stiffness[a][b];
   }
-  std::array<Gradient, kQuadFreedoms> stresses;  // of each freedom's unit displacement
+  std::array<Gradient, kQuadFreedoms> stresses;  // for each freedom's unit displacement
   for (std::size_t a = 0; a < kQuadNodes; ++a) {
     for (std::size_t i = 0; i < kGradients; ++i) {
       stresses[2 * a][i] = full[i][0] * point.along_r[a] + full[i][1] * point.along_z[a] + full[i][4] * point.hoop[a];

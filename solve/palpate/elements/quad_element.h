@@ -81,20 +81,20 @@ inline constexpr std::size_t kQuadFreedoms = 2 * kQuadNodes;
 /// Entries on and below the diagonal, row by row.
 inline constexpr std::size_t kQuadEntries = kQuadFreedoms * (kQuadFreedoms + 1) / 2;
 
-/// Where the law is asked.
+/// Point of an element at which the law is evaluated.
 struct QuadPoint {
-  // What each node's displacement adds to the gradient:
+  // Contribution of each node's displacement to the gradient:
   std::array<double, kQuadNodes> along_r{};
   std::array<double, kQuadNodes> along_z{};
   std::array<double, kQuadNodes> hoop{};
-  double volume = 0.0;  ///< mm^3 that it stands for, all the way round
+  double volume = 0.0;  ///< volume around it, mm^3, all the way round
 };
 
 inline constexpr std::size_t kShearPoints = 9;
 inline constexpr std::size_t kVolumePoints = 4;
 inline constexpr std::size_t kQuadPoints = kShearPoints + kVolumePoints;
 
-/// Of one element, those of shear first.
+/// Points of one element, those of shear first.
 using QuadPoints = std::array<QuadPoint, kQuadPoints>;
 QuadPoints quadPoints(const QuadMesh& mesh, std::size_t element);
 
@@ -103,7 +103,7 @@ using QuadVector = std::array<double, kQuadFreedoms>;
 
 struct QuadAnswer {
   double energy = 0.0;   ///< uJ
-  double least_j = 0.0;  ///< of det F at its points; <= 0: turned inside out, and nothing else is said
+  double least_j = 0.0;  ///< smallest det F at its points; <= 0: turned inside out, and the rest is not filled in
   QuadVector forces{};   ///< mN
   std::array<double, kQuadEntries> stiffness{};
 };
@@ -123,7 +123,7 @@ Gradient gradientAt(const QuadPoint& point, const QuadVector& displacement);
 /// Where each point is at rest: r, z.
 std::array<std::array<double, 2>, kQuadPoints> quadPlaces(const QuadMesh& mesh, std::size_t element);
 
-/// Of a point between the ends of an edge of the surface, s from -1 to 1.
+/// Shape functions at a point between the ends of an edge of the surface, s from -1 to 1.
 std::array<double, 3> edgeShape(double s);
 
 }  // namespace palpate::elements

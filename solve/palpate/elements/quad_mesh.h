@@ -16,7 +16,7 @@ namespace palpate::elements {
 /// A post of bone under the axis; everything in it is held.
 struct BonePost {
   double cover_mm = 0.0;   ///< from the surface down to its top
-  double radius_mm = 0.0;  ///< of the post, and of its top where that is round; 0: there is none
+  double radius_mm = 0.0;  ///< radius of the post, and of its top where that is round; 0: no post
   bool flat_top = false;   ///< otherwise round
   bool holds(double r, double depth_mm) const;
 };
@@ -37,11 +37,11 @@ struct QuadMesh {
   // A node each:
   std::vector<double> r;
   std::vector<double> z;
-  std::vector<std::array<int, 2>> freedoms;  ///< of u_r and u_z: places in the system of equations, or kHeld
+  std::vector<std::array<int, 2>> freedoms;  ///< for u_r and u_z: places in the system of equations, or kHeld
   int freedom_count = 0;
   // An element each:
   std::vector<std::array<int, 8>> nodes;  ///< corners from the lower left against the clock, then the sides' middles
-  std::vector<int> layers;                ///< of the stack
+  std::vector<int> layers;                ///< layer of the stack
   /// Nodes of the surface's edges, from the axis outwards.
   std::vector<std::array<int, 3>> surface;
 

@@ -16,7 +16,7 @@ namespace palpate::elements {
 
 struct Sphere {
   double radius_mm = 8.0;
-  double depth_mm = 0.0;  ///< of its lowest point under the surface at rest
+  double depth_mm = 0.0;  ///< its lowest point under the surface at rest
   double stiffness_kpa_per_mm = 1500.0;
 };
 
@@ -26,17 +26,17 @@ struct EdgeAnswer {
   std::array<std::array<double, 6>, 6> stiffness{};  ///< below and on the diagonal
 };
 
-/// Of the whole contact.
+/// Sums over the whole contact.
 struct ContactSum {
   double energy = 0.0;    ///< uJ
   double force_mn = 0.0;  ///< along the axis
-  /// Of the skin that touches, at rest; 0: nothing touches.
+  /// Radius of the touching skin, at rest; 0: nothing touches.
   double radius_mm = 0.0;
 };
 
-/// What a narrow ring of the skin carries, seen along the axis.
+/// Load on a narrow ring of the skin, seen along the axis.
 struct ContactRing {
-  double radius_mm = 0.0;  ///< of the pressed skin
+  double radius_mm = 0.0;  ///< radius of the pressed skin
   double force_mn = 0.0;   ///< along the axis
 };
 /// From the middle outwards, about 0.05 mm wide each; those that touch.

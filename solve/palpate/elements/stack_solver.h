@@ -1,4 +1,4 @@
-// One stack of layers, all that is asked of it: pressed deeper and deeper, and dragged.
+// Solves one stack of layers completely: pressed deeper and deeper, and dragged.
 #pragma once
 
 #include <functional>
@@ -16,13 +16,13 @@ struct StackSettings {
 
 struct StackSolution {
   PressSolution press;    ///< whose table has the drag too
-  double drag_rms = 0.0;  ///< of the fitted form, share of the drag
+  double drag_rms = 0.0;  ///< misfit of the form, share of the drag
   double drag_n_per_mm = 0.0;
-  double press_n_per_mm = 0.0;  ///< of the same bonded patch, linear
+  double press_n_per_mm = 0.0;  ///< stiffness of the same bonded patch, linear
   double seconds = 0.0;
 };
 
-/// `stop` ends the press with what is reached; then there is no drag.
+/// `stop` ends the press at the depth reached; then the drag is left out.
 StackSolution solveStack(const tissue::LayerStack& stack, const StackSettings& settings, const Progress& progress = {},
                          const std::function<bool()>& stop = {});
 

@@ -1,7 +1,7 @@
 // The sparse symmetric matrix of a mesh: where the entries of every element lie is found once, and so is the order of
 // elimination; each Newton step only fills in and factorises.
 //
-// Based on: Eigen, SimplicialLDLT with approximate minimum degree; measured beside CHOLMOD in
+// Based on: Eigen, SimplicialLDLT with approximate minimum degree; compared with CHOLMOD in
 // docs/explanation/tissue-solver.md.
 #pragma once
 
