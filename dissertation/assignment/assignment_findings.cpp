@@ -1,4 +1,4 @@
-// What the sentences of assignment_findings.txt say in numbers, and the verdicts that these decide.
+// Fills in the sentences of assignment_findings.txt and the verdicts that the numbers decide.
 #include "dissertation/assignment/assignment_measurement.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr double kAsGoodAsBest = 1.05;
 constexpr double kExactArea = 1e-9;
 constexpr double kNoOverlap = 1.0 + 1e-9;
 
-/// What a case can be good in: the least is the best.
+/// A respect in which cases compare: the least is the best.
 struct Respect {
   const char* name;
   double AssignmentRow::*value;
@@ -30,7 +30,7 @@ constexpr Respect kRespects[] = {
     {"the frame", &AssignmentRow::frame_us},          {"our list", &AssignmentRow::exact_us},
     {"overlap of leaves", &AssignmentRow::overlap}};
 
-/// Of a case's value over C's at the same tree and threshold.
+/// A case's value over C's at the same tree and threshold.
 Extent againstMajority(const AssignmentMeasurement& found, Assignment assignment, double AssignmentRow::*value) {
   Extent extent;
   for (const AssignmentRow& row : found.rows) {

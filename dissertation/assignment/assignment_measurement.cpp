@@ -25,7 +25,7 @@ Box3 boxAt(const HapticModel& model, const SkinPlace& place) {
   return hdb::hapticBox(place.point, kPrintedBoxShare * model.longest_edge);
 }
 
-// By brute force, so that no partition judges itself.
+// By brute force, so that no partition checks itself.
 std::vector<Index> trianglesMeeting(const mesh::TriangleMesh& mesh, const Box3& box) {
   std::vector<Index> found;
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
@@ -50,7 +50,7 @@ std::size_t countMissing(const Partition& tree, const std::vector<Index>& leaves
   return static_cast<std::size_t>(std::count_if(wanted.begin(), wanted.end(), [&](Index t) { return !found[t]; }));
 }
 
-// Of all wanted triangles of all places; without a traversal by our own test.
+// Share of all wanted triangles of all places; without a traversal by our own test.
 double missedShare(const HapticModel& model, const Partition& tree, const std::vector<std::vector<Index>>& wanted,
                    std::optional<LiteralTraversal> traversal) {
   hdb::LeafHits hits;

@@ -1,5 +1,4 @@
-// What the study of cases A, B and C measures: where a partition puts the triangles that a plane crosses, and what
-// that costs.
+// The study of cases A, B and C: where a partition puts the triangles that a plane crosses, and the cost.
 #pragma once
 
 #include <array>
@@ -34,7 +33,7 @@ struct AssignmentRow {
   double build_ns = 0.0;  ///< a triangle
   double rendered = 0.0;  ///< entries of the leaves that a box of 1/4 meets
   double wanted = 0.0;    ///< triangles that the box meets
-  double frame_us = 0.0;  ///< of the dissertation's haptic process, touched, without drawing
+  double frame_us = 0.0;  ///< time of the dissertation's haptic process, touched, without drawing
   double exact_us = 0.0;  ///< our list of the box's triangles
   // Shares of the wanted triangles that are in no leaf found.
   double missed = 0.0;             ///< by our test of tight boxes
@@ -54,7 +53,7 @@ AssignmentMeasurement measureAssignments(const AssignmentPlan& plan, const Progr
 
 std::vector<AssignmentRow> rowsOf(const AssignmentMeasurement& found, hdb::TreeKind tree, hdb::Assignment assignment);
 
-// What the counts and times say of cases A, B and C: sentences made of nothing but the measurement.
+// Findings from the counts and times of cases A, B and C: sentences made of nothing but the measurement.
 
 /// A paragraph each, most important first. The printed threshold must have been measured.
 std::vector<std::string> assignmentFindings(const AssignmentMeasurement& found);

@@ -51,7 +51,7 @@ struct StudyArguments {
   std::string family;
 };
 
-/// Of the page, without its extension.
+/// Name of the page, without its extension.
 std::string pageName(const study::Study& study, const StudyArguments& arguments) {
   if (arguments.map) return study.name + "_map";
   return arguments.family.empty() ? study.name : study.name + "_" + arguments.family;

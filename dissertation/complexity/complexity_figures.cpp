@@ -44,7 +44,7 @@ Plot worstPlot(const ComplexityResults& results) {
   return plot;
 }
 
-// What m of n leaves cost at most on a complete tree: nodes on paths, and boxes tested.
+// Largest cost of m of n leaves on a complete tree: nodes on paths, and boxes tested.
 Series boundSeries(const std::string& name, TreeKind tree, int height, bool tested) {
   Series bound{.name = name, .stroke = Stroke::dashed, .colour = tested ? figures::kVermilion : figures::kBlue};
   const double leaves = static_cast<double>(hdb::leavesOfCompleteTree(arityOf(tree), height));
@@ -84,7 +84,7 @@ Plot sharePlot(const ComplexityResults& results, TreeKind tree) {
                 .colour = figures::withAlpha(figures::kVermilion, 0.35)};
   for (const SearchCase* one :
        casesWhere(results, [&](const SearchCase& a) { return a.tree == tree && a.sweep.leaves >= kFewestLeaves; })) {
-    for (const double share : {0.25, 0.5, 0.75, 1.0}) {  // of the queries ordered by leaves: a few of the many
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) {  // shares of the queries ordered by leaves: a few of the many
       std::vector<SearchCount> queries = one->sweep.queries;
       const auto at = queries.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(queries.size() - 1));
       std::nth_element(queries.begin(), at, queries.end(),

@@ -1,4 +1,4 @@
-// What the sentences of complexity_findings.txt say in numbers, and the verdicts that these decide.
+// Fills in the sentences of complexity_findings.txt and the verdicts that the numbers decide.
 #include "dissertation/complexity/complexity_results.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 
 using hdb::TreeKind;
 
-// What (3.5) and (3.9) take for the largest share of leaves found.
+// Largest share of leaves found in (3.5) and (3.9).
 constexpr double kPrintedShare = hdb::kWorstLeafRatio;
 constexpr double kSameW = 1e-9;
 
@@ -71,7 +71,7 @@ FindingValues holdsFrom(const ComplexityResults& results, TreeKind tree) {
   return {{"leaves", leavesFromWhichPrintedHolds(results, tree)}, {"tree", titleOf(tree)}};
 }
 
-/// What of a search counts as its cost: nodes on the ways to the leaves, or boxes tested.
+/// Compares a cost of a search: nodes on the ways to the leaves, or boxes tested.
 bool exceedsPrinted(const SearchSweep& sweep, TreeKind tree, double SearchCount::*cost) {
   return sweep.worst.*cost > printedCost(tree) * sweep.leaves;
 }

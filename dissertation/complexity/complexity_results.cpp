@@ -1,4 +1,4 @@
-// Closed forms beside counts on complete trees, then each search counted on real models for all thresholds and boxes.
+// Closed forms against counts on complete trees, then each search counted on real models for all thresholds and boxes.
 // Based on: Ji, dissertation 2008, 3.3.4 and 3.4.2, Tables 3.3 and 3.4.
 #include "dissertation/complexity/complexity_results.h"
 

@@ -1,5 +1,5 @@
-// What the complexity study measures: w counted on complete trees, and searches of real models over thresholds and
-// sizes of the detecting box.
+// Results of the complexity study: w counted on complete trees, and searches of real models over thresholds and sizes
+// of the detecting box.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ inline constexpr int kPrintedPart = 4;
 /// In smaller trees a single leaf is too large a share of all for shares to mean something.
 inline constexpr double kFewestLeaves = 30.0;
 
-/// What (3.5) and (3.9) print for c over n.
+/// Printed c over n in (3.5) and (3.9).
 double printedCost(hdb::TreeKind tree);
 
 /// A column of Table 3.3 or 3.4.
@@ -59,7 +59,7 @@ const SearchCase& printedCase(const ComplexityResults& results, const std::strin
 /// complexity_figures.cpp: the pictures of the study.
 std::vector<StudyFigure> complexityFigures(const ComplexityResults& results);
 
-// What the counted searches say of the printed estimates: sentences made of nothing but the results.
+// Findings from the counted searches about the printed estimates: sentences made of nothing but the results.
 
 /// A paragraph each, most important first. The printed threshold and box must have been measured in the first and the
 /// largest model.

@@ -15,7 +15,7 @@ int arityOf(hdb::TreeKind tree) { return tree == hdb::TreeKind::Bsp ? hdb::kBspA
 namespace {
 
 void addTriangle(const Vec3& centre, mesh::TriangleMesh& mesh) {
-  constexpr double kSize = 1e-3;  // of a cell
+  constexpr double kSize = 1e-3;  // in cells
   const auto first = static_cast<Index>(mesh.positions.size());
   mesh.positions.push_back(centre);
   mesh.positions.push_back(centre + Vec3(kSize, 0.0, kSize));

@@ -1,4 +1,4 @@
-// What the search for the leaves around the proxy really visits, counted node by node, beside the closed forms of
+// Nodes that the search for the leaves around the proxy really visits, counted one by one, against the closed forms of
 // (3.1) to (3.9).
 //
 // The dissertation's cost c counts the nodes on the ways to the leaves found. A program does more: it tests the box of
@@ -48,7 +48,7 @@ class SearchCounter {
 struct SearchSweep {
   int height = 0;
   double leaves = 0.0;  ///< n
-  double nodes = 0.0;   ///< of the whole tree
+  double nodes = 0.0;   ///< nodes of the whole tree
   SearchCount mean;
   SearchCount worst;                 ///< each number by itself
   double worst_over_bound = 0.0;     ///< largest on_paths over mostNodesOnPaths; at most 1

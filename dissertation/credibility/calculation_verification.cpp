@@ -23,9 +23,9 @@ namespace {
 /// Bars of docs/explanation/tissue-solver.md.
 constexpr double kMeshBarPercent = 0.3;
 constexpr double kStepBarPercent = 0.001;
-/// Of the greatest force: a fifth of the smallest change of force that people notice.
+/// Share of the greatest force: a fifth of the smallest change of force that people notice.
 constexpr double kTickBarPercent = 1.5;
-/// Of the felt force on the finest ball.
+/// Share of the felt force on the finest ball.
 constexpr double kFacetBarPercent = 0.5;
 constexpr double kMicrosecondsOfATick = 1000.0;
 
@@ -72,7 +72,7 @@ Evidence tickLength() {
                       {"error_worst_percent", spread.worst, "%", kTickBarPercent}}};
 }
 
-/// Errors of the felt force on a ball of so many triangles, %, against Hooke's law on the sphere itself.
+/// Errors of the felt force on a ball of this level, %, against Hooke's law on the sphere itself.
 lab::Spread facetErrors(int level, std::uint64_t seed) {
   constexpr double kBallMm = 60.0;
   constexpr double kStiffness = 0.5;  // N/mm

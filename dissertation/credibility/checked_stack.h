@@ -1,4 +1,4 @@
-// The place that single presses of `palpate study credibility` are made at: beside the spine of an average body.
+// The place that single presses of `palpate study credibility` are made at: next to the spine of an average body.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace palpate::study {
 inline constexpr double kCheckedThicknessMm = 35.0;  ///< skin to bone
 inline constexpr double kCheckedFatMm = 8.0;
 inline constexpr double kCheckedDepthMm = 5.0;
-inline constexpr double kCheckedRadiusMm = 8.0;  ///< of the fingertip
+inline constexpr double kCheckedRadiusMm = 8.0;  ///< radius of the fingertip
 
 /// Skin, fat and muscle there, with the moduli of the shipped stacks.
 inline tissue::LayerStack checkedStack() {

@@ -1,5 +1,5 @@
-// Does the code do what its equations say? Printed numbers, kept bits, a hunt with an independent judge, and the solver
-// against Hertz and its own energy.
+// Does the code do what its equations say? Printed numbers, kept bits, a hunt with an independent oracle, and the
+// solver against Hertz and its own energy.
 #include "dissertation/credibility/credibility.h"
 
 #include <fmt/format.h>

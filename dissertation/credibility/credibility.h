@@ -6,7 +6,7 @@
 //   propagateSpread                ┘
 //
 // Every number comes from a study of this run; sentences are templates that these numbers fill
-// (credibility_findings.txt). What a run does not compute is named under limits.
+// (credibility_findings.txt). Facts that a run does not compute are listed under limits.
 // Based on: ASME V&V 40-2018, "Assessing credibility of computational modeling through verification and validation:
 // application to medical devices".
 #pragma once
@@ -34,11 +34,11 @@ struct CredibilityNumber {
   bool holds() const { return !bar || value <= *bar; }
 };
 
-/// What one study says for or against the model.
+/// Evidence of one study for or against the model.
 struct Evidence {
-  std::string name;     ///< of its paragraph in credibility_findings.txt
+  std::string name;     ///< name of its paragraph in credibility_findings.txt
   std::string title;    ///< a few words
-  std::string against;  ///< what it is held against
+  std::string against;  ///< reference that it is compared with
   std::string command;  ///< that gives the same numbers alone; empty: this study only
   std::vector<CredibilityNumber> numbers;
 
@@ -56,7 +56,7 @@ struct CredibilitySection {
 
 enum class RiskLevel : std::uint8_t { low, medium, high };
 
-/// What the model is used for: the user's to say, the defaults are what the product is made for.
+/// Use of the model: the user's to say, the defaults are the product's purpose.
 struct ContextOfUse {
   std::string question =
       "Are the force under a finger and the dent that is seen close enough to those of layered tissue over bone to "
@@ -64,8 +64,8 @@ struct ContextOfUse {
   std::string context =
       "Force and skin under one fingertip, pressed and dragged at 1 kHz, shown to people who learn or examine "
       "palpation. No patient is examined or treated by it.";
-  RiskLevel influence = RiskLevel::medium;  ///< of the model on the decision, beside other evidence
-  RiskLevel consequence = RiskLevel::low;   ///< of a wrong decision
+  RiskLevel influence = RiskLevel::medium;  ///< influence of the model on the decision, among other evidence
+  RiskLevel consequence = RiskLevel::low;   ///< severity of a wrong decision
   /// The mean of influence and consequence, rounded up.
   RiskLevel risk() const;
 };
@@ -80,7 +80,7 @@ CredibilityData compiledData();
 
 struct CredibilitySettings {
   ContextOfUse use = {};
-  std::uint64_t seed = 1;          ///< of the hunt and of the drawn inputs
+  std::uint64_t seed = 1;          ///< for the hunt and the drawn inputs
   bool quick = false;              ///< fewer ticks, draws and solved stacks: for tests, not for its numbers
   std::filesystem::path living{};  ///< list of presses on living limbs, or its folder (lab::readLivingTests);
                                    ///< empty: none
@@ -97,13 +97,13 @@ CredibilitySection verifyCalculation(const CredibilitySettings& settings);
 CredibilitySection validate(const CredibilitySettings& settings);
 CredibilitySection propagateSpread(const CredibilitySettings& settings);
 
-/// One of the thirteen credibility factors of the standard, and what of this file stands for it.
+/// One of the thirteen credibility factors of the standard, and this file's evidence for it.
 struct CredibilityFactor {
   std::string name;
   std::vector<std::string> evidence;  ///< names; none: not covered
 };
 
-/// What is not claimed: a name for programs, a sentence for people.
+/// A claim that is not made: a name for programs, a sentence for people.
 struct CredibilityLimit {
   std::string name;
   std::string sentence;

@@ -49,7 +49,7 @@ constexpr std::array kFactors = {FactorOfStandard{"software quality assurance", 
                                  FactorOfStandard{"relevance of the quantities of interest", kQuantities},
                                  FactorOfStandard{"relevance of the validation to the context of use", {}}};
 
-/// What no run of this project computes.
+/// Evidence that no run of this project computes.
 std::vector<CredibilityLimit> alwaysMissing() {
   return {
       {"living_backs", "Force on a living back is not compared: no open recording of one was found."},
@@ -96,7 +96,7 @@ FindingValues usedOf(const FindingValues& all, const std::vector<FindingsPart>& 
   return used;
 }
 
-constexpr std::uint64_t kUsualSeed = 1;  // of CredibilitySettings
+constexpr std::uint64_t kUsualSeed = 1;  // seed in CredibilitySettings
 
 std::string commandOf(const CredibilitySettings& settings) {
   std::string command = "palpate study credibility";
@@ -158,7 +158,7 @@ std::string findingOf(const Evidence& evidence) {
   FindingValues values = {{"holds", evidence.holds()}};
   for (const CredibilityNumber& number : evidence.numbers) values[number.name] = number.value;
   values["order_seen"] = values.contains("observed_order");
-  if (!values.contains("observed_order")) values["observed_order"] = 0.0;  // of the choice that is not taken
+  if (!values.contains("observed_order")) values["observed_order"] = 0.0;  // for the branch that is not taken
   FindingValues paragraphs;
   for (const FindingsParagraph& paragraph : readFindings(texts::credibility_findings)) {
     paragraphs[paragraph.name] = paragraph.name == evidence.name ? usedOf(values, paragraph.parts) : FindingValues();

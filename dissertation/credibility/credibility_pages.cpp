@@ -13,7 +13,7 @@ namespace palpate::study {
 
 namespace {
 
-/// Of the JSON object, so that readers can refuse what they do not know.
+/// Version of the JSON object, so that readers can refuse unknown ones.
 constexpr int kVersion = 1;
 constexpr const char* kStandard = "ASME V&V 40-2018, in its shape";
 

@@ -1,5 +1,5 @@
-// What the spread of the inputs makes of the force that is felt: drawn places of a body, each pressed by the product's
-// own finger; moduli through the solver.
+// The spread of the felt force for the spread of the inputs: drawn places of a body, each pressed by the product's own
+// finger; moduli through the solver.
 #include "dissertation/credibility/credibility.h"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ Input publishedInput(const std::string& name, std::string_view of) {
   return input;
 }
 
-/// Fat and thickness as far as the places of a body go that `palpate tissue realism` judges.
+/// Fat and thickness over the range of the places in `palpate tissue realism`.
 std::vector<Input> inputsOf() {
   Input thickness{.name = "thickness", .unit = "mm", .low = 1e9, .usual = kCheckedThicknessMm, .high = 0.0};
   Input fat{.name = "fat", .unit = "mm", .low = 1e9, .usual = kCheckedFatMm, .high = 0.0};
@@ -68,7 +68,7 @@ std::vector<Input> inputsOf() {
           publishedInput("muscle_modulus", "muscle")};
 }
 
-/// The solved force beside the spine with one modulus changed, over that without; 1 at the usual modulus. Straight
+/// The solved force next to the spine with one modulus changed, over that without; 1 at the usual modulus. Straight
 /// between the three in logarithms.
 struct ModulusEffect {
   double low = 1.0;

@@ -27,8 +27,8 @@ double axisDifferenceDeg(double a_deg, double b_deg);
 
 /// Ellipses of one true axis as several people would give them.
 struct AxisScatter {
-  /// Of the true axis; another one each trial where negative, because numbers err less around 90 degree, the middle of
-  /// the range in which angles are written.
+  /// Direction of the true axis; another one each trial where negative, because numbers err less around 90 degree, the
+  /// middle of the range in which angles are written.
   double true_deg = 90.0;
   int people = 5;
   double spread_deg = 0.0;  ///< standard deviation of the angle, the same for every ellipse

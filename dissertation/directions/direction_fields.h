@@ -19,11 +19,11 @@ double directionDegAt(const maps::LiteralEllipseMap& map, const Vec2& place);
 /// The largest distance in mm between the boundaries of two concentric ellipses, over all directions.
 double boundaryDifferenceMm(const maps::Ellipse& a, const maps::Ellipse& b);
 
-/// What a blend does to the back.
+/// Effect of a blend on the back.
 struct FieldComparison {
   double mean_deg = 0.0;  ///< difference of direction from the tensor's, over the back
   double most_deg = 0.0;
-  double share_above_10_deg = 0.0;  ///< of the back's area
+  double share_above_10_deg = 0.0;  ///< share of the back's area
   double most_boundary_mm = 0.0;    ///< how far the boundary of the region moves at the worst place
   double mirror_deg = 0.0;          ///< largest breach of the symmetry: d(-x, y) should be 180 - d(x, y)
 };
@@ -32,7 +32,7 @@ struct FieldComparison {
 FieldComparison compareFields(std::span<const maps::KeyPoint> keys, maps::DirectionBlend blend,
                               std::span<const Vec2> places);
 
-// What fields and known axes say of averaging directions: the results, and sentences made of nothing but them.
+// Findings from fields and known axes about averaging directions: the results, and sentences made of nothing but them.
 
 struct PointMeans {
   maps::ForceDirection force = maps::ForceDirection::up;

@@ -33,7 +33,7 @@ std::vector<PointMeans> meansOfAppendixC() {
   return all;
 }
 
-// P3 of all subjects stands at 180 degree. Written as 0 for one of them it is the same axis; how far each mean turns.
+// P3 of all subjects is at 180 degree. Written as 0 for one of them it is the same axis; how far each mean turns.
 std::array<double, 3> turnByOneFlip() {
   auto rows = maps::measuredAt(maps::ForceDirection::up, 3);
   std::array<double, 3> before{};

@@ -53,7 +53,7 @@ const std::vector<Reading>& settingReadings() {
   return readings;
 }
 
-/// What a finger collides with: the whole skin, or the triangles that a tree gives.
+/// Collision geometry of a finger: the whole skin, or the triangles that a tree gives.
 using Base = std::optional<hdb::TreeKind>;
 const std::array<Base, 3> kBases{std::nullopt, hdb::TreeKind::Bsp, hdb::TreeKind::Octree};
 
@@ -93,7 +93,7 @@ void name(ErratumEffect& effect, const Base& base, const scene::World& world) {
   effect.active = optionsOf(base);
 }
 
-/// What a reading is compared with: the scene corrected, in the tissue that the errata are about, and for the partition
+/// Reference for a reading: the scene corrected, in the tissue that the errata are about, and for the partition
 /// with the source that has one.
 scene::Scene corrected(scene::Scene scene, const Base& base) {
   scene.fidelity = {};

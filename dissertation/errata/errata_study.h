@@ -1,7 +1,7 @@
 // `palpate study errata`: what each erratum changes on a scene, in numbers.
 //
 // The scene runs corrected and once more for every other reading, with that reading alone; forces, proxies and deformed
-// skins are compared tick by tick and picture by picture. What the text says of partitions acts only where a finger
+// skins are compared tick by tick and picture by picture. The text on partitions matters only where a finger
 // touches through one, so the scene runs with contact.source = "surface" and through both trees.
 #pragma once
 
@@ -16,26 +16,26 @@
 
 namespace palpate::study {
 
-/// What the fingers did in one run, whatever it is compared with.
+/// Motions and forces of the fingers in one run, without comparison.
 struct RunLook {
-  double touching_percent = 0.0;  ///< of the ticks of all fingers
+  double touching_percent = 0.0;  ///< among the ticks of all fingers
   double peak_force_n = 0.0;
   double drag_mm = 0.0;  ///< the longest that a finger pulls the skin along, after f_adj and the cap
 };
 
 struct ErratumEffect {
   scene::ErratumText text;
-  std::string reading;    ///< what was set, as it stands in a scene file; empty: nothing to switch, nothing measured
+  std::string reading;    ///< options that were set, as in a scene file; empty: nothing to switch, nothing measured
   std::string body;       ///< that it was measured on
-  std::string tissue;     ///< of that body and its force law, in words; with the reading
+  std::string tissue;     ///< tissue of that body and its force law, in words; with the reading
   std::string base;       ///< "surface", "bsp" or "octree": what the fingers collide with
-  std::string active;     ///< options that were active on both sides, as they stand in a scene file
+  std::string active;     ///< options that were active on both sides, as in a scene file
   std::string inert;      ///< errata of the reading that cannot act under these options; empty: none
-  RunLook look;           ///< of the run with the reading
+  RunLook look;           ///< the run with the reading
   double force_n = 0.0;   ///< largest difference of a finger's force
   double proxy_mm = 0.0;  ///< largest difference of a proxy
   std::size_t lost_ticks = 0;  ///< ticks of a finger that touches in one of the two runs only
-  /// Of the triangles that meet the detecting box, the most that its leaves lack at any picture; 0 without a partition.
+  /// Largest share of the triangles in the detecting box that its leaves lack at any picture; 0 without a partition.
   double missed_percent = 0.0;
   double skin_mm = 0.0;         ///< largest difference of a vertex
   double skin_rms_mm = 0.0;     ///< over all vertices that move in one of the two, all pictures together
@@ -48,7 +48,7 @@ struct ErratumEffect {
   }
 };
 
-/// What a scene was measured with: the whole skin, or the detecting box over either tree. In this order each list below
+/// Ways to measure a scene: the whole skin, or the detecting box over either tree. In this order each list below
 /// that has one row for each.
 struct ErrataEffects {
   std::vector<ErratumEffect> corrected;    ///< the runs to compare with, each with itself
@@ -64,7 +64,7 @@ ErrataEffects studyErrata(const scene::Scene& scene, const Progress& progress = 
 
 /// The corrected runs, all switches together, then a row an erratum, as all reports show it.
 TextTable tableOf(const ErrataEffects& effects);
-/// What its columns mean.
+/// Meaning of its columns.
 std::string errataLegend();
 
 /// What is printed, what the engine does and how the printed form comes back, a Markdown row an erratum.

@@ -10,7 +10,7 @@ namespace palpate::study {
 
 namespace {
 
-// 3.9 stands before 3.10; a table of a chapter before its figures.
+// 3.9 comes before 3.10; a table of a chapter before its figures.
 std::pair<double, double> placeInText(std::string_view number) {
   const auto parts = split(number, '.');
   const double chapter = parseNumber(parts[0]).value_or(parseNumber(parts[0].substr(1)).value_or(0.0));

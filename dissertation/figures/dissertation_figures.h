@@ -11,7 +11,7 @@
 
 namespace palpate::study {
 
-/// What a figure is drawn from.
+/// Source of a figure.
 enum class FigureBasis : std::uint8_t {
   computed,     ///< by the engine, from the text's formulae and numbers, or its trees on our models
   printed,      ///< numbers that the text prints, plotted again: nothing is computed
@@ -20,8 +20,8 @@ enum class FigureBasis : std::uint8_t {
 
 struct DissertationFigure {
   std::string number;      ///< as in the text: "4.8"; "T4.2" for the curves of Table 4.2
-  std::string caption;     ///< what is shown
-  std::string difference;  ///< what differs from the printed picture
+  std::string caption;     ///< describes the picture
+  std::string difference;  ///< difference from the printed picture
   figures::Figure (*draw)() = nullptr;
   FigureBasis basis = FigureBasis::computed;
 };

@@ -129,8 +129,8 @@ void paintGrid(MeshView& view, const mesh::TriangleMesh& back) {
 
 // The hand with the tip of its index finger on the deformed skin, pointing along the drag and down at it.
 void addHand(MeshView& view, const deform::Contact& contact, const Vec3& forward) {
-  constexpr double kSteepness = 0.6;    // radian, of the finger to the skin
-  constexpr double kFingertipMm = 5.0;  // of the index finger's tip above the skin that it presses
+  constexpr double kSteepness = 0.6;    // radian, finger to skin
+  constexpr double kFingertipMm = 5.0;  // the index finger's tip above the skin that it presses
   const Vec3 normal = contact.normal.normalized();
   const Vec3 along = (forward - forward.dot(normal) * normal).normalized();
   Mat3 turn;

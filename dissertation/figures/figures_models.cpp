@@ -32,7 +32,7 @@ Figure figure32() {
   return {.panels = {view}, .panel_width_px = 520.0, .panel_height_px = 560.0};
 }
 
-/// The tree below a node, drawn from the leaf `next` on; returns where the node stands.
+/// The tree below a node, drawn from the leaf `next` on; returns the node's position.
 struct TreeSketch {
   const hdb::Partition& tree;
   figures::Shape branches;

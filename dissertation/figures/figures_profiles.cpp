@@ -100,7 +100,7 @@ Plot arrayPlot(int entries) {
   return plot;
 }
 
-// What nearest and linear lookup make of arrays of all sizes.
+// Errors of nearest and linear lookup in arrays of all sizes.
 Plot errorPlot() {
   Plot plot{.title = "Worst error, 10 mm deep"};
   plot.x = {.label = "entries", .scale = figures::Scale::logarithmic};

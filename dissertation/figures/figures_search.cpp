@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kHeight = 3;
 
-// Nodes of a level stand in the middle of the leaves below them.
+// Nodes of a level are in the middle of the leaves below them.
 Vec2 nodePlace(int level, int index) {
   const double width = static_cast<double>(1 << (kHeight - level));
   return {width * (index + 0.5), static_cast<double>(kHeight - level)};

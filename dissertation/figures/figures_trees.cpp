@@ -81,7 +81,7 @@ std::vector<figures::Colour> hapticColours(const hdb::Partition& tree, const hdb
 
 // ---- the figures
 
-const Vec3 kFromBelow(0.55, -0.75, 0.9);  // of the back: its relief and the planes are seen
+const Vec3 kFromBelow(0.55, -0.75, 0.9);  // view of the back: its relief and the planes are seen
 
 MeshView viewOf(const mesh::TriangleMesh& mesh, const std::string& title) {
   MeshView view{.title = title};

@@ -1,4 +1,4 @@
-// What the sentences of hdb_findings.txt say in numbers, and the verdicts that these decide.
+// Fills in the sentences of hdb_findings.txt and the verdicts that the numbers decide.
 #include "dissertation/hdb/hdb_measurement.h"
 
 #include <algorithm>
@@ -123,7 +123,7 @@ const char* whereTheHybridPays(double on_smallest, double on_largest) {
   return on_largest < 1.0 ? "fine" : "coarse";
 }
 
-/// What the hybrid does on the largest model, against the other lists in the same run; null where none was measured.
+/// The hybrid on the largest model, against the other lists in the same run; null where none was measured.
 FindingValues listsOfTheBox(const HdbMeasurement& found) {
   const ListCosts& costs = found.lists;
   if (costs.models.empty()) return {};

@@ -22,7 +22,7 @@ namespace {
 
 // A finger whose haptic detecting box follows late, and how often it gets through the skin (3.3.3, E12).
 //
-//   stroke ─► stepHdb, tick by tick ─► a tick without contact is judged by the height of the skin above its tip
+//   stroke ─► stepHdb, tick by tick ─► a tick without contact is checked by the height of the skin above its tip
 //
 // Each stroke has a finger and a list of its own, whose refreshes are put off by another number of ticks: a puncture
 // depends on where in its delay the box is when the finger comes.
@@ -102,7 +102,7 @@ SharedPartition treeOf(const mesh::TriangleMesh& mesh, TreeKind tree) {
   return std::make_shared<const hdb::Partition>(hdb::buildPartition(mesh, {.tree = tree, .threshold = 1024}));
 }
 
-/// What all runs of strokes share.
+/// Data that all runs of strokes share.
 struct Strokes {
   const HdbPlan& plan;
   const contact::Surface& surface;

@@ -1,4 +1,4 @@
-// What the study of the detecting box measures: its cost for every size, and when a finger gets through.
+// The study of the detecting box: its cost for every size, and when a finger gets through.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct ListRow {
   double tested = 0.0;  ///< boxes tested to find what is near the finger
   double tick_us = 0.0;
   double make_us = 0.0;  ///< the list's room and first state, once per finger
-  double bytes = 0.0;    ///< of a finger's list
+  double bytes = 0.0;    ///< memory of a finger's list
   bool same = false;     ///< every force and proxy is the default finger's, to the bit
 };
 
@@ -42,7 +42,7 @@ struct ListPlan {
 
 ListCosts measureLists(const ListPlan& plan);
 
-/// The row of that model and way; null where there is none.
+/// The row of that model and way; null if it was not measured.
 const ListRow* rowOf(const ListCosts& costs, std::size_t model, hdb::HdbQuery query);
 
 inline constexpr double kTenth = 0.1;  ///< the dissertation's example of a box that is too small
@@ -51,15 +51,15 @@ struct HdbPlan {
   std::size_t triangles = 41582;
   int places = 40;  ///< where costs are measured
   int runs = 3;
-  int strokes = 40;  ///< of each speed
+  int strokes = 40;  ///< strokes per speed
   std::vector<double> shares{1.0 / 16, 1.0 / 12, 1.0 / 10, 1.0 / 8, 1.0 / 6,
                              1.0 / 4,  1.0 / 3,  1.0 / 2,  3.0 / 4, 1.0};  ///< box edge over the model's longest edge
-  std::vector<double> edges_mm{2, 4, 6, 8, 12, 16, 20, 25, 33, 40, 50, 66, 100, 200};  ///< of the punctures
+  std::vector<double> edges_mm{2, 4, 6, 8, 12, 16, 20, 25, 33, 40, 50, 66, 100, 200};  ///< edges for the punctures
   std::vector<double> speeds_mm_s{100, 200, 500, 1000, 2000};
   std::vector<int> delays_ticks{10, 20, 50};
-  std::vector<double> depths_mm{1, 2, 4, 8, 12, 20};             ///< of the margins
+  std::vector<double> depths_mm{1, 2, 4, 8, 12, 20};             ///< depths for the margins
   std::vector<double> margin_shares{0.0, 0.25, 0.5, 0.75, 1.0};  ///< margin over depth
-  std::size_t fine_triangles = 200000;                           ///< of the model that E12's rule is tried on
+  std::size_t fine_triangles = 200000;                           ///< size of the model that E12's rule is tried on
   ListPlan lists{};
 };
 
@@ -71,7 +71,7 @@ inline double metresPerSecond(double mm_s) { return 1e-3 * mm_s; }
 struct HdbSizeRow {
   double share = 0.0;
   double edge_mm = 0.0;
-  double bsp_triangles = 0.0;  ///< of the leaves that it meets
+  double bsp_triangles = 0.0;  ///< triangles of the leaves that it meets
   double octree_triangles = 0.0;
   double exact_triangles = 0.0;
   double bsp_us = 0.0;  ///< a frame of the dissertation's haptic process, touched
@@ -101,9 +101,9 @@ struct MarginRow {
 
 struct HdbMeasurement {
   HdbPlan plan;
-  double longest_edge = 0.0;  ///< of the model, mm
-  double depth_mm = 0.0;      ///< of the strokes
-  double tick_us = 0.0;       ///< of the default finger
+  double longest_edge = 0.0;  ///< longest edge of the model, mm
+  double depth_mm = 0.0;      ///< depth of the strokes
+  double tick_us = 0.0;       ///< tick of the default finger
   std::vector<HdbSizeRow> sizes{};
   std::vector<PunctureRow> punctures{};       ///< delay 10 ticks, all edges, triangles of the box
   std::vector<PunctureRow> leaf_punctures{};  ///< the same with the octree's leaves
@@ -129,15 +129,15 @@ const HdbSizeRow& quarterRow(const HdbMeasurement& found);
 
 HdbMeasurement measureHdbSizes(const HdbPlan& plan, const Progress& progress);
 
-/// What was measured, drawn (hdb_figures.cpp).
+/// Figures of the measurement (hdb_figures.cpp).
 std::vector<StudyFigure> hdbFigures(const HdbMeasurement& found);
 
-// What the strokes and the costs say of the detecting box: sentences made of nothing but the measurement.
+// Findings from the strokes and the costs about the detecting box: sentences made of nothing but the measurement.
 
 /// A paragraph each, most important first.
 std::vector<std::string> hdbFindings(const HdbMeasurement& found);
 
-/// The largest and the smallest share of punctured strokes among the rows of these leads; 0 and 1 where there is none.
+/// The largest and the smallest share of punctured strokes among the rows of these leads; 0 and 1 without rows.
 double mostPunctured(const std::vector<PunctureRow>& rows, double from_lead = 0.0, double to_lead = 1e9);
 double leastPunctured(const std::vector<PunctureRow>& rows, double to_lead);
 

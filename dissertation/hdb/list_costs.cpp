@@ -37,7 +37,7 @@ void feelByDefault(const contact::Surface& surface, const ListStrokes& strokes, 
   }
 }
 
-/// One finger goes on from stroke to stroke, lifted in between: its list follows from one to the next.
+/// One finger continues from stroke to stroke, lifted in between: its list follows from one to the next.
 template <class Visit>
 void feel(const contact::Surface& surface, hdb::HdbCandidates& list, const ListStrokes& strokes, Outputs& outputs,
           Visit&& visit) {

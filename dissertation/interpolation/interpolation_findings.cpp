@@ -1,4 +1,4 @@
-// What the sentences of interpolation_findings.txt say in numbers, and the verdicts that these decide.
+// Fills in the sentences of interpolation_findings.txt and the verdicts that the numbers decide.
 #include "dissertation/interpolation/interpolation_findings.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// What the left-out points and the maps say of interpolations: the results, and sentences made of nothing but them.
+// Findings from the left-out points and the maps about interpolations: the results, and sentences made of nothing but
+// them.
 #pragma once
 
 #include <array>
@@ -45,12 +46,12 @@ struct InterpolationResults {
   InterpolatorErrors subjects;  ///< every subject by itself
   double scatter_mm = 0;        ///< between subjects at the same point
   std::vector<double> radii;
-  std::vector<double> subject_error_mm;  ///< of GRI over 150 mm, one a radius
+  std::vector<double> subject_error_mm;  ///< error of GRI over 150 mm, one a radius
   std::vector<double> mean_base_error_mm;
   RadiusRange figure_5_9;
   double furthest_from_key_mm = 0.0;                                      ///< (5.16) at the keys of Table 5.1
   std::pair<double, double> measured_mm;                                  ///< half major axes of keys and basic circle
-  std::array<std::pair<double, double>, kInterpolators.size()> range_mm;  ///< of the half major axis over the back
+  std::array<std::pair<double, double>, kInterpolators.size()> range_mm;  ///< half major axis over the back
   double up_down_mm = 0.0;                                                ///< rms of the boundary over the back
   double up_down_most_mm = 0.0;
   double expected_up_down_mm = 0.0;  ///< that chance alone would make of it

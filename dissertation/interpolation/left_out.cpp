@@ -1,5 +1,5 @@
-// Every method works on the three parts of the log-tensor, so that none can foretell an ellipse that is none. A point
-// goes with its mirror image: left in, the image would tell what was left out.
+// Every method works on the three parts of the log-tensor, so that it always predicts an ellipse. A point goes with its
+// mirror image: left in, the image would give away what was left out.
 // Based on: Ji, dissertation 2008, 5.2 (GRI); Duchon (1977) for thin plates, see maps/thin_plate_spline.h.
 #include "dissertation/interpolation/left_out.h"
 
@@ -27,7 +27,7 @@ LogTensor mirrored(const LogTensor& tensor) { return {tensor[0], tensor[1], -ten
 
 Vec2 placeOf(int point) { return maps::dissertationKeyPoints().at(static_cast<std::size_t>(point - 1)).position_mm; }
 
-// P4 and P5 lie beside the spine; P6 and P7 are their images.
+// P4 and P5 are next to the spine; P6 and P7 are their images.
 void addWithMirror(int point, const LogTensor& tensor, TensorSet& set) {
   const Vec2 place = placeOf(point);
   set.push_back({place, tensor, point, false});

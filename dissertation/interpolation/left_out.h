@@ -1,8 +1,7 @@
 // How well an interpolation foresees a measured ellipse that it has not seen (leave one out).
 //
-// An ellipse map of a few key points is exact at every key whatever lies between, so being exact says nothing. What
-// counts is the ellipse at a place where nobody measured: each measured point is left out in turn and predicted from
-// the others.
+// An ellipse map of a few key points is exact at every key whatever lies between, so being exact says nothing. The
+// ellipse at an unmeasured place counts: each measured point is left out in turn and predicted from the others.
 // Based on: Ji (2008), section 5.2; Stone, "Cross-validatory choice and assessment of statistical predictions", 1974.
 #pragma once
 
@@ -50,12 +49,12 @@ std::optional<TensorField> fieldThrough(const TensorSet& keys, Interpolator inte
 double boundaryRmsMm(const maps::LogTensor& a, const maps::LogTensor& b);
 
 struct LeftOutErrors {
-  double rms_mm = 0.0;       ///< of the boundary, over all points predicted
+  double rms_mm = 0.0;       ///< error of the boundary, over all points predicted
   double most_mm = 0.0;      ///< the worst point
-  double size_rms_mm = 0.0;  ///< of the half major axis
+  double size_rms_mm = 0.0;  ///< error of the half major axis
   int predicted = 0;
   int undetermined = 0;           ///< points that the rest does not determine
-  std::vector<double> each_mm{};  ///< of the boundary, one a point predicted
+  std::vector<double> each_mm{};  ///< error of the boundary, one a point predicted
 };
 
 /// Each point of each set predicted from the rest of its set; its mirror image is left out with it.

@@ -1,5 +1,5 @@
 // A printed number is right when ours, rounded to as many digits, is it; misprints are a list of their own, found by
-// place, quantity and number and with the right number beside it, so that none can excuse another row or another fault
+// place, quantity and number with the right number, so that none can excuse another row or another fault
 // of ours.
 #include "dissertation/numbers/number_row.h"
 
@@ -22,7 +22,7 @@ struct Misprint {
   std::string_view where;
   std::string_view what;
   std::string_view printed;
-  std::string_view right;  ///< what should stand there; ours must round to it
+  std::string_view right;  ///< the correct number; ours must round to it
   Erratum erratum;
   std::string_view reason;
 };

@@ -1,4 +1,4 @@
-// One number of the dissertation beside ours, how near the two are, and what is to be said about it.
+// One number of the dissertation and ours, how near the two are, and a remark.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace palpate::study {
 
-/// What ours is computed from.
+/// Source of our number.
 enum class Source : std::uint8_t {
   engine,   ///< the engine's own code: a formula, a tree, a map
   printed,  ///< other numbers of the text alone (a reciprocal, a ratio, a mean): whether the text agrees with itself
@@ -42,7 +42,7 @@ struct NumberRow {
 /// True for the verdicts about numbers that can be computed: these decide whether the study holds.
 inline bool decides(Verdict verdict) { return verdict != Verdict::inconsistent && verdict != Verdict::not_computable; }
 
-/// What a row is that comes out.
+/// Verdict of a row that agrees.
 inline Verdict reproducedFrom(Source source) {
   return source == Source::engine ? Verdict::from_engine : Verdict::arithmetic;
 }

@@ -1,5 +1,5 @@
-// What the dissertation says in words or ranges, held against its own numbers and our models, and what needs the
-// author's computer, scan or subjects. A statement that does not hold informs; it does not decide whether the study
+// The dissertation's statements in words or ranges, compared with its own numbers and our models, and those that need
+// the author's computer, scan or subjects. A statement that does not hold informs; it does not decide whether the study
 // holds.
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ struct Statement {
   std::string what;
   std::string printed;
   std::string ours;
-  std::string tolerance;  ///< what would have held
+  std::string tolerance;  ///< condition of the statement
   Source source = Source::printed;
   Erratum erratum = Erratum::none;
   std::string reason;
@@ -64,7 +64,7 @@ NumberRow gridRow(const PrintedNumbers& printed) {
                       agrees(printed.back_grid_mm, step));
 }
 
-// What the leaves that meet the HDB hold, over every vertex of the back as the proxy.
+// Contents of the leaves that meet the HDB, over every vertex of the back as the proxy.
 struct LeafShare {
   double mean = 0.0;
   double most = 0.0;

@@ -1,4 +1,4 @@
-// `palpate study numbers`: printed numbers of the dissertation beside ours, by what each is held against.
+// `palpate study numbers`: printed numbers of the dissertation and ours, by the kind of comparison.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ std::vector<NumberRow> studyNumbers(const PrintedNumbers& printed = printedNumbe
 /// The rows whose verdicts decide whether the study holds, or the others.
 TextTable tableOf(const std::vector<NumberRow>& rows, bool deciding);
 
-/// What the columns and the verdicts mean.
+/// Meaning of the columns and the verdicts.
 std::string numbersLegend();
 
 /// A table for the terminal and a closing line with the counts.
@@ -51,7 +51,7 @@ void addProfile(const PrintedNumbers& printed, Rows& rows);
 void addInterpolation(const PrintedNumbers& printed, Rows& rows);
 /// Figure 5.3 and Appendix C: the measured ellipses.
 void addMeasuredEllipses(const PrintedNumbers& printed, Rows& rows);
-/// Statements in words or ranges, most of which do not hold, and what nobody can compute today.
+/// Statements in words or ranges, most of which do not hold, and those that cannot be computed today.
 void addStatements(const PrintedNumbers& printed, Rows& rows);
 
 }  // namespace palpate::study

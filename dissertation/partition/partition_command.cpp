@@ -76,7 +76,7 @@ std::string nameOf(const LeafSearch& search) {
   return {};
 }
 
-/// What can be known to be wrong before a large mesh is loaded.
+/// Checks options before a large mesh is loaded.
 void checkChoices(const PartitionArguments& arguments) {
   for (const std::string& picture : arguments.pictures) isSvgPicture(picture);
   const bool octree = arguments.settings.tree == hdb::TreeKind::Octree;

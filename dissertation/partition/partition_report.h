@@ -1,5 +1,5 @@
-// What `palpate study partition` finds out and gives out: one detecting box asked of a partition and judged by brute
-// force, a report as a person reads it and as a script reads it, and coloured surfaces.
+// Output of `palpate study partition`: one detecting box on a partition, checked by brute force, a report for people
+// and for scripts, and coloured surfaces.
 #pragma once
 
 #include <filesystem>
@@ -33,8 +33,8 @@ struct PartitionQuery {
   std::size_t rendered = 0;            ///< entries of the leaves: what the dissertation's haptic process draws
   std::size_t rendered_triangles = 0;  ///< different ones
   std::vector<Index> exact;            ///< triangles whose box meets the detecting box, ascending
-  std::size_t must = 0;                ///< how many brute force says the leaves must have
-  std::size_t missed = 0;              ///< of these, not in any leaf found
+  std::size_t must = 0;                ///< triangles that the leaves must have, by brute force
+  std::size_t missed = 0;              ///< those not in any leaf found
   lab::Percentiles leaves_us;
   lab::Percentiles exact_us;
 };
@@ -73,17 +73,17 @@ struct PartitionSight {
   Vec3 up = Vec3::UnitY();
 };
 
-/// The body with each leaf in a colour of its own and the leaves' boxes round them; where a box was asked for, a second
+/// The body with each leaf in a colour of its own and the leaves' boxes round them; with a box, a second
 /// panel shows it, its leaves in green and its exact triangles in orange.
 figures::Figure partitionFigure(const mesh::TriangleMesh& mesh, const hdb::Partition& partition,
                                 const PartitionReport& report, const PartitionSight& sight = {});
 
-/// A picture that this name stands for, .png or .svg. Throws Error for another.
+/// Whether the name is a picture's, .svg or else .png. Throws Error for another.
 bool isSvgPicture(const std::filesystem::path& file);
 
 // As PLY files: partition_pictures.cpp.
 
-/// Of the leaf with this number; neighbours in the list differ clearly.
+/// Colour of the leaf with this number; neighbours in the list differ clearly.
 std::array<std::uint8_t, 3> leafColour(std::size_t number);
 
 /// Every entry - with the cut every piece - in the colour of its leaf; neighbours in the tree differ clearly. Throws

@@ -1,5 +1,5 @@
 // Section, steps and turns are taken at eight phases of the vertices: a step of the array may fall between them.
-// Look-ups are timed on scattered ratios that stay in the first cache beside the array. Based on: see array_quality.h.
+// Look-ups are timed on scattered ratios that stay in the first cache with the array. Based on: see array_quality.h.
 #include "dissertation/profile/array_quality.h"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ double worstArrayError(int entries, tissue::TableLookup lookup) {
 
 namespace {
 
-// Where the vertices stand relative to the finger, as shares of their spacing: steps of an array may fall between them.
+// Where the vertices are relative to the finger, as shares of their spacing: steps of an array may fall between them.
 constexpr int kPhases = 8;
 
 std::vector<double> heights(const tissue::ProfileCurve& curve, const SkinSection& section, double phase) {
@@ -60,7 +60,7 @@ double turnDeg(const std::vector<double>& z, std::size_t i, double spacing_mm) {
   return kDegPerRad * (std::atan2(z[i + 1] - z[i], spacing_mm) - std::atan2(z[i] - z[i - 1], spacing_mm));
 }
 
-// What `z` has beyond the curve's own `exact`.
+// Excess of `z` over the curve's own `exact`.
 void collectWorst(const std::vector<double>& z, const std::vector<double>& exact, double spacing_mm,
                   ArrayQuality& worst) {
   for (std::size_t i = 1; i + 1 < z.size(); ++i) {
@@ -80,7 +80,7 @@ std::vector<double> storedCurve(int entries) {
 // The fastest of several runs over the same scattered ratios.
 template <class Curve>
 double bestNanoseconds(const Curve& curve, bool quick) {
-  constexpr std::size_t kRatios = 4096;  // 32 kB, beside the array in the first level cache
+  constexpr std::size_t kRatios = 4096;  // 32 kB, with the array in the first level cache
   const int passes = quick ? 2 : 50;
   const int runs = quick ? 2 : 9;
   Random random(4);
@@ -140,7 +140,7 @@ double lookupNanoseconds(int entries, tissue::TableLookup lookup, bool quick) {
   const std::vector<double> table = storedCurve(entries);
   const double last = entries - 1.0;
   if (lookup == tissue::TableLookup::nearest) {
-    // NOLINTNEXTLINE(bugprone-incorrect-roundings): q >= 0, and std::lround is no part of what is timed
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): q >= 0, and std::lround must not be timed
     return bestNanoseconds([&](double q) { return table[static_cast<std::size_t>(last * q + 0.5)]; }, quick);
   }
   return bestNanoseconds(

@@ -1,4 +1,4 @@
-// What a stored half Gaussian does to pressed skin, and what a look-up in it costs (Figure 4.9).
+// Effect of a stored half Gaussian on pressed skin, and the cost of a look-up in it (Figure 4.9).
 //
 // A section of the skin from the finger to the rim is pressed once with the array and once with the curve itself; what
 // the array adds in steps and in turns of the surface normal is what an eye or a light can notice.
@@ -22,9 +22,9 @@ tissue::ProfileCurve arrayProfile(int entries, tissue::TableLookup lookup);
 /// The closed form of the same curve.
 tissue::ProfileCurve closedProfile();
 
-/// A press of the skin in which a vertex stands every `spacing_mm` along the radius.
+/// A press of the skin with a vertex every `spacing_mm` along the radius.
 struct SkinSection {
-  double radius_mm = 150.0;  ///< of the region; the measured half axes of the dissertation are about this long
+  double radius_mm = 150.0;  ///< radius of the region; the measured half axes of the dissertation are about this long
   double depth_mm = 10.0;    ///< (4.15)
   double spacing_mm = 1.0;
 };
@@ -51,7 +51,7 @@ double lookupNanoseconds(int entries, tissue::TableLookup lookup, bool quick);
 /// The same for the closed form that the engine takes (tissue/profile.h).
 double closedFormNanoseconds(bool quick);
 
-// What the swept arrays say of Figure 4.9: the results, and sentences made of nothing but them.
+// Findings from the swept arrays about Figure 4.9: the results, and sentences made of nothing but them.
 
 inline constexpr std::array kPrintedArrays{20, 130, 700};
 inline constexpr std::array kArraySizes{10, 20, 50, 130, 300, 700, 2000, 7000};
@@ -62,8 +62,8 @@ inline constexpr std::array kVertexSpacings{kPrintedSpacing, 1.0, 0.25};
 
 /// A pixel of a life-size view on a monitor of 24 inch and 1920 columns.
 inline constexpr double kPixelMm = 0.28;
-/// A turn of 0.57 degree makes a matte surface lit from 45 degree brighter or darker by 1 %, about the least that an
-/// eye tells between areas side by side (Weber fraction of brightness).
+/// A turn of 0.57 degree makes a matte surface lit from 45 degree brighter or darker by 1 %, about the least an
+/// eye sees between areas side by side (Weber fraction of brightness).
 inline constexpr double kVisibleTurnDeg = 0.57;
 
 /// One array a size of kArraySizes.

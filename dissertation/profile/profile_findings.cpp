@@ -1,4 +1,4 @@
-// What the sentences of profile_findings.txt say in numbers, and the verdicts that these decide.
+// Fills in the sentences of profile_findings.txt and the verdicts that the numbers decide.
 #include "dissertation/profile/array_quality.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ FindingValues smallestSize(const ArraySweep& all) {
   return {{"entries", found == all.end() ? 0 : found->entries}, {"most", kArraySizes.back()}};
 }
 
-/// What is right and what is not of "20 is significantly different, 130 not obviously, 700 slightly better".
+/// Right and wrong parts of "20 is significantly different, 130 not obviously, 700 slightly better".
 FindingValues placesOfArrays(const ProfileResults& results) {
   const auto error = [&](int entries) { return ofSize(results.nearest[0], entries).error_mm; };
   FindingValues right = FindingValues::array();

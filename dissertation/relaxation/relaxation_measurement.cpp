@@ -35,7 +35,7 @@ contact::Surface loin() {
                                options);
 }
 
-/// A finger over the sheet that is told where to go.
+/// A finger over the sheet that follows given tips.
 class Finger {
  public:
   Finger(const contact::Surface& surface, const contact::Relaxation& relaxation) : surface_(surface) {

@@ -1,4 +1,4 @@
-// What skin that relaxes does to a finger: pressed and held, pressed and let go at several paces, left alone, dragged.
+// Relaxing skin under a finger: pressed and held, pressed and released at several paces, left alone, dragged.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ struct PressCycle {
   double stroke_s = 0.0;
   std::vector<double> depth_mm;
   std::vector<double> force_n;
-  double lost_share = 0.0;  ///< of the work that the hand put in on the way down
+  double lost_share = 0.0;  ///< share of the hand's work on the way down
 };
 
 struct RelaxationMeasurement {
@@ -39,13 +39,13 @@ std::vector<double> returnTimes();
 
 RelaxationMeasurement measureRelaxation(bool quick, const Progress& progress);
 
-// What a measurement of skin that relaxes says, in sentences whose verdicts its numbers decide.
+// Findings from a measurement of relaxing skin, in sentences whose verdicts its numbers decide.
 
-/// Of the force at once, what is lost after so many seconds of holding; of the time of heldTimes() nearest to it.
+/// Share of the immediate force lost after `seconds` of holding, at the nearest of heldTimes().
 double lostAfter(const RelaxingSkin& skin, double seconds);
 
-/// What dead beef lost where it was recorded and what the skin that stands for it loses, at 0.2, 0.5, 1 and 10 s:
-/// shares of the force (docs/explanation/relaxation.md).
+/// Recorded losses of dead beef and those of the skin that models it, at 0.2, 0.5, 1 and 10 s: shares of the force
+/// (docs/explanation/relaxation.md).
 struct BeefLoss {
   double seconds = 0.0;
   double recorded = 0.0;

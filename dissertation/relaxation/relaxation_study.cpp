@@ -13,7 +13,7 @@ namespace palpate::study {
 
 namespace {
 
-// Of the skins, in every panel.
+// Looks of the skins, in every panel.
 constexpr std::array kStrokes = {Stroke::dashed, Stroke::solid, Stroke::dotted};
 constexpr std::array kColours = {figures::kInk, figures::kBlue, figures::kVermilion};
 

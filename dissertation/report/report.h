@@ -28,14 +28,14 @@ struct ChapterDone {
 
 /// Runs the chapters one after the other (times would suffer from each other side by side) and writes everything into
 /// the folder, which is made when missing. The progress names the step, the elapsed time and what is being done.
-/// When the end is asked for (stop, asked between chapters; the progress may throw within one), the report binds the
+/// After a stop request (stop, checked between chapters; the progress may throw within one), the report binds the
 /// chapters that are done and says so. Returns the pages. Throws Error naming a file that cannot be written.
 std::vector<StudyPage> writeReport(const std::vector<Study>& chapters, const StudySettings& settings,
                                    const std::filesystem::path& folder,
                                    const std::function<void(const ChapterDone&)>& done = {},
                                    const std::function<bool()>& stop = {});
 
-// What the chapters on numbers, figures and errata say: sentences made of nothing but what is handed in.
+// Findings of the chapters on numbers, figures and errata: sentences made of nothing but the arguments.
 
 /// How many come out of what, and every number that does not.
 std::vector<std::string> numbersFindings(const std::vector<NumberRow>& rows);
@@ -43,7 +43,7 @@ std::vector<std::string> numbersFindings(const std::vector<NumberRow>& rows);
 /// How many are computed, plotted again, or drawn for an example of our own.
 std::vector<std::string> figuresFindings(const std::vector<DissertationFigure>& figures);
 
-/// What all printed forms change together under each options, which one changes most, and which change nothing.
+/// Effect of all printed forms together under each set of options, the largest one, and those without effect.
 std::vector<std::string> errataFindings(const ErrataEffects& effects);
 
 }  // namespace palpate::study

@@ -1,4 +1,4 @@
-// What the findings of numbers, figures and errata say in numbers, and the verdicts that these decide.
+// Fills in the findings of numbers, figures and errata and the verdicts that the numbers decide.
 #include "dissertation/report/report.h"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ FindingValues allTogether(const ErratumEffect& all, const ErratumEffect& correct
           {"inert", all.inert}};
 }
 
-/// Of the erratum with the largest effect: its number and that effect; 0 and 0 where none has any.
+/// Number and effect of the erratum with the largest effect; 0 and 0 without any.
 FindingValues mostOf(const std::vector<ErratumEffect>& errata, double ErratumEffect::*value) {
   const ErratumEffect* most = largest(errata, value);
   if (most == nullptr) return {{"erratum", 0}, {"most", 0.0}};

@@ -160,7 +160,7 @@ PressedSurface FiniteElements::press(double central_depth_mm) {
       }
     }
     const Eigen::VectorXd forces = answer_between.ldlt().solve(depth);
-    // The node that the ball would have to pull is let go; otherwise whoever is in the ball is touched too.
+    // A node that the ball would have to pull is released; otherwise nodes that end inside the ball are added.
     Eigen::Index pulled = 0;
     if (forces.minCoeff(&pulled) < 0.0) {
       touched.erase(touched.begin() + pulled);

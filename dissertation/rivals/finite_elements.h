@@ -29,19 +29,19 @@ class FiniteElements {
   void forgetAnswers() { answers_.clear(); }
   std::size_t answers() const { return answers_.size(); }
   std::size_t unknowns() const { return unknowns_; }
-  std::size_t bytes() const;  ///< of the factor
-  /// Of the answers of every node of the skin, as they would be kept for any press.
+  std::size_t bytes() const;  ///< size of the factor
+  /// Size of the answers of every node of the skin, if kept for any press.
   std::size_t bytesOfAllAnswers() const;
 
  private:
   struct Answer {
-    std::size_t vertex;               ///< of the skin, where the force acts
-    std::vector<Vec3> displacements;  ///< of the skin by 1 N inward, mm
+    std::size_t vertex;               ///< vertex of the skin where the force acts
+    std::vector<Vec3> displacements;  ///< displacements of the skin by 1 N inward, mm
   };
   const Answer& answerAt(std::size_t vertex);
 
   const TissueBlock& block_;
-  std::vector<int> unknown_of_;  ///< of node * 3 + axis; -1 where it is fixed
+  std::vector<int> unknown_of_;  ///< index for node * 3 + axis; -1 where it is fixed
   std::size_t unknowns_ = 0;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
   std::vector<Answer> answers_;

@@ -2,7 +2,7 @@
 //
 // A lattice of control points around the body carries cubic B-splines. The user drags one point of the skin: of all
 // moves of the control points that take it along, the smallest is taken. Nothing here knows what lies under the skin;
-// how far a press reaches is the spacing of the lattice, which somebody has to choose. Based on: Sederberg and Parry,
+// how far a press reaches is the spacing of the lattice, which the user must choose. Based on: Sederberg and Parry,
 // "Free-form deformation of solid geometric models", 1986; Hsu, Hughes and Kaufman, "Direct manipulation of free-form
 // deformations", 1992 (B-splines, and the least move).
 #pragma once
@@ -40,10 +40,10 @@ class FreeForm {
   void forEachControl(const Vertex& vertex, const Function& function) const;
 
   double lattice_mm_;
-  std::array<int, 3> points_{};  ///< of the lattice along each axis
+  std::array<int, 3> points_{};  ///< counts of the lattice along each axis
   Vec3 origin_ = Vec3::Zero();
   std::vector<Vertex> vertices_;
-  std::vector<Vec3> moves_;  ///< of the control points
+  std::vector<Vec3> moves_;  ///< moves of the control points
   Vertex middle_;
 };
 

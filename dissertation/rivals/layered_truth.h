@@ -1,6 +1,6 @@
-// What layered tissue does under a rigid ball: finite element results of finite strain, made outside this project.
+// Layered tissue under a rigid ball: finite element results of finite strain, made outside this project.
 //
-// The truth that the rivals of Table 4.1 are judged by. layered_truth.json says how it was made and checked.
+// The truth for the rivals of Table 4.1. layered_truth.json says how it was made and checked.
 #pragma once
 
 #include <string>
@@ -35,7 +35,7 @@ std::string_view layeredTruthFile();
 /// In the order of the file: by tissue, then by depth.
 const std::vector<LayeredPress>& layeredPresses();
 
-/// Throws Error where there is none.
+/// Throws Error for an unknown case.
 const LayeredPress& layeredPress(std::string_view tissue, double depth_mm);
 
 /// Where skin at this place of the plane goes, mm; beyond the last radius as at the last one.

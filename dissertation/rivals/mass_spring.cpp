@@ -16,7 +16,7 @@ namespace {
 constexpr double kEdgeShare = 0.1;
 constexpr double kFaceShare = 0.4;
 
-// Of the sum of a node's stiffnesses: a step of 1 is stable from 0.5 on.
+// Share of the sum of a node's stiffnesses: a step of 1 is stable from 0.5 on.
 constexpr double kMassShare = 0.6;
 
 }  // namespace

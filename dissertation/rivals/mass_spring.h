@@ -25,7 +25,7 @@ class MassSpring {
   PressedSurface press(double central_depth_mm);
 
   std::size_t springs() const { return springs_.size(); }
-  int steps() const { return steps_; }  ///< of the last press
+  int steps() const { return steps_; }  ///< in the last press
   std::size_t bytes() const;
 
  private:

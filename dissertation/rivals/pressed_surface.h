@@ -1,4 +1,4 @@
-// What a rival of Table 4.1 answers to a press of the block of tissue.
+// A rival's answer (Table 4.1) to a press of the block of tissue.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What the sentences of rivals_findings.txt say in numbers, and the verdicts that these decide.
+// Fills in the sentences of rivals_findings.txt and the verdicts that the numbers decide.
 #include "dissertation/rivals/rivals_findings.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What the rivals' measurement says: sentences made of nothing but its numbers, and the sums that these and the tables
-// are made of.
+// Findings of the rivals' measurement: sentences made of nothing but its numbers, and the sums behind these and the
+// tables.
 #pragma once
 
 #include <string>
@@ -13,7 +13,8 @@ namespace palpate::study {
 
 inline constexpr const char* kFittedTissue = "back_mid";  ///< that the default circle of FSMD was fitted to (E21)
 
-/// Of the rows of a method at the common size, every tissue and depth; free form with the plan's lattice.
+/// Calls `function` for the rows of a method at the common size, every tissue and depth; free form with the plan's
+/// lattice.
 template <class Function>
 void forEachCommon(const RivalsMeasurement& found, Rival rival, const Function& function) {
   for (const LayeredPress& press : layeredPresses()) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kJudgedMm = 40.0;
 
-// Of the processor, a call each: methods that take seconds meet whatever else the machine does.
+// Processor time per call: methods that take seconds meet whatever else the machine does.
 template <class Work>
 double processorMicroseconds(int calls, Work&& work) {
   const std::clock_t start = std::clock();
@@ -123,7 +123,7 @@ RivalRow elementsRow(Rival rival, FiniteElements& elements, double factor_ms, co
   row.press_us = rival == Rival::elements ? anew_us : processorMicroseconds(50 * runs, press);
   row.bytes = static_cast<double>(elements.bytes());
   if (rival == Rival::elements_answers) {
-    // Of all vertices, from the time of those that this press asked for.
+    // Time for all vertices, from the time of those that this press needed.
     const double answers = static_cast<double>(elements.answers());
     row.once_ms += 1e-3 * anew_us / answers * static_cast<double>(block.nodesOfALevel());
     row.bytes = static_cast<double>(elements.bytesOfAllAnswers());

@@ -24,13 +24,13 @@ inline constexpr std::array kRivals{Rival::fsmd,        Rival::fsmd_printed, Riv
                                     Rival::mass_spring, Rival::elements,     Rival::elements_answers};
 
 const char* nameOf(Rival rival);
-const char* keyOf(Rival rival);  ///< of numbers: "free_form"
+const char* keyOf(Rival rival);  ///< key of its numbers: "free_form"
 
 struct RivalsPlan {
   double side_mm = 120.0;
   std::vector<int> cells;        ///< along a side; the skin of "back_mid"
   int common_cells = 20;         ///< one of them, for every tissue
-  std::vector<double> lattices;  ///< of free form, mm
+  std::vector<double> lattices;  ///< spacings of free form, mm
   double lattice_mm = 10.0;      ///< one of them: of free form where one has to be chosen
   int runs = 20;
 };
@@ -40,15 +40,15 @@ struct RivalRow {
   Rival rival = Rival::fsmd;
   LayeredPress truth;
   int cells = 0;
-  std::size_t vertices = 0;         ///< of the skin
-  double lattice_mm = 0.0;          ///< of free form
+  std::size_t vertices = 0;         ///< vertices of the skin
+  double lattice_mm = 0.0;          ///< spacing of free form
   double normal_error = 0.0;        ///< root mean square within 40 mm of the ball, as a share of the depth
   double error = 0.0;               ///< the same with the motion along the skin
   std::optional<double> force_n{};  ///< FSMD and free form have none
   double once_ms = 0.0;             ///< before the first press
   double press_us = 0.0;
   double bytes = 0.0;
-  std::vector<Vec3> rest{};  ///< of the skin
+  std::vector<Vec3> rest{};  ///< skin at rest
   std::vector<Vec3> displacements{};
 };
 
@@ -58,7 +58,7 @@ struct RivalsMeasurement {
 };
 RivalsMeasurement measureRivals(const RivalsPlan& plan, const Progress& progress);
 
-/// Throws Error where there is none. Free form: with the plan's lattice.
+/// Throws Error if it was not measured. Free form: with the plan's lattice.
 const RivalRow& rowOf(const RivalsMeasurement& found, Rival rival, const std::string& tissue, double depth_mm,
                       int cells);
 

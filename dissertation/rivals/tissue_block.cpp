@@ -7,7 +7,7 @@ namespace palpate::study {
 
 TissueBlock::TissueBlock(const std::vector<TissueLayer>& layers, double side_mm, int cells)
     : cells_(cells), spacing_mm_(side_mm / cells) {
-  constexpr double kNewtonPerMm2 = 1e-3;  // of a kPa
+  constexpr double kNewtonPerMm2 = 1e-3;  // N/mm^2 in a kPa
   double z = 0.0;
   for (const TissueLayer& layer : layers) z -= layer.thickness_mm;
   heights_.push_back(z);

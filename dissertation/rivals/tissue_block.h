@@ -43,11 +43,11 @@ class TissueBlock {
  private:
   int cells_;
   double spacing_mm_;
-  std::vector<double> heights_;  ///< of the levels, from the base up to 0
+  std::vector<double> heights_;  ///< heights of the levels, from the base up to 0
   std::vector<double> row_modulus_;
 };
 
-/// How far a rigid ball pushes skin that lies `distance_mm` beside its axis, mm; negative where it does not reach it.
+/// How far a rigid ball pushes skin at `distance_mm` from its axis, mm; negative where it does not reach it.
 double ballDepth(double distance_mm, double central_depth_mm);
 
 }  // namespace palpate::study

@@ -1,4 +1,4 @@
-// What the sentences of search_findings.txt say in numbers, and the verdicts that these decide.
+// Fills in the sentences of search_findings.txt and the verdicts that the numbers decide.
 #include "dissertation/search/search_measurement.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace palpate::study {
 
 namespace {
 
-/// Of the rows of one threshold.
+/// Extent over the rows of one threshold.
 template <class Value>
 Extent extentAt(const SearchMeasurement& found, Index threshold, const Value& value) {
   Extent extent;

@@ -1,4 +1,4 @@
-// Each search is asked at the same places of the same models; what they find is compared.
+// Runs each search at the same places of the same models, and compares what they find.
 #include "dissertation/search/search_measurement.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ struct Model {
   mesh::TriangleMesh mesh;
 };
 
-/// Everything that is asked, built once a model and threshold.
+/// The searched structures, built once a model and threshold.
 struct Searched {
   const mesh::TriangleMesh& mesh;
   const tree::TriangleTree& tree;

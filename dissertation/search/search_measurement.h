@@ -1,5 +1,5 @@
-// The octree as a search: for the touch point of a tip, and for the vertices that a deformation moves, beside ours and
-// beside a look at everything.
+// The octree as a search: for the touch point of a tip, and for the vertices that a deformation moves, against ours and
+// against an exhaustive search.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace palpate::study {
 
 struct SearchPlan {
   std::vector<std::size_t> backs;  ///< triangles of the built-in back
-  std::vector<Index> thresholds;   ///< of the octree; the first is the printed one
+  std::vector<Index> thresholds;   ///< thresholds of the octree; the first is the printed one
   int places = 60;
   int runs = 20;
 };
@@ -36,7 +36,7 @@ struct SearchRow {
   double region_rings_us = 0.0;  ///< ours, vertex by vertex
   double region_vertices = 0.0;  ///< that hang together with the contact and face it: ours
   double region_stray = 0.0;     ///< that the octree finds beyond these: other sheets of the body
-  int region_missed = 0;         ///< of ours that the octree did not find
+  int region_missed = 0;         ///< among ours, those that the octree did not find
 };
 
 struct SearchMeasurement {
@@ -45,7 +45,7 @@ struct SearchMeasurement {
 };
 SearchMeasurement measureSearches(const SearchPlan& plan, const Progress& progress);
 
-// What the searches' measurement says: sentences made of nothing but its numbers.
+// Findings of the searches' measurement: sentences made of nothing but its numbers.
 
 /// A paragraph each, most important first.
 std::vector<std::string> searchFindings(const SearchMeasurement& found);

@@ -1,4 +1,4 @@
-// What the sentences of stability_findings.txt say in numbers, and the verdicts that these decide.
+// Fills in the sentences of stability_findings.txt and the verdicts that the numbers decide.
 #include "dissertation/stability/stability_measurement.h"
 
 #include <algorithm>

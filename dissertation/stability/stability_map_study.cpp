@@ -28,7 +28,7 @@ TextTable cellTable(const std::vector<StabilityCell>& cells) {
   return table;
 }
 
-/// Of one rate and delay, over devices and hands.
+/// Table for each rate and delay, over devices and hands.
 TextTable rateTable(const std::vector<StabilityCell>& cells, std::size_t systems) {
   std::map<std::pair<double, int>, std::vector<const StabilityCell*>> groups;
   for (const StabilityCell& cell : cells) groups[{cell.ticks_per_s, cell.delay_ticks}].push_back(&cell);

@@ -14,11 +14,11 @@ namespace palpate::study {
 
 struct StabilityPlan {
   double onset_factor = 1.15;                                       ///< between two stiffnesses that are tried
-  std::vector<double> delays;                                       ///< of the map, in ticks
-  std::vector<double> stiffness;                                    ///< of the map, N/mm
+  std::vector<double> delays;                                       ///< delays of the map, in ticks
+  std::vector<double> stiffness;                                    ///< stiffnesses of the map, N/mm
   std::vector<double> rates;                                        ///< Hz
   std::size_t systems = 400;                                        ///< random ones of a cell
-  int phases = 40;                                                  ///< of a tap
+  int phases = 40;                                                  ///< phases of a tap
   std::vector<scene::DeviceModel> devices = lab::nominalDevices();  ///< that are kicked until they oscillate
   bool every_cell = true;  ///< false: only the cells that the main numbers need
 };
@@ -66,7 +66,7 @@ struct TouchRow {
   scene::DeviceModel device = scene::DeviceModel::unknown;
   double stiffness_n_per_mm = 1.0;
   bool controlled = false;
-  lab::TapResult worst;  ///< of every hand and phase, at 0.5 m/s
+  lab::TapResult worst;  ///< over every hand and phase, at 0.5 m/s
 };
 
 struct PressRow {
@@ -94,7 +94,7 @@ inline constexpr scene::DeviceModel kMappedDevice = scene::DeviceModel::touch_x;
 
 StabilityMeasurement measureStability(const StabilityPlan& plan, const Progress& progress);
 
-// What the measurement of stability says, in sentences and numbers; decided by the numbers alone.
+// Findings of the stability measurement, in sentences and numbers; decided by the numbers alone.
 
 /// The worst of all rows, in the units of the JSON keys.
 struct StabilityNumbers {
@@ -116,7 +116,7 @@ std::vector<std::pair<std::string, double>> stabilityPairs(const StabilityMeasur
 
 // `palpate study stability --map`: what the product allows at every rate and delay, and what random systems do there.
 
-/// Of all cells, and of those where a session may start.
+/// Totals of all cells, and of those where a session may start.
 struct StabilityMapTotals {
   std::size_t cells = 0;
   std::size_t allowed = 0;

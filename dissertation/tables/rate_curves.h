@@ -23,7 +23,7 @@ struct RateCurve {
 
 RateCurve inverse(RateCurve milliseconds);
 
-/// The three kinds of frame that the tables tell apart.
+/// The three kinds of frame that the tables distinguish.
 struct FrameKind {
   const char* name;
   std::vector<PrintedTiming> PrintedTimings::*printed;
@@ -45,7 +45,7 @@ RateCurve printedCurve(const std::vector<PrintedTiming>& timings);
 /// Frames without a value are left out.
 RateCurve measuredCurve(const TreeRates& rates, const FrameKind& kind);
 
-/// Of time = cost x triangles, us a triangle, by least squares; 0 for no frames.
+/// Slope of time = cost x triangles, us a triangle, by least squares; 0 for no frames.
 double costPerTriangle(const RateCurve& milliseconds);
 
 }  // namespace palpate::study

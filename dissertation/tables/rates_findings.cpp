@@ -1,4 +1,4 @@
-// What the sentences of rates_findings.txt say in numbers, and the verdicts that these decide.
+// Fills in the sentences of rates_findings.txt and the verdicts that the numbers decide.
 #include "dissertation/tables/rendering_rates.h"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ FindingValues tickBesideFrames(const RatesMeasurement& found) {
           {"large", largest.triangles},  {"times", {small_us / found.tick_us, large_us / found.tick_us}}};
 }
 
-/// Of a touched frame; null where it was not measured.
+/// Drawing's share of a touched frame; null where it was not measured.
 FindingValues shareOfDrawing(const RatesMeasurement& found) {
   if (found.renderer.empty()) return {};
   const PrintedTimings printed = printedNumbers().table_3_2;

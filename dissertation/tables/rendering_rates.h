@@ -1,5 +1,4 @@
-// What the study of Tables 3.1, 3.2 and Appendix B measures: drawing, untouched and touched frames against the
-// triangles rendered.
+// The study of Tables 3.1, 3.2 and Appendix B: drawing, untouched and touched frames against the triangles rendered.
 #pragma once
 
 #include <optional>
@@ -13,7 +12,7 @@ namespace palpate::study {
 
 struct RatesPlan {
   std::vector<std::size_t> models{2915, 6261, 8163, 20389, 41582};  ///< Appendix A
-  std::size_t partitioned = 41582;                                  ///< of Table 3.2 and Appendix B
+  std::size_t partitioned = 41582;                                  ///< model of Table 3.2 and Appendix B
   int places = 40;
   int runs = 25;
   int width_px = 800;
@@ -37,7 +36,7 @@ struct WholeModelRow {
 /// A frame that renders about as many triangles as a printed one: Table 3.2, Appendix B.
 struct FrameRow {
   double triangles = 0.0;
-  double edge_mm = 0.0;  ///< of the box that met these leaves
+  double edge_mm = 0.0;  ///< edge of the box that met these leaves
   std::optional<double> draw_us{};
   double find_us = 0.0;
   double collide_us = 0.0;
@@ -57,7 +56,7 @@ struct TreeRates {
 
 struct RatesMeasurement {
   RatesPlan plan;
-  std::string renderer{};     ///< of OpenGL; empty when there is none
+  std::string renderer{};     ///< OpenGL's; empty without OpenGL
   std::string no_renderer{};  ///< why
   std::vector<WholeModelRow> whole{};
   TreeRates bsp{};
@@ -67,7 +66,7 @@ struct RatesMeasurement {
 
 RatesMeasurement measureRates(const RatesPlan& plan, const Progress& progress);
 
-// What the measured rates say beside the printed ones: sentences made of nothing but the measurement.
+// Findings from measured against printed rates: sentences made of nothing but the measurement.
 
 /// A paragraph each, most important first. `found` must have rows.
 std::vector<std::string> ratesFindings(const RatesMeasurement& found);

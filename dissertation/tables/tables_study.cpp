@@ -1,4 +1,4 @@
-// Tables 3.1, 3.2 and Appendix B: rates measured today beside the printed ones; their shapes are compared, not their
+// Tables 3.1, 3.2 and Appendix B: rates measured today and the printed ones; their shapes are compared, not their
 // sizes.
 #include "dissertation/studies.h"
 

@@ -1,4 +1,4 @@
-// What the sentences of threshold_findings.txt say in numbers, and the verdicts that these decide.
+// Fills in the sentences of threshold_findings.txt and the verdicts that the numbers decide.
 #include "dissertation/threshold/threshold_measurement.h"
 
 #include <algorithm>
@@ -16,10 +16,10 @@ using hdb::TreeKind;
 constexpr double kNearlyAsGood = 1.25;
 // A touching finger that renders so much of all is hardly helped by a partition; the text itself speaks of a third.
 constexpr double kHardlyAPartition = 1.0 / 3.0;
-// What drawing adds to a triangle here, about (`palpate study tables`), us.
+// Cost of drawing a triangle here, about (`palpate study tables`), us.
 constexpr double kDrawingMicroseconds = 0.1;
 
-/// Of something over all models and trees.
+/// Extent of a value over all models and trees.
 template <class Function>
 Extent extentOf(const ThresholdMeasurement& found, Function&& value) {
   Extent extent;

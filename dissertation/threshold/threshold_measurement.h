@@ -1,4 +1,4 @@
-// What the study of the threshold measures: frames of the haptic process for every size of leaf and of model.
+// The study of the threshold: frames of the haptic process for every size of leaf and of model.
 #pragma once
 
 #include <string>
@@ -35,7 +35,7 @@ struct ThresholdMeasurement {
   ThresholdPlan plan;
   std::vector<ThresholdRow> rows{};       ///< by model, then tree, then threshold
   std::vector<double> exact_triangles{};  ///< that the box meets, of each model
-  std::vector<double> tick_us{};          ///< of the default finger, of each model
+  std::vector<double> tick_us{};          ///< tick of the default finger, one a model
 };
 
 ThresholdMeasurement measureThresholds(const ThresholdPlan& plan, const Progress& progress);
@@ -47,7 +47,7 @@ ThresholdRow fastest(const std::vector<ThresholdRow>& rows);
 /// The row of that threshold, or of the nearest one.
 ThresholdRow rowAt(const std::vector<ThresholdRow>& rows, Index threshold);
 
-// What the frames say of the threshold: sentences made of nothing but the measurement.
+// Findings from the frames about the threshold: sentences made of nothing but the measurement.
 
 /// A paragraph each, most important first.
 std::vector<std::string> thresholdFindings(const ThresholdMeasurement& found);
