@@ -153,7 +153,7 @@ StreamedSkin decodeSkin(std::string_view bytes) {
   const std::uint64_t shares = reader.whole<std::uint32_t>();
   if (vertices == 0 && triangles > 0) reader.fail("triangles without vertices");
   if (shares != 0 && shares != vertices) reader.fail("another number of shares than of vertices");
-  // Before any memory is asked for: a few bytes must not cost gigabytes.
+  // Before memory is allocated: a few bytes must not cost gigabytes.
   if (!reader.has(24 * vertices + 12 * triangles + 4 * shares)) refuseStream("skin", reader);
   StreamedSkin skin;
   skin.mesh.positions.resize(static_cast<std::size_t>(vertices));

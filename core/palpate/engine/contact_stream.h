@@ -1,11 +1,11 @@
-// Skin, forms and contacts as bytes: what somebody needs who deforms the same skin somewhere else, a browser above all.
+// Skin, forms and contacts as bytes, for programs that deform the same skin elsewhere, a browser above all.
 //
 //   World ─ encodedSkin, encodedForms ─► once ──────────► decodeSkin, decodeForms ─► deform::Skin, Deformer ─┐
 //   fingers ─ StreamedFrame ─ encodeFrame ─► 60 times/s ─► decodeFrame ─► contacts ─────────────────────────┴─► surface
 //
 // Deformation depends on nothing but skin, forms and contacts, so the far side has the same surface, on the same
 // machine bit by bit. Little endian; places as double, what is only shown as float. The skin in the body's own order.
-// Every decoder takes bytes of anybody: sizes, ranges, words and triangles are checked before they are used.
+// Decoders do not trust their bytes: sizes, ranges, words and triangles are checked before they are used.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@
 
 namespace palpate::engine {
 
-/// Of the bytes; every message begins with its kind and this. Both sides must have the same.
+/// Version of the bytes; every message begins with its kind and this. Both sides must have the same.
 inline constexpr char kStreamVersion = '1';
 
 inline constexpr std::uint32_t kMaxStreamedFingers = 64;
@@ -35,7 +35,7 @@ struct StreamedSkin {
   std::vector<float> breath_share = {};
 };
 
-/// One finger in one frame, rounded to floats: it is shown, not computed with. Of a free one only the tip is sent: it
+/// One finger in one frame, rounded to floats: it is shown, not computed with. For a free one only the tip is sent: it
 /// has no normal, force and depth, and its proxy is the tip.
 struct StreamedFinger {
   Vec3 tip = Vec3::Zero();  ///< mm; 1e4 or more from the body: it is nowhere
@@ -48,9 +48,9 @@ struct StreamedFinger {
 
 struct StreamedFrame {
   std::uint64_t tick = 0;  ///< in which it was felt
-  double lift_mm = 0.0;    ///< of the breath
+  double lift_mm = 0.0;    ///< lift by the breath
   std::vector<StreamedFinger> fingers = {};
-  std::vector<deform::Contact> contacts = {};  ///< of all fingers, for Deformer::apply
+  std::vector<deform::Contact> contacts = {};  ///< contacts of all fingers, for Deformer::apply
 };
 
 /// Positions, triangles and shares of the breath (a vertex each, or none).
@@ -65,8 +65,8 @@ deform::FormSettings decodeForms(std::string_view bytes);
 
 /// Replaces `bytes`; allocates only while they grow. Not more than kMaxStreamedFingers and kMaxStreamedContacts.
 void encodeFrame(const StreamedFrame& frame, std::string& bytes);
-/// Replaces `frame`. False for bytes that are no frame for a skin of so many triangles: then it is empty, a body that
-/// nobody touches. Allocates only while lists grow.
+/// Replaces `frame`. False unless the bytes are a frame for a skin of `triangles` triangles: then it is empty, an
+/// untouched body. Allocates only while lists grow.
 bool decodeFrame(std::string_view bytes, Index triangles, StreamedFrame& frame);
 
 // A world and its fingers as they are sent.
@@ -74,13 +74,13 @@ bool decodeFrame(std::string_view bytes, Index triangles, StreamedFrame& frame);
 /// The skin with what the breath makes of it. Cold.
 std::string encodedSkinOf(const scene::World& world);
 
-/// The forms that LivingSkin has for so many fingers, strain included.
+/// LivingSkin's forms for this number of fingers, strain included.
 std::string encodedFormsOf(const scene::World& world, std::size_t fingers);
 
-/// A frame with room for so many fingers and their dents.
+/// A frame with room for this number of fingers and their dents.
 StreamedFrame frameFor(std::size_t fingers);
 
-/// What these samples of one tick make of the skin; `frame` comes from frameFor. No allocation.
+/// Computes the skin's frame from these samples of one tick; `frame` comes from frameFor. No allocation.
 void fillFrame(const scene::World& world, std::span<const trace::Sample> samples, StreamedFrame& frame) noexcept;
 
 }  // namespace palpate::engine

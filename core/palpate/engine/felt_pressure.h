@@ -17,7 +17,7 @@ bool isPad(const contact::PressurePad& pad) noexcept;
 /// Throws Error that says which.
 void checkPad(const contact::PressurePad& pad);
 
-/// Of one world. Immutable; any number of threads.
+/// Pressures in one world. Immutable; any number of threads.
 class FeltPressure {
  public:
   /// Some milliseconds in a world that has neither lumps nor a pad. Throws Error where the tissue has no field.

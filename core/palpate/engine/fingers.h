@@ -1,4 +1,4 @@
-// The fingers that a program brings to a world: their settings, whether they and the world suit each other, and all
+// A program's fingers in a world: their settings, whether they and the world suit each other, and all
 // that such a finger needs from tick to tick. Simulator, C, Python and batches step the same one, so they feel the same
 // bits.
 #pragma once
@@ -14,7 +14,7 @@
 
 namespace palpate::engine {
 
-/// Settings of so many fingers on a scene: its own in their order, then points with the scene's friction.
+/// Settings of this number of fingers on a scene: its own in order, then points with the scene's friction.
 std::vector<contact::FingerSettings> fingerSettings(const scene::Scene& scene, std::size_t fingers);
 
 /// Settings of the scene's own fingers, or of one where it has none.
@@ -27,8 +27,7 @@ void checkFinger(const contact::FingerSettings& settings, std::size_t number = 0
 /// The same of all, and for a ball where the world knows points only (the detecting box).
 void checkFingers(const scene::World& world, std::span<const contact::FingerSettings> fingers);
 
-/// Plain data on a world's surface, which must outlive it. One thread at a time. No device and no limiter: nobody's
-/// hand is in it.
+/// Plain data on a world's surface, which must outlive it. One thread at a time. No device, limiter or hand.
 struct Finger {
   servo::FingerSolver solver = {};
   contact::FingerSettings settings = {};
@@ -37,7 +36,7 @@ struct Finger {
 
   /// One tick; its tip is here now (mm, the body's frame). No allocation, lock or exception.
   contact::FingerOutput feel(const Vec3& tip) noexcept { return servo::touch(solver, settings, state, tip, ticks++); }
-  /// It leaves: its next tip may be anywhere. The clock goes on.
+  /// Lifts the finger: its next tip may be anywhere. The clock continues.
   void lift() noexcept { servo::lift(solver, state); }
   /// As when it was made; lumps are back at their places, for all of a rig.
   void reset();

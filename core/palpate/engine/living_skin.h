@@ -23,18 +23,18 @@ namespace palpate::engine {
 
 struct LivingSkinSettings {
   bool strain = true;       ///< also write the strain of the skin
-  std::size_t fingers = 0;  ///< room for so many, where the scene has fewer
+  std::size_t fingers = 0;  ///< room for this many, where the scene has fewer
 };
 
 /// One thread at a time. The world must outlive it.
 class LivingSkin {
  public:
-  /// At rest. Allocates everything that `follow` needs. Throws Error for a profile that is none.
+  /// At rest. Allocates everything that `follow` needs. Throws Error for an invalid profile.
   explicit LivingSkin(const scene::World& world, const LivingSkinSettings& settings = {});
   LivingSkin(const scene::World&& world, const LivingSkinSettings& settings = {}) = delete;
 
-  /// Brings the surface to what these fingers make of it, whatever it was before; none: to rest. Fingers in free space
-  /// count as none. The report says what could not be followed. No allocation.
+  /// Deforms the surface by these fingers, whatever it was before; none: to rest. Fingers in free space do not count.
+  /// The report says what could not be followed. No allocation.
   /// `tick` is when they felt it, which counts on a body that breathes.
   deform::Report follow(std::span<const contact::FingerOutput> fingers, std::uint64_t tick = 0) noexcept;
   deform::Report follow(std::span<const trace::Sample> samples) noexcept;
@@ -59,13 +59,13 @@ class LivingSkin {
 // How much tissue is left between the pressed skin and the bones: measured on the surface that is drawn and the bones
 // that are drawn, after the fact.
 //
-// Knows nothing of layers or of how deep a press may go; it tells whether they keep their promise
+// Knows nothing of layers or of how deep a press may go; it checks whether they keep their promise
 // (docs/explanation/realism.md).
 
 struct BoneCover {
   double least_mm = 0.0;   ///< from a vertex that moved to the nearest bone; below 0: it has sunk in
   Vec3 at = Vec3::Zero();  ///< that vertex now
-  Index bone = kNoIndex;   ///< of the body's bones
+  Index bone = kNoIndex;   ///< among the body's bones
 };
 
 class BoneCoverMeter {
@@ -74,7 +74,7 @@ class BoneCoverMeter {
   explicit BoneCoverMeter(const scene::World& world);
   BoneCoverMeter(const scene::World&&) = delete;
 
-  /// Of all vertices that are not at rest; nothing on a body without bones or where none moved. Milliseconds.
+  /// Cover over all vertices that are not at rest; nothing on a body without bones or where none moved. Milliseconds.
   std::optional<BoneCover> of(const deform::DeformedSurface& surface) const;
 
  private:

@@ -1,8 +1,8 @@
-// Of what fingers feel, what the deformation has to know: their contacts and the dents they left, taken back to the
-// skin at rest where the body breathes.
+// The deformation's input from fingers: their contacts and the dents they left, taken back to the skin at rest where
+// the body breathes.
 //
 //   FingerOutput or Sample of each finger ─► touching contacts ─► Deformer (living_skin.h), or a stream
-//   (contact_stream.h) to who deforms elsewhere
+//   (contact_stream.h) to a remote deformer
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace palpate::engine {
 
-/// The world's forms with room for the contacts and dents of so many fingers, and of those of its scene.
+/// The world's forms with room for the contacts and dents of this many fingers, and of those of its scene.
 deform::FormSettings formsForFingers(const scene::World& world, bool strain, std::size_t fingers);
 
 /// How far the breath has moved the body at this tick (BreathField::lift), mm; 0 for one that does not breathe.

@@ -22,7 +22,7 @@ inline Feature cornerFeature(int corner) { return static_cast<Feature>(4 + corne
 /// edges still do. A relative bound, so the unit of length does not matter.
 inline constexpr double kSliverShare = 1e-20;
 
-/// A place this near to an edge or a corner, as a share of the triangle, is on it. What is there only by rounding must
+/// A place this near to an edge or a corner, as a share of the triangle, is on it. A point there only by rounding must
 /// not count as the middle of a face: a walk would not look at the neighbours, which may be nearer.
 inline constexpr double kOnBorder = 1e-12;
 

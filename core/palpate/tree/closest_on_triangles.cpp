@@ -2,7 +2,7 @@
 // time: all regions of a triangle are worked out and the one that holds is selected, so that no branch is guessed.
 //
 // The same sums in the same order as one by one, products and sums written apart (-ffp-contract=off): the same bits.
-// What is seldom - slivers, and places that rounding leaves in no region - is asked one by one.
+// Rare cases - slivers, and places that rounding leaves in no region - are computed one by one.
 //
 // Data flow: leaves of the tree (triangle_tree.h) -> here. Not worth it for fewer than three triangles.
 // Based on: Ericson, "Real-Time Collision Detection" (2005), section 5.1.5, as closest_on_triangle.cpp.
@@ -118,12 +118,12 @@ HWY_INLINE V select(const Three& which, Feature first, Feature second, Feature t
   return select(which, number(first), number(second), number(third));
 }
 
-/// Where in a triangle the point lies. Of corners and edges the first that holds.
+/// Where in a triangle the point lies. The first corner or edge that holds counts.
 struct Regions {
   Three corner, edge;  ///< an edge also where a corner holds
   M unclear;           ///< a sliver, or no region at all
-  V share;             ///< of the edge, from its start; else of b, on the face
-  V share_c;           ///< of c, on the face
+  V share;             ///< along the edge, from its start; else b's, on the face
+  V share_c;           ///< c's, on the face
 };
 
 HWY_INLINE Regions regionsOf(const Corners& corners, const V3& point) {

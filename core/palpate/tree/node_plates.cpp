@@ -2,7 +2,7 @@
 // cone of the normals around that place: round an edge or a corner the surface is a height field over the plane across
 // the cone's axis, as steep as the cone is wide, and a way outside the cone leaves some direction downhill. So a child
 // whose cone misses the point holds no foot. The normals around a place are those of all triangles at its corners,
-// within the child or beside it; they are gathered per vertex first.
+// within the child or next to it; they are gathered per vertex first.
 //
 // Where the surface ends, folds over by more than 45 degrees or has triangles without area, nothing is excluded.
 //
@@ -32,7 +32,7 @@ constexpr std::string_view kPlateStage = "building the tree";
 /// Plates of fewer nodes take less than 0.1 s.
 constexpr std::uint32_t kReportedNodes = 4096;
 
-/// The normals of the triangles at a vertex: all within an angle of `axis`, told by its cosine; -1 for any.
+/// The normals of the triangles at a vertex: all within an angle of `axis`, given by its cosine; -1 for any.
 struct NormalCone {
   Vec3f axis = Vec3f::Zero();
   float cosine = 1.0f;
@@ -46,7 +46,7 @@ Vec3 unitNormal(const TriangleRecord& record) {
   return normal.stableNormalized();
 }
 
-/// Of every triangle and vertex of the mesh, in three passes of about 0.1 s a million triangles.
+/// Cones of all vertices of the mesh, in three passes of about 0.1 s a million triangles.
 std::vector<NormalCone> conesOfVertices(const TriangleTree& tree, const Progress& progress) {
   Index vertices = 0;
   for (const TriangleRecord& record : tree.records) {
@@ -104,7 +104,7 @@ RecordRange rangeBelow(const ChildLink& link, const std::vector<RecordRange>& of
   return {link.firstTriangle(), link.firstTriangle() + link.triangleCount()};
 }
 
-/// The records below each node; a node stands before those below it.
+/// The records below each node; a node comes before those below it.
 std::vector<RecordRange> rangesOfNodes(const TriangleTree& tree) {
   std::vector<RecordRange> ranges(tree.nodes.size());
   for (std::size_t index = tree.nodes.size(); index-- > 0;) {

@@ -37,19 +37,19 @@ struct FarPlate {
 
 struct TriangleTree {
   AlignedVector<WideNode> nodes;       ///< nodes[0] is the root
-  std::vector<FarPlate> far_plates;    ///< of the children that a node has, node after node
-  std::vector<Index> first_far_plate;  ///< of each node
+  std::vector<FarPlate> far_plates;    ///< plates of the children that a node has, node after node
+  std::vector<Index> first_far_plate;  ///< one per node
   AlignedVector<TriangleRecord> records;
   std::vector<Index> source_triangle;  ///< record -> triangle of the mesh
   // The unit frame of the boxes: (position - center) * to_unit, about 1 across. to_unit is a power of two, so the
   // change of frame costs one rounding and the tree behaves the same at every scale and far from the origin.
   Vec3 center = Vec3::Zero();
   double to_unit = 1.0;
-  double diagonal = 0.0;  ///< of the mesh's box, mm: what tolerances are relative to
+  double diagonal = 0.0;  ///< diagonal of the mesh's box, mm: the scale of tolerances
 };
 
 /// Throws Error for a mesh without triangles, with more than ChildLink::kMaxTriangles, with an index out of range or a
-/// coordinate that is not finite. About 0.5 us and 150 bytes a triangle; `progress` hears of every 0.1 s of that.
+/// coordinate that is not finite. About 0.5 us and 150 bytes a triangle; `progress` is called every 0.1 s.
 TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh, const Progress& progress = {});
 
 /// The tree's nodes cannot nest deeper than this (the builder sees to it), which bounds the stack of every query.
@@ -58,7 +58,7 @@ inline constexpr int kMaxTreeLevels = 64;
 /// Triangles that are asked side by side: those of a full leaf.
 inline constexpr int kMostSideBySide = ChildLink::kMaxTrianglesPerLeaf;
 
-/// What closestOnTriangle says of several triangles, to the bit.
+/// Results of closestOnTriangle for several triangles, to the bit.
 struct alignas(kCacheLineBytes) ClosestSideBySide {
   double x[kMostSideBySide], y[kMostSideBySide], z[kMostSideBySide];
   double squared_distance[kMostSideBySide];
@@ -76,7 +76,7 @@ struct alignas(kCacheLineBytes) ClosestSideBySide {
   }
 };
 
-/// Of the records `which`, 1 to kMostSideBySide of them.
+/// Closest points on the records `which`, 1 to kMostSideBySide of them.
 void closestOnTriangles(const TriangleRecord* records, const Index* which, int count, const Vec3& point,
                         ClosestSideBySide& closest) noexcept;
 
@@ -87,7 +87,7 @@ struct NearestPoint {
 
 struct Crossing {
   Vec3 point;                 ///< on the triangle, to rounding
-  double fraction = 0.0;      ///< of the segment, [0, 1]
+  double fraction = 0.0;      ///< share of the segment, [0, 1]
   Index triangle = kNoIndex;  ///< record
 };
 
@@ -220,7 +220,7 @@ void visitTrianglesAlong(const TriangleTree& tree, const Vec3& from, const Vec3&
   }
 }
 
-/// First front-to-back crossing of a triangle that accept(record) is true for. Of crossings at the same fraction the
+/// First front-to-back crossing of a triangle that accept(record) is true for. Among crossings at the same fraction the
 /// one with the lower record wins.
 template <class Accept>
 Crossing firstFrontCrossingIf(const TriangleTree& tree, const Vec3& from, const Vec3& to, Accept&& accept) noexcept {
@@ -244,7 +244,7 @@ void fillPlates(TriangleTree& tree, const Progress& progress = {});
 
 // Inside or outside: how often a surface winds round a point.
 
-/// What the surface below each child of a node looks like from afar: one small plate with its area and facing. Fills
+/// Approximates the surface below each child of a node: one small plate with its area and facing. Fills
 /// TriangleTree::far_plates; called by buildTriangleTree.
 void fillFarPlates(TriangleTree& tree);
 

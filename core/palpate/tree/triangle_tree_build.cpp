@@ -1,9 +1,9 @@
 // Builds the triangle tree: ranges of triangles are cut by the surface area heuristic until eight of them fill a node.
 //
 // Instead of a binary tree that is collapsed afterwards, each node cuts its own range: of the parts so far, the one
-// with the largest surface is cut next. A leaf is a part of at most kLeafTriangles. What is below the root's children
-// is cut by several threads, each child by one, and put together in the order of the children: the same tree however
-// many there are. Neighbours of triangles and far plates are made beside that.
+// with the largest surface is cut next. A leaf is a part of at most kLeafTriangles. The parts below the root's children
+// are cut by several threads, each child by one, and joined in the order of the children: the same tree however
+// many there are. Neighbours of triangles and far plates are made in parallel.
 //
 // Based on: Wald, "On fast construction of SAH-based bounding volume hierarchies" (2007) for the binned heuristic.
 #include <algorithm>
@@ -309,7 +309,7 @@ class Builder {
 
   TriangleTree& tree_;
   const Progress& progress_;
-  double done_ = 0.0;  // of what the caller has cut
+  double done_ = 0.0;  // share that the caller has cut
   std::vector<Item> items_;
 };
 

@@ -66,7 +66,7 @@ struct Sight {
   hn::Vec<D> facing2;  ///< its squared length
   Vector<D> way;       ///< from the middle of the box to the point
   hn::Vec<D> way2;
-  hn::Vec<D> radius2;  ///< of the box round its middle
+  hn::Vec<D> radius2;  ///< radius of the box round its middle
 };
 
 /// facingVector, eight at once.
@@ -102,7 +102,7 @@ HWY_INLINE Sight<D> sightOf(D d, const WideNode& node, const PointQuery& query, 
   return sight;
 }
 
-/// Squared distance to what lies below the plate's plane and in the ball round the box: above the one, beside the
+/// Squared distance to what lies below the plate's plane and in the ball round the box: above the one, off the
 /// other.
 template <class D>
 HWY_INLINE hn::Vec<D> plateDistance2(D d, const WideNode& node, const PointQuery& query, int lane,
@@ -123,7 +123,7 @@ HWY_INLINE hn::Vec<D> plateDistance2(D d, const WideNode& node, const PointQuery
   return hn::IfThenZeroElse(hn::IsNaN(distance2), distance2);  // an unused slot
 }
 
-/// Of the distances to the box and to the plate, the larger.
+/// The larger of the distances to the box and to the plate.
 template <class D>
 HWY_INLINE hn::Vec<D> distanceBound(D d, const WideNode& node, const PointQuery& query, int lane,
                                     const Sight<D>& sight) {

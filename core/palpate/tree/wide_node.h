@@ -12,7 +12,7 @@ namespace palpate::tree {
 
 inline constexpr int kNodeWidth = 8;
 
-/// What a node's slot points to: another node or a run of triangles, packed in 32 bits.
+/// Target of a node's slot: another node or a run of triangles, packed in 32 bits.
 class ChildLink {
  public:
   static constexpr std::uint32_t kMaxTrianglesPerLeaf = 8;
@@ -37,26 +37,26 @@ class ChildLink {
 
 /// An unused slot has the box [+infinity, -infinity], which no query touches. 256 bytes, four cache lines.
 ///
-/// Beside its box each child has a *plate*: the plane across its facing that it stays below, and how far the normals of
-/// its surface turn away from that facing. A box is as thick as the surface in it is tilted, a plate only as the
-/// surface in it is bent, so that of a smooth surface only what is really near is looked at (node_plates.cpp).
+/// Besides its box each child has a *plate*: the plane across its facing that it stays below, and how far the normals
+/// of its surface turn away from that facing. A box is as thick as the surface in it is tilted, a plate only as the
+/// surface in it is bent, so that on a smooth surface only what is really near is tested (node_plates.cpp).
 struct alignas(64) WideNode {
   float low[3][kNodeWidth];
   float high[3][kNodeWidth];
   ChildLink children[kNodeWidth];
   std::int8_t facing[2][kNodeWidth];  ///< see facingVector
-  std::int8_t top[kNodeWidth];        ///< of the plate over the box's middle, in 127ths of half the box's diagonal
+  std::int8_t top[kNodeWidth];        ///< top of the plate over the box's middle, in 127ths of half the box's diagonal
   std::uint8_t spread[kNodeWidth];    ///< sine of the widest angle from facing to a normal, in kSpreadStep
 };
 
 inline constexpr int kFacingLength = 127;
 inline constexpr int kMaxTop = 127;
-/// Rounded up; the widest spread that is told is 45 degrees.
+/// Rounded up; the widest spread that can be stored is 45 degrees.
 inline constexpr float kSpreadStep = 0.70710678f / 254.0f;
 /// No normal is excluded.
 inline constexpr std::uint8_t kAnySpread = 255;
 
-/// The direction that two bytes stand for: a point of the octahedron |x| + |y| + |z| = kFacingLength, whose lower half
+/// The direction that two bytes encode: a point of the octahedron |x| + |y| + |z| = kFacingLength, whose lower half
 /// is folded over the corners of its upper half. Whole numbers, 73 to 127 long.
 std::array<int, 3> facingVector(std::int8_t u, std::int8_t v) noexcept;
 
