@@ -1,7 +1,7 @@
-// What the deformation has to know about one finger on the skin.
+// One finger on the skin, as the deformation needs it.
 //
 // `contact` produces a FingerOutput a tick; finger_contact.h turns it into this. Everything is plain data in millimetre
-// and the body frame. What comes in is capped here and framed in frame.h.
+// and the body frame. Inputs are capped here and framed in frame.h.
 // Based on: Ji, dissertation 2008, (4.4) to (4.6) and (4.15) to (4.18), with E19 and E21.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace palpate::deform {
 //
 // Made with the frame of a contact (frame.h), some microseconds each; read by both ways to displace. In double.
 
-/// What a contact with layered tissue brings (Contact::layered): the curves of its press and of its drag. Its normal
+/// Part of a contact with layered tissue (Contact::layered): the curves of its press and of its drag. Its normal
 /// region is a circle of press.radius_mm then on even ground, bent to an ellipse elsewhere.
 struct LayeredShape {
   tissue::PressCurves press;
@@ -42,7 +42,7 @@ struct Room {
   }
 };
 
-/// The largest of something from q on, falling, in steps: never below what it stands for.
+/// The largest values from q on, falling, in steps: an upper bound of the curve.
 struct MostFrom {
   std::array<double, Room::kSteps> from{};  ///< in the step that begins at q = i / kSteps, and beyond
   double at(double q) const noexcept {
@@ -75,7 +75,7 @@ struct Contact {
   Vec3 anchor = Vec3::Zero();        ///< friction anchor A on the undeformed skin: the centre of the deformation
   Index anchor_triangle = kNoIndex;  ///< the triangle A lies on: where the search for the region starts
   Vec3 normal = Vec3::UnitZ();       ///< outward normal of the contact; its length does not matter
-  double depth_mm = 0.0;             ///< of the tip under the skin, along the normal; <= 0 presses nothing
+  double depth_mm = 0.0;             ///< depth of the tip under the skin, along the normal; <= 0 presses nothing
   Vec3 drag_mm = Vec3::Zero();       ///< P - A: where the finger has pulled the skin, before f_adj and the cap
   /// Zero contours of the two parts (E21). Axes that are not in the tangent plane are turned into it.
   maps::SurfaceEllipse normal_region;

@@ -21,7 +21,7 @@ namespace palpate::deform {
 
 namespace {
 
-/// Status bits of a contact that cannot be framed on a skin of so many triangles; 0 for one that can.
+/// Status bits of a contact that cannot be framed on a skin of `triangles` triangles; 0 for one that can.
 std::uint32_t whyIgnored(const Contact& contact, std::size_t triangles) noexcept {
   if (!isUsable(contact)) return kIgnoredNotFinite;
   return contact.anchor_triangle < triangles ? 0u : std::uint32_t{kIgnoredNoTriangle};
@@ -296,7 +296,7 @@ Index Deformer::Pipeline<Displacement>::displaceShared(Index block, ThePlan& pla
   return static_cast<Index>(std::popcount(moved));
 }
 
-/// Skin that would tear beside skin that stays, or fold, is held back.
+/// Holds back skin that would fold, or tear next to skin that stays.
 template <class Displacement>
 void Deformer::Pipeline<Displacement>::holdShear(ThePlan& plan, DeformedSurface& surface, Report& report) noexcept {
   if (!hold_) return;

@@ -33,7 +33,7 @@ struct Report {
   std::uint32_t status = 0;
   Index moved_vertices = 0;     ///< in the region of at least one contact
   Index visited_vertices = 0;   ///< looked at by the region searches; in whole blocks by the fast one
-  Index held_vertices = 0;      ///< of moved_vertices: held back so that the skin neither tears nor folds
+  Index held_vertices = 0;      ///< part of moved_vertices: held back so that the skin neither tears nor folds
   Index changed_triangles = 0;  ///< whose normals were computed again; 0 unless Normals::incremental
 };
 
@@ -45,7 +45,7 @@ enum class Way : std::uint8_t {
 
 class Deformer {
  public:
-  /// Allocates everything that apply needs. The skin must outlive the deformer. Throws Error for a profile that is none
+  /// Allocates everything that apply needs. The skin must outlive the deformer. Throws Error for an invalid profile
   /// (ProfileCurve).
   explicit Deformer(const Skin& skin, const FormSettings& forms = {}, Way way = Way::chosen);
   Deformer(const Skin& skin, const Settings& settings);
@@ -55,7 +55,7 @@ class Deformer {
   Deformer& operator=(Deformer&&) noexcept;
   ~Deformer();
 
-  /// Brings the surface from whatever it was to the deformation by these contacts (none: to rest). Contacts carry their
+  /// Deforms the surface, whatever it was before, by these contacts (none: to rest). Contacts carry their
   /// regions: formedRegions (forms.h) makes those of these forms. Costs time in proportion to the regions of this and
   /// the last call. The result depends on nothing but skin, forms and contacts. Allocates nothing. One thread at a time
   /// per deformer and surface.

@@ -66,7 +66,8 @@ double leastRatio(const FlatEllipse& ellipse, const Vec3& offset, double radius_
   return std::max(0.0, flat - radius_mm * ellipse.steepest());
 }
 
-/// What a point within q < 1 of an ellipse keeps by the default profile; 0 for one that does not act.
+/// Share of the displacement at a point within q < 1 of an ellipse, by the default profile; 0 for one that does not
+/// act.
 double gaussianShare(const FlatEllipse& ellipse, const Vec3& offset) noexcept {
   return ellipse.acts() ? tissue::profile(ellipse.ratioAt(offset)) : 0.0;
 }
@@ -98,7 +99,7 @@ ContactLanes lanesOf(const EllipseContact& frame, double amplitude_mm, const Vec
   return lanes;
 }
 
-/// What a point keeps of the displacement of the press's centre.
+/// A point's share of the displacement of the press's centre.
 double FastDisplacement::pressShare(const Frame& from, const Vec3& offset) noexcept {
   if (!from.layered) return gaussianShare(from.press, offset);
   return from.press.acts() ? from.layered->pressShare(from.press.ratioAt(offset)) : 0.0;

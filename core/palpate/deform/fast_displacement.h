@@ -24,7 +24,7 @@ namespace palpate::deform {
 // along edges through such vertices; the three corners of that triangle always count as reached (E23: an ellipse
 // smaller than a triangle must not end the search).
 //
-// The search gives exactly that set, and decides most of it without looking at a vertex. Boxes tell which blocks of a
+// The search gives exactly that set, and decides most of it without looking at a vertex. Boxes show which blocks of a
 // tile lie inside as a whole; those are flooded by words of blocks. The others at the rim are flooded by words of
 // vertices, and only these have their vertices tested. Nothing is looked at that the flood does not touch.
 // Based on: Ji, dissertation 2008, section 4.5 (rings of neighbour nodes), with E23.
@@ -38,8 +38,8 @@ class RegionByBlocks {
   std::span<const BlockPart> find(const Skin& skin, const ContactLanes& contact,
                                   const Triangle& anchor_triangle) noexcept;
 
-  /// Where the region has an edge or a wall: vertices in it that are steep (kernels.h), and vertices beside it that lie
-  /// in an ellipse and stay because they face away; some more of that kind. Valid until the next call of find.
+  /// Where the region has an edge or a wall: vertices in it that are steep (kernels.h), and vertices next to it that
+  /// lie in an ellipse and stay because they face away; some more of that kind. Valid until the next call of find.
   std::span<const BlockPart> edges() const noexcept { return edges_; }
   /// True if the last search reached this vertex.
   bool reached(Index vertex) const noexcept;
@@ -54,8 +54,8 @@ class RegionByBlocks {
     std::uint64_t rim = 0;
     std::uint64_t level = 0;    // where the height over the contact's plane does not matter
     std::uint64_t facing = 0;   // where every vertex faces the contact
-    std::uint64_t reached = 0;  // of `whole`
-    std::uint64_t pending = 0;  // of `whole`, about to be reached; not 0 means the tile waits in open_tiles_
+    std::uint64_t reached = 0;  // part of `whole`
+    std::uint64_t pending = 0;  // part of `whole`, about to be reached; not 0 means the tile waits in open_tiles_
     bool known = false;
   };
   /// A block at the rim, by bits of its vertices. Half a cache line: the search lives on these.
@@ -91,7 +91,7 @@ class RegionByBlocks {
   std::vector<Index> known_tiles_;
   std::vector<Index> open_tiles_;
   std::vector<Index> looked_into_;
-  std::vector<Index> queue_;  // of blocks at the rim: a ring with room for every block, its size a power of two
+  std::vector<Index> queue_;  // blocks at the rim: a ring with room for every block, its size a power of two
   std::size_t head_ = 0;
   std::size_t tail_ = 0;
   std::vector<BlockPart> found_;
@@ -127,8 +127,8 @@ class FastDisplacement {
   static double pressShare(const Frame& from, const Vec3& offset) noexcept;
   static double dragShare(const Frame& from, const Vec3& offset) noexcept;
 
-  // What shear_limit.h has to know: the shares that the skin has from q on, what a place moves by at most, the slope of
-  // a drag along itself, what the contacts may shear at most, half axes of a region, what the centre moves by.
+  // Inputs of shear_limit.h: the shares that the skin has from q on, a bound of a place's motion, the slope of a drag
+  // along itself, the contacts' largest shear, half axes of a region, the centre's motion.
   static double pressRoom(const Frame& frame, double q) noexcept;
   static double dragRoom(const Frame& frame, double q) noexcept;
   static double mostAt(const Frame& frame, double press_mm, double drag_mm, const Vec3& offset) noexcept;

@@ -15,10 +15,10 @@ namespace palpate::deform {
 
 namespace {
 
-/// Of 1, the slope at which a triangle has no area left: room for rounding.
+/// Share of 1, the slope at which a triangle has no area left, that is certain: room for rounding.
 constexpr double kCertain = 0.95;
-/// Of the least height h of a triangle of which a corner stays: if no other moves by more, of its area, h times its
-/// longest side, at least 1 - 2 share - share^2 is left.
+/// Share of the least height h of a triangle of which a corner stays: if no other moves by more, at least 1 - 2 share -
+/// share^2 of its area (h times its longest side) is left.
 constexpr double kUnfoldedShare = 0.4;
 /// Room for the rounding of a float, mm.
 constexpr double kRoundingMm = 1e-5;
@@ -44,7 +44,7 @@ TriangleShape shapeOf(const Skin& skin, const Triangle& triangle) {
     widest_cosine = std::min(widest_cosine, a.dot(b) / (a.norm() * b.norm()));
   }
   const Vec3 sides((corner[1] - corner[0]).norm(), (corner[2] - corner[1]).norm(), (corner[0] - corner[2]).norm());
-  // cos(w / 2) by the half angle; at least what a float can tell from a flat triangle
+  // cos(w / 2) by the half angle; at least what a float can distinguish from a flat triangle
   const double spread = 1.0 / std::sqrt(std::max(0.5 * (1.0 + widest_cosine), 1e-12));
   const double radius_mm = 0.5 * sides.prod() / area.norm();
   const double gradient_mm = radius_mm + 2.0 * sides.prod() / (sides.minCoeff() * sides.sum());
@@ -72,7 +72,8 @@ void forEachTriangleAt(const Skin& skin, Index block, const Visit& visit) {
 
 void raise(float& most, double value) { most = std::max(most, static_cast<float>(value)); }
 
-/// Of the triangles at the vertices of one block, each once. Those of a whole body would take 48 bytes a triangle.
+/// Shapes of the triangles at the vertices of one block, each once. Those of a whole body would take 48 bytes a
+/// triangle.
 class ShapesOfBlock {
  public:
   explicit ShapesOfBlock(const Skin& skin) : skin_(skin), slot_(skin.triangles.size(), 0) {}
@@ -125,7 +126,7 @@ double largestSine(const FoldBound& block, const Vec3& direction) noexcept {
   return std::min(1.0, sin_towards * cone + towards * sin_cone);
 }
 
-/// What is left of a triangle's area is at least 1 - (slopes) - (the product of each two).
+/// Whether area is certainly left: at least 1 - (slopes) - (the product of each two) of it.
 bool keepsItsArea(double press, double drag, bool is_one) noexcept {
   const double both = press + drag;
   return both + (is_one ? press * drag : 0.5 * both * both) < kCertain;
@@ -169,9 +170,9 @@ bool mayFold(const FoldBound& block, const ShearBound& shear) noexcept {
 }
 
 std::uint64_t doubtfulVertices(const Skin& skin, Index block, const ShearBound& shear, const float* area) noexcept {
-  // A triangle's F is within `off` of that at its corner. Of its area, the determinant of F in its plane, what moves
-  // along the press counts by its sine to the normal only. Between the vertex's normal and the triangle's, cof(F) - I
-  // is at most the slopes and their products, and of a press no more than the sine is seen along either.
+  // A triangle's F is within `off` of that at its corner. In its area, the determinant of F in its plane, motion along
+  // the press counts by its sine to the normal only. Between the vertex's normal and the triangle's, cof(F) - I is at
+  // most the slopes and their products, and no more than the sine of a press is seen along either.
   ShearLanes lanes;
   lanes.press = static_cast<float>(shear.press);
   lanes.drag = static_cast<float>(shear.drag);

@@ -21,20 +21,20 @@ namespace palpate::deform {
 
 struct Skin;
 
-/// Of all triangles at the vertices of a block.
+/// Bounds for all triangles at the vertices of a block.
 struct FoldBound {
-  Vec3f axis = Vec3f::Zero();  ///< the mean of their normals; zero where there is none
-  float cos_cone = -1.0f;      ///< of the angle that no normal leaves the axis by
+  Vec3f axis = Vec3f::Zero();  ///< mean of their normals; zero if undefined
+  float cos_cone = -1.0f;      ///< cosine of the widest angle between axis and normals
   float gradient_mm = 0.0f;    ///< g: how far a triangle's slope may be from the true one, over the second derivative
   float spread = 0.0f;         ///< the largest 1 / cos(widest angle / 2): 1.15 for equal sides, 1.41 for a right angle
-  float longest_mm = 0.0f;     ///< of their edges
+  float longest_mm = 0.0f;     ///< longest of their edges
 };
 
 /// A bound a block, and for each vertex (padded to whole blocks) the largest g of its triangles and how far the normal
 /// of one is from its own, as vectors. Triangles without area do not count: they cannot fold.
 void setFoldBounds(Skin& skin);
 
-/// What contacts may shear at most: sums over them of the largest displacement per mm of skin.
+/// Largest shear by contacts: sums over them of the largest displacement per mm of skin.
 struct ShearBound {
   double press = 0.0;
   double drag = 0.0;
@@ -42,7 +42,7 @@ struct ShearBound {
   double press_bend = 0.0;
   double drag_bend = 0.0;
   Vec3 towards = Vec3::Zero();  ///< the direction of the press; zero for several
-  bool is_one = true;           ///< of one contact
+  bool is_one = true;           ///< only one contact
 };
 
 /// Blocks of less spread (FoldBound) keep all their triangles up, whatever these face: a test for whole tiles.

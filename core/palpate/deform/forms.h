@@ -14,7 +14,7 @@ namespace palpate::deform {
 
 /// How the normals of the deformed surface are made.
 enum class Normals : std::uint8_t {
-  analytic,     ///< of the smooth deformation, in the same pass as the displacement (default)
+  analytic,     ///< normals of the smooth deformation, in the same pass as the displacement (default)
   recomputed,   ///< area-weighted from the deformed triangles: the reference, several times slower
   incremental,  ///< the same normals by subtracting and adding only the triangles that changed (normals.h)
 };
@@ -27,10 +27,10 @@ struct Settings {
   std::size_t max_contacts = 16;  ///< contacts beyond are ignored and reported
 };
 
-/// What the skin follows a drag in. The press has its own circle unless NormalRegion::shared.
+/// Region in which the skin follows a drag. The press has its own circle unless NormalRegion::shared.
 enum class Shape : std::uint8_t {
-  ellipse,  ///< of the map
-  circle,   ///< of the ellipse's area
+  ellipse,  ///< the map's
+  circle,   ///< with the ellipse's area
   contour,  ///< Contact::tangential_contour; where that is empty, the ellipse
 };
 
@@ -48,7 +48,7 @@ enum class NormalRegion : std::uint8_t {
   scaled,    ///< that ellipse in proportion to the depth, whole at the cap: 4.2's "linear function of P_n", no offset
 };
 
-/// What the measured boundary was (E20).
+/// Meaning of the measured boundary (E20).
 enum class Boundary : std::uint8_t {
   zero,    ///< where nothing moves any more
   two_mm,  ///< the 2 mm contour of a 20 mm drag: the axes grow by kTwoMmBoundary

@@ -15,7 +15,7 @@ namespace palpate::deform {
 template <class Region>
 struct FramedContact {
   Vec3 anchor = Vec3::Zero();
-  Vec3 normal = Vec3::Zero();  ///< of unit length
+  Vec3 normal = Vec3::Zero();  ///< unit length
   Index anchor_triangle = kNoIndex;
   double depth_mm = 0.0;        ///< wanted at the anchor, capped; below 0 only as printed (E19)
   Vec3 drag_mm = Vec3::Zero();  ///< wanted at the anchor, adjusted and capped
@@ -33,11 +33,11 @@ struct FramedContact {
   bool wantsDrag() const { return !drag_mm.isZero(0.0); }
 };
 
-// Height over the tangent plane that does not count, mm. What lies farther off it is at least so far along the skin as
+// Height over the tangent plane that does not count, mm. A point farther off it is at least that far along the skin as
 // through the air, and a finger does not take it along.
-/// Of layered tissue: shoulders and hips turn away from a back by more within what a finger moves.
+/// For layered tissue: shoulders and hips turn away from a back by more within a finger's reach.
 inline constexpr double kLayeredLevelMm = 30.0;
-/// Of the half Gaussian, whose measured ellipses lie in a plane: all of a back, which is 120 mm deep.
+/// For the half Gaussian, whose measured ellipses lie in a plane: all of a back, which is 120 mm deep.
 inline constexpr double kFlatLevelMm = 130.0;
 
 inline double levelOf(const Contact& contact) noexcept { return contact.layered ? kLayeredLevelMm : kFlatLevelMm; }
@@ -46,19 +46,19 @@ inline double levelOf(const Contact& contact) noexcept { return contact.layered 
 /// location ratio grows as in an ellipsoid, and nothing moves from `level_mm + fall_mm` on.
 struct Rise {
   Vec3 normal = Vec3::Zero();  ///< unit
-  double level_mm = 0.0;       ///< infinite where the normal is no bound (as printed, E23)
+  double level_mm = 0.0;       ///< infinite where the normal does not bound (as printed, E23)
   double fall_mm = 1.0;
 
-  /// Of an offset from the anchor; 0 up to level_mm either way, 1 at level_mm + fall_mm.
+  /// Rise of an offset from the anchor; 0 up to level_mm either way, 1 at level_mm + fall_mm.
   double at(const Vec3& offset) const noexcept {
     const double beyond = std::abs(normal.dot(offset)) - level_mm;
     return beyond > 0.0 ? beyond / fall_mm : 0.0;
   }
 };
 
-/// Of a region with these radii. A region no longer than `level_mm` keeps all of a ball that faces the finger: none of
-/// it lies lower than its own radius, nor than the axis that holds it. The ratio grows with height as across the
-/// region: nowhere steeper than in the plane, which the bounds of the shear stand on.
+/// Rise for a region with these radii. A region no longer than `level_mm` keeps all of a ball that faces the finger:
+/// none of it lies lower than its own radius, nor than the axis that holds it. The ratio grows with height as across
+/// the region: nowhere steeper than in the plane, which the bounds of the shear rely on.
 inline Rise riseOf(const Vec3& unit_normal, double longest_mm, double shortest_mm, double level_mm) noexcept {
   return {unit_normal, std::min(longest_mm, level_mm), shortest_mm};
 }

@@ -1,4 +1,4 @@
-// What a contact of any form does to a vertex: displacement and gradient as sums over its parts.
+// Effect of a contact of any form on a vertex: displacement and gradient as sums over its parts.
 //
 // Data flow: Contact -> formedContact -> findRegion and, with amplitudes from the pipeline, addMotion vertex by vertex.
 // Based on: Ji, dissertation 2008, sections 4.2 to 4.6; the rule for normals is Nanson's formula.
@@ -80,7 +80,8 @@ void addRadialPull(const RegionFrame& region, const tissue::RadialTerm& radial, 
                                      pull.value / distance * turning * turning.transpose());
 }
 
-/// Of layered tissue: along half the gradient of q^2 in the plane, which points away from the axis; q long on a circle.
+/// Layered tissue moves along half the gradient of q^2 in the plane, which points away from the axis; q long on a
+/// circle.
 void addOutward(const RegionFrame& region, const tissue::LayeredCurve& outward, double amplitude_mm, const Vec3& offset,
                 Motion& motion) noexcept {
   const Vec3 along = region.along / region.half_along_mm;

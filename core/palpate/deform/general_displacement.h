@@ -30,7 +30,7 @@ bool holds(const FormedContact& frame, const Vec3& place) noexcept;
 
 /// The curves of both parts.
 struct FormCurves {
-  /// Throws Error for a profile that is none.
+  /// Throws Error for an invalid profile.
   explicit FormCurves(const FormSettings& forms);
   tissue::ProfileCurve press;
   tissue::ProfileCurve drag;
@@ -59,7 +59,7 @@ class GeneralDisplacement {
     Vec3 shift_mm;
   };
 
-  /// Throws Error for a profile that is none, and as hdb::VertexSearch does.
+  /// Throws Error for an invalid profile, and as hdb::VertexSearch does.
   GeneralDisplacement(const Skin& skin, const FormSettings& forms);
 
   Frame frame(const Contact& contact) const noexcept { return formedContact(contact, forms_); }
@@ -72,8 +72,8 @@ class GeneralDisplacement {
   double pressShare(const Frame& from, const Vec3& offset) const noexcept;
   double dragShare(const Frame& from, const Vec3& offset) const noexcept;
 
-  // What shear_limit.h has to know: the shares that the skin has from q on, what a place moves by at most, the slope of
-  // a drag along itself, what the contacts may shear at most (any form may shear without bound), half axes of a region.
+  // Inputs of shear_limit.h: the shares that the skin has from q on, a bound of a place's motion, the slope of a drag
+  // along itself, the contacts' largest shear (any form may shear without bound), half axes of a region.
   double pressRoom(const Frame& frame, double q) const noexcept;
   double dragRoom(const Frame& frame, double q) const noexcept;
   double mostAt(const Frame& frame, double press_mm, double drag_mm, const Vec3& offset) const noexcept;

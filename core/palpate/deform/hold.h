@@ -1,8 +1,8 @@
 // The step of an apply that holds displaced skin back where it would tear or fold, for both ways to displace.
 //
-// Data flow: frames, movers, regions and edges of the plan (plan.h), displaced surface -> what of it is in doubt ->
-// ShearLimit -> surface, normals of what was held. What is certain costs a test a block: edges at which the formulae
-// move next to nothing, blocks that no contact shears much (fold_bounds.h).
+// Data flow: frames, movers, regions and edges of the plan (plan.h), displaced surface -> doubtful vertices ->
+// ShearLimit -> surface, normals of held vertices. Certain cases cost a test a block: edges at which the formulae move
+// next to nothing, blocks that no contact shears much (fold_bounds.h).
 #pragma once
 
 #include "palpate/deform/normals.h"
@@ -22,11 +22,11 @@ class Hold {
   /// vertices were held. Leaves of the plan's edges those that are in doubt.
   Index apply(const Displacement& displacement, ThePlan& plan, const DeformedBlock& surface) noexcept;
 
-  /// The formulae know nothing of what was held back: normals there come from the triangles. Of the last apply.
+  /// The formulae know nothing of what was held back: normals there come from the triangles. For the last apply.
   void setNormals(const DeformedBlock& surface) const noexcept;
 
  private:
-  /// What ShearLimit::taper asks of the displacement.
+  /// ShearLimit::taper's view of the displacement.
   struct Curves {
     const Skin& skin;
     const Displacement& displacement;
@@ -90,7 +90,7 @@ void Hold<Displacement>::boundShear(const Displacement& displacement, ThePlan& p
   }
 }
 
-/// What the contacts shear at the triangles of a block, and so much farther around.
+/// Shear by the contacts at the triangles of a block, and `beyond_mm` around.
 template <class Displacement>
 ShearBound Hold<Displacement>::shearNear(const Displacement& displacement, const ThePlan& plan, Index block,
                                          double beyond_mm) const noexcept {
@@ -105,7 +105,7 @@ ShearBound Hold<Displacement>::shearNear(const Displacement& displacement, const
   return shear;
 }
 
-/// Vertices of which it is not certain that they keep all their triangles up. False if there is none.
+/// Vertices of which it is not certain that they keep all their triangles up. False if none was found.
 template <class Displacement>
 bool Hold<Displacement>::findDoubtful(const Displacement& displacement, ThePlan& plan) const noexcept {
   plan.doubtful.clear();
@@ -122,7 +122,7 @@ bool Hold<Displacement>::findDoubtful(const Displacement& displacement, ThePlan&
   return !plan.doubtful.empty();
 }
 
-/// What all contacts move their centres by, mm: no vertex moves farther.
+/// Sum of the motions of all centres, mm: no vertex moves farther.
 template <class Displacement>
 double Hold<Displacement>::movedTogether(const ThePlan& plan) noexcept {
   double all = 0.0;

@@ -11,7 +11,7 @@ namespace palpate::deform {
 namespace {
 
 constexpr int kSamples = 4 * Room::kSteps;
-/// What the largest of so many samples may miss of a derivative.
+/// Factor for the part of a derivative that the largest of this many samples may miss.
 constexpr double kBetweenSamples = 1.02;
 
 struct Derivatives {
@@ -19,7 +19,7 @@ struct Derivatives {
   double second = 0.0;
 };
 
-/// Of something whose first and second derivatives by q at the samples are `at(q)`.
+/// Steepness of a curve whose first and second derivatives by q at the samples are `at(q)`.
 template <class DerivativesAt>
 Steepness steepnessOf(const DerivativesAt& derivatives_at) noexcept {
   Steepness steepness;

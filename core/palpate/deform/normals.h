@@ -34,9 +34,9 @@ class IncrementalNormals {
   /// The skin at rest. `most_mm` bounds how far any vertex will ever move; farther is safe but loses accuracy.
   IncrementalNormals(const Skin& skin, double most_mm);
 
-  /// Tells where a vertex is now; its triangles are listed as changed if it moved at all.
+  /// Sets where a vertex is now; its triangles are listed as changed if it moved at all.
   void place(const Skin& skin, Index vertex, const Vec3f& position) noexcept;
-  /// Brings the sums up to date. Returns how many triangles had changed.
+  /// Updates the sums. Returns how many triangles had changed.
   Index update(const Skin& skin) noexcept;
   /// Both for every vertex that moves now or moved at the last call: those of the blocks `moved` are where `positions`
   /// says, all others at rest.
@@ -50,7 +50,7 @@ class IncrementalNormals {
   Fixed areaOf(const Triangle& triangle) const noexcept;
 
   double scale_ = 1.0;
-  double largest_ = 0.0;  // of a component of one triangle, in fixed units: sums cannot overflow
+  double largest_ = 0.0;  // largest component of one triangle, in fixed units: sums cannot overflow
   std::vector<Vec3f> positions_;
   std::vector<Fixed> areas_;      // a triangle each
   std::vector<Fixed> sums_;       // a vertex each

@@ -1,4 +1,4 @@
-// What an apply has worked out about its contacts before it moves a vertex.
+// Facts about the contacts of an apply, computed before it moves a vertex.
 //
 // The value that Deformer's steps hand on: each step reads what the steps before have filled in and fills in its own
 // part. The memory stays from apply to apply, nothing else does.
@@ -21,7 +21,7 @@ namespace palpate::deform {
 // Gauss-Seidel sweeps: always bounded, and exact for the few fingers there are. Based on: the linear complementarity
 // view of contact, Cottle, Pang, Stone, "The linear complementarity problem", 1992.
 
-/// What contact j moves the anchor of contact i per unit of its own amplitude: row i, column j; 1 on the diagonal.
+/// Motion of contact i's anchor by contact j per unit of its own amplitude: row i, column j; 1 on the diagonal.
 class Coupling {
  public:
   Coupling(std::span<const double> values, std::size_t contacts) : values_(values), contacts_(contacts) {}
@@ -39,8 +39,8 @@ class Coupling {
 void solveDepths(const Coupling& coupling, std::span<const double> depths_mm, std::span<double> amplitudes_mm) noexcept;
 
 /// The same for drags: shift vectors, none longer than the cap or the longest drag. Without the latter two fingers that
-/// pull nearly the same skin apart would get large opposite shifts, and the skin beside them would move and shear more
-/// than any finger asks for; with it they get as much of their way as drags of that length can give.
+/// pull nearly the same skin apart would get large opposite shifts, and the skin around them would move and shear more
+/// than any finger pulls; with it they get as much of their way as drags of that length can give.
 void solveDrags(const Coupling& coupling, std::span<const Vec3> drags_mm, double cap_mm,
                 std::span<Vec3> shifts_mm) noexcept;
 
@@ -78,7 +78,7 @@ struct Plan {
   std::vector<Index> first_edge;  ///< contacts + 1 entries
   std::vector<double> press_coupling;
   std::vector<double> drag_coupling;
-  // 3. What each wants at its anchor, and what its centre moves by so that it gets that.
+  // 3. Displacement wanted at each anchor, and motion of the centre that gives it.
   std::vector<double> depths_mm;
   std::vector<Vec3> drags_mm;
   std::vector<double> amplitudes_mm;
@@ -89,10 +89,10 @@ struct Plan {
   std::vector<Index> first_entry;        ///< a block of `moved` each
   std::vector<OnBlock<Mover>> on_block;  ///< room for the movers of one block
   BlockSet moved;                        ///< blocks with vertices of a region
-  AlignedVector<float> area;             ///< of those, DeformedBlock::area; room for every block
-  std::vector<BlockPart> doubtful;       ///< of `moved`, where triangles may fold: the vertices at which they may
+  AlignedVector<float> area;             ///< areas of those, DeformedBlock::area; room for every block
+  std::vector<BlockPart> doubtful;       ///< part of `moved`, where triangles may fold: the vertices at which they may
   std::vector<Pull> pulls;               ///< the contacts that move something
-  BlockSet affected;  ///< these, and where normals or strain come from neighbours the blocks beside them
+  BlockSet affected;  ///< these, and where normals or strain come from neighbours the adjacent blocks
 };
 
 template <class Displacement>

@@ -87,8 +87,8 @@ void RegionByBlocks::wakeRim(Index tile, std::uint64_t blocks) noexcept {
   forEachBit(blocks & tiles_[tile].rim, [&](Index bit) { wake(tile * kTileBlocks + bit); });
 }
 
-/// Reaches the pending whole blocks of a tile and those that hang together with them; what is beside them at the rim
-/// is to look for them (besideWholeBlocks).
+/// Reaches the pending whole blocks of a tile and those connected to them; adjacent ones at the rim must look for them
+/// (besideWholeBlocks).
 void RegionByBlocks::growTile(const Query& query, Index tile) noexcept {
   Tile& here = tiles_[tile];
   const GroupGraph& graph = query.skin.block_graph;
@@ -108,7 +108,7 @@ void RegionByBlocks::growTile(const Query& query, Index tile) noexcept {
   }
 }
 
-/// Reaches what hangs together with the seeds of a block at the rim, and seeds what is beside it.
+/// Reaches vertices connected to the seeds of a block at the rim, and seeds adjacent blocks.
 void RegionByBlocks::growBlock(const Query& query, Index block) noexcept {
   RimBlock& here = rim_[block];
   here.waits = false;

@@ -1,5 +1,5 @@
 // Which vertices belong to a contact, ring by ring of neighbour nodes: for regions of any shape, and as printed. Second
-// step of an apply, beside region_by_blocks.cpp.
+// step of an apply, like region_by_blocks.cpp.
 //
 // The search of the dissertation's section 4.5 with the corrections of E23, which finds what RegionByBlocks finds; or
 // its literal stopping rule: all neighbours of a whole ring make the next one, and the first ring without a vertex
@@ -56,7 +56,7 @@ class RegionByRings {
     return finished();
   }
 
-  /// The same among vertices that another search has listed, each once: whoever they hang together with.
+  /// The same among vertices that another search has listed, each once: however they are connected.
   template <class PlaceOf>
   std::span<const BlockPart> findAmong(std::span<const Index> vertices, const PlaceOf& place_of) noexcept {
     forget();
@@ -65,7 +65,7 @@ class RegionByRings {
     return finished();
   }
 
-  /// Vertices beside the region that lie in an ellipse and stay, and those in it that are steep. Valid until the next
+  /// Vertices next to the region that lie in an ellipse and stay, and those in it that are steep. Valid until the next
   /// call of find.
   std::span<const BlockPart> edges() const noexcept { return edges_; }
 

@@ -39,7 +39,7 @@ struct RegionFrame {
   Kind kind = Kind::none;       ///< none: moves nothing
   Vec3 along = Vec3::Zero();    ///< unit; major axis, or where a contour's angles start
   Vec3 across = Vec3::Zero();   ///< unit, in the tangent plane too
-  double half_along_mm = 0.0;   ///< of ellipse and pedal
+  double half_along_mm = 0.0;   ///< half axis of ellipse and pedal
   double half_across_mm = 0.0;  ///< longer than half_along where the ratio is taken the wrong way round (E15)
   Rise rise;
   maps::PolarContour contour;

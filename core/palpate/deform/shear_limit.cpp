@@ -1,4 +1,5 @@
-// The steps: room in a thin part, beside skin that stays and along the surface, seams of two fingers, folded triangles.
+// The steps: room in a thin part, next to skin that stays and along the surface, seams of two fingers, folded
+// triangles.
 //
 // Data flow: regions and amplitudes of the plan, displaced surface -> here, behind every displacement -> positions and
 // displacements of the surface; which vertices were held back -> their normals. Costs about 0.1 us a vertex of a region
@@ -13,11 +14,11 @@ namespace palpate::deform {
 
 namespace {
 
-/// Shares of a triangle's area at rest, seen along its rest normal: below the first it counts as folded, and is brought
+/// Shares of a triangle's area at rest, seen along its rest normal: below the first it counts as folded, and is raised
 /// to the second, so that rounding does not fold it again.
 constexpr double kFolded = 1e-3;
 constexpr double kUnfolded = 0.03;
-/// Of the share of its displacement that a triangle may keep, what it is left: room for its neighbours. Without it one
+/// Factor on the share of its displacement that a triangle may keep: room for its neighbours. Without it one
 /// contact in three hundred on scanned bodies did not come to an end.
 constexpr double kReserve = 0.8;
 /// Turns of drawing triangles together: on scanned bodies one to five, a hundred at most.
@@ -27,12 +28,12 @@ constexpr int kTurns = 200;
 constexpr int kSeamTurns = 50;
 /// Triangles in one turn, two hundred times what scanned bodies need; more are no matter of single triangles.
 constexpr std::size_t kMaxFolds = 4096;
-/// Of shortening everything. Each leaves at most nine tenths.
+/// Most rounds of shortening everything. Each leaves at most nine tenths.
 constexpr int kShortenings = 60;
 /// A vertex is held back if it goes beyond its room by more than rounding.
 constexpr float kBeyondRounding = 1.0f + 1e-5f;
-/// Height of a triangle over its longest side, as a share of the largest coordinate, below which floats do not tell one
-/// side of it from the other: sixteen roundings.
+/// Height of a triangle over its longest side, as a share of the largest coordinate, below which floats do not
+/// distinguish one side of it from the other: sixteen roundings.
 constexpr double kThinnest = 1e-6;
 
 Vec3 pointOf(const DeformedBlock& surface, int first, Index v) noexcept {
@@ -49,7 +50,7 @@ bool isNew(Index thing, std::vector<std::uint64_t>& bits) noexcept {
   return true;
 }
 
-/// The share of the least root of a + b s + c s^2 in (0, 1]; 1 where there is none. `a` is positive.
+/// The share of the least root of a + b s + c s^2 in (0, 1]; 1 without a root. `a` is positive.
 double leastRoot(double a, double b, double c) noexcept {
   const double root2 = b * b - 4.0 * a * c;
   if (root2 < 0.0) return 1.0;
@@ -281,7 +282,7 @@ void ShearLimit::unfold(const DeformedBlock& surface, std::span<const BlockPart>
   folds_.clear();
 }
 
-/// Lists the folded triangles. False if there is no room for all.
+/// Lists the folded triangles. False if not all fit.
 bool ShearLimit::findFolds(const DeformedBlock& surface, std::span<const BlockPart> doubtful) noexcept {
   for (const BlockPart& part : doubtful) doubts_[part.block] = part.vertices & regions_[part.block];
   const auto is_looked_at = [&](Index v) { return (doubts_[blockOf(v)] & bitOf(v)) != 0; };

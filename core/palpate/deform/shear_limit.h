@@ -1,13 +1,13 @@
 // Holds the displaced skin back where it would tear or fold.
 //
 // The formulae of a press and a drag know the place of a vertex, not the surface: next to skin that stays behind
-// because it faces away (between toes, at the rim of a narrow limb) a vertex may be told to go farther than its
-// triangle is long, and in a steep or thin triangle neighbours may be told to pass each other. Five steps, each of
+// because it faces away (between toes, at the rim of a narrow limb) a vertex may be moved farther than its
+// triangle is long, and in a steep or thin triangle neighbours may be moved past each other. Five steps, each of
 // which leaves alone what needs no help, bit by bit:
 //   0. where the part is thin (Skin::thickness_mm) a vertex goes in by at most kShareOfThickness of it;
-//   1. beside skin that stays behind, a vertex moves by at most kSteepest mm per mm of surface between the two;
-//   2. a region that has such an edge, or a wall, ends along the surface too: what a contact moves falls off with the
-//      way along the edges as in the profile stretched by kRoundabout, so that what is near only through the air stays;
+//   1. next to skin that stays behind, a vertex moves by at most kSteepest mm per mm of surface between the two;
+//   2. a region that has such an edge, or a wall, ends along the surface too: a contact's motion falls off with the
+//      way along the edges as in the profile stretched by kRoundabout, so that points near only through the air stay;
 //   3. between fingers that press towards each other neighbours part by at most kMaxParting mm per mm between them;
 //   4. triangles that may fold are looked at, and where one does its corners are drawn together just enough; if that
 //      does not end, the whole displacement is shortened until none folds.
@@ -147,17 +147,17 @@ class EdgeDistances {
   std::vector<Index> reached_;
 };
 
-/// What one contact moves, as far as its skin can be held back.
+/// Motion by one contact, as far as its skin can be held back.
 struct Pull {
   Vec3 anchor = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
   Index anchor_triangle = kNoIndex;
   std::size_t contact = 0;  ///< whose it is, of those that the displacement has framed
   std::span<const BlockPart> region;
-  /// Vertices beside the region that lie within its ellipses and yet stay, those in it that are steep, and some more;
+  /// Vertices next to the region that lie within its ellipses and yet stay, those in it that are steep, and some more;
   /// without those of which faintAtEdge says that they do not matter.
   std::span<const BlockPart> edges;
-  double press_mm = 0.0;        ///< of its centre, not below 0
+  double press_mm = 0.0;        ///< motion of its centre, not below 0
   double drag_mm = 0.0;         ///< likewise
   double press_reach_mm = 1.0;  ///< half major axis
   double drag_reach_mm = 1.0;
@@ -167,9 +167,9 @@ class ShearLimit {
  public:
   ShearLimit(const Skin& skin, std::size_t most_pulls);
 
-  /// What the formulae may move the skin at an edge of a contact's region by, besides what there is room for beside
-  /// skin that stays (roomBesideStaying), without any of the three steps doing anything about it; `own_mm` is what the
-  /// contact moves its centre by. 0 where that is not certain.
+  /// Motion of the skin at an edge of a contact's region for which none of the three steps is needed, in addition to
+  /// the room next to skin that stays (roomBesideStaying); `own_mm` is the motion of the contact's centre. 0 where that
+  /// is not certain.
   static double faintAtEdge(double slope, double own_mm) noexcept {
     return isGentle(slope) ? kCertain * kFaint * own_mm : 0.0;
   }
@@ -209,7 +209,7 @@ class ShearLimit {
   /// How much farther apart the ends of an edge may move per mm of it, at a seam of two fingers: one finger alone makes
   /// 1.3 at most.
   static constexpr float kMaxParting = 2.0f;
-  /// Of its thickness under a vertex, what a part can be dented by: as of the tissue over a bone.
+  /// Share of the thickness under a vertex by which a part can be dented: as for the tissue over a bone.
   static constexpr float kShareOfThickness = 0.9f;
 
  private:
@@ -222,11 +222,11 @@ class ShearLimit {
   static constexpr double kFaint = 0.2;
   static constexpr double kPlain = 0.4;
 
-  /// Of a bound, what counts; room for the rounding of floats.
+  /// Share of a bound that counts; room for the rounding of floats.
   static constexpr double kCertain = 0.99;
   static constexpr double kRoundingMm = 1e-4;
 
-  /// True if skin is held farther from skin that stays only behind skin that is held beside it.
+  /// True if skin far from skin that stays is held only behind held skin next to it.
   static bool isGentle(double slope) noexcept { return slope < kSteepest; }
 
   struct Fold;
@@ -271,13 +271,13 @@ class ShearLimit {
   std::span<const Pull> pulls_;
   EdgeDistances from_staying_;
   EdgeDistances from_anchor_;
-  std::vector<std::uint64_t> regions_;  // of all pulls; one bit a vertex
+  std::vector<std::uint64_t> regions_;  // regions of all pulls; one bit a vertex
   std::vector<Index> blocks_;           // where that is not 0
-  std::vector<std::uint64_t> region_;   // of one pull
+  std::vector<std::uint64_t> region_;   // region of one pull
   std::vector<std::uint64_t> doubts_;   // moved vertices at which triangles are looked at, during findFolds
   std::vector<float> room_;             // how far a moved vertex may go along the surface, by all pulls
   std::vector<Torn> torn_;
-  std::vector<Index> pinning_;  // vertices that stay beside some that move
+  std::vector<Index> pinning_;  // vertices that stay next to some that move
   std::vector<std::uint64_t> is_pinning_;
   std::vector<Index> held_;
   std::vector<std::uint64_t> is_held_;
@@ -315,7 +315,7 @@ void ShearLimit::roomAlongSurface(const Curves& curves) noexcept {
     for (const BlockPart& part : pull.region) {
       forEachBit(part.vertices, [&](Index bit) {
         const Index v = part.block * kBlockVertices + bit;
-        // Of several, none leaves the others room that it does not need.
+        // With several pulls, none leaves the others room that it does not need.
         double room = pulls_.size() > 1 ? curves.moved(pull, v) + kRoundingMm : pull.press_mm + pull.drag_mm;
         if (measured > 0.0) {
           const double away = from_anchor_.at(v) / kRoundabout;

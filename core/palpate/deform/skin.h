@@ -49,7 +49,7 @@ struct GroupGraph {
   }
 };
 
-/// Of things by their neighbours (row i: those joined to thing i; symmetric).
+/// Graph of things by their neighbours (row i: those joined to thing i; symmetric).
 GroupGraph groupGraph(const mesh::IndexRows& neighbours);
 
 /// The same things one level up: groups, joined where a link is.
@@ -65,17 +65,17 @@ std::uint64_t acrossLink(const GroupGraph& graph, const GroupLink& link, std::ui
 /// a micrometre here. Others, scans in map coordinates, count from the middle of their box, in whole millimetres.
 inline constexpr double kNearMm = 1e4;
 
-/// Of the rest shape: x, y, z, nx, ny, nz.
+/// Streams of the rest shape: x, y, z, nx, ny, nz.
 inline constexpr std::size_t kRestStreams = 6;
 
 struct Skin {
   Index vertices = 0;
   Index blocks = 0;
-  /// What all positions here and of the surfaces of this skin count from, mm: zero, but for a body that lies farther
-  /// from the body frame's origin than a float tells micrometres (kNearMm).
+  /// Origin of all positions here and of the surfaces of this skin, mm: zero, but for a body that lies farther from the
+  /// body frame's origin than a float resolves micrometres (kNearMm).
   Vec3 origin = Vec3::Zero();
   FloatStreams rest;                    ///< kRestStreams, padded to whole blocks with zeros
-  std::span<const Triangle> triangles;  ///< of the mesh that it was built from
+  std::span<const Triangle> triangles;  ///< triangles of the mesh that it was built from
   mesh::IndexRows neighbours;
   mesh::IndexRows triangles_of_vertex;
 
@@ -91,7 +91,7 @@ struct Skin {
   AlignedVector<float> fold_crease;          ///< likewise
   AlignedVector<float> room_beside_staying;  ///< per vertex, padded to whole blocks; mm (fold_bounds.h)
   /// Per vertex how thick the part is under it, mm, and the least of each block: no dent comes out of the far side.
-  /// Empty: nobody has measured it, and nothing limits the dent but the caps.
+  /// Empty: not measured, and nothing limits the dent but the caps.
   std::vector<float> thickness_mm;
   std::vector<float> least_thickness_mm;
 

@@ -14,7 +14,7 @@ namespace palpate::deform {
 
 namespace {
 
-/// Skin without strain: light enough that both colours stand out, dark enough to show shading.
+/// Skin without strain: light enough for both colours to show, dark enough to show shading.
 constexpr Rgb kNeutral{225, 220, 215};
 constexpr Rgb kTension{200, 20, 30};
 constexpr Rgb kCompression{30, 60, 200};
@@ -54,7 +54,7 @@ class Rosette {
   }
 
  private:
-  /// Squared cosine below which an edge stands on the tangent plane and tells nothing of it.
+  /// Squared cosine below which an edge is perpendicular to the tangent plane and ignored.
   static constexpr double kSteep = 1e-6;
   static constexpr double kSingular = 1e-9;
 

@@ -1,4 +1,4 @@
-// Strain of the deformed skin in two ways, and its colour. Last step of an apply, where strain is asked for.
+// Strain of the deformed skin in two ways, and its colour. Last step of an apply, where strain is requested.
 //
 // The mean over the edges of a vertex (4.20) hides pure shear (E24). Principal strain does not: the edges of the
 // vertex's fan (spokes and rim) are taken as the gauges of a strain rosette; from their relative changes of length and

@@ -21,7 +21,7 @@ class DeformedSurface {
   explicit DeformedSurface(const Skin& skin);
 
   Index vertices() const { return vertices_; }
-  /// What the positions count from: the skin's origin, zero but for a body far away (Skin::origin).
+  /// Origin of the positions: the skin's, zero but for a body far away (Skin::origin).
   const Vec3& origin() const { return origin_; }
   /// Axis 0, 1, 2 = x, y, z; mm from the origin. Vertices that no contact touches hold the rest shape bit by bit.
   std::span<const float> position(int axis) const { return view(kPosition + axis); }
@@ -30,7 +30,7 @@ class DeformedSurface {
   /// mm; exactly 0 outside the regions.
   std::span<const float> displacement(int axis) const { return view(kDisplacement + axis); }
   /// Strain of the skin around the vertex, > 0 is tension: mean of its edges (4.20), or principal (StrainKind); 0
-  /// unless the deformer was asked for strain.
+  /// unless the deformer computes strain.
   std::span<const float> strain() const { return view(kStrain); }
 
   Vec3f positionAt(Index v) const { return at(kPosition, v); }
@@ -39,7 +39,7 @@ class DeformedSurface {
   Vec3f normalAt(Index v) const { return at(kNormal, v); }
   Vec3f displacementAt(Index v) const { return at(kDisplacement, v); }
 
-  /// What the last apply wrote, in whole blocks of 64 vertices: ascending, disjoint, not adjacent. Upload these.
+  /// Ranges that the last apply wrote, in whole blocks of 64 vertices: ascending, disjoint, not adjacent. Upload these.
   std::span<const VertexRange> changed() const { return changed_; }
 
  private:

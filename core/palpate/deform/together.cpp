@@ -15,7 +15,8 @@ namespace {
 /// Two contacts coupled by g approach their solution by g^2 a sweep; what is still missing after n sweeps is at most
 /// depth / (e n) whatever g: 0.007 mm of 10.
 constexpr int kSweeps = 512;
-/// Of the request: a finger in the bulge around another presses that down too. Bulges are below a tenth.
+/// Largest amplitude over the request: a finger in the bulge around another presses that down too. Bulges are below a
+/// tenth.
 constexpr double kMaxAmplitude = 1.5;
 /// mm; far below what a float surface can show.
 constexpr double kSettled = 1e-12;

@@ -1,4 +1,4 @@
-// Keeps the list while the detecting box stays inside the box that was asked for, and asks again when it leaves.
+// Keeps the list while the detecting box stays inside the queried box, and queries again when it leaves.
 //
 // Data flow: detecting box of a tick -> here -> haptic_box.h now and then -> ranges of entries -> hdb_candidates.
 // Based on: Ji, dissertation 2008, 6.2 (4).

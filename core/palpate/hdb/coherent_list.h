@@ -19,7 +19,7 @@ inline constexpr double kCoherentMargin = 0.125;
 
 struct CoherentList {
   TriangleHits hits;  ///< `hits.ranges` are the list
-  Box3 covered;       ///< what it was queried for; empty before the first time
+  Box3 covered;       ///< the queried box; empty before the first time
   std::uint64_t refreshes = 0;
 
   /// Room for any list of this partition; forgets the present one. Call it again for another partition.

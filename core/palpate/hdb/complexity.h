@@ -30,7 +30,7 @@ inline double nodesOfCompleteTree(int arity, double leaves) { return (arity * le
 struct WorstSearch {
   int height = 0;
   double leaves = 0.0;       ///< n
-  double nodes = 0.0;        ///< of the whole tree
+  double nodes = 0.0;        ///< nodes of the whole tree
   double visited = 0.0;      ///< the nodes of one path
   double leaf_ratio = 0.0;   ///< r = 1 / n
   double visit_ratio = 0.0;  ///< r_Bin, r_Oct: visited over nodes. (3.3), (3.8)
@@ -63,8 +63,8 @@ inline constexpr int kOctreeWorstHeight = 3;
 /// c / n for many leaves: 0.804 for the BSP tree with w = 4.02, 0.400 for the octree with w = 3.50. (3.5), (3.9)
 inline double visitedPerLeaf(int arity, double leaf_ratio, double w) { return leaf_ratio * w * arity / (arity - 1.0); }
 
-/// What r w nodes(n) is an estimate of: the most nodes on the paths to any `found` leaves of a complete tree. Level l
-/// has at most arity^l nodes and at most `found` of them lie on a path.
+/// The exact value that r w nodes(n) estimates: the most nodes on the paths to any `found` leaves of a complete tree.
+/// Level l has at most arity^l nodes and at most `found` of them lie on a path.
 inline std::uint64_t mostNodesOnPaths(int arity, int height, std::uint64_t found) {
   std::uint64_t nodes = 0;
   std::uint64_t on_level = 1;

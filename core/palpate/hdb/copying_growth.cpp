@@ -1,4 +1,4 @@
-// Grows a tree with case A or B: a triangle that a plane crosses goes on in both children, cut in pieces (A) or whole
+// Grows a tree with case A or B: a triangle that a plane crosses continues in both children, cut in pieces (A) or whole
 // (B).
 //
 // Copies can multiply without end: slivers that cross every plane, coincident triangles, the triangles around a vertex.
@@ -73,7 +73,7 @@ struct WholeTriangle {
     whole.box.extend(corners[1]).extend(corners[2]);
     return whole;
   }
-  /// No plane can tell triangles with equal boxes apart.
+  /// No plane can separate triangles with equal boxes.
   bool sameAs(const WholeTriangle& other) const { return box.min() == other.box.min() && box.max() == other.box.max(); }
   void divide(const AxisPlane& plane, std::vector<WholeTriangle>& negative,
               std::vector<WholeTriangle>& positive) const {

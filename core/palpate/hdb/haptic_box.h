@@ -18,7 +18,7 @@
 
 namespace palpate::hdb {
 
-/// What "1/4" in 3.3.3 is a quarter of (E12).
+/// The length of which 3.3.3 takes "1/4" (E12).
 enum class HdbSize : std::uint8_t {
   QuarterOfLongestEdge,  ///< a cube
   QuarterOfBox           ///< as wide, high and deep as a quarter of the model's box
@@ -44,7 +44,7 @@ struct EntryRange {
   friend bool operator==(const EntryRange&, const EntryRange&) = default;
 };
 
-/// What a leaf query looked at.
+/// Cost of a leaf query.
 struct QueryCost {
   Index nodes_tested = 0;   ///< whose box (or half-space) was tested
   Index nodes_entered = 0;  ///< the root, and those that passed their test
@@ -62,7 +62,7 @@ struct LeafHits {
 /// Triangles whose boxes meet a box. Reused from query to query.
 struct TriangleHits {
   std::vector<EntryRange> ranges;                ///< ascending; no two touch
-  std::vector<Index> triangles;                  ///< of the mesh, each once; filled by listTriangles only
+  std::vector<Index> triangles;                  ///< triangles of the mesh, each once; filled by listTriangles only
   std::vector<std::uint32_t> stamp_of_triangle;  ///< for partitions that repeat triangles: the last list it was in
   std::uint32_t stamp = 0;
 

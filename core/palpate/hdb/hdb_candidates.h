@@ -20,7 +20,7 @@
 
 namespace palpate::hdb {
 
-/// What the detecting box gives.
+/// Triangles that the detecting box yields.
 enum class HdbQuery : std::uint8_t {
   leaves,     ///< all triangles of the leaves that it meets: the dissertation's haptic process
   triangles,  ///< the triangles that it meets
@@ -29,7 +29,7 @@ enum class HdbQuery : std::uint8_t {
 };
 
 struct HdbSettings {
-  Vec3 edges_mm = Vec3::Zero();  ///< of the detecting box
+  Vec3 edges_mm = Vec3::Zero();  ///< edges of the detecting box
   HdbQuery query = HdbQuery::leaves;
   std::optional<LiteralTraversal> literal;  ///< for HdbQuery::leaves only
   /// Ticks that the box stays where it is before it follows the proxy; the dissertation's box moved once a frame of the
@@ -37,7 +37,7 @@ struct HdbSettings {
   std::uint32_t ticks_per_refresh = 1;
 };
 
-/// What fingers of this source share. Immutable once made; a rebuilt partition makes another.
+/// Data shared by the fingers of this source. Immutable once made; a rebuilt partition makes another.
 struct HdbSurface {
   std::shared_ptr<const Partition> partition;
   std::vector<Index> record_of_triangle;  ///< triangle of the mesh -> record of the surface's tree; kNoIndex: none
@@ -73,7 +73,7 @@ class HdbCandidates {
   std::uint64_t boxesTested() const { return boxes_tested_ + linked_.boxes_found; }
   /// Boxes of nodes and of triangles tested to make the linked list follow; 0 with the other queries.
   std::uint64_t boxesMoved() const { return linked_.boxes_moved; }
-  /// What this finger's list takes.
+  /// Memory of this finger's list.
   std::size_t bytes() const noexcept;
 
  private:

@@ -51,19 +51,20 @@ enum class Arrival : std::uint8_t {
 };
 
 /// Distance that is kept from every plane, mm: a million times what rounding could take away, and a thousandth of what
-/// could be felt. What keeps the object outside is not this but the exact test of every move.
+/// could be felt. The exact test of every move, not this, keeps the object outside.
 double standoff(const contact::Surface& surface) { return 1e-9 * surface.geometry->tree.diagonal; }
 
 using tree::Crossing;
 using tree::TriangleRecord;
 
-/// Rounds of one tick. On a smooth body a tick takes two or three; a jump over many triangles goes on in the next tick.
+/// Rounds of one tick. On a smooth body a tick takes two or three; a jump over many triangles continues in the next
+/// tick.
 constexpr int kMaxRounds = 32;
 /// Planes of one round. More mean a place so tight that resting there for a tick is right.
 constexpr int kMaxPlanes = 8;
 /// Triangles tried one by one at a corner: a fan of usual size.
 constexpr int kMaxTouched = 12;
-/// In standoffs: what is nearer than this is touched, and a shorter move is no move.
+/// In standoffs: anything nearer counts as touched, and a shorter move does not count.
 constexpr double kTouching = 4.0;
 
 /// Where the segment first passes a listed triangle from front to back (exactly), or triangle kNoIndex.
@@ -207,7 +208,7 @@ Arrival moveTowards(const contact::Surface& surface, std::span<const Index> tria
   return arrival;
 }
 
-/// In standoffs: a god object this near to the skin is on it; at the bottom of a sharp crease it stands a few off.
+/// In standoffs: a god object this near to the skin is on it; at the bottom of a sharp crease it is a few off.
 constexpr double kOnSkin = 64.0;
 
 bool enters(const contact::Surface& surface, HdbCandidates& candidates, const Vec3& tip, contact::FingerState& state) {
@@ -219,7 +220,7 @@ bool enters(const contact::Surface& surface, HdbCandidates& candidates, const Ve
   state.slipping = false;
   state.proxy = {entry.point, entry.triangle, tree::Feature::face};
   state.anchor = state.proxy;
-  state.hold = entry.point;  // what the tip slides further within this tick is friction already
+  state.hold = entry.point;  // sliding further within this tick is friction already
   state.centre = from;
   return true;
 }

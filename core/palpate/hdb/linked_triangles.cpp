@@ -73,7 +73,7 @@ struct Move {
   LinkedTriangles& list;
   const Partition& partition;
   Box3 from, to;
-  Box3 lower_faces, upper_faces;  ///< what they passed
+  Box3 lower_faces, upper_faces;  ///< regions that they passed
   Index leaf = kNoIndex;          ///< that the present node is in, or is
 
   bool mayChange(const Box3& tight) {

@@ -2,8 +2,9 @@
 // hold triangles of the haptic detecting box are linked, and the triangles themselves are marked inside them.
 //
 // Nothing is listed again when the box moves: the tree is descended only where a face of the box has passed, and there
-// triangles are marked or unmarked. The list is exact at every tick, unlike the coherent list, which has a margin. What
-// lies near a place is found along the linked leaves and down from each, so that most of the list is not looked at.
+// triangles are marked or unmarked. The list is exact at every tick, unlike the coherent list, which has a margin.
+// Triangles near a place are found along the linked leaves and down from each, so that most of the list is not looked
+// at.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ struct LinkedTriangles {
   std::vector<Index> next;           ///< linked leaves: in the order of their entries; kNoIndex ends the list
   std::vector<Index> previous;
 
-  Index first = kNoIndex;         ///< of the linked leaves
+  Index first = kNoIndex;         ///< first linked leaf
   std::size_t triangles = 0;      ///< marked entries
   std::size_t leaves = 0;         ///< linked
   Box3 box;                       ///< that the marks are true for; empty before the first move

@@ -43,7 +43,7 @@ class LiteralGrowth {
   }
 
  private:
-  /// As the majority rule: nothing can tell coincident triangles apart (E7).
+  /// As in the majority rule: no plane separates coincident triangles (E7).
   bool allEqual(const std::vector<Traveller>& travellers) const {
     const Vec3 first = middlePoint(mesh_, travellers.front().triangle);
     for (const Traveller& traveller : travellers) {
@@ -84,7 +84,7 @@ class LiteralGrowth {
 
   Growth& growth_;
   const mesh::TriangleMesh& mesh_;
-  double share_;  // of one triangle in the progress
+  double share_;  // share of the progress per triangle
 };
 
 std::vector<Traveller> allTriangles(const mesh::TriangleMesh& mesh) {

@@ -46,7 +46,7 @@ class MajorityGrowth {
   }
 
  private:
-  /// Nothing can tell coincident triangles apart (E7). Ends at the first difference, as a rule the second item.
+  /// No plane separates coincident triangles (E7). Ends at the first difference, as a rule the second item.
   bool allEqual(const Range& range) const {
     for (std::size_t i = range.begin + 1; i < range.end; ++i) {
       if (items_[i].point != items_[range.begin].point) return false;
@@ -100,7 +100,7 @@ class MajorityGrowth {
   Growth& growth_;
   std::vector<Item>& items_;
   std::vector<Item> aside_;  // the positive side of the range that is being halved
-  double share_;             // of one triangle in the progress
+  double share_;             // share of the progress per triangle
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ Box3 boxOf(const mesh::TriangleMesh& mesh, Index triangle) {
   return {p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)};
 }
 
-/// Of the triangles, not of vertices that nothing uses.
+/// Bounds of the triangles, without unused vertices.
 Box3 boundsOf(const mesh::TriangleMesh& mesh) {
   Box3 bounds;
   for (Index t = 0; t < mesh.triangles.size(); ++t) bounds.extend(boxOf(mesh, t));

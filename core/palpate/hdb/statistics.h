@@ -1,4 +1,4 @@
-// What a partition looks like in numbers: height, nodes, leaves, how full they are, how much they overlap, memory.
+// A partition in numbers: height, nodes, leaves, how full they are, how much they overlap, memory.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct LeafSizes {
 
 struct PartitionStatistics {
   int height = 0;         ///< level of the deepest leaf, the root is 0
-  std::size_t nodes = 0;  ///< of the tree, leaves included, empty ones not
+  std::size_t nodes = 0;  ///< in the tree, leaves included, empty ones not
   std::size_t leaves = 0;
   std::size_t empty_nodes = 0;  ///< sides or octants without a triangle, which were dropped
   std::size_t blocks = 0;       ///< nodes below the leaves
@@ -32,8 +32,8 @@ struct PartitionStatistics {
   LeafSizes leaf_sizes;
   double entries_per_triangle = 0.0;  ///< how many times a triangle is stored: 1 with case C, more with A and B
   double leaves_per_point = 0.0;      ///< how far leaves overlap: the mean number of leaf boxes around the middle of an
-                                      ///< entry; 1 when no two overlap there. At most kOverlapSamples entries are asked
-  std::size_t bytes = 0;              ///< of the partition's arrays
+                                  ///< entry; 1 when no two overlap there. At most kOverlapSamples entries are sampled
+  std::size_t bytes = 0;  ///< size of the partition's arrays
 };
 
 inline constexpr std::size_t kOverlapSamples = 20000;

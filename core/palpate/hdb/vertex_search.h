@@ -1,4 +1,4 @@
-// The octree as a search for graphics: the vertices near a place, whoever their neighbours are.
+// The octree as a search for graphics: the vertices near a place, whatever their neighbours are.
 //
 // Objective 2 of the dissertation (section 1.5) wants the octree in graphics as well as in touch. The deformation asks
 // this where a scene says deformation.search = "octree", in place of rings of neighbours (deform/region_by_rings.h):

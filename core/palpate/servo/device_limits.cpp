@@ -20,16 +20,16 @@ namespace palpate::servo {
 
 namespace {
 
-/// What the delay may be wrong by: a tick and an amplifier that nobody measured, or 1.5 ms. What is assumed too long
-/// damps, which a device with hardly any friction needs: with less it rings on for a second under a dead load.
+/// Uncertainty of the delay: a tick and an amplifier that was not measured, or 1.5 ms. Too long a delay adds damping,
+/// which a device with hardly any friction needs: with less it rings on for a second under a dead load.
 constexpr double kAmplifierS = 0.0005;
 constexpr double kMinMarginS = 0.0015;
 constexpr double kIdentifiedMarginTicks = 0.5;
 
 double assumedMarginTicks(double tick_s) { return std::max(tick_s + kAmplifierS, kMinMarginS) / tick_s; }
 
-/// The share of a device's damping and friction that is counted on. Of assumed ones nothing: a device with 0 to 15 % of
-/// the friction that was assumed kept a limit cycle alive within a tenth of it.
+/// The share of a device's damping and friction that is counted on. Assumed ones count for nothing: a device with 0 to
+/// 15 % of the friction that was assumed kept a limit cycle alive within a tenth of it.
 struct Trust {
   double damping;
   double friction;
@@ -64,7 +64,7 @@ bool isHeavy(const device::DeviceProfile& profile) {
 }
 
 constexpr double kMaxPassivityForce = 1.5;
-constexpr double kPassivityShare = 0.4;  // of the largest force
+constexpr double kPassivityShare = 0.4;  // share of the largest force
 
 bool isIdentified(const scene::SafetySettings& safety) {
   return safety.device_damping_n_s_per_mm > 0.0 && safety.device_friction_n > 0.0;
@@ -276,7 +276,7 @@ std::vector<std::string> safetyNotes(const scene::SafetySettings& asked, const d
                                      double tick_s) {
   const scene::SafetySettings safe = withoutConsent(asked);
   const scene::SafetySettings held = heldSafety(asked, profile);
-  const double scale = profile.motion_scale;  // a cap is asked for as the hand feels it
+  const double scale = profile.motion_scale;  // a cap is requested as the hand feels it
   const double safe_cap = scale * stiffnessCap(safe, profile, tick_s);
   const double cap = scale * stiffnessCap(asked, profile, tick_s);
   const double safe_n = device::largestForceN(safe, profile);
@@ -382,7 +382,7 @@ LimiterSettings limiterSettings(const scene::World& world, const device::DeviceP
     const double unheld_n = forceBelowSlope(here, settings.stiffness_factor * stiffest, most_mm, cap);
     settings.compared_n = std::min(settings.compared_n, std::max(compared_n, unheld_n));
   }
-  // A rounding above the cap is none.
+  // Exceeding the cap by rounding does not count.
   if (settings.stiffness_n_per_mm * settings.stiffness_factor > cap * (1.0 + 1e-9)) {
     settings.cap_n_per_mm = cap / sideways;
     settings.stiffness_n_per_mm = cap / settings.stiffness_factor;

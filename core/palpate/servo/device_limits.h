@@ -16,8 +16,8 @@
 
 namespace palpate::servo {
 
-/// What loop and hand were found to keep at rest and no tap to take energy from, N/mm in the hand: by the rate, the
-/// whole delay from sampling the pose to the force, and the mass of the device. 0: no stiffness was. `palpate study
+/// The stiffness, N/mm in the hand, that loop and hand were found to keep at rest and no tap to take energy from, by
+/// the rate, the whole delay from sampling the pose to the force, and the device's mass. 0: none was. `palpate study
 /// stability --map`, docs/explanation/stability.md.
 double stableStiffness(double tick_s, double delay_ticks, const device::DeviceProfile& profile);
 
@@ -37,11 +37,11 @@ scene::SafetySettings heldSafety(const scene::SafetySettings& asked, const devic
 
 /// How many times its default a guard of [safety] (max_age_ticks, max_jump_mm, ...) may be on a device.
 inline constexpr double kLoosestGuard = 4.0;
-/// Of start = "ramp" on a device, s.
+/// Shortest start = "ramp" on a device, s.
 inline constexpr double kQuickestRampS = 0.1;
 
 /// The stiffest that this scene lets a hand feel on that device, N/mm: min(asked, what device, rate and delay keep at
-/// rest). With --unsafe-stiffness what is asked.
+/// rest). With --unsafe-stiffness, the request.
 double stiffnessCap(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double tick_s);
 
 /// At least up to this felt force all places keep their ratios, N: a choice within light palpation, which every known

@@ -1,5 +1,5 @@
-// The emergency stop: pressed by anybody, from any thread or a signal handler; the next tick of every finger sends no
-// force, and none is sent until somebody releases it on purpose.
+// The emergency stop: may be pressed from any thread or a signal handler; the next tick of every finger sends no force,
+// and none is sent until the stop is released on purpose.
 //
 //   key, button, signal, API ─ press ─► one flag ─► runTick reads it once a tick ─► zero force, kEmergencyStop
 //

@@ -50,14 +50,14 @@ contact::FingerOutput touchWhereItIs(FingerSolver& solver, const contact::Finger
   const double lift_mm = breath.lift(static_cast<double>(tick) * settings.tick_s);
   contact::FingerOutput felt = touchAtRest(solver, settings, state, breath.rest(tip, lift_mm));
   const bool lost = (felt.status & contact::kTipLost) != 0;
-  felt.tip = lost ? breath.moved(felt.tip, lift_mm) : tip;  // to the bit what it was asked for
+  felt.tip = lost ? breath.moved(felt.tip, lift_mm) : tip;  // the requested tip, to the bit
   const bool free = felt.touch == contact::Touch::free;
   for (Vec3* place : {&felt.proxy, &felt.anchor, &felt.hold}) *place = free ? felt.tip : breath.moved(*place, lift_mm);
   if (felt.dent.rest_mm > 0.0) felt.dent.place = breath.moved(felt.dent.place, lift_mm);
   return felt;
 }
 
-/// Brings the force of an exchanged surface nearer to what that surface gives, from where the last tick was.
+/// Fades the force of an exchanged surface to that surface's own, from where the last tick was.
 void handOver(const contact::FingerSettings& settings, const Vec3& tip, Handover& handover,
               contact::FingerOutput& felt) noexcept {
   const Vec3 change = felt.force - handover.force;
@@ -69,7 +69,7 @@ void handOver(const contact::FingerSettings& settings, const Vec3& tip, Handover
   felt.force = handover.force + (most_n / size) * change;
   felt.status |= contact::kCatchingUp;
   if (felt.touch != contact::Touch::free) return;
-  felt.touch = contact::Touch::stick;  // what was felt fades
+  felt.touch = contact::Touch::stick;  // the old force fades
   felt.normal = felt.force.normalized();
   felt.status |= contact::kLettingGo;
 }

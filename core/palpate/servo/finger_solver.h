@@ -1,12 +1,13 @@
-// What a finger of a rig touches, and how it looks for it: on the whole surface, or through a haptic detecting box.
+// The surface that a finger of a rig touches, and the search on it: over the whole surface, or through a haptic
+// detecting box.
 //
 //   contact::Surface ────────────────────────► contact::step ─┐
 //   hdb::Partition ─► HdbSurface ─► box ─────► hdb::stepHdb ──┴─► touch (the tick's one line)
 //   body::BreathField ─► the tip taken back to the skin at rest, what was felt taken to the skin as it is
 //   LumpLoop ─► where the lumps lie that move
 //
-// It is all of a world that a finger sees. A rebuilt world is made beside the loop, solvers included with the room for
-// their lists, and exchanged between two ticks; what the tick releases is freed on another thread.
+// A finger sees nothing else of a world. A rebuilt world is made outside the loop, solvers included with the room for
+// their lists, and exchanged between two ticks; the objects that the tick releases are freed on another thread.
 #pragma once
 
 #include <cstddef>
@@ -26,18 +27,18 @@ namespace palpate::servo {
 struct Handover {
   bool follows = true;           ///< false only while a recording from before this is felt again
   bool on = false;               ///< the surface was exchanged, and the force has not yet reached what it gives
-  Vec3 force = Vec3::Zero();     ///< of the last tick, N
-  Vec3 tip = Vec3::Zero();       ///< of the last tick, mm
-  double secant_n_per_mm = 0.0;  ///< of the last tick that touched: force over depth
+  Vec3 force = Vec3::Zero();     ///< force in the last tick, N
+  Vec3 tip = Vec3::Zero();       ///< tip in the last tick, mm
+  double secant_n_per_mm = 0.0;  ///< force over depth in the last tick that touched
 };
 
 struct FingerSolver {
   const contact::Surface* surface = nullptr;            ///< must outlive the solver
   std::optional<hdb::HdbCandidates> box;                ///< none: the finger walks on the whole surface
-  std::unique_ptr<contact::FingerSkin> skin = nullptr;  ///< that a sphere keeps near it; null: the tree is asked
+  std::unique_ptr<contact::FingerSkin> skin = nullptr;  ///< triangles near a sphere; null: the tree is queried
   std::optional<body::BreathField> breath;              ///< how the surface moves; none: it does not
   Handover handover = {};
-  std::shared_ptr<LumpLoop> lumps = nullptr;  ///< of the rig's fingers together; null: no lump of the surface moves
+  std::shared_ptr<LumpLoop> lumps = nullptr;  ///< shared by the rig's fingers; null: no lump of the surface moves
   std::size_t finger = 0;                     ///< its number in the rig
 };
 
@@ -57,11 +58,11 @@ contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings&
 /// The finger is put elsewhere, and forgets what it touched.
 void lift(FingerSolver& solver, contact::FingerState& state) noexcept;
 
-/// What was felt on a surface that has moved by this lift, as it would have been at rest: for those who deform it.
+/// The output on a surface that has moved by this lift, as it would have been at rest: for the deformation.
 contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOutput felt, double lift_mm) noexcept;
 
 /// Swaps what a finger touches, between two ticks. Its memory stays when it looks for the skin as before (the body is
-/// the caller's affair: for another one give it a new state), and starts again otherwise. What is felt goes from
+/// the caller's affair: for another one give it a new state), and starts again otherwise. The force goes from
 /// the one to the other as fast as the bound on steps allows, k (3 |dD| + c) (docs/explanation/contact.md). Nothing is
 /// allocated or freed.
 void exchange(FingerSolver& at_work, FingerSolver& next, contact::FingerState& state) noexcept;

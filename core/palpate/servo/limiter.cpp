@@ -1,4 +1,4 @@
-// What the device says -> guardTip -> contact -> limitForce -> what the device gets. Based on: see limiter.h.
+// Device's reading -> guardTip -> contact -> limitForce -> device's force. Based on: see limiter.h.
 #include "palpate/servo/limiter.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ Vec3 stop(LimiterState& state) {
   return send(state, Vec3::Zero());
 }
 
-/// What of the force may be felt after a start or a fault: 1 once the tip has been outside.
+/// Share of the force that may be felt after a start or a fault: 1 once the tip has been outside.
 double startShare(const LimiterSettings& settings, LimiterState& state, bool touching) {
   state.armed = state.armed || !touching;
   if (state.armed) return 1.0;
@@ -61,7 +61,7 @@ double startShare(const LimiterSettings& settings, LimiterState& state, bool tou
   }
   state.status |= kRamping;
   state.ramp_ticks += 1.0;
-  // A ramp that is no whole number of ticks must not overshoot in its last one.
+  // A ramp of a fractional number of ticks must not overshoot in its last one.
   return std::min(1.0, state.ramp_ticks / ticks);
 }
 

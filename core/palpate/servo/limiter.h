@@ -4,7 +4,7 @@
 //   pose ─► guardTip ─► contact ─► limitForce ─► device
 //
 // limitForce, in this order: fault? -> start rule -> one factor for all stiffness -> slope held at the cap, soft toe ->
-// passivity -> clamp -> rate guard. Any fault is no force in the same tick. The contact's own force is not touched;
+// passivity -> clamp -> rate guard. Any fault ends the force in the same tick. The contact's own force is not touched;
 // traces hold both.
 // docs/explanation/safety.md says what is promised, docs/explanation/stability.md what was measured.
 #pragma once
@@ -25,18 +25,18 @@ namespace palpate::servo {
 // once. Ramps in time and limits of the change soften that too, but they take force away on the way in and give it back
 // on the way out: they make energy (docs/explanation/stability.md). A law of the depth cannot.
 
-/// Of one contact, from its first tick to its last.
+/// State of one contact, from its first tick to its last.
 struct SoftContact {
   bool known = false;   ///< whether this contact has a toe has been decided
   double toe_mm = 0.0;  ///< d0; 0: none
 };
 
-/// What decides whether a contact that begins gets a toe.
+/// Inputs that decide whether a contact that begins gets a toe.
 struct Approach {
   double step_mm = 0.0;           ///< motion of the tip into the skin in a tick
-  double stiffness_factor = 1.0;  ///< what the hand feels of the contact's force
+  double stiffness_factor = 1.0;  ///< share of the contact's force that the hand feels
   double steepest = 1.0;          ///< greatest slope of the force law over that of a light touch
-  double cap_n_per_mm = 0.0;      ///< what the hand feels no slope above; 0: none
+  double cap_n_per_mm = 0.0;      ///< largest slope that the hand may feel; 0: none
 };
 
 /// The depth whose force is felt at `depth_mm`.
@@ -47,20 +47,20 @@ double toeDepth(double toe_mm, double depth_mm) noexcept;
 double softDepth(SoftContact& state, const contact::FingerOutput& contact, const tissue::ForceLaw& law,
                  const Approach& approach) noexcept;
 
-/// What this place's force is over what the law gives for 1 N/mm: the map's stiffness. The contact must press.
+/// This place's force over the law's for 1 N/mm: the map's stiffness. The contact must press.
 double localStiffness(const contact::FingerOutput& contact, const tissue::ForceLaw& law) noexcept;
 
-// What a sampled, delayed loop gives to a hand beyond the force law that it renders, and the damping that takes it
-// back.
+// The energy that a sampled, delayed loop gives to a hand beyond the force law that it renders, and the damping that
+// takes it back.
 //
 //   model force, motion of the tip, what was really sent -> observe -> loss G -> passivityForce -> a force along the
 //   model's
 //
 // A spring that is sampled and held pushes a little more on the way out than on the way in. The observer adds up that
 // difference, tick by tick, against the model itself and not against zero: the skin may take energy (friction) and give
-// it (a stiff place beside a soft one) as its own law says, and only the loop's part is counted. Based on: Hannaford
+// it (a stiff place next to a soft one) as its own law says, and only the loop's part is counted. Based on: Hannaford
 // and Ryu, "Time-domain passivity control of haptic interfaces", IEEE Trans. Robot. Autom. 18 (2002), and later work
-// that compares with a reference energy. What follows the delay, the friction and the bounds here is our own;
+// that compares with a reference energy. The treatment of delay, friction and bounds is our own;
 // docs/explanation/stability.md measures it.
 
 /// Longest delay that the observer can follow, in ticks.
@@ -70,10 +70,10 @@ struct PassivitySettings {
   bool on = true;
   /// Assumed from sampling to the force acting, in ticks. Too much costs noise, too little takes the protection away.
   double delay_ticks = 2.0;
-  // What the device itself surely swallows, a share of its damping and friction: a loss within this is left alone.
+  // Losses that the device itself surely absorbs, a share of its damping and friction: these are left alone.
   double damping_n_s_per_mm = 0.0;
   double friction_n = 0.0;
-  // Bound the damping that it can make, so that one step of the encoder in a tick is no blow.
+  // Bounds of the damping that it can make, so that one step of the encoder in a tick is not felt as a blow.
   double mass_kg = 0.045;
   double encoder_mm = 0.055;
   double most_n = 1.32;  ///< that it adds to a force; it may take away twice as much
@@ -84,8 +84,8 @@ struct PassivityState {
   static constexpr std::size_t kSent = 16;  ///< a power of two above kLongestDelayTicks + 1
   std::array<Vec3, kSent> sent{};           ///< ring; what was written to the device
   std::size_t newest = 0;
-  Vec3 model = Vec3::Zero();          ///< of the last tick, N
-  Vec3 motion_before = Vec3::Zero();  ///< of the tip in the last tick, mm
+  Vec3 model = Vec3::Zero();          ///< in the last tick, N
+  Vec3 motion_before = Vec3::Zero();  ///< motion of the tip in the last tick, mm
   double loss_n_mm = 0.0;             ///< G, never below zero: nothing is banked
   int free_ticks = 2;
   PassivityState() { sent.fill(Vec3::Zero()); }
@@ -93,7 +93,7 @@ struct PassivityState {
 
 /// One tick of the tip, as observer and controller see it.
 struct PassivityTick {
-  Vec3 motion = Vec3::Zero();  ///< of the tip since the last tick, mm
+  Vec3 motion = Vec3::Zero();  ///< motion of the tip since the last tick, mm
   double tick_s = 0.001;       ///< since the last tick: longer where ticks were missed
   Vec3 model = Vec3::Zero();   ///< the force that the hand should feel, N
   bool touching = false;
@@ -102,7 +102,7 @@ struct PassivityTick {
 /// The force to add to the model's, N; zero while nothing is lost.
 Vec3 passivityForce(const PassivitySettings& settings, PassivityState& state, const PassivityTick& tick) noexcept;
 
-/// What was written after every limit.
+/// Remembers the force written after every limit.
 void remember(PassivityState& state, const Vec3& sent) noexcept;
 
 /// After a fault: nothing is lost, nothing was sent.
@@ -137,7 +137,7 @@ struct LimiterSettings {
   bool limited = true;              ///< false: the contact's force as it is, for what pushes no hand
   bool unsafe = false;              ///< more than the device is trusted with, by --unsafe-stiffness; said, not used
   double force_n = 3.3;             ///< the largest
-  double stiffness_factor = 1.0;    ///< of all forces: up to compared_n no place is stiffer than the device can render
+  double stiffness_factor = 1.0;    ///< on all forces: up to compared_n no place is stiffer than the device can render
   double cap_n_per_mm = 0.0;        ///< no force of layered tissue, after that factor, grows faster; 0: none would
   double compared_n = 0.0;          ///< the felt force up to which all places keep their ratios; force_n without a cap
   double stiffness_n_per_mm = 0.5;  ///< the greatest tangent stiffness that is rendered, over that factor
@@ -156,17 +156,17 @@ struct LimiterSettings {
 /// Where a device is, and since when.
 struct Pose {
   Vec3 tip = Vec3::Zero();  ///< mm
-  std::uint64_t tick = 0;   ///< of the loop: ticks that were missed count
+  std::uint64_t tick = 0;   ///< loop's tick: ticks that were missed count
   double age_ticks = 0.0;   ///< since it was measured
 };
 
-/// What the limiter remembers of one finger; value-initialised = switched on now.
+/// Limiter's memory of one finger; value-initialised = switched on now.
 struct LimiterState {
   Vec3 force = Vec3::Zero();   ///< sent in the last tick, N
   Vec3 tip = Vec3::Zero();     ///< last good tip, mm
-  Vec3 motion = Vec3::Zero();  ///< of the tip in this tick, mm
+  Vec3 motion = Vec3::Zero();  ///< motion of the tip in this tick, mm
   bool has_tip = false;
-  std::uint64_t tick = 0;      ///< of the last good tip
+  std::uint64_t tick = 0;      ///< tick of the last good tip
   double elapsed_ticks = 1.0;  ///< between the last two
   bool armed = false;          ///< it has been outside, or its ramp has ended
   double ramp_ticks = 0.0;

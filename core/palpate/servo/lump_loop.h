@@ -39,12 +39,12 @@ class LumpLoop {
   /// The finger that is felt next finds the lump there: a recording says so (FingerOutput::lump), of which the time
   /// before is missing.
   void place(std::size_t lump, const Vec2& moved_mm) noexcept;
-  /// Nobody knows where the lumps that move are: they are nowhere, and not felt, until place() says.
+  /// The places of moving lumps are unknown: they are nowhere, and not felt, until place() is called.
   void forget(const contact::Lumps& lumps) noexcept;
 
  private:
   struct Finger {
-    contact::LumpPress press;  ///< of its last tick
+    contact::LumpPress press;  ///< in its last tick
     bool felt = false;         ///< since the lumps moved
   };
   std::vector<Finger> fingers_;

@@ -17,9 +17,9 @@ constexpr double kMassShare = 0.22;
 constexpr double kForceOfAStep = 0.4;
 /// The controller may pull into the surface by this much, N.
 constexpr double kMaxPull = 0.05;
-/// A force that is taken away is no kick, so where much was lost more may be taken than added: up to twice as much, for
-/// 2 mJ. Without it a tap at 0.5 m/s on 3 N/mm leaves 1.3 mJ at the device's port, with it none; always twice as much
-/// would come back in one tick at the end, as a step.
+/// Taking force away does not kick, so where much was lost more may be taken than added: up to twice as much, for 2 mJ.
+/// Without it a tap at 0.5 m/s on 3 N/mm leaves 1.3 mJ at the device's port, with it none; always twice as much would
+/// return in one tick at the end, as a step.
 constexpr double kMaxTaken = 2.0;
 constexpr double kLossOfMore = 2.0;  // N mm
 /// Samples without contact after which a loss is forgotten.
@@ -27,7 +27,7 @@ constexpr int kForgetTicks = 2;
 /// 1 kg = 1e-3 N s^2/mm.
 constexpr double kKilogram = 1e-3;
 
-/// What acted on the device since the last tick, N.
+/// The force on the device since the last tick, N.
 Vec3 applied(const PassivityState& state, double delay_ticks) {
   const double delay = std::clamp(delay_ticks, 0.0, kLongestDelayTicks);
   const auto whole = static_cast<std::size_t>(delay);

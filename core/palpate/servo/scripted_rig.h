@@ -12,7 +12,7 @@ namespace palpate::servo {
 /// that make no sense.
 Rig scriptedRig(const scene::World& world, const device::FingerPaths& paths);
 
-/// What forces.csv says of a run of that rig.
+/// Settings of forces.csv for a run of that rig.
 trace::ForcesCsvSettings forcesSettings(const scene::World& world, const device::FingerPaths& paths);
 
 }  // namespace palpate::servo

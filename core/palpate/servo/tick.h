@@ -35,15 +35,15 @@ void giveDevice(FingerChain& finger, device::Device device);
 /// Allocates and frees nothing.
 void exchangeDevice(FingerChain& finger, device::Device& device) noexcept;
 
-/// Everything a servo thread touches. Nobody else may change it while a loop runs.
+/// Everything a servo thread touches. Only it may change it while a loop runs.
 struct Rig {
   double tick_s = 0.001;
   std::vector<FingerChain> fingers;
-  EmergencyStop* emergency_stop = nullptr;  ///< of whoever runs the loop; may be none
+  EmergencyStop* emergency_stop = nullptr;  ///< owned by the loop's caller; may be null
   std::uint32_t world = 0;                  ///< counts the worlds that were exchanged; samples say it
 };
 
-/// What a rig is made of; each vector has an entry a finger.
+/// Parts of a rig; each vector has an entry a finger.
 struct RigParts {
   FingerSolvers solvers;
   std::vector<contact::FingerSettings> fingers;
@@ -54,7 +54,7 @@ struct RigParts {
 
 Rig rigOf(RigParts parts);
 
-/// What happened to the loop before this tick.
+/// Event in the loop before this tick.
 enum class LoopEvent : std::uint8_t { none, stalled };
 
 /// Runs tick number `tick` for all fingers and writes one sample each; `samples` has as many places as there are

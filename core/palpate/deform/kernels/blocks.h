@@ -39,7 +39,7 @@ struct OnBlock {
 /// Rest positions and normals, x y z nx ny nz, at a block's first vertex.
 struct RestBlock {
   const float* values[6];
-  /// The block so many further on.
+  /// The block this many further on.
   RestBlock after(Index blocks) const {
     RestBlock block = *this;
     for (const float*& first : block.values) first += std::size_t{blocks} * kBlockVertices;

@@ -35,7 +35,7 @@ struct Reach {
   V least, most;
 };
 
-/// Of q^2; `flat_least` leaves the rise out.
+/// Reach in q^2; `flat_least` leaves the rise out.
 struct RegionReach : Reach {
   V flat_least;
 };
@@ -142,7 +142,7 @@ HWY_INLINE V gaussian(V q2) {
   const auto series = [&](V sum, V f, double coefficient)
                           HWY_ATTR { return mulAdd(sum, f, hn::Set(d, static_cast<float>(coefficient))); };
   const V t = hn::Mul(q2, hn::Set(d, static_cast<float>(-kGaussianRate / kLn2)));
-  // Added to 1.5 * 2^23 a small number is rounded to a whole one, which then stands in the last bits.
+  // Added to 1.5 * 2^23 a small number is rounded to a whole one, which is then in the last bits.
   const V shift = hn::Set(d, 12582912.0f);
   const V shifted = hn::Add(t, shift);
   const V f = hn::Sub(t, hn::Sub(shifted, shift));
@@ -483,7 +483,7 @@ std::uint64_t doubtfulVertices(const ShearLanes& shear, const FoldBlock& block) 
   for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(d)) {
     const V gradient_mm = hn::Load(d, block.gradient_mm + lane);
     const V crease = hn::Load(d, block.crease + lane);
-    // Of the normals there and the press, the largest sine.
+    // The largest sine between the normals there and the press.
     const V cosine = hn::Max(dot(load(block.rest.values + 3, lane), broadcast(shear.towards)), hn::Zero(d));
     const V at_vertex = hn::Sqrt(hn::Max(mulSub(cosine, cosine, one), hn::Zero(d)));
     const V sine = hn::Min(hn::Add(at_vertex, crease), one);
@@ -493,7 +493,7 @@ std::uint64_t doubtfulVertices(const ShearLanes& shear, const FoldBlock& block) 
     const V creased = mulAdd(crease, turned, hn::Mul(hn::Min(crease, sine), press));
     const V lost = mulAdd(hn::Add(mulAdd(half, off, one), slope), off, hn::Add(creased, creased));
     const V left = hn::Sub(hn::Load(d, block.area + lane), lost);
-    // Written so that what is no number is in doubt.
+    // Written so that NaN is in doubt.
     doubtful |= bitsOf(hn::Not(hn::Gt(left, hn::Set(d, shear.least_area))), lane);
   }
   return doubtful;

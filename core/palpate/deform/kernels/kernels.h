@@ -20,7 +20,7 @@ struct CurveLanes {
   float terms[tissue::kCurveTerms] = {};
 };
 
-/// What a part of layered tissue moves at most from q = i / kRoomSteps on, as a share of what its centre moves.
+/// Steps of the largest motion of a part of layered tissue from q = i / kRoomSteps on, as a share of its centre's.
 inline constexpr int kRoomSteps = 16;
 
 /// One of the two parts of a contact (normal or tangential): displacement = profile(q) shift with
@@ -29,11 +29,11 @@ inline constexpr int kRoomSteps = 16;
 struct PartLanes {
   float along[3] = {};   ///< unit major axis / half major
   float across[3] = {};  ///< unit minor axis / half minor
-  float shift[3] = {};   ///< what the centre moves by, mm
+  float shift[3] = {};   ///< motion of the centre, mm
   float level = 0.0f;    ///< mm above and below the plane
-  float slope = 0.0f;    ///< of the rise beyond it, 1/mm
+  float slope = 0.0f;    ///< slope of the rise beyond it, 1/mm
   float outside = 2.0f;  ///< 0 for a part that acts, 2 (no vertex has q < 1) for one that does not
-  // Of layered tissue only (ContactLanes::layered):
+  // For layered tissue only (ContactLanes::layered):
   CurveLanes share;
   float room[kRoomSteps] = {};
 };
@@ -46,14 +46,14 @@ struct ContactLanes {
   /// Layered tissue: the parts fall off as their own `share` in place of the half Gaussian, and the press, whose region
   /// is a circle then, also moves outward by q outward(q) of its depth.
   bool layered = false;
-  float outward[tissue::kCurveTerms] = {};  ///< of the bend of normal.share
+  float outward[tissue::kCurveTerms] = {};  ///< bend of normal.share
   float outward_mm2 = 0.0f;                 ///< depth of the centre times the circle's radius
   float plane[6] = {};                      ///< xx xy xz yy yz zz of (I - n n^T) / radius^2
 };
 
 using ContactOnBlock = OnBlock<ContactLanes>;
 
-/// Blocks of a tile by what their boxes tell; one bit a block. Padding answers like a block.
+/// Blocks of a tile, as far as their boxes decide; one bit a block. Padding answers like a block.
 struct BlocksInside {
   std::uint64_t whole;    ///< every vertex is inside (as verticesInside has it), none steep, and the block is level
   std::uint64_t touched;  ///< some vertices may be inside but for the side they face
@@ -66,9 +66,9 @@ BlocksInside insideBlocks(const ContactLanes& contact, const TileBounds& bounds)
 /// degrees. Below 0 it faces away.
 inline constexpr float kSteepFacing = 0.1f;
 
-/// What BlocksInside says of one block.
+/// BlocksInside for one block.
 struct BlockSeen {
-  bool is_level;   ///< the height of its vertices is not asked
+  bool is_level;   ///< the height of its vertices need not be tested
   bool is_facing;  ///< nor the side that they face
 };
 
@@ -79,20 +79,20 @@ struct VerticesInside {
 };
 VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest, BlockSeen seen) noexcept;
 
-/// Of some vertices of a block those joined to any that the contacts, wherever their regions end, may together move by
-/// more than `most_mm` or than the room beside the vertex; and some more.
+/// Among vertices `of` a block, those joined to any that the contacts, wherever their regions end, may together move by
+/// more than `most_mm` or than the room next to the vertex; and some more.
 std::uint64_t strainedVertices(std::span<const ContactLanes> contacts, const EdgeBlock& edge, std::uint64_t of,
                                float most_mm) noexcept;
 
-/// What contacts shear a block at most, ready to be broadcast (ShearBound).
+/// Largest shear of a block by contacts, ready to be broadcast (ShearBound).
 struct ShearLanes {
   float press = 0.0f;
   float drag = 0.0f;
   float press_bend = 0.0f;
   float drag_bend = 0.0f;
   float towards[3] = {};    ///< the direction of the press; 0 for several
-  float jump = 0.0f;        ///< of a triangle's slope across the end of a region, over the largest slope
-  float least_area = 0.0f;  ///< of a triangle, as a share, that counts as up
+  float jump = 0.0f;        ///< jump of a triangle's slope across the end of a region, over the largest slope
+  float least_area = 0.0f;  ///< smallest share of area of a triangle that counts as up
 };
 
 /// Vertices at which it is not certain that every triangle keeps its area: those of a triangle that folds are all among
@@ -108,7 +108,7 @@ void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& re
 void displaceWholeBlocks(const ContactLanes& contact, Index blocks, const RestBlock& rest,
                          const DeformedBlock& out) noexcept;
 
-/// Brings a run of blocks back to rest, bit by bit.
+/// Restores a run of blocks to rest, bit by bit.
 void restoreBlocks(Index blocks, const RestBlock& rest, const DeformedBlock& out) noexcept;
 
 }  // namespace palpate::deform

@@ -1,4 +1,4 @@
-// What all kernels of the deformation stand on: vectors of three, masks out of a block's word, where vertices lie in a
+// Common base of all kernels of the deformation: vectors of three, masks out of a block's word, where vertices lie in a
 // part, and the motion that contacts add up to. Included once for each instruction set (kernels.cpp).
 #if defined(PALPATE_DEFORM_LANES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PALPATE_DEFORM_LANES_INL
@@ -90,7 +90,7 @@ HWY_INLINE Location locate(const PartLanes& part, const V3& offset) {
   return {s, t, mulAdd(s, s, mulAdd(t, t, hn::Set(Lanes(), part.outside)))};
 }
 
-/// Of heights without their sign.
+/// Rise of heights without their sign.
 HWY_INLINE V riseAt(const PartLanes& part, V height) {
   const Lanes d;
   return hn::Mul(hn::Max(hn::Sub(height, hn::Set(d, part.level)), hn::Zero(d)), hn::Set(d, part.slope));

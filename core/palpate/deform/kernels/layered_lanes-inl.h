@@ -134,7 +134,7 @@ HWY_INLINE M beyondPress(const ContactLanes& contact, const V3& offset) {
   return hn::Not(hn::Lt(locate(contact.normal, offset).q2, hn::Set(Lanes(), 1.0f)));
 }
 
-/// One contact with layered tissue, on a level block. Each vertex goes its own way, whoever shares its vector: else its
+/// One contact with layered tissue, on a level block. Each vertex branches alone, whatever shares its vector: else its
 /// bits would follow the vectors' width.
 HWY_INLINE void moveByOneLayered(const ContactLanes& contact, const V3& position, M region, V3& displacement,
                                  V3& normal) {

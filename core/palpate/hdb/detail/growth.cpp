@@ -1,4 +1,5 @@
-// What all ways of growing a tree share: how a node gets its children or becomes a leaf, and the blocks below a leaf.
+// Common part of all ways of growing a tree: how a node gets its children or becomes a leaf, and the blocks below a
+// leaf.
 //
 // Data flow: mesh -> growByMajority, growWithBothSides or growWithCuts -> the tree in a Growth -> addBlocks (here) ->
 // finishPartition (partition.cpp). At load time.
@@ -75,7 +76,7 @@ void makeLeaf(Growth& growth, Index node, std::size_t first_entry, std::size_t e
 //
 // Below each leaf its entries are divided further, by the middle of their widest extent, until a few neighbours
 // are left. They are not part of the dissertation's tree; they keep the exact query from testing every triangle of a
-// large leaf, whatever threshold was asked for.
+// large leaf, whatever the threshold is.
 
 namespace {
 

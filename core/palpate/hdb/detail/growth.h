@@ -1,5 +1,5 @@
-// What the two ways of growing a tree have in common: the tree under construction, and how a node becomes a leaf or
-// gets its children. Inside the room only.
+// Common part of the two ways of growing a tree: the tree under construction, and how a node becomes a leaf or gets its
+// children. Private to the folder.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ inline constexpr Index kBlockEntries = 16;
 
 /// An entry while the tree grows.
 struct Item {
-  Vec3 point;      ///< what stands for it: case C decides by it, blocks are made by it
-  Index triangle;  ///< of the mesh
+  Vec3 point;      ///< representative point: case C decides by it, blocks are made by it
+  Index triangle;  ///< index in the mesh
   Index piece;     ///< with the cut: which of Growth::pieces
 };
 
@@ -73,7 +73,7 @@ void makeLeaf(Growth& growth, Index node, std::size_t first_entry, std::size_t e
 
 /// Case C: items are divided in place.
 void growByMajority(Growth& growth, const mesh::TriangleMesh& mesh);
-/// Case B, and case A: a crossed triangle goes on in several children.
+/// Case B, and case A: a crossed triangle continues in several children.
 void growWithBothSides(Growth& growth, const mesh::TriangleMesh& mesh);
 void growWithCuts(Growth& growth, const mesh::TriangleMesh& mesh);
 
