@@ -15,7 +15,7 @@ class ByteFile {
 
   bool isOpen() const { return stream_.is_open(); }
   std::uint64_t size() const { return size_; }
-  /// False where there are not so many bytes, or the disk does not give them.
+  /// False at the end of the file or for an error of the disk.
   bool read(std::uint64_t at, std::size_t count, std::string& bytes);
 
  private:

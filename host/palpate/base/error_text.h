@@ -1,4 +1,4 @@
-// What a user is told of any exception.
+// User-facing text of any exception.
 #pragma once
 
 #include <exception>

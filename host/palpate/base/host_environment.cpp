@@ -1,8 +1,8 @@
 // The environment of a program on a usual system: the file system, and a thread for each piece of work by std::async,
-// whose future carries what it threw. There is no pool, so a piece must be worth the making of a thread.
+// whose future carries what it threw. Without a pool, each piece must be worth a thread of its own.
 //
-// It installs itself while the program starts. Nobody names it, so whoever links the library asks the linker for
-// `palpate_host_environment` (host/CMakeLists.txt): without that an archive would leave it out.
+// It installs itself while the program starts. Nothing refers to it, so programs that link the library ask the linker
+// for `palpate_host_environment` (host/CMakeLists.txt): without that an archive would leave it out.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace palpate {
 
 namespace {
 
-/// The size is asked before memory is taken for it; a file that shrinks meanwhile is read as far as it goes.
+/// The size is read before memory is allocated for it; a file that shrinks meanwhile is read as far as it goes.
 std::size_t sizeOfReadableFile(const std::filesystem::path& file, std::uint64_t max_bytes) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -63,7 +63,7 @@ void writeWholeFile(const std::filesystem::path& file, std::string_view content)
 
 StartedWork startOnAThread(std::function<void()> work) {
   // This policy falls back on doing the work in `join` where the system refuses a thread. Such a piece is never `done`:
-  // there is nothing to wait for. Of work that is moved in, libstdc++ 12 falls back on what the refused thread has
+  // there is nothing to wait for. For work that is moved in, libstdc++ 12 falls back on what the refused thread has
   // left: an empty function. So it is copied.
   const std::function<void()> copied = std::move(work);
   const auto future =

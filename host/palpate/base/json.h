@@ -93,11 +93,11 @@ class Json {
   /// Throws JsonError where it is not a string.
   const std::string& text() const;
 
-  /// Of an array or object; 0 of null, 1 of everything else.
+  /// Elements of an array or object; 0 for null, 1 for everything else.
   std::size_t size() const noexcept;
   bool empty() const noexcept { return size() == 0; }
 
-  /// These throw JsonError where there is no such element or member.
+  /// These throw JsonError for a missing element or member.
   const Json& at(std::string_view name) const;
   const Json& at(std::size_t index) const;
   Json& at(std::string_view name);
@@ -116,7 +116,7 @@ class Json {
   /// end() where it is not an object or has no such member.
   const Json* find(std::string_view name) const noexcept;
 
-  /// The member, or `otherwise` if there is none. Throws JsonError if this is not an object, or if the member has
+  /// The member, or `otherwise` if it is missing. Throws JsonError if this is not an object, or if the member has
   /// another type than `otherwise`.
   Json value(std::string_view name, const Json& otherwise) const;
   double value(std::string_view name, double otherwise) const;
@@ -171,7 +171,7 @@ class Json {
   const char* type_name() const noexcept;
 
  private:
-  /// What owns memory comes last: text and more.
+  /// Kinds that own memory come last: text and more.
   enum class Kind : std::uint8_t { null, discarded, boolean, integer, natural, real, text, array, object };
   struct Children;
   union Value {

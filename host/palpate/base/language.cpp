@@ -39,7 +39,7 @@ std::string localeOfTheSystem() {
 }
 
 /// As GNU gettext has it (its manual, "The LANGUAGE variable"): LANGUAGE lists languages in the order of one's liking
-/// and stands for the locale's, but says nothing in the locale "C"; an entry "C" ends the list. "de" of "de_AT.UTF-8".
+/// and replaces the locale's, but says nothing in the locale "C"; an entry "C" ends the list. "de" of "de_AT.UTF-8".
 const Language& ofTheSystem() {
   const std::string locale = localeOfTheSystem();
   const std::string list = isC(locale) ? "" : system::variable("LANGUAGE");

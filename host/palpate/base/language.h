@@ -19,7 +19,7 @@
 namespace palpate {
 
 struct Language {
-  std::string_view code;      ///< of ISO 639: "de"
+  std::string_view code;      ///< code of ISO 639: "de"
   std::string_view own_name;  ///< "Deutsch"
   char decimal_sign = '.';
   std::string_view thousands_sign = ",";
@@ -37,9 +37,9 @@ void useLanguage(std::string_view code, const std::filesystem::path& folder = {}
 /// The one in use; English until useLanguage is called.
 const Language& language() noexcept;
 
-/// The translation of a literal of the code, or the literal itself where there is none. Any thread.
+/// The translation of a literal of the code, or the literal itself if untranslated. Any thread.
 const char* tr(const char* english) noexcept;
-/// The form for so many of something.
+/// The form for a count.
 const char* trn(const char* one, const char* many, std::size_t count) noexcept;
 
 /// Marks a literal of a table for the catalogues; tr() translates it where it is shown.
@@ -79,7 +79,7 @@ std::string trf(fmt::format_string<Values...> english, const Values&... values) 
   return filled(tr(words.data()), words.data(), values...);
 }
 
-/// The form for so many of something, filled: trnf("{} contact", "{} contacts", n, n).
+/// The form for a count, filled: trnf("{} contact", "{} contacts", n, n).
 template <class... Values>
 std::string trnf(fmt::format_string<Values...> one, fmt::format_string<Values...> many, std::size_t count,
                  const Values&... values) {

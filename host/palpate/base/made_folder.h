@@ -12,7 +12,7 @@ class MadeFolder {
  public:
   /// Throws Error, with the system's reason. An empty name is the folder where we are.
   explicit MadeFolder(const std::filesystem::path& folder);
-  /// The same with the reason in `error`, which is clear where the folder stands.
+  /// The same with the reason in `error`, which is clear if the folder exists.
   MadeFolder(const std::filesystem::path& folder, std::error_code& error);
   ~MadeFolder();
   MadeFolder(const MadeFolder&) = delete;

@@ -1,7 +1,7 @@
-// The partial file lies beside its target, so that the rename stays within one file system. Order: write, fsync, close,
-// rename, fsync of the folder; a full disk is told by one of the first three, while the old file is still there, and
+// The partial file is next to its target, so that the rename stays within one file system. Order: write, fsync, close,
+// rename, fsync of the folder; one of the first three reports a full disk, while the old file is still there, and
 // after a power cut there is the old file or the new one, whole. The system's own calls instead of a stream: each write
-// tells at once, and a program that is killed leaves what it has written. Cold path.
+// reports at once, and a program that is killed leaves what it has written. Cold path.
 #include "palpate/base/output_file.h"
 
 #include <fmt/format.h>
@@ -67,7 +67,7 @@ bool isWrittenDirectly(const fs::path& target) {
   return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-/// Creates the first partial file beside the target that is not there yet.
+/// Creates the first partial file next to the target whose name is free.
 int createPartial(const fs::path& target, system::ReadableBy readers, fs::path& partial) {
   partial = withEnding(target, kPartialExtension);
   int descriptor = system::createFile(partial, readers);
@@ -129,7 +129,7 @@ OutputFile::OutputFile(fs::path target, Unfinished unfinished, Access access) : 
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) system::close(descriptor_);
-  std::error_code ignored;  // a destructor has nobody to tell
+  std::error_code ignored;  // a destructor cannot report
   if (place_.empty()) return;
   if (removes_ || (!committed_ && fs::file_size(written_, ignored) == 0)) fs::remove(written_, ignored);
 }

@@ -9,15 +9,15 @@
 
 namespace palpate {
 
-/// Makes the target's folder where there is none, and takes it away again if nothing came into it. Writes beside the
-/// target, to `<target>.partial` (or `.2.partial`, ...: what an interrupted run left is never
-/// overwritten), and gives it the target's name on `commit`, when it is safe on the disk. Until then what was there
-/// stays as it was; without a commit nothing new is left. A target that is no regular file (a pipe, a device) is
-/// written directly, a link is followed, but none that lies in a folder where everybody may lay one (sticky, as /tmp).
-/// Every failure throws Error with the target's name and the system's reason.
+/// Makes the target's folder if it is missing, and removes it again if it stays empty. Writes next to the target, to
+/// `<target>.partial` (or `.2.partial`, ...: the file of an interrupted run is never overwritten), and gives it the
+/// target's name on `commit`, when it is safe on the disk. Until then an older file stays unchanged; without a commit
+/// nothing new is left. Targets other than regular files (a pipe, a device) are written directly; links are followed,
+/// except in a folder where everybody may make one (sticky, as /tmp). Every failure throws Error with the target's name
+/// and the system's reason.
 class OutputFile {
  public:
-  /// What becomes of the partial file when there is no commit.
+  /// Fate of the partial file without a commit.
   enum class Unfinished { remove, keep };  // kept: what was written, if anything
   /// Who may read it. `owner_only`: mode 0600 from its first byte, whatever stood there; for secrets and for what a
   /// person did. `usual`: as the umask says, or as the file that it replaces.
@@ -55,7 +55,7 @@ class OutputFile {
   std::filesystem::path target_;   // as the caller named it
   std::filesystem::path place_;    // the file that becomes of it; empty: the target is written directly
   std::filesystem::path written_;  // where the bytes go until the commit
-  bool removes_ = false;           // what is written, when there is no commit
+  bool removes_ = false;           // the partial file, without a commit
   bool committed_ = false;
   int descriptor_ = -1;
 };
@@ -63,8 +63,7 @@ class OutputFile {
 /// Writes the whole file for its owner alone, replacing what was there. Throws Error.
 void writePrivateFile(const std::filesystem::path& file, std::string_view content);
 
-/// An empty file for its owner alone, in a folder that is made where there is none. Throws Error for one that is there
-/// already.
+/// An empty file for its owner alone, in a folder that is made if missing. Throws Error if the file exists.
 void createPrivateFile(const std::filesystem::path& file);
 
 /// How many files the process is writing at this moment; may be asked in a signal's handler.

@@ -7,7 +7,7 @@
 
 namespace palpate {
 
-/// What becomes of a folder that is there already.
+/// Treatment of an existing folder.
 enum class ExistingFolder { left, closed };
 
 /// Makes the folder with mode 0700, and those above it with the usual one. `closed`: an existing one of ours is closed
@@ -17,7 +17,7 @@ void makePrivateFolder(const std::filesystem::path& folder, ExistingFolder exist
 /// Throws Error unless it is a folder, no link, that belongs to this user and is closed to all others.
 void requirePrivateFolder(const std::filesystem::path& folder);
 
-/// Who besides its owner may read and write a file.
+/// Users other than the owner who may read and write a file.
 enum class OthersOfFile { nobody, group };
 /// Throws Error for a file that is not there, and for one that still others may read or write.
 void requireClosedFile(const std::filesystem::path& file, OthersOfFile others = OthersOfFile::nobody);
@@ -40,7 +40,7 @@ class TemporaryFolder {
 };
 
 /// Where a running program keeps what only its own user may see: $XDG_RUNTIME_DIR/palpate, or palpate-UID where
-/// temporary files belong. Made when it is not there. Throws Error for a folder of somebody else's.
+/// temporary files belong. Made when it is not there. Throws Error for another user's folder.
 std::filesystem::path runtimeFolder();
 
 }  // namespace palpate

@@ -17,7 +17,7 @@ constexpr unsigned kReservedBits = 0x70;
 constexpr unsigned kKindBits = 0x0f;
 constexpr unsigned kMaskBit = 0x80;
 constexpr unsigned kLengthBits = 0x7f;
-/// Lengths from here on stand in two more bytes, or in eight.
+/// Longer lengths are in two more bytes, or in eight.
 constexpr unsigned kInTwoBytes = 126;
 constexpr unsigned kInEightBytes = 127;
 constexpr std::size_t kMaskBytes = 4;
@@ -37,7 +37,7 @@ bool isUtf8(std::string_view text) {
   return true;
 }
 
-/// The codes that may stand in a frame (section 7.4).
+/// The codes that a frame may have (section 7.4).
 bool isSendable(unsigned code) {
   return (code >= 1000 && code <= 1003) || (code >= 1007 && code <= 1014) || (code >= 3000 && code <= 4999);
 }

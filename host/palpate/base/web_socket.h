@@ -70,8 +70,8 @@ class FrameReader {
   struct Head {
     Kind kind;
     bool is_last;
-    std::size_t size;      ///< of the head itself
-    std::uint64_t length;  ///< of the payload
+    std::size_t size;      ///< bytes of the head itself
+    std::uint64_t length;  ///< bytes of the payload
   };
   std::optional<Head> readHead();
   bool isAllowed(const Head& head, unsigned first, bool masked);
@@ -88,7 +88,7 @@ class FrameReader {
 };
 
 /// A whole frame as this side must send it. A client's mask comes from the system's randomness; throws Error where
-/// there is none.
+/// it has none.
 std::string makeFrame(Side own, Kind kind, std::string_view bytes);
 /// A server's frame without its bytes, which go behind it.
 std::string makeHead(Kind kind, std::size_t bytes);
@@ -99,7 +99,7 @@ std::string answerClose(Side own, std::string_view payload);
 
 /// 16 bytes of the system's randomness, in base64: what a client says in Sec-WebSocket-Key. Throws Error.
 std::string makeKey();
-/// What the server has to answer in Sec-WebSocket-Accept.
+/// The server's value of Sec-WebSocket-Accept.
 std::string acceptFor(std::string_view key);
 
 }  // namespace palpate::websocket

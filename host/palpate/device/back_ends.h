@@ -20,7 +20,7 @@ namespace palpate::device {
 
 struct MouseLink;
 
-/// What to open and how; a back end takes what concerns it.
+/// Device to open and options; a back end uses what concerns it.
 struct OpenOptions {
   /// Which of several: a name as the driver knows it (OpenHaptics), an index from 0 (Force Dimension), the file of a
   /// recording (playback) or of a plugin. Empty: the first.
@@ -30,13 +30,13 @@ struct OpenOptions {
   std::string library;
   std::string axes;               ///< device_frame.h's words; empty: as the back end knows its devices
   Vec3 origin_mm = Vec3::Zero();  ///< where the device's own origin lies in the body frame
-  double scale = 1.0;             ///< of motion: so many mm of the body a mm of the device
-  double tick_s = 0.001;          ///< of the servo
+  double scale = 1.0;             ///< mm of the body per mm of the device's motion
+  double tick_s = 0.001;          ///< servo's tick
   /// False: a blocking driver gets no thread, Device::exchange is called instead, once a driver's tick.
   bool own_thread = true;
-  const std::atomic<bool>* give_up = nullptr;     ///< true: nobody waits any more for its first position
-  std::shared_ptr<const std::vector<Vec3>> tips;  ///< of `script`
-  MouseLink* mouse = nullptr;                     ///< of `mouse`; must outlive the device
+  const std::atomic<bool>* give_up = nullptr;     ///< true: the first position is no longer wanted
+  std::shared_ptr<const std::vector<Vec3>> tips;  ///< tips of `script`
+  MouseLink* mouse = nullptr;                     ///< link of `mouse`; must outlive the device
   std::filesystem::path system_root = "/";        ///< where /sys and /dev are looked for
 };
 
@@ -51,11 +51,11 @@ struct LookedFor {
 struct Probe {
   bool available = false;  ///< it would open now
   std::string reason;      ///< why not; empty when available
-  std::string remedy;      ///< what mends it; empty when available
-  std::string version;     ///< of the driver, where one was found
+  std::string remedy;      ///< how to fix that; empty when available
+  std::string version;     ///< driver's version, where one was found
   std::vector<LookedFor> looked_for;
   std::vector<std::string> devices;  ///< that would open, in their makers' words
-  /// What else was found and would not open, while something would.
+  /// Problems of other devices that would not open, while one would.
   std::vector<std::string> troubles = {};
 };
 
@@ -87,8 +87,9 @@ struct DeviceName {
 /// Throws Error like backEndNamed.
 DeviceName deviceNamed(std::string_view words);
 
-/// What a file (a scene, a recording) may name: every device, but a plugin only as it lies in one of the folders of
-/// PALPATE_DEVICE_PLUGINS, since no file may say which code runs. Throws Error with the reason, and like backEndNamed.
+/// Names that a file (a scene, a recording) may use: every device, but a plugin only as it lies in one of the folders
+/// of PALPATE_DEVICE_PLUGINS, since no file may say which code runs. Throws Error with the reason, and like
+/// backEndNamed.
 DeviceName deviceNamedInFile(std::string_view words);
 
 /// Opens the device of these words (deviceNamed) and waits until it has a position: a servo that starts without one

@@ -1,5 +1,5 @@
 // A tick of the servo is a tick of the hand. Deadlines that a paced loop slept through pass here too: the motor holds
-// its force for two of them, as drivers do, and lets go.
+// its force for two of them, as drivers do, and releases it.
 #include "palpate/device/hand_device.h"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ class HandDevice {
   }
 
   Vec3 readTip(std::uint64_t tick) noexcept {
-    // Its time begins with the first force: whoever opens it reads it long before a loop holds it. A servo may count
+    // Its time begins with the first force: the opener reads it long before a loop holds it. A servo may count
     // from 0 again.
     if (!written_ || tick < due_) due_ = tick;
     const std::uint64_t missed = std::min(tick - due_, kMaxCatchUpTicks);

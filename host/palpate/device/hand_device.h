@@ -14,7 +14,7 @@
 
 namespace palpate::device {
 
-/// What the words behind `hand:` say.
+/// Choice by the words behind `hand:`.
 struct HandChoice {
   HandKind hand = HandKind::stylus_x;
   scene::DeviceModel device = scene::DeviceModel::touch_x;
@@ -27,7 +27,7 @@ HandChoice handChoice(std::string_view words);
 /// The push of a dead load, N, along -z: into a back that lies under it.
 inline constexpr double kDeadLoadN = 1.0;
 
-/// Of the simulated device, servo ticks.
+/// Delay of the simulated device, servo ticks.
 inline constexpr int kHandDelayTicks = 1;
 
 Probe probeHand(const OpenOptions& options);

@@ -32,7 +32,7 @@ class LiveSimulator {
   /// The finger leaves: its next place may be anywhere, and nothing between here and there is touched.
   void lift(std::size_t finger) noexcept;
 
-  /// What every finger felt in the newest tick: its contact, and as `device_force` the force that is safe to send to a
+  /// Every finger's sample of the newest tick: its contact, and as `device_force` the force that is safe to send to a
   /// hand (docs/explanation/servo.md). Stays until the next call.
   std::span<const trace::Sample> felt() { return servo_.contacts(); }
   /// The skin as these leave it; as Simulator::skin.
@@ -49,7 +49,7 @@ class LiveSimulator {
   ServoThread& servo() noexcept { return servo_; }
 
  private:
-  /// What crosses to the servo thread.
+  /// Data for the servo thread.
   struct Pose {
     Vec3 tip;
     std::uint64_t placing;  ///< another number: the finger did not come here along the way
@@ -68,7 +68,7 @@ class LiveSimulator {
   std::vector<contact::FingerSettings> fingers_;
   std::unique_ptr<Link[]> links_;
   std::shared_ptr<const scene::World> newest_world_;
-  std::shared_ptr<const scene::World> skin_world_;  ///< of the skin below
+  std::shared_ptr<const scene::World> skin_world_;  ///< world of the skin below
   std::optional<LivingSkin> skin_;
   ServoThread servo_;  // last: it reads the links
 };

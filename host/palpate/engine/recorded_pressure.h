@@ -14,13 +14,13 @@ namespace palpate::engine {
 
 struct RecordedPressure {
   std::size_t taxels = 0;  ///< along a side
-  /// Of each finger its ticks of the span one after the other, `taxels` rows of as many, kPa, rounded to float.
+  /// Per finger the ticks of the span one after the other, `taxels` rows of as many, kPa, rounded to float.
   std::vector<std::vector<float>> kpa;
   ReplayReport replay;  ///< how far what was felt again is what was recorded
 };
 
-/// Of the settings' span. Holds all of it in memory: 4 taxels a side make 64 bytes a tick. Throws Error for a pad that
-/// is none, for tissue that has no field, and as replay does.
+/// Pressures in the settings' span. Holds all of it in memory: 4 taxels a side make 64 bytes a tick. Throws Error for
+/// an invalid pad, for tissue that has no field, and as replay does.
 RecordedPressure recordedPressure(trace::RecordingReader& recording, const ReplaySettings& settings,
                                   const contact::PressurePad& pad, const Progress& progress = {});
 

@@ -1,5 +1,5 @@
-// The writer thread looks at the ring every few milliseconds. A world is told before any sample names it, so a sample
-// of a world that the file lacks makes the thread run its commands first.
+// The writer thread looks at the ring every few milliseconds. A world is announced before any sample names it, so a
+// sample of a world that the file lacks makes the thread read its words first.
 #include "palpate/engine/recorder.h"
 
 #include <fmt/format.h>
@@ -98,7 +98,7 @@ void Recorder::discard() {
 
 // --- on the writer's thread ---
 
-/// After a failure it goes on emptying the ring, so that nobody counts as dropped what nobody could have written.
+/// After a failure it continues to empty the ring, so that samples which could not be written do not count as dropped.
 void Recorder::run() {
   for (bool ends = false; !ends;) {
     ends = ends_;
@@ -133,7 +133,7 @@ void Recorder::take(const servo::NumberedSample& numbered) {
   const std::uint64_t missing = samples_ == 0 ? 0 : numbered.number - next_number_;
   next_number_ = numbered.number + 1;
   if (!first_world_ || sample.world - *first_world_ >= worlds_) runPending();
-  if (!first_world_ || sample.world < *first_world_) return;  // of a tick before it began
+  if (!first_world_ || sample.world < *first_world_) return;  // before it began
   if (samples_ == 0) {
     first_tick_ = sample.tick;
     if (sample.tick > 0)
@@ -194,8 +194,8 @@ void Recorder::run(Command& command) {
   if (!command.keep) return;
   writer_->flush();
   const double seconds = state().seconds;
-  // Beside, because an hour takes longer than the ring holds.
-  copying_.emplace([this, file = *command.keep, seconds] {
+  // On its own thread, because an hour takes longer than the ring holds.
+  copying_.emplace([this, file = *word.keep, seconds] {
     KeptRecording kept{file, seconds, {}};
     try {
       trace::copyRecording(partial_, file, "kept");

@@ -3,8 +3,8 @@
 //   servo thread ─ samples (ring of its own) ─┐
 //   owner ─ worlds, events, attachments ──────┴─► writer thread ─ trace::RecordingWriter ─► NAME.session.partial
 //
-// The servo copies a sample and goes on, whatever the disk does. What finds no room meanwhile is counted, and an event
-// says where. When the disk is full or gone the recording ends, its words can be asked for, and what was written stays
+// The servo copies a sample and continues, whatever the disk does. Samples without room are counted, and an event
+// says where. When the disk is full or gone the recording ends, `failure` says why, and what was written stays
 // readable.
 #pragma once
 
@@ -31,7 +31,7 @@ struct RecorderSettings {
   std::filesystem::path file;
   trace::RecordingHeader header;
   std::vector<trace::RecordingFinger> fingers;  ///< one for each of the servo's
-  /// What is older is forgotten, s: a file of the last hour does not grow for ever.
+  /// Older samples are forgotten, s: a file of the last hour does not grow for ever.
   double keep_s = std::numeric_limits<double>::infinity();
 };
 
@@ -40,10 +40,10 @@ struct RecorderState {
   std::uint64_t samples = 0;  ///< written
   double seconds = 0.0;       ///< from the first tick that is kept to the newest
   std::uint64_t dropped = 0;
-  std::string failure;  ///< why it ended before its time; empty: it goes on
+  std::string failure;  ///< why it ended before its time; empty: it continues
 };
 
-/// What became of a copy.
+/// Result of a copy.
 struct KeptRecording {
   std::filesystem::path file;
   double seconds = 0.0;
@@ -65,7 +65,7 @@ class Recorder {
   void mark(std::string text) { event("mark", std::move(text)); }
   /// A picture or a sound, at the newest tick.
   void attach(trace::RecordingAttachment attachment);
-  /// Copies what there is into a finished file of its own and goes on; `takeKept` says when it is there. Nothing
+  /// Copies what there is into a finished file of its own and continues; `takeKept` says when it is there. Nothing
   /// happens while another copy is being made: false.
   bool keep(const std::filesystem::path& file);
   std::optional<KeptRecording> takeKept();
@@ -83,7 +83,7 @@ class Recorder {
   void discard();
 
  private:
-  /// For the writing thread, run in this order.
+  /// Messages to the writer, in order.
   struct Command {
     std::optional<FeltWorld> world = {};
     std::optional<trace::RecordingEvent> event = {};
@@ -114,12 +114,12 @@ class Recorder {
   // The writer thread's.
   struct FingerNotes {
     std::uint32_t buttons = 0;
-    std::array<std::uint64_t, servo::kSafetyBits> last_tick{};  ///< of each safety bit
+    std::array<std::uint64_t, servo::kSafetyBits> last_tick{};  ///< tick of each safety bit
   };
   std::vector<FingerNotes> notes_;
-  std::optional<std::uint32_t> first_world_;  ///< of the samples; the file counts from 0
+  std::optional<std::uint32_t> first_world_;  ///< first world of the samples; the file counts from 0
   std::uint32_t worlds_ = 0;
-  std::uint64_t next_number_ = 0;  ///< of the next sample
+  std::uint64_t next_number_ = 0;  ///< number of the next sample
   std::uint64_t dropped_noted_ = 0;
   std::optional<Background> copying_;
 

@@ -1,5 +1,5 @@
-// Each file gets a folder of its own in the bundle, "files/3/back.gltf", so that what a glTF file names still lies
-// beside it, and no two names meet. The scene is read, its places are changed and it is written again.
+// Each file gets a folder of its own in the bundle, "files/3/back.gltf", so that files named by a glTF file are still
+// next to it, and no two names meet. The scene is read, its places are changed and it is written again.
 #include "palpate/engine/recording_bundle.h"
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ bool isAtOrIn(const fs::path& file, const fs::path& place) {
 
 bool isOfWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// Every place where it stands as a word of its own.
+/// Replaces every occurrence as a whole word.
 void replaceWord(std::string& text, const std::string& word, const std::string& with) {
   if (word.empty()) return;
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
@@ -208,7 +208,7 @@ class Bundle {
 
   trace::RecordingReader& recording_;
   const BundleSettings& settings_;
-  CarriedFiles carried_;  ///< of a bundle that is bundled again
+  CarriedFiles carried_;  ///< files of a bundle that is bundled again
   std::vector<std::pair<std::string, std::string>> hidden_;
   trace::RecordingWriter* writer_ = nullptr;
   std::map<std::string, fs::path> names_;

@@ -43,12 +43,12 @@ class CarriedFiles {
 
 struct BundleSettings {
   std::filesystem::path folder;  ///< where the files that the scene names lie now; empty: where they lay
-  /// Files and folders that may be packed. A stranger's scene may name any file of whoever packs it, under any folder;
+  /// Files and folders that may be packed. A stranger's scene may name any file of the user, under any folder;
   /// what a link leads to counts.
   std::vector<std::filesystem::path> allowed;
   /// Words that are written as others: names of people and computers. As whole words only.
   std::vector<std::pair<std::string, std::string>> hidden;
-  std::string versions;  ///< of software and libraries, for whoever gets it
+  std::string versions;  ///< versions of software and libraries, for the receiver
 };
 
 struct BundleReport {

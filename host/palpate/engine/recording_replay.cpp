@@ -50,7 +50,7 @@ class ReplayProof {
   /// Whether the warning "too stiff" must, too: it counts a second of contact, also across time that is missing.
   bool provesWarnings(const trace::Sample& recorded) const { return fingers_[recorded.finger].counts_known; }
 
-  /// What was not proven, in words; empty: everything was.
+  /// Unproven parts, in words; empty: everything was proven.
   std::vector<std::string> notes() const;
   std::uint64_t unproven() const;
 
@@ -216,7 +216,7 @@ class Replay {
     if (std::string note = noteOfAnotherWorld(recorded, number, *world); !note.empty()) {
       report_.notes.push_back(std::move(note));
     }
-    // A file that somebody bent must not leave a finger on a triangle that there is none of.
+    // A damaged file must not leave a finger on a missing triangle.
     const bool other_body =
         worlds_.empty() || world->body->skin.triangles.size() != worlds_.back()->body->skin.triangles.size();
     servo::FingerSolvers solvers = servo::makeSolvers(world->surface, world->hdb, fingers_.size(), world->breath);

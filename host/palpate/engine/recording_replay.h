@@ -2,7 +2,7 @@
 //
 //   RecordingReader ─ tick ─► touch, limiter ─► samples ─ compared ─► ReplayReport
 //
-// What a tick began with is in its sample: the tip that was used, whether the finger had been put elsewhere, and what
+// The inputs of a tick are in its sample: the tip that was used, whether the finger had been put elsewhere, and what
 // the limiter said of the device. So contact, contact force, limiter and what the device was sent are all computed
 // again, by the code that computed them first.
 #pragma once
@@ -25,15 +25,15 @@ namespace palpate::engine {
 struct ReplayDifference {
   std::uint64_t tick = 0;
   std::string finger;
-  std::string field;  ///< of trace::sampleColumns
+  std::string field;  ///< field in trace::sampleColumns
   std::string recorded;
   std::string replayed;
 };
 
 struct ReplayReport {
   std::uint64_t ticks = 0;      ///< samples that were compared
-  std::uint64_t different = 0;  ///< of them
-  double build_s = 0.0;         ///< of the time that it took, for building the worlds
+  std::uint64_t different = 0;  ///< those that differ
+  double build_s = 0.0;         ///< time spent on building the worlds
   std::optional<ReplayDifference> first_difference;
   std::vector<std::string> notes;  ///< a world that is not the recorded one, and so on
   std::uint64_t unproven = 0;      ///< samples that were not compared: time before them is missing from the recording

@@ -73,7 +73,7 @@ constexpr std::array kLimiterFields = {
     passivity<&servo::PassivitySettings::mass_kg>("passivity_mass_kg"),
     passivity<&servo::PassivitySettings::encoder_mm>("passivity_encoder_mm"),
     passivity<&servo::PassivitySettings::most_n>("passivity_most_n"),
-    // Of the solver: recordings from before it stepped where a surface was exchanged in contact.
+    // The solver's: recordings from before it stepped where a surface was exchanged in contact.
     field<RecordedLimiter, &RecordedLimiter::follows_exchange>("follows_exchange"),
     // Written only where it is true: recordings of before have none.
     limit<&Limits::unsafe>("unsafe_stiffness"),
@@ -135,7 +135,7 @@ std::vector<FingerLimits> limitsIn(const trace::RecordingWorld& world,
       const servo::LimiterSettings limits = limiterFrom(world.fingers[i].limiter).settings;
       if (limits.limited) all.push_back({fingers[i].name, limits});
     } catch (const Error&) {
-      continue;  // of another version; a replay refuses it
+      continue;  // another version; a replay refuses it
     }
   }
   return all;

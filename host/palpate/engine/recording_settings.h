@@ -1,4 +1,4 @@
-// What a finger is felt with, as a recording keeps it: every number of its contact and its limiter, and back.
+// A finger's settings as a recording keeps them: every number of its contact and its limiter, and back.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ namespace palpate::engine {
 std::string asText(const contact::FingerSettings& settings);
 std::string asText(const servo::LimiterSettings& settings, bool closes_loop);
 
-/// Keys that the text lacks keep their defaults. Throws Error for a key that there is none of, and for no number.
+/// Keys that the text lacks keep their defaults. Throws Error for an unknown key and for an invalid number.
 contact::FingerSettings contactSettingsFrom(const std::string& text);
 struct RecordedLimiter {
   servo::LimiterSettings settings;
@@ -27,7 +27,7 @@ struct RecordedLimiter {
   bool follows_exchange = false;  ///< servo::Handover::follows; recordings from before it say nothing of it
 };
 RecordedLimiter limiterFrom(const std::string& text);
-/// What a limiter lets through, for people.
+/// A limiter's limits, for people.
 std::string limitsInWords(const servo::LimiterSettings& limits);
 
 /// The limits that a finger was felt with in a recorded world.
@@ -35,16 +35,16 @@ struct FingerLimits {
   std::string finger;
   servo::LimiterSettings limits;
 };
-/// Of the fingers that had any, which the mouse's have not; settings that cannot be read are left out.
+/// Limits of the fingers that had any, which the mouse's have not; settings that cannot be read are left out.
 std::vector<FingerLimits> limitsIn(const trace::RecordingWorld& world, std::span<const trace::RecordingFinger> fingers);
 
-/// Of skin, stiffness and force law: two worlds with the same hash give the same forces.
+/// Hash of skin, stiffness and force law: two worlds with the same hash give the same forces.
 std::uint64_t hashOf(const scene::World& world);
 
 /// A sentence where the world that was built is not the recorded one; empty: it is.
 std::string noteOfAnotherWorld(const trace::RecordingWorld& recorded, std::uint32_t number, const scene::World& world);
 
-/// What a finger is felt with.
+/// A finger's settings.
 struct FeltWith {
   contact::FingerSettings contact;
   servo::LimiterSettings limiter;

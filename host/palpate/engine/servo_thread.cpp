@@ -135,7 +135,7 @@ void ServoThread::advance() {
   waiting_.reset();
 }
 
-/// What waits, as `adopt` will have it.
+/// The waiting world, as `adopt` will have it.
 FeltWorld ServoThread::offeredWorld() const {
   FeltWorld felt{felt_.number + 1, waiting_->world, {}};
   for (std::size_t i = 0; i < fingers_; ++i) {

@@ -1,4 +1,4 @@
-// The servo thread: fingers on the present world at 1 kHz, beside whatever the rest of the program does.
+// The servo thread: fingers on the present world at 1 kHz, alongside the rest of the program.
 //
 //   devices (read_tip) ─────────────────────►┐            ┌─► samples (ring), newest contacts, vitals ─► any one thread
 //   owner ─ ServoPlan (base/handover.h) ────►│ runPaced   │
@@ -24,7 +24,7 @@
 
 namespace palpate::engine {
 
-/// What the servo thread is to feel from now on.
+/// World and fingers of the servo thread from now on.
 struct ServoPlan {
   std::shared_ptr<const scene::World> world;
   std::vector<contact::FingerSettings> fingers;
@@ -56,7 +56,7 @@ class ServoThread {
   using Guide = std::function<void(std::span<servo::FingerChain>)>;
 
   /// Starts at once, a tick every `tick_s` of the first finger. One device a finger of the plan, in its order. Throws
-  /// Error for another number. So many samples wait for a recorder at most.
+  /// Error for another number. At most `record_capacity` samples wait for a recorder.
   ServoThread(ServoPlan plan, std::vector<device::Device> devices, Guide guide = {},
               std::size_t record_capacity = servo::kRecordCapacity);
   /// Ends the thread.
@@ -83,10 +83,10 @@ class ServoThread {
   servo::EmergencyStop& emergencyStop() { return links_.emergency_stop; }
   std::size_t droppedSamples() const { return links_.samples.dropped(); }
 
-  // For whoever records (recorder.h), one at a time.
+  // For a recorder (recorder.h), one at a time.
 
-  /// From the next tick on every sample goes into a ring of its own as well. The listener hears of the world at work,
-  /// of the one that is on its way, and of each that is offered later, before any sample names it; on the owner's
+  /// From the next tick on every sample goes into a ring of its own as well. The listener is called for the world at
+  /// work, for the one on its way, and for each that is offered later, before any sample names it; on the owner's
   /// thread, and not once it was taken back with an empty one.
   using WorldListener = std::function<void(const FeltWorld&)>;
   void record(WorldListener listener);
@@ -110,10 +110,10 @@ class ServoThread {
   std::unique_ptr<ServoPlan> at_work_;  // likewise
   Handover<ServoPlan> handover_;
   std::shared_ptr<const scene::World> at_work_world_;
-  std::shared_ptr<const scene::World> offered_world_;  // of the plan that was offered and is not known to be taken
+  std::shared_ptr<const scene::World> offered_world_;  // in the offered plan, not known to be taken
   std::optional<ServoPlan> waiting_;                   // until the one offered is taken
   FeltWorld felt_;                                     // at work, as far as this thread knows
-  std::optional<FeltWorld> felt_next_;                 // of the plan that was offered
+  std::optional<FeltWorld> felt_next_;                 // in the offered plan
   WorldListener listener_;
   bool changed_ = false;
   servo::LoopReport report_;

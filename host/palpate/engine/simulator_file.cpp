@@ -1,4 +1,4 @@
-// The one way into a simulator that reads a file: apart, so that what stands on worlds alone needs no scene files.
+// The one way into a simulator that reads a file: apart, so that code for worlds alone needs no scene files.
 #include "palpate/engine/simulator.h"
 #include "palpate/scene/scene_file.h"
 

@@ -1,5 +1,5 @@
 // One worker, one request at a time, under one lock that is never held while a world is built or freed. Requests are
-// numbered; a build that is not the newest any more throws GivenUp out of its own progress report. That is no
+// numbered; a build that is not the newest any more throws GivenUp out of its own progress report. That is not a
 // std::exception, so no handler on its way takes it for a failure.
 #include "palpate/engine/world_builder.h"
 
@@ -14,7 +14,7 @@ namespace palpate::engine {
 
 namespace {
 
-/// Thrown through the library by its progress reports; nobody else sees it.
+/// Thrown through the library by its progress reports; caught here alone.
 struct GivenUp {};
 
 /// Well behind what draws, but not starved.
@@ -85,7 +85,7 @@ void WorldBuilder::run() {
     if (number == newest_) result_ = std::move(result);
     if (!result) continue;
     lock.unlock();
-    result.reset();  // nobody wants it: freed outside the lock
+    result.reset();  // unwanted: freed outside the lock
     lock.lock();
   }
 }

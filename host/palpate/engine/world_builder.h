@@ -1,4 +1,4 @@
-// Builds worlds beside everything else: the old body stays touchable until the new one is there, the newest request
+// Builds worlds in the background: the old body stays touchable until the new one is there, the newest request
 // wins.
 //
 //   request ─► worker thread of low priority [ read? ─ scene::build or rebuilt ─ check? ] ─► take ─►
@@ -56,13 +56,13 @@ class WorldBuilder {
   WorldBuilder(const WorldBuilder&) = delete;
   WorldBuilder& operator=(const WorldBuilder&) = delete;
 
-  /// Replaces whatever was requested before, also a result that nobody took.
+  /// Replaces whatever was requested before, also a result that was not taken.
   void request(BuildRequest request);
   /// Forgets the newest request: no result will come.
   void cancel();
   /// The result of the newest request once it is there, at most once. Never waits for the work.
   std::optional<BuildResult> take();
-  /// Of the work under way, if any.
+  /// Progress of the work under way, if any.
   std::optional<BuildProgress> progress() const;
 
  private:

@@ -11,7 +11,7 @@ namespace palpate::scene {
 
 namespace {
 
-/// Remembers where it stands: what is wrong with the picture is found when the body is built.
+/// Remembers the line: faults of the picture are found when the body is built.
 Key<BodySettings> textureKey() {
   using S = BodySettings;
   Key<S> key = file<S>(
@@ -33,7 +33,7 @@ std::size_t fewestTriangles(BodyKind kind) {
   return kind == BodyKind::back ? body::kFewestTriangles : body::kFewestTorsoTriangles;
 }
 
-/// What a built-in body can be made of.
+/// Checks the kind and triangles of a built-in body.
 void requireTriangles(const BodySettings& body, const Entry& entry) {
   if (body.kind == BodyKind::mesh || body.triangles == 0) return;
   const bool trunk = body.kind == BodyKind::trunk;

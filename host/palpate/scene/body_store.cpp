@@ -6,7 +6,7 @@
 //
 // A file is used only if its head is the expected one, letter by letter, and its hash is right. Everything else is as
 // good as missing: the body is made and the file replaced. A folder that cannot be read or written costs that time
-// again and is no reason to refuse a world.
+// again, but the world is built.
 //
 // It installs itself while the program starts, as base/host_environment.cpp does.
 #include <fmt/format.h>
@@ -36,8 +36,8 @@ const int palpate_host_body_store = 1;
 
 namespace palpate::scene {
 
-/// What makes built-in bodies, named in one line by what is in its sources: a body of other makers is another body. The
-/// build writes it (cmake/body_makers.cmake).
+/// The version of the code that makes built-in bodies, in one line that the build writes from the sources
+/// (cmake/body_makers.cmake): another version makes other bodies.
 std::string_view bodyMakers();
 
 namespace {
@@ -60,7 +60,7 @@ std::uint64_t storeBytes() {
   return megabytes > 0.0 ? static_cast<std::uint64_t>(std::min(megabytes, kMaxStoreMb) * kBytesInAMb) : 0;
 }
 
-/// Empty where there is no home.
+/// Empty without a home.
 fs::path storeFolder() {
   const fs::path cache = system::cacheFolder();
   return cache.empty() ? cache : cache / "palpate" / "bodies";
@@ -72,7 +72,7 @@ std::uint64_t hashOf(std::string_view bytes) {
   return hash.value();
 }
 
-/// What the file of this recipe begins with.
+/// First lines of this recipe's file.
 std::string headOf(std::string_view recipe) { return fmt::format("{}\n{}\n{}\n", kStoreHead, bodyMakers(), recipe); }
 
 fs::path fileNameFor(std::string_view head) { return fmt::format("{:016x}.body", hashOf(head)); }
@@ -105,7 +105,7 @@ std::optional<std::string> ofTheUser(std::string_view head) {
 
 std::optional<std::string> besideTheProgram(std::string_view head) {
   const fs::path programs = system::ownProgram().parent_path();
-  for (const char* share : {"share", "../share"}) {  // of a build folder, of an installed program
+  for (const char* share : {"share", "../share"}) {  // in a build folder, in an installed program
     if (auto bytes = bytesIn(programs / share / "palpate" / "bodies" / fileNameFor(head), head)) return bytes;
   }
   return std::nullopt;

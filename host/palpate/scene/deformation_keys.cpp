@@ -1,6 +1,6 @@
 // The tables [deformation] and [strain] of a scene file: how the skin gives way.
 //
-// The keys stand in the order in which a deformation is made: how far the skin follows (tissue), where it does
+// The keys are in the order in which a deformation is made: how far the skin follows (tissue), where it does
 // (regions), along which curve from the finger to the rim (a profile for the press and one for the drag), and what
 // remains.
 #include <iterator>
@@ -66,7 +66,7 @@ Keys regionKeys() {
   };
 }
 
-/// Where one of the two profiles stands in the settings, and what its keys and their meanings begin with.
+/// Where one of the two profiles is in the settings, and what its keys and their meanings begin with.
 struct ProfilePlace {
   std::string prefix;
   std::string of;

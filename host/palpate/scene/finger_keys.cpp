@@ -121,7 +121,7 @@ void checkFinger(const Finger& finger, const Entry& entry) {
   if (!finger.trajectory.empty() && !finger.steps.empty()) entry.fail("takes a trajectory or a script, not both");
 }
 
-/// Whoever names a place and nothing else wants it pressed. Without a place the finger finds its own way.
+/// Presses at a named place by default. Without a place the finger finds its own way.
 void pressNamedPlace(const TomlNode& table, Finger& finger) {
   const bool has_place = table.get("at") != nullptr || table.get("at_mm") != nullptr;
   if (!has_place || !finger.findsItsOwnWay()) return;

@@ -1,4 +1,4 @@
-// Values of a scene file: read with their ranges, and shown as they would stand there.
+// Values of a scene file: read with their ranges, and shown as they would be there.
 #include "palpate/scene/detail/key_table.h"
 
 #include <algorithm>

@@ -29,7 +29,7 @@ namespace {
 constexpr std::string_view kLumpFileHead = "solved lump, version 1: depth_mm extra_n";
 constexpr std::uint64_t kMaxLumpFileBytes = 1u << 16u;
 
-/// Empty where there is no home.
+/// Empty without a home.
 std::filesystem::path lumpFile(std::uint64_t name) {
   const std::filesystem::path state = system::stateFolder();
   return state.empty() ? state : state / "palpate" / "lumps" / fmt::format("{:016x}.txt", name);
@@ -62,7 +62,7 @@ std::optional<std::vector<SolvedPush>> findLump(std::uint64_t name) {
   }
 }
 
-/// A folder that cannot be written costs the time of solving again, and is no reason to refuse a world.
+/// A folder that cannot be written costs the time of solving again, but the world is built.
 void keepLump(std::uint64_t name, std::span<const SolvedPush> pushes) {
   const std::filesystem::path file = lumpFile(name);
   if (file.empty()) return;

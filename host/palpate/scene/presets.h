@@ -14,8 +14,8 @@ namespace palpate::scene {
 struct Preset {
   std::string_view name;    ///< "heavy"
   std::string_view title;   ///< "A heavy person"
-  std::string_view what;    ///< a sentence: what is to be felt or seen
-  std::string_view file;    ///< of scenes/, without .toml
+  std::string_view what;    ///< a sentence: what to feel or see
+  std::string_view file;    ///< name in scenes/, without .toml
   bool as_printed = false;  ///< with the dissertation's formulae as printed
 };
 
@@ -23,15 +23,15 @@ struct Preset {
 std::span<const Preset> presets();
 std::vector<std::string> presetNames();
 
-/// Of no file: there is none that it could be saved to. Throws Error for another name.
+/// Without a file to save to. Throws Error for another name.
 Scene presetScene(std::string_view name);
 /// Throws Error for an unknown name.
 const Preset& presetNamed(std::string_view name);
 
-/// Of scenes/<file>.toml, compiled in (host/CMakeLists.txt); empty if there is none.
+/// Text of scenes/<file>.toml, compiled in (host/CMakeLists.txt); empty if unknown.
 std::string_view presetText(std::string_view file);
 
-/// scenes/default.toml: ten seconds of two fingers on the built-in trunk, where no scene is named. Of no file.
+/// scenes/default.toml: ten seconds of two fingers on the built-in trunk, where no scene is named. Without a file.
 Scene standardScene();
 
 }  // namespace palpate::scene

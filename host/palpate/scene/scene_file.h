@@ -19,13 +19,13 @@ inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
 /// relative to its folder and are not opened yet.
 Scene load(const std::filesystem::path& file);
 
-/// The same from text; `name` stands for the file in messages and its folder for relative names.
+/// The same from text; messages call the file `name`, and its folder is that of relative names.
 Scene parse(std::string_view toml, std::string_view name);
 
-/// Throws Error for a scene that nobody touches: a world is built from it, a run needs somebody.
+/// Throws Error for a scene without fingers: a world can be built from it, a run needs one.
 void requireFingers(const Scene& scene);
 
-/// What a key takes, for programs that offer it to be changed.
+/// Type and range of a key, for programs that offer it to be changed.
 struct KeyForm {
   enum class Kind : std::uint8_t { other, number, whole, flag, choice, text, file };
   Kind kind = Kind::other;

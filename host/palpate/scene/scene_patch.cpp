@@ -1,5 +1,5 @@
 // Both scenes as rows of keys -> rows that differ -> changes of the text, by the places that the parser noted -> the
-// new text, read once more: it counts only if it says what it should. Places that stand several times ([[finger]]) are
+// new text, read once more: it counts only if it says what it should. Repeated tables ([[finger]]) are
 // distinguished by what stayed the same, as in a comparison of two files.
 //
 // Based on: Hunt and McIlroy, "An algorithm for differential file comparison", 1976 (longest common subsequence). Cold
@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Rows = std::vector<KeyRow>;
 
-/// Something stands in a form that is not patched.
+/// Thrown for a form that is not patched.
 struct NotPatched {};
 
 /// From the parser's lines and columns, which count letters, to bytes.

@@ -1,6 +1,6 @@
 // Writes a scene as the file that reads back the same: the way out of the viewer for all that was changed in it.
 //
-// Every key of the format says itself how its value stands in a file (key_table.h), so a new key is written without
+// Every key of the format writes its own value (key_table.h), so a new key is written without
 // anything to add here. Keys that have their default value are left out: the file stays as short as a person's.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace palpate::scene {
 /// path. Comments of the file the scene came from are lost; patchedScene keeps them.
 std::string sceneAsToml(const Scene& scene, const std::filesystem::path& folder = {});
 
-/// The row's value as it stands in a file of this folder: names of files that lie under it are relative to it.
+/// The row's value as in a file of this folder: names of files under it are relative to it.
 std::string valueIn(const std::filesystem::path& folder, const KeyRow& row);
 /// "key = value", a line for each row that says something else than its row of `defaults`.
 std::string linesOf(const std::vector<KeyRow>& rows, const std::vector<KeyRow>& defaults,
@@ -30,11 +30,12 @@ void save(const Scene& scene, const std::filesystem::path& file);
 
 // Saves a scene into the file that a person wrote: only the lines of what was changed are touched, so that comments,
 // order and layout stay. The TOML library reads comments away and cannot write them again; it does say where each key
-// and value stands.
+// and value is.
 
 /// The text of a scene file, changed to say what `scene` says; `file` is where it will lie. Lines that hold nothing but
-/// a comment are never lost. Nothing when the text does not read back as the scene: it is no scene file, or holds its
-/// tables in a form that is not patched (keys to be added to `friction.static = 1`, or tables to a list in brackets).
+/// a comment are never lost. Nothing when the text does not read back as the scene: it is not a scene file, or holds
+/// its tables in a form that is not patched (keys to be added to `friction.static = 1`, or tables to a list in
+/// brackets).
 std::optional<std::string> patchedScene(std::string_view text, const Scene& scene, const std::filesystem::path& file);
 
 }  // namespace palpate::scene

@@ -13,7 +13,7 @@ std::vector<std::string> frictionNames() {
   return names;
 }
 
-/// The name of two coefficients and nothing beside them: who changes one of them has no such skin any more.
+/// The name of two coefficients and nothing else: a change of one of them clears it.
 Key<contact::FingerSettings> skinKey() {
   using S = contact::FingerSettings;
   const auto read = [](S& friction, const Entry& entry) {

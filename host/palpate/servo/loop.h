@@ -35,7 +35,7 @@ struct LoopReport {
 };
 
 /// Runs ticks 0 .. ticks-1 back to back; `sink` gets each tick's samples, in order. Deterministic. Ends early, with the
-/// ticks so far, when `stop` says so, which is asked every some ticks.
+/// ticks so far, when `stop`, called every few ticks, returns true.
 LoopReport runHeadless(Rig& rig, std::uint64_t ticks, const std::function<void(std::span<const trace::Sample>)>& sink,
                        const Progress& progress = {}, const std::function<bool()>& stop = {});
 
@@ -45,21 +45,21 @@ struct LoopVitals {
   std::uint64_t overruns = 0;
   std::uint64_t slow_ticks = 0;
   std::uint64_t stalls = 0;
-  DurationPercentiles compute;  ///< of the last second, like `lateness` and the rate
+  DurationPercentiles compute;  ///< over the last second, like `lateness` and the rate
   DurationPercentiles lateness;
   double ticks_per_s = 0.0;
 };
 
-/// What one tick gave, a sample for every finger in the scene's order.
+/// Results of one tick, a sample for every finger in the scene's order.
 using TickSamples = std::vector<trace::Sample>;
 
-/// A sample for whoever records; numbers that are missing had no room.
+/// A sample for a recorder; missing numbers had no room.
 struct NumberedSample {
   std::uint64_t number = 0;  ///< counts all samples that were to be recorded
   trace::Sample sample;
 };
 
-/// Puts it into such a ring; `number` counts on, also where there is no room.
+/// Puts it into such a ring; `number` counts on, even if the ring is full.
 inline void pushNumbered(RingBuffer<NumberedSample>& ring, const trace::Sample& sample, std::uint64_t& number) {
   ring.pushWith([&](NumberedSample& slot) {
     slot.number = number;
@@ -68,17 +68,17 @@ inline void pushNumbered(RingBuffer<NumberedSample>& ring, const trace::Sample& 
   ++number;
 }
 
-/// Of LoopLinks::record: a disk that stops for seconds loses nothing, 16 s for two fingers at 1 kHz.
+/// Capacity of LoopLinks::record: a disk that stops for seconds loses nothing, 16 s for two fingers at 1 kHz.
 inline constexpr std::size_t kRecordCapacity = std::size_t{1} << 15;
 
-/// What a paced loop shares with other threads.
+/// Data that a paced loop shares with other threads.
 struct LoopLinks {
   explicit LoopLinks(std::size_t fingers, std::size_t ring_capacity = std::size_t{1} << 16,
                      std::size_t record_capacity = 0)
       : samples(ring_capacity), record(record_capacity), contacts(TickSamples(fingers)) {}
   RingBuffer<trace::Sample> samples;
-  RingBuffer<NumberedSample> record;  ///< the same once more, for whoever records
-  std::atomic<bool> records{false};   ///< somebody empties it
+  RingBuffer<NumberedSample> record;  ///< the same once more, for a recorder
+  std::atomic<bool> records{false};   ///< a recorder empties it
   std::uint64_t numbered = 0;         ///< the loop's: samples that were to be recorded so far
   TripleBuffer<TickSamples> contacts;
   TripleBuffer<LoopVitals> vitals;
@@ -101,7 +101,7 @@ struct PacedSettings {
 /// the end every device gets zero force.
 LoopReport runPaced(Rig& rig, std::uint64_t ticks, const PacedSettings& settings, LoopLinks& links);
 
-// Takes samples out of the ring on a thread of its own, so that files are written beside the servo loop and not in it.
+// Takes samples out of the ring on a thread of its own, so that files are written outside the servo loop.
 
 class SampleDrain {
  public:

@@ -1,7 +1,7 @@
 // Wakes a thread at absolute points in time, a thousand times a second, as exactly as the system permits.
 //
-// Each wake-up is asked for at an absolute time (no drift), slightly early, and the rest is spun away: on Linux a
-// sleeping thread wakes 20 to 80 us late, a spinning one not at all. Real-time priority and locked memory are asked for
+// Each wake-up is requested at an absolute time (no drift), slightly early, and the rest is spun away: on Linux a
+// sleeping thread wakes 20 to 80 us late, a spinning one not at all. Real-time priority and locked memory are requested
 // and their refusal is reported, never fatal: without them the loop runs, later at times.
 #pragma once
 
@@ -17,7 +17,7 @@ struct PacingSettings {
   double spin_s = 100e-6;
   bool realtime = true;  ///< ask for a priority before ordinary work, locked memory and exact timers
   int realtime_priority =
-      80;  ///< of SCHED_FIFO: above ordinary real-time work (50), below the kernel's own watchdogs (99)
+      80;  ///< priority in SCHED_FIFO: above ordinary real-time work (50), below the kernel's own watchdogs (99)
 };
 
 using PacingGrant = system::ThreadGrant;

@@ -1,5 +1,5 @@
-// Polls: to be woken would cost the servo a system call. After the sink threw it goes on emptying the ring without it,
-// so that the loop's count of dropped samples stays the loop's own.
+// Polls: to be woken would cost the servo a system call. After the sink threw it continues to empty the ring without
+// it, so that the loop's count of dropped samples stays the loop's own.
 // Data flow: ring buffer of LoopLinks -> here, on a thread of its own -> sink, which writes files.
 #include "palpate/servo/loop.h"
 

@@ -12,7 +12,7 @@ using RawClock = std::int64_t;  // the performance counter
 using RawClock = std::timespec;  // CLOCK_MONOTONIC
 #endif
 
-/// False where there is none.
+/// False where the system has none.
 bool readRawClock(RawClock& clock) noexcept;
 
 }  // namespace palpate::system

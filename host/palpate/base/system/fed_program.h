@@ -1,5 +1,5 @@
-// Another program that is fed through its standard input, whose words about what went wrong are kept. What it prints
-// goes nowhere. It does not hear the signals that a terminal sends to this one, which ends it.
+// Another program that is fed through its standard input. Its error messages are kept, its output is discarded. It does
+// not get the signals that a terminal sends to this one, which ends it.
 #pragma once
 
 #include <cstdint>
@@ -48,7 +48,7 @@ class FedProgram {
   int reason_ = 0;
   std::intptr_t input_ = -1;
   std::intptr_t process_ = -1;
-  int status_ = 0;  // of one that has ended and was not finished yet
+  int status_ = 0;  // for one that has ended and was not finished yet
   bool has_ended_ = false;
 };
 

@@ -1,4 +1,4 @@
-// A socket in place of a pipe: writing to one whose reader has ended can be told not to raise SIGPIPE. Its words go to
+// A socket in place of a pipe: writing to one whose reader has ended can be kept from raising SIGPIPE. Its words go to
 // a file and not to another pipe, which it could fill while we fill its input. A process group of its own keeps signals
 // away.
 #include <fcntl.h>
@@ -24,7 +24,7 @@ namespace palpate::system {
 
 namespace {
 
-/// What we have been given, and who we are: a program of our own then ends with us, however we end (endWithStarter).
+/// Our environment, and our process id: a program of our own then ends with us, however we end (endWithStarter).
 std::vector<char*> environmentNaming(std::string& starter) {
   starter = fmt::format("{}={}", kStarterVariable, ::getpid());
   const std::string_view name(starter.data(), starter.find('=') + 1);
@@ -37,7 +37,7 @@ std::vector<char*> environmentNaming(std::string& starter) {
   return environment;
 }
 
-/// A program hears who asks it to end, also where we were started without ears (`palpate run &` in a script).
+/// Lets a program receive stop signals, even where we ignore them (`palpate run &` in a script).
 void hearsWhoAsksToEnd(posix_spawnattr_t& attributes) {
   sigset_t heard;
   sigemptyset(&heard);

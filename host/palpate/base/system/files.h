@@ -22,7 +22,7 @@ bool flush(int descriptor);
 bool close(int descriptor);
 /// Its name was taken away while it was open.
 bool wasDeleted(int descriptor);
-/// As another file has them; somebody else's never opens ours wider. Where it cannot be done, the usual ones are as
+/// Copies another file's permissions; another user's never open ours wider. Where that fails, the usual ones are as
 /// good.
 void takeRightsOf(const std::filesystem::path& other, int descriptor);
 /// Gives the file another's name and place, in one step.
@@ -36,7 +36,7 @@ bool mayRun(const std::filesystem::path& program);
 
 /// Everybody may lay a link there under any name, as in /tmp; "" is the current folder.
 bool isOpenToAll(const std::filesystem::path& folder);
-/// Nobody but its owner (and who looks after the machine) may read or write it.
+/// Whether only its owner (and the administrator) may read or write it.
 bool isClosedToOthers(const std::filesystem::path& file);
 /// The same, but those of its group may, where the system has groups of files.
 bool isClosedToStrangers(const std::filesystem::path& file);
@@ -53,8 +53,8 @@ std::filesystem::path makeTemporaryFolder(std::string_view stem);
 /// Where a running program keeps what only its own user may see; it need not be there.
 std::filesystem::path runtimeFolder();
 
-/// Where whoever started us has closed standard input, output or error, the next file that is opened would stand for it
-/// and get its words. Each is given a device that refuses reads, or writes. Before any file is opened.
+/// If our starter has closed standard input, output or error, the next opened file would take its number and get its
+/// text. Opens a device in its place that refuses reads, or writes. Call before any file is opened.
 void holdStandardStreams() noexcept;
 
 }  // namespace palpate::system

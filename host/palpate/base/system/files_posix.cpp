@@ -92,7 +92,7 @@ bool isOwnFolder(const fs::path& folder) {
   return ::lstat(folder.c_str(), &facts) == 0 && S_ISDIR(facts.st_mode) && facts.st_uid == ::geteuid();
 }
 
-// mkdir with its mode instead of chmod afterwards: there is no moment at which others may look in.
+// mkdir with its mode instead of chmod afterwards: at no moment may others look in.
 bool makeClosedFolder(const fs::path& folder) { return ::mkdir(folder.c_str(), kOwnersFolder) == 0; }
 
 bool closeToOthers(const fs::path& folder) {
@@ -115,7 +115,7 @@ fs::path runtimeFolder() {
 void holdStandardStreams() noexcept {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
-    // The lowest free number: this one. What is written there fails, and is told to fail.
+    // The lowest free number: this one. Writing there fails, and reports that it fails.
     [[maybe_unused]] const int held = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
 }

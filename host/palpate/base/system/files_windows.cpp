@@ -30,7 +30,7 @@ struct Freed {
 };
 using Descriptor = std::unique_ptr<void, Freed>;
 
-/// What the system said, as errno has it.
+/// The system's error as errno.
 int reasonOf(DWORD error) {
   switch (error) {
     case ERROR_FILE_EXISTS:

@@ -11,7 +11,7 @@ struct OpenedLibrary {
   void* handle = nullptr;
   std::string file;   ///< that was opened, as far as the system says
   std::string words;  ///< why it was not, in words of the loader; "NAME: cannot open shared object file: No such file
-                      ///< or directory" where there is none of that name
+                      ///< or directory" for an unknown name
 };
 
 /// Names in it are there for libraries that are opened after it.

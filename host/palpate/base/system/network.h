@@ -1,4 +1,4 @@
-// What a server asks the system about its network. Sockets are named by their numbers (handles on Windows).
+// A server's requests to the system about its network. Sockets are named by their numbers (handles on Windows).
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 namespace palpate::system {
 
 /// The IP addresses of those of this computer's interfaces that are up, loopback among them, in the order in which the
-/// system has them; none where it does not say. Link-local ones of IPv6 are left out: nobody can name their interface
+/// system has them; none where it does not say. Link-local ones of IPv6 are left out: users cannot name their interface
 /// in a browser.
 std::vector<std::string> ownAddresses(bool v6_too);
 
-/// Before the socket is bound: its port is nobody else's, and one that ended a moment ago does not keep it.
+/// Call before the socket is bound: reserves its port, which a socket that ended a moment ago does not keep.
 ///
 /// POSIX refuses a second socket at the port in any case, and SO_REUSEADDR only frees it from connections that ended.
 /// On Windows the option of that name would let any program listen there, too, and take half of the connections;
@@ -20,7 +20,7 @@ std::vector<std::string> ownAddresses(bool v6_too);
 void claimPort(std::intptr_t socket);
 
 /// How much of what was sent may wait in the system for a reader that is slow; where it cannot be set, more does.
-/// Windows does not tell what is unsent from what nobody has acknowledged: there it is both together (SO_SNDBUF).
+/// Windows does not separate unsent from unacknowledged data: there it is both together (SO_SNDBUF).
 void limitUnsent(std::intptr_t socket, int bytes);
 
 }  // namespace palpate::system

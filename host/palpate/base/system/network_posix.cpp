@@ -15,7 +15,7 @@ namespace palpate::system {
 
 namespace {
 
-/// Empty for what is no IP address, or no use to a browser.
+/// Empty unless it is an IP address that a browser can use.
 std::string textOf(const sockaddr* address, bool v6_too) {
   std::array<char, INET6_ADDRSTRLEN> text{};
   if (address != nullptr && address->sa_family == AF_INET) {

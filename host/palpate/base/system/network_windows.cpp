@@ -17,7 +17,7 @@ void setOption(std::intptr_t socket, int option, int value) {
   ::setsockopt(static_cast<SOCKET>(socket), SOL_SOCKET, option, reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
-/// Empty for what is no IP address, or no use to a browser.
+/// Empty unless it is an IP address that a browser can use.
 std::string textOf(const sockaddr* address) {
   std::array<char, INET6_ADDRSTRLEN> text{};
   if (address->sa_family == AF_INET) {
@@ -33,7 +33,7 @@ std::string textOf(const sockaddr* address) {
 std::vector<unsigned char> adaptersOf(ULONG family) {
   constexpr ULONG kWithout = GAA_FLAG_SKIP_ANYCAST | GAA_FLAG_SKIP_MULTICAST | GAA_FLAG_SKIP_DNS_SERVER;
   constexpr int kTries = 4;  // it may grow between two calls
-  ULONG size = 16384;        // what the system's documentation recommends, so that once is enough
+  ULONG size = 16384;        // size that the system's documentation recommends, so that once is enough
   std::vector<unsigned char> list;
   for (int i = 0; i < kTries; ++i) {
     list.resize(size);

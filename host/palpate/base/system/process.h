@@ -1,4 +1,4 @@
-// What a program asks the system about itself and its surroundings, and how it starts another.
+// A program's requests to the system about itself and its surroundings, and how it starts another.
 #pragma once
 
 #include <filesystem>
@@ -41,7 +41,7 @@ struct Identity {
 Identity identity();
 
 /// Where a program keeps what it remembers for its user, what it has written for them, and what it can make again;
-/// empty where there is no home.
+/// empty without a home.
 std::filesystem::path settingsFolder();
 std::filesystem::path stateFolder();
 std::filesystem::path cacheFolder();
@@ -49,7 +49,7 @@ std::filesystem::path cacheFolder();
 /// The file of the running program; empty where the system does not say.
 std::filesystem::path ownProgram();
 
-/// From now on the texts of <folder>/<code>/LC_MESSAGES/palpate.mo, a catalogue of gettext, stand for those of the
+/// From now on the texts of <folder>/<code>/LC_MESSAGES/palpate.mo, a catalogue of gettext, replace those of the
 /// code. Changes the process's environment and its locale for messages. Without libintl (Windows) every text stays as
 /// it is.
 void useCatalogue(const std::filesystem::path& folder, const std::string& code);
@@ -83,7 +83,7 @@ void* largeArray(std::size_t bytes) noexcept;
 std::vector<std::string> commandLine(int argc, char** argv);
 
 /// The other program takes this one's place, under the name `called`. -1: it cannot be started, and errno says why.
-/// Where the system has no such thing (Windows), it runs below this one to its end, hears Ctrl-C in its place and ends
+/// Where the system has no such thing (Windows), it runs below this one to its end, gets Ctrl-C in its place and ends
 /// with it, and its exit code is returned.
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
                   const std::vector<std::string>& words);

@@ -1,4 +1,4 @@
-// POSIX; the program's own file is asked of Linux's /proc and of macOS's loader.
+// POSIX; the program's own file comes from Linux's /proc or macOS's loader.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -157,7 +157,7 @@ std::vector<std::string> commandLine(int argc, char** argv) { return {argv + std
 void returnLargeArrays() noexcept {
 #ifdef __GLIBC__
   ::mallopt(M_MMAP_THRESHOLD, kLargeArrayBytes);
-  // Told of the first, glibc takes its least for the second, 128 KB: a list that is freed and made again and again
+  // With the first set, glibc takes its least for the second, 128 KB: a list that is freed and made again and again
   // would get new pages each time. A tick of a point on 1,000,000 triangles took 7 us in place of 1.1 (p99) with that.
   ::mallopt(M_TRIM_THRESHOLD, 2 * kLargeArrayBytes);
 #endif
@@ -168,7 +168,8 @@ void* largeArray(std::size_t bytes) noexcept {
   void* memory = nullptr;
   if (::posix_memalign(&memory, kHugePage, bytes) != 0) return nullptr;
 #ifdef MADV_HUGEPAGE
-  // Whole pages alone: the rest of the last one would be memory that nobody asked for. Refused: small pages, as before.
+  // Whole pages alone: the rest of the last one would be memory that was not requested. Refused: small pages, as
+  // before.
   ::madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
 #endif
   return memory;

@@ -69,7 +69,7 @@ bool begin(const std::filesystem::path& program, const std::string& called, cons
   return begun != 0;
 }
 
-/// The exit code of one that ended by itself, else that of its fault, never below 0; -1 where there is none.
+/// The exit code of one that ended by itself, else that of its fault, never below 0; -1 if unknown.
 int endOf(const PROCESS_INFORMATION& child) {
   ::WaitForSingleObject(child.hProcess, INFINITE);
   DWORD answer = 0;
@@ -114,7 +114,7 @@ bool fillWithRandom(std::span<unsigned char> bytes) noexcept {
 std::string machineWords() {
   OSVERSIONINFOW version{};
   version.dwOSVersionInfoSize = sizeof(version);
-  // GetVersionEx answers what a program's manifest wants to hear; the kernel's own answers the truth.
+  // GetVersionEx answers by the program's manifest; the kernel's own function is truthful.
   const auto ask = reinterpret_cast<LONG(WINAPI*)(OSVERSIONINFOW*)>(
       reinterpret_cast<void*>(::GetProcAddress(::GetModuleHandleW(L"ntdll.dll"), "RtlGetVersion")));
   if (ask == nullptr || ask(&version) != 0) return "Windows, x86_64";
@@ -144,7 +144,7 @@ bool readRawClock(RawClock& clock) noexcept {
   return ::QueryPerformanceCounter(reinterpret_cast<LARGE_INTEGER*>(&clock)) != 0;
 }
 
-// The C library has no libintl, and Debian's compiler for Windows brings none.
+// The C library has no libintl, and Debian's compiler for Windows has none.
 
 void useCatalogue(const std::filesystem::path&, const std::string&) {}
 

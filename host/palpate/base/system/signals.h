@@ -1,4 +1,4 @@
-// What asks a program to end: signals, and on Windows the console's events and the end of a session.
+// Requests to end a program: signals, and on Windows the console's events and the end of a session.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,9 @@ inline constexpr int kHangUp = 1;       ///< the terminal was closed
 inline constexpr int kTerminate = 15;   ///< anybody else
 inline constexpr int kBrokenPipe = 13;  ///< the reader of the output has left
 
-/// `ask` is called with the signal: in its handler, so that it may do only what a handler may (lock-free numbers, tell,
-/// endNow); on Windows on a thread of its own. A signal that was ignored when the program started stays ignored.
+/// `ask` is called with the signal: in its handler, so that it may do only what a handler may (lock-free numbers,
+/// tellInHandler, endNow); on Windows on a thread of its own. A signal that was ignored when the program started stays
+/// ignored.
 void whenAskedToEnd(void (*ask)(int signal));
 
 /// A file that grows over a limit and a reader of a pipe that has left become errors of the write instead of the
@@ -22,14 +23,14 @@ void makeFailedWritesErrors() noexcept;
 /// In the environment of a program that another of ours has started: the other's number.
 inline constexpr const char* kStarterVariable = "PALPATE_STARTER";
 /// Where such a one has started us, and still lives, we are asked to end (SIGTERM) when it is gone, also by a crash.
-/// Elsewhere than on Linux nobody asks.
+/// On Linux only.
 void endWithStarter();
 
 // Allowed in a handler.
 
 /// The monotonic clock.
 std::int64_t clockInHandlerNs();
-/// To the standard error; lost where nobody reads it.
+/// Writes to the standard error; lost without a reader.
 void tellInHandler(const char* words);
 [[noreturn]] void endNow(int exit_code);
 

@@ -25,7 +25,7 @@ class TcpStream {
 
   /// Hands all bytes to the system. False: trouble() says why not.
   bool send(std::string_view bytes, Deadline deadline);
-  /// Waits for the next bytes and returns how many came; 0: trouble(), or the other side has ended, which is none.
+  /// Waits for the next bytes and returns how many came; 0: trouble(), or the other side has ended, without trouble.
   std::size_t receive(std::span<char> buffer, Deadline deadline);
 
   /// Empty: nothing is wrong. After trouble the connection is of no use.

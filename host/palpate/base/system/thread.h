@@ -6,12 +6,12 @@
 
 namespace palpate::system {
 
-/// What the system granted to a thread that must wake in time.
+/// Privileges of a thread that must wake in time.
 struct ThreadGrant {
   bool realtime = false;  ///< before all ordinary work: SCHED_FIFO, on Windows the class "Pro Audio" of MMCSS
   bool memory_locked = false;
   bool exact_timers = false;
-  std::string note;  ///< what was refused and why; empty where nothing was
+  std::string note;  ///< refused requests and why; empty if all were granted
 };
 
 /// For the calling thread and, for its memory, the process. `priority`: of SCHED_FIFO.

@@ -1,5 +1,4 @@
-// Each wake-up is asked for at an absolute time of the monotonic clock: a sleep that was interrupted is just asked for
-// again.
+// Each wake-up is requested at an absolute time of the monotonic clock: an interrupted sleep is just requested again.
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>

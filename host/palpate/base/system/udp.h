@@ -24,7 +24,7 @@ class UdpPort {
   UdpPort& operator=(const UdpPort&) = delete;
   const std::string& trouble() const { return trouble_; }
 
-  /// The next message, cut where it is longer than the buffer: its whole length where the system tells it, else at
+  /// The next message, cut where it is longer than the buffer: its whole length where the system reports it, else at
   /// least one more than the buffer; -1: none waits. Any thread, takes no memory.
   int receive(std::span<char> buffer, UdpPeer& from) const noexcept;
   /// Lost where it cannot go at once.

@@ -28,7 +28,7 @@ bool winsockRuns() {
 
 std::string reason() { return std::system_category().message(::WSAGetLastError()); }
 
-/// Not waiting; and an answer that found nobody is no error of the next message (SIO_UDP_CONNRESET).
+/// Non-blocking; and an unreachable receiver of an answer does not fail the next message (SIO_UDP_CONNRESET).
 bool setUp(SOCKET socket) {
   u_long on = 1;
   DWORD off = 0;

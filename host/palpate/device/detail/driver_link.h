@@ -18,7 +18,7 @@
 
 namespace palpate::device {
 
-/// What a driver found in one of its ticks; mm and mm/s in the body frame.
+/// A driver's reading in one of its ticks; mm and mm/s in the body frame.
 struct DriverReading {
   Vec3 tip = Vec3::Zero();
   Vec3 velocity = Vec3::Zero();
@@ -28,12 +28,12 @@ struct DriverReading {
 };
 
 struct DriverLinkSettings {
-  double tick_s = 0.001;         ///< of the servo
-  double driver_rate_hz = 1000;  ///< of the driver's loop
+  double tick_s = 0.001;         ///< servo's
+  double driver_rate_hz = 1000;  ///< rate of the driver's loop
   double max_force_n = 0.0;      ///< no longer force goes out; 0: as it comes
 };
 
-/// A device that a driver took, or why there is none.
+/// An opened device, or the reason why not.
 template <class Slot>
 struct SlotOrReason {
   std::shared_ptr<Slot> slot;
@@ -47,7 +47,7 @@ class DriverLink {
 
   // Driver's thread, once a driver's tick. No allocation, lock or exception.
 
-  /// The force for the motors, N in the body frame; asked for before the reading is published.
+  /// The force for the motors, N in the body frame; call before the reading is published.
   Vec3 dueForce() noexcept;
   void publish(const DriverReading& reading) noexcept;
 
@@ -63,7 +63,7 @@ class DriverLink {
   /// From now on every force is zero.
   void mute() noexcept { muted_.store(true, std::memory_order_relaxed); }
   bool muted() const noexcept { return muted_.load(std::memory_order_relaxed); }
-  /// Of the newest reading.
+  /// Faults of the newest reading.
   std::uint32_t driverFaults() const noexcept { return driver_faults_.load(std::memory_order_relaxed); }
 
  private:

@@ -1,4 +1,4 @@
-// A thread for a driver whose every call waits for its hardware: the work again and again at a rate, beside the servo.
+// A thread for a driver whose every call waits for its hardware: the work again and again at a rate, outside the servo.
 #pragma once
 
 #include <atomic>
@@ -26,7 +26,7 @@ class Turns {
 
 class DriverThread {
  public:
-  /// Starts at once, with real-time priority where the system grants it. `work` must not throw.
+  /// Starts at once, with real-time priority if the system allows it. `work` must not throw.
   DriverThread(std::function<void()> work, double rate_hz);
   /// Waits for the work at hand.
   ~DriverThread();

@@ -1,4 +1,4 @@
-// What the rows of back_ends.cpp point to: how each back end is looked for, and how it is opened.
+// Functions behind the rows of back_ends.cpp: how each back end is looked for, and how it is opened.
 // docs/reference/devices.md.
 #pragma once
 
@@ -10,8 +10,8 @@
 namespace palpate::device {
 
 /// Where the options put a device whose unit is `unit_mm` long; `usual_axes` where they name none, of themselves right,
-/// up and towards the user: the body frame of somebody who stands behind a patient. Throws Error for axes that are
-/// none.
+/// up and towards the user: the body frame of a user behind a patient. Throws Error for invalid
+/// axes.
 DeviceFrame frameOf(const OpenOptions& options, std::string_view usual_axes = "x,y,z", double unit_mm = 1.0);
 
 // Those that need nothing but this program (plain_back_ends.cpp).
@@ -54,7 +54,7 @@ Device openHaply(const OpenOptions& options);
 
 /// One plugin, or without a name all of those in the folders of PALPATE_DEVICE_PLUGINS.
 Probe probePlugin(const OpenOptions& options);
-/// Asked by the servo itself where it answers at once, else beside it like other hardware.
+/// Called by the servo itself if it answers at once, else on its own thread like other hardware.
 Device openPlugin(const OpenOptions& options);
 /// `which` is the name of a plugin that lies in one of these folders, not a path (plugin_library.cpp).
 bool isPluginOfFolders(const std::string& which);

@@ -1,4 +1,4 @@
-// Received until nothing waits, the newest good pose counts; sent to whoever holds the finger.
+// Receives until nothing waits, the newest good pose counts; sends to the finger's holder.
 #include "palpate/device/detail/remote_device.h"
 
 #include <fmt/format.h>
@@ -109,7 +109,7 @@ class Remote {
     for (int i = 0; i < kMaxDatagramsPerTick; ++i) {
       RemotePeer sender;
       const int bytes = socket_.port().receive(message, sender);
-      if (bytes < 0) break;  // nothing waits, or an earlier answer found nobody
+      if (bytes < 0) break;  // nothing waits, or an earlier answer did not arrive
       const std::size_t size = std::min(static_cast<std::size_t>(bytes), message.size());
       const auto pose = gate_.take({message.data(), size}, sender, tick);
       send(gate_.reply(), sender);

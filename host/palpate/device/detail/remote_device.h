@@ -87,7 +87,7 @@ class RemoteGate {
   /// The pose in a datagram, where it counts. Sets `reply`.
   std::optional<RemotePose> take(std::string_view datagram, const RemotePeer& from, std::uint64_t tick) noexcept;
 
-  /// What the sender of the last datagram is to get at once, whoever has the finger; empty for most. Valid until
+  /// Immediate answer to the sender of the last datagram, whether or not it has the finger; empty for most. Valid until
   /// `take`.
   std::string_view reply() const noexcept { return {reply_.data(), reply_size_}; }
 
@@ -103,7 +103,7 @@ class RemoteGate {
   /// The pose's text out of a signed message that is new; empty where it is not.
   std::string_view opened(std::string_view message) noexcept;
   void greet(std::string_view message, std::size_t bytes, std::uint64_t tick) noexcept;
-  /// What stands before the signature, where that is right.
+  /// The text before the signature, if that is right.
   std::optional<std::string_view> verified(std::string_view message) const noexcept;
   /// Appends blank, signature and line end.
   std::size_t signedSize(Text& text, std::size_t size) const noexcept;

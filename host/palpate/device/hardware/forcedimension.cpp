@@ -49,7 +49,7 @@ DhdLibrary loadDhd(const OpenOptions& options, Probe& probe) {
   return loaded;
 }
 
-/// The driver and, if it has one, the thread of its exchanges; lets go when the last function of the Device is gone.
+/// The driver and, if it has one, the thread of its exchanges; released when the last function of the Device is gone.
 class HeldDriver {
  public:
   HeldDriver(std::unique_ptr<forcedimension::Driver> driver, bool own_thread) : driver_(std::move(driver)) {

@@ -1,5 +1,6 @@
-// due force -> dhdSetForce; dhdGetPosition -> reading. "Too soon" is no error: nothing is published and the position
-// grows old by itself. A lost device is closed and opened again by its index, on this thread, so the servo never waits.
+// due force -> dhdSetForce; dhdGetPosition -> reading. "Too soon" is not an error: nothing is published and the
+// position grows old by itself. A lost device is closed and opened again by its index, on this thread, so the servo
+// never waits.
 #include "palpate/device/hardware/forcedimension_driver.h"
 
 #include <fmt/format.h>
@@ -25,13 +26,13 @@ namespace {
 constexpr std::uint64_t kLostAfter = 20;
 constexpr std::uint64_t kLookAgainAfter = 1000;
 
-/// Of the velocity where the library gives none, s.
+/// Smoothing of the velocity where the library gives none, s.
 constexpr double kVelocitySmoothingS = 0.02;
 
 constexpr std::size_t kMaxDevices = 64;
 constexpr double kMmPerM = 1000.0;
 
-/// Which indices this program holds: the library gives a device as often as it is asked.
+/// Which indices this program holds: the library opens a device any number of times.
 struct Holdings {
   std::mutex mutex;
   std::array<bool, kMaxDevices> held{};

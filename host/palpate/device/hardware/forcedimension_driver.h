@@ -1,5 +1,5 @@
-// One Force Dimension device: an exchange asks for its position and gives it a force, and waits for the bus. So it runs
-// beside the servo, on a thread of its own or wherever Device::exchange is called; DriverLink joins the two.
+// One Force Dimension device: an exchange reads its position and writes a force, and waits for the bus. So it runs
+// outside the servo, on a thread of its own or wherever Device::exchange is called; DriverLink joins the two.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,8 @@
 
 namespace palpate::device::forcedimension {
 
-// What is used of Force Dimension's DHD library, in declarations of our own: it is opened at run time, no SDK is needed
+// The used part of Force Dimension's DHD library, in declarations of our own: it is opened at run time, no SDK is
+// needed
 // to build. Metres, newtons; +x towards the operator, +y to the operator's right, +z up.
 
 /// Answers of the library: below zero an error, above it a remark.
@@ -56,7 +57,7 @@ struct Version {
 };
 Version versionOf(const Api& api);
 
-/// What is published of a type of device, used where the library says nothing itself.
+/// Published figures of a type of device, used where the library says nothing itself.
 struct TypeProfile {
   int type;
   const char* model;
@@ -87,7 +88,7 @@ class Driver {
   DriverLink& link() { return *link_; }
   const Capabilities& capabilities() const { return capabilities_; }
   int index() const { return index_; }
-  /// What is wrong with it now, in words; empty: nothing.
+  /// Its present fault, in words; empty: none.
   std::string explain() const;
 
  private:
@@ -114,7 +115,7 @@ class Driver {
   bool has_place_ = false;
 };
 
-/// A device, or why there is none.
+/// A device, or the reason why not.
 struct Opened {
   std::unique_ptr<Driver> driver;
   std::string reason;

@@ -13,7 +13,7 @@ namespace palpate::device {
 
 namespace {
 
-/// Lets go when the last function of the Device is gone.
+/// Releases the device with the last function of the Device.
 class HeldInverse {
  public:
   HeldInverse(std::shared_ptr<haply::Session> session, std::shared_ptr<haply::Slot> slot)

@@ -26,7 +26,7 @@ namespace palpate::device::haply {
 namespace {
 
 constexpr std::size_t kMaxTroubleLetters = 200;
-constexpr std::size_t kMaxHeadBytes = 8192;  ///< of an answer by HTTP
+constexpr std::size_t kMaxHeadBytes = 8192;  ///< limit for an answer by HTTP
 constexpr std::size_t kMaxChunkLineBytes = 256;
 constexpr std::size_t kBytesAtOnce = 16384;
 constexpr std::string_view kLineEnd = "\r\n";
@@ -87,12 +87,12 @@ struct HttpHead {
   int status = 0;
   std::vector<std::pair<std::string, std::string>> fields;  ///< names in small letters
 
-  /// Null where there is none.
+  /// Null if missing.
   const std::string* field(std::string_view name) const {
     const auto at = std::find_if(fields.begin(), fields.end(), [&](const auto& one) { return one.first == name; });
     return at == fields.end() ? nullptr : &at->second;
   }
-  /// Whether a word stands in a field's list, in letters of any size.
+  /// Whether a word is in a field's list, in letters of any size.
   bool lists(std::string_view name, std::string_view word) const {
     const std::string* value = field(name);
     if (value == nullptr) return false;
@@ -141,7 +141,7 @@ class HttpReader {
     return std::exchange(in_, {});
   }
 
-  /// What came behind the head.
+  /// The bytes behind the head.
   std::string takeRest() { return std::exchange(in_, {}); }
 
  private:
@@ -151,7 +151,7 @@ class HttpReader {
     return line;
   }
 
-  /// Of "HTTP/1.1 200 OK".
+  /// Status from "HTTP/1.1 200 OK".
   int parseStatus(std::string_view line) const {
     constexpr std::string_view kVersion = "HTTP/1.";
     constexpr std::size_t kStatusAt = kVersion.size() + 2;
@@ -246,7 +246,7 @@ struct Connection::Impl {
     frames.feed(answer.takeRest());
   }
 
-  /// Tells the service why; whether it hears it does not matter any more.
+  /// Reports the reason to the service; whether it arrives does not matter any more.
   [[noreturn]] void refuse(const websocket::Fault& fault) {
     try {
       wire.send(websocket::makeClose(websocket::Side::client, fault.code));

@@ -1,4 +1,4 @@
-// What does not parse is no message. Every number is checked before it is believed.
+// Text that does not parse is refused. Every number is checked before it is believed.
 // A force is written with all its digits, so that the service gets no more than the limit.
 #include "palpate/device/hardware/haply_message.h"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr double kMaxSpeedMS = 100.0;
 constexpr const char* kNoForm = "the service's answer is not JSON";
 
-/// The member of an object; null where there is none, or no object.
+/// The member of an object; null if missing, or if it is not an object.
 const Json& memberOf(const Json& object, const char* name) {
   static const Json none;
   if (!object.is_object()) return none;
@@ -67,7 +67,7 @@ DeviceReply deviceOf(const std::string& id, const Json& element) {
   return device;
 }
 
-/// An id that another message could not carry back is none.
+/// An id that another message could not carry back is invalid.
 bool isId(const std::string& id) {
   const auto plain = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   return !id.empty() && id.size() <= 32 && std::all_of(id.begin(), id.end(), plain);
@@ -99,7 +99,7 @@ std::string elementText(const DeviceOrder& order, ForceKey key) {
                      order.probe ? R"("probe_position":{})" : forceText(order.force_n, key));
 }
 
-/// The number before the next point; the text goes on behind it.
+/// The number before the next point; the text continues behind it.
 int nextPart(std::string_view& words) {
   const std::size_t point = std::min(words.find('.'), words.size());
   const std::optional<double> part = parseNumber(words.substr(0, point));

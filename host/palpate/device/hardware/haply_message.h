@@ -1,5 +1,5 @@
-// What Haply's service says and hears: texts of JSON <-> places, forces, versions. Pure functions; a text may come from
-// anybody. Metres, newtons; +x right, +y away from the operator, +z up.
+// Messages of Haply's service: texts of JSON <-> places, forces, versions. Pure functions; texts are not trusted.
+// Metres, newtons; +x right, +y away from the operator, +z up.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace palpate::device::haply {
 /// A longer message is refused before it is read: a whole snapshot of several devices has a few thousand bytes.
 inline constexpr std::size_t kMaxReplyBytes = 1u << 18;
 
-/// No arm is longer, m: a place farther away is none.
+/// No arm is longer, m: a place farther away is invalid.
 inline constexpr double kMaxReachM = 10.0;
 
 inline constexpr std::size_t kMaxDevices = 16;
@@ -29,12 +29,12 @@ struct DeviceReply {
   bool has_state = false;
   std::optional<Vec3> place_m;    ///< nothing where it is missing, no number or too far
   Vec3 speed_m_s = Vec3::Zero();  ///< likewise zero
-  std::uint32_t buttons = 0;      ///< of the grip that stands at the same place of its list
+  std::uint32_t buttons = 0;      ///< buttons of the grip at the same place of its list
 };
 
 struct Reply {
   std::vector<DeviceReply> devices;
-  std::string wrong;  ///< why this is no message of the service; empty when it is one
+  std::string wrong;  ///< why this is not a message of the service; empty if it is
 };
 
 /// Any text at all. Devices come as a list with `device_id`, or (3.0) as an object keyed by it.
@@ -46,7 +46,7 @@ struct Version {
   std::string words;
 };
 
-/// Of the answer to GET /version: {"project_version": "3.5.0.0"}.
+/// Version in the answer to GET /version: {"project_version": "3.5.0.0"}.
 Version parseVersion(std::string_view text);
 
 /// How a force is called in a message.
@@ -58,7 +58,7 @@ enum class ForceKey : std::uint8_t {
 
 ForceKey forceKeyOf(ForceKey wanted, const Version& version, bool old_port);
 
-/// What is asked of one device in one message.
+/// Orders for one device in one message.
 struct DeviceOrder {
   std::string_view id;
   Vec3 force_n = Vec3::Zero();

@@ -1,4 +1,4 @@
-// dueForce() of every slot -> one message -> its answer -> publish() to every slot. An answer that is none leaves no
+// dueForce() of every slot -> one message -> its answer -> publish() to every slot. An invalid answer leaves no
 // device a place; a connection that broke is opened again by revive(), so that this thread never waits for long.
 #include "palpate/device/hardware/haply_session.h"
 
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kMmPerM = 1000.0;
 
-/// What the maker's tutorials render and reach with these devices; no other figure is published.
+/// Force and reach of the maker's tutorials for these devices; no other figure is published.
 constexpr double kTutorialWallNPerMm = 1.0;
 constexpr double kReachMm = 100.0;
 constexpr double kSmallReachMm = 40.0;
@@ -37,7 +37,7 @@ Capabilities capabilitiesOf(const DeviceReply& device, const Service& service, d
   able.delay_ticks = 1;
   able.rhythm = Rhythm::blocking;
   able.model = modelOf(device);
-  // A Minverse is another device, of which nobody says what it holds.
+  // A Minverse is another device, whose figures are unknown.
   if (device.type.starts_with("inverse3")) able.kind = scene::DeviceModel::inverse3;
   able.version = service.version.words;
   return able;

@@ -1,5 +1,5 @@
 // The connection to one service, shared by all of its devices that are held here: an exchange is one message with a
-// force for each of them and one answer with the place of each, on a thread beside the servo or by hand.
+// force for each of them and one answer with the place of each, on a thread outside the servo or by hand.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace palpate::device::haply {
 
 // Haply's Inverse Service looked for: at which addresses, which version, what devices it has, and why not.
 
-// One WebSocket to Haply's service, and one question by HTTP: whatever is asked is answered within a time, or thrown.
+// One WebSocket to Haply's service, and one question by HTTP: every request is answered within a time, or throws.
 
 struct Address {
   std::string host = "127.0.0.1";
@@ -56,7 +56,7 @@ std::string httpGet(const Address& address, const std::string& path, double pati
 /// The environment variable that says where the service is, and how to speak to it.
 inline constexpr const char* kServiceVariable = "PALPATE_HAPLY";
 
-/// Of a service of 3.1 or newer, and of one of 3.0.
+/// Ports of a service of 3.1 or newer, and of one of 3.0.
 inline constexpr int kPort = 10001;
 inline constexpr int kOldPort = 10000;
 
@@ -70,7 +70,7 @@ struct Settings {
 };
 
 /// "HOST:PORT,force_key=auto|vector|values,most_force_n=N,http_port=PORT", any part of it; `said` where it is not
-/// empty, else what the environment says, else the usual. Throws Error for what is none of it.
+/// empty, else what the environment says, else the usual. Throws Error for anything else.
 Settings settingsOf(const std::string& said);
 
 /// A service that has answered.
@@ -88,7 +88,7 @@ Service findService(const Settings& settings, const std::filesystem::path& syste
 /// Exchanges a second: two to a tick of the servo, so that neither waits for the other.
 inline constexpr double kExchangesPerS = 2000.0;
 
-/// One device. What has no other remark is the session's, in its turns.
+/// One device. Members without a remark are the session's, in its turns.
 struct Slot {
   Slot(const DriverLinkSettings& settings, const DeviceFrame& place) : frame(place), link(settings) {}
 
@@ -114,11 +114,11 @@ class Session {
   Added add(const OpenOptions& options);
   /// Zero force, then none: the service lets the device go idle. The last one closes the connection.
   void release(const std::shared_ptr<Slot>& slot);
-  /// Of a session without a thread: an exchange, if this is the device that was opened first. It serves all of them.
+  /// For a session without a thread: an exchange, if this is the device that was opened first. It serves all of them.
   void exchangeByHand(const Slot& slot);
   /// Connects again where the connection was lost; true when the device is there.
   bool revive(const Slot& slot);
-  /// What is wrong with it now, in words; empty: nothing.
+  /// Its present fault, in words; empty: none.
   std::string explain(const Slot& slot);
 
  private:
@@ -133,7 +133,7 @@ class Session {
   void adopt(Service service);
 
   Settings settings_;
-  std::mutex mutex_;  ///< of add, release and revive
+  std::mutex mutex_;  ///< guards add, release and revive
   std::unique_ptr<DriverThread> thread_;
 
   Turns turns_;

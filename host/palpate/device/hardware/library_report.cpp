@@ -1,4 +1,4 @@
-// Findings -> sentences. The first thing that is wrong is the reason; what comes after it cannot be judged. Cold path.
+// Findings -> sentences. The first thing that is wrong is the reason; what comes after it cannot be checked. Cold path.
 #include "palpate/device/hardware/library_report.h"
 #include "palpate/base/path_text.h"
 

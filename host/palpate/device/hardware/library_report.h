@@ -1,4 +1,4 @@
-// What a doctor says of a vendor's library and of the bus: the same questions for every back end that has one.
+// A doctor's report on a vendor's library and on the bus: the same questions for every back end that has one.
 #pragma once
 
 #include <span>

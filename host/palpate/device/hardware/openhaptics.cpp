@@ -66,7 +66,7 @@ void tryDevice(const openhaptics::Loaded& loaded, const OpenOptions& options, Pr
   session->release(added.slot);
 }
 
-/// Lets go when the last function of the Device is gone.
+/// Releases the slot with the last function of the Device.
 class HeldSlot {
  public:
   HeldSlot(std::shared_ptr<openhaptics::Session> session, std::shared_ptr<openhaptics::Slot> slot)

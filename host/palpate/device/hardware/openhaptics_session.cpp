@@ -1,4 +1,4 @@
-// The scheduler reads `slots_` without a lock: it stands still while they change. A device that is released while
+// The scheduler reads `slots_` without a lock: it is stopped while they change. A device that is released while
 // others are held stays initialised, at zero force, until the last goes: stopping would take the skin from the others'
 // fingers. Errors are popped after each frame; the library names the device that each belongs to.
 #include "palpate/device/hardware/openhaptics_session.h"
@@ -23,7 +23,7 @@ namespace palpate::device::openhaptics {
 
 namespace {
 
-/// Names that the library knows where nobody has configured any: the empty one is its default device. Another device is
+/// Names that the library knows without configuration: the empty one is its default device. Another device is
 /// looked for under each of them.
 constexpr std::array kUsualNames = {"", "Default Device", "Default PHANToM", "Phantom2"};
 
@@ -33,7 +33,7 @@ constexpr std::uint64_t kCalibrationFrames = 200;
 /// More errors than this are not waiting in a library that works.
 constexpr int kMaxErrors = 16;
 
-/// How long a release waits for a frame with zero force, s; a driver that stands still has nothing to send it with.
+/// How long a release waits for a frame with zero force, s; a stopped driver cannot send it.
 constexpr double kRestS = 0.05;
 
 std::uint32_t noteOf(std::uint32_t code) {
@@ -175,7 +175,7 @@ bool Session::isOnScheduler(Handle handle) const {
   return std::any_of(slots_.begin(), slots_.end(), [&](const auto& slot) { return slot->handle == handle; });
 }
 
-/// A name that was given is the only one; otherwise the first device that nobody holds.
+/// A given name is the only one; otherwise the first device that is not held.
 Handle Session::firstFree(const OpenOptions& options, std::string& name, std::uint32_t& error) {
   std::vector<std::string> names(kUsualNames.begin(), kUsualNames.end());
   if (!options.which.empty()) names = {options.which};
@@ -188,7 +188,7 @@ Handle Session::firstFree(const OpenOptions& options, std::string& name, std::ui
       name = candidate;
       return handle;
     }
-    firstError();  // of what came before
+    firstError();  // clears earlier errors
     const Handle handle = api_.init_device(candidate.empty() ? nullptr : candidate.c_str());
     const std::uint32_t code = firstError();
     if (handle != kInvalidHandle && !isHarmless(code) && code != kSuccess) api_.disable_device(handle);
@@ -228,7 +228,7 @@ Capabilities Session::capabilitiesOf(Handle handle, const DeviceFrame& frame) co
   able.model = text(kModelType);
   able.kind = kindOf(able.model);
   able.version = text(kApiVersion);
-  firstError();  // what a device does not know it answers with an error
+  firstError();  // a device answers unknown parameters with an error
   return able;
 }
 
@@ -244,7 +244,7 @@ Added Session::initialise(const OpenOptions& options, const DeviceFrame& frame) 
     return added;
   }
   const Capabilities able = capabilitiesOf(handle, frame);
-  api_.enable(kForceOutput);  // of the current device
+  api_.enable(kForceOutput);  // applies to the current device
   added.slot = std::make_shared<Slot>(DriverLinkSettings{options.tick_s, able.rate_hz, able.max_force_n}, frame);
   added.slot->name = name;
   added.slot->handle = handle;
@@ -332,7 +332,7 @@ void Session::stop() {
   running_ = false;
 }
 
-/// Each with a last frame of zero force: what a motor was told stays with it.
+/// Each with a last frame of zero force: a motor keeps its last force.
 void Session::letGo() {
   for (const std::shared_ptr<Slot>& slot : slots_) {
     if (slot->handle == kInvalidHandle) continue;

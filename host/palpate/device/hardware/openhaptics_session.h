@@ -2,7 +2,7 @@
 // device and tick, zero force before it stops.
 //
 //   scheduler's thread: for each device: begin frame ─ position ─ DriverLink ─ force ─ end frame ─ errors
-//   any other:          add, release, revive: the scheduler stands still meanwhile, and forces are zero
+//   any other:          add, release, revive: the scheduler is stopped meanwhile, and forces are zero
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,7 @@
 
 namespace palpate::device::openhaptics {
 
-// What is used of OpenHaptics' HDAPI, in declarations of our own: its library is opened at run time, no SDK is needed
+// The used part of OpenHaptics' HDAPI, in declarations of our own: its library is opened at run time, no SDK is needed
 // to build. Calling convention, widths and numbers: OpenHaptics 3.0 to 3.4, x86-64.
 
 using Handle = std::uint32_t;
@@ -40,7 +40,7 @@ inline constexpr std::uint32_t kCallbackContinue = 1;
 /// The highest: the servo's force goes out before anything else that is scheduled.
 inline constexpr std::uint16_t kMaxPriority = 65535;
 
-/// Names of what can be asked for and set.
+/// Names of parameters that can be read and set.
 enum Parameter : std::uint32_t {
   kCurrentButtons = 0x2000,             ///< int, a bit a button
   kCurrentPosition = 0x2050,            ///< 3 double, mm
@@ -69,7 +69,7 @@ enum ErrorCode : std::uint32_t {
   kAlreadyInitiated = 0x301,
   kInvalidLicense = 0x600,
 };
-/// Warm motors and exceeded limits: the driver reports them and goes on, and so do we.
+/// Warm motors and exceeded limits: the driver reports them and continues, and so do we.
 inline constexpr bool isHarmless(std::uint32_t code) { return (code & 0xFF00u) == 0x200u; }
 
 /// Words for an error code, and what a person can do about it.
@@ -109,10 +109,10 @@ std::vector<std::string> libraryNames(const std::string& file);
 /// Fills in what the library has; returns the names of functions that are needed and missing.
 std::vector<std::string> resolveApi(const SharedLibrary& library, Api& api);
 
-/// One device on the scheduler. What has no other remark belongs to the scheduler's thread while it runs.
 /// The kind of device that calls itself so: "PHANTOM Omni". Unknown for a name that is not listed.
 scene::DeviceModel kindOf(std::string_view model);
 
+/// One device on the scheduler. Members without a remark belong to the scheduler's thread while it runs.
 struct Slot {
   Slot(const DriverLinkSettings& settings, const DeviceFrame& place) : frame(place), link(settings) {}
 
@@ -124,7 +124,7 @@ struct Slot {
   std::atomic<std::uint32_t> last_error{kSuccess};
   std::atomic<std::uint64_t> frames{0};
   std::atomic<std::uint64_t> frames_at_rest{0};  ///< with zero force, since it was muted
-  std::uint32_t faults = 0;                      ///< of errors that named this device
+  std::uint32_t faults = 0;                      ///< bits of errors that named this device
   std::uint32_t notes = 0;
   std::uint32_t calibration = kCalibrated;
   bool held = false;  ///< by a Device; guarded by the session's mutex
@@ -146,7 +146,7 @@ class Session {
   /// Initialises a lost device again; true when the driver has it again. Not while another finger feels: the scheduler
   /// would have to stop under it.
   bool revive(Slot& slot);
-  /// What is wrong with it now, in words; empty: nothing.
+  /// Its present fault, in words; empty: none.
   std::string explain(const Slot& slot) const;
   /// The library's words for an error, with ours.
   std::string describe(std::uint32_t code) const;
@@ -170,7 +170,7 @@ class Session {
   void letGo();
 
   Api api_;
-  std::mutex mutex_;  // of add, release and revive
+  std::mutex mutex_;  // guards add, release and revive
   std::vector<std::shared_ptr<Slot>> slots_;
   unsigned long schedule_ = 0;
   bool running_ = false;

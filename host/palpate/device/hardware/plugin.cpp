@@ -19,7 +19,7 @@ namespace palpate::device {
 
 namespace {
 
-/// The driver and, if it may wait, the thread of its exchanges; lets go when the last function of the Device is gone.
+/// The driver and, if it may wait, the thread of its exchanges; released when the last function of the Device is gone.
 class HeldPlugin {
  public:
   HeldPlugin(std::unique_ptr<plugin::Driver> driver, bool own_thread) : driver_(std::move(driver)) {

@@ -19,7 +19,7 @@ namespace {
 constexpr double kMaxForceN = 1000.0;
 constexpr double kMaxStiffnessNPerMm = 1e6;
 constexpr double kMaxRateHz = 1e6;
-constexpr double kMaxPlaceMm = 1e9;  // in the device's own frame, which is no map
+constexpr double kMaxPlaceMm = 1e9;  // in the device's own frame, with a wide margin
 constexpr double kMaxSpeedMmS = 1e6;
 constexpr double kMaxReachMm = 1e5;
 

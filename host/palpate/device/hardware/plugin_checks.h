@@ -17,16 +17,16 @@ inline constexpr std::size_t kMaxNameBytes = 128;
 /// The room that a plugin gets for its words.
 inline constexpr std::size_t kWordsRoom = 512;
 
-/// What is wrong with a table; empty: nothing.
+/// The fault of a table; empty: none.
 std::string whatIsWrong(const palpate_device_table* table);
 
-/// The text in a room of so many bytes, fit for a message: it ends at its first NUL or where the room does.
+/// The text in a room of `bytes` bytes, fit for a message: it ends at its first NUL or where the room does.
 std::string wordsIn(const char* room, std::size_t bytes);
 
-/// Numbers that are no sensible size become "does not say", a box that is none becomes empty.
+/// Invalid sizes become "does not say", an invalid box becomes empty.
 Capabilities capabilitiesOf(const palpate_device_capabilities& able, const DeviceFrame& frame);
 
-/// What a reading is worth in the body frame: not a number, too far and too old are faults.
+/// A checked reading in the body frame: not a number, too far and too old are faults.
 DriverReading readingOf(int answer, const palpate_device_reading& reading, const DeviceFrame& frame, double tick_s);
 
 }  // namespace palpate::device::plugin

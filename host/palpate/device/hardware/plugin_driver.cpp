@@ -1,4 +1,4 @@
-// dueForce() -> write; read -> checked -> publish(). A plugin that answers at once is asked by the servo, and letting
+// dueForce() -> write; read -> checked -> publish(). A plugin that answers at once is called by the servo, and letting
 // go waits for the call at hand: the servo never waits.
 #include "palpate/device/hardware/plugin_driver.h"
 

@@ -1,4 +1,4 @@
-// One device of a plugin: a thread beside the servo calls a plugin that may wait, the servo itself one that answers at
+// One device of a plugin: a thread outside the servo calls a plugin that may wait, the servo itself one that answers at
 // once. DriverLink is between them either way, so that the promises are the same.
 #pragma once
 
@@ -24,7 +24,7 @@ namespace palpate::device::plugin {
 inline constexpr const char* kFoldersVariable = "PALPATE_DEVICE_PLUGINS";
 
 struct Plugin {
-  std::string file;                             ///< as it was asked for
+  std::string file;                             ///< as requested
   const palpate_device_table* table = nullptr;  ///< null: it does not load
   std::string reason;                           ///< why not
   std::string remedy;
@@ -44,9 +44,9 @@ std::vector<std::string> filesIn(const std::vector<std::filesystem::path>& folde
 
 struct Wanted {
   std::string file;   ///< empty: none was named
-  std::string which;  ///< of the plugin's devices
+  std::string which;  ///< name among the plugin's devices
 };
-/// "PATH", "PATH:WHICH", or a NAME that stands for NAME.so or libNAME.so in one of the folders. A colon that belongs to
+/// "PATH", "PATH:WHICH", or a NAME short for NAME.so or libNAME.so in one of the folders. A colon that belongs to
 /// a file's name stays in it.
 Wanted wantedOf(const std::string& words);
 
@@ -55,7 +55,7 @@ inline constexpr double kExchangesPerS = 2000.0;
 
 class Driver {
  public:
-  /// Of a device that was opened, with what it can.
+  /// Wraps a device that was opened, with its capabilities.
   Driver(const palpate_device_table& table, palpate_device_handle device, const palpate_device_capabilities& able,
          const DeviceFrame& frame, const OpenOptions& options, std::string which);
   ~Driver() { letGo(); }
@@ -65,7 +65,7 @@ class Driver {
   bool answersAtOnce() const { return capabilities_.rhythm == Rhythm::on_call; }
   const Capabilities& capabilities() const { return capabilities_; }
 
-  /// Of a plugin that may wait: force out, position in.
+  /// For a plugin that may wait: force out, position in.
   void exchange() noexcept;
 
   // The servo's thread. They ask the plugin itself where it answers at once.
@@ -73,11 +73,11 @@ class Driver {
   void write(const Vec3& force) noexcept;
   const DeviceState& state() const noexcept { return link_.state(); }
 
-  /// Zero force, and the plugin lets the device go; nothing is asked of it from then on.
+  /// Zero force, and the plugin releases the device; it is not called from then on.
   void letGo() noexcept;
   /// Opens a device again that was given up; true when it is there.
   bool revive();
-  /// What is wrong with it now, in words; empty: nothing.
+  /// Its present fault, in words; empty: none.
   std::string explain();
 
  private:
@@ -95,7 +95,7 @@ class Driver {
   std::string which_;
   double tick_s_;
 
-  Turns turns_;  ///< of all calls for a device that may wait, and of letting go
+  Turns turns_;  ///< order of all calls for a device that may wait, and of its release
   int refusals_ = 0;
   std::atomic<bool> gone_{false};
   std::atomic<bool> servo_is_in_{false};  ///< in a plugin that answers at once
@@ -105,7 +105,7 @@ class Driver {
   std::string trouble_;
 };
 
-/// A device, or why there is none.
+/// A device, or the reason why not.
 struct Opened {
   std::unique_ptr<Driver> driver;
   std::string reason;

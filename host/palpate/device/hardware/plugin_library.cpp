@@ -24,7 +24,7 @@ bool isFile(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-/// Of a name, in the folders; empty: in none of them.
+/// File of a name, in the folders; empty: in none of them.
 std::string fileInFolders(const std::string& name) {
   const fs::path path = pathOf(name);
   if (name.empty() || path.has_root_path() || path.has_parent_path()) return {};
@@ -37,7 +37,7 @@ std::string fileInFolders(const std::string& name) {
   return {};
 }
 
-/// The file that a name stands for, or the name itself.
+/// The file that a name is short for, or the name itself.
 std::string fileNamed(const std::string& name) {
   if (name.empty() || pathOf(name).has_parent_path()) return name;
   if (std::string file = fileInFolders(name); !file.empty()) return file;

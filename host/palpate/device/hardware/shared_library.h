@@ -20,7 +20,7 @@ struct LibraryAttempt {
 
 struct SharedLibrary {
   void* handle = nullptr;
-  std::string path;  ///< of the file that was opened
+  std::string path;  ///< path of the opened file
   std::vector<LibraryAttempt> attempts;
 
   explicit operator bool() const { return handle != nullptr; }

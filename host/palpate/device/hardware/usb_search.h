@@ -15,17 +15,17 @@ struct UsbDevice {
   std::string product_id;  ///< likewise
   std::string maker;       ///< as the device calls it
   std::string product;
-  std::filesystem::path node;  ///< what has to be opened
+  std::filesystem::path node;  ///< file that has to be opened
   bool may_open = false;       ///< this user may read and write the node
 };
 
-/// What a device is known by: words of its maker or product, in small letters, or its numbers "0403:cb48".
+/// Marks of a device: words of its maker or product, in small letters, or its numbers "0403:cb48".
 struct UsbMarks {
   std::vector<std::string> words;
   std::vector<std::string> numbers;
 };
 
-/// Devices that bear one of the marks. `root` stands for the file system's root. Empty where there is no /sys.
+/// Devices that bear one of the marks. `root` replaces the file system's root. Empty without /sys.
 std::vector<UsbDevice> usbDevices(const UsbMarks& marks, const std::filesystem::path& root = "/");
 
 /// "Force Dimension omega.3 (1a2b:3c4d) at /dev/bus/usb/001/004, no permission"

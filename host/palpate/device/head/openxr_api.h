@@ -1,4 +1,4 @@
-// What is used of OpenXR 1.0, in declarations of our own: its loader is opened at run time, no SDK is needed to build.
+// The used part of OpenXR 1.0, in declarations of our own: its loader is opened at run time, no SDK is needed to build.
 // Layouts and numbers: the specification; widths are held to those of 64 bits. Metres, nanoseconds; x right, y up,
 // z backward.
 #pragma once
@@ -160,7 +160,7 @@ struct SessionStateChanged {
   Time time = 0;
 };
 
-/// Somebody centres a space again: from `time` on its origin is elsewhere.
+/// A user centres a space again: from `time` on its origin is elsewhere.
 struct ReferenceSpaceChangePending {
   StructureType type = kReferenceSpaceChangePendingType;
   const void* next = nullptr;
@@ -185,11 +185,11 @@ using Function = void (*)();
 
 struct Api {
   Result (*get_function)(Handle instance, const char* name, Function* function) = nullptr;
-  // Of no instance.
+  // Without an instance.
   Result (*enumerate_extensions)(const char* layer, std::uint32_t capacity, std::uint32_t* count,
                                  ExtensionProperties* extensions) = nullptr;
   Result (*create_instance)(const InstanceCreateInfo* info, Handle* instance) = nullptr;
-  // Of an instance.
+  // With an instance.
   Result (*destroy_instance)(Handle instance) = nullptr;  ///< with all that was made in it
   Result (*get_system)(Handle instance, const SystemGetInfo* info, SystemId* system) = nullptr;
   Result (*create_session)(Handle instance, const SessionCreateInfo* info, Handle* session) = nullptr;
@@ -207,7 +207,7 @@ inline constexpr const char* kLibraryVariable = "PALPATE_OPENXR_LOADER";
 /// The names that are tried, in order; only `file` where it is not empty.
 std::vector<std::string> libraryNames(const std::string& file);
 
-/// Fill in what is asked for before there is an instance, and what an instance has; return the names of functions that
+/// Fill in the functions without an instance, and those of an instance; return the names of functions that
 /// are missing.
 std::vector<std::string> resolveLoader(const SharedLibrary& library, Api& api);
 std::vector<std::string> resolveInstance(Handle instance, Api& api);

@@ -86,7 +86,7 @@ openxr::Handle madeInstance(const openxr::Api& api) {
   info.extensions = kExtensions.data();
   openxr::Handle instance = openxr::kNoHandle;
   const openxr::Result result = api.create_instance(&info, &instance);
-  // What the loader answers for a runtime whose service it does not reach.
+  // The loader's answers for a runtime whose service it does not reach.
   if (result == openxr::kRuntimeFailure || result == openxr::kRuntimeUnavailable ||
       result == openxr::kInitializationFailed || result == openxr::kInstanceLost) {
     throw headsetError(

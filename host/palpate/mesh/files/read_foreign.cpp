@@ -52,11 +52,11 @@ void addTriangles(const aiMesh& part, const MeshFile& file, TriangleMesh& mesh) 
   }
 }
 
-/// What is called of the library.
+/// The used functions of the library.
 struct Assimp {
   decltype(&aiImportFileFromMemory) import = nullptr;
   decltype(&aiReleaseImport) release = nullptr;
-  decltype(&aiGetErrorString) error = nullptr;  ///< of the last import, whichever thread's
+  decltype(&aiGetErrorString) error = nullptr;  ///< for the last import, whichever thread's
 };
 
 template <class Function>

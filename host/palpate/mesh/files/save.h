@@ -1,6 +1,6 @@
 // TriangleMesh -> file: OBJ, binary STL, binary PLY with values and colours per vertex.
 //
-// A file appears complete or not at all: it is written beside its target and then renamed.
+// A file appears complete or not at all: it is written next to its target and then renamed.
 #pragma once
 
 #include <filesystem>

@@ -28,7 +28,7 @@
 
 namespace palpate::scene {
 
-/// A value in the file and where it stands.
+/// A value in the file and its place.
 struct Entry {
   const TomlNode& node;
   std::string_view file;
@@ -54,7 +54,7 @@ struct Key {
   std::string takes;    ///< type and range in words
   std::string meaning;  ///< one sentence, with unit and reason
   std::function<void(S&, const Entry&)> read;
-  std::function<std::string(const S&)> show;  ///< the value as it would stand in a file; empty = there is none
+  std::function<std::string(const S&)> show;  ///< the value as in a file; empty = none
   KeyForm form = {};
   bool first = false;  ///< read before the others, which overrule what it says about them
 };
@@ -66,7 +66,7 @@ bool readFlag(const Entry& entry);
 std::vector<double> readNumbers(const Entry& entry, const Range& range);
 /// Exactly `count` numbers.
 std::vector<double> readPoint(const Entry& entry, std::size_t count, const Range& range);
-/// Throws Error, naming all choices, for a text that is none of them.
+/// Throws Error, naming all choices, for another text.
 std::string readWord(const Entry& entry, const std::vector<std::string>& choices);
 template <class E>
 E readChoice(const Entry& entry) {
@@ -75,7 +75,7 @@ E readChoice(const Entry& entry) {
   return *valueNamed<E>(readWord(entry, wordList<E>()));
 }
 
-/// As a text stands in a file: in quotes, with what would end or break it written as escapes.
+/// A text as in a file: in quotes, with what would end or break it written as escapes.
 std::string inQuotes(std::string_view text);
 std::string showNumber(double value);
 std::string showNumbers(const std::vector<double>& values);
@@ -223,7 +223,7 @@ Key<S> place(std::string name, Access<S, std::optional<Vec3>> at, Range range, s
           }};
 }
 
-/// Reads every key of `table` into the settings; `title` is the table's header as it stands in a file.
+/// Reads every key of `table` into the settings; `title` is the table's header as in a file.
 template <class S>
 void readTable(const TomlNode& table, std::string_view title, std::string_view file_name,
                const std::vector<Key<S>>& keys, S& settings, const std::vector<std::string>& nested = {}) {

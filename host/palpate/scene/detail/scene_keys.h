@@ -19,11 +19,11 @@ namespace palpate::scene {
 /// One table of the file.
 struct Section {
   std::string name;   ///< "body"
-  std::string title;  ///< "[body]", or "[[finger]]" for one that may stand several times
+  std::string title;  ///< "[body]", or "[[finger]]" for one that may be repeated
   std::string about;  ///< one sentence for the documentation
   std::function<void(Scene&, const Entry&)> read;
   std::function<std::vector<KeyRow>()> describe;
-  /// The keys with the scene's values as they would stand in a file, once for each time the table stands there.
+  /// The keys with the scene's values as in a file, once per table.
   std::function<std::vector<std::vector<KeyRow>>(const Scene&)> values;
 };
 
@@ -49,7 +49,7 @@ inline const TomlNode& tableOf(const Entry& entry) {
   entry.fail("must be a table");
 }
 
-/// A table that stands once. `check` throws Error for keys that do not go together.
+/// A table that occurs once. `check` throws Error for keys that do not go together.
 template <class S>
 Section section(const std::string& name, const std::string& about, Access<Scene, S> at, std::vector<Key<S>> keys,
                 std::function<void(const S&, const Entry&)> check = {}) {
@@ -67,7 +67,7 @@ Section section(const std::string& name, const std::string& about, Access<Scene,
           [=](const Scene& scene) { return std::vector<std::vector<KeyRow>>{rows(scene)}; }};
 }
 
-/// A table that stands as often as one likes.
+/// A table that may be repeated.
 template <class S>
 Section listSection(const std::string& name, const std::string& about, Access<Scene, std::vector<S>> at,
                     std::function<S(const TomlNode&, const Entry&)> read_one, const std::vector<Key<S>>& keys,
@@ -91,7 +91,7 @@ Section listSection(const std::string& name, const std::string& about, Access<Sc
 
 // The tables that a scene file may hold, one function each; everything there is to say about a key is said there.
 
-// What is touched: body_keys.cpp.
+// The touched body: body_keys.cpp.
 Section bodySection();
 Section breathingSection();
 Section stiffnessSection();

@@ -22,7 +22,7 @@ inline constexpr std::size_t kMaxTomlKeyParts = 16;
 /// Tables with those that the parts of a key make.
 inline constexpr std::size_t kMaxTomlTables = 100'000;
 
-/// What a parser says at most: its message may quote the file, with its ends of line.
+/// Limit of a parser's message, which may quote the file, with its ends of line.
 inline constexpr std::size_t kMaxParseMessage = 300;
 
 /// Counted from 1; a column counts letters.
@@ -68,9 +68,9 @@ class TomlNode {
   /// This, if it is a table.
   const TomlNode* table() const { return isTable() ? this : nullptr; }
 
-  // Of a table; anything else has no entries.
+  // For a table; anything else has no entries.
 
-  /// Null where there is no such key.
+  /// Null if the key is missing.
   const TomlNode* get(std::string_view key) const;
   /// In alphabetical order.
   const std::vector<TomlEntry>& entries() const { return entries_; }
@@ -88,7 +88,7 @@ class TomlNode {
 
 struct TomlEntry {
   std::string key;
-  TomlPlace place;  ///< of the key
+  TomlPlace place;  ///< place of the key
   TomlNode node;
 };
 

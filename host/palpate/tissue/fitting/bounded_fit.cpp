@@ -12,7 +12,7 @@ namespace palpate::tissue {
 namespace {
 
 constexpr int kMaxSteps = 200;
-/// Of the width of the bounds: for differences, and for a step that is none any more.
+/// Shares of the width of the bounds: for differences, and for a step too small to count.
 constexpr double kDifference = 1e-6;
 constexpr double kNoStep = 1e-11;
 

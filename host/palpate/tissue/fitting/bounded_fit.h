@@ -19,7 +19,7 @@ struct Bounds {
 struct BoundedFit {
   Eigen::VectorXd numbers;
   double squares = 0.0;      ///< sum of the squared residuals
-  Eigen::MatrixXd jacobian;  ///< of the residuals by the numbers, there
+  Eigen::MatrixXd jacobian;  ///< derivatives of the residuals by the numbers, there
   std::vector<bool> at_bound;
 };
 
@@ -39,8 +39,8 @@ Eigen::VectorXd standardErrors(const BoundedFit& fit);
 struct FittedNumber {
   std::string_view name;
   double value = 0.0;
-  double standard_error = 0.0;  ///< NaN: too few rows to tell; 0: at the end of its range, or not asked for
-  bool at_end = false;          ///< of its range: what the rows want may lie beyond
+  double standard_error = 0.0;  ///< NaN: too few rows; 0: at the end of its range, or not requested
+  bool at_end = false;          ///< at the end of its range: the rows' optimum may lie beyond
 };
 
 }  // namespace palpate::tissue

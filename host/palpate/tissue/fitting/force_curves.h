@@ -10,7 +10,7 @@ namespace palpate::tissue {
 
 /// Rows as they were measured, in any order; depths count from where the tip met the skin or was thought to.
 struct ForceCurve {
-  std::string name;              ///< of the place; empty: the table names none
+  std::string name;              ///< name of the place; empty: the table names none
   std::vector<double> depth_mm;  ///< may be below 0: before the contact
   std::vector<double> force_n;
 };
@@ -20,7 +20,7 @@ struct ForceCurve {
 /// file:line for a row that is not that, the file's name when it holds no row. Files of at most 64 MB.
 std::vector<ForceCurve> readForceCurves(const std::filesystem::path& file);
 
-/// The same from text; `name` stands for the file in messages.
+/// The same from text; messages call the file `name`.
 std::vector<ForceCurve> parseForceCurves(std::string_view text, std::string_view name);
 
 }  // namespace palpate::tissue

@@ -16,7 +16,7 @@ namespace {
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 constexpr std::array kNoiseFloors = {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 3.0};
-/// Fewer rows do not tell how the noise grows.
+/// Fewer rows do not show how the noise grows.
 constexpr Eigen::Index kRowsForNoise = 6;
 /// Weights from the fit, a fit with these weights: settled after a few.
 constexpr int kReweighings = 3;
@@ -131,7 +131,7 @@ std::vector<FittedNumber> fittedNumbers(ForceForm form, const Eigen::VectorXd& i
   return fitted;
 }
 
-/// Of k, the form's numbers and the offset.
+/// Sets the errors of k, the form's numbers and the offset.
 void tellErrors(const BoundedFit& whole, const ForceFitSettings& settings, ForceFit& fit) {
   const Eigen::VectorXd errors = standardErrors(whole);
   fit.secant.standard_error = errors[0];

@@ -1,6 +1,6 @@
 // A force law for measured curves: which form, how stiff, how sure.
 //
-//   force_curves.h ─ curves ─► here: each form fitted, judged by rows it has not seen ─► scene keys, a force table
+//   force_curves.h ─ curves ─► here: each form fitted, checked by rows it has not seen ─► scene keys, a force table
 //
 // Every form is k h(d) with h(d_ref) = d_ref, as the engine's laws are (force_law.h): k is the secant stiffness at the
 // reference depth, what the stiffness map means. A row counts by how sure it is: a part of a force's noise grows with
@@ -73,12 +73,12 @@ class FormShape {
 struct ForceFit {
   ForceForm form = ForceForm::linear;
   FittedNumber secant = {};                ///< k, N/mm
-  std::vector<FittedNumber> numbers = {};  ///< of the form
+  std::vector<FittedNumber> numbers = {};  ///< numbers of the form
   FittedNumber offset = {};                ///< mm: where the skin is met, below the table's 0
   ForceLaw law = {};                       ///< with its numbers, where the engine has such a law; a table otherwise
   // Fractions: RMS of (fit - F) / max(F, 0.3 F_max).
   double rms = 0.0;
-  double unseen_rms = 0.0;  ///< of rows left out of the fit, a fifth at a time
+  double unseen_rms = 0.0;  ///< over rows left out of the fit, a fifth at a time
   /// The noise that does not depend on the force, over that in proportion to it, at the largest force: 0.02 to 3.
   double noise_floor = 0.0;
   std::size_t rows = 0;

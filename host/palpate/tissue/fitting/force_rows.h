@@ -1,4 +1,4 @@
-// A measured curve as a fit takes it: rows by depth, how much each counts, and how a fit is judged.
+// A measured curve as a fit takes it: rows by depth, how much each counts, and how a fit is scored.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 
 namespace palpate::tissue {
 
-/// What a fit needs of different depths below the skin.
+/// Different depths below the skin that a fit needs.
 inline constexpr std::size_t kMinForceDepths = 4;
 
 /// By depth.
@@ -26,16 +26,16 @@ ForceRows rowsOf(const ForceCurve& curve);
 
 ForceRows partOf(const ForceRows& rows, const std::vector<Eigen::Index>& which);
 
-/// 1 / max(F, 0.3 F_max): how deviations are judged, so that a light touch counts and its noise does not rule.
+/// 1 / max(F, 0.3 F_max): weights of deviations, so that a light touch counts and its noise does not rule.
 Eigen::ArrayXd judgedWeights(const ForceRows& rows);
 
-/// Of the deviations with these weights, a fraction.
+/// RMS of the deviations with these weights, a fraction.
 double judgedRms(const ForceRows& rows, const Eigen::ArrayXd& force_n);
 
 /// The k that fits best for effective depths; forces push, so not below 0.
 double bestSecant(const Eigen::ArrayXd& effective_mm, const ForceRows& rows, const Eigen::ArrayXd& weights);
 
-/// Fits the rows of these numbers and tells the forces at these depths.
+/// Fits the rows of these numbers and predicts the forces at these depths.
 using Foretell = std::function<Eigen::ArrayXd(const std::vector<Eigen::Index>& seen, const Eigen::ArrayXd& depth_mm)>;
 
 /// judgedRms of rows that the fit did not see: a fifth at a time, by turns.

@@ -20,7 +20,7 @@ namespace palpate::tissue {
 namespace {
 
 constexpr double kJudgedRadiusMm = 40.0;
-/// Skin nearer to the axis than this tells how far the axis goes down; farther out it hides under the indenter.
+/// Skin nearer to the axis than this shows how far the axis goes down; farther out it hides under the indenter.
 constexpr double kMiddleMm = 2.0;
 constexpr std::size_t kMinPlaces = 6;
 constexpr Eigen::Index kMaxKnots = 150;
@@ -34,8 +34,8 @@ struct Places {
   Eigen::ArrayXd radius;
   Eigen::ArrayXd down;
   Eigen::ArrayXd outward;  // empty: not measured
-  Eigen::ArrayXd areas;    // of the ring around each within kJudgedRadiusMm; they add up to 1
-  Eigen::ArrayXd weights;  // of the fit
+  Eigen::ArrayXd areas;    // areas of the ring around each within kJudgedRadiusMm; they add up to 1
+  Eigen::ArrayXd weights;  // weights in the fit
 
   bool showsMiddle() const { return radius[0] <= kMiddleMm; }
 };
@@ -76,7 +76,7 @@ Places skinPlaces(const SkinProfile& profile) {
   return places;
 }
 
-/// Judged as all of them, fitted as if these were all.
+/// Keeps areas and weights: scored as all of them, fitted as if these were all.
 Places somePlaces(const Places& places, const Indices& which) {
   return {places.depth,        places.radius(which),
           places.down(which),  places.outward.size() > 0 ? Eigen::ArrayXd(places.outward(which)) : Eigen::ArrayXd(),
@@ -315,7 +315,7 @@ double unseenPlacesRms(const Places& places, const ProfileFit& fit, const Eigen:
     Indices left_out;
     for (Eigen::Index i = 0; i < count; ++i) (i % kPlaceFolds == fold ? left_out : seen).push_back(i);
     Places part = somePlaces(places, seen);
-    part.outward.resize(0);  // what goes down is asked for
+    part.outward.resize(0);  // only the way down matters
     const Places unseen = somePlaces(places, left_out);
     squares += (unseen.areas * downMisses(fitPlaces(part, fit.form, {inner}), unseen).square()).sum();
   }

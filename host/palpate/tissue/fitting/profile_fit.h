@@ -3,7 +3,7 @@
 //   skin_profiles.cpp ─ places of one depth ─► here: each form fitted ─► a table of layered tissue, a user's profile
 //
 // The skin goes down by u0 f(r), f(0) = 1. Places count by the area around them and by their number, half and half, so
-// that neither the middle nor the wide rest rules. Misses are told as the project judges shapes: RMS over the area
+// that neither the middle nor the wide rest rules. Misses are given as the project scores shapes: RMS over the area
 // within 40 mm, over u0. Described in docs/explanation/fit-tissue.md.
 #pragma once
 
@@ -26,7 +26,7 @@ namespace palpate::tissue {
 /// Under one depth of the indenter. By radius.
 struct SkinProfile {
   double depth_mm = 0.0;
-  std::vector<double> radius_mm;   ///< of the place at rest, >= 0
+  std::vector<double> radius_mm;   ///< radius of the place at rest, >= 0
   std::vector<double> down_mm;     ///< into the body
   std::vector<double> outward_mm;  ///< away from the axis; empty: not measured
 };
@@ -36,7 +36,7 @@ struct SkinProfile {
 /// name when it holds no row. Files of at most 64 MB.
 std::vector<SkinProfile> readSkinProfiles(const std::filesystem::path& file);
 
-/// The same from text; `name` stands for the file in messages.
+/// The same from text; messages call the file `name`.
 std::vector<SkinProfile> parseSkinProfiles(std::string_view text, std::string_view name);
 
 enum class ProfileForm : std::uint8_t {
@@ -61,15 +61,15 @@ struct ProfileFit {
   double surface_mm = 0.0;  ///< u0; the indenter's depth where no place within 2 mm of the axis was measured
   bool surface_measured = false;
   std::vector<FittedNumber> numbers = {};
-  // Of the sideways motion: two terms amplitude (r / s) exp(1/2 - r^2 / 2 s^2), mm; 0 where it was not measured.
+  // The sideways motion: two terms amplitude (r / s) exp(1/2 - r^2 / 2 s^2), mm; 0 where it was not measured.
   std::array<double, 2> outward_mm = {};
   std::array<double, 2> outward_width_mm = {1.0, 1.0};
   RadialCurve measured_down = {};  ///< shares of u0; of the measured form
   RadialCurve measured_outward = {};
-  double rms = 0.0;  ///< of the way down, a fraction of u0
+  double rms = 0.0;  ///< RMS of the way down, a fraction of u0
   double unseen_rms = 0.0;
   std::optional<double> vector_rms = {};  ///< with the sideways motion, where it was measured
-  double largest_miss = 0.0;              ///< of the way down, a fraction of u0
+  double largest_miss = 0.0;              ///< in the way down, a fraction of u0
   std::size_t places = 0;
 };
 
@@ -92,10 +92,10 @@ PressedShape shapeOf(const ProfileFit& fit, const std::vector<double>& radii_mm)
 
 /// One curve for all depths, for a scene's own profile (user_profile.h), and the region it needs.
 struct SharedProfile {
-  double radius_mm = 0.0;  ///< of the region at no depth, and ...
+  double radius_mm = 0.0;  ///< radius of the region at no depth, and ...
   double radius_per_depth = 0.0;
   std::vector<ProfileKnot> knots;
-  double rms = 0.0;  ///< of all shapes within 40 mm, a fraction of u0
+  double rms = 0.0;  ///< over all shapes within 40 mm, a fraction of u0
 };
 
 /// The region ends at six times the radius of half the depth, or where the table ends.

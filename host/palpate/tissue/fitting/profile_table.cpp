@@ -101,7 +101,7 @@ ProfileForm bestForm(std::span<const std::vector<ProfileFit>> fits) {
     for (std::size_t f = 0; f < of_depth.size(); ++f) squares.at(f) += elementary::square(of_depth[f].unseen_rms);
   }
   const double least = *std::ranges::min_element(squares);
-  // They stand in the order of their numbers.
+  // They are in the order of their numbers.
   const auto first =
       std::ranges::find_if(squares, [&](double value) { return value <= kNearlyAsGood * kNearlyAsGood * least; });
   return kProfileForms.at(static_cast<std::size_t>(first - squares.begin()));

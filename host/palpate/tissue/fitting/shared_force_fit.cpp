@@ -90,7 +90,7 @@ double unseenSquares(const std::vector<ForcePlace>& places, ForceForm form, cons
 }  // namespace
 
 ForceFit fitSharedForce(std::span<const ForceCurve> curves, ForceForm form, const ForceFitSettings& settings) {
-  // What the rows themselves say has no stiffness apart from its shape: a power of the depth lends it.
+  // The measured form has no stiffness apart from its shape: a power of the depth lends it.
   const ForceForm own = form == ForceForm::measured ? ForceForm::power : form;
   std::vector<ForceFit> alone;
   std::vector<double> secants;

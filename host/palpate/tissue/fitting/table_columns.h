@@ -10,7 +10,7 @@ namespace palpate::tissue {
 
 std::optional<std::size_t> columnOf(const CsvRow& header, std::string_view name);
 
-/// Throws Error naming the line where there is none.
+/// Throws Error naming the line if the column is missing.
 std::size_t neededColumn(const CsvRow& header, std::string_view name);
 
 /// Throws Error naming the line of a row with more or fewer fields than the header.
