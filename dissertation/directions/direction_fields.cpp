@@ -1,6 +1,6 @@
 // Two maps of the same key points that differ in one setting, read place by place. How far a boundary moves is measured
-// in 90 directions, for the angle alone says little where the ellipse is nearly round. Based on: Ji, dissertation
-// 2008, 5.2 and 5.3, with E29.
+// in 90 directions, for the angle alone says little where the ellipse is nearly round.
+// Based on: Ji, dissertation 2008, 5.2 and 5.3, with E29.
 #include "dissertation/directions/direction_fields.h"
 
 #include <algorithm>

@@ -93,8 +93,8 @@ void name(ErratumEffect& effect, const Base& base, const scene::World& world) {
   effect.active = optionsOf(base);
 }
 
-/// Reference for a reading: the scene corrected, in the tissue that the errata are about, and for the partition
-/// with the source that has one.
+/// Reference for a reading: the scene corrected, in the tissue that the errata are about, and for the partition with
+/// the source that has one.
 scene::Scene corrected(scene::Scene scene, const Base& base) {
   scene.fidelity = {};
   scene.deformation.tissue = scene::TissueModel::gaussian;

@@ -1,8 +1,8 @@
 // `palpate study errata`: what each erratum changes on a scene, in numbers.
 //
 // The scene runs corrected and once more for every other reading, with that reading alone; forces, proxies and deformed
-// skins are compared tick by tick and picture by picture. The text on partitions matters only where a finger
-// touches through one, so the scene runs with contact.source = "surface" and through both trees.
+// skins are compared tick by tick and picture by picture. The text on partitions matters only where a finger touches
+// through one, so the scene runs with contact.source = "surface" and through both trees.
 #pragma once
 
 #include <filesystem>
@@ -48,8 +48,8 @@ struct ErratumEffect {
   }
 };
 
-/// Ways to measure a scene: the whole skin, or the detecting box over either tree. In this order each list below
-/// that has one row for each.
+/// Ways to measure a scene: the whole skin, or the detecting box over either tree. In this order each list below that
+/// has one row for each.
 struct ErrataEffects {
   std::vector<ErratumEffect> corrected;    ///< the runs to compare with, each with itself
   std::vector<ErratumEffect> all_literal;  ///< every switch of fidelity together

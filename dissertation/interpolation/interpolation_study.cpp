@@ -44,8 +44,8 @@ double scatter() {
       (static_cast<double>(up.size()) * up_mm * up_mm + static_cast<double>(down.size()) * down_mm * down_mm) / n);
 }
 
-// The distance of two means' boundaries by chance alone, from how far subjects scatter. A subject against the
-// mean of the n - 1 others is off by the scatter of one times sqrt(1 + 1 / (n - 1)).
+// The distance of two means' boundaries by chance alone, from how far subjects scatter. A subject against the mean of
+// the n - 1 others is off by the scatter of one times sqrt(1 + 1 / (n - 1)).
 double expectedUpDown() {
   double squares = 0.0;
   for (const ForceDirection force : {ForceDirection::up, ForceDirection::down}) {

@@ -1,6 +1,5 @@
 // A printed number is right when ours, rounded to as many digits, is it; misprints are a list of their own, found by
-// place, quantity and number with the right number, so that none can excuse another row or another fault
-// of ours.
+// place, quantity and number with the right number, so that none can excuse another row or another fault of ours.
 #include "dissertation/numbers/number_row.h"
 
 #include <fmt/format.h>

@@ -25,8 +25,7 @@ NumberRow claimed(const std::string& what, const std::string& claim, double ours
 }
 
 // 4.2.1 compares the arrays by eye: "(a) is significantly different from (b)", "(b) is not obviously different from
-// (c)",
-// "(c) is slightly better than (b)".
+// (c)", "(c) is slightly better than (b)".
 void addArrays(const PrintedNumbers& printed, Rows& rows) {
   constexpr double kVisible = 0.28;  // mm: a pixel of a life-size view on a 24 inch screen
   const auto [small, middle, large] = printed.array_sizes;

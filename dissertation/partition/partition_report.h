@@ -73,8 +73,8 @@ struct PartitionSight {
   Vec3 up = Vec3::UnitY();
 };
 
-/// The body with each leaf in a colour of its own and the leaves' boxes round them; with a box, a second
-/// panel shows it, its leaves in green and its exact triangles in orange.
+/// The body with each leaf in a colour of its own and the leaves' boxes round them; with a box, a second panel shows
+/// it, its leaves in green and its exact triangles in orange.
 figures::Figure partitionFigure(const mesh::TriangleMesh& mesh, const hdb::Partition& partition,
                                 const PartitionReport& report, const PartitionSight& sight = {});
 

@@ -62,8 +62,8 @@ inline constexpr std::array kVertexSpacings{kPrintedSpacing, 1.0, 0.25};
 
 /// A pixel of a life-size view on a monitor of 24 inch and 1920 columns.
 inline constexpr double kPixelMm = 0.28;
-/// A turn of 0.57 degree makes a matte surface lit from 45 degree brighter or darker by 1 %, about the least an
-/// eye sees between areas side by side (Weber fraction of brightness).
+/// A turn of 0.57 degree makes a matte surface lit from 45 degree brighter or darker by 1 %, about the least an eye
+/// sees between areas side by side (Weber fraction of brightness).
 inline constexpr double kVisibleTurnDeg = 0.57;
 
 /// One array a size of kArraySizes.

@@ -42,8 +42,8 @@ ReportHead headOf(const std::vector<StudyPage>& pages, std::size_t chapters, boo
   return head;
 }
 
-/// Writes the page of a chapter and returns it, or nothing after a stop request: then work ends by what its
-/// progress throws.
+/// Writes the page of a chapter and returns it, or nothing after a stop request: then work ends by what its progress
+/// throws.
 std::optional<StudyPage> writtenPage(const Study& chapter, const StudySettings& settings,
                                      const std::filesystem::path& folder, const std::function<bool()>& stop) {
   const auto stopped = [&] { return stop && stop(); };

@@ -23,8 +23,8 @@ namespace {
 thread_local std::uint64_t allocations = 0;
 thread_local std::uint64_t locks = 0;
 
-/// A function of the C library that this file intercepts. Locks are taken before main and by any thread, so it
-/// is ready without a constructor.
+/// A function of the C library that this file intercepts. Locks are taken before main and by any thread, so it is ready
+/// without a constructor.
 template <class Lock>
 struct Behind {
   const char* name;

@@ -1,8 +1,8 @@
 // Counts system requests of a stretch of work - memory, locks, pages: a servo tick must make none.
 //
 // Linked into a program, thread_counts.cpp puts itself in front of the C library's allocator and locks, and counts the
-// calls of each thread. Nothing can be counted where a sanitizer is there already, or where the C library is not
-// glibc, whose internal names the calls go on to: those counts are empty, which is not zero.
+// calls of each thread. Nothing can be counted where a sanitizer is there already, or where the C library is not glibc,
+// whose internal names the calls go on to: those counts are empty, which is not zero.
 #pragma once
 
 #include <cstdint>

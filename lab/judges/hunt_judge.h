@@ -176,8 +176,8 @@ class JudgedBody {
   Vec3 middle_;
 };
 
-/// One finger along one path: a new one is made for each. Settings and stiffness (the same everywhere, Hooke's law)
-/// in the body's units.
+/// One finger along one path: a new one is made for each. Settings and stiffness (the same everywhere, Hooke's law) in
+/// the body's units.
 class HuntJudge {
  public:
   HuntJudge(JudgedBody& body, const contact::FingerSettings& settings, double stiffness);

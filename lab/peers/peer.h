@@ -44,8 +44,8 @@ std::vector<ContactQuery> contactQueries(const ContactWorld& world, const Finger
 /// By our own tree, exactly: what the peers should say.
 ContactAnswer exactAnswer(const tree::TriangleTree& tree, const ContactQuery& query);
 
-/// A library's answers: `answers[i]` and `query_us[i]` belong to query `asked[i]`. All queries, or as many as the
-/// time allowed, in blocks spread over the run.
+/// A library's answers: `answers[i]` and `query_us[i]` belong to query `asked[i]`. All queries, or as many as the time
+/// allowed, in blocks spread over the run.
 template <class Answer>
 struct PeerRun {
   double build_ns_per_triangle = 0.0;        ///< processor time from the mesh to the first query, one thread

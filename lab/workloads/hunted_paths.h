@@ -18,9 +18,9 @@ struct HuntedPathSettings {
 };
 
 /// Motions of the finger: press (to 80 mm, oblique too), drag, stab (0.05 to 5 m/s), jump (to 30 mm a tick), cross
-/// (through limbs and plates), tour (in and out at any angle), crease (along edges), sheets (round places where
-/// sheets pierce each other), circle, walk (at random, inside), tremble (noise of microns), exact (stops on vertices,
-/// edges and planes), graze, burrow (deeper and deeper into a pocket), slow and gap (through gaps about as wide as the
+/// (through limbs and plates), tour (in and out at any angle), crease (along edges), sheets (round places where sheets
+/// pierce each other), circle, walk (at random, inside), tremble (noise of microns), exact (stops on vertices, edges
+/// and planes), graze, burrow (deeper and deeper into a pocket), slow and gap (through gaps about as wide as the
 /// finger).
 std::vector<std::string> huntedPathKinds();
 

@@ -21,8 +21,8 @@ namespace palpate::deform {
 //
 // Made with the frame of a contact (frame.h), some microseconds each; read by both ways to displace. In double.
 
-/// Part of a contact with layered tissue (Contact::layered): the curves of its press and of its drag. Its normal
-/// region is a circle of press.radius_mm then on even ground, bent to an ellipse elsewhere.
+/// Part of a contact with layered tissue (Contact::layered): the curves of its press and of its drag. Its normal region
+/// is a circle of press.radius_mm then on even ground, bent to an ellipse elsewhere.
 struct LayeredShape {
   tissue::PressCurves press;
   tissue::LayeredCurve drag;

@@ -55,10 +55,10 @@ class Deformer {
   Deformer& operator=(Deformer&&) noexcept;
   ~Deformer();
 
-  /// Deforms the surface, whatever it was before, by these contacts (none: to rest). Contacts carry their
-  /// regions: formedRegions (forms.h) makes those of these forms. Costs time in proportion to the regions of this and
-  /// the last call. The result depends on nothing but skin, forms and contacts. Allocates nothing. One thread at a time
-  /// per deformer and surface.
+  /// Deforms the surface, whatever it was before, by these contacts (none: to rest). Contacts carry their regions:
+  /// formedRegions (forms.h) makes those of these forms. Costs time in proportion to the regions of this and the last
+  /// call. The result depends on nothing but skin, forms and contacts. Allocates nothing. One thread at a time per
+  /// deformer and surface.
   Report apply(std::span<const Contact> contacts, DeformedSurface& surface) noexcept;
 
   /// True if it displaces the fast way.

@@ -18,8 +18,8 @@ namespace {
 /// to the second, so that rounding does not fold it again.
 constexpr double kFolded = 1e-3;
 constexpr double kUnfolded = 0.03;
-/// Factor on the share of its displacement that a triangle may keep: room for its neighbours. Without it one
-/// contact in three hundred on scanned bodies did not come to an end.
+/// Factor on the share of its displacement that a triangle may keep: room for its neighbours. Without it one contact in
+/// three hundred on scanned bodies did not come to an end.
 constexpr double kReserve = 0.8;
 /// Turns of drawing triangles together: on scanned bodies one to five, a hundred at most.
 constexpr int kTurns = 200;

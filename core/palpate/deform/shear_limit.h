@@ -1,9 +1,9 @@
 // Holds the displaced skin back where it would tear or fold.
 //
 // The formulae of a press and a drag know the place of a vertex, not the surface: next to skin that stays behind
-// because it faces away (between toes, at the rim of a narrow limb) a vertex may be moved farther than its
-// triangle is long, and in a steep or thin triangle neighbours may be moved past each other. Five steps, each of
-// which leaves alone what needs no help, bit by bit:
+// because it faces away (between toes, at the rim of a narrow limb) a vertex may be moved farther than its triangle is
+// long, and in a steep or thin triangle neighbours may be moved past each other. Five steps, each of which leaves alone
+// what needs no help, bit by bit:
 //   0. where the part is thin (Skin::thickness_mm) a vertex goes in by at most kShareOfThickness of it;
 //   1. next to skin that stays behind, a vertex moves by at most kSteepest mm per mm of surface between the two;
 //   2. a region that has such an edge, or a wall, ends along the surface too: a contact's motion falls off with the

@@ -1,6 +1,5 @@
-// A program's fingers in a world: their settings, whether they and the world suit each other, and all
-// that such a finger needs from tick to tick. Simulator, C, Python and batches step the same one, so they feel the same
-// bits.
+// A program's fingers in a world: their settings, whether they and the world suit each other, and all that such a
+// finger needs from tick to tick. Simulator, C, Python and batches step the same one, so they feel the same bits.
 #pragma once
 
 #include <cstddef>

@@ -62,8 +62,8 @@ void lift(FingerSolver& solver, contact::FingerState& state) noexcept;
 contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOutput felt, double lift_mm) noexcept;
 
 /// Swaps what a finger touches, between two ticks. Its memory stays when it looks for the skin as before (the body is
-/// the caller's affair: for another one give it a new state), and starts again otherwise. The force goes from
-/// the one to the other as fast as the bound on steps allows, k (3 |dD| + c) (docs/explanation/contact.md). Nothing is
+/// the caller's affair: for another one give it a new state), and starts again otherwise. The force goes from the one
+/// to the other as fast as the bound on steps allows, k (3 |dD| + c) (docs/explanation/contact.md). Nothing is
 /// allocated or freed.
 void exchange(FingerSolver& at_work, FingerSolver& next, contact::FingerState& state) noexcept;
 

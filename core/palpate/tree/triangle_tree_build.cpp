@@ -2,8 +2,8 @@
 //
 // Instead of a binary tree that is collapsed afterwards, each node cuts its own range: of the parts so far, the one
 // with the largest surface is cut next. A leaf is a part of at most kLeafTriangles. The parts below the root's children
-// are cut by several threads, each child by one, and joined in the order of the children: the same tree however
-// many there are. Neighbours of triangles and far plates are made in parallel.
+// are cut by several threads, each child by one, and joined in the order of the children: the same tree however many
+// there are. Neighbours of triangles and far plates are made in parallel.
 //
 // Based on: Wald, "On fast construction of SAH-based bounding volume hierarchies" (2007) for the binned heuristic.
 #include <algorithm>

@@ -56,8 +56,8 @@ inline constexpr float kSpreadStep = 0.70710678f / 254.0f;
 /// No normal is excluded.
 inline constexpr std::uint8_t kAnySpread = 255;
 
-/// The direction that two bytes encode: a point of the octahedron |x| + |y| + |z| = kFacingLength, whose lower half
-/// is folded over the corners of its upper half. Whole numbers, 73 to 127 long.
+/// The direction that two bytes encode: a point of the octahedron |x| + |y| + |z| = kFacingLength, whose lower half is
+/// folded over the corners of its upper half. Whole numbers, 73 to 127 long.
 std::array<int, 3> facingVector(std::int8_t u, std::int8_t v) noexcept;
 
 /// A point widened to the box of floats that holds it.

@@ -1,6 +1,6 @@
 // The partial file is next to its target, so that the rename stays within one file system. Order: write, fsync, close,
-// rename, fsync of the folder; one of the first three reports a full disk, while the old file is still there, and
-// after a power cut there is the old file or the new one, whole. The system's own calls instead of a stream: each write
+// rename, fsync of the folder; one of the first three reports a full disk, while the old file is still there, and after
+// a power cut there is the old file or the new one, whole. The system's own calls instead of a stream: each write
 // reports at once, and a program that is killed leaves what it has written. Cold path.
 #include "palpate/base/output_file.h"
 

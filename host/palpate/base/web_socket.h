@@ -87,8 +87,8 @@ class FrameReader {
   std::optional<Fault> fault_;
 };
 
-/// A whole frame as this side must send it. A client's mask comes from the system's randomness; throws Error where
-/// it has none.
+/// A whole frame as this side must send it. A client's mask comes from the system's randomness; throws Error where it
+/// has none.
 std::string makeFrame(Side own, Kind kind, std::string_view bytes);
 /// A server's frame without its bytes, which go behind it.
 std::string makeHead(Kind kind, std::size_t bytes);

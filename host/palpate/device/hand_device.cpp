@@ -39,8 +39,8 @@ class HandDevice {
   }
 
   Vec3 readTip(std::uint64_t tick) noexcept {
-    // Its time begins with the first force: the opener reads it long before a loop holds it. A servo may count
-    // from 0 again.
+    // Its time begins with the first force: the opener reads it long before a loop holds it. A servo may count from 0
+    // again.
     if (!written_ || tick < due_) due_ = tick;
     const std::uint64_t missed = std::min(tick - due_, kMaxCatchUpTicks);
     for (std::uint64_t i = 0; i < missed; ++i) pass(tick - missed + i, i < kMaxPoseTicks ? force_ : Vec3(Vec3::Zero()));

@@ -3,9 +3,8 @@
 //   servo thread ─ samples (ring of its own) ─┐
 //   owner ─ worlds, events, attachments ──────┴─► writer thread ─ trace::RecordingWriter ─► NAME.session.partial
 //
-// The servo copies a sample and continues, whatever the disk does. Samples without room are counted, and an event
-// says where. When the disk is full or gone the recording ends, `failure` says why, and what was written stays
-// readable.
+// The servo copies a sample and continues, whatever the disk does. Samples without room are counted, and an event says
+// where. When the disk is full or gone the recording ends, `failure` says why, and what was written stays readable.
 #pragma once
 
 #include <array>

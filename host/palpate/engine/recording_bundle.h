@@ -43,8 +43,8 @@ class CarriedFiles {
 
 struct BundleSettings {
   std::filesystem::path folder;  ///< where the files that the scene names lie now; empty: where they lay
-  /// Files and folders that may be packed. A stranger's scene may name any file of the user, under any folder;
-  /// what a link leads to counts.
+  /// Files and folders that may be packed. A stranger's scene may name any file of the user, under any folder; what a
+  /// link leads to counts.
   std::vector<std::filesystem::path> allowed;
   /// Words that are written as others: names of people and computers. As whole words only.
   std::vector<std::pair<std::string, std::string>> hidden;

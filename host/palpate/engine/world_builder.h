@@ -1,5 +1,4 @@
-// Builds worlds in the background: the old body stays touchable until the new one is there, the newest request
-// wins.
+// Builds worlds in the background: the old body stays touchable until the new one is there, the newest request wins.
 //
 //   request ─► worker thread of low priority [ read? ─ scene::build or rebuilt ─ check? ] ─► take ─►
 //   ServoThread::change

@@ -1,8 +1,7 @@
 // The tables [deformation] and [strain] of a scene file: how the skin gives way.
 //
-// The keys are in the order in which a deformation is made: how far the skin follows (tissue), where it does
-// (regions), along which curve from the finger to the rim (a profile for the press and one for the drag), and what
-// remains.
+// The keys are in the order in which a deformation is made: how far the skin follows (tissue), where it does (regions),
+// along which curve from the finger to the rim (a profile for the press and one for the drag), and what remains.
 #include <iterator>
 
 #include "palpate/scene/detail/scene_keys.h"

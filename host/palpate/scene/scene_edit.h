@@ -21,8 +21,8 @@ std::vector<KeyRow> keysOf(const Scene& scene, std::string_view table);
 /// The value when it is left out, as text.
 std::string defaultOf(std::string_view table, std::string_view key);
 
-/// Sets it to a value as in a file ("0.5", "\"depth\"", "true"). Throws Error, the scene unchanged, for
-/// a value that the file would not be allowed either.
+/// Sets it to a value as in a file ("0.5", "\"depth\"", "true"). Throws Error, the scene unchanged, for a value that
+/// the file would not be allowed either.
 void setKey(Scene& scene, std::string_view table, std::string_view key, std::string_view value);
 
 /// One key, or a repeatable table, in which two scenes differ.

@@ -1,6 +1,5 @@
 // Text -> TOML tree -> the keys before the first table -> each table by its own reader (scene_keys.h) -> Scene. Faults
-// across tables, two fingers or lumps of one name, are checked last. The documentation is made of the same
-// tables.
+// across tables, two fingers or lumps of one name, are checked last. The documentation is made of the same tables.
 #include "palpate/scene/scene_file.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Both scenes as rows of keys -> rows that differ -> changes of the text, by the places that the parser noted -> the
-// new text, read once more: it counts only if it says what it should. Repeated tables ([[finger]]) are
-// distinguished by what stayed the same, as in a comparison of two files.
+// new text, read once more: it counts only if it says what it should. Repeated tables ([[finger]]) are distinguished by
+// what stayed the same, as in a comparison of two files.
 //
 // Based on: Hunt and McIlroy, "An algorithm for differential file comparison", 1976 (longest common subsequence). Cold
 // path.

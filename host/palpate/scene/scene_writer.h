@@ -1,7 +1,7 @@
 // Writes a scene as the file that reads back the same: the way out of the viewer for all that was changed in it.
 //
-// Every key of the format writes its own value (key_table.h), so a new key is written without
-// anything to add here. Keys that have their default value are left out: the file stays as short as a person's.
+// Every key of the format writes its own value (key_table.h), so a new key is written without anything to add here.
+// Keys that have their default value are left out: the file stays as short as a person's.
 #pragma once
 
 #include <filesystem>

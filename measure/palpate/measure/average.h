@@ -9,7 +9,8 @@
 //
 // One drag says nothing of the tissue's own direction: skin of any tissue gives way along the drag (E34). Two drags 60
 // degrees or more apart separate the stretch along the drag from the tissue's ellipse, which is what the table then
-// holds. Based on: Ji, dissertation 2008, section 5.1; Arsigny and others 2006 (ellipse.h). The rest is own;
+// holds.
+// Based on: Ji, dissertation 2008, section 5.1; Arsigny and others 2006 (ellipse.h). The rest is own;
 // docs/explanation/measuring.md.
 #pragma once
 

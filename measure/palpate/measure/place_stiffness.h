@@ -76,8 +76,8 @@ struct PlaceFits {
 PlaceFits fitPlaces(std::span<const PlaceCurve> curves, const PlaceFitSettings& settings = {},
                     const Progress& progress = {});
 
-/// The places as key points: those of `keys` with the same name get the stiffness, others are added without an
-/// ellipse. Throws Error for a place that neither lies anywhere nor is among the keys.
+/// The places as key points: those of `keys` with the same name get the stiffness, others are added without an ellipse.
+/// Throws Error for a place that neither lies anywhere nor is among the keys.
 std::vector<maps::KeyPoint> withStiffness(const PlaceFits& fits, std::vector<maps::KeyPoint> keys = {});
 
 /// Key points as a table for readKeyPoints; fields of missing ellipses and stiffnesses are empty.

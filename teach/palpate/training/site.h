@@ -38,8 +38,8 @@ struct SiteSet {
 /// 1 to 6 down the left side, 7 to 12 down the right. Throws Error for a body without these landmarks.
 SiteSet twelveSites(std::span<const body::SkinLandmark> landmarks);
 
-/// Places in words ("T6 right 30 mm"), numbered in order: at least two, at most 40. Throws Error naming the place
-/// that the body does not know, or two that lie nearer to each other than 15 mm.
+/// Places in words ("T6 right 30 mm"), numbered in order: at least two, at most 40. Throws Error naming the place that
+/// the body does not know, or two that lie nearer to each other than 15 mm.
 SiteSet sitesNamed(std::span<const body::SkinLandmark> landmarks, std::span<const std::string> places);
 
 /// "site 4, left": as feedback says it; a site in the middle has no side.

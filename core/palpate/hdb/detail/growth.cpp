@@ -74,9 +74,9 @@ void makeLeaf(Growth& growth, Index node, std::size_t first_entry, std::size_t e
 
 // ---- blocks ---------------------------------------------------------------------------------------------------------
 //
-// Below each leaf its entries are divided further, by the middle of their widest extent, until a few neighbours
-// are left. They are not part of the dissertation's tree; they keep the exact query from testing every triangle of a
-// large leaf, whatever the threshold is.
+// Below each leaf its entries are divided further, by the middle of their widest extent, until a few neighbours are
+// left. They are not part of the dissertation's tree; they keep the exact query from testing every triangle of a large
+// leaf, whatever the threshold is.
 
 namespace {
 

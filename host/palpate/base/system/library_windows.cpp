@@ -1,5 +1,5 @@
-// LoadLibrary, without the window that the system would open about a broken one. A full path also adds
-// the library's folder to the places where its own dependencies are looked for.
+// LoadLibrary, without the window that the system would open about a broken one. A full path also adds the library's
+// folder to the places where its own dependencies are looked for.
 #include <windows.h>
 
 #include <system_error>

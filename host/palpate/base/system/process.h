@@ -49,9 +49,8 @@ std::filesystem::path cacheFolder();
 /// The file of the running program; empty where the system does not say.
 std::filesystem::path ownProgram();
 
-/// From now on the texts of <folder>/<code>/LC_MESSAGES/palpate.mo, a catalogue of gettext, replace those of the
-/// code. Changes the process's environment and its locale for messages. Without libintl (Windows) every text stays as
-/// it is.
+/// From now on the texts of <folder>/<code>/LC_MESSAGES/palpate.mo, a catalogue of gettext, replace those of the code.
+/// Changes the process's environment and its locale for messages. Without libintl (Windows) every text stays as it is.
 void useCatalogue(const std::filesystem::path& folder, const std::string& code);
 const char* translationOf(const char* text) noexcept;
 const char* translationOf(const char* one, const char* many, std::size_t count) noexcept;

@@ -42,8 +42,8 @@ class Timer {
   bool exact_ = false;
 };
 
-/// A thread's own object, made on first use, gone with the thread. Not thread_local: mingw-w64 frees the
-/// memory of those before their destructors use it.
+/// A thread's own object, made on first use, gone with the thread. Not thread_local: mingw-w64 frees the memory of
+/// those before their destructors use it.
 template <class Kind>
 class OfThread {
  public:

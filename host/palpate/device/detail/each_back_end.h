@@ -10,8 +10,7 @@
 namespace palpate::device {
 
 /// Where the options put a device whose unit is `unit_mm` long; `usual_axes` where they name none, of themselves right,
-/// up and towards the user: the body frame of a user behind a patient. Throws Error for invalid
-/// axes.
+/// up and towards the user: the body frame of a user behind a patient. Throws Error for invalid axes.
 DeviceFrame frameOf(const OpenOptions& options, std::string_view usual_axes = "x,y,z", double unit_mm = 1.0);
 
 // Those that need nothing but this program (plain_back_ends.cpp).

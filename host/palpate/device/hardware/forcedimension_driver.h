@@ -17,8 +17,7 @@
 namespace palpate::device::forcedimension {
 
 // The used part of Force Dimension's DHD library, in declarations of our own: it is opened at run time, no SDK is
-// needed
-// to build. Metres, newtons; +x towards the operator, +y to the operator's right, +z up.
+// needed to build. Metres, newtons; +x towards the operator, +y to the operator's right, +z up.
 
 /// Answers of the library: below zero an error, above it a remark.
 inline constexpr int kTimeGuard = 1;       ///< asked too soon: the data are those of before

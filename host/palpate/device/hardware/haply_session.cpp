@@ -1,5 +1,5 @@
-// dueForce() of every slot -> one message -> its answer -> publish() to every slot. An invalid answer leaves no
-// device a place; a connection that broke is opened again by revive(), so that this thread never waits for long.
+// dueForce() of every slot -> one message -> its answer -> publish() to every slot. An invalid answer leaves no device
+// a place; a connection that broke is opened again by revive(), so that this thread never waits for long.
 #include "palpate/device/hardware/haply_session.h"
 
 #include <fmt/format.h>

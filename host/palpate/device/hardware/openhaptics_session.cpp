@@ -1,5 +1,5 @@
-// The scheduler reads `slots_` without a lock: it is stopped while they change. A device that is released while
-// others are held stays initialised, at zero force, until the last goes: stopping would take the skin from the others'
+// The scheduler reads `slots_` without a lock: it is stopped while they change. A device that is released while others
+// are held stays initialised, at zero force, until the last goes: stopping would take the skin from the others'
 // fingers. Errors are popped after each frame; the library names the device that each belongs to.
 #include "palpate/device/hardware/openhaptics_session.h"
 
@@ -23,8 +23,8 @@ namespace palpate::device::openhaptics {
 
 namespace {
 
-/// Names that the library knows without configuration: the empty one is its default device. Another device is
-/// looked for under each of them.
+/// Names that the library knows without configuration: the empty one is its default device. Another device is looked
+/// for under each of them.
 constexpr std::array kUsualNames = {"", "Default Device", "Default PHANToM", "Phantom2"};
 
 /// Frames between two looks at the calibration; a look asks the device.

@@ -46,8 +46,8 @@ struct Wanted {
   std::string file;   ///< empty: none was named
   std::string which;  ///< name among the plugin's devices
 };
-/// "PATH", "PATH:WHICH", or a NAME short for NAME.so or libNAME.so in one of the folders. A colon that belongs to
-/// a file's name stays in it.
+/// "PATH", "PATH:WHICH", or a NAME short for NAME.so or libNAME.so in one of the folders. A colon that belongs to a
+/// file's name stays in it.
 Wanted wantedOf(const std::string& words);
 
 /// Exchanges a second with a plugin that may wait: two to a tick of the servo, so that neither waits for the other.

@@ -1,6 +1,6 @@
 // The used part of OpenXR 1.0, in declarations of our own: its loader is opened at run time, no SDK is needed to build.
-// Layouts and numbers: the specification; widths are held to those of 64 bits. Metres, nanoseconds; x right, y up,
-// z backward.
+// Layouts and numbers: the specification; widths are held to those of 64 bits. Metres, nanoseconds; x right, y up, z
+// backward.
 #pragma once
 
 #include <array>
@@ -207,8 +207,7 @@ inline constexpr const char* kLibraryVariable = "PALPATE_OPENXR_LOADER";
 /// The names that are tried, in order; only `file` where it is not empty.
 std::vector<std::string> libraryNames(const std::string& file);
 
-/// Fill in the functions without an instance, and those of an instance; return the names of functions that
-/// are missing.
+/// Fill in the functions without an instance, and those of an instance; return the names of functions that are missing.
 std::vector<std::string> resolveLoader(const SharedLibrary& library, Api& api);
 std::vector<std::string> resolveInstance(Handle instance, Api& api);
 

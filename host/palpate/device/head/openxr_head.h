@@ -2,9 +2,9 @@
 //
 //   headset ─► runtime (Monado, ...) ─ XR_MND_headless ─► newest(), once a picture ─► Viewer::headAt ─► head_tracker.h
 //
-// Nothing is drawn into the headset: a session without graphics reports the place between the eyes (the space
-// VIEW) in the space LOCAL, now. LOCAL has x to the right, y up and z backward as the headset stood when its runtime
-// began, or was last centred: so who faces the screen then has the axes of the screen, z away from it.
+// Nothing is drawn into the headset: a session without graphics reports the place between the eyes (the space VIEW) in
+// the space LOCAL, now. LOCAL has x to the right, y up and z backward as the headset stood when its runtime began, or
+// was last centred: so who faces the screen then has the axes of the screen, z away from it.
 #pragma once
 
 #include <memory>

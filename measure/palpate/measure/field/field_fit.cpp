@@ -1,8 +1,8 @@
 // Levenberg and Marquardt's method on the motions of all dots at once. The dots say how far the body moved between the
 // pictures as well as how the skin was dragged: both are unknowns of one fit, the first with a prior. So are bends of
-// the body that a similarity does not have: left out, they stretch long tails by a tenth unnoticed. Each dot
-// counts by what can be known of it (weightsOf); a dot that nothing explains counts less (pseudo-Huber). First the form
-// with one ellipse, from four starts; then, from the best, sideways motion too.
+// the body that a similarity does not have: left out, they stretch long tails by a tenth unnoticed. Each dot counts by
+// what can be known of it (weightsOf); a dot that nothing explains counts less (pseudo-Huber). First the form with one
+// ellipse, from four starts; then, from the best, sideways motion too.
 //
 // The dots lie 30 mm apart and do not see the core of the field; several forms may explain them about equally well and
 // differ by a tenth at 2 mm and by half at the peak. So every form is fitted, and each counts by how well it does
