@@ -15,7 +15,7 @@ namespace {
 using classroom::Need;
 using classroom::Tile;
 
-constexpr double kFullForceN = 5.0;  ///< a bar is full: harder than anybody palpates
+constexpr double kFullForceN = 5.0;  ///< force of a full bar: harder than anyone palpates
 /// Texts that stations report about their device (training_mode.cpp).
 constexpr const char* kEmergencyStop = toTranslate("emergency stop");
 constexpr double kCountsN = 0.5;  ///< a press counts from here on (training/exploration.h)

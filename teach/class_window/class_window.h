@@ -21,7 +21,7 @@ namespace palpate::viewer {
 
 struct ClassWindowSettings {
   std::string title = "Palpate";
-  std::shared_ptr<const scene::World> world;  ///< whose back is shown; null: none
+  std::shared_ptr<const scene::World> world;  ///< its back is shown; null: none
   int width = 1280;
   int height = 800;
   double seconds = 0.0;          ///< ends by itself; 0: never
@@ -51,7 +51,7 @@ struct BackPicture {
   std::function<std::optional<Vec2>(const Vec3& place_mm)> seen_at;
 };
 
-// How large the tiles are, so that one station fills the window and thirty are seen without scrolling.
+// Size of the tiles, so that one station fills the window and thirty are seen without scrolling.
 
 /// Points.
 struct TileLayout {

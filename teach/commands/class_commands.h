@@ -47,7 +47,7 @@ struct ClassLoadReport {
   double delay_p50_ms = 0.0, delay_p99_ms = 0.0, delay_max_ms = 0.0;
   std::uint64_t rows_sent = 0;
   std::uint64_t repeats = 0;
-  std::set<training::Uuid> trials;  ///< that stations have kept
+  std::set<training::Uuid> trials;  ///< stored by stations
   std::size_t waiting = 0;          ///< at the end
   double caught_up_s = 0.0;         ///< after the last answer, until nothing waited; negative: never
   double longest_keep_ms = 0.0;     ///< longest time to store a trial on the station's disk

@@ -26,7 +26,7 @@ using training::SessionRow;
 using training::Store;
 using training::TraineeRow;
 
-/// Fewer letters of a pseudonym could be anybody's.
+/// Fewer letters of a pseudonym would be ambiguous.
 constexpr std::size_t kMinPseudonym = 4;
 
 std::string resultsPercent(double share) { return fmt::format("{:.3g}", WrittenNumber{100.0 * share}); }

@@ -45,7 +45,7 @@ training::Store openedResults(const ResultsArguments& arguments);
 /// A file, or a copy of what the database at this address holds (classroom/database_copy.h).
 training::Store recordsAt(const std::string& file_or_address, training::Store::Open how);
 
-/// By the code on their card, their pseudonym, or its first letters. Throws Error.
+/// Finds a trainee by the code on their card, their pseudonym, or its first letters. Throws Error.
 training::TraineeRow traineeCalled(training::Store& store, const std::string& code_or_id);
 
 /// Help text of the trainee argument.

@@ -22,7 +22,7 @@ struct TrialReplayArguments {
   std::string out;
 };
 
-/// By its id, or how only one id ends: the beginning is the time.
+/// Finds a trial by its id, or by the end of one id: the beginning is the time.
 training::TrialRow trialCalled(training::Store& store, const std::string& id) {
   if (const auto found = store.rows().trial(id)) return *found;
   std::vector<training::TrialRow> found;

@@ -24,7 +24,7 @@ struct TrainOptions {
   std::string thimble;  ///< recorded with the device: "rigid", "soft", "none"; empty: the trainee is asked
   std::optional<std::uint64_t> seed;  ///< nothing: the system's randomness
   std::string trainee;                ///< describes a simulated trainee (observerNamed); empty: a person at the window
-  int sessions = 1;                   ///< how many a simulated trainee does in a row
+  int sessions = 1;                   ///< number that a simulated trainee does in a row
   std::string out;                    ///< a simulated trainee: what it did, as a file; the window: folder for pictures
   bool json = false;
   bool no_recording_file = false;  ///< trials are not kept tick by tick

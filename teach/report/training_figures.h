@@ -11,14 +11,14 @@ namespace palpate::app {
 
 struct TrainingPicture {
   std::string id;           ///< in the page
-  std::string caption;      ///< how to read it
+  std::string caption;      ///< explains how to read it
   std::string alternative;  ///< describes the figure in words
   figures::Figure figure;
 };
 
 /// Thresholds from block to block with 95 % bands, and the class's quartiles behind. Needs a point.
 TrainingPicture curvePicture(const training::TraineeStatistics& trainee, const std::vector<training::Occasion>& others);
-/// The class from occasion to occasion: everybody, quartiles, the group with its 95 % interval. Needs an occasion.
+/// The class from occasion to occasion: all trainees, quartiles, the group with its 95 % interval. Needs an occasion.
 TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics);
 
 /// Fitted function and binned answers of the first and the newest of these blocks, which have thresholds.

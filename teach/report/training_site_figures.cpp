@@ -17,7 +17,7 @@ using training::SiteAnswers;
 using training::SiteFelt;
 using training::TrialStatistics;
 
-/// As large as the skin within which a press counts for a site (ExplorationSettings::radius_mm).
+/// Size of the skin within which a press counts for a site (ExplorationSettings::radius_mm).
 constexpr double kDiscMm = 15.0;
 /// Back pictures: skin that no disc hides, paler than elsewhere so that colours are distinguished on it.
 constexpr figures::Colour kBackColour{0.93, 0.87, 0.83};

@@ -134,7 +134,7 @@ AskedTest askedByMastery(Answering& trainee, int trials) {
   return test;
 }
 
-/// Asks where `place` of the posterior says.
+/// Tests at `place` of the posterior.
 template <class Place>
 AskedTest askedByPosterior(const Place& place, Answering& trainee, int trials, int choices) {
   AskedTest test;

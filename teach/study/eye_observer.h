@@ -15,7 +15,7 @@
 
 namespace palpate::study {
 
-/// The word that asks for this observer, and its tests where --cases is not given.
+/// The word for this observer, and its number of tests where --cases is not given.
 inline constexpr std::string_view kEyeObserver = "eye";
 inline constexpr std::size_t kEyeTests = 200;
 

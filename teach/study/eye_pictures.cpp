@@ -54,7 +54,7 @@ contact::FingerSettings windowFinger(const scene::World& world) {
   return settings;
 }
 
-/// As the servo does it, until the press has settled.
+/// Presses as the servo does, until the press has settled.
 contact::FingerOutput pressed(const scene::World& world, const SkinPlace& place, double force_n) {
   const contact::FingerSettings settings = windowFinger(world);
   device::MouseFinger mouse({.tick_s = settings.tick_s});

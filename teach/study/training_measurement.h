@@ -68,7 +68,7 @@ struct TrainingPlan {
   std::size_t robust_runs = 400;   ///< for cases outside the model
   std::size_t two_runs = 400;      ///< for two intervals
   std::size_t repeats = 400;       ///< for a comparison of ten trainees
-  std::size_t people = 300;        ///< who learn over six sessions
+  std::size_t people = 300;        ///< trainees who learn over six sessions
   std::size_t groups = 60;         ///< groups of 89, for how often an interval of their mean is right
   int longest = 80;                ///< trials that convergence is followed for
   bool all = true;                 ///< else only what the main numbers need

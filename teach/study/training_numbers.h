@@ -38,7 +38,7 @@ const MethodRow& rowOf(const TrainingMeasurement& found, AskedBy method);
 double correctedPercent(const ExplorationRow& row);
 double naivePercent(const ExplorationRow& row);
 
-/// By the names that programs know.
+/// Results by the names that programs know.
 std::vector<std::pair<std::string, double>> trainingPairs(const TrainingMeasurement& found);
 
 }  // namespace palpate::study

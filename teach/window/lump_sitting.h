@@ -21,7 +21,7 @@ namespace palpate::viewer {
 /// Inputs of a screen.
 struct LumpView {
   const training::LumpSession* session = nullptr;
-  std::string corner = {};  ///< who is signed in
+  std::string corner = {};  ///< the signed-in trainee
   bool waiting = false;     ///< for the body
   bool touched = false;     ///< a place was, that Here would name
   bool by_mouse = false;    ///< no device holds the finger

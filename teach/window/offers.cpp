@@ -37,7 +37,7 @@ constexpr std::array<KindWords, 9> kKindWords = {{
     {SessionKind::free, toTranslate("Free exploration"), toTranslate("Feel whatever you like. Nothing is asked.")},
 }};
 
-/// When the newest test ended whose result could fade; 0: there is none.
+/// End of the newest test whose result could fade; 0: none.
 std::int64_t lastTestMs(const TrainingPast& past) {
   return std::max(past.of(SessionKind::post_test).last_ms, past.of(SessionKind::exam).last_ms);
 }

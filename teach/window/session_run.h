@@ -28,7 +28,7 @@ class RowWriter {
   /// first answer. Throws Error.
   RowWriter(training::Store& store, LiveServo& servo, const std::string& file);
 
-  /// They go into the record, after those that wait; whether nothing waits. If not, `trouble` says why.
+  /// Writes them into the record, after waiting ones; true: nothing waits. If not, `trouble` says why.
   bool keep(std::vector<training::Row> rows);
   const std::string& trouble() const { return trouble_; }
   /// The recording is finished and locked. Words for the user about what went wrong; empty: all is well.
@@ -131,7 +131,7 @@ class TrialWorld {
   static constexpr Body kNone = {.hidden = std::nullopt, .trial = -1};
   State state_ = State::felt;
   std::optional<Body> requested_;
-  Body begun_ = kNone;        ///< whose clock has begun; GCC 12.2 miscompiles the comparison of two optionals here
+  Body begun_ = kNone;        ///< clock has begun; GCC 12.2 miscompiles the comparison of two optionals here
   std::uint32_t newest_ = 0;  ///< newest of the worlds that were felt
   std::uint32_t before_ = 0;  ///< the newest when the body was requested
 };

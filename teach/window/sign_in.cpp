@@ -50,7 +50,7 @@ void SignIn::signIn() {
   notice_.clear();
   const training::Uuid id = training::pseudonymOf(settings_.class_id, code_, settings_.trainee_key);
   auto known = store_.trainee(id);
-  // Who sat here before the class had a secret keeps their id.
+  // Trainees from before the class had a secret keep their id.
   if (!known) known = store_.trainee(training::pseudonymOf(settings_.class_id, code_));
   trainee_ = known.value_or(training::TraineeRow{.id = id, .class_id = settings_.class_id});
   if (!known) {

@@ -33,7 +33,7 @@ struct TrainingStroke {
 
 TrainingStroke strokeOf(const window::InputEvent& event, const TrainingScreen& screen);
 
-/// The nearest site that lies in this direction (x right, y up); the same where there is none, the first from none.
+/// The nearest site that lies in this direction (x right, y up); the same if none does, the first from none.
 int siteTowards(const training::SiteSet& sites, int from, const Vec2& by);
 
 }  // namespace palpate::viewer

@@ -119,7 +119,7 @@ TrialWorld::Body TrainingMode::wanted() const {
   const bool of_trial = session.screen() == Screen::trial || session.screen() == Screen::feedback;
   int trial = of_trial ? session.trialNumber() : 0;
   if (session.screen() == Screen::feedback) trial = static_cast<int>(session.trials().back().number);
-  // Each time that familiarisation asks is another body too; trials count from 1.
+  // Each request of familiarisation is another body too; trials count from 1.
   if (const auto pair = session.familiarPlaces()) trial = kFamiliarBodies - pair->round;
   return {session.hidden(), trial};
 }

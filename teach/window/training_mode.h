@@ -87,7 +87,7 @@ class TrainingMode : public Mode {
     bool presses = false;
     bool moved = false;  ///< the pointer is still to be moved
     std::optional<SkinPlace> place = {};
-    Vec2 step = Vec2::Zero();  ///< lumps: how far it goes on the screen, points; y up
+    Vec2 step = Vec2::Zero();  ///< lumps: motion on the screen, points; y up
     void press(bool down) {
       presses = down;
       moved = true;
@@ -143,7 +143,7 @@ class TrainingMode : public Mode {
   std::optional<training::SessionKind> kind_;  ///< chosen, waits for the thimble
   std::unique_ptr<SessionRun> run_;
   std::unique_ptr<LumpSitting> lumps_;                       ///< replaces the run in a session with lumps
-  std::shared_ptr<const scene::World> body_;                 ///< that lumps are hidden in
+  std::shared_ptr<const scene::World> body_;                 ///< lumps are hidden in it
   std::shared_ptr<const training::LumpBodies> lump_bodies_;  ///< filled on first use
   State state_ = State::going_on;
   std::string message_;
@@ -170,7 +170,7 @@ class TrainingMode : public Mode {
   std::uint64_t said_ = 0;
   Holder holder_;
   std::string thimble_;
-  std::string familiar_;  ///< who has had the familiarisation with which device in this run
+  std::string familiar_;  ///< trainee and device of the familiarisation in this run
   bool stopped_ = false;
 };
 

@@ -68,7 +68,7 @@ ImVec2 sizeOfWords(const std::string& words, float width) {
   return words.empty() ? ImVec2() : ImGui::CalcTextSize(words.c_str(), nullptr, false, width - 2.0f * kButtonMargin);
 }
 
-/// As high as it should be, or as its words need.
+/// Wanted height, or what its text needs.
 float heightOfButton(const TrainingButton& button, float width, float wanted) {
   const float words = sizeOfWords(button.label, width).y + sizeOfWords(button.line, width).y;
   return std::max(wanted, words + (button.line.empty() ? 0.0f : kLineGap) + 12.0f);
@@ -181,7 +181,7 @@ void backdrop(const TrainingScreen& screen, const ImVec2& room) {
                screen.keys.c_str(), nullptr, wrap);
 }
 
-/// How high the card was the last time it had these words: it is centred by that.
+/// Height of the card when it last had this text: it is centred by that.
 float& cardHeight() {
   static float height = 0.0f;
   return height;

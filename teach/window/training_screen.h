@@ -39,7 +39,7 @@ struct TrainingButton {
   bool enabled = true;
 };
 
-/// How a site is drawn. Never distinguished by colour alone: each has a shape of its own.
+/// Look of a site. Never distinguished by colour alone: each has a shape of its own.
 struct SiteMark {
   int number = 0;
   bool pressed = false;  ///< enough: its dot is filled
@@ -78,7 +78,7 @@ struct TrainingScreen {
   bool trouble = false;                  ///< the notice is about something that must be mended
   enum class Outcome : std::uint8_t { none, right, wrong } outcome = Outcome::none;  ///< feedback: a tick or a cross
   std::string keys = {};    ///< help on the keys of this screen
-  std::string corner = {};  ///< who is signed in
+  std::string corner = {};  ///< the signed-in trainee
 };
 
 }  // namespace palpate::viewer

@@ -97,7 +97,7 @@ struct TrainingView {
   std::string message = {};  ///< the instructor's
   std::string code = {};     ///< code of the trainee who is signed in or about to be
   std::vector<Offer> offers = {};
-  std::string device = {};  ///< that holds the finger, in words
+  std::string device = {};  ///< name of the device that holds the finger
   bool by_mouse = false;
   double force_share = 1.0;  ///< share of the body's forces that the device can render (DevicesShown::stiffness_factor)
   double ratios_kept_to_n = 0.0;  ///< above this force places differ less than they do; 0: nowhere

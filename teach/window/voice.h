@@ -39,7 +39,7 @@ class Voice {
   std::optional<std::string> waiting_;
 };
 
-/// As it is spoken: signs that engines read out or stumble over become words.
+/// The spoken form: signs that engines read out or stumble over become words.
 std::string asSpoken(const std::string& sentence);
 
 }  // namespace palpate::viewer

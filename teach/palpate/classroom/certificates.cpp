@@ -109,7 +109,7 @@ class Draft {
     mustBe(extension && X509_add_ext(certificate_.get(), extension.get(), -1) == 1, "extending it");
   }
 
-  /// By itself without an issuer.
+  /// Self-signed without an issuer.
   Certified signedBy(X509* issuer, EVP_PKEY* issuer_key) {
     X509* x = certificate_.get();
     X509_set_issuer_name(x, X509_get_subject_name(issuer == nullptr ? x : issuer));

@@ -22,7 +22,7 @@ inline constexpr int kMemberDays = 730;
 /// So long before a certificate ends people are warned.
 inline constexpr int kWarnDays = 60;
 
-/// Who signs the others. Throws Error, as all of these.
+/// Makes the authority that signs the others. Throws Error, as all of these.
 Certified makeAuthority(const std::string& name);
 /// Makes the certificate of a broker that is reached under these names and addresses.
 Certified makeServerCertificate(const Certified& authority, const std::vector<std::string>& hosts,

@@ -125,7 +125,7 @@ std::vector<int> instructorsOf(const ClassFolder& folder) {
 
 std::string numberedStation(int number) { return fmt::format("s{:02d}", number); }
 
-/// Who runs the broker: started as root it would else become a user who may not read the keys.
+/// The user who runs the broker: started as root it would else become a user who may not read the keys.
 std::string userNow() {
   const passwd* entry = getpwuid(geteuid());
   return entry == nullptr ? "root" : entry->pw_name;

@@ -1,5 +1,4 @@
-// Which class a program takes part in, and as whom: the folders that `palpate class init` made (class_folder.h), read
-// and checked.
+// A program's class and its role in it: the folders that `palpate class init` made (class_folder.h), read and checked.
 //
 //   DIR/stations/s01/station.toml ─ readMember ─► Member ─► StationLink, Collector, ClassWatch
 #pragma once
@@ -24,7 +23,7 @@ enum class Role : std::uint8_t {
   station,     ///< publishes under its own name, receives its own commands and acknowledgements
   instructor,  ///< reads all, writes commands
   ingest,      ///< reads rows, writes acknowledgements
-  checker,     ///< asks whether broker, collector and database answer (`palpate class check`)
+  checker,     ///< checks that broker, collector and database answer (`palpate class check`)
 };
 
 inline constexpr int kStandardPort = 8883;  // MQTT over TLS, as registered

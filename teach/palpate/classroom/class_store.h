@@ -32,9 +32,9 @@ class ClassStore {
   void reconnect();
 
   using Kept = KeptRows;
-  /// One transaction. Throws DatabaseAway; nothing was kept then, as far as anybody can know.
+  /// One transaction. Throws DatabaseAway; nothing was kept then, as far as is known.
   Kept keep(std::span<const SentRow> rows);
-  /// As the teacher, who may write anybody's rows.
+  /// As the teacher, who may write all rows.
   Kept keep(std::span<const training::AnyRow> rows);
 
   /// Deletes the trainee, everything of theirs, and whatever of theirs still arrives. Returns false if unknown.

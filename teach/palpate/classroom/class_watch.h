@@ -71,13 +71,13 @@ class ClassBoard {
   /// False: no message of this class, or none that is well formed.
   bool take(std::string_view topic, std::string_view payload, double now_s);
 
-  /// Those who need help first, each kind by name; without help by name.
+  /// Tiles in need of help first, each kind by name; the others by name.
   std::vector<Tile> tiles(double now_s) const;
   std::optional<Tile> tile(std::string_view station, double now_s) const;
   /// The newest seconds of a station.
   std::vector<ForcePoint> forces(std::string_view station) const;
 
-  /// A block that was measured before anybody watched, from the class's records.
+  /// Adds a block that was measured before the watch began, from the class's records.
   void remember(const training::Uuid& trainee, const training::BlockRow& block);
   /// After the first, second, ... finished measuring block of each trainee.
   std::vector<CurvePoint> learningCurve() const;

@@ -63,7 +63,7 @@ struct Collector::Impl {
     bool empty() const { return rows.empty() && checks.empty() && refused.empty(); }
   };
 
-  /// By the certificate's name, which the broker has checked.
+  /// Sender by the certificate's name, which the broker has checked.
   SentRow sentBy(const std::string& station, AnyRow row, std::size_t bytes) const {
     const bool teacher = station == wordFor(Role::instructor);
     return {std::move(row), teacher ? training::Uuid() : stationIdOf(class_id, station), station, bytes};
@@ -133,7 +133,7 @@ struct Collector::Impl {
     ++counts.refused;
     counts.trouble = fmt::format("no message of a class at {}", oneLine(where));
   }
-  /// Who is said to sit where: what a deletion has to take back.
+  /// Notes which trainee a station reports: a deletion has to retract it.
   void noteState(const std::string& station, std::string_view what) {
     const auto state = parseState(what);
     const std::lock_guard lock(mutex);

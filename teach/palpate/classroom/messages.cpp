@@ -187,7 +187,7 @@ std::optional<std::string> unpacked(const std::string& text) {
   return row;
 }
 
-/// As many messages as are needed.
+/// Splits a list into as many messages as needed.
 std::vector<std::string> listTexts(const Json& head, const char* name, const std::vector<std::string>& values,
                                    std::size_t in_one) {
   std::vector<std::string> texts;

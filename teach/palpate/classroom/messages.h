@@ -121,7 +121,7 @@ std::string stateText(const Envelope& envelope, const StationState& state);
 std::string liveText(const Envelope& envelope, const LiveSample& live);
 std::string rowText(const Envelope& envelope, const std::string& body);
 std::string commandText(const Envelope& envelope, const Command& command);
-/// As many messages as are needed to keep each within its size.
+/// Splits the keys into messages within the size limit.
 std::vector<std::string> ackTexts(const Envelope& envelope, const std::vector<training::Uuid>& keys);
 /// On the topic of acknowledgements too: rows that are not kept, for this reason.
 std::vector<std::string> refusalTexts(const Envelope& envelope, const std::vector<training::Uuid>& keys,

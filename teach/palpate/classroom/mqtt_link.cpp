@@ -32,7 +32,7 @@ constexpr std::chrono::milliseconds kLongestPause(8000);
 constexpr double kSteadyS = 10.0;
 constexpr const char* kTakenOver =
     "the connection was ended; another program may use this certificate, and each needs its own";
-constexpr int kLoopMs = 200;    // how soon it sees that it is to end; messages wake it at once
+constexpr int kLoopMs = 200;    // delay of its end; messages wake it at once
 constexpr int kReachMs = 2000;  // a computer of the same room answers sooner
 constexpr double kLongestGoodbyeS = 1.0;
 constexpr int kMaxPacket = 1 << 20;  // bytes: nothing of a class is longer

@@ -45,7 +45,7 @@ struct MqttSettings {
   std::optional<OutMessage> will;
   std::vector<Subscription> subscriptions;
 };
-/// As this member, without subscriptions.
+/// Connects as this member, without subscriptions.
 MqttSettings linkOf(const Member& member);
 
 /// Called in the link's thread; they may publish, and must be quick.

@@ -41,9 +41,9 @@ constexpr std::int64_t kRowOverheadBytes = 200;
 
 /// Rows after those that they refer to, however they arrived, but never across a deletion: that is where order counts.
 std::vector<std::size_t> insertionOrder(std::span<const SentRow> rows) {
-  // By AnyRow's alternatives: station, class, trainee, protocol, session, block, trial, event, delete.
+  // Order of AnyRow's alternatives: station, class, trainee, protocol, session, block, trial, event, delete.
   constexpr std::array<int, std::variant_size_v<AnyRow>> kRank = {1, 1, 2, 1, 3, 4, 5, 5, 0};
-  std::vector<std::pair<int, int>> ranks;
+  std::vector<std::pair<int, int>> turns;
   int part = 0;
   for (const SentRow& sent : rows) {
     const bool deletes = std::holds_alternative<DeletionRow>(sent.row);
@@ -194,7 +194,7 @@ void RowKeeper::applyDeletion(const DeletionRow& deletion, const SentRow& sent) 
       erased_ = tables_.erase(trainee.id) || erased_;
       continue;
     }
-    // Whose sessions are left has the trainee from now on.
+    // The station with the remaining sessions owns the trainee from now on.
     if (owns) tables_.sql().change("DELETE FROM origin WHERE subject = $1", {trainee.id});
     std::string left;
     for (const StationRow& station : tables_.stations()) {

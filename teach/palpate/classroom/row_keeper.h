@@ -65,7 +65,7 @@ class RowKeeper {
  public:
   explicit RowKeeper(training::RowTables& tables, KeeperRules rules = {}) : tables_(tables), rules_(std::move(rules)) {}
 
-  /// One transaction. Throws DatabaseAway; nothing was kept then, as far as anybody can know.
+  /// One transaction. Throws DatabaseAway; nothing was kept then, as far as is known.
   KeptRows keep(std::span<const SentRow> rows);
 
   /// Deletes everything of the trainee, for every station, in the caller's transaction. Returns false if unknown.

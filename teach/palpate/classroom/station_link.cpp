@@ -19,7 +19,7 @@ namespace palpate::classroom {
 namespace {
 
 constexpr auto kLivePeriod = std::chrono::milliseconds(100);    // 10 Hz
-constexpr auto kOutboxPeriod = std::chrono::milliseconds(250);  // how soon a new row is seen
+constexpr auto kOutboxPeriod = std::chrono::milliseconds(250);  // between two looks for new rows
 constexpr std::size_t kMaxAnswers = 10000;
 constexpr auto kDiskPeriod = std::chrono::seconds(10);
 /// Rows that the class refused are sent again after so long: a clock may have been put right, a share made larger.

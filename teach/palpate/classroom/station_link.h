@@ -37,7 +37,7 @@ struct StationInfo {
   std::string device;  ///< "mouse"
 };
 
-/// How rows go out; numbers of docs/reference/class-protocol.md.
+/// Rate of outgoing rows; numbers of docs/reference/class-protocol.md.
 struct OutboxPace {
   double most_per_s = 50.0;  ///< keeps a class that reconnects after a break from flooding its collector
   double resend_s = 3.0;     ///< without an acknowledgement
@@ -84,8 +84,8 @@ class StationLink {
 /// Less is left on the disk than a few hours of sessions need.
 inline constexpr double kMinDiskBytes = 1e9;
 
-// Which rows of a station's outbox may be sent now, and the commands that wait for it. Each by itself, without network
-// and without threads of its own.
+// Which rows of a station's outbox may be sent now, and the commands that wait for it. Each alone, without network and
+// without threads of its own.
 
 /// Limits the rate, resends, and tries fewer rows while none is acknowledged. One thread.
 class OutboxSender {

@@ -142,7 +142,7 @@ class LumpBlock {
   std::vector<double> ln_cue_of_kinds_;  ///< filled on first use
 };
 
-// As text, for records.
+// Text form, for records.
 
 /// Seed and all that was hidden and said.
 struct LumpState {

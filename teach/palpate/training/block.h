@@ -66,7 +66,7 @@ struct PlannedTrial {
   int number = 0;  ///< from 1, warm-up included
   TrialKind kind = TrialKind::measured;
   double change = 0.0;
-  int site = 0;  ///< that hides it
+  int site = 0;  ///< site that hides it
 };
 
 struct TrialOutcome {

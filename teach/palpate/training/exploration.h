@@ -54,7 +54,7 @@ class Exploration {
   /// A touch further above or below its site is of another part of the body, mm: as far as skin is pushed in, and more.
   static constexpr double kMaxOverSiteMm = 60.0;
   struct Touching {
-    int site = 0;  ///< that it presses over the limit; 0: none
+    int site = 0;  ///< pressed over the limit; 0: none
   };
   struct Felt {
     int presses = 0;
@@ -71,7 +71,7 @@ class Exploration {
   std::vector<Felt> felt_;
   std::array<Touching, kMaxFingers> fingers_{};
   int touched_ = 0;
-  std::uint32_t touching_finger_ = kMaxFingers;  ///< that touched last; kMaxFingers: none does
+  std::uint32_t touching_finger_ = kMaxFingers;  ///< the last to touch; kMaxFingers: none does
 };
 
 }  // namespace palpate::training

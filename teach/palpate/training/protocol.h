@@ -36,7 +36,7 @@ constexpr bool hidesLumps(SessionKind kind) { return kind == SessionKind::lump |
 struct HiddenPlace {
   double radius_mm = 22.0;
   double edge_softness = 0.4;
-  /// How deep it lies. At the skin it is weaker by 1 / (1 + (depth / radius)^2), and wider.
+  /// Depth under the skin. At the skin it is weaker by 1 / (1 + (depth / radius)^2), and wider.
   double depth_mm = 0.0;
   /// The bone under it is this much nearer to the skin: stiffer by the depth law, besides the change. 0: unchanged.
   double bony_displacement_mm = 0.0;
@@ -65,14 +65,14 @@ struct Protocol {
   std::optional<lumps::LumpTask> lump = {};  ///< for sessions with lumps; nothing without them
 };
 
-/// free, and sittings with lumps: that of practice.
+/// free, and sessions with lumps: that of practice.
 const SessionSettings& settingsOf(const Protocol& protocol, SessionKind kind);
 
 /// The largest change that a block of these settings may hide.
 double largestChange(const BlockSettings& settings);
 
-/// As documented: practice 2-down-1-up from 50 %, blocks of 20; tests marginal psi, 40 trials; examination sequential
-/// at 20 %.
+/// The documented protocol: practice 2-down-1-up from 50 %, blocks of 20; tests marginal psi, 40 trials; examination
+/// sequential at 20 %.
 Protocol builtInProtocol();
 /// The built-in protocol with sessions that hide lumps.
 Protocol builtInLumpProtocol();

@@ -150,7 +150,7 @@ void readExploration(const TomlNode& root, std::string_view file, ExplorationSet
 
 // --- lumps
 
-/// As scene files have them, but a diameter is that of a node and not of an organ, and lumps are harder than tissue.
+/// As in scene files, but a diameter is that of a node and not of an organ, and lumps are harder than tissue.
 constexpr NumberRange kLumpDiameters{2.0, 25.0};
 constexpr NumberRange kLumpDepths{2.5, 40.0};
 constexpr NumberRange kLumpRatios{1.2, 1000.0};

@@ -32,8 +32,8 @@ Deleted deleteTrainee(Store& store, const Uuid& trainee, std::string_view actor)
 /// Data of one trainee kept for as long as their class said.
 struct KeptLongEnough {
   TraineeRow trainee;
-  std::vector<SessionRow> sessions;  ///< whose rows are to go
-  std::vector<SessionRow> files;     ///< whose recordings are to go: these, and younger ones
+  std::vector<SessionRow> sessions;  ///< rows to delete
+  std::vector<SessionRow> files;     ///< recordings to delete: of these, and of younger ones
   bool nothing_left = false;         ///< the trainee goes too
 };
 /// By the days of each trainee's class; of trainees without one nothing. `now_ms`: since 1970.

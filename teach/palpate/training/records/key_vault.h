@@ -1,5 +1,5 @@
-// The keys of a station's trainees: NAME.keys next to NAME.results, readable by its owner alone, one random key each.
-// A trainee is forgotten by destroying their key: copies and backups of their recordings say nothing any more. So the
+// The keys of a station's trainees: NAME.keys next to NAME.results, readable by its owner alone, one random key each. A
+// trainee is forgotten by destroying their key: copies and backups of their recordings say nothing any more. So the
 // file of keys is the one that must not be backed up together with the others.
 #pragma once
 

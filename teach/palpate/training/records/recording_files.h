@@ -51,11 +51,11 @@ class RecordingFiles {
   /// Error.
   void makeFolder() const;
 
-  /// The name of the trainee's key, made and kept where there is none yet. Throws Error for an unknown trainee.
+  /// The name of the trainee's key, made and kept if missing. Throws Error for an unknown trainee.
   std::string keyOf(const Uuid& trainee);
 
   /// Locks the session's file, keeps its new name and its SHA-256, and removes the open one. A file that its recorder
-  /// left unfinished is finished first. False: there is none. Throws Error; the open file is then still there.
+  /// left unfinished is finished first. False: none was recorded. Throws Error; the open file is then still there.
   bool lock(const Uuid& session);
   /// The same for all that were left behind and have not changed for this time: a recorder may still write to newer
   /// ones.

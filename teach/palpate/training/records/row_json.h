@@ -20,7 +20,7 @@ namespace palpate::training {
 /// does not keep their id, not even in this notice.
 struct DeletionRow {
   std::string trainee_sha256;  ///< deletedMark(id)
-  std::int64_t at_ms = 0;      ///< for people; 0: a station has heard of a deletion in the class, and asks for none
+  std::int64_t at_ms = 0;      ///< for people; 0: a station has heard of a deletion in the class, and requests none
 };
 
 using AnyRow =

@@ -39,7 +39,7 @@ struct TraineeRow {
   std::int64_t created_ms = 0;
   std::string dominant_hand = {};  ///< "left", "right", empty: not said
   bool consent = false;
-  std::string key_ref = {};  ///< which key encrypts their recordings; empty: none
+  std::string key_ref = {};  ///< name of the key of their recordings; empty: none
 };
 
 struct ProtocolRow {

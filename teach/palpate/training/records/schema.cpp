@@ -80,7 +80,7 @@ std::vector<ColumnInfo> columnInfosOf(std::vector<ColumnInfo> columns = {}) {
   const R row{};
   eachField(
       [&]<class Value>(std::string_view name, const Value& /*value*/, const FieldRule& rule) {
-        // A reference that may be empty is null where there is none.
+        // A reference that may be empty is null when empty.
         const bool may_be_null = std::is_same_v<Value, std::optional<double>> ||
                                  (rule.may_be_empty && rule.form != FieldRule::Form::text && name.ends_with("_id"));
         columns.push_back({name, columnTypeOf<Value>(rule), rule.means, rule.sql, may_be_null, rule.since});

@@ -63,7 +63,7 @@ std::string migration(Dialect dialect, int to);
 /// Creates missing tables and migrates older ones, all in one transaction. `what` is for messages. Throws Error for a
 /// schema newer than ours.
 void bringForward(Sql& sql, std::string_view what);
-/// 0: there are no such tables.
+/// 0: the tables are missing.
 int schemaVersionOf(Sql& sql);
 
 /// The tables as Markdown: `palpate train results export --columns`.

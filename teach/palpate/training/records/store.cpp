@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As tools see it that ask a file what it is: schema.cpp writes it.
+/// The id by which tools identify a file: schema.cpp writes it.
 constexpr std::int64_t kOurApplicationId = 0x50616c52;
 // Settings that are on or off.
 constexpr const char* kOutboxSetting = "outbox";
@@ -257,7 +257,7 @@ void Store::hearDeleted(std::span<const std::string> marks) {
   }
   for (const Uuid& id : gone) impl_->sql->change("DELETE FROM outbox WHERE kind = 'trainee' AND subject = $1", {id});
   for (const std::string& mark : marks) {
-    // One that waits, or asks for the deletion itself, says so already.
+    // A waiting one, or one that requests the deletion itself, says so already.
     if (impl_->sql->number("SELECT count(*) FROM outbox WHERE kind = 'delete' AND subject = $1", {mark}) == 0) {
       impl_->queue(DeletionRow{mark, 0});
     }

@@ -101,7 +101,7 @@ std::optional<std::string> codeTyped(std::string_view typed) {
 }
 
 Uuid pseudonymOf(std::string_view class_id, std::string_view code, std::string_view key) {
-  // As on the card, so that it does not matter how it was typed.
+  // Spelt as on the card, however it was typed.
   const std::string written = codeTyped(code).value_or(std::string(code));
   const std::string text = "palpate trainee\n" + std::string(class_id) + '\n' + written;
   return uuidOfDigest(key.empty() ? sha256Of(text) : hmacSha256Of(key, text));

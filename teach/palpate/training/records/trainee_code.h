@@ -17,7 +17,8 @@ namespace palpate::training {
 
 /// Nine random letters and digits of Crockford's alphabet (45 bits) and one that checks them.
 std::string codeOf(std::uint64_t random_bits);
-/// As it is written on a card, whatever was typed (lower case, O for 0, blanks); nothing: a typing error, or no code.
+/// The code as written on a card, whatever was typed (lower case, O for 0, blanks); nothing: a typing error, or no
+/// code.
 std::optional<std::string> codeTyped(std::string_view typed);
 /// `key`: the class's secret (64 hex digits), without which a card does not reveal its pseudonym; empty: none.
 Uuid pseudonymOf(std::string_view class_id, std::string_view code, std::string_view key = {});

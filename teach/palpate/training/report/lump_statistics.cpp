@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTwoSided = 1.959964;
 
-/// By bisection: a report asks for a few.
+/// Bisects, since a report needs only a few.
 double normalQuantileOf(double share) {
   double low = -8.0;
   double high = 8.0;

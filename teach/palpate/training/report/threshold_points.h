@@ -58,7 +58,7 @@ TrainingRecord trainingRecord(Store& store, const TraineeRequest& wanted);
 
 /// Fills in `settings`; what this version cannot read stays out: the rows can still be counted.
 void readProtocols(TrainingRecord& record);
-/// Null where the record has no such protocol.
+/// Null if the record lacks the protocol.
 const Protocol* protocolOf(const TrainingRecord& record, const std::string& id, int version);
 
 /// Fewer answers than this say little more than what was believed before: no threshold is shown.
@@ -87,7 +87,7 @@ struct ThresholdPoint {
   double slope = 0.0, lapse = 0.0;                           ///< posterior means
   AttentionCheck attention = {};                             ///< where there is a threshold
   double stored = 0.0, stored_low = 0.0, stored_high = 0.0;  ///< from the block's row
-  std::vector<Answer> answers;                               ///< that count
+  std::vector<Answer> answers;                               ///< counted answers
   Prior prior;
 };
 
@@ -104,7 +104,7 @@ std::vector<ChosenTrial> chosenTrials(const TrainingRecord& record, const BlockR
 /// The posterior of the answers, from a flat start.
 Posterior posteriorOf(const ThresholdPoint& point);
 
-/// How often an answer is right, as the posterior has it: its mean and the middle 95 % of it, change by change.
+/// Probability of a right answer by the posterior: its mean and the middle 95 % of it, change by change.
 struct FittedCurve {
   std::vector<double> changes, mean, low, high;
 };

@@ -112,7 +112,7 @@ TraineeStatistics traineeStatistics(const TrainingRecord& record, const TraineeR
 
 using OccasionKey = std::pair<SessionKind, int>;
 
-/// Those of all trainees, and their average place among a trainee's sessions.
+/// Points of all trainees, and their average place among a trainee's sessions.
 struct OccasionPoints {
   std::vector<const ThresholdPoint*> points;
   double places = 0.0;

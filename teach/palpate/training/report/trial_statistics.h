@@ -44,7 +44,7 @@ ShareInterval wilsonInterval(int part, int whole);
 
 struct LevelAccuracy {
   double change = 0.0;
-  int trials = 0;  ///< that count
+  int trials = 0;  ///< counted ones
   int correct = 0;
   double share = 0.0;
   ShareInterval interval;

@@ -19,7 +19,7 @@ namespace palpate::training {
 
 namespace {
 
-/// Between two places where a lump may be, mm: nearer to each other than anybody names them.
+/// Grid of places where a lump may be, mm: finer than anyone names them.
 constexpr double kGridMm = 4.0;
 /// Margin around the outermost sites.
 constexpr double kBesideSitesMm = 8.0;

@@ -78,7 +78,7 @@ struct Session::Impl {
   std::optional<BlockResult> result;
   HiddenNow answered;  // place that feedback reveals
   FamiliarPlaces familiar;
-  int familiar_stiffer = 0;  // in the current body, whether shown or asked for
+  int familiar_stiffer = 0;  // in the current body, whether shown or requested
   Random familiar_draws;
 
   Impl(const SessionPlan& the_plan, const Moment& now)
@@ -152,7 +152,7 @@ struct Session::Impl {
     rows.emplace_back(block_row);
   }
 
-  // --- familiarisation: shown, asked for, shown again where the answer was wrong
+  // --- familiarisation: shown, requested, shown again where the answer was wrong
 
   const Site& site(int number) const { return *plan.sites.numbered(number); }
   int familiarOther() const { return familiar.first + familiar.second - familiar_stiffer; }

@@ -29,7 +29,7 @@ struct Moment {
 
 enum class Screen : std::uint8_t {
   device_check,     ///< touch the skin once: the device works
-  familiarisation,  ///< one obvious change: shown next to a normal place, then asked for until it is found
+  familiarisation,  ///< one obvious change: shown next to a normal place, then requested until it is found
   instruction,
   trial,
   feedback,  ///< practice: right or wrong; the true site can be felt
@@ -62,7 +62,7 @@ struct FamiliarPlaces {
   int first = 0;
   int second = 0;
   int stiffer = 0;  ///< which of them, while it is shown; 0: the trainee is asked
-  int round = 0;    ///< how often it has been asked for: each time is another body
+  int round = 0;    ///< number of requests so far: each is another body
 };
 
 /// Text of a screen, also spoken.

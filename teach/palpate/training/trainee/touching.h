@@ -26,7 +26,7 @@ struct PressRequest {
   Vec3 skin = Vec3::Zero();     ///< where the pad is to come down, at rest, mm
   Vec3 normal = Vec3::UnitZ();  ///< out of the skin there
   double pad_mm = 8.0;          ///< from the tip of the device to the pad's surface: the finger's radius
-  double force_n = 1.5;         ///< that it wants to feel
+  double force_n = 1.5;         ///< force that it wants to feel
   double hold_s = 0.5;
 };
 

@@ -9,7 +9,7 @@ namespace palpate::training {
 
 namespace {
 
-/// As scene::build has it: the map plane is seen from behind, and a place on it leaves the front of a body as it is.
+/// As in scene::build: the map plane is seen from behind, and a place on it leaves the front of a body as it is.
 std::vector<Index> verticesReached(const scene::World& world) {
   const bool known_front = world.body->closed && !world.body->anatomy.landmarks.empty();
   const std::vector<Vec3> normals = mesh::vertexNormals(world.body->skin);
