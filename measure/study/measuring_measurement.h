@@ -70,7 +70,7 @@ struct JudgedPair {
   double residual_pattern = 0.0;
   double drift_in_sd = 0.0;
 
-  // As the dissertation reads it.
+  // The dissertation's reading.
   bool has_contour = false;
   double chord_percent = 0.0;        ///< half the longest chord against the half major axis
   double chord_direction_deg = 0.0;  ///< error

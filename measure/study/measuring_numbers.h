@@ -81,7 +81,7 @@ struct Bar {
 
 std::vector<Bar> barsOf(const MeasuringMeasurement& found);
 
-/// By the names that programs know.
+/// Results by the names that programs know.
 std::vector<std::pair<std::string, double>> measuringPairs(const MeasuringMeasurement& found);
 
 }  // namespace palpate::study

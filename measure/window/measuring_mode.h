@@ -44,7 +44,7 @@ struct MeasuringJob {
   bool ofPhotographs() const { return !files[0].empty() || !files[1].empty(); }
 };
 
-/// As it is shown: halved until it is small enough to be uploaded within a frame.
+/// The shown picture: halved until it is small enough to be uploaded within a frame.
 struct ReadPhoto {
   std::string file = {};
   int width_px = 0;  ///< before that
@@ -119,7 +119,7 @@ class MeasuringMode : public Mode {
   void advance(ViewerState& viewer, std::span<const body::SkinLandmark> landmarks);
 
   enum class Accepting : std::uint8_t { done, asked, failed };
-  /// Asks first where the measuring refused it and where something in the file would be replaced, unless `sure`.
+  /// Unless `sure`, asks first if the measuring refused it or a row of the file would be replaced.
   Accepting accept(ViewerState& viewer, bool sure);
 
  private:

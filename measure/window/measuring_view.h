@@ -123,12 +123,12 @@ struct MeasuringView {
   std::string stage = {};
   double done = 0.0;
 
-  // How it is looked at; all photographs alike.
+  // View settings; all photographs alike.
   MeasuringTab tab = MeasuringTab::before;
   MeasuringTool tool = MeasuringTool::look;
   double zoom = 1.0;                  ///< 1: the whole photograph
   Vec2 middle = Vec2::Constant(0.5);  ///< middle of the visible part, in widths and heights
-  std::optional<Photo> dialog = {};   ///< which is being chosen
+  std::optional<Photo> dialog = {};   ///< the one being chosen
   AcceptForm form = {};
 
   ShownPhoto& photo(Photo which) { return photos[static_cast<std::size_t>(which)]; }
@@ -148,11 +148,11 @@ inline constexpr double kFineNudgePx = 0.2;
 
 /// Another photograph takes the place of one: what was measured and corrected goes.
 void choosePhoto(MeasuringView& view, Photo which, std::string file);
-/// They are taken for each other.
+/// Swaps the photographs of before and after.
 void swapPhotos(MeasuringView& view);
 /// Where a photograph belongs that was only named: the first place that is free, else the one after.
 Photo freePlace(const MeasuringView& view);
-/// By its name: JPEG, PNG or TIFF.
+/// Decides by the name: JPEG, PNG or TIFF.
 bool isPhotograph(std::string_view file);
 
 /// Every mark that the photographs' measurement found.

@@ -38,7 +38,7 @@ void drawTexture(ImDrawList& list, const ShownPhoto& photo, const PhotoFrame& fr
   if (faded) list.AddRectFilled(low, high, IM_COL32(255, 255, 255, 110));
 }
 
-/// Those that may be corrected, as they are now, also before they have been measured.
+/// Draws the marks that may be corrected, also before they have been measured.
 void drawMarks(ImDrawList& list, const MeasuringView& view, Photo which, const PhotoFrame& frame) {
   constexpr measure::OverlayColour kShadow{0.0f, 0.0f, 0.0f, 0.8f};
   constexpr measure::OverlayColour kMark{1.0f, 1.0f, 1.0f, 1.0f};

@@ -28,7 +28,7 @@ constexpr double kSectorDeg = 45.0;
 constexpr double kMinBetweenDragsDeg = 60.0;
 constexpr double kHardlyDeg = 10.0;
 constexpr double kHardlyResultant = 0.6;
-/// As many further presses as the scatter of all points counts for at one.
+/// Presses that the scatter of all points counts as.
 constexpr double kPooledPresses = 2.0;
 /// The error below which a stated one is not believed: half a percent of size.
 constexpr double kMinLogSd = 0.005;
@@ -73,7 +73,7 @@ std::optional<Mat3> statedCovariance(const PressRow& press) {
   return covariance;
 }
 
-/// How much a press counts among those of its person.
+/// Weight of a press among those of its person.
 double weightOf(const PressRow& press, bool all_stated) {
   return all_stated ? 1.0 / statedCovariance(press)->trace() : 1.0;
 }

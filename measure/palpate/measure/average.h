@@ -46,7 +46,7 @@ struct MeanEllipse {
   double freedom = 0.0;            ///< degrees of freedom behind it; 0: not known
   std::size_t subjects = 0;
   std::size_t presses = 0;
-  double resultant = 1.0;          ///< how much the presses' directions agree: 1 all alike, 0 none preferred
+  double resultant = 1.0;          ///< agreement of the presses' directions: 1 all alike, 0 none preferred
   bool hardly_determined = false;  ///< the direction: its error is above 10 degrees, or the resultant below 0.6
 };
 

@@ -1,4 +1,4 @@
-// A lattice grown from a dot whose neighbours lie in opposite pairs: the free site that its surroundings foretell best
+// A lattice grown from a dot whose neighbours lie in opposite pairs: the free site that its surroundings predict best
 // is taken first, and what does not fit its neighbours is dropped in the end. No full rectangle is needed, and neither
 // tilt nor a bent back matters. Two things that would go wrong silently: a seed must start from its shortest pair, or
 // half of the pictures lock onto the diagonals with every second dot; and a round takes only its best third.
@@ -25,7 +25,7 @@ constexpr double kLengthRatio = 1.8;  // largest ratio of the two pairs' lengths
 constexpr std::size_t kSeeds = 5;
 constexpr double kReach = 0.27;       // a dot is on a site within this share of the spacing
 constexpr double kAreaWeight = 0.04;  // in spacings, for a dot of e times the neighbours' area
-constexpr int kForetellingSites = 2;  // sites that foretell another; also the farthest jump over a gap
+constexpr int kForetellingSites = 2;  // sites that predict another; also the farthest jump over a gap
 constexpr double kMinOutlier = 0.08;  // in spacings
 constexpr double kOutlierMedians = 4.5;
 constexpr int kCleanings = 6;

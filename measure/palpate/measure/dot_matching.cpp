@@ -15,7 +15,7 @@ constexpr double kCluster = 0.06;
 constexpr double kAtRest = 0.12;
 constexpr double kGrowing = 0.2;
 constexpr double kPredicted = 0.12;
-constexpr int kSitesAround = 2;  // sites that foretell how the next one moved
+constexpr int kSitesAround = 2;  // sites that predict how the next one moved
 // Area in the second picture over the first, of the usual ratio: outside, something covers a part of the dot.
 constexpr double kMinAreaRatio = 0.75;
 constexpr double kMaxAreaRatio = 1.33;
@@ -87,7 +87,7 @@ DotsBySite sitesOf(const DotGrid& grid) {
   return sites;
 }
 
-/// How a dot moved, as its matched neighbours have it; none with fewer than two.
+/// Motion of a dot by its matched neighbours; none with fewer than two.
 std::optional<Vec2> predictedMotion(const DotGrid& grid, const DotsBySite& sites, std::span<const Dot> after,
                                     const DotMatch& match, std::size_t dot) {
   std::vector<Neighbour> neighbours;

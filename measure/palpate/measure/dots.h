@@ -62,7 +62,7 @@ struct DotGrid {
 /// Grows a lattice from the best seeds. Empty if no seed grows.
 DotGrid growGrid(std::span<const Dot> dots);
 
-// Which dot of the second picture is which of the grid.
+// Matches dots of the second picture with those of the grid.
 //
 //   DotGrid, marks of the second picture ─ matchDots ─► DotMatch ─► fitField ─ matchAt ─► DotMatch, twice
 
@@ -74,7 +74,7 @@ struct DotMatch {
 /// From nothing: a common shift of the dots that hardly moved, then inwards from dot to dot.
 DotMatch matchDots(const DotGrid& grid, std::span<const Dot> after);
 
-/// Where a fit foretells them, px: closer, and without dots that are partly hidden.
+/// Matches at a fit's predictions, px: closer, and without dots that are partly hidden.
 DotMatch matchAt(const DotGrid& grid, std::span<const Vec2> predicted_px, std::span<const Dot> after);
 
 // Prediction of a site from its neighbours: a plane, or with many neighbours a bent surface, through their values.

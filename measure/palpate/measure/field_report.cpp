@@ -29,14 +29,14 @@ constexpr std::uint64_t kSeed = 20080611;  // seed of the draws: any, but always
 constexpr double kGaussianRim = 6.158;
 /// A peak that no dot saw is extrapolated: this share of it counts as unsure.
 constexpr double kSdOfUnseen = 0.25;
-constexpr double kSdOfUnseenDeep = 0.6;  // how the stick's load is spread is not seen either
+constexpr double kSdOfUnseenDeep = 0.6;  // the spread of the stick's load is not seen either
 constexpr double kCoreShare = 0.5;       // share of the peak: where the skin moves farther is the core
 /// An ellipse around few dots is read between them: this share over (1 + dots)^1.5 counts as unsure. Both from pairs
 /// outside the fitted forms (docs/explanation/measuring.md).
 constexpr double kSdBetweenDots = 0.2;
 /// Relative sd of a half axis: six stacks represent all skin over bone.
 constexpr double kSdOfSolved = 0.013;
-constexpr double kSdOfDeep = 0.02;     // how the stick's load is spread
+constexpr double kSdOfDeep = 0.02;     // spread of the stick's load
 constexpr double kCompactTail = 0.45;  // in 1/P: above it a tail has no rim
 
 /// rho^2 along a ray at which the motion falls to the level; 0 where even the peak is below.

@@ -39,7 +39,7 @@ std::optional<ContourReading> readContour(std::span<const MeasuredDot> dots, con
 
 /// Fewer dots in order give no chart worth a fit.
 inline constexpr std::size_t kMinDotsInOrder = 30;
-/// More marks than this are no dots of a stencil.
+/// More marks cannot be dots of a stencil.
 inline constexpr std::size_t kMaxMarks = 1500;
 
 /// Findings about the grid that rule out a measurement.

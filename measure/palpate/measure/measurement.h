@@ -21,12 +21,12 @@
 
 namespace palpate::measure {
 
-/// Which edge of the picture is towards the head.
+/// The edge of the picture towards the head.
 enum class HeadTowards : unsigned char { top, left, bottom, right };
 
 struct MeasureSettings {
   double spacing_mm = 30.0;  ///< stencil's spacing; 5 to 100
-  double drift_mm = 0.4;     ///< how far the body may have moved between the pictures, sd; 0.01 to 20
+  double drift_mm = 0.4;     ///< motion of the body between the pictures, sd; 0.01 to 20
   HeadTowards head = HeadTowards::top;
   std::optional<Vec2> contact_px = {};  ///< marked place of the stick in the first picture
   bool partial = false;                 ///< the ellipse may leave the dots: nothing is refused for that
@@ -53,7 +53,7 @@ struct Drift {
   double in_sd = 0.0;      ///< fitted shift, scale and turn over what was allowed
 };
 
-/// How much a form counts in what is reported.
+/// Weight of a form in the report.
 struct FormShare {
   FieldForm form = FieldForm::smooth;
   double share = 1.0;
@@ -65,21 +65,21 @@ struct FieldFit {
   KeyEllipse at_4_mm;
   Estimate contact_x_mm;
   Estimate contact_y_mm;
-  std::vector<FormShare> forms;     ///< that explain the dots about equally well, likeliest first: that of `field`
+  std::vector<FormShare> forms;  ///< those that explain the dots about equally well, likeliest first: that of `field`
   std::optional<Estimate> peak_mm;  ///< none where no dot lies in the core: it would only be extrapolated
   Estimate drag_deg;                ///< direction of the peak against +x, in (-180, 180]
   Estimate inverse_tail;            ///< k = 1/P
   Estimate sideways;                ///< kappa
   Drift drift;
   double residual_rms_mm = 0.0;
-  double residual_pattern = 0.0;  ///< how alike the residuals of neighbouring dots are: 0 by chance, 1 the same
+  double residual_pattern = 0.0;  ///< similarity of neighbouring dots' residuals: 0 by chance, 1 the same
   /// Rim of the dissertation's half Gaussian with the same peak and 2 mm contour (E20); none for a long tail or a peak
   /// under 2 mm.
   std::optional<double> gaussian_rim_mm = {};
   double inside_share = 0.0;  ///< share of the 2 mm ellipse within the dots
 };
 
-/// As the dissertation read it: contour of the interpolated field, its longest chord, the ellipse of the contour.
+/// The dissertation's reading: contour of the interpolated field, its longest chord, the ellipse of the contour.
 struct ContourReading {
   std::vector<Vec2> contour_2_mm = {};  ///< on the skin, mm; open where it leaves the dots
   std::vector<Vec2> contour_4_mm = {};
@@ -116,7 +116,7 @@ struct Measurement {
   std::optional<FieldFit> fit;             ///< none where it could not be tried
   std::optional<ContourReading> contour;
   std::vector<Finding> findings;
-  double seconds = 0.0;  ///< that it took
+  double seconds = 0.0;  ///< run time
 
   bool accepted() const;
 };
@@ -134,8 +134,8 @@ Measurement measurePair(const Photograph& before, const Photograph& after, const
 /// The same from marks that were found elsewhere, or corrected by hand.
 Measurement measureDots(const DotPair& dots, const MeasureSettings& settings = {}, const Progress& progress = {});
 
-/// How far the body moved between two pictures of which neither is pressed (`--null`): a fit of a similarity alone. The
-/// shift's length in mm; none where no grid was found or matched.
+/// Motion of the body between two pictures without a press (`--null`): a fit of a similarity alone. The shift's length
+/// in mm; none where no grid was found or matched.
 std::optional<double> nullDrift(const Photograph& first, const Photograph& second, const MeasureSettings& settings);
 
 }  // namespace palpate::measure

@@ -21,7 +21,7 @@ struct Photograph {
   std::string name;  ///< as it was named to the reader
   int width_px = 0;
   int height_px = 0;
-  /// Row by row from the top left, red, green, blue; 3 * width * height bytes. Turned as EXIF's orientation asks.
+  /// Row by row from the top left, red, green, blue; 3 * width * height bytes. Turned by EXIF's orientation.
   std::vector<std::uint8_t> rgb = {};
   /// EXIF's time of taking in seconds since 1970 as if its clock were UTC, with its fractions; only differences between
   /// two pictures of one camera mean something.
@@ -39,7 +39,7 @@ Photograph decodePhotograph(std::span<const std::byte> bytes, std::string_view n
 /// The same picture with fewer pixels, each the mean of those that it replaces; unchanged if it is at most this wide.
 Photograph reducedTo(const Photograph& picture, int width_px);
 
-/// As PNG or JPEG (quality 90), by the name's extension; through the one checked writer. Throws Error.
+/// Writes PNG or JPEG (quality 90), by the name's extension; through the one checked writer. Throws Error.
 void writePhotograph(const std::filesystem::path& file, const Photograph& picture);
 /// The same with a time of taking, as cameras write it into JPEG (EXIF DateTimeOriginal); `quality` 1 to 100.
 void writeJpeg(const std::filesystem::path& file, const Photograph& picture, int quality);

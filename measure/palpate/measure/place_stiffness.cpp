@@ -28,7 +28,7 @@ constexpr double kNothingMissed = 1e-3;  // no balance is better
 constexpr double kPoorFit = 0.9;         // R^2
 constexpr double kHardestNPerMm = 20.0;  // nothing soft; a wrong unit
 constexpr double kSoftestNPerMm = 0.005;
-// That a scene takes (docs/reference/scene-files.md).
+// Limits of a scene (docs/reference/scene-files.md).
 constexpr double kMinPower = 1.0;
 constexpr double kMaxPower = 3.0;
 

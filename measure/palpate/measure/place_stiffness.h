@@ -1,4 +1,4 @@
-// Force by depth at named places of a body -> how stiff each place is, in three forms, and which foretells best.
+// Force by depth at named places of a body -> how stiff each place is, in three forms, and which predicts best.
 //
 //   FORCES.csv ─ readPlaceCurves ─► PlaceCurve ─ fitPlaces ─► PlaceStiffness ─► key points with a stiffness, scene keys
 //
@@ -63,7 +63,7 @@ struct PlaceStiffness {
 };
 
 struct PlaceFitSettings {
-  std::optional<tissue::ForceForm> form = {};  ///< none: what foretells unseen rows best
+  std::optional<tissue::ForceForm> form = {};  ///< empty: the one that predicts unseen rows best
 };
 
 struct PlaceFits {

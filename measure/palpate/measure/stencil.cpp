@@ -16,7 +16,7 @@ namespace palpate::measure {
 
 namespace {
 
-constexpr double kEdgeMm = 6.0;         ///< that printers leave white
+constexpr double kEdgeMm = 6.0;         ///< margin that printers leave white
 constexpr double kWordsMm = 30.0;       ///< room for words below the holes
 constexpr double kAboveMm = 16.0;       ///< room for the arrow
 constexpr double kRulerMm = 16.0;       ///< room for the scale target

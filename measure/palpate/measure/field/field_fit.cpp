@@ -108,7 +108,7 @@ constexpr std::array kDeepStartTails = {0.8};
 constexpr double kMinShare = 0.01;  // a form that explains the dots so much worse is left out
 /// Errors of the chart and of every form are alike from dot to dot: chi2 differs by more than chance has it.
 constexpr double kChanceOfCost = 2.0;
-constexpr double kSmoothBefore = 2.0;  // how much likelier than each other form, before the dots are looked at
+constexpr double kSmoothBefore = 2.0;  // prior odds against each other form, before the dots are looked at
 
 using Jacobian = Eigen::Matrix<double, 2, kFieldUnknowns>;
 
@@ -275,8 +275,7 @@ FieldNumbers clamped(FieldNumbers n, FieldForm form) {
   return n;
 }
 
-/// How much of the form is free: first without sideways motion, then with it, in the end with the bends of the body
-/// too.
+/// Free part of the form: first without sideways motion, then with it, in the end with the bends of the body too.
 enum class Freedom : unsigned char { plain, sideways, bends };
 
 int unknownsOf(Freedom freedom) { return freedom == Freedom::bends ? kFieldUnknowns : kFirstBend; }
@@ -401,8 +400,8 @@ std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const 
   return sd;
 }
 
-/// By the scatter that is seen, for the data; what was known before is as sure as it was. All of it is less sure where
-/// the residuals say that the skin did not move as the form has it.
+/// Covariance by the observed scatter, for the data; priors keep theirs. All of it is less sure where the residuals say
+/// that the skin did not move as the form has it.
 FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const double> sd_mm, const FieldNumbers& n,
                              const Prior& prior) {
   const Normal normal = normalOf(data, sd_mm, n, prior, kFieldUnknowns);
@@ -473,7 +472,7 @@ FittedField fitOne(std::span<const FieldDatum> data, const DriftPrior& drift, st
   return {form, best.numbers, covarianceOf(data, sd, best.numbers, prior), residualsOf(data, form, best.numbers)};
 }
 
-/// How much each form counts: by what it leaves unexplained, all of them held against the noise of the best.
+/// Weight of each form: by its residuals, all of them held against the noise of the best.
 std::vector<double> sharesOf(std::span<const FieldDatum> data, const DriftPrior& drift,
                              std::span<const double> stretches, std::span<const FittedField> forms) {
   const auto best = std::min_element(forms.begin(), forms.end(), [](const FittedField& a, const FittedField& b) {

@@ -41,7 +41,7 @@ struct DriftPrior {
   double scale = 0.08;  ///< mm per 100 mm
   double turn = 0.15;   ///< mm per 100 mm
 };
-/// As a held breath has them in proportion.
+/// Proportions of a held breath.
 DriftPrior driftPriorOf(double drift_mm);
 
 struct FittedField {

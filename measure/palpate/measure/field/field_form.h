@@ -27,7 +27,7 @@ struct FormValue {
 
 FormValue formAt(FieldForm form, double rho2, double tail, double sideways);
 
-/// How the skin moves outwards all around a stick that presses as well, as shares of the peak times the offset from the
+/// Outward motion of the skin all around a stick that presses as well, as shares of the peak times the offset from the
 /// contact in radii: 1/(1 + rho^2), as a compressible half space has it, and its power of 3/2, which is nearer.
 struct PressShape {
   Vec2 value = Vec2::Zero();

@@ -26,7 +26,7 @@ namespace palpate::measure {
 //
 //   protocol.toml ─ readProtocol ─► Protocol ─ plannedPresses ─► which pictures are wanted (person_folder.h)
 //
-// A person is a code. Nothing here asks for a name, an age or a face.
+// A person is a code. Names, ages and faces are never requested.
 
 struct ProtocolPoint {
   std::string name;
@@ -72,7 +72,7 @@ std::string faultOfPerson(std::string_view code);
 Protocol readProtocol(const std::filesystem::path& file);
 Protocol parseProtocol(std::string_view text, std::string_view file);
 
-/// As a file with its explanations.
+/// Text of a file with its explanations.
 std::string protocolText(const Protocol& protocol);
 
 struct PlannedPress {

@@ -28,7 +28,7 @@ struct PictureHeader {
 /// file but decodes nothing.
 PictureHeader readPictureHeader(std::string_view bytes, std::string_view name);
 
-// By format.
+// One per format.
 PictureHeader readJpegHeader(std::string_view bytes, std::string_view name);
 PictureHeader readPngHeader(std::string_view bytes, std::string_view name);
 PictureHeader readTiffHeader(std::string_view bytes, std::string_view name);

@@ -15,7 +15,7 @@ namespace palpate::measure {
 
 /// A back 350 mm wide and 400 mm long (along the skin), as a height field.
 struct BackShape {
-  double flank_mm = 35.0;  ///< how far it falls towards its sides
+  double flank_mm = 35.0;  ///< drop towards its sides
   double flank_power = 2.3;
   double sway_mm = 8.0;          ///< bow along the spine
   double blade_mm = 12.0;        ///< height of the shoulder blades
@@ -62,7 +62,7 @@ struct Press {
   double direction_rad = 0.0;   ///< major axis; a half space: along the drag
   double tail_power = 0.7;      ///< exponent of a long tail
   double sideways = 0.0;        ///< kappa of skin_field.h
-  double asymmetry = 0.0;       ///< how much stronger behind the stick than before it; 0.2: 20 %
+  double asymmetry = 0.0;       ///< excess behind the stick over before it; 0.2: 20 %
   /// Displacement at a place from the contact, mm, of family `given`; its peak lies at 0 and is peak_mm along the drag.
   std::function<Vec2(const Vec2& offset_mm)> given = {};
   double dent_mm = 6.0;  ///< along the normal

@@ -1,4 +1,4 @@
-// Which place of the skin each pixel sees: the chart of the back as a projected mesh, painted triangle by triangle.
+// The place of the skin that each pixel sees: the chart of the back as a projected mesh, painted triangle by triangle.
 // Private to the folder: nothing outside it sees OpenCV.
 #pragma once
 

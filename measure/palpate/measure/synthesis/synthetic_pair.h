@@ -44,12 +44,12 @@ struct SyntheticPair {
   SyntheticTruth truth;
 };
 
-/// Which picture: `again` is a second one before the press, when the body may have moved.
+/// A picture of a pair: `again` is a second one before the press, when the body may have moved.
 enum class Moment : unsigned char { before, after, again };
 
 /// Without the losses of JPEG.
 Photograph renderPicture(const SyntheticCase& made, Moment moment);
-/// As a camera would hand them over: through JPEG of the case's quality.
+/// Pictures as from a camera: through JPEG of the case's quality.
 SyntheticPair renderPair(const SyntheticCase& made);
 SyntheticTruth truthOf(const SyntheticCase& made);
 

@@ -1,4 +1,4 @@
-// How the skin of a synthetic case truly moves: inside the family of formulas that is fitted, and outside it.
+// True motion of the skin of a synthetic case: inside the family of formulas that is fitted, and outside it.
 //
 //   Press ─► TrueField ─ displacementAt, dentAt ─► SyntheticBody (synthetic_body.h); ellipses for the truth
 #pragma once
