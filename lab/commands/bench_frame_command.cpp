@@ -42,7 +42,7 @@ struct FrameRun {
   bool labels = true;
   bool close = false;    ///< the camera is near the finger, so that most of the skin is outside the picture
   bool cull = true;      ///< false: skin outside the picture is drawn too
-  double seconds = 2.0;  ///< how long to repeat
+  double seconds = 2.0;  ///< time for repetitions
 };
 
 /// Milliseconds a picture: mean over the finger's places, of each place's shortest time.
@@ -63,9 +63,9 @@ struct FrameFigures {
 using bench::kPlaces;
 
 constexpr double kDepthMm = 8.0;
-/// How much of the body a near camera sees, from the lower to the upper edge.
+/// Height of the body in a near camera's picture.
 constexpr double kCloseMm = 100.0;
-/// As many bone triangles as the torso of 41,582 triangles has.
+/// Bone triangles of the torso of 41,582 triangles.
 constexpr std::size_t kBoneTriangles = 18296;
 
 std::shared_ptr<const scene::World> backOf(const FrameRun& run) {

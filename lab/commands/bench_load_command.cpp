@@ -190,7 +190,7 @@ LoadFigures measureLoad(const std::filesystem::path& file, const Progress& progr
   return figures;
 }
 
-/// How long assimp alone takes to read the file, not welded, into the same arrays, s. Throws Error where it cannot.
+/// Time of assimp alone to read the file, not welded, into the same arrays, s. Throws Error where it cannot.
 double assimpSeconds(const std::filesystem::path& file) {
   mesh::LoadOptions options;
   options.weld = false;

@@ -166,7 +166,7 @@ std::string failingText(const lab::FailingPath& path, const std::string& file) {
                      path.finding.ticks == 1 ? "" : "s", file.empty() ? "" : " -> " + file);
 }
 
-/// Which failing paths are worth a case: at most `keep` of a fault, those of new kinds of bodies first.
+/// Failing paths that are worth a case: at most `keep` of a fault, those of new kinds of bodies first.
 std::vector<std::size_t> chosen(const lab::HuntResult& result, std::size_t keep) {
   std::vector<std::size_t> picks;
   for (std::size_t f = 0; f < lab::kFaults; ++f) {

@@ -19,7 +19,7 @@ namespace {
 /// Shares of the stored energy; and N mm.
 constexpr double kMostShare = 1e-5;
 constexpr double kMostGivenNMm = 1e-5;
-/// As the stability map allows it where a run may start.
+/// Limit of the stability map where a run may start.
 constexpr double kMostPortEnergyMj = 0.01;
 /// A rule whose error falls with the square gains a factor of four; what is rounding already gains nothing.
 constexpr double kRounding = 1e-9;

@@ -67,7 +67,7 @@ void handOverToPeersProgram(const PeersOption& option) {
 
 namespace {
 
-/// Why there are no figures.
+/// The reason for missing figures.
 std::string reasonOf(const PeerFigures& f) {
   return lacksPeersProgram(f) ? fmt::format("not asked, {} is not beside this program", kPeersProgram) : f.skipped;
 }

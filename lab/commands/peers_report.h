@@ -15,7 +15,7 @@ namespace palpate::app {
 // The option --peers: ours compared with the libraries that people know.
 //
 // The libraries are linked to a program of their own, palpate_peers, which is next to `palpate` in the build folder:
-// one of them (CGAL) is under the GPL, and a command for everybody should not depend on any of them. That program has
+// one of them (CGAL) is under the GPL, and a command for all users should not depend on any of them. That program has
 // the same benchmark commands and measures ours and theirs in one process; `palpate` hands over to it.
 
 struct PeersOption {

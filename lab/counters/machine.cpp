@@ -1,4 +1,4 @@
-// Asks /proc, the scheduler and the build. SIMD is the best set that was compiled and that this processor has.
+// Reads /proc, the scheduler and the build. SIMD is the best set that was compiled and that this processor has.
 #include "lab/counters/machine.h"
 
 #include <fmt/format.h>

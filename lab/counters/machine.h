@@ -7,7 +7,7 @@ namespace palpate::lab {
 
 struct Machine {
   std::string cpu;         ///< as the processor calls itself; "unknown" where the system does not say
-  unsigned cores = 0;      ///< that this process may run on
+  unsigned cores = 0;      ///< usable by this process
   double memory_gb = 0.0;  ///< machine's, 1e9 bytes
   std::string kernel;      ///< name, release and processor family of the system
   std::string compiler;    ///< name and version of what built the benchmark kit
@@ -16,7 +16,7 @@ struct Machine {
   std::string palpate;     ///< version of this project
 };
 
-/// Asks system and build each time; some microseconds. Any thread.
+/// Reads system and build each time; some microseconds. Any thread.
 Machine thisMachine();
 
 /// One line without a line end.

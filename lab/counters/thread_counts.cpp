@@ -1,5 +1,5 @@
 // Based on: the GNU C Library manual, section "Replacing malloc". operator new calls malloc, and so do Eigen's matrices
-// of run-time size: counting malloc counts them all. Every call goes on to glibc's own allocator under its internal
+// of run-time size: counting malloc counts them all. Every call continues to glibc's own allocator under its internal
 // name, so memory may be freed by the untouched free(). Locks have no internal name: each call asks the loader, the
 // first time, for the next function of the same name.
 #include "lab/counters/thread_counts.h"

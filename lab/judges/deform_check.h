@@ -17,7 +17,7 @@ namespace palpate::lab {
 /// Where a finger is, and how far it may move skin.
 struct TouchedPlace {
   Vec3 anchor = Vec3::Zero();
-  Index triangle = kNoIndex;  ///< that the anchor lies on
+  Index triangle = kNoIndex;  ///< triangle under the anchor
   Vec3 normal = Vec3::UnitZ();
   double farthest_off_plane_mm = 0.0;
 };
@@ -28,7 +28,7 @@ struct DeformReport {
   std::size_t off_plane = 0;     ///< moved, farther off the planes of all places than those allow
   std::size_t turned = 0;        ///< triangles: deformed normal against rest normal, or no area left
   std::size_t too_thin = 0;      ///< triangles that rounding to float may turn over: not checked
-  double longest_tear_mm = 0.0;  ///< how much the two ends of an edge moved apart, less the edge's length, at most
+  double longest_tear_mm = 0.0;  ///< largest motion of an edge's ends apart, less its length
   bool isSound() const { return unconnected == 0 && off_plane == 0 && turned == 0; }
 };
 

@@ -24,7 +24,7 @@ struct Observation {
 
 struct FallReport {
   std::size_t ticks = 0;                      ///< ticks with a free tip inside
-  std::size_t events = 0;                     ///< how often that began
+  std::size_t events = 0;                     ///< times that began
   std::optional<std::size_t> first_tick;      ///< index of the first of them
   std::size_t first_contacts = 0;             ///< entries of the tip from outside to inside
   std::size_t first_contact_delay_ticks = 0;  ///< worst wait from the tick of the entry to the first force

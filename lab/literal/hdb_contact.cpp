@@ -28,7 +28,7 @@ void visitLeaves(HdbContact& contact, const Box3& box, Visit&& visit) {
   }
 }
 
-/// Intersects with the plane first, then asks the place's parametric coordinates (Sunday).
+/// Intersects with the plane first, then checks the place's parametric coordinates (Sunday).
 bool crosses(const Mesh& mesh, const Triangle& triangle, const Vec3& from, const Vec3& to) {
   const Vec3& corner = cornerOf(mesh, triangle, 0);
   const Vec3 u = cornerOf(mesh, triangle, 1) - corner;

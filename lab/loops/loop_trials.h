@@ -17,7 +17,7 @@ namespace palpate::lab {
 //
 // The plate lies in z = 0 and is felt from above. Its stiffness may grow along x: a map.
 
-/// How much of the limiter takes part.
+/// Active part of the limiter.
 enum class Protection : std::uint8_t {
   none,        ///< the bare force, clamped to what the device takes
   assumed,     ///< damping and friction of the device assumed, the delay uncertain by a tick
@@ -121,7 +121,7 @@ double growthOnset(LoopPlan plan, double low, double high);
 
 struct TapResult {
   double first_force_n = 0.0;    ///< in the first tick in contact
-  double greatest_step_n = 0.0;  ///< that the force grew by between two ticks
+  double greatest_step_n = 0.0;  ///< largest growth of the force between two ticks
   double port_energy_mj = 0.0;   ///< the most that the loop gave beyond what it got
   int bounces = 0;               ///< contacts after the first
 

@@ -110,7 +110,7 @@ double workAlong(const contact::Surface& plate, const contact::LumpPlaces& place
   return work;
 }
 
-/// How often a value turns round by more than this: a slow creep does not.
+/// Number of turns of a value by more than this: a slow creep does not.
 int turnsOf(const std::vector<double>& values, double most) {
   int turns = 0;
   int direction = 0;

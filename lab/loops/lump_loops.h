@@ -58,7 +58,7 @@ struct HeldLumpsFigures {
   double given_back_n_mm = 0.0;
   double lost_n_mm = 0.0;       ///< by friction and drag of the lump, at most
   std::size_t oscillating = 0;  ///< tip or lump swings on at the end
-  double farthest_mm = 0.0;     ///< that a lump was moved
+  double farthest_mm = 0.0;     ///< farthest motion of a lump
 };
 
 HeldLumpsFigures measureHeldLumps(const HeldLumpsPlan& plan, const Progress& progress = {});

@@ -28,7 +28,7 @@ LoopPlan randomLoop(const RandomCell& cell, std::uint64_t number);
 /// A hand of this kind within the spread of people; the same draw for any other kind is +-30 %.
 device::HandModel handLike(device::HandKind kind, Random& random);
 
-/// How many of the first `systems` still oscillate after a kick.
+/// Number of the first `systems` still oscillate after a kick.
 std::size_t oscillating(const RandomCell& cell, std::size_t systems);
 
 }  // namespace palpate::lab

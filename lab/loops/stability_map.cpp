@@ -10,8 +10,8 @@ namespace palpate::lab {
 
 namespace {
 
-/// As the loop knows an open device. Where it is refused, and would get no force at all, the loop is run as if it were
-/// not: at the softest cap, without the controller.
+/// The loop's profile of an open device. Where it is refused, and would get no force at all, the loop is run as if it
+/// were not: at the softest cap, without the controller.
 const device::DeviceProfile& believedProfile(scene::DeviceModel model, bool refused) {
   static const std::map<std::pair<scene::DeviceModel, bool>, device::DeviceProfile> profiles = [] {
     std::map<std::pair<scene::DeviceModel, bool>, device::DeviceProfile> all;

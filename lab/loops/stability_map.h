@@ -49,7 +49,7 @@ LoopPlan mappedLoop(const StabilityCell& cell, std::uint64_t seed, std::size_t n
 /// than two encoder steps 0.4 to 0.8 s after the kick, and still 1.6 to 2 s after.
 StabilityCell measuredCell(StabilityCell cell, std::uint64_t seed, std::size_t systems);
 
-/// By rate, delay, device, hand. The same cells whatever the threads.
+/// Cells by rate, delay, device, hand. The same cells whatever the threads.
 std::vector<StabilityCell> measureStabilityMap(const StabilityMapPlan& plan, const Progress& progress = {});
 
 }  // namespace palpate::lab

@@ -14,7 +14,7 @@ namespace palpate::study {
 /// Value at a place in the map plane, mm.
 using MapValue = std::function<double(const Vec2& place)>;
 
-/// How a map is shown: the colour bar and its range.
+/// Look of a map: the colour bar and its range.
 struct MapLook {
   std::string label;
   std::string unit;

@@ -83,7 +83,7 @@ std::vector<std::unique_ptr<Part>> partsOf(const contact::ToolShape& tool) {
   return parts;
 }
 
-/// Which pads of a part there are points of contact of.
+/// Pads of a part with points of contact.
 struct Touching : btCollisionWorld::ContactResultCallback {
   Touching(const btCollisionObject& skin_object, std::vector<char>& pads) : skin(skin_object), touches(pads) {}
 

@@ -23,7 +23,7 @@ namespace palpate::bench {
 /// the new one is free (lifted off the skin, for both ends lie on it); in free space, whether the way of the tip is
 /// free. Sphere: the nearest point to its centre within its radius, and whether the way of the centre is free.
 struct ContactQuery {
-  Vec3 point = Vec3::Zero();  ///< whose nearest point of the surface is wanted
+  Vec3 point = Vec3::Zero();  ///< its nearest point of the surface is wanted
   double reach = 0.0;         ///< within this distance; 0: not asked
   double bound = 0.0;         ///< <= reach: what the finger knows of the distance from its last tick
   Vec3 from = Vec3::Zero();   ///< a segment that may cross the surface, from either side
@@ -41,7 +41,7 @@ std::vector<ContactQuery> contactQueries(const ContactWorld& world, const Finger
                                          const contact::FingerSettings& finger, std::span<const double> time_s,
                                          const Window& window);
 
-/// By our own tree, exactly: what the peers should say.
+/// The exact answer, by our own tree: what the peers should say.
 ContactAnswer exactAnswer(const tree::TriangleTree& tree, const ContactQuery& query);
 
 /// A library's answers: `answers[i]` and `query_us[i]` belong to query `asked[i]`. All queries, or as many as the time
@@ -70,7 +70,7 @@ enum class BoxTest : std::uint8_t {
   triangle       ///< the triangle itself does
 };
 
-/// Each function builds, asks for at most `seconds`, and frees. A null function: cannot do that.
+/// Each function builds, queries for at most `seconds`, and frees. A null function: cannot do that.
 struct Peer {
   std::string name;
   std::string package;  ///< Debian's, empty: needs none
@@ -96,7 +96,7 @@ struct ToolQueries {
   }
 };
 
-/// How many pads meet the skin.
+/// Number of pads on the skin.
 struct ToolAnswer {
   std::size_t touching = 0;
 };

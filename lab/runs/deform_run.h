@@ -31,7 +31,7 @@ struct DeformRun {
   bool general = false;    ///< displace the general way even where the fast one would do
   bool layered = false;    ///< in tissue 40 mm over the bone, whose layers have regions of their own
   bool literal = true;     ///< also time the dissertation's: some 500 bytes of memory a vertex
-  double seconds = 1.0;    ///< how long to repeat
+  double seconds = 1.0;    ///< time for repetitions
 };
 
 /// A finger at a place of a triangle, pressed and dragged as the run says.

@@ -12,7 +12,7 @@ namespace palpate::bench {
 /// Shortest of many blocks of ticks, us: a busy machine makes others longer.
 struct LumpCosts {
   double tick_us = 0.0;           ///< fingertip in contact, without lumps
-  double one_us = 0.0;            ///< that a tick takes longer with one lump under the path, and so on
+  double one_us = 0.0;            ///< more per tick with one lump under the path, and so on
   double eight_us = 0.0;          ///< all within reach
   double eight_mobile_us = 0.0;   ///< the same on springs, their motion counted in
   double eight_and_pad_us = 0.0;  ///< eight fixed ones and a pad of 4 x 4 taxels in every tick

@@ -1,4 +1,4 @@
-// One slide over the surface asks each way of finding in turn: ranges, their triangles, leaves. The list that follows
+// One slide over the surface runs each way of finding in turn: ranges, their triangles, leaves. The list that follows
 // has slides of its own; of these and of builds the shortest time counts, since other load only ever adds.
 #include "lab/runs/partition_run.h"
 
@@ -124,7 +124,7 @@ void measureHybrid(const Partition& built, const std::vector<Vec3>& proxies, con
   figures.hybrid_refreshes = list.refreshes;
 }
 
-/// As measureHybrid. Each slide begins with the box far from where the last one ended: the first tick is not counted.
+/// Like measureHybrid. Each slide begins with the box far from where the last one ended: the first tick is not counted.
 void measureLinked(const Partition& built, const std::vector<Vec3>& proxies, PartitionFigures& figures) {
   hdb::LinkedTriangles list;
   list.prepareFor(built);

@@ -39,11 +39,11 @@ struct PartitionFigures {
   std::uint64_t hash = 0;                    ///< hash of everything that the queries found
 };
 
-/// The finger slides between random vertices of the surface, held to it; every tick asks. Throws Error for a mesh
+/// The finger slides between random vertices of the surface, held to it; every tick queries. Throws Error for a mesh
 /// without triangles and as buildPartition does.
 PartitionFigures measurePartition(const mesh::TriangleMesh& mesh, const PartitionRun& run);
 
-/// The boxes of a quarter of the longest edge that measurePartition asks for, one a tick.
+/// The boxes of a quarter of the longest edge that measurePartition queries, one a tick.
 std::vector<Box3> slidingBoxes(const mesh::TriangleMesh& mesh, const PartitionRun& run);
 
 }  // namespace palpate::bench

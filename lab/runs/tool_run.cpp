@@ -15,7 +15,7 @@ namespace {
 
 /// From part to part along the path: far enough on a slide that parts do not lie on each other.
 constexpr double kBetweenPartsSeconds = 0.35;
-/// How far the facing of the skin is averaged, against the noise of single triangles.
+/// Ticks over which the facing of the skin is averaged, against the noise of single triangles.
 constexpr int kFacingTicks = 25;
 
 using Shapes = std::vector<std::pair<std::string, contact::ToolShape>>;

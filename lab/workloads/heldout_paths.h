@@ -11,7 +11,7 @@ namespace palpate::lab {
 struct PathSettings {
   std::size_t ticks = 20000;   ///< each 1 ms
   double step_mm = 0.3;        ///< a tick; 0.3 mm are 300 mm/s
-  double depth_mm = 5.0;       ///< how far below the skin
+  double depth_mm = 5.0;       ///< below the skin
   double start_above_mm = 10;  ///< height of the first tip over the skin: out of a sphere finger's reach
   double off_border_mm = 0;    ///< targets keep this far from a border; seen from +z on a height field
   double noise_mm = 0.0;       ///< standard deviation of sensor noise

@@ -35,7 +35,7 @@ mesh::TriangleMesh someBall(Random& random, double radius, std::array<double, 2>
   return bumpyBallMesh(radius, height, number, rounds);
 }
 
-/// By a share of these, in any direction.
+/// Squeezes by a share between these, in any direction.
 void squeezeSomehow(mesh::TriangleMesh& mesh, Random& random, double low, double high) {
   const double share = random.uniform(low, high);
   squeeze(mesh, anyDirection(random), share);

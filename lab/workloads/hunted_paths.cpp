@@ -236,7 +236,7 @@ void crease(PathWriter& w) {
   }
 }
 
-/// An edge that goes through a triangle it has no vertex of; a random place where there is none.
+/// An edge that goes through a triangle it has no vertex of; a random place if there is no such edge.
 Vec3 pierced(PathWriter& w) {
   const auto& m = w.body.mesh();
   for (int i = 0; i < (w.body.selfIntersecting() ? 400 : 20); ++i) {

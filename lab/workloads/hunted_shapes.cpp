@@ -14,10 +14,10 @@
 namespace palpate::lab {
 namespace {
 
-/// As it comes out of repair, which mends triangles without height.
+/// Checks after repair, which mends triangles without height.
 bool piercesItself(const mesh::TriangleMesh& mesh) { return mesh::repair(mesh).self_intersecting; }
 
-/// As the lattice leaves it. Where a sharp edge runs along a plane of the lattice its triangles can lose their height
+/// The lattice's own surface. Where a sharp edge runs along a plane of the lattice its triangles can lose their height
 /// and fold over: then the lattice is moved.
 mesh::TriangleMesh latticeSurface(const HuntedForm& shape, double cell, Random& random) {
   constexpr int kTries = 5;

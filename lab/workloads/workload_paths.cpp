@@ -157,7 +157,7 @@ device::Trajectory latticeWalk(std::uint64_t seed, double unit_mm, std::array<in
 
 // ---- around a body ------------------------------------------------------------------------------------------------
 
-/// How far the ray from `origin` hits the triangle (Moeller and Trumbore, 1997), if it does.
+/// Distance at which the ray from `origin` hits the triangle (Moeller and Trumbore, 1997), if it does.
 std::optional<double> rayHit(const Vec3& origin, const Vec3& direction, const std::array<Vec3, 3>& corners) {
   const Vec3 e1 = corners[1] - corners[0], e2 = corners[2] - corners[0], p = direction.cross(e2),
              t = origin - corners[0];
