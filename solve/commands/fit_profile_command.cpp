@@ -71,7 +71,7 @@ tissue::ForceFit forceFrom(const std::string& file) {
   }
 }
 
-/// As far out as every depth was measured.
+/// Largest radius at which every depth was measured.
 double commonRadius(const std::vector<tissue::SkinProfile>& profiles) {
   double radius = profiles.front().radius_mm.back();
   for (const tissue::SkinProfile& profile : profiles) radius = std::min(radius, profile.radius_mm.back());

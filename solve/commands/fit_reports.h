@@ -26,7 +26,7 @@ struct ForceResult {
   std::vector<FittedCurve> curves;       ///< at least one
   std::vector<tissue::ForceFit> shared;  ///< one shape for all curves; empty where there is one curve
   tissue::ForceForm chosen = tissue::ForceForm::power;
-  std::string table;                 ///< that was written; empty: none
+  std::string table;                 ///< written table; empty: none
   std::vector<std::string> written;  ///< every file
 
   /// Fits of the only curve, or those that all share.
@@ -51,7 +51,7 @@ struct ProfileResult {
   std::optional<tissue::ForceFit> force;  ///< where forces were given
   tissue::LayeredTable table;             ///< table of the chosen form
   tissue::SharedProfile shared;           ///< one curve for all depths
-  std::string table_file;                 ///< that was written; empty: none
+  std::string table_file;                 ///< written file; empty: none
   std::string profile_file;               ///< likewise
   std::vector<std::string> written;
 

@@ -133,7 +133,7 @@ std::string sceneKeys(const ForceResult& result) {
   const ForceFit& fit = fitOf(result.fits(), result.chosen);
   std::string keys = "[tissue]\n";
   const auto number = [&](std::size_t i) { return fit.numbers[i].value; };
-  constexpr double kMinExponent = 1.0;  // that a scene takes
+  constexpr double kMinExponent = 1.0;  // limit of a scene
   constexpr double kMaxExponent = 3.0;
   const bool known_power = fit.form == ForceForm::power && number(0) >= kMinExponent && number(0) <= kMaxExponent;
   if (fit.form == ForceForm::linear) {

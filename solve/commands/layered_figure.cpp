@@ -20,7 +20,7 @@ using tissue::PressedShape;
 constexpr std::array kMarkers = {figures::Marker::circle, figures::Marker::square, figures::Marker::triangle,
                                  figures::Marker::diamond, figures::Marker::cross};
 
-/// How the curves of one shape or one table look.
+/// Look of the curves of one shape or one table.
 struct Look {
   figures::Colour colour;
   figures::Marker marker = figures::Marker::circle;

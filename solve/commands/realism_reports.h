@@ -41,8 +41,8 @@ struct RadiusPress {
   double radius_mm = 0.0;
   double depth_mm = 0.0;
   double true_force_n = 0.0;  ///< by finite elements
-  double force_n = 0.0;       ///< that the finger feels
-  double fingertip_n = 0.0;   ///< that a fingertip of 8 mm would feel: the force before the radius counted
+  double force_n = 0.0;       ///< felt by the finger
+  double fingertip_n = 0.0;   ///< would be felt by a fingertip of 8 mm: the force before the radius counted
   double error() const { return force_n / true_force_n - 1.0; }
 };
 

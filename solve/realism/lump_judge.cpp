@@ -213,7 +213,7 @@ void judgeBeside(const LumpCases& cases, const std::vector<KnownStack>& known, L
       const double plain_n = cases.forces_n[beside.stack][depth - 1];
       const tissue::LumpAnswer here = energy.at(beside.at_mm, press.depth_mm);
       const double middle_n = energy.at(0.0, press.depth_mm).d_depth;
-      // How much too stiff the coarse mesh is, as the axis shows.
+      // Excess stiffness of the coarse mesh, as the axis shows.
       const double bias = axis->presses[i].extra_share / (middle_n / plain_n);
       worst.lateral = std::max(worst.lateral, std::abs(press.lateral_share / bias + here.d_rho / plain_n));
       constexpr double kLeastForRatio = 3.0;

@@ -1,4 +1,4 @@
-// How far what the product feels and shows is from finite elements: its own run-time path on a flat slab.
+// Distance of the product's feel and look from finite elements: its own run-time path on a flat slab.
 //
 //   table or library ─ scene::buildOn(flat skin over bone) ─► World ─ contact::step ─► force
 //                                                              └─ engine::LivingSkin ─► surface ─► against the truth

@@ -46,7 +46,7 @@ Solved solved(const tissue::LayerStack& stack, std::vector<double> depths, const
   return {std::move(solution.table), std::move(drag)};
 }
 
-/// Those of a table, as deep as the cases go.
+/// Depths of a table, down to the deepest case.
 std::vector<double> depthsTo(double deepest_mm) {
   std::vector<double> depths = {0.5};
   for (double depth = 1.0; depth < deepest_mm - 1e-9; depth += 1.0) depths.push_back(depth);

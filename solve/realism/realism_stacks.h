@@ -26,7 +26,7 @@ std::vector<JudgedStack> stacksOfBody(const Progress& progress);
 /// The cases are the truth; the skin gets a table that is solved now for each stack. Throws Error naming the stack that
 /// cannot be solved.
 std::vector<JudgedStack> stacksOfCases(const FemCases& cases, const Progress& progress);
-/// Those of a file. Throws Error naming file, case and key, too.
+/// Stacks of a file. Throws Error naming file, case and key, too.
 std::vector<JudgedStack> stacksOfFile(const std::filesystem::path& file, const Progress& progress);
 
 }  // namespace palpate::lab

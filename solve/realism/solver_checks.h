@@ -25,7 +25,7 @@ double energyError(const tissue::LayerStack& stack, double depth_mm);
 struct RefinedPress {
   std::vector<double> fineness;  ///< PressSettings::fineness, each twice the one before
   std::vector<double> force_n;   ///< as many
-  /// As the last three differ; none where they do not come nearer and nearer.
+  /// From the differences of the last three; nothing unless they converge.
   std::optional<double> order;
   /// Index for the finest of the three: fraction of the force (gridConvergence).
   double grid_convergence = 0.0;

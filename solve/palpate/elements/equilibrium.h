@@ -19,7 +19,7 @@ struct EquilibriumSettings {
 struct Equilibrium {
   Eigen::VectorXd displacement;
   Balance balance;
-  int systems = 0;      ///< that were factorised
+  int systems = 0;      ///< factorised ones
   std::string trouble;  ///< why none was found, with the place; empty: found
   bool found() const { return trouble.empty(); }
 };

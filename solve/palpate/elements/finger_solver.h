@@ -11,8 +11,8 @@
 
 namespace palpate::elements {
 
-/// How deep a sphere is pressed at most, mm: small ones puncture the model's skin (docs/explanation/tissue-solver.md),
-/// fingertips and larger ones go as deep as they are asked to.
+/// Greatest depth of a sphere, mm: small ones puncture the model's skin (docs/explanation/tissue-solver.md), fingertips
+/// and larger ones go as deep as requested.
 double deepestOf(double finger_mm);
 
 /// A press of one sphere with a disc that is large enough for it.

@@ -55,7 +55,7 @@ struct PressStep {
 struct PressSolution {
   tissue::LayeredTable table;    ///< holds the depths that were reached, and the deepest where some were not
   double converged_to_mm = 0.0;  ///< deepest equilibrium
-  std::string stopped_by;        ///< why it went no deeper; empty: all depths were reached
+  std::string stopped_by;        ///< obstacle to a deeper press; empty: all depths were reached
   std::vector<PressStep> path;
   /// One per shape of the table: kPa, means over rings of 1 mm from the middle, seen along the axis.
   std::vector<std::vector<double>> ring_pressures_kpa;

@@ -57,7 +57,7 @@ HexBlock blockUnder(const tissue::LayerStack& stack, double half_width_mm, const
                             .most = static_cast<int>(std::ceil(9.0 * fineness))})};
 }
 
-/// How deep the bone lies at so much to the side; beyond every depth where it does not reach.
+/// Depth of the bone at `y` to the side; infinite where it does not reach.
 double boneDepth(double y, double cover_mm, double bone_radius_mm) {
   if (bone_radius_mm == 0.0) return cover_mm;
   if (y >= bone_radius_mm) return std::numeric_limits<double>::infinity();

@@ -25,7 +25,7 @@ struct MeshFineness {
   Spacing columns;
   RowFineness rows;
   BonePost bone = {};
-  std::optional<Inclusion> lump = {};  ///< whose lines the mesh has
+  std::optional<Inclusion> lump = {};  ///< its outline follows lines of the mesh
 };
 
 /// No degree of freedom: held.

@@ -15,7 +15,7 @@ struct StackSettings {
 };
 
 struct StackSolution {
-  PressSolution press;    ///< whose table has the drag too
+  PressSolution press;    ///< its table has the drag too
   double drag_rms = 0.0;  ///< misfit of the form, share of the drag
   double drag_n_per_mm = 0.0;
   double press_n_per_mm = 0.0;  ///< stiffness of the same bonded patch, linear
