@@ -39,7 +39,7 @@ struct Evidence {
   std::string name;     ///< name of its paragraph in credibility_findings.txt
   std::string title;    ///< a few words
   std::string against;  ///< reference that it is compared with
-  std::string command;  ///< that gives the same numbers alone; empty: this study only
+  std::string command;  ///< gives the same numbers alone; empty: this study only
   std::vector<CredibilityNumber> numbers;
 
   /// Throws Error for a name that it does not have.
@@ -138,7 +138,7 @@ std::vector<CredibilityLimit> limitsOf(const std::vector<CredibilitySection>& se
 /// The sentence of a piece of evidence, filled by its numbers.
 std::string findingOf(const Evidence& evidence);
 
-// As text for a terminal, JSON for programs, one HTML file for people.
+// Text for a terminal, JSON for programs, one HTML file for people.
 
 std::string textOf(const CredibilityFile& file);
 std::string jsonOf(const CredibilityFile& file);

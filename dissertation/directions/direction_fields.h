@@ -24,7 +24,7 @@ struct FieldComparison {
   double mean_deg = 0.0;  ///< difference of direction from the tensor's, over the back
   double most_deg = 0.0;
   double share_above_10_deg = 0.0;  ///< share of the back's area
-  double most_boundary_mm = 0.0;    ///< how far the boundary of the region moves at the worst place
+  double most_boundary_mm = 0.0;    ///< largest motion of the region's boundary
   double mirror_deg = 0.0;          ///< largest breach of the symmetry: d(-x, y) should be 180 - d(x, y)
 };
 
@@ -58,7 +58,7 @@ struct DirectionResults {
   FieldComparison printed_up;  ///< raw degrees, the printed means
   FieldComparison doubled_up;  ///< double angle
   FieldComparison printed_down;
-  double tensor_mirror_deg = 0.0;  ///< how far the tensors' field misses its mirror image
+  double tensor_mirror_deg = 0.0;  ///< distance of the tensors' field from its mirror image
   AxisCurve spread_away;           ///< true axis at 90 degree
   AxisCurve spread_seam;           ///< true axis at 0 degree
   AxisCurve direction;             ///< over the true axis

@@ -26,7 +26,7 @@ struct RunLook {
 struct ErratumEffect {
   scene::ErratumText text;
   std::string reading;    ///< options that were set, as in a scene file; empty: nothing to switch, nothing measured
-  std::string body;       ///< that it was measured on
+  std::string body;       ///< measured body
   std::string tissue;     ///< tissue of that body and its force law, in words; with the reading
   std::string base;       ///< "surface", "bsp" or "octree": what the fingers collide with
   std::string active;     ///< options that were active on both sides, as in a scene file

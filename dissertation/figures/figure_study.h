@@ -10,7 +10,7 @@
 
 namespace palpate::study {
 
-/// Those of the numbers, or all where none is named. Throws Error for a number that is not there.
+/// Figures with these numbers; empty: all. Throws Error for an unknown number.
 std::vector<DissertationFigure> chosenFigures(const std::vector<std::string>& numbers);
 
 /// "figure_4_8"; "table_4_2" for T4.2.

@@ -67,7 +67,7 @@ hdb::Partition splitOnce(const mesh::TriangleMesh& patch, hdb::Assignment assign
   return hdb::buildPartition(patch, settings);
 }
 
-// How many children each triangle belongs to.
+// Number of children that each triangle belongs to.
 std::vector<int> ownersOf(const hdb::Partition& tree) {
   std::vector<int> owners(tree.triangle_count, 0);
   for (const Index triangle : tree.triangles) ++owners[triangle];

@@ -54,7 +54,7 @@ struct InterpolationResults {
   std::array<std::pair<double, double>, kInterpolators.size()> range_mm;  ///< half major axis over the back
   double up_down_mm = 0.0;                                                ///< rms of the boundary over the back
   double up_down_most_mm = 0.0;
-  double expected_up_down_mm = 0.0;  ///< that chance alone would make of it
+  double expected_up_down_mm = 0.0;  ///< by chance alone
 };
 
 /// The effect radius with the smallest error.

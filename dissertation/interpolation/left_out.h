@@ -1,4 +1,4 @@
-// How well an interpolation foresees a measured ellipse that it has not seen (leave one out).
+// How well an interpolation predicts a measured ellipse that it has not seen (leave one out).
 //
 // An ellipse map of a few key points is exact at every key whatever lies between, so being exact says nothing. The
 // ellipse at an unmeasured place counts: each measured point is left out in turn and predicted from the others.
@@ -60,7 +60,7 @@ struct LeftOutErrors {
 /// Each point of each set predicted from the rest of its set; its mirror image is left out with it.
 LeftOutErrors leftOutErrors(const std::vector<TensorSet>& sets, Interpolator interpolator, double effect_radius_mm);
 
-/// How far a subject's boundary is from the mean of the other subjects at the same point: what no map can foresee.
+/// How far a subject's boundary is from the mean of the other subjects at the same point: no map can predict it.
 double subjectScatterMm(const std::vector<TensorSet>& subjects);
 
 }  // namespace palpate::study

@@ -33,9 +33,9 @@ struct NumberRow {
   std::string printed;  ///< as printed
   std::string ours;     ///< with two digits more; empty where there is nothing to compute
   Verdict verdict = Verdict::from_engine;
-  Erratum erratum = Erratum::none;                   ///< that explains it
-  std::string reason;                                ///< how ours is computed, or why it differs
-  std::string tolerance;                             ///< how near ours must be; empty where there is nothing to compute
+  Erratum erratum = Erratum::none;  ///< erratum that explains it
+  std::string reason;               ///< our calculation, or why it differs
+  std::string tolerance;            ///< limit of the difference; empty where there is nothing to compute
   std::optional<double> off_percent = std::nullopt;  ///< ours over the printed number, where both are one number
 };
 

@@ -1,5 +1,5 @@
-// `palpate study partition MESH`: builds the dissertation's partition of a mesh, says what it looks like, and asks it
-// for the triangles in a haptic detecting box.
+// `palpate study partition MESH`: builds the dissertation's partition of a mesh, describes it, and queries it for the
+// triangles in a haptic detecting box.
 #include <fmt/format.h>
 
 #include <algorithm>

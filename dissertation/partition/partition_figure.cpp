@@ -52,7 +52,7 @@ void addLeaves(const mesh::TriangleMesh& mesh, const hdb::Partition& partition, 
   }
 }
 
-/// Those that queries test.
+/// Boxes that queries test.
 figures::Segments boxesOf(const hdb::Partition& partition, std::span<const Index> leaves, const std::string& name) {
   figures::Segments boxes{.name = name, .segments = {}, .colour = figures::withAlpha(figures::kBlue, 0.55)};
   boxes.width_px = 0.8;

@@ -18,7 +18,7 @@ namespace palpate::app {
 
 // One box, for --box: partition_query.cpp.
 
-/// How leaves are found: as the engine does, by the sphere within the box (tested properly), or as printed.
+/// Search for leaves: as the engine does, by the sphere within the box (tested properly), or as printed.
 struct LeafSearch {
   bool sphere = false;
   std::optional<hdb::LiteralTraversal> literal;
@@ -65,7 +65,7 @@ struct PartitionReport {
 std::string textOf(const PartitionReport& report);
 Json jsonOf(const PartitionReport& report);
 
-// As a picture: partition_figure.cpp.
+// Picture: partition_figure.cpp.
 
 /// Where a partition is looked at from.
 struct PartitionSight {
@@ -81,7 +81,7 @@ figures::Figure partitionFigure(const mesh::TriangleMesh& mesh, const hdb::Parti
 /// Whether the name is a picture's, .svg or else .png. Throws Error for another.
 bool isSvgPicture(const std::filesystem::path& file);
 
-// As PLY files: partition_pictures.cpp.
+// PLY files: partition_pictures.cpp.
 
 /// Colour of the leaf with this number; neighbours in the list differ clearly.
 std::array<std::uint8_t, 3> leafColour(std::size_t number);

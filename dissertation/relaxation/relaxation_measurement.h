@@ -53,7 +53,7 @@ struct BeefLoss {
 };
 std::vector<BeefLoss> beefLosses(const RelaxationMeasurement& found);
 
-/// How near they must be.
+/// Largest difference allowed.
 inline constexpr double kBeefBar = 0.02;
 
 std::vector<std::string> relaxationFindings(const RelaxationMeasurement& found);

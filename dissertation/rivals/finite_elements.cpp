@@ -12,7 +12,7 @@ namespace palpate::study {
 
 namespace {
 
-constexpr double kPoisson = 0.48;  // that of the truth
+constexpr double kPoisson = 0.48;  // as in the truth
 constexpr int kBrickUnknowns = 24;
 using BrickMatrix = Eigen::Matrix<double, kBrickUnknowns, kBrickUnknowns>;
 using StrainMatrix = Eigen::Matrix<double, 6, kBrickUnknowns>;  // xx, yy, zz, xy, yz, zx of engineering

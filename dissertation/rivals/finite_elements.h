@@ -1,9 +1,9 @@
 // Rival 1 of Table 4.1: linear finite elements, "most accurate", "very expensive computation cost".
 //
 // Bricks of eight nodes, the change of volume averaged over each so that nearly incompressible tissue does not lock.
-// The matrix is factorised once a body. A press then asks for the answer of the skin to a unit force at each node that
-// the ball turns out to touch - one solution each - and finds the forces that keep the skin out of the ball. Where the
-// answers of all nodes of the skin are computed beforehand, what is left of a press is the last step.
+// The matrix is factorised once a body. A press then needs the answer of the skin to a unit force at each node that the
+// ball turns out to touch - one solution each - and finds the forces that keep the skin out of the ball. Where the
+// answers of all nodes of the skin are computed beforehand, only the last step is left of a press.
 // Based on: Hughes, "Generalization of selective integration procedures to anisotropic and nonlinear media", 1980 (the
 // brick); Bro-Nielsen and Cotin, "Real-time volumetric deformable models for surgery simulation using finite elements
 // and condensation", 1996, and James and Pai, "ArtDefo", 1999 (answers computed beforehand).

@@ -22,7 +22,7 @@ struct LayeredPress {
   std::string tissue;               ///< "back_mid": 2 mm skin, 8 mm fat, 30 mm muscle; "bony"; "stiff_skin"
   std::vector<TissueLayer> layers;  ///< from the skin down
   double depth_mm = 0.0;            ///< nominal: 5 or 10
-  double central_mm = 0.0;          ///< how far the skin under the ball really went down
+  double central_mm = 0.0;          ///< real depth of the skin under the ball
   double force_n = 0.0;
   double step_mm = 0.0;        ///< between the radii of the two profiles
   std::vector<double> inward;  ///< shares of central_mm, from the middle on

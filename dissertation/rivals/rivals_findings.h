@@ -11,7 +11,7 @@
 
 namespace palpate::study {
 
-inline constexpr const char* kFittedTissue = "back_mid";  ///< that the default circle of FSMD was fitted to (E21)
+inline constexpr const char* kFittedTissue = "back_mid";  ///< fits the default circle of FSMD (E21)
 
 /// Calls `function` for the rows of a method at the common size, every tissue and depth; free form with the plan's
 /// lattice.

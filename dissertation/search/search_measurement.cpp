@@ -80,7 +80,7 @@ struct RegionAt {
   }
 };
 
-// As far along the normal as along the skin: neither search may take the other side of a thick body.
+// Reaches as far along the normal as along the skin: neither search may take the other side of a thick body.
 RegionAt regionAt(const SkinPlace& place) {
   return {place, maps::liftedOntoSurface(kRegion, place.normal), kRegion.half_major_mm};
 }

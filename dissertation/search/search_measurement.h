@@ -34,8 +34,8 @@ struct SearchRow {
   double region_all_us = 0.0;
   double region_octree_us = 0.0;
   double region_rings_us = 0.0;  ///< ours, vertex by vertex
-  double region_vertices = 0.0;  ///< that hang together with the contact and face it: ours
-  double region_stray = 0.0;     ///< that the octree finds beyond these: other sheets of the body
+  double region_vertices = 0.0;  ///< found by us: connected with the contact and facing it
+  double region_stray = 0.0;     ///< found by the octree in addition: other sheets of the body
   int region_missed = 0;         ///< among ours, those that the octree did not find
 };
 

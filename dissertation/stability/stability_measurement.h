@@ -19,7 +19,7 @@ struct StabilityPlan {
   std::vector<double> rates;                                        ///< Hz
   std::size_t systems = 400;                                        ///< random ones of a cell
   int phases = 40;                                                  ///< phases of a tap
-  std::vector<scene::DeviceModel> devices = lab::nominalDevices();  ///< that are kicked until they oscillate
+  std::vector<scene::DeviceModel> devices = lab::nominalDevices();  ///< devices that are kicked until they oscillate
   bool every_cell = true;  ///< false: only the cells that the main numbers need
 };
 
@@ -111,7 +111,7 @@ double oscillatingShare(const StabilityMeasurement& found, const lab::RandomCell
 
 std::vector<std::string> stabilityFindings(const StabilityMeasurement& found);
 
-/// By the names that programs know.
+/// Results by the names that programs know.
 std::vector<std::pair<std::string, double>> stabilityPairs(const StabilityMeasurement& found);
 
 // `palpate study stability --map`: what the product allows at every rate and delay, and what random systems do there.

@@ -25,7 +25,7 @@ using Drawing = std::unique_ptr<ImmediateDrawing>;
 // Boxes that are tried, over the model's longest edge: from a few leaves to all of them.
 constexpr double kBoxShares[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.8, 1.0};
 
-// As the dissertation's program: triangle by triangle, vertex by vertex, each with its normal.
+// Draws as the dissertation's program: triangle by triangle, vertex by vertex, each with its normal.
 void drawLeaves(const bench::literal::Mesh& mesh, const RenderedLeaves& leaves) {
   for (const auto& leaf : leaves) {
     for (const Index t : leaf) {

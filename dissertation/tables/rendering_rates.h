@@ -57,7 +57,7 @@ struct TreeRates {
 struct RatesMeasurement {
   RatesPlan plan;
   std::string renderer{};     ///< OpenGL's; empty without OpenGL
-  std::string no_renderer{};  ///< why
+  std::string no_renderer{};  ///< why OpenGL is missing
   std::vector<WholeModelRow> whole{};
   TreeRates bsp{};
   TreeRates octree{};

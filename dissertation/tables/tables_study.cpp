@@ -19,7 +19,7 @@ using figures::Colour;
 
 // ------------------------------------------------------------------------------------------------------------ plots
 
-/// How a kind of frame is drawn.
+/// Look of a kind of frame.
 struct KindLook {
   Colour colour;
   Marker marker;

@@ -34,7 +34,7 @@ struct ThresholdRow {
 struct ThresholdMeasurement {
   ThresholdPlan plan;
   std::vector<ThresholdRow> rows{};       ///< by model, then tree, then threshold
-  std::vector<double> exact_triangles{};  ///< that the box meets, of each model
+  std::vector<double> exact_triangles{};  ///< in the box, one number a model
   std::vector<double> tick_us{};          ///< tick of the default finger, one a model
 };
 
