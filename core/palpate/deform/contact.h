@@ -50,8 +50,8 @@ struct MostFrom {
   }
 };
 
-/// How much what a point keeps of the centre's motion changes with its place, in units of q in any direction: the
-/// largest first and second derivatives.
+/// Rate of change of a point's share of the centre's motion with its place, in units of q in any direction: the largest
+/// first and second derivatives.
 struct Steepness {
   MostFrom slope, bend;
 };
@@ -110,7 +110,7 @@ Vec3 cappedLength(const Vec3& displacement_mm, double cap_mm) noexcept;
 // the components turns a long drag towards a diagonal of the body's axes and lets it reach sqrt(3) times the cap.
 double literallyCappedDepth(double depth_mm, double cap_mm) noexcept;
 Vec3 literallyCappedDrag(const Vec3& drag_mm, double cap_mm) noexcept;
-/// How long the latter can be.
+/// Largest length of the latter.
 inline double literalDragReach(double cap_mm) noexcept { return 1.7320508075688772 * cap_mm; }
 
 /// The circular region of the normal part at this depth (E21).

@@ -44,7 +44,7 @@ FormSettings withDefaultForms(const Settings& settings) {
 /// skin turns over.
 constexpr double kMaxDragSlope = 0.9;
 
-/// How far the caps let a vertex move when all contacts pull it the same way.
+/// Largest motion of a vertex that the caps allow when all contacts pull it the same way.
 double mostMotion(const Settings& settings) {
   const double one = std::abs(settings.tissue.normal_cap_mm) + literalDragReach(settings.tissue.tangential_cap_mm);
   return one * static_cast<double>(settings.max_contacts);
@@ -162,7 +162,7 @@ void Deformer::Pipeline<Displacement>::findRegions(ThePlan& plan, Report& report
   }
 }
 
-/// Fills column `source`; asks the displacement what its newest search reached, so it comes right behind that search.
+/// Fills column `source`; uses the displacement's newest search, so it comes right after that search.
 /// An anchor outside the region feels nothing, however near it looks.
 template <class Displacement>
 void Deformer::Pipeline<Displacement>::noteCoupling(std::size_t source, ThePlan& plan) const noexcept {

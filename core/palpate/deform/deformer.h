@@ -20,7 +20,7 @@
 
 namespace palpate::deform {
 
-/// Why a contact had no (full) effect; bits of Report::status.
+/// Reasons why a contact had no (full) effect; bits of Report::status.
 enum Status : std::uint32_t {
   kIgnoredNotFinite = 1,     ///< NaN, infinity or a normal without direction
   kIgnoredNoTriangle = 2,    ///< the anchor's triangle is not one of the skin's
@@ -34,10 +34,10 @@ struct Report {
   Index moved_vertices = 0;     ///< in the region of at least one contact
   Index visited_vertices = 0;   ///< looked at by the region searches; in whole blocks by the fast one
   Index held_vertices = 0;      ///< part of moved_vertices: held back so that the skin neither tears nor folds
-  Index changed_triangles = 0;  ///< whose normals were computed again; 0 unless Normals::incremental
+  Index changed_triangles = 0;  ///< normals computed again; 0 unless Normals::incremental
 };
 
-/// How a deformer displaces.
+/// Way of displacing.
 enum class Way : std::uint8_t {
   chosen,   ///< fast where it can do what the forms ask for (needsForms), general otherwise
   general,  ///< general whatever the forms: for comparison

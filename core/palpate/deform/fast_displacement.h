@@ -16,8 +16,8 @@
 
 namespace palpate::deform {
 
-// Which vertices belong to a contact, by whole blocks: the search that keeps the far side of the body, the other leg
-// and the arm out. Second step of an apply, for ellipses; regions of any shape are found in region_by_rings.h.
+// Finds the vertices of a contact by whole blocks: the search that keeps the far side of the body, the other leg and
+// the arm out. Second step of an apply, for ellipses; regions of any shape are found in region_by_rings.h.
 //
 // The region of a contact is the set of vertices that lie in one of its ellipses (seen along the contact's normal, and
 // not too far above or below its plane: kernels.h), face the contact, and can be reached from the anchor's triangle

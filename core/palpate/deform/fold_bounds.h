@@ -1,5 +1,5 @@
-// How much a block of skin can be sheared before one of its triangles folds: asked of whole blocks, so that triangles
-// are looked at only where one might.
+// Shear of a block of skin before one of its triangles folds: tested for whole blocks, so that triangles are looked at
+// only where one might.
 //
 // A displacement u = p(x) b, p no steeper than s per mm, makes the corners of a triangle follow a plane whose slope is
 // at most s / cos(w / 2), w the widest angle, since each edge keeps to s; and at most s + m g, m the largest second
@@ -38,7 +38,7 @@ void setFoldBounds(Skin& skin);
 struct ShearBound {
   double press = 0.0;
   double drag = 0.0;
-  // Likewise the largest second derivatives, 1/mm.
+  // The largest second derivatives, 1/mm, likewise.
   double press_bend = 0.0;
   double drag_bend = 0.0;
   Vec3 towards = Vec3::Zero();  ///< the direction of the press; zero for several

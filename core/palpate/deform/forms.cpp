@@ -1,6 +1,6 @@
-// Which settings the fast displacement cannot do, asked once a deformer, and what forms do to a contact's regions, done
-// once a contact and before either way. A form of the displacement itself that needsForms does not know of has no
-// effect of its own: the fast displacement never asks.
+// Finds settings that the fast displacement cannot do, once a deformer, and applies forms to a contact's regions, once
+// a contact and before either way. A form of the displacement itself that needsForms does not know of has no effect of
+// its own: the fast displacement ignores it.
 // Based on: Ji, dissertation 2008, chapter 4, with E20 and E21.
 #include "palpate/deform/forms.h"
 

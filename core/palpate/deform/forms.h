@@ -12,7 +12,7 @@
 
 namespace palpate::deform {
 
-/// How the normals of the deformed surface are made.
+/// Method for the normals of the deformed surface.
 enum class Normals : std::uint8_t {
   analytic,     ///< normals of the smooth deformation, in the same pass as the displacement (default)
   recomputed,   ///< area-weighted from the deformed triangles: the reference, several times slower
@@ -34,7 +34,7 @@ enum class Shape : std::uint8_t {
   contour,  ///< Contact::tangential_contour; where that is empty, the ellipse
 };
 
-/// How the vertices of a region are found.
+/// Method to find the vertices of a region.
 enum class Search : std::uint8_t {
   neighbours,  ///< along the skin, from the anchor on
   octree,      ///< all in the region's box: other fingers and facing folds too (hdb/vertex_search.h)
@@ -45,7 +45,7 @@ enum class NormalRegion : std::uint8_t {
   linear,    ///< a circle that grows with the depth, R0 + c depth
   constant,  ///< a circle of R0
   shared,    ///< the region of the drag: one ellipse for both parts
-  scaled,    ///< that ellipse in proportion to the depth, whole at the cap: 4.2's "linear function of P_n", no offset
+  scaled,    ///< the ellipse in proportion to the depth, whole at the cap: 4.2's "linear function of P_n", no offset
 };
 
 /// Meaning of the measured boundary (E20).
@@ -56,7 +56,7 @@ enum class Boundary : std::uint8_t {
 
 /// Several fingers on one skin (E25).
 enum class Together : std::uint8_t {
-  solved,  ///< each finger gets the depth and drag it asks for
+  solved,  ///< each finger gets its requested depth and drag
   summed,  ///< displacements simply add up: a finger in another's dent sinks too deep
 };
 

@@ -42,8 +42,8 @@ inline constexpr double kFlatLevelMm = 130.0;
 
 inline double levelOf(const Contact& contact) noexcept { return contact.layered ? kLayeredLevelMm : kFlatLevelMm; }
 
-/// How far a region reaches above and below the tangent plane: within `level_mm` as seen along the normal, then the
-/// location ratio grows as in an ellipsoid, and nothing moves from `level_mm + fall_mm` on.
+/// Reach of a region above and below the tangent plane: within `level_mm` as seen along the normal, then the location
+/// ratio grows as in an ellipsoid, and nothing moves from `level_mm + fall_mm` on.
 struct Rise {
   Vec3 normal = Vec3::Zero();  ///< unit
   double level_mm = 0.0;       ///< infinite where the normal does not bound (as printed, E23)

@@ -46,7 +46,7 @@ tissue::ProfilePoint layeredPoint(const tissue::LayeredCurve& curve, double bend
   return {point.value, 2.0 * q * point.by_q2};
 }
 
-/// By these curves or the tissue's own.
+/// Uses these curves or the tissue's own.
 tissue::ProfilePoint pressPoint(const FormedContact& frame, const FormCurves& curves, double q) noexcept {
   return frame.layered ? layeredPoint(frame.layered->shape.press.down, tissue::kPressBend, q) : curves.press.at(q);
 }

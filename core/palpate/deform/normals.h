@@ -41,7 +41,7 @@ class IncrementalNormals {
   /// Both for every vertex that moves now or moved at the last call: those of the blocks `moved` are where `positions`
   /// says, all others at rest.
   Index follow(const Skin& skin, const PositionStreams& positions, const BlockSet& moved) noexcept;
-  /// As of the last update: the area-weighted unit normal; at rest the skin's own, bit by bit. Zero without triangles.
+  /// The area-weighted unit normal at the last update; at rest the skin's own, bit by bit. Zero without triangles.
   Vec3f normal(const Skin& skin, Index vertex) const noexcept;
 
  private:

@@ -13,11 +13,11 @@
 
 namespace palpate::deform {
 
-// Several fingers on one skin: amplitudes for which each finger gets the displacement it asks for.
+// Several fingers on one skin: amplitudes for which each finger gets its requested displacement.
 //
-// Displacements of several contacts add up, so a finger in the other's dent would sink too deep. Wanted are amplitudes
-// with sum_j coupling_ij amplitude_j = depth_i; a contact that the others press deeper than it wants drops out with
-// amplitude 0 (E25: the dissertation uses two devices but never says how they combine). Solved by projected
+// Displacements of several contacts add up, so a finger in the other's dent would sink too deep. The amplitudes sought
+// are those with sum_j coupling_ij amplitude_j = depth_i; a contact that the others press deeper than it wants drops
+// out with amplitude 0 (E25: the dissertation uses two devices but never says how they combine). Solved by projected
 // Gauss-Seidel sweeps: always bounded, and exact for the few fingers there are. Based on: the linear complementarity
 // view of contact, Cottle, Pang, Stone, "The linear complementarity problem", 1992.
 
@@ -33,8 +33,8 @@ class Coupling {
   std::size_t contacts_;
 };
 
-/// Amplitudes >= 0. Each contact ends as deep as it asks for, or deeper with amplitude 0. Two contacts nearer than
-/// about a hundredth of their radius may be left up to 0.01 mm short. A negative depth (as printed, E19) is its own
+/// Amplitudes >= 0. Each contact ends as deep as requested, or deeper with amplitude 0. Two contacts nearer than about
+/// a hundredth of their radius may be left up to 0.01 mm short. A negative depth (as printed, E19) is its own
 /// amplitude; the others do not feel it.
 void solveDepths(const Coupling& coupling, std::span<const double> depths_mm, std::span<double> amplitudes_mm) noexcept;
 

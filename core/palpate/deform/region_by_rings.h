@@ -1,4 +1,4 @@
-// Which vertices belong to a contact, ring by ring of neighbour nodes: for regions of any shape, and as printed. Second
+// Finds the vertices of a contact, ring by ring of neighbour nodes: for regions of any shape, and as printed. Second
 // step of an apply, like region_by_blocks.cpp.
 //
 // The search of the dissertation's section 4.5 with the corrections of E23, which finds what RegionByBlocks finds; or

@@ -26,7 +26,7 @@ constexpr int kTurns = 200;
 /// Turns along the vertices of fingers that press towards each other, of which each shortens what is too long: two to
 /// ten on scanned hands.
 constexpr int kSeamTurns = 50;
-/// Triangles in one turn, two hundred times what scanned bodies need; more are no matter of single triangles.
+/// Triangles in one turn, two hundred times what scanned bodies need; more are not a matter of single triangles.
 constexpr std::size_t kMaxFolds = 4096;
 /// Most rounds of shortening everything. Each leaves at most nine tenths.
 constexpr int kShortenings = 60;

@@ -27,9 +27,9 @@
 
 namespace palpate::deform {
 
-// How far it is along the edges of the skin from some of its vertices: the distance that a gap does not shorten.
+// Distances along the edges of the skin from some of its vertices: the distance that a gap does not shorten.
 //
-// ShearLimit asks from where the skin stays behind, and from the anchor. Labels are corrected first in, first out,
+// ShearLimit starts from where the skin stays behind, and from the anchor. Labels are corrected first in, first out,
 // belt after belt of a few edges' width: nearly every vertex is right the first time. The result is the least sum over
 // all paths and does not depend on the order of anything. Memory is taken once; a search costs what it reaches. Based
 // on: Moore, "The shortest path through a maze", 1959; belts after Meyer and Sanders, "Delta-stepping", 2003.
@@ -152,7 +152,7 @@ struct Pull {
   Vec3 anchor = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();
   Index anchor_triangle = kNoIndex;
-  std::size_t contact = 0;  ///< whose it is, of those that the displacement has framed
+  std::size_t contact = 0;  ///< index among those that the displacement has framed
   std::span<const BlockPart> region;
   /// Vertices next to the region that lie within its ellipses and yet stay, those in it that are steep, and some more;
   /// without those of which faintAtEdge says that they do not matter.
@@ -203,11 +203,10 @@ class ShearLimit {
   /// True if one of the pulls moves it.
   bool moves(Index vertex) const noexcept { return (regions_[blockOf(vertex)] & bitOf(vertex)) != 0; }
 
-  /// How far a vertex may move per mm of surface between it and skin that stays. Below 0.7 a wall of right-angled
+  /// Largest motion of a vertex per mm of surface between it and skin that stays. Below 0.7 a wall of right-angled
   /// triangles cannot turn over; half of that again is room for the widest angles of scanned skin.
   static constexpr float kSteepest = 0.6f;
-  /// How much farther apart the ends of an edge may move per mm of it, at a seam of two fingers: one finger alone makes
-  /// 1.3 at most.
+  /// Largest parting of an edge's ends per mm of it, at a seam of two fingers: one finger alone makes 1.3 at most.
   static constexpr float kMaxParting = 2.0f;
   /// Share of the thickness under a vertex by which a part can be dented: as for the tissue over a bone.
   static constexpr float kShareOfThickness = 0.9f;
@@ -275,7 +274,7 @@ class ShearLimit {
   std::vector<Index> blocks_;           // where that is not 0
   std::vector<std::uint64_t> region_;   // region of one pull
   std::vector<std::uint64_t> doubts_;   // moved vertices at which triangles are looked at, during findFolds
-  std::vector<float> room_;             // how far a moved vertex may go along the surface, by all pulls
+  std::vector<float> room_;             // room of a moved vertex along the surface, by all pulls
   std::vector<Torn> torn_;
   std::vector<Index> pinning_;  // vertices that stay next to some that move
   std::vector<std::uint64_t> is_pinning_;

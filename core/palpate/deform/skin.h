@@ -15,7 +15,7 @@
 
 namespace palpate::deform {
 
-// Who is joined to whom, for things in groups of 64: a search moves through it with whole words, one bit a thing.
+// Connections of things in groups of 64: a search moves through it with whole words, one bit a thing.
 //
 // The skin has two of these, one above the other: vertices in blocks, and blocks in tiles. Edges within a
 // group are one word a thing; edges between two groups are collected in a link that says which ends it has, so that a

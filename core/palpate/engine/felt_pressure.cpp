@@ -15,7 +15,7 @@ namespace palpate::engine {
 
 namespace {
 
-// As the scene file's keys pad and pad_mm have them.
+// Ranges of the scene file's keys pad and pad_mm.
 constexpr NumberRange kTaxels{static_cast<double>(contact::kMinTaxels), static_cast<double>(contact::kMaxTaxels)};
 constexpr NumberRange kSizesMm{1.0, 100.0};
 

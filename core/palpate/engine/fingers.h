@@ -37,7 +37,7 @@ struct Finger {
   contact::FingerOutput feel(const Vec3& tip) noexcept { return servo::touch(solver, settings, state, tip, ticks++); }
   /// Lifts the finger: its next tip may be anywhere. The clock continues.
   void lift() noexcept { servo::lift(solver, state); }
-  /// As when it was made; lumps are back at their places, for all of a rig.
+  /// Resets it to its first state; lumps are back at their places, for all of a rig.
   void reset();
 };
 

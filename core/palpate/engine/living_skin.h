@@ -41,7 +41,7 @@ class LivingSkin {
 
   /// The skin as if the body held its breath: World.breath moves it by `lift`.
   const deform::DeformedSurface& surface() const noexcept { return surface_; }
-  /// How far the breath has moved the body (BreathField::lift), mm; 0 for one that does not breathe.
+  /// Motion of the body by breath (BreathField::lift), mm; 0 for one that does not breathe.
   double lift() const noexcept { return lift_mm_; }
 
  private:
@@ -56,15 +56,15 @@ class LivingSkin {
   double lift_mm_ = 0.0;
 };
 
-// How much tissue is left between the pressed skin and the bones: measured on the surface that is drawn and the bones
-// that are drawn, after the fact.
+// Tissue left between the pressed skin and the bones: measured on the surface that is drawn and the bones that are
+// drawn, after the fact.
 //
 // Knows nothing of layers or of how deep a press may go; it checks whether they keep their promise
 // (docs/explanation/realism.md).
 
 struct BoneCover {
   double least_mm = 0.0;   ///< from a vertex that moved to the nearest bone; below 0: it has sunk in
-  Vec3 at = Vec3::Zero();  ///< that vertex now
+  Vec3 at = Vec3::Zero();  ///< the vertex now
   Index bone = kNoIndex;   ///< among the body's bones
 };
 

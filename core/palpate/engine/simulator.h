@@ -37,7 +37,7 @@ class Simulator {
   /// The skin as the fingers' last ticks leave it. Deforms it now, in proportion to what the fingers touch; call it
   /// once a picture. Stays until the next call. The first call, and the first after a change of world, allocates.
   const deform::DeformedSurface& skin();
-  /// How far the breath has moved the body in that skin, mm, for World.breath: 0 for one that does not breathe.
+  /// Motion of the body by breath in that skin, mm, for World.breath: 0 for one that does not breathe.
   double lift() const noexcept { return skin_ ? skin_->lift() : 0.0; }
 
   const scene::World& world() const noexcept { return *world_; }

@@ -19,7 +19,7 @@ namespace palpate::engine {
 /// The world's forms with room for the contacts and dents of this many fingers, and of those of its scene.
 deform::FormSettings formsForFingers(const scene::World& world, bool strain, std::size_t fingers);
 
-/// How far the breath has moved the body at this tick (BreathField::lift), mm; 0 for one that does not breathe.
+/// Motion of the body by breath at this tick (BreathField::lift), mm; 0 for one that does not breathe.
 double liftAt(const scene::World& world, std::uint64_t tick) noexcept;
 
 /// Adds what this finger makes of the skin: nothing for one in free space that left no dent. `lift_mm`: of the tick in

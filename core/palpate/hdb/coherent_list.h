@@ -12,9 +12,8 @@
 
 namespace palpate::hdb {
 
-/// How far the queried box reaches beyond the detecting box on each side, as a share of its edge. An eighth makes the
-/// list about half as long again on a surface; a finger at 200 mm/s with a box of 100 mm refreshes it 16 times a
-/// second.
+/// Margin of the queried box beyond the detecting box on each side, as a share of its edge. An eighth makes the list
+/// about half as long again on a surface; a finger at 200 mm/s with a box of 100 mm refreshes it 16 times a second.
 inline constexpr double kCoherentMargin = 0.125;
 
 struct CoherentList {

@@ -46,7 +46,7 @@ struct EntryRange {
 
 /// Cost of a leaf query.
 struct QueryCost {
-  Index nodes_tested = 0;   ///< whose box (or half-space) was tested
+  Index nodes_tested = 0;   ///< nodes whose box (or half-space) was tested
   Index nodes_entered = 0;  ///< the root, and those that passed their test
 };
 
@@ -83,7 +83,7 @@ void findTriangles(const Partition& partition, const Box3& box, TriangleHits& hi
 /// Writes out the triangles of `hits.ranges`, each once, in the order of the entries.
 void listTriangles(const Partition& partition, TriangleHits& hits) noexcept;
 
-/// How many entries the leaves hold: what the dissertation's haptic process draws.
+/// Number of entries of the leaves: what the dissertation's haptic process draws.
 std::size_t entriesIn(const Partition& partition, const std::vector<Index>& leaves) noexcept;
 std::size_t entriesIn(const std::vector<EntryRange>& ranges) noexcept;
 

@@ -1,4 +1,4 @@
-// Asks the partition for the triangles round the proxy when it is the box's turn, and gives out those near a motion.
+// Queries the partition for the triangles round the proxy when it is the box's turn, and returns those near a motion.
 //
 // Data flow: proxy of the last tick -> refresh -> ranges of entries -> near -> records of the surface's tree for
 // hdb_finger.cpp. All room is reserved and touched when the candidates are made; a tick allocates nothing.

@@ -1,5 +1,5 @@
-// Which triangles a finger of the HDB source may touch in this tick: those that the haptic detecting box found around
-// its proxy, and no others.
+// The triangles that a finger of the HDB source may touch in this tick: those that the haptic detecting box found
+// around its proxy, and no others.
 //
 // Data flow: proxy of the last tick -> detecting box -> ranges of the partition's entries -> the few near the place
 // that is moved (hdb_finger.cpp).

@@ -43,7 +43,7 @@ namespace {
 // Based on: Zilles and Salisbury, "A constraint-based god-object method for haptic display" (1995); Ruspini, Kolarov
 // and Khatib, "The haptic display of complex graphical environments" (1997).
 
-/// How a god object ended its tick.
+/// Result of a god object's tick.
 enum class Arrival : std::uint8_t {
   reached,   ///< it is at the target: nothing is between them
   resting,   ///< on the skin, nearer to the target than any place it could go to

@@ -74,7 +74,7 @@ struct Move {
   const Partition& partition;
   Box3 from, to;
   Box3 lower_faces, upper_faces;  ///< regions that they passed
-  Index leaf = kNoIndex;          ///< that the present node is in, or is
+  Index leaf = kNoIndex;          ///< leaf of the present node
 
   bool mayChange(const Box3& tight) {
     ++list.boxes_moved;

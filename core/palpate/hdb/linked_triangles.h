@@ -25,7 +25,7 @@ struct LinkedTriangles {
   Index first = kNoIndex;         ///< first linked leaf
   std::size_t triangles = 0;      ///< marked entries
   std::size_t leaves = 0;         ///< linked
-  Box3 box;                       ///< that the marks are true for; empty before the first move
+  Box3 box;                       ///< box of the marks; empty before the first move
   std::uint64_t boxes_moved = 0;  ///< boxes of nodes and of triangles that moves have tested
   std::uint64_t boxes_found = 0;  ///< boxes of nodes and of triangles that appendNear has tested
 

@@ -8,8 +8,8 @@ namespace palpate::hdb {
 
 namespace {
 
-/// Which sides of a plane have corners of the box (E9: on the plane is positive). (3.1) of 3.3.3 with axis-aligned
-/// planes: the sign of S is the sign of a difference of coordinates.
+/// Sides of a plane with corners of the box (E9: on the plane is positive). (3.1) of 3.3.3 with axis-aligned planes:
+/// the sign of S is the sign of a difference of coordinates.
 struct Sides {
   bool negative;
   bool positive;

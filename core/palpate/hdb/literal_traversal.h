@@ -24,7 +24,7 @@ bool suits(LiteralTraversal traversal, TreeKind tree);
 /// itself prefers the box to the sphere.
 std::optional<LiteralTraversal> literalTraversal(const Fidelity& fidelity, TreeKind tree);
 
-/// As findLeaves; a traversal that does not suit the tree finds nothing. The sphere is that within the box's first
+/// Like findLeaves; a traversal that does not suit the tree finds nothing. The sphere is that within the box's first
 /// edge.
 void findLeavesLiterally(const Partition& partition, LiteralTraversal traversal, const Box3& box,
                          LeafHits& hits) noexcept;

@@ -30,8 +30,8 @@ struct PartitionStatistics {
   std::size_t blocks = 0;       ///< nodes below the leaves
   std::size_t entries = 0;
   LeafSizes leaf_sizes;
-  double entries_per_triangle = 0.0;  ///< how many times a triangle is stored: 1 with case C, more with A and B
-  double leaves_per_point = 0.0;      ///< how far leaves overlap: the mean number of leaf boxes around the middle of an
+  double entries_per_triangle = 0.0;  ///< copies of a triangle: 1 with case C, more with A and B
+  double leaves_per_point = 0.0;      ///< overlap of leaves: the mean number of leaf boxes around the middle of an
                                   ///< entry; 1 when no two overlap there. At most kOverlapSamples entries are sampled
   std::size_t bytes = 0;  ///< size of the partition's arrays
 };

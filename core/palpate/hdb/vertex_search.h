@@ -1,9 +1,9 @@
 // The octree as a search for graphics: the vertices near a place, whatever their neighbours are.
 //
-// Objective 2 of the dissertation (section 1.5) wants the octree in graphics as well as in touch. The deformation asks
-// this where a scene says deformation.search = "octree", in place of rings of neighbours (deform/region_by_rings.h):
-// the box around the region gives triangles, and those their corners. It knows places and not who hangs together, so a
-// region over a crease holds the far side too (E23). Based on: Ji, dissertation 2008, sections 1.5 and 3.4.
+// Objective 2 of the dissertation (section 1.5) wants the octree in graphics as well as in touch. The deformation calls
+// this where a scene sets deformation.search = "octree", in place of rings of neighbours (deform/region_by_rings.h):
+// the box around the region gives triangles, and those their corners. It knows places and not connections, so a region
+// over a crease holds the far side too (E23). Based on: Ji, dissertation 2008, sections 1.5 and 3.4.
 #pragma once
 
 #include <span>

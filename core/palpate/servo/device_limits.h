@@ -1,4 +1,4 @@
-// How stiff, how strong: from a scene's safety settings and what is known of the device to the limiter's settings.
+// Stiffness and force limits: from a scene's safety settings and what is known of the device to the limiter's settings.
 //
 // One factor softens the whole scene where, up to the force at which people compare, its stiffest place is more than
 // device, rate and delay can render at rest. One for all, so that the ratio of two places, which is what a palpating
@@ -21,7 +21,7 @@ namespace palpate::servo {
 /// stability --map`, docs/explanation/stability.md.
 double stableStiffness(double tick_s, double delay_ticks, const device::DeviceProfile& profile);
 
-/// Why such a device must not push a hand at this rate and delay, one line; empty: it may.
+/// Returns why such a device must not push a hand at this rate and delay, one line; empty: it may.
 std::string whyRefused(const device::DeviceProfile& profile, double tick_s, double delay_ticks);
 
 /// Throws Error with that reason where a hand may be on the device: before its forces are switched on.
@@ -30,12 +30,12 @@ void requireStable(const device::DeviceProfile& profile, const scene::SafetySett
 /// Where nothing is stable: what paths from files, which close no loop, are scaled to, N/mm.
 inline constexpr double kSoftestCap = 0.05;
 
-/// A scene's safety settings as they hold on that device: what a scene asks for is a request, what the device needs a
-/// hard minimum. The delay is at least what its back end knows of. Where a hand may be on the device, passivity and
-/// soft contact stay on and guards within kLoosestGuard of their defaults; --unsafe-stiffness gives up the first two.
+/// A scene's safety settings as they hold on that device: the scene's are requests, the device's needs a hard minimum.
+/// The delay is at least what its back end knows of. Where a hand may be on the device, passivity and soft contact stay
+/// on and guards within kLoosestGuard of their defaults; --unsafe-stiffness gives up the first two.
 scene::SafetySettings heldSafety(const scene::SafetySettings& asked, const device::DeviceProfile& profile);
 
-/// How many times its default a guard of [safety] (max_age_ticks, max_jump_mm, ...) may be on a device.
+/// Largest factor on the default of a guard of [safety] (max_age_ticks, max_jump_mm, ...) may be on a device.
 inline constexpr double kLoosestGuard = 4.0;
 /// Shortest start = "ramp" on a device, s.
 inline constexpr double kQuickestRampS = 0.1;
@@ -53,11 +53,11 @@ inline constexpr double kComparedForceN = 1.0;
 double stiffnessFactor(const tissue::ForceLaw& law, double stiffness_n_per_mm, double most_mm, double force_n,
                        double cap_n_per_mm);
 
-/// How the note begins that says what --unsafe-stiffness lifts.
+/// Start of the note on what --unsafe-stiffness lifts.
 inline constexpr std::string_view kUnsafeMark = "UNSAFE";
 
-/// A line for everything that the scene asks for and does not get on that device, one for what --unsafe-stiffness lifts
-/// and one for what only holds if the scene's measurements are of this device. Empty for most scenes.
+/// A line for each setting that the scene does not get on that device, one for what --unsafe-stiffness lifts and one
+/// for what only holds if the scene's measurements are of this device. Empty for most scenes.
 std::vector<std::string> safetyNotes(const scene::SafetySettings& asked, const device::DeviceProfile& profile,
                                      double tick_s);
 

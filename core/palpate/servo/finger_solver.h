@@ -36,7 +36,7 @@ struct FingerSolver {
   const contact::Surface* surface = nullptr;            ///< must outlive the solver
   std::optional<hdb::HdbCandidates> box;                ///< none: the finger walks on the whole surface
   std::unique_ptr<contact::FingerSkin> skin = nullptr;  ///< triangles near a sphere; null: the tree is queried
-  std::optional<body::BreathField> breath;              ///< how the surface moves; none: it does not
+  std::optional<body::BreathField> breath;              ///< motion of the surface; none: it does not move
   Handover handover = {};
   std::shared_ptr<LumpLoop> lumps = nullptr;  ///< shared by the rig's fingers; null: no lump of the surface moves
   std::size_t finger = 0;                     ///< its number in the rig

@@ -76,7 +76,7 @@ struct PassivitySettings {
   // Bounds of the damping that it can make, so that one step of the encoder in a tick is not felt as a blow.
   double mass_kg = 0.045;
   double encoder_mm = 0.055;
-  double most_n = 1.32;  ///< that it adds to a force; it may take away twice as much
+  double most_n = 1.32;  ///< largest force that it adds; it may take away twice as much
 };
 
 /// Plain data; value-initialised it has sent nothing.
@@ -126,7 +126,7 @@ enum SafetyBit : std::uint32_t {
   kClutched = 1u << 13,  ///< the device is moved apart from its finger (device/workspace.h)
 };
 
-/// How many different bits there are.
+/// Number of different bits.
 inline constexpr std::size_t kSafetyBits = 14;
 
 /// The bits that mean: no force in this tick, and the start rule again.

@@ -13,7 +13,7 @@ enum class Feature : std::uint8_t { face, edge0, edge1, edge2, corner0, corner1,
 
 inline bool isEdge(Feature feature) { return feature >= Feature::edge0 && feature <= Feature::edge2; }
 inline bool isCorner(Feature feature) { return feature >= Feature::corner0; }
-/// Which edge or corner, 0 to 2. Only for an edge or a corner.
+/// Index of the edge or corner, 0 to 2. Only for an edge or a corner.
 inline int indexOf(Feature feature) { return (static_cast<int>(feature) - 1) % 3; }
 inline Feature edgeFeature(int edge) { return static_cast<Feature>(1 + edge); }
 inline Feature cornerFeature(int corner) { return static_cast<Feature>(4 + corner); }

@@ -99,7 +99,7 @@ HWY_INLINE Corners cornersOf(const TriangleRecord* records, const Index* which) 
 
 #endif
 
-/// Which of three corners, or of three edges, each from its start to its end; or none.
+/// Selects one of three corners, or of three edges, each from its start to its end; or none.
 struct Three {
   M first, second, third;
   HWY_INLINE M any() const { return hn::Or(first, hn::Or(second, third)); }

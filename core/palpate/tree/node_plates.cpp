@@ -21,7 +21,7 @@ namespace palpate::tree {
 
 namespace {
 
-/// Larger children have a box only: seen from a finger they are no plate.
+/// Larger children have a box only: seen from a finger they are not flat.
 constexpr Index kMaxTriangles = 1024;
 /// Added to the sine of a spread: above the rounding of normals kept as floats, below half a step.
 constexpr double kSineSlack = 1e-3;

@@ -253,7 +253,7 @@ void fillFarPlates(TriangleTree& tree);
 /// angles for bodies; a point on the surface is in between. About 1 us at 3,000 triangles and 3 us at 1,000,000.
 double windingNumber(const TriangleTree& tree, const Vec3& point) noexcept;
 
-// How thick a body is under each of its vertices, as far as a dent can be deep.
+// Thickness of a body under each of its vertices, as far as a dent can be deep.
 
 /// The way from a place of the skin along `inwards` (unit) to where it leaves the body, at most `most_mm`: infinite
 /// where it does not leave within that. mm. About 0.3 us.

@@ -33,7 +33,7 @@ class WorkDone {
   double reported_ = 0.0;
 };
 
-// How the time of a build divides between its stages, about (case C, 4,000,000 triangles).
+// Shares of a build's time among its stages, about (case C, 4,000,000 triangles).
 inline constexpr double kGrowthShare = 0.6;
 inline constexpr double kBlocksShare = 0.2;
 inline constexpr double kEntriesShare = 0.2;
