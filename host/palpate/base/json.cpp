@@ -92,7 +92,7 @@ class JsonBuilder {
 Library inLibrary(const Json& json) {
   if (json.is_object()) {
     Library object = Library::object();
-    // As a plain list: the library would look through it for every name, which are different already.
+    // Filled as a plain list: the library would look through it for every name, which are different already.
     Library::object_t::Container& members = object.get_ref<Library::object_t&>();
     members.reserve(json.size());
     for (const auto& [name, value] : json.items()) members.emplace_back(name, inLibrary(value));

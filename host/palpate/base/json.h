@@ -57,7 +57,7 @@ class Json {
 
   Json(const Json& other);
   Json(Json&& other) noexcept : kind_(other.kind_), value_(other.value_) { other.kind_ = Kind::null; }
-  /// By value: the other may be within this one.
+  /// Passed by value, because the other may be within this one.
   Json& operator=(Json other) noexcept {
     std::swap(kind_, other.kind_);
     std::swap(value_, other.value_);
@@ -113,7 +113,7 @@ class Json {
   Json& operator[](int index) { return at(index); }
 
   bool contains(std::string_view name) const noexcept { return memberNamed(name) != nullptr; }
-  /// end() where it is not an object or has no such member.
+  /// end() if it is not an object or lacks the member.
   const Json* find(std::string_view name) const noexcept;
 
   /// The member, or `otherwise` if it is missing. Throws JsonError if this is not an object, or if the member has

@@ -1,5 +1,5 @@
 // The catalogue is looked up under LANGUAGE, which libintl honours in every locale but "C"; the locale stays C.UTF-8,
-// so that numbers are read and written as ever by everybody who does not ask for another decimal sign.
+// so that numbers are read and written as ever, unless a user requests another decimal sign.
 #include "palpate/base/language.h"
 
 #include <algorithm>
@@ -38,8 +38,8 @@ std::string localeOfTheSystem() {
   return "C";
 }
 
-/// As GNU gettext has it (its manual, "The LANGUAGE variable"): LANGUAGE lists languages in the order of one's liking
-/// and replaces the locale's, but says nothing in the locale "C"; an entry "C" ends the list. "de" of "de_AT.UTF-8".
+/// Follows GNU gettext (its manual, "The LANGUAGE variable"): LANGUAGE lists languages in the order of one's liking and
+/// replaces the locale's, but says nothing in the locale "C"; an entry "C" ends the list. "de" of "de_AT.UTF-8".
 const Language& ofTheSystem() {
   const std::string locale = localeOfTheSystem();
   const std::string list = isC(locale) ? "" : system::variable("LANGUAGE");

@@ -28,10 +28,10 @@ struct Language {
 /// English first.
 std::span<const Language> languages();
 
-/// From now on. "": the one that the system asks for, by the rules of gettext (LANGUAGE where the locale of LC_ALL,
-/// LC_MESSAGES or LANG is not C, else that locale), where we have it. `folder`: where the catalogues are; empty: those
-/// of the running program. Throws Error for a code that languages() lacks. It changes the process's environment: call
-/// it before other threads run.
+/// From now on. "": the system's, by the rules of gettext (LANGUAGE where the locale of LC_ALL, LC_MESSAGES or LANG is
+/// not C, else that locale), where we have it. `folder`: where the catalogues are; empty: those of the running program.
+/// Throws Error for a code that languages() lacks. It changes the process's environment: call it before other threads
+/// run.
 void useLanguage(std::string_view code, const std::filesystem::path& folder = {});
 
 /// The one in use; English until useLanguage is called.

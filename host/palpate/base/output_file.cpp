@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMaxLinks = 40;
 
-/// A link on the way to this file that anybody may have laid; empty: none.
+/// A link on the way to this file that another user may have made; empty: none.
 fs::path linkOfAnybody(const fs::path& file) {
   fs::path way;
   std::error_code error;
@@ -118,7 +118,7 @@ OutputFile::OutputFile(fs::path target, Unfinished unfinished, Access access) : 
   if (error) fail(error.value());
   std::error_code ignored;
   const bool replaces = fs::exists(place_, ignored);
-  // A rename asks only the folder: a file that its owner protected stays protected.
+  // A rename checks only the folder: a file that its owner protected stays protected.
   if (replaces) check(system::mayWrite(place_));
   const bool usual = access == Access::usual;
   descriptor_ = createPartial(place_, usual ? system::ReadableBy::usual : system::ReadableBy::owner, written_);

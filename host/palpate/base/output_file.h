@@ -13,13 +13,13 @@ namespace palpate {
 /// `<target>.partial` (or `.2.partial`, ...: the file of an interrupted run is never overwritten), and gives it the
 /// target's name on `commit`, when it is safe on the disk. Until then an older file stays unchanged; without a commit
 /// nothing new is left. Targets other than regular files (a pipe, a device) are written directly; links are followed,
-/// except in a folder where everybody may make one (sticky, as /tmp). Every failure throws Error with the target's name
+/// except in a folder where all users may make one (sticky, as /tmp). Every failure throws Error with the target's name
 /// and the system's reason.
 class OutputFile {
  public:
   /// Fate of the partial file without a commit.
   enum class Unfinished { remove, keep };  // kept: what was written, if anything
-  /// Who may read it. `owner_only`: mode 0600 from its first byte, whatever stood there; for secrets and for what a
+  /// Readers of the file. `owner_only`: mode 0600 from its first byte, whatever stood there; for secrets and for what a
   /// person did. `usual`: as the umask says, or as the file that it replaces.
   enum class Access { usual, owner_only };
 
@@ -66,7 +66,7 @@ void writePrivateFile(const std::filesystem::path& file, std::string_view conten
 /// An empty file for its owner alone, in a folder that is made if missing. Throws Error if the file exists.
 void createPrivateFile(const std::filesystem::path& file);
 
-/// How many files the process is writing at this moment; may be asked in a signal's handler.
+/// Number of files that the process is writing now; may be called in a signal's handler.
 int filesUnderWay() noexcept;
 
 /// The extension of a file that was not finished.

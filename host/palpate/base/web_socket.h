@@ -23,7 +23,7 @@ namespace palpate::websocket {
 
 enum class Kind : std::uint8_t { continuation = 0, text = 1, binary = 2, close = 8, ping = 9, pong = 10 };
 
-/// Why one side ends (section 7.4.1).
+/// Reason of the side that ends (section 7.4.1).
 enum class CloseCode : std::uint16_t {
   normal = 1000,
   going_away = 1001,
@@ -35,7 +35,7 @@ enum class CloseCode : std::uint16_t {
   try_again_later = 1013,
 };
 
-/// Who reads: a server takes frames with a mask only, a client only those without.
+/// The reading side: a server takes frames with a mask only, a client only those without.
 enum class Side : std::uint8_t { client, server };
 
 /// The other side sent something that is not allowed: what to end with, and a sentence for its user.
@@ -92,7 +92,7 @@ class FrameReader {
 std::string makeFrame(Side own, Kind kind, std::string_view bytes);
 /// A server's frame without its bytes, which go behind it.
 std::string makeHead(Kind kind, std::size_t bytes);
-/// As makeFrame; a reason of more than 123 bytes is cut.
+/// Like makeFrame; a reason of more than 123 bytes is cut.
 std::string makeClose(Side own, CloseCode code, std::string_view reason = {});
 /// The answer to the other side's close: its own code, where that is one that may be sent.
 std::string answerClose(Side own, std::string_view payload);

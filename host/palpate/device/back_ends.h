@@ -22,7 +22,7 @@ struct MouseLink;
 
 /// Device to open and options; a back end uses what concerns it.
 struct OpenOptions {
-  /// Which of several: a name as the driver knows it (OpenHaptics), an index from 0 (Force Dimension), the file of a
+  /// One of several: a name as the driver knows it (OpenHaptics), an index from 0 (Force Dimension), the file of a
   /// recording (playback) or of a plugin. Empty: the first.
   std::string which;
   /// The file of the vendor's library, instead of the names that are tried, or where its service is (haply). Empty:
@@ -54,7 +54,7 @@ struct Probe {
   std::string remedy;      ///< how to fix that; empty when available
   std::string version;     ///< driver's version, where one was found
   std::vector<LookedFor> looked_for;
-  std::vector<std::string> devices;  ///< that would open, in their makers' words
+  std::vector<std::string> devices;  ///< those that would open, in their makers' words
   /// Problems of other devices that would not open, while one would.
   std::vector<std::string> troubles = {};
 };
@@ -66,7 +66,7 @@ struct BackEnd {
   Probe (*probe)(const OpenOptions& options);
   /// Throws Error with the reason.
   Device (*open)(const OpenOptions& options);
-  double pose_wait_s = 2.0;  ///< how long its first position may take
+  double pose_wait_s = 2.0;  ///< longest wait for its first position
   /// It is of this program alone: neither a driver, nor another program, nor a file.
   bool is_inside = false;
 };

@@ -16,7 +16,7 @@ struct RecordedPressure {
   std::size_t taxels = 0;  ///< along a side
   /// Per finger the ticks of the span one after the other, `taxels` rows of as many, kPa, rounded to float.
   std::vector<std::vector<float>> kpa;
-  ReplayReport replay;  ///< how far what was felt again is what was recorded
+  ReplayReport replay;  ///< how far the replay equals the recording
 };
 
 /// Pressures in the settings' span. Holds all of it in memory: 4 taxels a side make 64 bytes a tick. Throws Error for

@@ -34,7 +34,7 @@ struct RecorderSettings {
   double keep_s = std::numeric_limits<double>::infinity();
 };
 
-/// How a recording is doing.
+/// State of a recording.
 struct RecorderState {
   std::uint64_t samples = 0;  ///< written
   double seconds = 0.0;       ///< from the first tick that is kept to the newest

@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 /// SQLite's own limit of a value, less what else is in its row.
 constexpr std::uint64_t kMaxBytes = 999'000'000;
 
-/// No such folder: names in the scene of a bundle are relative to it.
+/// A folder that does not exist: names in the scene of a bundle are relative to it.
 const fs::path kBundle = "/bundle";
 
 bool isWithin(const fs::path& name) {

@@ -25,7 +25,7 @@ namespace palpate::engine {
 
 namespace {
 
-// Which samples of a replay can be proven, where a recording lacks time: what a finger remembers from there is not
+// Finds the samples of a replay that can be proven where a recording lacks time: a finger's memory from there is not
 // known until it has rested (trace/recording_rest.h).
 //
 //   events "trim", "cut" of the recording ─► ReplayProof ─► compare this sample? forget before it?
@@ -131,7 +131,7 @@ std::uint64_t ReplayProof::unproven() const {
   return all;
 }
 
-/// How many ticks are replayed between two reports of progress.
+/// Ticks replayed between two reports of progress.
 constexpr std::uint64_t kTicksPerReport = 5000;
 
 std::string valueOf(const trace::SampleColumn& column, std::uint64_t bits) {

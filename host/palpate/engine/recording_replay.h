@@ -42,7 +42,7 @@ struct ReplayReport {
 };
 
 struct ReplaySettings {
-  trace::TickSpan span;          ///< that is compared
+  trace::TickSpan span;          ///< compared span
   std::filesystem::path folder;  ///< where the files that the scene names lie now; empty: where they lay
   /// Gets each world with its number in the recording, before the first tick in it.
   std::function<void(std::uint32_t number, const std::shared_ptr<const scene::World>& world)> entered = {};

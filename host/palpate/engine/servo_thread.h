@@ -31,8 +31,8 @@ struct ServoPlan {
   servo::LimiterSettings limiter;
   servo::FingerSolvers solvers;
   bool other_body = true;  ///< the triangles are not those of the plan before: fingers forget what they touched
-  /// That take their fingers from now on, by finger; nothing: the one at work stays. With `limiter`, in one tick: no
-  /// device is ever felt by the limits of another.
+  /// New devices by finger; nothing: the one at work stays. With `limiter`, in one tick: no device is ever felt by the
+  /// limits of another.
   std::vector<std::optional<device::Device>> devices = {};
 };
 

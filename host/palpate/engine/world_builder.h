@@ -33,7 +33,7 @@ struct BuildRequest {
 struct BuildResult {
   BuildRequest request;
   std::shared_ptr<const scene::World> world;  ///< null if it failed
-  std::string error;                          ///< why, in one line
+  std::string error;                          ///< reason, in one line
 };
 
 struct BuildProgress {

@@ -51,7 +51,7 @@ constexpr double kBytesInAMb = 1e6;
 /// A body of two million triangles; larger ones are not kept.
 constexpr std::uint64_t kMaxBodyBytes = 96'000'000;
 
-/// How much the folder may hold, by PALPATE_BODY_CACHE_MB; 0: bodies are not kept.
+/// Size limit of the folder, by PALPATE_BODY_CACHE_MB; 0: bodies are not kept.
 std::uint64_t storeBytes() {
   const std::string text = system::variable("PALPATE_BODY_CACHE_MB");
   if (text.empty()) return static_cast<std::uint64_t>(kUsualStoreMb * kBytesInAMb);

@@ -26,7 +26,7 @@ void readSections(const TomlNode& root, std::string_view file, Scene& scene) {
   }
 }
 
-/// Those of a hand, as far as they are free.
+/// Names unnamed fingers like a hand's, as far as these are free.
 void nameFingers(Scene& scene) {
   constexpr std::string_view kOfAHand[] = {"index", "middle", "ring", "little", "thumb"};
   const auto is_taken = [&](const std::string& name) {

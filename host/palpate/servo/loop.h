@@ -39,7 +39,7 @@ struct LoopReport {
 LoopReport runHeadless(Rig& rig, std::uint64_t ticks, const std::function<void(std::span<const trace::Sample>)>& sink,
                        const Progress& progress = {}, const std::function<bool()>& stop = {});
 
-/// How the loop did lately: published once a second, for a display that is looking on.
+/// Recent state of the loop: published once a second, for a display.
 struct LoopVitals {
   std::uint64_t ticks = 0;  ///< since the start, like the other counts
   std::uint64_t overruns = 0;
@@ -82,8 +82,8 @@ struct LoopLinks {
   std::uint64_t numbered = 0;         ///< the loop's: samples that were to be recorded so far
   TripleBuffer<TickSamples> contacts;
   TripleBuffer<LoopVitals> vitals;
-  EmergencyStop emergency_stop;               ///< pressed by anybody: no forces from the next tick on
-  std::atomic<bool> stop{false};              ///< set by anybody: the loop ends after the tick at hand
+  EmergencyStop emergency_stop;               ///< pressed from any thread: no forces from the next tick on
+  std::atomic<bool> stop{false};              ///< set from any thread: the loop ends after the current tick
   std::atomic<bool> finished{false};          ///< set by the loop when no more samples will come
   std::atomic<std::int64_t> heartbeat_ns{0};  ///< monotonicNs() of the newest tick: a watchdog's view of the loop
 };

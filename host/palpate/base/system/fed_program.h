@@ -34,8 +34,8 @@ class FedProgram {
 
   /// Whether it has ended already; does not wait.
   bool hasEnded();
-  /// As Ctrl+C in its terminal would; on Windows, where no such thing can be sent to a program without a console, it is
-  /// ended at once. `finish` waits for it.
+  /// Sends Ctrl+C, as its terminal would; on Windows, which cannot send it to a program without a console, it is ended
+  /// at once. `finish` waits for it.
   void askToEnd();
 
   /// Its words so far.

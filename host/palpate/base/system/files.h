@@ -15,9 +15,9 @@ enum class ReadableBy : unsigned char { usual, owner };  // usual: as the system
 int createFile(const std::filesystem::path& file, ReadableBy readers);
 /// One that is there, from its beginning; for pipes and devices.
 int openForWriting(const std::filesystem::path& file);
-/// How many of the bytes were taken.
+/// Returns the number of bytes taken.
 std::ptrdiff_t writeSome(int descriptor, std::string_view bytes);
-/// To the disk. True also where the file system knows no such thing.
+/// Flushes to the disk. True also where the file system cannot.
 bool flush(int descriptor);
 bool close(int descriptor);
 /// Its name was taken away while it was open.
@@ -34,7 +34,7 @@ bool mayWrite(const std::filesystem::path& file);
 bool mayReadAndWrite(const std::filesystem::path& file);
 bool mayRun(const std::filesystem::path& program);
 
-/// Everybody may lay a link there under any name, as in /tmp; "" is the current folder.
+/// Whether all users may make a link there under any name, as in /tmp; "" is the current folder.
 bool isOpenToAll(const std::filesystem::path& folder);
 /// Whether only its owner (and the administrator) may read or write it.
 bool isClosedToOthers(const std::filesystem::path& file);

@@ -9,8 +9,8 @@ namespace palpate::system {
 
 struct OpenedLibrary {
   void* handle = nullptr;
-  std::string file;   ///< that was opened, as far as the system says
-  std::string words;  ///< why it was not, in words of the loader; "NAME: cannot open shared object file: No such file
+  std::string file;   ///< opened file, as far as the system says
+  std::string words;  ///< the loader's reason why not; "NAME: cannot open shared object file: No such file
                       ///< or directory" for an unknown name
 };
 

@@ -20,7 +20,7 @@ std::string fileOf(HMODULE library, const std::string& name) {
 std::string wordsOf(const std::string& name, DWORD reason) {
   std::error_code ignored;
   const bool is_there = std::filesystem::exists(pathOf(name), ignored);
-  // As loaders elsewhere say it. Windows does not name the one that is missing.
+  // Worded as by loaders elsewhere. Windows does not name the one that is missing.
   if (reason == ERROR_MOD_NOT_FOUND && !is_there)
     return name + ": cannot open shared object file: No such file or directory";
   if (reason == ERROR_MOD_NOT_FOUND) return name + ": a library that it needs is missing";

@@ -19,8 +19,8 @@ std::vector<std::string> ownAddresses(bool v6_too);
 /// SO_EXCLUSIVEADDRUSE is what is meant.
 void claimPort(std::intptr_t socket);
 
-/// How much of what was sent may wait in the system for a reader that is slow; where it cannot be set, more does.
-/// Windows does not separate unsent from unacknowledged data: there it is both together (SO_SNDBUF).
+/// Limits the sent bytes that wait in the system for a slow reader; where it cannot be set, more do. Windows does not
+/// separate unsent from unacknowledged data: there it is both together (SO_SNDBUF).
 void limitUnsent(std::intptr_t socket, int bytes);
 
 }  // namespace palpate::system

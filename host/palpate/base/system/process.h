@@ -31,7 +31,7 @@ bool fillWithRandom(std::span<unsigned char> bytes) noexcept;
 /// "Linux 6.1.0, x86_64"; for recordings.
 std::string machineWords();
 
-/// Who uses this computer, as far as the system says; for leaving it out of what is given away.
+/// The user of this computer, as far as the system says; to be left out of files for others.
 struct Identity {
   std::vector<std::string> accounts;
   std::string full_name;
@@ -74,7 +74,7 @@ inline constexpr std::size_t kLargeArrayBytes = 4 << 20;
 /// body of 4,000,000 triangles takes. Others keep nothing.
 void returnLargeArrays() noexcept;
 
-/// Memory for a large array, in pages of 2 MB where the system has them for who asks (Linux, "madvise"); null: there is
+/// Memory for a large array, in pages of 2 MB where the system has them on request (Linux, "madvise"); null: there is
 /// none. std::free() frees it.
 void* largeArray(std::size_t bytes) noexcept;
 
@@ -82,8 +82,8 @@ void* largeArray(std::size_t bytes) noexcept;
 std::vector<std::string> commandLine(int argc, char** argv);
 
 /// The other program takes this one's place, under the name `called`. -1: it cannot be started, and errno says why.
-/// Where the system has no such thing (Windows), it runs below this one to its end, gets Ctrl-C in its place and ends
-/// with it, and its exit code is returned.
+/// On Windows, which cannot, it runs below this one to its end, gets Ctrl-C in its place and ends with it, and its exit
+/// code is returned.
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
                   const std::vector<std::string>& words);
 

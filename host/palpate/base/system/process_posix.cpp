@@ -34,7 +34,7 @@ namespace palpate::system {
 
 namespace {
 
-/// As the system takes them; `words` must outlive it.
+/// Arguments for the system; `words` must outlive them.
 std::vector<char*> argumentsOf(std::string& called, std::vector<std::string>& words) {
   std::vector<char*> arguments = {called.data()};
   for (std::string& word : words) arguments.push_back(word.data());

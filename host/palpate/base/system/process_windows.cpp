@@ -44,7 +44,7 @@ BOOL WINAPI leaveToTheOther(DWORD event) {
   return TRUE;
 }
 
-/// Who ends this program ends those in the job, but not those that they have started.
+/// Ending this program ends those in the job, but not those that they have started.
 HANDLE jobThatEndsWithUs() {
   const HANDLE job = ::CreateJobObjectW(nullptr, nullptr);
   JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
@@ -62,7 +62,7 @@ bool begin(const std::filesystem::path& program, const std::string& called, cons
   STARTUPINFOW start{};
   start.cb = sizeof(start);
   const bool quietly = flags == CREATE_NO_WINDOW;
-  if (quietly) start.dwFlags = STARTF_USESTDHANDLES;  // which are none
+  if (quietly) start.dwFlags = STARTF_USESTDHANDLES;  // null: no output
   const BOOL begun = ::CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, quietly ? FALSE : TRUE, flags,
                                       nullptr, nullptr, &start, &child);
   if (begun == 0) errno = ::GetLastError() == ERROR_FILE_NOT_FOUND ? ENOENT : EACCES;
@@ -125,7 +125,7 @@ Identity identity() {
   std::wstring computer(256, L'\0');
   auto size = static_cast<DWORD>(computer.size());
   computer.resize(::GetComputerNameExW(ComputerNamePhysicalDnsHostname, computer.data(), &size) != 0 ? size : 0);
-  // As it is written in messages, and as in scenes.
+  // Spelt as in messages and in scenes.
   const std::string home = variable("USERPROFILE");
   return {{variable("USERNAME")}, {}, {home, pathOf(home).generic_string()}, inUtf8(computer)};
 }

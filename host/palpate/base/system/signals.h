@@ -5,10 +5,10 @@
 
 namespace palpate::system {
 
-/// As POSIX numbers them, on every system: exit codes are made of them.
+/// POSIX numbers on every system: exit codes are made of them.
 inline constexpr int kInterrupt = 2;    ///< Ctrl-C
 inline constexpr int kHangUp = 1;       ///< the terminal was closed
-inline constexpr int kTerminate = 15;   ///< anybody else
+inline constexpr int kTerminate = 15;   ///< other programs
 inline constexpr int kBrokenPipe = 13;  ///< the reader of the output has left
 
 /// `ask` is called with the signal: in its handler, so that it may do only what a handler may (lock-free numbers,

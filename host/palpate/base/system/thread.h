@@ -1,4 +1,4 @@
-// How exactly a thread wakes, and before or after which others it runs.
+// Precision of a thread's wake-ups, and its priority.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ namespace palpate::device {
 /// up and towards the user: the body frame of a user behind a patient. Throws Error for invalid axes.
 DeviceFrame frameOf(const OpenOptions& options, std::string_view usual_axes = "x,y,z", double unit_mm = 1.0);
 
-// Those that need nothing but this program (plain_back_ends.cpp).
+// Back ends that need nothing but this program (plain_back_ends.cpp).
 
 Probe probeMouse(const OpenOptions& options);
 Device openMouse(const OpenOptions& options);

@@ -53,7 +53,7 @@ Trajectory recordedPath(const std::filesystem::path& file, const std::string& wa
   throw Error::inFile(file.string(), unknownName("finger", wanted, "", names));
 }
 
-/// By its header: a table of forces names its fingers.
+/// Decides by the header: a table of forces names its fingers.
 Trajectory pathIn(const std::string& which) {
   const auto [file, finger] = fileAndFinger(which);
   if (!finger.empty()) return recordedPath(file, finger);

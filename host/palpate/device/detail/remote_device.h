@@ -3,7 +3,7 @@
 //
 //   their program ─ "p x y z" ─► UDP, 127.0.0.1:PORT ─► read_tip      write_force ─► "f x y z" ─► who holds the finger
 //
-// The servo's thread asks the socket itself and never waits: a tick costs two or three system calls, no lock and no
+// The servo's thread reads the socket itself and never waits: a tick costs two or three system calls, no lock and no
 // memory. Nothing is kept of a client but its address, so slow, dead and many of them cost nothing.
 #pragma once
 
@@ -22,8 +22,8 @@
 
 namespace palpate::device {
 
-// Who may move a finger by datagrams, and how much each is answered: the protocol of docs/reference/remote.md without
-// its socket.
+// Decides who may move a finger by datagrams, and how much is answered: the protocol of docs/reference/remote.md
+// without its socket.
 //
 //   datagram ─ holder? ─ signed, fresh? ─ a pose? ─► take        answer ─► "f x y z", some for each pose and no more
 //
@@ -45,7 +45,7 @@ inline constexpr double kHandoverS = 1.0;
 /// A longer datagram is refused.
 inline constexpr std::size_t kMaxDatagramBytes = 256;
 
-/// A shorter hello gets no answer: the answer must not be longer than what asks for it.
+/// A shorter hello gets no answer: the answer must not be longer than the request.
 inline constexpr std::size_t kHelloBytes = 192;
 
 inline constexpr std::size_t kMinKeyBytes = 32;
@@ -60,8 +60,8 @@ struct RemotePose {
 /// not finite and for places farther than kMaxCoordinateMm. No allocation.
 std::optional<RemotePose> parsePose(std::string_view message) noexcept;
 
-/// The secret in this file: one line of kMinKeyBytes to kMaxKeyBytes letters and digits. Throws Error: no such file,
-/// another content, or a file that others than its owner may read.
+/// The secret in this file: one line of kMinKeyBytes to kMaxKeyBytes letters and digits. Throws Error for a missing
+/// file, other content, or a file that others than its owner may read.
 std::string readRemoteKey(const std::filesystem::path& file);
 
 /// Where a datagram came from, IPv4.
@@ -78,7 +78,7 @@ class RemoteGate {
   /// A random start of the nonces, new for each run.
   using Seed = std::array<char, 24>;
 
-  /// No key: anybody who reaches the port is taken.
+  /// Without a key, every client that reaches the port is accepted.
   RemoteGate(const std::optional<std::string>& key, const Seed& seed, std::uint64_t handover_ticks) noexcept;
 
   /// Once before the datagrams of a tick: frees a finger whose client fell silent.

@@ -32,7 +32,7 @@ constexpr double kVelocitySmoothingS = 0.02;
 constexpr std::size_t kMaxDevices = 64;
 constexpr double kMmPerM = 1000.0;
 
-/// Which indices this program holds: the library opens a device any number of times.
+/// Indices that this program holds: the library opens a device any number of times.
 struct Holdings {
   std::mutex mutex;
   std::array<bool, kMaxDevices> held{};

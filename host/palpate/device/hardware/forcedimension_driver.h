@@ -63,7 +63,7 @@ struct TypeProfile {
   double max_force_n;
   double nominal_stiffness_n_per_mm;
   double reach_mm;                                        ///< radius of the ball that it reaches
-  scene::DeviceModel kind = scene::DeviceModel::unknown;  ///< whose mechanics are assumed
+  scene::DeviceModel kind = scene::DeviceModel::unknown;  ///< mechanics assumed for it
 };
 /// Null for a type that is not listed.
 const TypeProfile* profileOf(int type);

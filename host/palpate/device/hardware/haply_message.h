@@ -49,7 +49,7 @@ struct Version {
 /// Version in the answer to GET /version: {"project_version": "3.5.0.0"}.
 Version parseVersion(std::string_view text);
 
-/// How a force is called in a message.
+/// Name of a force in a message.
 enum class ForceKey : std::uint8_t {
   automatic,  ///< by the version of the service
   vector,     ///< 3.5

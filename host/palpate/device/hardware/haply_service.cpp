@@ -97,7 +97,7 @@ std::unique_ptr<Connection> connectTo(const Address& address, Probe& probe) {
   return connection;
 }
 
-/// By whichever page answers; not known where none does.
+/// The version from whichever page answers; unknown if none does.
 Version askVersion(const Settings& settings, const Address& address, Probe& probe) {
   std::vector<int> ports = {settings.http_port};
   if (settings.http_port == 0) ports = {address.port, kOldPort};

@@ -61,7 +61,7 @@ inline constexpr int kPort = 10001;
 inline constexpr int kOldPort = 10000;
 
 struct Settings {
-  std::string words;  ///< that they came from
+  std::string words;  ///< the text that they came from
   std::vector<Address> addresses = {{"127.0.0.1", kPort}, {"127.0.0.1", kOldPort}};
   int http_port = 0;  ///< 0: that of the address, then kOldPort
   ForceKey force_key = ForceKey::automatic;
@@ -81,7 +81,7 @@ struct Service {
   Reply snapshot;
 };
 
-/// Connects to the first address that answers, asks for the version and takes the snapshot. Every step is in the
+/// Connects to the first address that answers, requests the version and takes the snapshot. Every step is in the
 /// probe's looked_for, the first that fails in its reason and remedy.
 Service findService(const Settings& settings, const std::filesystem::path& system_root, Probe& probe);
 
@@ -150,7 +150,7 @@ class Session {
 /// "Inverse3 049D, right"
 std::string modelOf(const DeviceReply& device);
 
-/// Why the service has no device of that name, and what mends it.
+/// Reports why the service lacks a device of that name, and the remedy.
 Added whyNoneOf(const Service& service, const std::string& which);
 
 /// The session of these settings, shared by all devices that are open.

@@ -27,7 +27,7 @@ namespace {
 /// for under each of them.
 constexpr std::array kUsualNames = {"", "Default Device", "Default PHANToM", "Phantom2"};
 
-/// Frames between two looks at the calibration; a look asks the device.
+/// Frames between two checks of the calibration, which query the device.
 constexpr std::uint64_t kCalibrationFrames = 200;
 
 /// More errors than this are not waiting in a library that works.

@@ -116,7 +116,7 @@ scene::DeviceModel kindOf(std::string_view model);
 struct Slot {
   Slot(const DriverLinkSettings& settings, const DeviceFrame& place) : frame(place), link(settings) {}
 
-  std::string name;  ///< that it was initialised by; "" for the default device
+  std::string name;  ///< used to initialise it; "" for the default device
   Handle handle = kInvalidHandle;
   DeviceFrame frame;
   Capabilities capabilities;

@@ -49,7 +49,7 @@ plugin::Wanted wantedOf(const OpenOptions& options) {
   return plugin::wantedOf(options.which);
 }
 
-/// Asks the plugin whether its device would open; a row of the report.
+/// Checks whether the plugin's device would open; a row of the report.
 Probe probeOne(const plugin::Wanted& wanted) {
   Probe probe;
   const plugin::Plugin found = plugin::load(wanted.file);

@@ -1,5 +1,5 @@
-// Which USB devices of a maker are plugged in, and whether this user may open them: read from /sys and /dev, where the
-// kernel says it, without a library and without opening anything.
+// Finds a maker's USB devices that are plugged in, and whether this user may open them: read from /sys and /dev, where
+// the kernel says it, without a library and without opening anything.
 #pragma once
 
 #include <filesystem>
@@ -31,7 +31,7 @@ std::vector<UsbDevice> usbDevices(const UsbMarks& marks, const std::filesystem::
 /// "Force Dimension omega.3 (1a2b:3c4d) at /dev/bus/usb/001/004, no permission"
 std::string describe(const UsbDevice& device);
 
-/// How to let everybody who sits at the machine open it: a file of a udev rule, its line, and what to run.
+/// How to let all users of the machine open it: a file of a udev rule, its line, and what to run.
 std::string udevRemedy(const UsbDevice& device, std::string_view rule_name);
 
 /// Files of /dev whose names begin so, with whether this user may open them: serial ports that a driver uses.

@@ -99,22 +99,22 @@ Section dysfunctionSection();
 Section lumpSection();  // lump_keys.cpp
 Section ellipsesSection();
 
-// How it is felt: touch_keys.cpp.
+// Feel of the body: touch_keys.cpp.
 Section frictionSection();
 Section contactSection();
 Section partitionSection();
 Section tissueSection();
 Section safetySection();
 
-// How it gives way: deformation_keys.cpp.
+// Deformation: deformation_keys.cpp.
 Section deformationSection();
 Section profileSection();
 Section strainSection();
 
-// How pictures look: view_keys.cpp.
+// Look of pictures: view_keys.cpp.
 Section viewSection();
 
-// Who touches it: finger_keys.cpp.
+// Fingers: finger_keys.cpp.
 Section fingerSection();
 Section deviceSection();
 

@@ -30,8 +30,8 @@ using Residuals = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 BoundedFit fitWithin(const Residuals& residuals, const std::vector<Eigen::VectorXd>& starts,
                      const std::vector<Bounds>& bounds);
 
-/// Standard errors of the numbers; 0 for those at a bound. NaN where there are no more residuals than numbers or these
-/// cannot be distinguished.
+/// Standard errors of the numbers; 0 for those at a bound. NaN unless there are more residuals than numbers, or where
+/// these cannot be distinguished.
 Eigen::VectorXd standardErrors(const BoundedFit& fit);
 
 // A number that a fit found, and how sure it is.

@@ -20,7 +20,7 @@ constexpr std::array kNoiseFloors = {0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1.0, 3.0};
 constexpr Eigen::Index kRowsForNoise = 6;
 /// Weights from the fit, a fit with these weights: settled after a few.
 constexpr int kReweighings = 3;
-/// Simpler forms are preferred that foretell no worse than by this factor.
+/// Simpler forms are preferred that predict no worse than by this factor.
 constexpr double kNearlyAsWell = 1.05;
 
 // --- one form on one curve

@@ -61,7 +61,7 @@ class FormShape {
   double at(double depth_mm) const;
   Eigen::ArrayXd at(const Eigen::ArrayXd& depth_mm) const;
 
-  /// As the engine has it; a table without rows for the cubic form.
+  /// The engine's law; a table without rows for the cubic form.
   const ForceLaw& law() const { return law_; }
 
  private:
@@ -104,7 +104,7 @@ std::vector<ForceFit> fitForces(const ForceCurve& curve, const ForceFitSettings&
 /// that of other curves, a fifth of them left out at a time. Errors are not known (NaN).
 ForceFit fitSharedForce(std::span<const ForceCurve> curves, ForceForm form, const ForceFitSettings& settings);
 
-/// The form that foretells unseen rows best; of those that do so nearly as well (within a twentieth) the one with the
+/// The form that predicts unseen rows best; of those that do so nearly as well (within a twentieth) the one with the
 /// fewest numbers.
 const ForceFit& bestOf(std::span<const ForceFit> fits);
 

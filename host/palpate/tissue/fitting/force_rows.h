@@ -14,7 +14,7 @@ namespace palpate::tissue {
 /// Different depths below the skin that a fit needs.
 inline constexpr std::size_t kMinForceDepths = 4;
 
-/// By depth.
+/// Rows by depth.
 struct ForceRows {
   Eigen::ArrayXd depth_mm;
   Eigen::ArrayXd force_n;
@@ -49,7 +49,7 @@ ForceTable smoothedTable(const ForceRows& rows, const Eigen::ArrayXd& weights, s
 /// N, as the rows say: straight between them, from the origin, on with the last slope. Without the law's scaling.
 double forceIn(const ForceTable& table, double depth_mm);
 
-/// As user_profile.h reads it.
+/// The text that user_profile.h reads.
 std::string forceTableText(const ForceTable& table);
 
 }  // namespace palpate::tissue

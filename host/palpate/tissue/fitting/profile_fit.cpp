@@ -123,7 +123,7 @@ std::vector<Eigen::VectorXd> shapeStarts(ProfileForm form) {
   }
 }
 
-/// As people read them: the wide Gaussian's width instead of its ratio to the narrow one's.
+/// Values for people: the wide Gaussian's width instead of its ratio to the narrow one's.
 Eigen::VectorXd valuesOf(ProfileForm form, const Eigen::VectorXd& inner) {
   Eigen::VectorXd values = inner.unaryExpr(&elementary::exp);
   if (form != ProfileForm::two_gaussians) return values;

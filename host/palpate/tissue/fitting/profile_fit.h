@@ -1,4 +1,4 @@
-// The shape of pressed skin from measured places: which form, how wide, how well it foretells places it has not seen.
+// The shape of pressed skin from measured places: which form, how wide, how well it predicts places it has not seen.
 //
 //   skin_profiles.cpp ─ places of one depth ─► here: each form fitted ─► a table of layered tissue, a user's profile
 //
@@ -80,8 +80,8 @@ double outwardOf(const ProfileFit& fit, double radius_mm);
 /// Throws Error, which names the depth, for fewer than 6 places at different radii, or skin that does not go down.
 ProfileFit fitProfile(const SkinProfile& profile, ProfileForm form);
 
-/// The form that foretells unseen places best over all depths; of those nearly as good (within a twentieth) the one
-/// with the fewest numbers. `fits`: of each depth all forms in the order of kProfileForms.
+/// The form that predicts unseen places best over all depths; of those nearly as good (within a twentieth) the one with
+/// the fewest numbers. `fits`: per depth all forms in the order of kProfileForms.
 ProfileForm bestForm(std::span<const std::vector<ProfileFit>> fits);
 
 /// Radii of a table up to this: half a millimetre apart to 40 mm, two beyond.

@@ -27,7 +27,7 @@ struct Group {
   }
 };
 
-/// As many rows in each, rows of one depth together.
+/// Groups of as many rows each, rows of one depth together.
 std::vector<Group> grouped(const ForceRows& rows, const Eigen::ArrayXd& weights, std::size_t most) {
   const auto below = static_cast<std::size_t>((rows.depth_mm > 0.0).count());
   const std::size_t in_each = (below + most - 1) / most;
