@@ -17,8 +17,7 @@ struct NamedTable {
 
 struct LayeredFigureSettings {
   std::string title;
-  std::optional<double>
-      depth_mm;  ///< depth of the shapes; none: every depth of one table, the deepest that several share
+  std::optional<double> depth_mm;  ///< shapes' depth; none: every depth of one table, the deepest that several share
   double to_radius_mm = 60.0;
 };
 
