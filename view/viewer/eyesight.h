@@ -33,6 +33,6 @@ class Eyesight {
 
 /// Events with places in the whole picture, as one eye has them: panels are drawn once for each eye.
 std::vector<window::InputEvent> mapEventsToEye(std::span<const window::InputEvent> events, view::StereoMode mode,
-                                             int width, int height);
+                                               int width, int height);
 
 }  // namespace palpate::viewer
