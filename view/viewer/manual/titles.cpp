@@ -9,8 +9,7 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr std::array kTitles = {toTranslate("Regions that follow the anatomy"),
-                                toTranslate("The back and the torso"),
+constexpr std::array kTitles = {toTranslate("The back and the torso"),
                                 toTranslate("Bones"),
                                 toTranslate("The engine in a browser"),
                                 toTranslate("The haptic finger"),
@@ -27,7 +26,6 @@ constexpr std::array kTitles = {toTranslate("Regions that follow the anatomy"),
                                 toTranslate("Measuring: from two photographs to the key ellipse"),
                                 toTranslate("Partitions and the haptic detecting box"),
                                 toTranslate("Beside other libraries"),
-                                toTranslate("Profiles: the curve from the finger to the rim"),
                                 toTranslate("Realism: how far skin and force are from solved tissue"),
                                 toTranslate("Relaxation: force that falls while it is held"),
                                 toTranslate("Rendering: from the deformed skin to pixels"),
