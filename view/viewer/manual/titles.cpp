@@ -10,7 +10,6 @@ namespace palpate::viewer {
 namespace {
 
 constexpr std::array kTitles = {toTranslate("The built-in bodies"),
-                                toTranslate("The engine in a browser"),
                                 toTranslate("The haptic finger"),
                                 toTranslate("Credibility: why the figures of a release may be trusted"),
                                 toTranslate("Deformation: how the skin follows the finger"),
@@ -35,7 +34,6 @@ constexpr std::array kTitles = {toTranslate("The built-in bodies"),
                                 toTranslate("Layered tissue"),
                                 toTranslate("Tools of several pads"),
                                 toTranslate("Training methods: how thresholds are measured"),
-                                toTranslate("How the window is made"),
                                 toTranslate("Run a class over the network"),
                                 toTranslate("Deform a mesh in a program"),
                                 toTranslate("Feel through the detecting box"),
