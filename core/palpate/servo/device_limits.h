@@ -18,7 +18,7 @@ namespace palpate::servo {
 
 /// What loop and hand were found to keep at rest and no tap to take energy from, N/mm in the hand: by the rate, the
 /// whole delay from sampling the pose to the force, and the mass of the device. 0: no stiffness was. `palpate study
-/// stability --map`, docs/explanation/stability.md.
+/// stability --map`, docs/explanation/safety.md.
 double stableStiffness(double tick_s, double delay_ticks, const device::DeviceProfile& profile);
 
 /// Why such a device must not push a hand at this rate and delay, one line; empty: it may.
