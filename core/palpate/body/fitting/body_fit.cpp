@@ -1,5 +1,5 @@
 // Own. What is added to an alignment's own spread, and from where it is called doubtful, was measured on builds that
-// were bent and bulged beyond what the trunk's own numbers can do (docs/explanation/fit-body.md).
+// were bent and bulged beyond what the trunk's own numbers can do (docs/explanation/bodies.md).
 #include "palpate/body/fitting/body_fit.h"
 
 #include <fmt/format.h>
