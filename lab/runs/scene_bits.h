@@ -1,7 +1,7 @@
 // The bits of what a scene gives, as three numbers: the same from every compiler, processor and system.
 //
 // Stands on the core alone: tests/platforms/bits.cpp prints them for every platform, `palpate study credibility`
-// compares them with the ones that are kept. docs/explanation/same-bits.md
+// compares them with the ones that are kept. docs/explanation/credibility.md
 #pragma once
 
 #include <cstdint>
