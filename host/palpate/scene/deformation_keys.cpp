@@ -83,8 +83,9 @@ Keys profileKeys(const ProfilePlace& place) {
   const auto& [prefix, of, settings, profile_file] = place;
   const auto profile = [&](auto... members) { return way(&D::forms, place.settings, members...); };
   return {
-      choice<D, tissue::ProfileKind>(prefix, profile(&P::kind),
-                                     of + ": the curve from the finger to the rim (docs/reference/deformation-forms.md)."),
+      choice<D, tissue::ProfileKind>(
+          prefix, profile(&P::kind),
+          of + ": the curve from the finger to the rim (docs/reference/deformation-forms.md)."),
       choice<D, tissue::ProfileRim>(prefix + "_rim", profile(&P::rim),
                                     of + ": what becomes of the curve's rest at the rim (E18)."),
       count<D>(prefix + "_entries", profile(&P::table_entries), 2, 1'000'000,
