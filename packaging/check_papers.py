@@ -48,7 +48,7 @@ def same_version(root):
         "CITATION.cff": r"(?m)^version: (\S+)", "packaging/codemeta.json": r'"version": "([^"]+)"',
         "packaging/vcpkg/vcpkg.json": r'"version-semver": "([^"]+)"', "packaging/conan/conanfile.py": r'version = "([^"]+)"',
         "debian/changelog": r"^palpate \(([^-]+)-", "packaging/npm/package.json": r'"version": "([^"]+)"',
-        "packaging/npm/README.md": r"palpate-([\d.]+)\.tgz", "docs/howto/javascript.md": r"palpate-([\d.]+)\.tgz",
+        "packaging/npm/README.md": r"palpate-([\d.]+)\.tgz", "docs/howto/web.md": r"palpate-([\d.]+)\.tgz",
         "packaging/desktop/org.palpate.palpate.metainfo.xml": r'<release version="([^"]+)"',
     }
     for file, pattern in named.items():
@@ -231,7 +231,7 @@ def debian(root):
 
 CHECKS = (same_version, citation, codemeta, paper, desktop, community, debian)
 FILES = ("CMakeLists.txt", "CITATION.cff", "packaging/codemeta.json", "docs/quoted/store.json", "packaging/vcpkg",
-         "packaging/conan", "packaging/npm", "docs/howto/javascript.md", "packaging/paper", "packaging/desktop", ".github", "debian", "cli/kit/families.tsv", "tools/install-dependencies")
+         "packaging/conan", "packaging/npm", "docs/howto/web.md", "packaging/paper", "packaging/desktop", ".github", "debian", "cli/kit/families.tsv", "tools/install-dependencies")
 
 
 def faults(root):

@@ -3,7 +3,7 @@
 
     tools/solve_uneven_bone.py -o tests/data/golden/uneven_bone.json
 
-The truth that regions which follow the anatomy are judged by (docs/explanation/anatomical-regions.md). It shares nothing
+The truth that regions which follow the anatomy are judged by (docs/explanation/deformation.md). It shares nothing
 with the product: small strains, elastic layers (skin 2 mm 150 kPa, fat up to 8 mm 10 kPa, at least 3 mm of muscle 27 kPa, Poisson
 0.48) on a rigid base. Skin and base change along x only; the load is round. So the motion is a Fourier series in y, and
 each of its terms a plane problem in x and z: quadrilaterals of 8 nodes, 2 x 2 points, 1.2 mm wide near the loads, 10 rows.

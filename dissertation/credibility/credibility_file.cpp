@@ -57,7 +57,7 @@ std::vector<CredibilityLimit> alwaysMissing() {
       {"haptic_devices", "Forces are those that are sent to a device; what a device makes of them is not measured."},
       {"uneven_bone",
        "How regions follow bones and folds is compared with finite elements in tests of the release, not in this "
-       "run (docs/explanation/anatomical-regions.md)."},
+       "run (docs/explanation/deformation.md)."},
       {"other_platforms", "Other compilers, processors and systems are compared by `tools/check-platforms`."},
       {"tissue_model",
        "Layers are flat, isotropic and bonded; fibres, tension of the skin and blood flow are not in the model."}};

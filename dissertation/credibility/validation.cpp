@@ -31,7 +31,7 @@ constexpr double kNormalBarPercent = 1.5;
 constexpr double kVectorBarPercent = 2.0;
 constexpr double kForceBarPercent = 10.0;
 constexpr double kDragBarPercent = 3.0;
-/// Bars of docs/explanation/lumps.md.
+/// Bars of docs/reference/lump-figures.md.
 constexpr double kLumpForceBarPercent = 10.0;
 constexpr double kLumpPressureBarPercent = 20.0;
 constexpr double kLumpFieldBarPercent = 2.0;

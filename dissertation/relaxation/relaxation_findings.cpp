@@ -11,7 +11,7 @@ namespace palpate::study {
 
 namespace {
 
-/// Dead beef, held: the share of its force that it loses (docs/explanation/relaxation.md).
+/// Dead beef, held: the share of its force that it loses (docs/explanation/force-laws.md).
 struct Recorded {
   double seconds;
   double lost;

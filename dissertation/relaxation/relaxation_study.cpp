@@ -104,7 +104,7 @@ StudyPage studyRelaxation(const StudySettings& settings) {
                      "Nothing is drawn and no device limits the force.",
                      "As offered is a share of 0.15 in 1 s; dead beef is 0.26 in 0.40 s and 0.31 in 4.4 s, fitted to "
                      "recordings of beef on a board. Neither is a living back, of which no open recording was found "
-                     "(docs/explanation/relaxation.md).",
+                     "(docs/explanation/force-laws.md).",
                      "Work is the sum over ticks of mean force times motion. A cycle goes down and up as a cosine."},
           .tables = {{"relaxation_held", "Force of a press that is held.", heldTable(found)},
                      {"relaxation_cycles", "What a press and its release lose, as offered.", cycleTable(found)}},

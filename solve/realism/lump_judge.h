@@ -2,7 +2,7 @@
 // field behind all of it.
 //
 // Cases come from a file (tests/data/golden/lumps.json has the form) or are drawn and solved. Bars and errors:
-// docs/explanation/lumps.md.
+// docs/reference/lump-figures.md.
 #pragma once
 
 #include <cstdint>

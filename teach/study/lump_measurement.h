@@ -3,7 +3,7 @@
 //   layers, solved ─ LumpSheet with a lump each ─┬─ strokes at every distance ─ fittedObserver ─► LumpObserver
 //                                                └─ strokes of trainees ─► found or not ─► compared with print
 //
-// Numbers that are printed are those of the studies that docs/explanation/lump-finding.md names.
+// Numbers that are printed are those of the studies that docs/explanation/lumps.md names.
 #pragma once
 
 #include <array>

@@ -7,7 +7,7 @@
 //
 // Device and hand are two bodies, in three dimensions, integrated by semi-implicit Euler; its half-step lead hides that
 // part of the hold's delay, so a tick has at least 40 steps. Deterministic: the same calls give the same bits.
-// Limits: no structural resonance, no gravity, no cable friction, no reflexes (docs/explanation/stability.md).
+// Limits: no structural resonance, no gravity, no cable friction, no reflexes (docs/explanation/safety.md).
 #pragma once
 
 #include <array>

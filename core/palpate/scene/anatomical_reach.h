@@ -4,7 +4,7 @@
 // drag. Elsewhere a radius is counted along the skin: a millimetre of way is worth 1 / R(t) of it, with R(t) the reach
 // in tissue as thick as it is there (thin tissue over a rib is soon crossed), and a drag loses a part of its reach for
 // every radian by which the skin folds inward, since what lies beyond a furrow does not follow. The numbers come from
-// finite elements of ribs, steps and furrows (docs/explanation/anatomical-regions.md).
+// finite elements of ribs, steps and furrows (docs/explanation/deformation.md).
 //
 //   skin, bones, library ─ AnatomicalReach, at load ─► World::reach ─ at(), a contact and frame ─► regions, contours
 //

@@ -1,6 +1,5 @@
 // What a haptic device may be asked to do to a hand. Set by the scene, completed by what is known of the device
-// (device/device_profile.h), obeyed by the servo (servo/limiter.h). docs/explanation/safety.md,
-// docs/explanation/stability.md.
+// (device/device_profile.h), obeyed by the servo (servo/limiter.h). docs/explanation/safety.md.
 #pragma once
 
 #include <cstdint>

@@ -68,7 +68,7 @@ maps::LiteralForms literalMapForms(const Scene& scene) {
 // ---- stiffness
 
 /// A finger that slides over a steep place gets its force in steps, whatever the loop does
-/// (docs/explanation/stability.md).
+/// (docs/explanation/safety.md).
 void noteSteepMap(const mesh::TriangleMesh& skin, const SteepPlace& steep, double tick_s,
                   std::vector<std::string>& notes) {
   constexpr double kDepth = 3.0;

@@ -241,7 +241,7 @@ std::string whyRefused(const device::DeviceProfile& profile, double tick_s, doub
   if (stableStiffness(tick_s, delay_ticks, profile) > 0.0) return {};
   return fmt::format(
       "no stiffness is stable at {:.4g} Hz with {:.3g} ticks of delay on {}; set `ticks_per_s` higher, or "
-      "`[safety] delay_ticks` lower where it is less (docs/explanation/stability.md)",
+      "`[safety] delay_ticks` lower where it is less (docs/explanation/safety.md)",
       1.0 / tick_s, delay_ticks, isHeavy(profile) ? "this device" : "a device this light or unknown");
 }
 

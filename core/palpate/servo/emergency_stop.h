@@ -4,7 +4,7 @@
 //   key, button, signal, API ─ press ─► one flag ─► runTick reads it once a tick ─► zero force, kEmergencyStop
 //
 // Forces do not fade: what a hand does when a force ends at once is hardly less than when it ends in a tenth of a
-// second (docs/explanation/stability.md), and what ends at once ends for certain.
+// second (docs/explanation/safety.md), and what ends at once ends for certain.
 #pragma once
 
 #include <atomic>

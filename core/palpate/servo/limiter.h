@@ -6,7 +6,7 @@
 // limitForce, in this order: fault? -> start rule -> one factor for all stiffness -> slope held at the cap, soft toe ->
 // passivity -> clamp -> rate guard. Any fault ends the force in the same tick. The contact's own force is not touched;
 // traces hold both.
-// docs/explanation/safety.md says what is promised, docs/explanation/stability.md what was measured.
+// docs/explanation/safety.md says what is promised and what was measured.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ namespace palpate::servo {
 //
 // A tip that arrives at 0.5 m/s is half a millimetre inside before the loop knows, and would meet the whole spring at
 // once. Ramps in time and limits of the change soften that too, but they take force away on the way in and give it back
-// on the way out: they make energy (docs/explanation/stability.md). A law of the depth cannot.
+// on the way out: they make energy (docs/explanation/safety.md). A law of the depth cannot.
 
 /// State of one contact, from its first tick to its last.
 struct SoftContact {
@@ -61,7 +61,7 @@ double localStiffness(const contact::FingerOutput& contact, const tissue::ForceL
 // it (a stiff place next to a soft one) as its own law says, and only the loop's part is counted. Based on: Hannaford
 // and Ryu, "Time-domain passivity control of haptic interfaces", IEEE Trans. Robot. Autom. 18 (2002), and later work
 // that compares with a reference energy. The treatment of delay, friction and bounds is our own;
-// docs/explanation/stability.md measures it.
+// docs/explanation/safety.md measures it.
 
 /// Longest delay that the observer can follow, in ticks.
 inline constexpr double kLongestDelayTicks = 12.0;

@@ -22,7 +22,7 @@ inline constexpr double kReferenceDepthMm = 8.0;
 inline constexpr double kFingertipMm = 8.0;
 
 /// N/mm, of slopes: stiffer than this a fingertip's own pad gives way first, and a hand at 1 kHz would not be held
-/// stably (docs/explanation/stability.md). Bounds what is extrapolated, and a body's own tissue (softenedTo).
+/// stably (docs/explanation/safety.md). Bounds what is extrapolated, and a body's own tissue (softenedTo).
 inline constexpr double kStiffestTissue = 1.9;
 
 /// Secants of layered tissue by the finger's radius, thickness and depth, over those of a fingertip at the reference

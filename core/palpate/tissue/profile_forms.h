@@ -1,7 +1,7 @@
 // The closed forms behind ProfileCurve, each with its derivative, before the rim is finished.
 //
 // Based on: Ji, dissertation 2008, (4.1), (4.2), Figure 4.4 and Table 4.2; two Gaussians and the power tail are fits to
-// finite element models of layered tissue (docs/explanation/profiles.md).
+// finite element models of layered tissue (docs/reference/deformation-forms.md).
 #pragma once
 
 #include <cmath>
@@ -50,7 +50,7 @@ inline ProfileSettings withFidelity(ProfileSettings settings, const Fidelity& fi
 // The pull towards the finger: pressed skin does not only sink, it is drawn in sideways.
 //
 // A share of the depth, zero under the finger, largest at q = width, faded out towards the rim. Layered tissue shows 5
-// to 11 % of the depth at half the half Gaussian's radius (finite elements, docs/explanation/profiles.md); the
+// to 11 % of the depth at half the half Gaussian's radius (finite elements, docs/reference/deformation-forms.md); the
 // dissertation has no such term, so it is off by default.
 
 /// inward displacement = share depth (q/width) exp(1/2 - q^2 / (2 width^2)).

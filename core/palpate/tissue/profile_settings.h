@@ -2,8 +2,8 @@
 //
 // Scene files and callers fill this; profile_curve.h evaluates it. Every length is a share of the deformation region:
 // location ratio q, 0 under the finger, 1 on the rim.
-// Based on: Ji, dissertation 2008, sections 4.1 to 4.3 and Table 4.2; docs/explanation/profiles.md says what each form
-// is for.
+// Based on: Ji, dissertation 2008, sections 4.1 to 4.3 and Table 4.2; docs/reference/deformation-forms.md says what
+// each form is for.
 #pragma once
 
 #include <cstdint>

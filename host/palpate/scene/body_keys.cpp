@@ -18,7 +18,7 @@ Key<BodySettings> textureKey() {
       "texture", way(&S::texture, &TextureSource::file),
       "A PNG or JPEG picture on the skin, or a glTF or GLB file for its base colour picture. Mesh: it lies there by "
       "the file's texture coordinates (OBJ, glTF, GLB). Trunk, torso, back: left half from behind, right half from the "
-      "front (docs/explanation/trunk.md), or \"made\" or \"made:SEED\": a skin that the program paints "
+      "front (docs/explanation/bodies.md), or \"made\" or \"made:SEED\": a skin that the program paints "
       "(docs/explanation/rendering.md).");
   key.read = [read = std::move(key.read)](S& s, const Entry& entry) {
     read(s, entry);
@@ -109,7 +109,7 @@ Section breathingSection() {
                 "How far the skin over the lower ribs moves between out and in."),
       number<S>("per_minute", &S::per_minute, above(0, 60), "Breaths a minute; 12 to 16 at rest."),
   };
-  return section<S>("breathing", "How the body breathes (docs/explanation/trunk.md).", &Scene::breathing,
+  return section<S>("breathing", "How the body breathes (docs/explanation/bodies.md).", &Scene::breathing,
                     std::move(keys));
 }
 

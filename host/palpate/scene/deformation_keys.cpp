@@ -54,7 +54,7 @@ Keys regionKeys() {
           "Of the drag's region: the map's ellipse, the circle of its area, or an irregular contour."),
       file<D>("contours", &D::contours,
               "Shape \"contour\": table of measured contours (docs/reference/maps.md); default: they follow bones "
-              "and folds (docs/explanation/anatomical-regions.md)."),
+              "and folds (docs/explanation/deformation.md)."),
       choice<D, deform::Search>(
           "search", way(&D::forms, &F::search),
           "How a region's vertices are found: along the skin, or by the octree, which takes other fingers too."),
@@ -82,8 +82,9 @@ Keys profileKeys(const ProfilePlace& place) {
   const auto& [prefix, of, settings, profile_file] = place;
   const auto profile = [&](auto... members) { return way(&D::forms, place.settings, members...); };
   return {
-      choice<D, tissue::ProfileKind>(prefix, profile(&P::kind),
-                                     of + ": the curve from the finger to the rim (docs/explanation/profiles.md)."),
+      choice<D, tissue::ProfileKind>(
+          prefix, profile(&P::kind),
+          of + ": the curve from the finger to the rim (docs/reference/deformation-forms.md)."),
       choice<D, tissue::ProfileRim>(prefix + "_rim", profile(&P::rim),
                                     of + ": what becomes of the curve's rest at the rim (E18)."),
       count<D>(prefix + "_entries", profile(&P::table_entries), 2, 1'000'000,
@@ -100,7 +101,7 @@ Keys profileKeys(const ProfilePlace& place) {
                 of + ", \"power\": width, as a share of the region."),
       number<D>(prefix + "_tail_exponent", profile(&P::power, &T::exponent), above(0, 10),
                 of + ", \"power\": how fast the tail falls."),
-      file<D>(prefix + "_file", profile_file, of + ", \"user\": table q,value (docs/explanation/profiles.md)."),
+      file<D>(prefix + "_file", profile_file, of + ", \"user\": table q,value (docs/reference/deformation-forms.md)."),
       choice<D, tissue::UserInterpolation>(prefix + "_interpolation", profile(&P::interpolation),
                                            of + ", \"user\": smooth without overshoot, or straight."),
   };
@@ -170,7 +171,7 @@ Section profileSection() {
                 "Share of the radius over which the curves go over into those around the place; 0 is a hard edge."),
       choice<S, tissue::ProfileKind>("press", &S::press,
                                      "Curve of a press there, in the place of layers too; its numbers are those of "
-                                     "[deformation] profile_... (docs/explanation/profiles.md)."),
+                                     "[deformation] profile_... (docs/reference/deformation-forms.md)."),
       file<S>("press_file", &S::press_file, "Press, \"user\": table q,value."),
       choice<S, tissue::ProfileKind>("drag", &S::drag, "The same for a drag."),
       file<S>("drag_file", &S::drag_file, "Drag, \"user\": table q,value."),

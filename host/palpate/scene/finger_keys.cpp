@@ -85,7 +85,7 @@ Key<Finger> padKey() {
   return {"pad",
           "whole number" + rangeSuffix(kTaxels) + ", or 0",
           "Pad: taxels along a side of the finger's sensor of pressure, at least 2; 0 is none "
-          "(docs/explanation/lump-contact.md).",
+          "(docs/explanation/lumps.md).",
           read,
           [](const Finger& finger) { return fmt::format("{}", finger.pad); },
           {KeyForm::Kind::whole, 0.0, static_cast<double>(contact::kMaxTaxels)}};

@@ -111,7 +111,7 @@ Section lumpSection() {
   };
   return listSection<S>("lump",
                         "Something under the skin: a node, a cyst, a hard band. Needs layered tissue "
-                        "(docs/explanation/lump-contact.md).",
+                        "(docs/explanation/lumps.md).",
                         &Scene::lumps, read, lumpKeys(), [] { return describe<S>("[[lump]]", lumpKeys()); });
 }
 

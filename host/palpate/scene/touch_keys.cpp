@@ -120,7 +120,7 @@ std::vector<Key<TissueSettings>> relaxationKeys() {
   const auto term = [](auto R::*member) { return way(&S::relaxation, member); };
   return {
       number<S>("relaxation", term(&R::share), between(0, contact::kMaxRelaxation),
-                "Share by which the force of a press that is held falls in time (docs/explanation/relaxation.md); 0 is "
+                "Share by which the force of a press that is held falls in time (docs/explanation/force-laws.md); 0 is "
                 "none, 0.15 what living limbs may have."),
       number<S>("relaxation_s", term(&R::time_s), between(0.01, 1000),
                 "Relaxation: the time in which it falls by 63 % of that."),

@@ -1,4 +1,4 @@
-// The bars of docs/explanation/lumps.md, on the presses that an independent solver made.
+// The bars of docs/reference/lump-figures.md, on the presses that an independent solver made.
 #include "solve/realism/lump_judge.h"
 
 #include <gtest/gtest.h>

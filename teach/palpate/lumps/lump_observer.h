@@ -7,7 +7,7 @@
 //
 // C = sqrt((force / its Weber fraction)^2 + (pattern / its Weber fraction)^2), found with P = 0.98 Phi(ln C / s). s is
 // the spread of technique, attention and search, not of the senses alone. Fitted to groups of people who examined
-// silicone breasts (docs/explanation/lump-finding.md), not to any one person.
+// silicone breasts (docs/explanation/lumps.md), not to any one person.
 #pragma once
 
 #include <cstddef>

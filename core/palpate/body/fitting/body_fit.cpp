@@ -1,5 +1,5 @@
 // Own method. The addition to an alignment's own spread, and the limit from which it is called doubtful, were measured
-// on builds bent and bulged beyond what the trunk's own numbers can do (docs/explanation/fit-body.md).
+// on builds bent and bulged beyond what the trunk's own numbers can do (docs/explanation/bodies.md).
 #include "palpate/body/fitting/body_fit.h"
 
 #include <fmt/format.h>

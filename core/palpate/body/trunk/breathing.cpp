@@ -1,7 +1,7 @@
 // One smooth window along the spine times a ramp from the still plane to the back. Its slopes are some per cent, so
 // that the way back from a moved place is a fixed point found in a few rounds. Each tick of each finger; no allocation.
 //
-// Sources: docs/explanation/trunk.md (breathing).
+// Sources: docs/explanation/bodies.md (breathing).
 #include "palpate/body/trunk/breathing.h"
 
 #include <algorithm>

@@ -29,7 +29,7 @@ constexpr double kUpS = 0.2;
 /// The first of a hold is the hand's own settling.
 constexpr double kSettleS = 0.1;
 
-/// Physiological tremor of a finger, as in docs/explanation/stability.md.
+/// Physiological tremor of a finger, as in docs/explanation/safety.md.
 constexpr double kTremorMm = 0.1;
 constexpr double kTremorHz = 9.0;
 
