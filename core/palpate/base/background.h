@@ -9,7 +9,7 @@
 
 namespace palpate {
 
-/// A piece of work under way. What it refers to must live until it has been joined.
+/// A piece of work in progress. Its captures must live until it has been joined.
 class Background {
  public:
   /// Starts it. Without a thread it is done here and now, or at the latest in `join`.

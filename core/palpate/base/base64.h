@@ -9,7 +9,7 @@ namespace palpate {
 
 /// With padding, without line breaks.
 std::string base64(std::string_view bytes);
-/// Padding may be missing; none where a letter is not one of the 64.
+/// Padding may be missing; empty for a letter outside the 64.
 std::optional<std::string> bytesOfBase64(std::string_view text);
 
 }  // namespace palpate

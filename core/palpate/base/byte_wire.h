@@ -1,8 +1,8 @@
-// Numbers as bytes, little endian, and back: what engine/contact_stream.h and scene/ready_body.h are written with.
+// Numbers as bytes, little endian, and back: the format of engine/contact_stream.h and scene/ready_body.h.
 //
-// A structure is walked by one template, `walk(wire, value)`, for both ways: the writer is given constants, the reader
-// what it fills in. The reader never goes past the end, takes only finite numbers within limits and known words, and
-// after the first fault gives zeros and remembers where that was, so that a walk needs no branches.
+// A structure is walked by one template, `walk(wire, value)`, for both ways: the writer gets constants, the reader
+// fills in. The reader never goes past the end, accepts only finite numbers within limits and known words, and after
+// the first fault returns zeros and remembers its place, so that a walk needs no branches.
 #pragma once
 
 #include <array>
@@ -79,7 +79,7 @@ class WireWriter {
   void place(const Vec3& value) {
     for (int axis = 0; axis < 3; ++axis) real(value[axis]);
   }
-  /// As floats: for what is only shown.
+  /// As floats, for display only.
   void shown(double value) { real(static_cast<float>(value)); }
   void shown(const Vec3& value) {
     for (int axis = 0; axis < 3; ++axis) shown(value[axis]);
@@ -109,13 +109,13 @@ class WireReader {
     position_ += sizeof(Whole);
     return wire::get<Whole>(bytes_.data() + position_ - sizeof(Whole));
   }
-  /// These words and no others.
+  /// This text and no other.
   void text(std::string_view words) {
     if (!has(words.size())) return;
     if (bytes_.substr(position_, words.size()) != words) return fail("is something else, or of another version");
     position_ += words.size();
   }
-  /// The next bytes as they are; none after a fault.
+  /// The next bytes, unchanged; empty after a fault.
   std::string_view bytes(std::size_t size) {
     if (!has(size)) return {};
     position_ += size;

@@ -1,6 +1,6 @@
 // One pass, line by line: refuse control bytes, cut the comment, split at commas outside quotes. Fields are views of
 // the text in one list that all rows share, so rows allocate nothing once it has grown. Data flow: tables of
-// trajectories, forces, profiles and maps -> here, at load time -> the room that reads them.
+// trajectories, forces, profiles and maps -> here, at load time -> their readers.
 #include "palpate/base/csv.h"
 
 #include <fmt/format.h>

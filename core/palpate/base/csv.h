@@ -1,10 +1,9 @@
-// Comma-separated tables that a stranger wrote: rows with their line numbers, numbers with an error that names the
-// line.
+// Comma-separated tables written by users: rows with their line numbers, numbers with an error that names the line.
 //
-// A table is plain text: one row a line, fields between commas, `#` starts a comment, blank lines are skipped, a byte
-// order mark and lines that end in LF, CR LF or CR are accepted, and so are what spreadsheets add: quotes around a
-// field and commas behind the last column. Other separators, quotes within quotes and UTF-16 are refused by their own
-// reason.
+// A table is plain text: one row per line, fields between commas, `#` starts a comment, blank lines are skipped, a byte
+// order mark and lines that end in LF, CR LF or CR are accepted, and so are additions of spreadsheets: quotes around a
+// field and commas behind the last column. Other separators, quotes within quotes and UTF-16 are refused, each with its
+// own reason.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +23,8 @@ struct CsvRow {
   std::span<const std::string_view> fields;  ///< trimmed; valid during the visit only
 };
 
-/// Calls `visit` for every row that holds something. Throws Error at the first control byte (a binary file), and where
-/// the first row shows that fields are separated by something else than commas.
+/// Calls `visit` for every row with content. Throws Error at the first control byte (a binary file), and where the
+/// first row shows that fields are not separated by commas.
 void forEachCsvRow(std::string_view text, std::string_view file, const std::function<void(const CsvRow&)>& visit);
 
 /// The finite number in `column`. Throws Error naming the line and the column otherwise.
@@ -34,7 +33,7 @@ double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_
 /// The same for a number that must be in a range.
 double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_name, const NumberRange& range);
 
-/// "expected the header a,b, found 'a;b'": what a reader says to another header, with the line.
+/// "expected the header a,b, found 'a;b'": the error for another header, with the line.
 Error unexpectedHeader(const CsvRow& row, std::string_view expected);
 
 /// True when the row names columns instead of holding values, that is when its first field is not a number.
@@ -46,7 +45,7 @@ bool looksLikeCsvHeader(const CsvRow& row);
 /// forms, a tab or a line end.
 enum class CsvText {
   safe,  ///< an apostrophe precedes it; numbers are unchanged
-  raw,   ///< nothing: for programs, which take no formulas
+  raw,   ///< unchanged: for programs, which run no formulas
 };
 
 /// Quoted where it holds a comma, a quote or a line end.

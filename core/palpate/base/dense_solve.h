@@ -11,7 +11,7 @@
 namespace palpate {
 
 /// The X with `matrix` X = `right`, by elimination with partial pivoting. `matrix` is n by n and not singular (else the
-/// result holds what is not a number), `right` n by m. n^3/3 multiplications. Any thread.
+/// result is not finite), `right` n by m. n^3/3 multiplications. Any thread.
 Eigen::MatrixXd solved(Eigen::MatrixXd matrix, Eigen::MatrixXd right);
 
 /// The x of least |`matrix` x - `right`|, by Householder reflections. `matrix` has at least as many rows as columns and

@@ -1,4 +1,4 @@
-// Exactness beyond 53 bits is kept as a pair of doubles, `high` rounded and `low` what was lost (Dekker 1971). All
+// Exactness beyond 53 bits is kept as a pair of doubles, `high` rounded and `low` the remainder (Dekker 1971). All
 // polynomials are Taylor's: tables (detail/elementary_tables.h) make their arguments small.
 #include "palpate/base/elementary.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-/// Added and taken away again, it rounds a number below 2^51 to a whole one, ties to even.
+/// Added and subtracted again, it rounds a number below 2^51 to a whole one, ties to even.
 constexpr double kRounder = 0x1.8p52;
 /// Anything below this share of a number is less than its last bit.
 constexpr double kTiny = 0x1p-55;

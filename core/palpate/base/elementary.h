@@ -1,6 +1,6 @@
 // Elementary functions with the same bits on every compiler, processor and system. The C library's differ in the last
-// bit from one machine to the next, and a body that is built with them becomes another body. Core and host call these
-// alone; tests/base/elementary_test.cpp holds them against MPFR.
+// bit from one machine to the next, and a body that is built with them becomes another body. Core and host use only
+// these; tests/base/elementary_test.cpp compares them with MPFR.
 //
 // Each uses + - * / and sqrt alone, which IEEE 754 rounds the same way everywhere, in one order, without fused
 // multiply-add. Results are within 1 ulp of the exact value: none was off by 0.85 ulp among 10^7 arguments of each.

@@ -1,7 +1,7 @@
 // The one exception type of the cold paths (load, validate, build, command line).
 //
-// A message reads `where: cause`, in one line, so that a command can print it as it is; who wants to jump to the place
-// or to translate the cause asks for the parts. Hot paths never throw.
+// A message reads `where: cause`, in one line, so that a command can print it unchanged; its parts are for jumping to
+// the place or translating the cause. Hot paths never throw.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ class Error : public std::runtime_error {
 
   // The parts of what(); views of it, valid as long as the error.
 
-  /// As it was named to the reader; empty: the trouble is in no file.
+  /// The file's name as passed to the reader; empty: not a fault of a file.
   std::string_view file() const noexcept { return std::string_view(what()).substr(0, file_length_); }
   /// Counted from 1; 0: not known.
   std::size_t line() const noexcept { return line_; }

@@ -1,8 +1,8 @@
-// Which of the dissertation's formulae are taken as printed and which as corrected.
+// The dissertation's formulae that are used as printed; the others are corrected.
 //
 // The checked errata E1 to E34 (scene/errata.h has their texts) each name a place where the printed text is wrong,
-// ambiguous or incomplete. This set is empty by default: no printed form that is a switch is taken. (A few errata are
-// settings of their own or keep the printed form; scene::errataByDefault lists them.) The literal forms live in files
+// ambiguous or incomplete. This set is empty by default: no switchable printed form is used. (A few errata are settings
+// of their own or keep the printed form; scene::errataByDefault lists them.) The literal forms live in files
 // of their own, which query this set, so that a published result can be reproduced or one erratum studied alone.
 #pragma once
 

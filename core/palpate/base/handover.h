@@ -1,8 +1,8 @@
-// Gives a running loop something new to work with without stopping it: one thread makes it, the loop takes it between
-// two ticks, and what the loop puts down is destroyed by the thread that made it, never by the loop.
+// Gives a running loop a new object without stopping it: one thread makes it, the loop adopts it between two ticks, and
+// the thread that made the old one destroys it, never the loop.
 //
-// Two slots that change by atomic exchange: one for what is offered, one for what was put down. The loop takes only
-// while the second is empty, so it never has to wait nor to free.
+// Two slots that change by atomic exchange: one for the offered object, one for the old one. The loop adopts only while
+// the second is empty, so it never has to wait nor to free.
 #pragma once
 
 #include <atomic>
@@ -27,14 +27,14 @@ class Handover {
   Handover(const Handover&) = delete;
   Handover& operator=(const Handover&) = delete;
 
-  /// Offering thread: the next thing to be taken, in place of an older one that was not taken yet.
+  /// Offering thread: offers the next object, in place of an older one that was not adopted yet.
   void offer(std::unique_ptr<T> next) {
     collect();
     delete offered_.exchange(next.release(), std::memory_order_acq_rel);
   }
 
-  /// Offering thread: destroys what the loop has put down. True when there was something. Call it now and then, or the
-  /// loop takes no further.
+  /// Offering thread: destroys the loop's old object. True when there was one. Call it now and then, or the loop adopts
+  /// nothing more.
   bool collect() {
     const std::unique_ptr<T> old(put_down_.exchange(nullptr, std::memory_order_acq_rel));
     return old != nullptr;
@@ -73,7 +73,7 @@ class RingBuffer {
     return pushWith([&](T& slot) { slot = value; });
   }
 
-  /// Producer: the same; `fill` writes the value where it will lie, which saves a copy of a large one.
+  /// Producer: the same; `fill` writes the value in place, which saves a copy of a large one.
   template <class Fill>
   bool pushWith(const Fill& fill) {
     const std::size_t tail = tail_.load(std::memory_order_relaxed);

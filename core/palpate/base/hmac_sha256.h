@@ -24,7 +24,7 @@ class HmacSha256 {
 /// 64 digits in small letters.
 std::array<char, 64> hexOf(const Sha256Digest& digest) noexcept;
 
-/// The time it takes does not depend on where they differ.
+/// The time does not depend on where they differ.
 bool equalInConstantTime(std::string_view a, std::string_view b) noexcept;
 
 }  // namespace palpate

@@ -50,7 +50,7 @@ std::string nearestName(std::string_view written, const std::vector<std::string>
   // At least one letter of a short word must be right.
   std::size_t least = std::min(std::max<std::size_t>(2, written.size() / 3) + 1, written.size());
   for (const std::string& name : names) {
-    // "radius_cm" and "radius" mean "radius_mm", however many letters that takes.
+    // "radius_cm" and "radius" mean "radius_mm", however many letters differ.
     const std::size_t distance = stem(name) == stem(written) ? std::min<std::size_t>(1, editDistance(name, written))
                                                              : editDistance(name, written);
     if (distance < least) {

@@ -13,10 +13,10 @@ inline constexpr std::size_t kLongestName = 64;
 /// User input made fit for a message: no line breaks or other control bytes, not too long.
 std::string oneLine(std::string_view text, std::size_t most = kLongestName);
 
-/// The name nearest to what was written, or nothing when none is near. A name that differs in its unit only is near.
+/// The name nearest to `written`, or empty when none is near. A name that differs in its unit only is near.
 std::string nearestName(std::string_view written, const std::vector<std::string>& names);
 
-/// Those that are nearest, whatever their distance and their case, the nearest first: for a list too long to be read.
+/// The nearest names, whatever their distance and their case, the nearest first: for a list too long to be read.
 std::vector<std::string> nearestNames(std::string_view written, const std::vector<std::string>& names,
                                       std::size_t most);
 

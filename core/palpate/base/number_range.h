@@ -1,4 +1,4 @@
-// The numbers that a setting takes, said the same way wherever a stranger gives one: keys of scene files, columns of
+// The valid numbers of a setting, described the same way wherever users enter one: keys of scene files, columns of
 // tables, options of the command line, and the documents of all three.
 #pragma once
 
@@ -23,7 +23,7 @@ struct NumberRange {
 /// "10,800", "0.25", "1e-09": whole numbers with commas.
 std::string readableNumber(double value);
 
-/// "1e12 is out of range: 0 to 10,800 s"; `written` as the stranger wrote it.
+/// "1e12 is out of range: 0 to 10,800 s"; `written` is the user's own spelling.
 std::string outOfRange(std::string_view written, const NumberRange& range, std::string_view unit = {});
 
 }  // namespace palpate

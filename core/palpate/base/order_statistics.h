@@ -1,4 +1,4 @@
-// Medians and quantiles of values in any order. Each takes a copy, which it sorts as far as it must.
+// Medians and quantiles of values in any order. Each takes a copy, which it sorts as far as needed.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ inline double medianOf(std::vector<double> values) {
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-/// The value in the middle; of an even number the larger of the two, so that it is always one that was given. 0 of
-/// nothing.
+/// The value in the middle; for an even number the larger of the two, so that it is always one of the values. 0 for
+/// none.
 template <class Value>
 Value upperMedianOf(std::vector<Value> values) {
   if (values.empty()) return Value{};

@@ -13,9 +13,9 @@ namespace palpate {
 struct SkinPlace {
   /// On the skin, mm.
   Vec3 point = Vec3::Zero();
-  /// Unit, towards the outside; of the triangle or smoothed, as the giver says.
+  /// Unit, towards the outside; of the triangle or smoothed, depending on the source.
   Vec3 normal = Vec3::UnitZ();
-  /// kNoIndex where the giver knows of none.
+  /// kNoIndex where the source knows none.
   Index triangle = kNoIndex;
 };
 

@@ -1,4 +1,4 @@
-// Numbers by std::from_chars, which knows no locale but takes no leading plus either: that is cut off first.
+// Numbers by std::from_chars, which ignores the locale but accepts no leading plus: that is cut off first.
 #include "palpate/base/text.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ bool readNumber(std::string_view text, double& value) noexcept {
 
 #else
 
-// LLVM's library has it for whole numbers only before its version 20. strtod takes more than from_chars does: blanks, a
+// LLVM's library has it for whole numbers only before its version 20. strtod accepts more than from_chars: blanks, a
 // plus, hexadecimal; and the decimal point of the locale, which no program of ours changes.
 bool readNumber(std::string_view text, double& value) noexcept {
   constexpr std::size_t kLongest = 400;  // digits beyond it would not change the number of any real file

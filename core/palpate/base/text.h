@@ -1,4 +1,4 @@
-// Reading text that a stranger wrote: whole files with a size limit, numbers without a locale, letters of UTF-8.
+// Reading users' text: whole files with a size limit, numbers without a locale, letters of UTF-8.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ void writeFile(const std::filesystem::path& file, std::string_view content);
 /// are read as such: the caller decides whether they are wanted.
 std::optional<double> parseNumber(std::string_view text);
 
-/// The same without blanks around it and without a plus; takes no memory. False where the text is not a number.
+/// The same without blanks around it and without a plus; allocates nothing. False where the text is not a number.
 bool readNumber(std::string_view text, double& value) noexcept;
 
 /// The text without blanks, tabs and line ends at both ends.
@@ -42,12 +42,12 @@ bool isUtf16(std::string_view text) noexcept;
 /// Appends the letter as UTF-8; at most U+10FFFF.
 void appendLetter(std::string& text, char32_t letter);
 
-/// How many bytes the letter of UTF-8 has that the text begins with; 0: it begins with none. As RFC 3629 has it: no
-/// overlong forms, no surrogates, nothing beyond U+10FFFF.
+/// Length in bytes of the letter of UTF-8 at the begin of the text; 0: it begins with none. By RFC 3629: no overlong
+/// forms, no surrogates, nothing beyond U+10FFFF.
 std::size_t letterBytes(std::string_view text) noexcept;
 
-/// The text with U+FFFD for each byte that is of no letter. Names of files are any bytes; JSON, SVG and who draws
-/// letters take UTF-8 alone.
+/// The text with U+FFFD for each byte outside a letter. Names of files are any bytes; JSON, SVG and renderers of
+/// letters accept UTF-8 only.
 std::string wellFormed(std::string_view text);
 
 }  // namespace palpate

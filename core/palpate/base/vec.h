@@ -1,4 +1,4 @@
-// Small vectors and index types used by every room.
+// Small vectors and index types used everywhere.
 //
 // Millimetre, newton, second and N/mm everywhere inside; radian for angles. Body frame: x to the patient's right seen
 // from behind, y cranial, z dorsal (out of the back).

@@ -26,12 +26,12 @@ struct Word {
 template <class Value>
 Word(const char*, Value) -> Word<Value>;
 
-/// `kAll` holds each value once, in the order in which menus and documents list them. `kFormer`, where there is one,
-/// holds words of earlier versions: they are still read, but listed and written nowhere.
+/// `kAll` has each value once, in the order of menus and documents. `kFormer`, if any, has names of earlier versions:
+/// they are still read, but never listed or written.
 template <class Value>
 struct WordsOf;
 
-/// Empty for a value without a word.
+/// Empty for a value without a name.
 template <class Value>
 constexpr std::string_view wordFor(const Value& value) {
   for (const auto& [word, named] : WordsOf<Value>::kAll) {
@@ -53,7 +53,7 @@ constexpr std::optional<Value> valueNamed(std::string_view wanted) {
   return std::nullopt;
 }
 
-/// The words alone, in the table's order.
+/// The names only, in the table's order.
 template <class Value>
 constexpr auto allWords() {
   std::array<std::string_view, WordsOf<Value>::kAll.size()> words;
@@ -61,7 +61,7 @@ constexpr auto allWords() {
   return words;
 }
 
-/// The same for those who keep or change them.
+/// The same for callers that keep or change them.
 template <class Value>
 std::vector<std::string> wordList() {
   constexpr auto kWords = allWords<Value>();

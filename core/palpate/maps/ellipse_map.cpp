@@ -1,4 +1,4 @@
-// Key ellipses are kept as logarithms, blended by GRI at the asked place, turned back into an ellipse and lifted.
+// Key ellipses are stored as logarithms, blended by GRI at the queried place, turned back into an ellipse and lifted.
 //
 // Based on: Ji, dissertation 2008, sections 5.2 and 5.3, with E26 to E29 and E32.
 #include "palpate/maps/ellipse_map.h"

@@ -1,6 +1,6 @@
-// The ellipse map: which deformation ellipse belongs to which place on the back.
+// The ellipse map: the deformation ellipse of each place on the back.
 //
-// Interpolates the ellipses of key points (log-Euclidean GRI) over a basic circle. `deform` asks it at the friction
+// Interpolates the ellipses of key points (log-Euclidean GRI) over a basic circle. `deform` queries it at the friction
 // anchor; whole maps per vertex are for pictures and for engines that want a table.
 // Based on: Ji, dissertation 2008, sections 5.2 and 5.3, with E26 to E29 and E32.
 #pragma once
@@ -17,7 +17,7 @@ struct EllipseMapSettings {
   /// How far a key point reaches in the map plane. 200 mm reproduces the dissertation's Table 5.1, which prints the
   /// diameter 400 (E28).
   double effect_radius_mm = 200.0;
-  /// Radius of the circle that holds where no key point reaches. The dissertation never gives it for the back (E33);
+  /// Radius of the circle outside the reach of key points. The dissertation never gives it for the back (E33);
   /// 150 mm is the geometric mean of its seven key ellipses, rounded.
   double basic_radius_mm = 150.0;
 };

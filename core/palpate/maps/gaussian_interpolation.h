@@ -1,8 +1,7 @@
-// Gaussian radial interpolation (GRI): a smooth field through scattered measurements, over a base that holds where no
-// measurement reaches.
+// Gaussian radial interpolation (GRI): a smooth field through scattered measurements, over a base outside their reach.
 //
-// Each key point i has an effect level a_i at the asked place, 1 at the key and 0 from the effect radius on. Alone it
-// would give V_i = base (1 - a_i) + v_i a_i; several are blended with weights w_i = a_i / (1 - a_i). That is (5.16)
+// Each key point i has an effect level a_i at the queried place, 1 at the key and 0 from the effect radius on. Alone it
+// gives V_i = base (1 - a_i) + v_i a_i; several are blended with weights w_i = a_i / (1 - a_i). That is (5.16)
 // divided by the product of all (1 - a_j): the same numbers in O(n) instead of O(n^2), with no 0/0 (E26, E27).
 // Based on: Ji, dissertation 2008, section 5.2.
 #pragma once

@@ -42,7 +42,7 @@ bool isFurtherColumn(std::string_view name) {
 }
 
 /// The columns behind the first six. A table without a header, or with the plain one, may have a stiffness or not, row
-/// by row; a header with more says what each row has.
+/// by row; a longer header lists the fields of each row.
 struct FurtherColumns {
   std::vector<std::string> names = {std::string(kStiffnessColumn)};
   bool is_fixed = false;

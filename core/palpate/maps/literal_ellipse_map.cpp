@@ -1,5 +1,5 @@
-// Which erratum is taken literally chooses a form of the weights, of the direction's blend, of sizes and of the lift;
-// the table of that choice is literalForms.
+// The literal errata choose a form of the weights, of the direction's blend, of sizes and of the lift; literalForms has
+// the table of that choice.
 //
 // Based on: Ji, dissertation 2008, sections 5.2 and 5.3, as printed (E15, E16, E26 to E29, E32).
 #include "palpate/maps/literal_ellipse_map.h"

@@ -1,8 +1,8 @@
 // The ellipse map as the dissertation prints it, wholly or erratum by erratum, kept to reproduce its results; the
 // engine's own is ellipse_map.h.
 //
-// From the same key points and settings it answers the same questions as EllipseMap. With a Fidelity that takes nothing
-// literally it gives the same ellipses, only slower.
+// From the same key points and settings it answers the same queries as EllipseMap. With a Fidelity without literal
+// errata it returns the same ellipses, only slower.
 // Based on: Ji, dissertation 2008, sections 5.2 and 5.3, as printed.
 #pragma once
 
@@ -24,7 +24,7 @@ enum class DirectionBlend : std::uint8_t {
   raw_degrees,   ///< all three as numbers, the basic circle pointing to 90 degree: as printed
 };
 
-/// Which printed forms are taken. The defaults are the corrected ones.
+/// Printed forms in use. The defaults are the corrected ones.
 struct LiteralForms {
   /// Nothing: the engine's w = a / (1 - a).
   std::optional<LiteralWeights> weights;
@@ -32,7 +32,7 @@ struct LiteralForms {
   bool table_levels = false;        ///< effect levels from the 700-entry table
   bool base_without_value = false;  ///< E27: on coincident keys the basic circle instead of their mean
   bool diameter_as_radius = false;  ///< E28: key points reach twice the effect radius
-  bool ratio_as_aspect = false;     ///< E15: aspect = major/minor, 1 or more: the long side lies across
+  bool ratio_as_aspect = false;     ///< E15: aspect = major/minor, 1 or more: the long side is across
   bool full_axes_as_half = false;   ///< E16: key ellipses twice as large
   bool projected_length = false;    ///< E32: lifted along z, longer by 1/cos
 
@@ -58,7 +58,7 @@ class LiteralEllipseMap {
   Ellipse at(double x_mm, double y_mm) const noexcept;
 
   /// The ellipse at a surface point. With E32 the axis seen along z keeps its shadow's length; where the surface is
-  /// vertical (n_z = 0) (5.3) has no value and the corrected axis is taken.
+  /// vertical (n_z = 0) (5.3) has no value and the corrected axis is used.
   SurfaceEllipse on(const Vec3& point, const Vec3& normal) const noexcept;
 
  private:
@@ -86,8 +86,8 @@ class LiteralEllipseMap {
 /// On a vertical surface, where the projection has no end, the corrected axis.
 SurfaceEllipse literallyLiftedOntoSurface(const Ellipse& ellipse, const Vec3& normal);
 
-// The ellipse map a scene asks for: the engine's own, or the printed one where an erratum of the maps is taken
-// literally. Ask it like EllipseMap.
+// The ellipse map of a scene: the engine's own, or the printed one where an erratum of the maps is literal. Query it
+// like EllipseMap.
 
 class AnyEllipseMap {
  public:

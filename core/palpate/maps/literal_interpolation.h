@@ -7,7 +7,7 @@
 //   products          a_i prod_{j != i} (1 - a_j)    (5.16) with E26: exact at every key, Fig 5.10
 //   printed_products  a_i prod_{j != 1} (1 - a_j)    (5.16) as printed: the weights do not sum to 1, and at every key
 //                                                    but the first the result is 0
-// Where the denominator is 0 the fraction has no value (E27): none is returned. Products cost O(n^2).
+// Where the denominator is 0 the fraction has no value (E27): empty. Products cost O(n^2).
 // Based on: Ji, dissertation 2008, section 5.2.
 #pragma once
 
@@ -24,7 +24,7 @@ namespace palpate::maps {
 
 enum class LiteralWeights : std::uint8_t { single_effects, products, printed_products };
 
-/// Effect level from the text's table of 700 entries, the nearest one taken: entry i is exp(-pi (1.4 i / 699)^2).
+/// Effect level from the text's table of 700 entries, the nearest one: entry i is exp(-pi (1.4 i / 699)^2).
 /// Within 1/1398 of the effect radius of a key the level is 1, so two keys may both claim the place (E27).
 inline double tabulatedEffectLevel(double distance_mm, double effect_radius_mm) {
   constexpr double kLastEntry = 699.0;

@@ -38,7 +38,7 @@ constexpr std::array<MeasuredEllipse, 40> kAppendixC{{
     {kDown, 5, 3, 33, 33, 90},  {kDown, 5, 4, 46, 34, 85},  {kDown, 5, 5, 37, 24, 90},
 }};
 
-/// As a table with that many digits would print it.
+/// Rounds as a table with that many digits would.
 double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
 
 }  // namespace

@@ -30,7 +30,7 @@ struct MeasuredEllipse {
   int subject = 1;  ///< 1 to 5
   double major_cm = 0.0;
   double minor_cm = 0.0;
-  double direction_deg = 90.0;  ///< of the printed major axis against +x
+  double direction_deg = 90.0;  ///< the printed major axis against +x
 
   double majorOverMinor() const { return major_cm / minor_cm; }
 };
@@ -38,14 +38,14 @@ struct MeasuredEllipse {
 /// All 40 rows in the printed order.
 std::span<const MeasuredEllipse> appendixC();
 
-/// The rows of one point (1 to 5), one a subject; empty for another number.
+/// The rows of one point (1 to 5), one per subject; empty for another number.
 std::vector<MeasuredEllipse> measuredAt(ForceDirection force, int point);
 
 /// An "Ave" row of Appendix C, not rounded.
 struct PlainMean {
   double major_cm = 0.0;
   double minor_cm = 0.0;
-  double major_over_minor = 1.0;  ///< mean of the subjects' ratios, none of them rounded
+  double major_over_minor = 1.0;  ///< mean of the subjects' unrounded ratios
   double direction_deg = 90.0;    ///< arithmetic mean
 };
 
@@ -54,7 +54,7 @@ PlainMean plainMean(std::span<const MeasuredEllipse> rows);
 /// Canonical half axes; a row whose "major" axis is the shorter one is an ellipse across its printed direction.
 Ellipse tensorialMean(std::span<const MeasuredEllipse> rows);
 
-/// Mean direction of undirected axes and how much they agree: 1 all alike, 0 none preferred. At P5 it is 0.46: its
+/// Mean direction of undirected axes and how much they agree: 1 all alike, 0 no preference. At P5 it is 0.46: its
 /// direction is hardly determined (E30).
 struct AxialMean {
   double direction_deg = 90.0;  ///< in [0, 180)
@@ -62,7 +62,7 @@ struct AxialMean {
 };
 AxialMean axialMean(std::span<const MeasuredEllipse> rows);
 
-/// As the dissertation's last table prints a mean and then uses it: rounded to 0.1 cm, 0.001 and 0.1 degree.
+/// The mean as the dissertation's last table prints and uses it: rounded to 0.1 cm, 0.001 and 0.1 degree.
 Ellipse asPrinted(const PlainMean& mean);
 
 /// The mean as an ellipse. Plain: asPrinted.

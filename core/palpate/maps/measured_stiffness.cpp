@@ -1,4 +1,4 @@
-// One of three fields through the keys that carry a stiffness, held within what can be believed of it.
+// One of three fields through the keys that have a stiffness, clamped to credible values.
 //
 // Based on: Ji, dissertation 2008, section 5.2 (GRI); the limits are our own.
 #include "palpate/maps/measured_stiffness.h"
@@ -14,7 +14,7 @@ namespace palpate::maps {
 
 namespace {
 
-/// Softer than any tissue; keeps a force where a fit says nothing or less.
+/// Softer than any tissue; ensures a force where a fit gives none or less.
 constexpr double kSoftestNPerMm = 0.01;
 /// How far beyond the measured range a fit is believed.
 constexpr double kBelief = 4.0;

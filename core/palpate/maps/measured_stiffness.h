@@ -19,12 +19,12 @@
 
 namespace palpate::maps {
 
-/// The order is that of the words in scene files.
+/// In the order of the names in scene files.
 enum class StiffnessInterpolation : std::uint8_t { gri, thin_plate, polynomial };
 
 struct MeasuredStiffness {
   double effect_radius_mm = 200.0;  ///< gri: reach of a measured point in the map plane
-  double basic_n_per_mm = 0.5;      ///< gri: where none reaches
+  double basic_n_per_mm = 0.5;      ///< gri: outside the reach of key points
   StiffnessInterpolation interpolation = StiffnessInterpolation::gri;
   std::size_t polynomial_degree = 2;
 };
@@ -70,8 +70,8 @@ class MeasuredStiffnessField {
 };
 
 struct StiffnessOfPositions {
-  std::vector<double> n_per_mm;  ///< one a position
-  std::size_t limited = 0;       ///< how many of them had to be kept within the limits
+  std::vector<double> n_per_mm;  ///< one per position
+  std::size_t limited = 0;       ///< values that were clamped to the limits
   FitError error;
 };
 

@@ -24,7 +24,7 @@ struct PolarContour {
   /// Radii in use, 3 to 64; 0 is an empty contour.
   std::size_t count = 0;
   /// Natural logarithm of the radius in mm at the angle 2 pi i / count from +x, counter-clockwise. Logarithms, because
-  /// whatever is blended or interpolated from them stays a positive radius.
+  /// blends and interpolations of them stay positive radii.
   std::array<double, kMaxContourRadii> log_radii{};
 };
 
@@ -39,7 +39,7 @@ PolarContour contourOf(const Ellipse& ellipse, std::size_t radii = kMaxContourRa
 /// periodic Catmull-Rom curve through the logarithms: smooth (C1) all round, always above 0. 0 for an empty contour.
 double radiusAt(const PolarContour& contour, double angle_rad) noexcept;
 
-/// Location ratio q of an offset: distance / radius in that direction. An empty contour gives 0 at its centre and
+/// Location ratio q of an offset: distance / radius in that direction. An empty contour returns 0 at its centre and
 /// infinity elsewhere, like an empty ellipse.
 double locationRatio(const PolarContour& contour, const Vec2& offset) noexcept;
 
@@ -51,11 +51,11 @@ struct SurfaceContour {
 };
 
 /// The map's contour laid undistorted on the tangent plane of a surface point: its x axis keeps the direction seen
-/// along z (E32, as for ellipses), y follows at right angles. A normal that is not finite or is zero gives an empty
+/// along z (E32, as for ellipses), y follows at right angles. A normal that is not finite or is zero makes an empty
 /// contour.
 SurfaceContour contourOnSurface(const PolarContour& contour, const Vec3& normal) noexcept;
 
-/// Location ratio of a point whose offset from the centre lies in the contour's plane.
+/// Location ratio of a point whose offset from the centre is in the contour's plane.
 double locationRatio(const SurfaceContour& contour, const Vec3& offset_in_plane) noexcept;
 
 }  // namespace palpate::maps

@@ -1,8 +1,8 @@
 // The stiffness map: how hard the body pushes back at each vertex, N per mm of depth.
 //
 // Comes from the depth of the bone under the skin (default) or from measured key points (measured_stiffness.h), then
-// dysfunctions edit it. The result goes into the contact surface; nothing here is asked again while a finger moves.
-// Based on: Ji, dissertation 2008, section 2.2 (a stiffness a vertex, made softer or stiffer to simulate dysfunctions).
+// dysfunctions edit it. The result goes into the contact surface; no map is queried while a finger moves. Based on: Ji,
+// dissertation 2008, section 2.2 (a stiffness per vertex, made softer or stiffer to simulate dysfunctions).
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 
 namespace palpate::maps {
 
-/// k(d) = soft + (stiff - soft) exp(-d / fade): stiff where bone lies under the skin, soft where it lies deep; monotone
-/// and between the two for any depth.
+/// k(d) = soft + (stiff - soft) exp(-d / fade): stiff where bone is close under the skin, soft where it is deep;
+/// monotone and between the two for any depth.
 struct DepthLaw {
   double soft_n_per_mm = 0.3;
   double stiff_n_per_mm = 1.2;
-  /// 23 mm brings the law near a layered finite element model pressed 10 mm deep by a fingertip
+  /// With 23 mm the law is near a layered finite element model pressed 10 mm deep by a fingertip
   /// (docs/explanation/maps.md): 15 mm to the bone gives 0.77 (model 0.84), 40 mm gives 0.46 (model 0.42).
   double fade_mm = 23.0;
   friend bool operator==(const DepthLaw&, const DepthLaw&) = default;
@@ -37,7 +37,7 @@ struct Dysfunction {
   double change_percent = 50.0;  ///< at the centre; -100 makes it weightless, never below
   /// Share of the radius over which the change fades out (smoothstep): 0 a hard edge, 1 from the centre on.
   double edge_softness = 0.5;
-  std::string at = {};  ///< the centre in words ("T9 right 30 mm"); who knows the body's names fills in x and y
+  std::string at = {};  ///< the centre by name ("T9 right 30 mm"); resolved to x and y with the body's landmarks
   friend bool operator==(const Dysfunction&, const Dysfunction&) = default;
 };
 
@@ -54,7 +54,7 @@ void applyDysfunctions(std::span<const Vec3> positions, std::span<const Dysfunct
 // Real tissue's force scatters by 11 to 60 % between places 3 to 25 mm apart, where layers and bones explain none of
 // it. Here it is a smooth random field over space, a factor on the map: a log-normal one, so that it is never zero, of
 // mean 1. It is a function of the place and of a seed, so two meshes of one body have the same field, and so have two
-// machines to rounding. Off by default: a map that says what bones and dysfunctions do is the better lesson.
+// machines to rounding. Off by default: a map of bones and dysfunctions only is the better lesson.
 
 inline constexpr double kMaxVariation = 0.5;
 
