@@ -1,5 +1,5 @@
-// Both clouds about their middles -> covariance -> its singular vectors are the rotation, kept from mirroring; the
-// scale is what is left, the origin follows. Cold path. Based on: Umeyama 1991 (device_frame.h).
+// Both clouds about their middles -> covariance -> its singular vectors are the rotation, without mirroring; the scale
+// is the remainder, the origin follows. Cold path. Based on: Umeyama 1991 (device_frame.h).
 #include "palpate/device/device_frame.h"
 
 #include <fmt/format.h>
@@ -87,7 +87,7 @@ Calibration calibrationOf(std::span<const Vec3> of_device, std::span<const Vec3>
     device_square += (of_device[i] - device_middle).squaredNorm();
   }
   const Eigen::JacobiSVD<Mat3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  // Three places lie in a plane, so the third axis is free: it must not mirror the hand.
+  // Three places are in a plane, so the third axis is free: it must not mirror the hand.
   Vec3 sign = Vec3::Ones();
   if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0) sign.z() = -1.0;
   Calibration calibration;

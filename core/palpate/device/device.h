@@ -1,8 +1,8 @@
-// The seam between the servo and whatever a hand holds: a position comes out of it once a tick, a force goes back.
+// The seam between the servo and a device in the hand: it returns a position once a tick, and gets a force.
 //
-// A device is a few functions and a few facts. Scripted paths, mice and hardware drivers fill it in alike; the servo
+// A device is a few functions and a few facts. Scripted paths, mice and hardware drivers implement it alike; the servo
 // knows nothing else. Drivers convert their own units and axes here, at their edge: inside it is mm and N in the body
-// frame. Back ends by name, and why one does not open: device/back_ends.h.
+// frame. Back ends by name, and the reasons of failures: device/back_ends.h.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@
 
 namespace palpate::device {
 
-/// Bits of what keeps a device from being held now. While one is set it has no position, and whatever force it is given
-/// becomes zero.
+/// Bits of faults that stop a device from being used now. While one is set it has no position, and any force becomes
+/// zero.
 enum FaultBit : std::uint32_t {
   kNoPose = 1u << 0,         ///< no position yet, or one that is not a number
   kStalePose = 1u << 1,      ///< the newest position is older than kMaxPoseTicks
-  kDriverError = 1u << 2,    ///< the driver reported an error; Device::explain says it in words
+  kDriverError = 1u << 2,    ///< the driver reported an error; Device::explain describes it
   kNotCalibrated = 1u << 3,  ///< it does not know where it is: it wants to be moved or put back by hand
   kClosed = 1u << 4,
 };
@@ -41,9 +41,9 @@ inline const Vec3 kNoPlace = Vec3::Constant(std::numeric_limits<double>::quiet_N
 /// A position may be this many ticks old and is still one; a force is forgotten likewise.
 inline constexpr std::uint64_t kMaxPoseTicks = 2;
 
-/// Where a device's rhythm comes from.
+/// Source of a device's rhythm.
 enum class Rhythm : std::uint8_t {
-  on_call,     ///< values in memory: it answers at once, at any rate
+  on_call,     ///< values in memory: it answers immediately, at any rate
   self_paced,  ///< the driver has a loop of its own, at `rate_hz`
   blocking,    ///< each exchange waits for the hardware, on a thread next to the servo
 };
@@ -52,16 +52,16 @@ enum class Rhythm : std::uint8_t {
 struct Capabilities {
   bool takes_force = false;
   double max_force_n = 0.0;
-  double continuous_force_n = 0.0;          ///< that it can hold for long
+  double continuous_force_n = 0.0;          ///< sustained for long
   double nominal_stiffness_n_per_mm = 0.0;  ///< the stiffest wall that it renders well
   Box3 workspace_mm;                        ///< that it reaches, in the body frame
   double rate_hz = 0.0;
   int delay_ticks = 0;  ///< servo ticks from a position to its force at the motors, apart from the tick itself
   Rhythm rhythm = Rhythm::on_call;
-  /// The row of the table (device_profile.h) that it is, whatever a scene says; unknown: as the scene says.
+  /// Its row of the table (device_profile.h), overriding the scene; unknown: the scene's.
   scene::DeviceModel kind = scene::DeviceModel::unknown;
-  /// max_force_n is what its maker publishes for this type, which a table of ours names. Never by what a driver or a
-  /// plugin claims: without a kind and this, the limits of the weakest known device hold.
+  /// max_force_n is its maker's published value for this type, from our own table. Never from a driver or a plugin:
+  /// without a kind and this, the limits of the weakest known device hold.
   bool documented = false;
   double motion_scale = 1.0;  ///< mm of the body a mm of the device (workspace.h): what it renders is stiffer by it
   std::string model;          ///< as the device calls itself
@@ -70,7 +70,7 @@ struct Capabilities {
 
 /// Read together with the position of the last read_tip.
 struct DeviceState {
-  Vec3 velocity = Vec3::Zero();  ///< mm/s, as the driver says
+  Vec3 velocity = Vec3::Zero();  ///< mm/s, reported by the driver
   std::uint32_t buttons = 0;     ///< bit 0 is the first
   std::uint32_t faults = 0;      ///< FaultBits
   std::uint32_t notes = 0;       ///< NoteBits
@@ -93,7 +93,7 @@ struct Device {
   /// Takes the force that acts on the hand, N. May be empty for a device that only points.
   std::function<void(const Vec3& force)> write_force = {};
   Capabilities capabilities = {};
-  /// Empty for a device that is never in trouble and has nothing to say.
+  /// Empty for a device that never has faults or reports.
   std::function<DeviceState()> state = {};
   /// Describes the present fault; empty text: none. May be empty.
   std::function<std::string()> explain = {};
@@ -105,7 +105,7 @@ struct Device {
   std::function<void()> close = {};
 };
 
-// A device that replays positions: the same tick always gives the same tip, which makes runs repeatable.
+// A device that replays positions: the same tick always returns the same tip, which makes runs repeatable.
 
 /// Tip of tick k is `tips[k]`; after the last one it rests there. Takes the forces and drops them. Throws Error for no
 /// tips.

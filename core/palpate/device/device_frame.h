@@ -22,9 +22,9 @@ struct DeviceFrame {
 /// anything else and for a mirror image.
 Mat3 axesNamed(std::string_view words);
 
-// Where the space of a device lies in the body, from places that were touched: the tip held on places that are known.
+// Places the workspace of a device in the body by touched places: the tip held on known places.
 //
-//   three places of the device, three of the body -> rotation, scale, origin, and how badly they go together
+//   three places of the device, three of the body -> rotation, scale, origin, and the residual
 //
 // The closed form of Umeyama, "Least-squares estimation of transformation parameters between two point patterns", IEEE
 // Trans. PAMI 13 (1991), after Horn (1987).

@@ -32,7 +32,7 @@ constexpr double kFreely = 1.25;  // reaches
 /// A released device stays within this many reaches, and slower than that, mm/s.
 constexpr double kMaxReaches = 2.5;
 constexpr double kMaxSpeed = 2000.0;
-constexpr double kMaxGapTicks = 2.0;  // for longer, no driver holds its force
+constexpr double kMaxGapTicks = 2.0;  // no driver holds its force for longer
 /// Within this for so long, a device rests, mm.
 constexpr double kStill = 0.15;
 constexpr double kStillS = 0.1;
@@ -41,7 +41,7 @@ constexpr double kLongestSwingS = 2.0;
 constexpr double kLongestRestS = 4.0;
 constexpr double kLongestS = 60.0;
 
-/// A half swing moves the device at least so far, mm, and turns back by at least so much.
+/// A half swing moves the device at least this far, mm, and turns back by at least as much.
 constexpr double kMinSwing = 1.5;
 constexpr double kTurn = 0.3;
 constexpr double kTrimS = 0.004;  // left out at a turning point: its tick is not known so well

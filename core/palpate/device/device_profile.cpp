@@ -39,8 +39,8 @@ void lower(double& value, double other) {
   if (other > 0.0) value = value > 0.0 ? std::min(value, other) : other;
 }
 
-/// A motion is scaled and a force is not: a spring of the body is `scale` times as stiff in the hand, and what the
-/// device has of mass and damping is so much less in the body.
+/// A motion is scaled and a force is not: a spring of the body is `scale` times as stiff in the hand, and the device's
+/// mass and damping are smaller in the body accordingly.
 DeviceProfile asTheBodySees(DeviceProfile profile, double scale) {
   profile.stiffness_n_per_mm /= scale;
   profile.mass_kg /= scale;

@@ -1,7 +1,7 @@
 // Known or assumed mechanics of a force-feedback device at its tip: its limits, and the forces that it loses.
 //
-// The limiter takes its bounds from here, the simulated hand (simulated_hand.h) its mechanics. What a driver reports of
-// an open device lowers them; nothing that a driver, a plugin or a scene claims raises them.
+// The limiter takes its bounds from here, the simulated hand (simulated_hand.h) its mechanics. Reports of an open
+// device's driver lower them; no claim of a driver, a plugin or a scene raises them.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,17 @@ namespace palpate::device {
 /// *assumptions* of the right size: no maker publishes them, and nothing here was measured on a device.
 struct DeviceProfile {
   bool known = false;               ///< its type is; else the force is that of the weakest known device
-  double force_n = 3.3;             ///< held for a moment; no scene asks for more (largestForceN)
+  double force_n = 3.3;             ///< for a moment; the limit of every scene (largestForceN)
   double stiffness_n_per_mm = 0.0;  ///< recommended maximum; 0: unknown
   double mass_kg = 0.045;           ///< felt at the tip
   double damping_n_s_per_mm = 0.0;
   double friction_n = 0.0;
   double encoder_mm = 0.055;  ///< smallest motion that is seen
   double motion_scale = 1.0;  ///< Capabilities::motion_scale; all of the above is as the body sees it
-  /// With --unsafe-stiffness no scene asks for more: what a driver reports, or a known device holds.
+  /// Limit with --unsafe-stiffness: the driver's report, or a known device's force.
   double unsafe_force_n = std::numeric_limits<double>::infinity();
   // Summary of the open devices.
-  bool open = false;         ///< at least one takes forces: a hand may be on it
+  bool open = false;         ///< at least one accepts forces: a hand may be on it
   double delay_ticks = 0.0;  ///< Capabilities::delay_ticks
 };
 
@@ -38,17 +38,17 @@ struct DeviceProfile {
 DeviceProfile profileOf(scene::DeviceModel model);
 
 /// The profile of an open device: of the kind that its driver recognised, else an unknown one, of which `named`, the
-/// scene's word, can only lower the stiffness. Force and stiffness that the driver reports lower them likewise. All of
-/// it as the body sees a device whose motion is scaled. A device without force feedback is harmless: it has the profile
-/// of the named one.
+/// scene's word, can only lower the stiffness. Force and stiffness that the driver reports lower them likewise. Seen
+/// from the body, after scaling of the motion. A device without force feedback is harmless: it has the profile of the
+/// named one.
 DeviceProfile profileOf(scene::DeviceModel named, const Capabilities& reported);
 
 /// The limits where several devices share a loop: the least of each among those with force feedback. Without devices,
 /// the named one's.
 DeviceProfile profileOf(scene::DeviceModel named, std::span<const Capabilities> open);
 
-/// The largest force that a scene's settings allow on such a device, N: min(asked, the device's). With
-/// --unsafe-stiffness what is asked, but never more than a known device holds or a driver reports.
+/// The largest force that a scene's settings allow on such a device, N: min(scene's, device's). With --unsafe-stiffness
+/// the scene's, but never more than a known device's or a driver's report.
 double largestForceN(const scene::SafetySettings& safety, const DeviceProfile& profile);
 
 // Measures mass, damping, friction and delay of a device on itself: released, it swings on a soft virtual spring whose
@@ -58,23 +58,23 @@ double largestForceN(const scene::SafetySettings& safety, const DeviceProfile& p
 //             └─ SwingRecord: the place and the force of every tick ─► identify ─► mass, damping, friction, delay
 //
 // Damping and delay look alike in a running swing and differ in how it begins: the response to a jump of the force
-// comes only after the delay. docs/reference/devices.md says how exact it is, on simulated devices.
+// comes only after the delay. docs/reference/devices.md has the accuracy on simulated devices.
 
 struct SwingPlan {
   double tick_s = 0.001;
-  double first_force_n = 0.1;  ///< of the spring when its rest place jumps; grows until the device swings freely ...
+  double first_force_n = 0.1;  ///< of the spring's jumps; grows until the device swings freely ...
   double most_force_n = 0.5;   ///< ... to this
   double reach_mm = 25.0;      ///< jump of the rest place
   int swings = 12;             ///< free ones
 };
 
-/// At most a fifth of the device's largest force and 2 N; 0.5 N for one that does not say.
+/// At most a fifth of the device's largest force and 2 N; 0.5 N if that is unknown.
 SwingPlan swingPlan(const Capabilities& able, double tick_s);
 
 /// Commanded forces and observed places along one axis.
 struct SwingRecord {
   double tick_s = 0.001;
-  std::vector<double> place_mm;         ///< a tick each
+  std::vector<double> place_mm;         ///< one per tick
   std::vector<double> force_n;          ///< sent in that tick
   std::vector<std::size_t> jumps = {};  ///< ticks in which the spring began to pull, each from rest
 };
@@ -125,7 +125,7 @@ struct DeviceIdentification {
   double damping_n_s_per_mm = 0.0;
   double friction_n = 0.0;   ///< Coulomb's
   double bias_n = 0.0;       ///< a constant push along the axis: a device that is not in balance
-  double delay_ticks = 0.0;  ///< from sampling a place to its force at work, amplifier included
+  double delay_ticks = 0.0;  ///< from sampling a place to the effect of its force, amplifier included
   double residual_mm = 0.0;  ///< rms of what the fit leaves
   std::size_t swings = 0;    ///< half swings that were used
 };

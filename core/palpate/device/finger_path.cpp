@@ -1,6 +1,6 @@
 // A finger's path from its trajectory file, or from its script, which is walked over the heights of the skin at rest,
-// or from nothing: then the highest place with room for a standard script is looked for. All run on one clock.
-// Data flow: World + trajectory files -> here, before the first tick -> one tip a tick -> scriptedDevice. A height
+// or, without either, over the highest place with room for a standard script. All run on one clock.
+// Data flow: World + trajectory files -> here, before the first tick -> one tip per tick -> scriptedDevice. A height
 // costs a segment through the tree.
 // Based on: Flash and Hogan (1985), see finger_path.h, for the time course of a motion; the rest is our own.
 #include "palpate/device/finger_path.h"
@@ -205,8 +205,8 @@ std::vector<Vec3> tipsOf(const scene::World& world, const scene::Finger& finger,
   return delayed(on_ticks.tip_mm, ticksIn(delay_s, ticks_per_s));
 }
 
-/// Vertices to try, the highest first: spread over those that face up and are not on a border, or over all vertices
-/// when there is none such.
+/// Vertices to try, the highest first: spread over those that face up and are not on a border, or else over all
+/// vertices.
 std::vector<Index> places(const scene::World& world) {
   constexpr std::size_t kMax = 200;  // a try costs a few hundred queries, so all of them well under a second
   std::vector<Index> facing_up;
@@ -253,8 +253,8 @@ bool fits(const SkinHeight& height, double size) {
   return true;
 }
 
-/// Factors on the lengths above: sideways as far as the top allows, in depth at least half of what the body's size asks
-/// for.
+/// Factors on the lengths above: sideways as far as the top allows, in depth at least half of what suits the body's
+/// size.
 struct PathSize {
   double sideways;
   double depth;

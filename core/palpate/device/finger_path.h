@@ -1,4 +1,4 @@
-// Where the fingers of a scene go: from their trajectory files and scripts to one tip a tick, on one clock.
+// The paths of a scene's fingers: from their trajectory files and scripts to one tip per tick, on one clock.
 #pragma once
 
 #include <functional>
@@ -13,13 +13,13 @@
 
 namespace palpate::device {
 
-// From "press, drag, circle" to one position a tick: a finger that follows the relief of the skin at a given depth.
+// From "press, drag, circle" to one position per tick: a finger that follows the relief of the skin at a given depth.
 //
 // Data flow: scene::Finger's steps + the height of the skin at rest -> tips -> scripted device. Motions start and end
 // at rest (minimum jerk), as a hand's do. Based on: Flash and Hogan, "The coordination of arm movements", J. Neurosci.
 // 5 (1985), for the time course.
 
-/// Where a script walks: u and v along the skin, w out of it; an orthonormal frame.
+/// The frame of a script: u and v along the skin, w out of it; orthonormal.
 struct ScriptFrame {
   Vec3 origin = Vec3::Zero();
   Vec3 u = Vec3::UnitX();
@@ -30,10 +30,10 @@ struct ScriptFrame {
 /// Height of the skin at rest above the frame's plane, mm; empty off the skin.
 using SkinHeight = std::function<std::optional<double>(double u_mm, double v_mm)>;
 
-/// One tip a tick, from the script's start to its end. Depths and heights are those of the
-/// finger's pad, which is its radius below the tip; they count along w from the skin, whose relief is
-/// smoothed over kReliefSmoothingS: a hand does not follow a cliff. Past the border the last height holds. Throws Error
-/// when the start is not over skin, or the script is longer than kMaxScriptS.
+/// One tip per tick, from the script's start to its end. Depths and heights are those of the finger's pad, which is its
+/// radius below the tip; they count along w from the skin, whose relief is smoothed over kReliefSmoothingS: a hand does
+/// not follow a cliff. Past the border the last height holds. Throws Error when the start is not over skin, or the
+/// script is longer than kMaxScriptS.
 std::vector<Vec3> walkScript(const scene::Finger& finger, const ScriptFrame& frame, const SkinHeight& height,
                              double tick_s);
 
@@ -42,9 +42,8 @@ inline constexpr double kMaxScriptS = 3.0 * 3600.0;
 
 struct FingerPaths {
   double start_s = 0.0;   ///< time of tick 0: the earliest first row of all trajectories; scripts start there too
-  std::size_t ticks = 0;  ///< until the last finger has finished, or what the scene's `seconds` says
-  std::vector<std::shared_ptr<const std::vector<Vec3>>>
-      tips;  ///< a finger each; a finished finger rests at its last tip
+  std::size_t ticks = 0;  ///< until the last finger has finished, or the scene's `seconds`
+  std::vector<std::shared_ptr<const std::vector<Vec3>>> tips;  ///< per finger; a finished one rests at its last tip
 };
 
 /// Reads the files and walks the scripts. Throws Error as readTrajectory and walkScript do.

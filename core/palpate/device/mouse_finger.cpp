@@ -73,7 +73,7 @@ void MouseFinger::turn(const FingerTarget& target) noexcept {
   if (length > 1e-6) normal_ = turned / length;
 }
 
-/// Newton's way in small steps: the stiffness felt so far says how much deeper the wanted force lies.
+/// Newton's method in small steps: the stiffness felt so far gives the depth of the wanted force.
 void MouseFinger::pressByForce(const FingerTarget& target, const Vec3& felt_force) noexcept {
   const double felt = felt_force.dot(normal_);
   const bool touches = felt > 0.0 && depth_ > 0.0;

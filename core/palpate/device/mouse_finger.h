@@ -19,7 +19,7 @@ namespace palpate::device {
 
 enum class PressBy : std::uint8_t {
   depth,  ///< a stiff place pushes back harder
-  force,  ///< a stiff place gives way less: the finger solves the depth
+  force,  ///< a stiff place yields less: the depth follows from the force
 };
 
 /// The display's target for one finger; plain data that crosses threads by copy.
@@ -43,18 +43,18 @@ struct MouseFingerSettings {
   double turn_pressed_s = 0.150;    ///< time constant of the direction while pressed
   double turn_free_s = 0.030;       ///< and in the air
   double hover_mm = 6.0;            ///< height of the pad over the skin when it does not press
-  double jump_mm = 40.0;            ///< a place farther away is taken at once, in the air, instead of flown to
+  double jump_mm = 40.0;            ///< a place farther away is reached in one step, in the air, instead of flown to
   double force_s = 0.060;           ///< time constant of press by force
   double fastest_mm_per_s = 120.0;  ///< limit on the depth's speed in press by force
 };
 
-/// Where a finger waits that has not been over the skin: a hundred metres behind the back. Not "no number": the servo
-/// would take the last good place instead, and in the beginning that is the middle of the body.
+/// Waiting place of a finger that has not been over the skin: a hundred metres behind the back. Not NaN: the servo
+/// would use the last good place instead, and in the beginning that is the middle of the body.
 inline const Vec3 kNowhere(0.0, 0.0, 1e5);
 
 struct FingerStep {
   Vec3 tip = kNowhere;  ///< kNowhere while the finger is not present
-  bool jumped = false;  ///< it is elsewhere now: whatever it touched is forgotten
+  bool jumped = false;  ///< it is elsewhere now: its contact is forgotten
 };
 
 class MouseFinger {

@@ -98,7 +98,7 @@ Vec3 SimulatedHand::onDevice() noexcept {
   return force + grip;
 }
 
-/// Coulomb friction takes away this much velocity, or all there is: it sticks exactly.
+/// Coulomb friction removes this much velocity, or all there is: it sticks exactly.
 Vec3 SimulatedHand::slowed(const Vec3& velocity) noexcept {
   const double most = settings_.device.friction_n * step_s_ / device_mass_;
   if (settings_.shared_friction) {

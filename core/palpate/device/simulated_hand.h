@@ -1,5 +1,5 @@
 // A force-feedback device with a hand on it, as mechanics: it closes the loop in software, so that kicks, buzzing and
-// what stops them can be measured and tested without hardware.
+// their remedies can be measured and tested without hardware.
 //
 //   servo tick: read_tip ─► quantised place of the device ─► contact, limiter ─► write_force
 //                                                                                   │ delay, amplifier, saturation
@@ -54,7 +54,7 @@ struct SimulatedHandSettings {
   double force_step_n = 0.0;     ///< step of the motor's command; 0: none
   bool quantised = true;         ///< the encoder's step is seen
   /// False: each axis has its own Coulomb friction, as each motor has. True: one for all, so that sliding along the
-  /// surface takes the friction across it away; harder to keep at rest.
+  /// surface removes the friction across it; harder to keep at rest.
   bool shared_friction = false;
   std::uint64_t seed = 1;
   Vec3 start = Vec3::Zero();  ///< mm
@@ -123,7 +123,7 @@ class SimulatedHand {
   std::size_t newest_ = 0;
   std::size_t at_work_ = 0;
   std::int64_t step_ = 0;
-  std::int64_t shift_ = 0;  // jitter of the tick at hand, in steps
+  std::int64_t shift_ = 0;  // jitter of the current tick, in steps
   Random random_;
   double motor_work_ = 0.0;
   double friction_work_ = 0.0;

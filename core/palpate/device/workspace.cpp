@@ -29,7 +29,7 @@ Vec3 turnOf(const Mat3& r) {
   const double level = elementary::hypot(r(0, 0), r(1, 0));
   Vec3 turn(elementary::atan2(r(2, 1), r(2, 2)), elementary::atan2(-r(2, 0), level),
             elementary::atan2(r(1, 0), r(0, 0)));
-  // Turned by 90 degrees about y, x and z turn about one axis: all of it is given to x.
+  // Turned by 90 degrees about y, x and z turn about one axis: x gets all of it.
   if (level < kUpright) turn = Vec3(elementary::atan2(-r(1, 2), r(1, 1)), turn.y(), 0.0);
   return turn / kRadPerDeg;
 }

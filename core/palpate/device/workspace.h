@@ -1,10 +1,10 @@
-// How the space of a hand lies in the body: turned, scaled, moved; and the clutch, by which a hand that has come to the
-// end of its space goes back without its finger.
+// How the workspace of a hand fits the body: turned, scaled, moved; and the clutch, by which a hand at the end of its
+// workspace goes back without its finger.
 //
 //   driver ─ place ─► read: turned, scaled, moved, clutched ─ tip ─► servo ─ force ─► turned back ─► driver
 //
-// A motion is scaled and a force is not (Capabilities::motion_scale). Whatever puts the finger elsewhere than the hand
-// moved it, a changed workspace or a clutch, is without force, and the start rule holds afterwards: the servo's tick
+// A motion is scaled and a force is not (Capabilities::motion_scale). Jumps of the finger other than by the hand,
+// through a changed workspace or a clutch, are without force, and the start rule holds afterwards: the servo's tick
 // does that (DeviceState::clutched, ::elsewhere).
 #pragma once
 
@@ -37,7 +37,7 @@ struct Workspace {
 Mat3 rotationOf(const Vec3& turn_deg);
 Vec3 turnOf(const Mat3& rotation);
 
-/// As a scene has it; `origin_mm` where it says nothing.
+/// The scene's workspace; `origin_mm` where it has no origin.
 Workspace workspaceOf(const scene::DeviceSettings& settings, const Vec3& origin_mm);
 
 /// The scene's settings for the device named `words` on this finger (0 the first): the finger's own table, else the
@@ -54,7 +54,7 @@ Vec3 standardOrigin(const scene::World& world, std::string_view words, std::size
 /// The clutch's movement so far.
 struct ClutchState {
   Vec3 shift_mm = Vec3::Zero();  ///< shift of the finger, beyond the workspace's origin
-  Vec3 tip = kNoPlace;           ///< where the finger is, and stays while it is held; none before the first tick
+  Vec3 tip = kNoPlace;           ///< place of the finger, fixed while the clutch is held; none before the first tick
   bool held = false;
 };
 
@@ -64,10 +64,10 @@ Vec3 clutchedTip(ClutchState& state, const DeviceFrame& frame, const Vec3& place
 
 /// The part of a device's state in this tick that a display may read.
 struct WorkspaceReading {
-  Vec3 place = kNoPlace;         ///< as the device says, before the workspace
+  Vec3 place = kNoPlace;         ///< reported by the device, before the workspace
   Vec3 tip = kNoPlace;           ///< in the body frame
   Vec3 shift_mm = Vec3::Zero();  ///< by the clutch
-  std::uint64_t fresh = 0;       ///< ticks so far that came with a new position
+  std::uint64_t fresh = 0;       ///< number of ticks with a new position
   Vec3 force = Vec3::Zero();     ///< that the hand got in the tick before, in the body frame, N
   DeviceState state;
 };
@@ -81,7 +81,7 @@ class WorkspaceLink {
 
   /// Another place for the device's space: from the next tick on, without force until the tip was outside.
   void place(const Workspace& workspace) { workspace_.publish(workspace); }
-  /// As by the device's own button.
+  /// The same as the device's own button.
   void clutch(bool held) noexcept { clutch_.store(held, std::memory_order_relaxed); }
   const WorkspaceReading& reading() { return reading_.newest(); }
 
@@ -109,8 +109,8 @@ class WorkspaceLink {
 /// turned one, the scale of its motion.
 Device inWorkspace(const Device& device, const Workspace& workspace, const std::shared_ptr<WorkspaceLink>& link);
 
-/// The corners of what a device reaches, in the body; none for one that does not say. Corner i has the high x, y, z
-/// where the bits 1, 2, 4 of i are set.
+/// The corners of a device's reach, in the body; empty if it is unknown. Corner i has the high x, y, z where the bits
+/// 1, 2, 4 of i are set.
 std::vector<Vec3> reachOf(const Capabilities& device, const DeviceFrame& frame);
 
 }  // namespace palpate::device
