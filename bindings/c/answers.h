@@ -1,5 +1,5 @@
-// How every entry of the C interface ends: with a code, and in words in the caller's palpate_error. Nothing is thrown
-// past it.
+// How every entry of the C interface ends: with a code, and a text in the caller's palpate_error. No exception passes
+// it.
 #pragma once
 
 #include <string>
@@ -18,11 +18,11 @@ inline void require(bool holds, const char* message) {
   if (!holds) throw ArgumentError{message};
 }
 
-/// Answers the exception at hand; only within a catch. Fills the caller's error, where there is one.
+/// Returns the code of the current exception; only within a catch. Fills the caller's error, where there is one.
 int32_t answerToException(palpate_error* error) noexcept;
 int32_t answerOk(palpate_error* error) noexcept;
 
-/// Does the work; whatever it throws becomes a code.
+/// Does the work; exceptions become codes.
 template <class Work>
 int32_t answered(palpate_error* error, Work&& work) noexcept {
   try {

@@ -77,7 +77,7 @@ void step(palpate_finger& finger, const double* tip_mm, palpate_touch* touch, st
   putTouch(finger.felt, tick, touch, size);
 }
 
-/// A pad of C's numbers: room for the largest lies on the stack.
+/// A pad of C's numbers: room for the largest is on the stack.
 void press(const palpate_finger& finger, const contact::PressurePad& pad, float* kpa, float* shear_kpa) noexcept {
   constexpr std::size_t kMost = contact::kMaxTaxels * contact::kMaxTaxels;
   std::array<double, kMost> normal;

@@ -1,4 +1,4 @@
-// Sessions behind their handles: facts at once, samples in portions of the caller's size, the whole felt again.
+// Recordings behind their handles: facts at once, samples in portions of the caller's size, and the whole replayed.
 #include <memory>
 #include <string>
 #include <vector>

@@ -14,7 +14,7 @@ struct palpate_skin {
 
   std::shared_ptr<const palpate::scene::World> world;
   palpate::engine::LivingSkin living;
-  std::vector<palpate::contact::FingerOutput> felt;  ///< a place for each finger that there is room for
+  std::vector<palpate::contact::FingerOutput> felt;  ///< one for each finger that there is room for
 };
 
 namespace palpate::c_api {

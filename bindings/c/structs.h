@@ -1,7 +1,7 @@
-// The rules of palpate.h for what the caller owns: structures that grow, whose `size` says how many bytes there are,
-// and texts.
+// The rules of palpate.h for the caller's memory: structures that grow, whose `size` is their number of bytes, and
+// texts.
 //
-//   caller's structure ─ fromCaller ─► whole one of this library ─ work ─ toCaller ─► as much of it as the caller knows
+//   caller's structure ─ fromCaller ─► whole one of this library ─ work ─ toCaller ─► the part that the caller knows
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,7 @@ void toCaller(const Struct& whole, Struct* target, std::size_t size) noexcept {
   target->size = size;
 }
 
-/// Into the caller's, of the size that it says.
+/// Copies into the caller's, up to its size.
 template <class Struct>
 void toCaller(const Struct& whole, Struct* target) noexcept {
   toCaller(whole, target, target->size);

@@ -12,8 +12,8 @@ namespace palpate::c_api {
 /// each number is written once. No allocation.
 void putTouch(const contact::FingerOutput& felt, std::uint64_t tick, palpate_touch* touch, std::size_t size) noexcept;
 
-/// Back again. False for a number that is not finite, and for a state or a triangle that there is none of. `triangles`:
-/// how many the world's skin has.
+/// The inverse. False for a number that is not finite, and for an invalid state or triangle. `triangles`: number of the
+/// world's skin.
 bool feltFrom(const palpate_touch& touch, std::size_t triangles, contact::FingerOutput& felt) noexcept;
 
 /// The i-th of structures that begin `stride` bytes apart.

@@ -1,7 +1,7 @@
 // The functions that the page's worker calls: a body is opened, touched, shown and exported. Plain C names over
 // LiveBody.
 //
-// The functions are those of web/page/engine.js, which says how they are used.
+// The functions are those of web/page/engine.js, which has their documentation.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -76,8 +76,8 @@ std::shared_ptr<const scene::World> openReady(scene::ReadyBody ready) {
   return scene::buildOn(scene, std::move(ready.parts));
 }
 
-/// A mesh of the format that the name's extension says (stl, obj, ply, off, gltf, glb). `unit_mm`: millimetres of its
-/// unit, 0: as the format says. Throws Error in one line for whatever is wrong with it.
+/// A mesh in the format of the name's extension (stl, obj, ply, off, gltf, glb). `unit_mm`: millimetres of its unit, 0:
+/// the format's. Throws Error in one line for any fault of it.
 std::shared_ptr<const scene::World> openMesh(std::string_view bytes, std::string_view name, double unit_mm) {
   mesh::LoadOptions options;
   options.unit_mm = unit_mm;
@@ -110,7 +110,7 @@ std::string sceneText(const scene::Scene& scene) {
     text += fmt::format("kind = \"trunk\"\ntriangles = {}\n", body.triangles);
   } else {
     text += fmt::format("kind = \"mesh\"\nfile = {}\n", quoted(body.file.string()));
-    // A file's own unit is what the command takes too; any other is a scale of millimetres.
+    // A file's own unit is the command's default too; any other is a scale of millimetres.
     if (body.scale > 0.0) text += fmt::format("unit = \"mm\"\nscale = {}\n", body.scale);
   }
   for (const maps::Dysfunction& d : scene.dysfunctions) {
@@ -150,7 +150,7 @@ std::string jsonText(std::string_view text) {
 
 std::string numbers(const Vec3& v) { return fmt::format("[{},{},{}]", v.x(), v.y(), v.z()); }
 
-/// JSON: [{name, at: [x, y, z], normal: [x, y, z]}], as an examiner says them.
+/// JSON: [{name, at: [x, y, z], normal: [x, y, z]}], in an examiner's terms.
 std::string inWords(const std::vector<body::SkinLandmark>& landmarks) {
   std::string words;
   for (const body::SkinLandmark& landmark : landmarks) {
@@ -192,7 +192,7 @@ void gatherBones(const std::vector<body::Bone>& bones) {
   }
 }
 
-/// As a frame has it (frame_packer.h), so that it can be looked at while it is built.
+/// In the layout of a frame (frame_packer.h), so that it can be shown while it is built.
 std::vector<float> restOf(const mesh::TriangleMesh& skin) {
   std::vector<float> rest;
   rest.reserve(kFloatsOfVertex * skin.positions.size());
@@ -260,7 +260,7 @@ PALPATE_EXPORT const char* palpate_set_dysfunctions(const double* numbers, std::
   });
 }
 
-/// Not 0: the three of the preset, which only the trunk has room for; 0: none.
+/// Not 0: the preset's three, which only the trunk has room for; 0: none.
 PALPATE_EXPORT const char* palpate_set_lumps(int on) {
   return errorOf([&] { body->setLumps(on != 0 ? presetLumps() : std::vector<scene::LumpSettings>()); });
 }
@@ -325,7 +325,7 @@ PALPATE_EXPORT const double* palpate_pad(std::size_t finger, std::size_t taxels)
 
 // ---- pictures and files
 
-/// Packs what changed since the last call (or all); gives the number of ranges.
+/// Packs the changes since the last call (or all); returns the number of ranges.
 PALPATE_EXPORT std::size_t palpate_frame(int all) {
   body->packFrame(frame, all != 0);
   return frame.ranges().size() / 2;

@@ -16,7 +16,7 @@ namespace palpate::web {
 /// Keeps a text alive for the caller until the next call.
 const char* keptText(std::string text);
 
-/// The words of what a call threw, or null. Whatever is thrown, the engine stays usable.
+/// The text of an exception, or null. After any exception the engine stays usable.
 template <class Call>
 const char* errorOf(Call&& call) noexcept {
   try {

@@ -1,9 +1,9 @@
-// A body under up to two fingers that a pointer leads: what a page holds of the engine.
+// A body under up to two fingers that a pointer leads: the page's part of the engine.
 //
 //   page: place, depth, pressed ─► aim ─► MouseFinger ─ tip ─► Simulator ─► force ─► recording, page
 //                                          └──────────── 1 kHz ──────────┘      └─► deformed skin ─► FramePacker
 //
-// One thread; no clock: who calls decides when a tick is. Lengths in mm, forces in N.
+// One thread; no clock: the caller decides when a tick is. Lengths in mm, forces in N.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ namespace palpate::web {
 
 // A log of the fingers, tick by tick, to be saved as the table that `palpate` reads (trace/forces_csv.h).
 
-/// Ticks of fingers that are kept: five minutes of one. The oldest go first.
+/// Ticks of fingers that are stored: five minutes of one. The oldest go first.
 inline constexpr std::size_t kMaxRecorded = 300'000;
 
 class Recording {
@@ -62,14 +62,15 @@ class LiveBody {
   explicit LiveBody(std::shared_ptr<const scene::World> world);
 
   const scene::World& world() const { return simulator_.world(); }
-  /// The same body with these dysfunctions, and no others; fingers go on touching. Throws Error as scene::rebuilt does.
+  /// The same body with these dysfunctions, and no others; fingers stay in contact. Throws Error as scene::rebuilt
+  /// does.
   void setDysfunctions(std::vector<maps::Dysfunction> dysfunctions);
   /// The same for lumps under the skin.
   void setLumps(std::vector<scene::LumpSettings> lumps);
 
-  /// Where a finger is wanted. Its radius is set here. A target that is not finite lifts the finger.
+  /// Sets a finger's target. Its radius is set here. A target that is not finite lifts the finger.
   void aim(std::size_t finger, device::FingerTarget target);
-  /// A thousandth of a second each.
+  /// Runs ticks of a millisecond each.
   void run(std::size_t ticks) noexcept;
   const contact::FingerOutput& felt(std::size_t finger) const { return at_work_[finger].felt; }
   std::uint64_t ticks() const { return tick_; }

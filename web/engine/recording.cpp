@@ -1,4 +1,4 @@
-// Rows are kept short and become samples again when they are written.
+// Rows are stored in short form and become samples again when they are written.
 #include "engine/live_body.h"
 
 #include "palpate/trace/forces_rows.h"

@@ -26,7 +26,7 @@ namespace {
 
 class ServedSkin {
  public:
-  /// Throws Error for bytes that are none, and for forms that make no sense.
+  /// Throws Error for invalid bytes, and for inconsistent forms.
   ServedSkin(std::string_view skin_bytes, std::string_view forms_bytes);
   ServedSkin(const ServedSkin&) = delete;
   ServedSkin& operator=(const ServedSkin&) = delete;
@@ -120,7 +120,7 @@ PALPATE_EXPORT const double* palpate_served_felt(std::size_t finger) {
   return numbers.data();
 }
 
-/// Packs what changed since the last call (or all); gives the number of ranges.
+/// Packs the changes since the last call (or all); returns the number of ranges.
 PALPATE_EXPORT std::size_t palpate_served_pack(int all) {
   served->pack(all != 0);
   return served->ranges().size() / 2;

@@ -58,7 +58,7 @@ requires(is_same_v<Real, double> || is_same_v<Real, float>) from_chars_result
   return {stop, errc{}};
 }
 
-/// The algorithms that the engine asks for, of ranges with a begin() and an end(); nothing dangles, nothing is lazy.
+/// The algorithms that the engine uses, on ranges with a begin() and an end(); nothing dangles, nothing is lazy.
 namespace ranges {
 
 struct identity_projection {

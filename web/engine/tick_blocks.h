@@ -1,4 +1,4 @@
-// How long a tick takes, in WebAssembly (bench_exports.cpp) and in native code (web/tests/reference.cpp): timed by the
+// The duration of a tick, in WebAssembly (bench_exports.cpp) and in native code (web/tests/reference.cpp): timed by the
 // same lines, or the two could not be compared.
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace palpate::web {
 
-/// Ticks between two readings of the clock. One alone is not timed: a call out of WebAssembly takes half as long as it,
-/// and more or less from run to run.
+/// Ticks between two readings of the clock. A single one is not timed: a call out of WebAssembly takes half as long,
+/// and varies from run to run.
 inline constexpr std::size_t kTicksOfBlock = 20;
 
-/// A new finger along the tips, into `outputs` (one a tip); the mean time of a tick, us, of each block.
+/// A new finger along the tips, into `outputs` (one per tip); returns the mean time of a tick, us, of each block.
 inline std::vector<double> timeBlocks(const contact::Surface& surface, const contact::FingerSettings& settings,
                                       std::span<const Vec3> tips, std::span<contact::FingerOutput> outputs) {
   using Clock = std::chrono::steady_clock;

@@ -1,5 +1,5 @@
-// Between numpy and the engine: arrays by name for signatures, views that keep their owner, points that a caller gives
-// as an array, a list, a tuple or a name.
+// Between numpy and the engine: arrays by name for signatures, views that keep their owner, points from the caller as
+// an array, a list, a tuple or a name.
 //
 // Nothing here touches numpy before the first array: `import palpate` is cheap because of it.
 #pragma once
@@ -52,9 +52,9 @@ struct FloatingArrayName {
   static constexpr auto name = py::detail::const_name("numpy.typing.NDArray[Any]");
 };
 
-/// Whatever numpy.asarray takes.
+/// Anything that numpy.asarray accepts.
 using ArrayLike = Named<ArrayLikeName>;
-/// A place: words ("T6 right 30 mm") or three numbers, mm.
+/// A place: a name ("T6 right 30 mm") or three numbers, mm.
 using PlaceLike = Named<PlaceLikeName>;
 using MaybeOut = Named<MaybeOutName>;
 using MaybeFields = Named<MaybeFieldsName>;
@@ -96,7 +96,7 @@ FloatArray toArray(const Vec3& point);
 /// anything else. Throws TypeError for anything but numbers (`what` names it), ValueError for another shape.
 py::array_t<double, py::array::c_style> floatsOf(py::handle given, const char* what, py::ssize_t last = 0);
 
-/// Three numbers, given as array, list or tuple. Throws TypeError or ValueError naming `what`.
+/// Three numbers, as array, list or tuple. Throws TypeError or ValueError naming `what`.
 Vec3 pointOf(py::handle given, const char* what);
 
 }  // namespace palpate::python

@@ -13,7 +13,7 @@ namespace py = pybind11;
 
 namespace {
 
-/// Lives as long as the process: translators are never taken away.
+/// Lives as long as the process: translators are never removed.
 PyObject* error_type = nullptr;
 
 void raise(const Error& error) {

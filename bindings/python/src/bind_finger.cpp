@@ -1,5 +1,5 @@
 // FingerSettings, Touch and Finger. `Finger.step` is Python's own fast call, without pybind11: a tick takes 130 ns, and
-// what is around it should not take more.
+// its wrapping should not take more.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 

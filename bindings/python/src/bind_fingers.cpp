@@ -119,7 +119,7 @@ class FingersHandle {
       }
     };
     const std::size_t parts = (size() + kFingersAPart - 1) / kFingersAPart;
-    if (size() * substeps < 2 * kTicksWorthAThread) {  // not worth waking anybody
+    if (size() * substeps < 2 * kTicksWorthAThread) {  // not worth waking a thread
       ThreadPool(1).share(parts, part_of_them, interrupts);
     } else {
       pool_.share(parts, part_of_them, interrupts);

@@ -1,5 +1,5 @@
-// Fits for Python: a force law from force by depth, a shape from pressed skin, and least squares within bounds for
-// whatever a script can compute. palpate.fit is made of these.
+// Fits for Python: a force law from force by depth, a shape from pressed skin, and least squares within bounds for any
+// function of a script. palpate.fit is made of these.
 #include "bindings.h"
 
 #include <fmt/format.h>

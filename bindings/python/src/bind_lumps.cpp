@@ -28,7 +28,7 @@ struct MaybeTripleName {
 };
 using MaybeTriple = Named<MaybeTripleName>;
 
-/// As a scene file would be read that has it. Throws Error naming the key.
+/// Checks it like one in a scene file. Throws Error naming the key.
 LumpSettings checkedLump(const LumpSettings& lump) {
   scene::Scene scene;
   scene.lumps = {lump};

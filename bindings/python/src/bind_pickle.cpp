@@ -1,9 +1,9 @@
 // Pickles and copies of World, FingerSettings and Lump.
 //
-//   World ─ text of its scene, given mesh, hash of what gives forces ─► bytes ─► built again, once a process ─► compared
+//   World ─ text of its scene, given mesh, hash of the forces ─► bytes ─► built again, once per process ─► compared
 //
-// Without the hash a file that differs elsewhere would be felt as another body in silence. A copy of what never changes
-// is itself.
+// Without the hash a file that differs elsewhere would silently be felt as another body. A copy of an immutable object
+// is the object itself.
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
 
@@ -31,7 +31,7 @@ struct KeptWorld {
   WorldPointer world;
 };
 
-/// With the interpreter's lock held. Never freed: at exit Python's own order ends what is in it.
+/// With the interpreter's lock held. Never freed: at exit Python's own order destroys the contents.
 std::deque<KeptWorld>& keptWorlds() {
   static auto& kept = *new std::deque<KeptWorld>;
   return kept;
@@ -113,7 +113,7 @@ WorldPointer worldOfPickle(const std::string& toml, const py::object& mesh, cons
   return world;
 }
 
-/// By the names of the constructor: what it makes is checked again.
+/// By the names of the constructor: the result is checked again.
 py::tuple madeOf(const py::object& type, const py::dict& named) {
   const py::object partial = py::module_::import("functools").attr("partial");
   return py::make_tuple(partial(type, **named), py::tuple());

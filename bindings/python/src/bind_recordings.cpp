@@ -34,7 +34,7 @@ using trace::TickSpan;
 
 constexpr const char* kInUse = "this Session";
 
-/// A file that is read; closed when Python says so.
+/// A file that is read; closed by Python.
 class RecordingFile {
  public:
   explicit RecordingFile(const std::filesystem::path& file) : file_(file) {
@@ -233,9 +233,9 @@ Blocks blocksOf(const std::shared_ptr<RecordingFile>& session, std::int64_t tick
   return {session, std::move(wanted), static_cast<std::uint64_t>(ticks)};
 }
 
-// --- words ----------------------------------------------------------------------------------------------------------
+// --- text -----------------------------------------------------------------------------------------------------------
 
-/// Texts of a stranger's session need not be UTF-8.
+/// Text in a user's recording need not be UTF-8.
 py::str textOf(const std::string& words) {
   return py::reinterpret_steal<py::str>(
       PyUnicode_DecodeUTF8(words.data(), static_cast<py::ssize_t>(words.size()), "replace"));

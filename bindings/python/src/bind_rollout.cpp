@@ -48,7 +48,7 @@ FeltDict rollout(const WorldPointer& world, const ArrayLike& given, const MaybeS
   return FeltDict(felt.dict());
 }
 
-/// The loop that a C++ program would write around contact::step, for tools/bench-python: the same numbers kept.
+/// The loop that a C++ program would write around contact::step, for tools/bench-python: it stores the same numbers.
 double nativeSeconds(const WorldPointer& world, const ArrayLike& given) {
   const auto tips = floatsOf(given, "tips", 3);
   const auto settings = settingsOf(*world->world, py::none(), 1).front();

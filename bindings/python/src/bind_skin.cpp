@@ -12,7 +12,7 @@ namespace {
 
 using Stream = std::span<const float>;
 
-/// (V, 3) over three arrays that lie at equal distances.
+/// (V, 3) over three arrays at equal distances.
 Float32Array pointsOver(const Stream& x, const Stream& y, const Stream& z, const py::object& self) {
   const py::ssize_t axis = (y.data() - x.data()) * static_cast<py::ssize_t>(sizeof(float));
   if (z.data() - y.data() != y.data() - x.data()) throw std::logic_error("the streams of a skin lie elsewhere");

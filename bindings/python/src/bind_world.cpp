@@ -244,7 +244,7 @@ double stiffnessAt(const WorldHandle& self, const PlaceLike& where) {
   return stiffness;
 }
 
-/// Points of the map plane: of names, or as they are given.
+/// Points of the map plane: from names, or unchanged.
 std::vector<Vec2> planeOf(const scene::World& world, const ManyPlaces& given) {
   std::vector<Vec2> points;
   const auto addNamed = [&](py::handle words) { points.push_back(placeOn(world, words).point.head<2>()); };

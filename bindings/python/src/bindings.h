@@ -18,7 +18,7 @@ void bindSkin(pybind11::module_& module);      // Skin
 void bindSessions(pybind11::module_& module);  // sessions: read, replay, iterate
 void bindTissue(pybind11::module_& module);    // force laws and layered tissue
 void bindDevices(pybind11::module_& module);   // devices: list, open, drive
-void bindFits(pybind11::module_& module);   // fits of measured curves, with the tissue that they give (bind_tissue.cpp)
-void bindLoops(pybind11::module_& module);  // loops over devices: by the servo's thread, or turned by a script
+void bindFits(pybind11::module_& module);      // fits of measured curves, with the resulting tissue (bind_tissue.cpp)
+void bindLoops(pybind11::module_& module);     // loops over devices: by the servo's thread, or turned by a script
 
 }  // namespace palpate::python

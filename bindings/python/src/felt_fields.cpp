@@ -1,5 +1,5 @@
-// A table of the fields, by name; an array of the caller is taken as it is or refused, never converted, because what is
-// written into a copy is lost.
+// A table of the fields, by name; an array of the caller is used directly or refused, never converted, because results
+// in a copy would be lost.
 #include "felt_fields.h"
 
 #include <fmt/format.h>

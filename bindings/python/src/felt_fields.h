@@ -71,10 +71,10 @@ struct FeltRows {
 class FeltArrays {
  public:
   /// `leading` is the shape before the axis of a vector: (fingers, ticks) or (fingers). `fields`: a sequence of names,
-  /// or None for those that docs/reference/python.md names first, and in a `world` with lumps or pads all that a
-  /// pattern of pressure is made of. `out`: None for fresh arrays, or a dict of C-ordered writable arrays of the right
-  /// shape and kind, which are written and answered; it says the fields where `fields` does not. Throws ValueError,
-  /// TypeError or KeyError naming the field.
+  /// or None for the first ones of docs/reference/python.md, and in a `world` with lumps or pads also those of a
+  /// pressure pattern. `out`: None for fresh arrays, or a dict of C-ordered writable arrays of the right shape and
+  /// kind, which are written and returned; it chooses the fields where `fields` does not. Throws ValueError, TypeError
+  /// or KeyError naming the field.
   FeltArrays(const scene::World& world, std::vector<py::ssize_t> leading, const py::object& fields,
              const py::object& out);
 

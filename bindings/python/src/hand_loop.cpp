@@ -10,7 +10,7 @@ namespace palpate::python {
 
 namespace {
 
-/// A device that is where the script says.
+/// A device at the script's place.
 device::Device heldByScript(std::size_t finger, const std::shared_ptr<Vec3>& tip) {
   device::Device device;
   device.name = fmt::format("python:{}", finger);

@@ -17,21 +17,21 @@
 
 namespace palpate::python {
 
-/// Limits that the weakest of these devices allows; the scene's own where none takes forces.
+/// The limits of the weakest of these devices; the scene's own where none has force feedback.
 servo::LimiterSettings limitsFor(const scene::World& world, const std::vector<device::Device>& devices);
 /// The scene's, then "finger 3".
 std::string nameOfFinger(const scene::World& world, std::size_t finger);
 
 struct HandLoopSettings {
   std::vector<contact::FingerSettings> fingers;
-  std::optional<std::filesystem::path> session;  ///< none: nothing is recorded
+  std::optional<std::filesystem::path> session;  ///< empty: no recording
   std::string notes;
 };
 
 /// One thread at a time.
 class HandLoop {
  public:
-  /// Without devices: the script says where each finger is. Throws Error.
+  /// Without devices: the script sets each finger's place. Throws Error.
   HandLoop(WorldPointer world, std::vector<DevicePointer> devices, HandLoopSettings settings);
   /// Zero force; a session that was not finished stays under its partial name.
   ~HandLoop();
@@ -43,7 +43,7 @@ class HandLoop {
   bool closed() const { return closed_; }
   std::uint64_t ticks() const { return tick_; }
 
-  /// Where the fingers are from now on; as many as there are fingers. Only without devices.
+  /// The fingers' places from now on, one per finger. Only without devices.
   void place(std::span<const Vec3> tips);
   const std::vector<trace::Sample>& tick();
   const std::vector<trace::Sample>& felt() const { return samples_; }

@@ -16,7 +16,7 @@ class SkinHandle {
       : world_(std::move(world)), fingers_(fingers), skin_(*world_->world, {.strain = strain, .fingers = fingers}) {}
 
   const WorldPointer& world() const { return world_; }
-  /// As many as `follow` takes.
+  /// The number of fingers for `follow`.
   std::size_t fingers() const { return fingers_; }
   engine::LivingSkin& skin() { return skin_; }
   const engine::LivingSkin& skin() const { return skin_; }

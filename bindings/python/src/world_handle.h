@@ -1,5 +1,5 @@
-// The World of Python: the engine's, and for one made of a mesh who became whom. Immutable, shared by any number of
-// threads; whatever is made on it keeps it.
+// The World of Python: the engine's, and for one made of a mesh the map of its vertices. Immutable, shared by any
+// number of threads; objects made on it keep it alive.
 #pragma once
 
 #include <memory>
@@ -18,13 +18,13 @@ namespace palpate::python {
 /// A mesh as passed in, to be pickled.
 struct GivenMesh {
   mesh::TriangleMesh mesh;
-  std::vector<double> stiffness;  ///< N/mm, one a vertex; empty: the scene says
+  std::vector<double> stiffness;  ///< N/mm, one per vertex; empty: the scene's
   scene::Scene scene;
   bool repair = true;
   std::vector<std::string> file_notes;  ///< passed over or guessed while it was read
 };
 
-/// As engine::WorldFromArrays has them.
+/// The maps of engine::WorldFromArrays.
 struct SourceMaps {
   GivenMesh given;
   std::vector<Index> source_vertex;
@@ -61,8 +61,8 @@ struct TouchesName {
 };
 using Touches = Named<TouchesName>;
 
-/// The place of the skin at rest that words ("T6 right 30 mm") or a point (its nearest) name, with the normal and the
-/// number of its triangle. Throws Error for words that name none.
+/// The place of the skin at rest at a name ("T6 right 30 mm") or nearest to a point, with the normal and the number of
+/// its triangle. Throws Error for an unknown name.
 SkinPlace placeOn(const scene::World& world, py::handle place);
 
 /// Settings of each finger: the scene's for None, one for all, or a sequence with one each. Checked against the world;

@@ -1,4 +1,4 @@
-// The hand that is drawn where a finger presses, for the page: its mesh, and the places by which it is held.
+// The hand that is drawn where a finger presses, for the page: its mesh, and its grip points.
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -14,7 +14,7 @@ std::string trunk;
 
 }  // namespace
 
-/// `triangles`: of skin and bones, 0 for as many as the trunk has by itself.
+/// `triangles`: of skin and bones, 0 for the trunk's default.
 PALPATE_EXPORT const char* palpate_make_trunk(std::size_t triangles) {
   return errorOf([&] {
     scene::BodySettings settings;

@@ -31,7 +31,7 @@ using measure::KeyEllipse;
 using measure::Measurement;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-/// More, and the body did not hold its breath (docs/howto/measure-a-person.md).
+/// With more drift, the breath was not held (docs/howto/measure-a-person.md).
 constexpr double kMaxNullDriftMm = 0.3;
 
 // --- pictures -------------------------------------------------------------------------------------------------------
@@ -65,7 +65,7 @@ struct Requests {
   bool drift_given = false;
 };
 
-/// As `palpate measure dots --null` has it.
+/// Like `palpate measure dots --null`.
 void countNullDrift(const measure::Photograph& before, const measure::Photograph& again, Requests& requests,
                     std::vector<measure::Finding>& findings) {
   const auto drift = measure::nullDrift(before, again, requests.settings);

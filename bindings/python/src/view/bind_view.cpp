@@ -30,7 +30,7 @@ namespace palpate::python {
 
 namespace {
 
-// The words of Python's `render` as view settings: a table of keys, each with what it sets.
+// The words of Python's `render` as view settings: a table of keys, each with its setting.
 
 /// Options of the dict other than the view settings.
 struct PictureOptions {
@@ -60,7 +60,7 @@ double number(py::handle value, const char* key, double least, double most) {
 
 bool truth(py::handle value) { return py::bool_(py::reinterpret_borrow<py::object>(value)); }
 
-/// One word or several.
+/// One name or several.
 std::vector<scene::Overlay> overlays(py::handle value, const char* key) {
   if (py::isinstance<py::str>(value)) return {word<scene::Overlay>(value, key)};
   std::vector<scene::Overlay> all;
@@ -184,7 +184,7 @@ std::vector<view::FingerMark> marksFor(const scene::World& world, const std::vec
   return marks;
 }
 
-/// The skin as it is now: copied, since it may change while the picture is drawn.
+/// The present skin: copied, since it may change while the picture is drawn.
 void takeSkin(const WorldPointer& world, const py::object& skin, const std::vector<contact::FingerOutput>& touches,
               PictureJob& job) {
   if (skin.is_none()) {

@@ -35,7 +35,7 @@ struct PictureJob {
 class DrawingThread {
  public:
   DrawingThread();
-  /// Ends the thread after the picture at hand; what waits is given up.
+  /// Ends the thread after the current picture; waiting ones are dropped.
   ~DrawingThread();
   DrawingThread(const DrawingThread&) = delete;
   DrawingThread& operator=(const DrawingThread&) = delete;
