@@ -37,7 +37,7 @@ struct TextStyle {
   double size_px = 12.0;
   bool bold = false;
   Colour colour = kInk;
-  Align across = Align::start;  ///< left, centre or right of the text lies on the place
+  Align across = Align::start;  ///< left, centre or right of the text is at the place
   Align down = Align::middle;   ///< top, middle or bottom
   bool upwards = false;         ///< turned by 90 degrees to the left: axis labels
   bool halo = false;            ///< white around the letters: texts on lines and colours

@@ -1,5 +1,5 @@
-// Entries are set like words: as many in a row as fit, each row centred. plot_layout.h asks for the number of rows
-// before anything is drawn.
+// Entries are set like words: as many in a row as fit, each row centred. plot_layout.h needs the number of rows before
+// anything is drawn.
 #include "report/charts/legend.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A label tries ten spots round its place, the nearer ones first; where none is free it stays at the first.
+// A label tries ten spots round its place, the nearer ones first; if none is free it stays at the first.
 #include "report/charts/lettering.h"
 
 #include <array>

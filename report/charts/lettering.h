@@ -18,7 +18,7 @@ inline constexpr TextStyle kPanelTitle{
 /// "label (unit)".
 std::string withUnit(const std::string& label, const std::string& unit);
 
-/// True where the box lies within the bounds and meets no text drawn so far.
+/// True where the box is within the bounds and meets no text drawn so far.
 bool isFree(const Canvas& canvas, const Rect& box, const Rect& bounds);
 
 /// Draws the text to the right of the point, or where there is room: left, above, below, farther away. Where there is

@@ -58,7 +58,7 @@ struct MeshView {
   std::string title{};
   std::vector<Vec3> positions{};
   std::vector<Triangle> triangles{};
-  std::vector<Colour> colours{};  ///< one a triangle; `colour` for all where empty
+  std::vector<Colour> colours{};  ///< one per triangle; `colour` for all where empty
   Colour colour = kSkin;
   bool edges = false;  ///< the triangles' sides as thin lines
   /// Shares of light that does not depend on the direction; 1 shows the plain colours, for maps.

@@ -111,7 +111,7 @@ struct Plot {
   std::vector<Place> places{};
   std::vector<Label> labels{};
   bool legend = true;  ///< below the plot, so that it never hides data
-  /// The frame begins at least so far from the panel's left edge: plots above each other then share their x axis.
+  /// The frame begins at least this far from the panel's left edge, so that stacked plots share their x axis.
   double least_left_px = 0.0;
 };
 

@@ -1,5 +1,5 @@
-// Where the parts of a plot lie: legend and titles take their rows first, then ticks are chosen for what is left, and
-// their texts decide how wide the margins are.
+// Layout of a plot: legend and titles take their rows first, then ticks are chosen for the rest, and their texts decide
+// how wide the margins are.
 #include "report/charts/plot_layout.h"
 
 #include <algorithm>

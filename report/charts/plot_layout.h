@@ -1,4 +1,4 @@
-// Where the parts of a plot lie within its panel: frame, axes, ticks, colour bar, legend.
+// Layout of a plot within its panel: frame, axes, ticks, colour bar, legend.
 #pragma once
 
 #include <vector>

@@ -15,7 +15,7 @@ struct Range {
 /// The step of 1, 2 or 5 times a power of ten that divides the length into at most `most` parts (at least one).
 double niceStep(double length, int most);
 
-/// The smallest range with ends on round numbers that holds the data; a single value is given room around it. On a
+/// The smallest range with ends on round numbers that holds the data; a single value gets room around it. On a
 /// logarithmic axis the ends are 1, 2 or 5 times a power of ten and values <= 0 are ignored.
 Range niceRange(const Range& data, Scale scale, int most);
 

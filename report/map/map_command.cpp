@@ -48,7 +48,7 @@ MapSkin skinOf(const MapArguments& arguments) {
   return builtInTorso(arguments.triangles > 0 ? arguments.triangles : 20389);
 }
 
-/// The words of the options as settings. CLI11 has checked them.
+/// The options' values as settings. CLI11 has checked them.
 MapSource sourceOf(const MapArguments& arguments) {
   MapSource source = arguments.source;
   source.fidelity = scene::parseFidelity(arguments.fidelity);

@@ -88,7 +88,7 @@ SkinMap stiffnessOfScene(const MapSkin& skin, const scene::World& world) {
   SkinMap map = stiffnessOver(skin, *world.surface.stiffness_n_per_mm);
   if (world.scene.stiffness.source == scene::StiffnessSource::points) {
     map.keys = drawnKeys(world.ellipses.keys());
-    for (MapKey& key : map.keys) key.outline.clear();  // their ellipses say nothing about stiffness
+    for (MapKey& key : map.keys) key.outline.clear();  // their ellipses do not show stiffness
   }
   return inScene(std::move(map), world);
 }

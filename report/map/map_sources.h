@@ -30,17 +30,17 @@ namespace palpate::app {
 struct MapSkin {
   std::string name;  ///< "torso", "back" or the file
   mesh::TriangleMesh mesh;
-  std::vector<Vec3> normals;            ///< unit, a vertex each
-  std::vector<double> bone_depth_mm;    ///< a vertex each; empty where no bones are known
+  std::vector<Vec3> normals;            ///< unit, one per vertex
+  std::vector<double> bone_depth_mm;    ///< one per vertex; empty without known bones
   std::vector<std::string> notes = {};  ///< for a file: passed over or guessed while it was read
 };
 
 MapSkin builtInTorso(std::size_t triangles);
 MapSkin builtInBack(std::size_t triangles);
-/// As it is, without repair. Throws Error for a mesh without a triangle.
+/// Without repair. Throws Error for a mesh without a triangle.
 MapSkin skinOfFile(const MeshArguments& arguments);
 
-/// Where the skin is met when looking along -z at one node of the grid.
+/// The skin below one node of the grid, seen along -z.
 struct GridSpot {
   Index triangle = kNoIndex;        ///< kNoIndex outside the skin
   std::array<double, 3> weights{};  ///< barycentric
@@ -74,8 +74,8 @@ struct MapSource {
   maps::MeasuredDataChoice measured;
   maps::EllipseMapSettings ellipses;
   Fidelity fidelity;
-  std::optional<maps::LiteralWeights> weights;         ///< nothing: as the fidelity says
-  std::optional<maps::DirectionBlend> directions;      ///< nothing: as the fidelity says
+  std::optional<maps::LiteralWeights> weights;         ///< empty: the fidelity's
+  std::optional<maps::DirectionBlend> directions;      ///< empty: the fidelity's
   std::string quantity = "half-major";                 ///< for ellipses: half-major, aspect or direction
   std::size_t contour_radii = maps::kMaxContourRadii;  ///< for contours made from ellipses
   maps::MeasuredStiffness stiffness;
@@ -87,7 +87,7 @@ struct MapColumn {
   std::vector<double> values;
 };
 
-/// A key point as it is drawn: its outline in true size round its place; no outline without one.
+/// A key point as drawn: its outline in true size round its place; empty without one.
 struct MapKey {
   std::string name;
   Vec2 at = Vec2::Zero();
@@ -109,7 +109,7 @@ struct ShownQuantity {
 struct SkinMap {
   std::string title;
   std::string note;                 ///< below a picture
-  std::vector<MapColumn> vertices;  ///< a value a vertex each
+  std::vector<MapColumn> vertices;  ///< one value per vertex
   /// Columns of the map plane and their values at a place; without a function the shown vertex column is interpolated.
   std::vector<std::string> plane_columns;
   std::function<std::vector<double>(const Vec2&)> plane;
@@ -137,7 +137,7 @@ SkinMap depthOver(const MapSkin& skin);
 /// Places with their ellipses as outlines.
 std::vector<MapKey> drawnKeys(std::span<const maps::KeyPoint> keys);
 
-// The maps of a scene: of its body as it is felt there, with its dysfunctions, instead of a bare skin.
+// The maps of a scene: of its body as felt, with its dysfunctions, instead of a bare skin.
 
 /// The scene's body as built: mended and ordered, so its vertices are those of forces.csv's triangles.
 MapSkin skinOfScene(const scene::World& world);

@@ -81,7 +81,7 @@ class FindingsReader {
     return title;
   }
 
-  /// Up to the next heading or the end, or to the closing quotation mark, which is taken.
+  /// Up to the next heading or the end, or past the closing quotation mark.
   std::vector<FindingsPart> text(bool quoted) {
     std::vector<FindingsPart> parts;
     std::string words;

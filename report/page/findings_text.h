@@ -29,16 +29,16 @@ namespace palpate::study {
 
 using FindingValues = Json;
 
-/// A text as it is compiled in.
+/// A text as compiled in.
 struct FindingsFile {
   std::string_view path;  ///< in the repository, for messages
   std::string_view text;
 };
 
 /// The findings in the order of the file. `values` has a member for each paragraph: the object of its values, a list of
-/// such objects for several findings, null for none. Paragraphs without values, which are always said, and those that
-/// only `as` names have no member. Throws Error naming file and line for text that cannot be read, for names that are
-/// not those of the values, and for words that a choice does not have.
+/// such objects for several findings, null for none. Paragraphs without values, which are always printed, and those
+/// that only `as` names have no member. Throws Error naming file and line for text that cannot be parsed, for names
+/// that are not those of the values, and for words that a choice does not have.
 std::vector<std::string> findingsOf(const FindingsFile& file, const FindingValues& values);
 
 // The contents of a file, for tests that go through all of it.
@@ -47,7 +47,7 @@ struct FindingsPart {
   std::size_t line = 0;  ///< counted from 1
   std::string name{};    ///< name of a value; empty: `text` as it is
   std::string text{};
-  std::string format{};                            ///< rounded, counted and so on; empty: as it is
+  std::string format{};                            ///< rounded, counted and so on; empty: unchanged
   int digits = 0;                                  ///< of the format; 0: none given
   std::string paragraph{};                         ///< that `as` names
   std::string between = ", ";                      ///< separator of a list

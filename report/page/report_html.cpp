@@ -13,7 +13,7 @@ namespace palpate::study {
 namespace {
 
 /// The look of the report, its style sheet. Screen: contents next to the text where there is room, figures as wide as
-/// the column. Paper: no contents, a chapter a page, nothing torn apart. System fonts only.
+/// the column. Paper: no contents, one chapter per page, nothing torn apart. System fonts only.
 constexpr std::string_view kReportStyle = R"css(
 :root { --ink: #222; --quiet: #5d6470; --line: #dfe3e8; --paper: #fff; --wash: #f5f7f9; --accent: #0072b2; }
 * { box-sizing: border-box; }

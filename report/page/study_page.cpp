@@ -136,7 +136,7 @@ void writePage(const StudyPage& page, const std::filesystem::path& folder, const
     report(progress, "drawing " + figure.stem, 0.0);
     figures::writePng(figure.figure, folder / (figure.stem + ".png"));
     figures::writeSvg(figure.figure, folder / (figure.stem + ".svg"));
-    const std::string data = csvOf(figure.figure);  // a surface alone has none
+    const std::string data = csvOf(figure.figure);  // a single surface has none
     if (!data.empty()) writeFile(folder / (figure.stem + ".csv"), data);
   }
   for (const StudyTable& table : page.tables) writeFile(folder / (table.stem + ".csv"), csvOf(table.table));

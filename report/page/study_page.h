@@ -66,14 +66,14 @@ struct StudyPage {
   std::string name{};  ///< name of the Markdown file; empty: the subcommand's
   std::string title;
   std::string question;               ///< one paragraph
-  std::vector<std::string> findings;  ///< a paragraph each, most important first
+  std::vector<std::string> findings;  ///< paragraphs, most important first
   std::vector<std::string> method;    ///< how it was measured and what replaces what, in paragraphs
   std::vector<StudyTable> tables;
   std::vector<StudyFigure> figures;
   std::vector<std::pair<std::string, double>> numbers;  ///< the main results by name, with the unit in it, for programs
   /// The JSON object has them next to `study` too, not only in `numbers`; there "a.b" is the member b of an object a.
   bool numbers_on_top = false;
-  /// Likewise, lists of words. Where `figures` is an object by now, the names of files are its member `files`.
+  /// The same for lists of words. Where `figures` is an object by now, the names of files are its member `files`.
   std::vector<std::pair<std::string, std::vector<std::string>>> words{};
   std::string command{};  ///< that makes this page again
   std::string machine{};  ///< that it ran on
@@ -124,7 +124,7 @@ struct Study {
   std::string name;  ///< name of the subcommand
   std::string what;  ///< its help, one line
   std::function<StudyPage(const StudySettings& settings)> run;
-  bool draws = false;                   ///< its cases, from a seed: it takes --seed and --cases
+  bool draws = false;                   ///< draws its cases from a seed: it takes --seed and --cases
   bool maps = false;                    ///< it has a map of its own that takes minutes: it takes --map
   std::vector<std::string> families{};  ///< families of cases that --family may select
   std::size_t family_cases = 0;         ///< cases of a family where --cases is not given

@@ -51,7 +51,7 @@ Span spanOf(std::span<const RunStrip> strips) {
   return span;
 }
 
-/// Down and up within each step, so that the line fills what lies between.
+/// Down and up within each step, so that the line fills the range between.
 figures::Series curveOf(const RunStrip& strip, Felt felt, const figures::Colour& colour) {
   const auto i = static_cast<std::size_t>(felt);
   figures::Series curve{.name = {}, .colour = colour, .width_px = 1.3};
@@ -68,7 +68,7 @@ figures::Series curveOf(const RunStrip& strip, Felt felt, const figures::Colour&
 
 // ---- states
 
-/// A line of the panel of states: while it holds there is a bar.
+/// A line of the panel of states: a bar while it holds.
 struct State {
   std::string name;
   figures::Colour colour;

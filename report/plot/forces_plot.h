@@ -1,5 +1,5 @@
-// The picture of a run, and the strips that it is drawn from: force, depth, lag and others over time, a panel each, and
-// below them when a finger stuck or slipped and which status bits were set.
+// The picture of a run, and its strips: force, depth, lag and others over time, a panel each, and below them when a
+// finger stuck or slipped and which status bits were set.
 #pragma once
 
 #include <array>
@@ -80,10 +80,10 @@ struct ForcesPlot {
   bool states = true;  ///< the panel of states
 };
 
-/// A line a finger; the time axis reaches over all of them. `strips` must hold a step at least.
+/// One line per finger; the time axis covers all of them. `strips` must have a step at least.
 figures::Figure forcesFigure(const ForcesPlot& plot, std::span<const RunStrip> strips);
 
-/// The words of status bits that were set: "at the border", "damped".
+/// Names of status bits: "at the border", "damped".
 struct StatusName {
   std::uint32_t bit = 0;
   std::string_view name;

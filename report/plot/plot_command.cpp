@@ -28,7 +28,7 @@ struct PlotArguments {
   std::filesystem::path output = "plot.png";
   double from_s = -std::numeric_limits<double>::infinity();
   double to_s = std::numeric_limits<double>::infinity();
-  std::vector<std::string> fingers;  ///< none: all of them
+  std::vector<std::string> fingers;  ///< empty: all
   std::vector<std::string> columns = {"force", "depth", "lag", kStatesWord};
   std::string title;
   double png_scale = 1.5;

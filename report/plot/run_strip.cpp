@@ -1,4 +1,4 @@
-// A step holds one tick at first; whenever the strip is full, neighbours are joined and steps become twice as long.
+// A step has one tick at first; whenever the strip is full, neighbours are joined and steps become twice as long.
 #include "report/plot/forces_plot.h"
 
 #include <algorithm>

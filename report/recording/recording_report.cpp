@@ -55,7 +55,7 @@ std::vector<double> radiiIn(const trace::RecordingWorld& world) {
   return radii;
 }
 
-/// Whether every place lies on the triangle that was felt there.
+/// Whether every place is on the triangle that was felt there.
 bool fits(const mesh::TriangleMesh& skin, const FeltBody& body, const std::vector<double>& reach_mm) {
   return std::all_of(body.places.begin(), body.places.end(), [&](const trace::TouchedPlace& place) {
     if (place.triangle >= skin.triangles.size()) return false;
@@ -67,7 +67,7 @@ bool fits(const mesh::TriangleMesh& skin, const FeltBody& body, const std::vecto
   });
 }
 
-/// `folder`: where the files that the scene names lie now; empty: where they lay.
+/// `folder`: present place of the files that the scene names; empty: their recorded one.
 void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, const Progress& progress,
                   ReportBody& body) {
   const trace::RecordingWorld& recorded = felt.worlds.begin()->second;

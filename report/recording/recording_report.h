@@ -31,7 +31,7 @@ struct ReportBody {
 struct RecordingReport {
   std::filesystem::path file;
   trace::RecordingFacts facts;
-  bool whole = true;  ///< false: only what lies between --from and --to
+  bool whole = true;  ///< false: only the part between --from and --to
   trace::RecordingStatistics statistics;
   std::vector<trace::RecordingEvent> events;
   std::vector<std::string> unsafe;  ///< fingers that felt more than is safe, with their limits; usually empty
@@ -43,7 +43,7 @@ struct RecordingReport {
 
 struct ReportSettings {
   std::filesystem::path file;
-  /// Where the files that the scene names lie now; empty: in the recording itself, else where they lay.
+  /// Present place of the files that the scene names; empty: in the recording itself, else their recorded place.
   std::filesystem::path folder;
   trace::TickSpan span;
 };
@@ -56,7 +56,7 @@ RecordingReport recordingReport(trace::RecordingReader& recording, const ReportS
 /// Every number of the report.
 Json reportJson(const RecordingReport& report);
 
-/// The report's main results, a sentence each.
+/// The report's main results, in sentences.
 std::vector<std::string> reportSentences(const RecordingReport& report);
 
 /// One HTML page that needs nothing else, well-formed. Draws its pictures.

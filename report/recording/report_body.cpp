@@ -23,7 +23,7 @@ constexpr double kMarginMm = 25.0;
 /// From this share of the body on, a picture from nearby shows nothing more.
 constexpr double kLargeShare = 0.6;
 
-/// Where the body is looked at from: of the six sides the one that was touched most.
+/// The side of the body in the picture: the most touched of six.
 struct ReportSight {
   Vec3 towards_viewer = Vec3::UnitZ();
   Vec3 up = Vec3::UnitY();
@@ -68,7 +68,7 @@ struct HeatValues {
   std::string unit;
 };
 
-/// All but so much of the touched area has no greater value.
+/// Exceeded in only this share of the touched area.
 double nearlyGreatest(const trace::TouchedSurface& surface, const std::vector<double>& values) {
   std::vector<std::pair<double, double>> by_value;  // value, area
   double area = 0.0;

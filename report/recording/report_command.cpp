@@ -46,7 +46,7 @@ void runReport(const ReportArguments& arguments) {
   trace::RecordingReader recording(request.file);
   const std::filesystem::path page = pageOf(request, standardPage(request.file));
   const ReportSettings settings{request.file, arguments.folder, reportSpan(arguments, recording.facts())};
-  const FinishesInOrder in_order;  // files that the recording carries lie in a folder that must go again
+  const FinishesInOrder in_order;  // the recording's files are in a folder that must be removed again
   const trace::ReadingWatch watch(endIfAsked);
   const RecordingReport report = recordingReport(recording, settings, progress.callback());
   const FinishedReport finished{.file = request.file,

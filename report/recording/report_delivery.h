@@ -1,4 +1,4 @@
-// Where a report goes: a page that overwrites nothing by chance, or numbers on the standard output.
+// Destination of a report: a page that overwrites nothing by chance, or numbers on the standard output.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct ReportRequest {
 };
 
 struct FinishedReport {
-  std::filesystem::path file;          ///< as it is named to people
+  std::filesystem::path file;          ///< its name for people
   std::string page;                    ///< HTML; empty unless it was wanted
   Json numbers;                        ///< all of them
   std::vector<std::string> sentences;  ///< main results
@@ -27,7 +27,7 @@ struct FinishedReport {
 /// run.session -> run.html, also of run.session.partial, and of class.results; in the working folder.
 std::filesystem::path standardPage(const std::filesystem::path& file);
 
-/// Where the page goes; empty where none is wanted. Throws Error where something would be lost: ask before the work.
+/// The page's file; empty where none is wanted. Throws Error where something would be lost: call it before the work.
 std::filesystem::path pageOf(const ReportRequest& request, const std::filesystem::path& standard_page);
 
 /// Writes the page and prints the sentences, or the numbers. Throws Error.

@@ -209,7 +209,7 @@ double shownMost(const RecordingReport& report, Measured measured) {
   return most;
 }
 
-/// The outline of the bars of one finger: share of its contact, a bar each.
+/// The outline of the bars of one finger: each its share of contact.
 figures::Series outlineOf(const trace::FixedHistogram& histogram, std::size_t bins_a_bar) {
   figures::Series outline{.width_px = 1.6};
   const auto all = static_cast<double>(histogram.count());

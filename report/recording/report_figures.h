@@ -20,8 +20,7 @@ struct ReportPicture {
 /// recording without ticks; distributions only where something was touched.
 std::vector<ReportPicture> coursePictures(const RecordingReport& report);
 
-/// Time in contact and peak force on the body's surface, or on a plane where there is none. None where nothing was
-/// touched.
+/// Time in contact and peak force on the body's surface, or on a plane without one. Empty without a touch.
 std::vector<ReportPicture> bodyPictures(const RecordingReport& report);
 
 }  // namespace palpate::app

@@ -11,7 +11,7 @@
 
 namespace palpate::app {
 
-/// As XML may hold it between tags and in quotes.
+/// Escapes for XML, between tags and in quotes.
 std::string escapedText(std::string_view text);
 
 std::string elementOf(std::string_view tag, std::string_view text);
@@ -24,14 +24,14 @@ std::string tableOf(std::string_view kind, const Cells& headings, const std::vec
 /// A row of facts; empty without a value.
 std::string factRow(std::string_view name, std::string_view value);
 
-/// The picture inside the page; `alternative` says what it shows to who cannot see it.
+/// The picture inside the page; `alternative` describes it for those who cannot see it.
 std::string figureHtml(std::string_view id, const figures::Figure& figure, std::string_view alternative,
                        std::string_view caption);
 
 /// All up to the heading, with the look of every report; kPageEnd closes it.
 std::string pageBegin(std::string_view name);
 inline constexpr std::string_view kPageEnd = "</main>\n</body>\n</html>\n";
-/// The main results, a sentence each.
+/// The main results, in sentences.
 std::string summaryOf(const std::vector<std::string>& sentences);
 
 // The tables of a recording's report, each with its heading; empty without rows.

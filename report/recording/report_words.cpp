@@ -21,7 +21,7 @@ using study::percent;
 using study::rounded;
 using trace::Measured;
 
-/// By the place of the bit.
+/// By the number of the bit.
 constexpr std::array<const char*, servo::kSafetyBits> kSafetyMeanings = {
     toTranslate("the device gave no number: no force"),
     toTranslate("the tip moved farther than a hand can: no force"),
