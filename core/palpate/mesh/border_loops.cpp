@@ -1,5 +1,5 @@
 // From each border half-edge a walk around the fan of triangles at its start leads to the next one; runs of them are
-// cut into loops wherever they come back to a vertex.
+// cut into loops wherever they return to a vertex.
 #include "palpate/mesh/holes.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace palpate::mesh {
 
 namespace {
 
-/// Gaps up to this (radian) the wrong way count as none: the sides of a crack overlap a little.
+/// Gaps up to this (radian) the wrong way count as zero: the sides of a crack overlap a little.
 constexpr double kOverlapAngle = 0.3;
 /// More fans in one vertex are a fault of another kind.
 constexpr std::size_t kMaxFans = 16;

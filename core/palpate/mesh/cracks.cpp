@@ -41,7 +41,7 @@ std::vector<Triangle> piecesOf(const TriangleMesh& mesh, const Triangle& t, std:
   std::vector<std::array<bool, 3>> on_side;
   for (std::size_t side = 0; side < 3; ++side) {
     ring.push_back(t[side]);
-    on_side.push_back({side != 2, side != 0, side != 1});  // a corner lies on its own side and on the one before
+    on_side.push_back({side != 2, side != 0, side != 1});  // a corner is on its own side and on the one before
     const auto split =
         std::find_if(splits.begin(), splits.end(), [&](const SideSplit& s) { return s.half_edge % 3 == side; });
     if (split == splits.end()) continue;
@@ -63,7 +63,7 @@ std::vector<Triangle> piecesOf(const TriangleMesh& mesh, const Triangle& t, std:
   return pieces;
 }
 
-/// The same for one side alone, where there is no choice.
+/// The same for a single side, where there is no choice.
 std::vector<Triangle> fanOf(const Triangle& t, const SideSplit& split) {
   const std::size_t side = split.half_edge % 3;
   const Index tip = t[(side + 2) % 3];

@@ -10,7 +10,7 @@
 // Based on: Garland and Heckbert, "Surface simplification using quadric error metrics" (1997); Dey, Edelsbrunner, Guha,
 // Nekhayev, "Topology preserving edge contraction" (1999), the link condition.
 //
-// Kept beside meshoptimizer 0.18 (meshopt_simplify; Debian 12, one core, the same run; distances from 60,000 points of
+// Preferred to meshoptimizer 0.18 (meshopt_simplify; Debian 12, one core, the same run; distances from 60,000 points of
 // each surface to the other; smallest angle of all triangles; turned: triangles that face away from the input). This |
 // meshopt:
 //
@@ -21,11 +21,11 @@
 //   bumpy ball    128,220 ->  64,110  137 |  31     0.001 (0.03) | 0.004 (0.10)       0.3 | 0.0        1 | 149
 //   back        1,000,000 -> 100,000  4628 | 892    0.001 (0.02) | 0.015 (0.19)       5.2 | 0.0        0 |  85
 //
-// It is five times as fast and needs twice to ten times the distance, because it only picks among the vertices there
-// are. What rules it out is the shape: triangles that lie on each other (42 doubled pairs on the ball, 1 to 6 where two
-// halves of a vertebra are joined), which `repair` would have to take out again, and a count missed by 1 to 22. On flat
-// faces with sharp folds (groove, pit) it is exact where this is up to 0.03 mm off. For the bones it would save 0.4 s
-// of the second they take at start, give another body, and with it other depths, stiffnesses and forces.
+// It is five times as fast and needs twice to ten times the distance, because it only picks among the existing
+// vertices. Its triangles rule it out: they lie on each other (42 doubled pairs on the ball, 1 to 6 where two halves of
+// a vertebra are joined), which `repair` would have to remove again, and the count is missed by 1 to 22. On flat faces
+// with sharp folds (groove, pit) it is exact where this is up to 0.03 mm off. For the bones it would save 0.4 s of the
+// second they take at start, make another body, and with it other depths, stiffnesses and forces.
 #include "palpate/mesh/decimate.h"
 
 #include <Eigen/LU>
@@ -264,7 +264,7 @@ class Decimator {
     Vec3 best = sum.best(middle, kHold);
     if (in_plane) best.x() = 0.0;
     if ((best - middle).squaredNorm() <= length2) return best;
-    // The optimum ran away: take the best of what is certainly near.
+    // The optimum ran away: use the best of the near candidates.
     best = middle;
     if (in_plane) best.x() = 0.0;
     for (const Index v : {a, b}) {

@@ -1,9 +1,9 @@
 // Triangles over the same vertices are found by sorting within the row of their lowest vertex and cancel each other,
-// one way against the other; opposite pairs that are left and hang together are one sheet, and how its rim meets the
-// rest of the surface says what becomes of it.
+// one way against the other; connected opposite pairs that are left are one sheet, whose fate depends on how its rim
+// meets the rest of the surface.
 //
-// A mesh whose every edge is used as often one way as the other is a cycle of simplicial homology, and taking away
-// a triangle together with its opposite leaves it one.
+// A mesh whose every edge is used as often one way as the other is a cycle of simplicial homology, and removing a
+// triangle together with its opposite leaves it one.
 #include "palpate/mesh/doubled_triangles.h"
 
 #include <algorithm>

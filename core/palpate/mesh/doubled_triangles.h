@@ -31,10 +31,11 @@ struct DoubledRemoved {
 
 /// Afterwards the triangles over three vertices all run the same way, and there is one of them, unless the edges around
 /// balance only with more (two bodies that share a part of their skin): then those stay, for `makeFans` to take apart.
-/// Where as many run one way as the other, the pair is a fin and goes altogether, unless it fills a hole of the surface
+/// With as many one way as the other, the pair is a fin and goes altogether, unless it fills a hole of the surface
 /// around it or everything in the mesh is given from both sides; then its first one stays.
 ///
-/// An edge that as many triangles used one way as the other keeps that balance, but where a first one of a pair stays.
+/// An edge that as many triangles used one way as the other keeps that balance, except where a first one of a pair
+/// stays.
 DoubledRemoved removeDoubled(TriangleMesh& mesh);
 
 }  // namespace palpate::mesh

@@ -46,8 +46,8 @@ std::vector<Page> pagesAt(const TriangleMesh& mesh, Index low, Index high, std::
   return pages;
 }
 
-/// Pages at one angle are put so that rising and falling ones alternate with what comes before: as many empty sectors
-/// as possible then lie between a rising page and a falling one.
+/// Pages at one angle are ordered so that rising and falling ones alternate with the one before: as many empty sectors
+/// as possible are then between a rising page and a falling one.
 void alternateEqualAngles(std::vector<Page>& pages) {
   bool wanted = !pages.back().rises;
   for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -99,7 +99,7 @@ class Joints {
   void joinAroundJoined(std::vector<Page>& pages) {
     std::erase_if(pages, [&](const Page& page) { return across_[page.half_edge] != kNoIndex; });
     std::vector<Index> open;
-    for (std::size_t round = 0; round < 2; ++round) {  // twice: a sector may lie across the angle where they begin
+    for (std::size_t round = 0; round < 2; ++round) {  // twice: a sector may cross the angle where they begin
       for (const Page& page : pages) {
         if (across_[page.half_edge] != kNoIndex) continue;
         if (page.rises) {
@@ -134,7 +134,7 @@ DisjointSets fansOfCorners(const std::vector<Index>& across) {
   return fans;
 }
 
-/// Gives every fan but the first of a vertex a copy of it.
+/// Copies a vertex for every fan but the first.
 std::size_t copyVertices(TriangleMesh& mesh, std::vector<Index>& source_vertex, const std::vector<Index>& across) {
   DisjointSets fans = fansOfCorners(across);
   const std::size_t before = mesh.positions.size();

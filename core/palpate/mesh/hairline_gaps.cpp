@@ -17,8 +17,8 @@ namespace palpate::mesh {
 
 namespace {
 
-/// Vertices that lie in the box of another part: the only ones that can be near one of its vertices. With many parts
-/// asking for each costs more than it spares.
+/// Vertices in the box of another part: the only ones that can be near one of its vertices. With many parts querying
+/// each costs more than it saves.
 std::vector<Index> besideOtherParts(const TriangleMesh& mesh, const Components& parts, double distance_mm) {
   constexpr Index kMaxBoxes = 64;
   std::vector<Eigen::AlignedBox3d> boxes(parts.count);

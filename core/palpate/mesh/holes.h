@@ -61,9 +61,9 @@ struct LoopTriangulation {
 std::optional<LoopTriangulation> triangulateLoop(std::span<const Vec3> loop,
                                                  const std::function<bool(Index, Index)>& allowed);
 
-// Cracks: border loops without width, where one side has vertices that the other does not know (T-junctions).
+// Cracks: border loops without width, where one side has vertices that the other lacks (T-junctions).
 //
-// `findHoles` asks for a plan before it thinks of filling; nothing is filled where sides can be joined.
+// `findHoles` requests a plan before any filling; nothing is filled where sides can be joined.
 
 /// Vertices to put on one side of a triangle, in the order in which the half-edge comes to them.
 struct SideSplit {
@@ -75,8 +75,8 @@ struct SideSplit {
 /// does not match each edge with its opposite. Time grows with the square of the loop.
 std::optional<std::vector<SideSplit>> planCrack(const TriangleMesh& mesh, const BorderLoop& loop, double width);
 
-/// Does it; no half-edge may come twice. Triangles that are split keep one piece in their place, the others come at the
-/// end.
+/// Executes it; no half-edge may occur twice. Triangles that are split keep one piece in their place, the others come
+/// at the end.
 void splitSides(TriangleMesh& mesh, std::vector<SideSplit> splits);
 
 /// A part is nearly closed when all its holes together have at most this share of its area: a round hole in a ball is
@@ -115,7 +115,7 @@ struct Holes {
   std::size_t other_open_edges = 0;
 
   std::size_t count(HoleFate fate) const;
-  /// There are holes, and none but small ones.
+  /// Whether there are holes, all of them small.
   bool nearlyClosed() const;
 };
 

@@ -82,16 +82,16 @@ int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 enum class Meeting : std::uint8_t { none, touches, pierces };
 
-/// False for an edge that lies in the plane of the triangle but for rounding: the pieces of a side that was split at
-/// many vertices are in line, and would all seem to touch each other's triangles.
+/// False for an edge in the plane of the triangle, up to rounding: the pieces of a side that was split at many vertices
+/// are in line, and would all seem to touch each other's triangles.
 bool leavesPlane(const Vec3& p, const Vec3& q, const std::array<const Vec3*, 3>& t) {
   constexpr double kFlat = 1e-9;  // height per length of the edge; rounding leaves 1e-15
   const Vec3 normal = areaVector2(*t[0], *t[1], *t[2]);
   return std::abs(normal.dot(q - p)) > kFlat * normal.norm() * (q - p).norm();
 }
 
-/// Sharing vertices is the caller's concern. The ends must lie clearly on both sides; the crossing point may lie on the
-/// border of the triangle, which is where the lattices of cubes and grids like to meet: then it touches.
+/// Sharing vertices is the caller's concern. The ends must be clearly on both sides; the crossing point may be on the
+/// border of the triangle, where the lattices of cubes and grids often meet: then it touches.
 Meeting meetingOf(const Vec3& p, const Vec3& q, const std::array<const Vec3*, 3>& t) {
   if (side(*t[0], *t[1], *t[2], p) * side(*t[0], *t[1], *t[2], q) >= 0) return Meeting::none;
   const std::array<int, 3> turns = {side(p, q, *t[0], *t[1]), side(p, q, *t[1], *t[2]), side(p, q, *t[2], *t[0])};

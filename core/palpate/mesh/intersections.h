@@ -25,10 +25,10 @@ struct Intersections {
   std::vector<Index> pierced_triangles;  ///< whose inside is met; ascending, each once
   std::vector<Index> touched_triangles;  ///< that edges meet which only touch; the same
   std::vector<Crossing> crossings;       ///< by edge, then by triangle
-  bool complete = true;  ///< false: so much overlaps that the search was given up; what was found until then is real
+  bool complete = true;  ///< false: the search was given up because of too many overlaps; the results so far are real
 };
 
-/// Edges whose ends lie clearly on both sides of a triangle that they cross. Ending on it and lying in its plane do not
+/// Edges whose ends are clearly on both sides of a triangle that they cross. Ending on it and being in its plane do not
 /// count. Indices must be within range and coordinates finite. About 1 us a triangle, less in a mesh in spatial order
 /// (reorder.h); memory 60 bytes a triangle.
 Intersections findIntersections(const TriangleMesh& mesh, const Progress& progress = {});

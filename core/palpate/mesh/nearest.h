@@ -16,7 +16,7 @@ Vec3 nearestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
 class NearestTriangle {
  public:
   struct Hit {
-    Index triangle = kNoIndex;  ///< in the mesh given; kNoIndex when nothing lies within reach
+    Index triangle = kNoIndex;  ///< in the mesh given; kNoIndex when nothing is within reach
     Vec3 point = Vec3::Zero();  ///< on that triangle
     double distance = std::numeric_limits<double>::infinity();
   };

@@ -1,4 +1,4 @@
-// Which way the open parts of a mesh face: a body with an opening is felt from its outside as a closed one is.
+// Orients the open parts of a mesh: a body with an opening is felt from its outside like a closed one.
 //
 // A part is connected across edges. An open one has no volume of its own; each of its border loops is closed in thought
 // by a fan to the loop's middle. Where these caps are small the part is a body with openings, and the sign of its
@@ -22,7 +22,7 @@ struct OpenParts {
 };
 
 /// The winding must be consistent within each part; `edges` must be those of the mesh as it is wound. Closed parts are
-/// left out (turnOutwards). Linear, but for parts inside others.
+/// left out (turnOutwards). Linear, except for parts inside others.
 OpenParts findOpenParts(const TriangleMesh& mesh, const EdgeUses& edges);
 
 }  // namespace palpate::mesh

@@ -4,8 +4,8 @@
 // Based on: Morton, "A computer oriented geodetic data base" (1966), interleaved bits; Bentley, "Multidimensional
 // binary search trees used for associative searching" (1975), median splits.
 //
-// Kept beside meshoptimizer 0.18 (Debian 12; the benchmark's back of 1,000,000 triangles in each order, one core, best
-// of four rounds that take turns; deform, search and blocks as `palpate study bench deform` has them, 37,634 vertices
+// Preferred to meshoptimizer 0.18 (Debian 12; the benchmark's back of 1,000,000 triangles in each order, one core, best
+// of four rounds that take turns; deform, search and blocks as in `palpate study bench deform`, 37,634 vertices
 // moved; box: mean diagonal of 64 consecutive vertices):
 //
 //                                                   sort, ms   box, mm   deform, ns   search, ns   blocks

@@ -1,4 +1,4 @@
-// The order of the steps, and what each of them is called in the report. The steps name their sources.
+// The order of the steps, and their names in the report. The steps name their sources.
 #include "palpate/mesh/repair.h"
 
 #include <fmt/format.h>
@@ -211,7 +211,7 @@ class Repairing {
   }
   void noteDropped(std::string what, std::size_t count) { note(std::move(what), count, -countOf(count)); }
 
-  /// Then what was measured of the mesh as given still holds; that spares a sound mesh a third of the time.
+  /// Then the measurements of the given mesh still hold; that saves a sound mesh a third of the time.
   bool untouched() const { return result_.actions.empty(); }
 
   SurfaceState finalState() const {

@@ -20,7 +20,7 @@ namespace palpate::mesh {
 /// Open parts to turn over in addition to those that are plainly inside out.
 enum class TurnOver : std::uint8_t {
   none,
-  doubtful,  ///< those of which validate says that they may be inside out
+  doubtful,  ///< those that validate reports as possibly inside out
   open       ///< every open part: a sheet that was given from its back
 };
 
@@ -39,7 +39,7 @@ struct RepairOptions {
   bool find_self_intersections = true;
 };
 
-/// One thing that was done, in plain words, e.g. {"opposite pairs of triangles removed (fins without thickness)", 12}.
+/// One action, in plain words, e.g. {"opposite pairs of triangles removed (fins without thickness)", 12}.
 struct RepairAction {
   std::string what;
   std::size_t count = 0;
@@ -55,7 +55,7 @@ struct RepairResult {
   std::vector<RepairAction> actions;
   /// Warnings to read before the result is trusted, e.g. that something closed was opened.
   std::vector<std::string> warnings;
-  /// As given (without what cannot be used at all, but for the number of triangles and vertices), and as it is now.
+  /// As given (without unusable parts, except for the number of triangles and vertices), and as it is now.
   SurfaceState before;
   SurfaceState after;
   std::size_t components = 0;

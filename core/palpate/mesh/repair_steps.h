@@ -18,7 +18,7 @@ namespace palpate::mesh {
 inline constexpr double kHairlineShare = 1e-4;
 
 struct HairlineGaps {
-  /// For each vertex the one that takes its place, or itself: those of the walls are made one across the gap.
+  /// The replacement of each vertex, or itself: those of the walls are merged across the gap.
   std::vector<Index> same_as;
   std::vector<bool> is_wall;  ///< per triangle: to be dropped
   std::size_t walls = 0;
@@ -33,7 +33,7 @@ HairlineGaps findHairlineGaps(const TriangleMesh& mesh, double distance_mm);
 //
 // A finger walks over edges and around vertices; it never meets an edge with a choice of neighbours. Where several
 // sheets touch in an edge, each face is joined with the next one on its front side: the one that bounds the same empty
-// sector, which is where the finger is. Then vertices are copied so that indices say the same as the joints.
+// sector, which is where the finger is. Then vertices are copied so that indices agree with the joints.
 
 struct FansMade {
   std::size_t non_manifold_edges = 0;  ///< more than two triangles: resolved by angle

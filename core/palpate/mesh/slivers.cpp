@@ -15,7 +15,7 @@ namespace palpate::mesh {
 
 namespace {
 
-/// Each pass takes out all slivers that do not touch each other. Real meshes need one to three.
+/// Each pass removes all slivers that do not touch each other. Real meshes need one to three.
 constexpr int kMaxPasses = 16;
 /// Sewing splits neighbours; a book of many pages with many slivers in its spine could grow without end.
 constexpr std::size_t kMaxGrowth = 2;
@@ -34,7 +34,7 @@ std::size_t longestEdge(const TriangleMesh& mesh, const Triangle& t) {
   return longest;
 }
 
-/// `first` keeps naming the same triangle.
+/// `first` stays at the same triangle.
 std::size_t dropRepeatedCorners(TriangleMesh& mesh, Index& first) {
   const auto middle = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first);
   const auto dropped_before = std::count_if(mesh.triangles.begin(), middle, hasRepeatedCorner);
@@ -61,8 +61,7 @@ std::size_t collapseShortEdges(TriangleMesh& mesh, double height, Index& first) 
   return dropRepeatedCorners(mesh, first);
 }
 
-/// Takes out flat slivers: each other triangle at the long edge is split at the sliver's third corner, which lies on
-/// it.
+/// Removes flat slivers: each other triangle at the long edge is split at the sliver's third corner, which is on it.
 class Sewing {
  public:
   Sewing(TriangleMesh& mesh, double height, std::size_t most_triangles)
@@ -117,7 +116,7 @@ class Sewing {
     mesh_.triangles.push_back({middle, b, c});
   }
 
-  /// Marked by a repeated corner; taken out at the end of the pass, so that indices stay what they are.
+  /// Marked by a repeated corner; removed at the end of the pass, so that indices stay valid.
   void erase(Index t) {
     touched_[t] = true;
     mesh_.triangles[t] = {0, 0, 0};

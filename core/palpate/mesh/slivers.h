@@ -1,4 +1,4 @@
-// Triangles without height: found for `validate`, taken out by `repair` without leaving a slit.
+// Triangles without height: found for `validate`, removed by `repair` without leaving a slit.
 //
 // A sliver has no usable normal: a folded one points backwards although its winding is right. Dropping it would leave a
 // hairline border on which the finger's walk stops, so it is collapsed or its neighbours are sewn together instead.
@@ -10,7 +10,7 @@
 
 namespace palpate::mesh {
 
-/// Heights up to this share of the diagonal of the used vertices' box count as none: about 1e6 times the rounding of a
+/// Heights up to this share of the diagonal of the used vertices' box count as zero: about 1e6 times the rounding of a
 /// double, and a thousand times finer than the smallest feature of a mesh stored in floats.
 inline constexpr double kSliverShare = 1e-9;
 
@@ -29,8 +29,8 @@ struct SliversRemoved {
 /// Takes out every sliver. No vertex moves, some are merged; positions stay as they are (unused ones too).
 SliversRemoved removeSlivers(TriangleMesh& mesh);
 
-/// Takes out triangles from `first` on that are lower than `height` mm, the same way, and what is cut off their
-/// neighbours. Those that cannot be taken out stay.
+/// Removes triangles from `first` on that are lower than `height` mm, the same way, and the parts that they cut off
+/// their neighbours. Those that cannot be removed stay.
 void sewCracks(TriangleMesh& mesh, Index first, double height);
 
 }  // namespace palpate::mesh

@@ -1,5 +1,5 @@
-// The texture of one mesh on another mesh of the same surface: each corner asks for the nearest place of the textured
-// one and takes its barycentric shares there. Load time, after repair and reordering (scene/skin_texture.cpp).
+// The texture of one mesh on another mesh of the same surface: each corner looks up the nearest place of the textured
+// one and uses its barycentric shares there. Load time, after repair and reordering (scene/skin_texture.cpp).
 #include "palpate/mesh/textured_mesh.h"
 
 #include "palpate/mesh/nearest.h"
@@ -13,7 +13,7 @@ namespace {
 /// picture is out of place by no more than this share of a triangle.
 constexpr double kInwards = 0.01;
 
-/// Shares of the corners in the point of the triangle that is nearest to p; none is negative.
+/// Shares of the corners in the point of the triangle that is nearest to p; never negative.
 Vec3 sharesAt(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 nearest = nearestOnTriangle(p, a, b, c);
   const Vec3 normal = areaVector2(a, b, c);
@@ -35,7 +35,7 @@ class TextureLookup {
   }
 
  private:
-  /// Nearly every corner lies on the surface: a small reach finds it several times faster.
+  /// Nearly every corner is on the surface: a small reach finds it several times faster.
   static double nearReach(const TriangleMesh& mesh) {
     constexpr double kOfDiagonal = 1e-4;
     return kOfDiagonal * boundingBox(mesh).diagonal().norm();

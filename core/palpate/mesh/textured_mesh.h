@@ -23,12 +23,12 @@ using TextureCorners = std::array<TexturePlace, 3>;
 /// A surface with its picture: triangles share vertices only where the picture is continuous.
 struct TexturedMesh {
   TriangleMesh mesh;                 ///< mm, every triangle usable
-  std::vector<TexturePlace> places;  ///< a vertex each
+  std::vector<TexturePlace> places;  ///< one per vertex
 };
 
-/// Where the corners of another mesh of this surface lie in its picture: those of the nearest textured triangle. Each
-/// corner is looked up a little inside its own triangle, so that on a seam it gets its own side. One entry a triangle
-/// of `mesh`. `textured` must have triangles. About 3 us a triangle.
+/// The corners of another mesh of this surface in its picture: those of the nearest textured triangle. Each corner is
+/// looked up a little inside its own triangle, so that on a seam it gets its own side. One entry per triangle of
+/// `mesh`. `textured` must have triangles. About 3 us a triangle.
 std::vector<TextureCorners> textureOn(const TriangleMesh& mesh, const TexturedMesh& textured,
                                       const Progress& progress = {});
 

@@ -1,7 +1,8 @@
-// Who is next to whom: compressed adjacency of a triangle mesh.
+// Neighbourhood of triangles and vertices: compressed adjacency of a triangle mesh.
 //
 // Built once at load from TriangleMesh; read by normals, repair, contact (triangle -> triangles) and deform (rings).
-// All of it is linear in the number of triangles but for short sorts within one vertex. Indices must be within range.
+// All of it is linear in the number of triangles except for short sorts within one vertex. Indices must be within
+// range.
 #pragma once
 
 #include <span>

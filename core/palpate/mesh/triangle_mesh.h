@@ -1,4 +1,4 @@
-// The triangle surface that every other room works on.
+// The triangle surface that all other code works on.
 #pragma once
 
 #include <vector>

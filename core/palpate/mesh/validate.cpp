@@ -22,7 +22,7 @@ namespace palpate::mesh {
 
 namespace {
 
-/// The triangles that geometry can be computed with, and which triangle of the whole mesh each of them is.
+/// The geometrically valid triangles, and their indices in the whole mesh.
 struct Sound {
   TriangleMesh mesh;
   std::vector<Index> original;
@@ -177,7 +177,7 @@ void checkOpenParts(const Sound& sound, const EdgeUses& edges, ValidationReport&
   for (const std::vector<Index>& part : open.doubtful) found.doubtful_parts.add(sound.original[part[0]]);
 }
 
-/// Closed parts among others: the volume of all together says nothing of one.
+/// Closed parts among others: the total volume does not show a single one's.
 void checkClosedParts(const Sound& sound, const EdgeUses& edges, ValidationReport& found) {
   if (found.inconsistent_edges.count > 0 || found.components < 2) return;
   TriangleMesh turned = sound.mesh;

@@ -27,7 +27,7 @@ std::uint64_t mixed(std::uint64_t hash, double coordinate) {
 
 std::uint64_t hashOf(const Vec3& p) { return mixed(mixed(mixed(0, p.x()), p.y()), p.z()); }
 
-/// Vertices in cubic cells as wide as the distance: what is near lies in the cell or one of its 26 neighbours.
+/// Vertices in cubic cells as wide as the distance: neighbours are in the cell or one of its 26 neighbours.
 class CellLists {
  public:
   CellLists(const std::vector<Vec3>& positions, double distance_mm)
@@ -90,7 +90,7 @@ void ExactWelder::grow() {
   }
 }
 
-/// Where this finite position is, or the free slot where it belongs.
+/// The slot of this finite position, or the free slot for it.
 std::size_t ExactWelder::slotOf(const Vec3& position) const {
   const std::size_t mask = slots_.size() - 1;
   std::size_t slot = hashOf(position) & mask;

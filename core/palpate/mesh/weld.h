@@ -31,7 +31,7 @@ class ExactWelder {
   std::vector<Index> slots_;  // power of two; kNoIndex = free
 };
 
-/// For each vertex the vertex that takes its place: itself, or an earlier one at the same coordinates.
+/// The replacement of each vertex: itself, or an earlier one at the same coordinates.
 std::vector<Index> equalVertices(const std::vector<Vec3>& positions);
 
 /// The same for vertices nearer than `distance_mm` > 0 to an earlier one that stays: no vertex moves by more.

@@ -70,7 +70,7 @@ void flip(Triangle& t) { std::swap(t[1], t[2]); }
 
 // --- outwards ---
 
-/// Which triangles are turned together, and whether each of these units is closed: a closed patch, or what is left of a
+/// Triangles that are turned together, and whether each of these units is closed: a closed patch, or the rest of a
 /// closed part without its closed patches.
 struct Units {
   std::vector<Index> of_triangle;
@@ -106,8 +106,7 @@ bool anyNonManifoldEdge(const EdgeUses& edges) {
   return any;
 }
 
-/// Patches that only a whole part closes are one unit: each of them alone has no inside, and turning one would open the
-/// part.
+/// Patches that only a whole part closes are one unit: each of them has no inside, and turning one would open the part.
 Units findUnits(const TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches) {
   Units units{patches.of_triangle, patches.count, closedGroups(mesh, edges, patches.of_triangle, patches.count)};
   if (!anyNonManifoldEdge(edges)) return units;
@@ -135,7 +134,7 @@ double volumeOf(const TriangleMesh& mesh, std::span<const Index> triangles, cons
   return six_times / 6.0;
 }
 
-/// Closed units with their boxes: who lies inside whom.
+/// Closed units with their boxes, to find which is inside which.
 class ClosedParts {
  public:
   ClosedParts(const TriangleMesh& mesh, const IndexRows& triangles, const std::vector<bool>& closed)
@@ -163,7 +162,7 @@ class ClosedParts {
   }
 
   /// Whether the whole mesh, as it is wound, has its outside in front of the unit and its inside behind: the wall of a
-  /// hollow, also of one that several units enclose together (voxels that meet in edges).
+  /// hollow, even of one that several units enclose together (voxels that meet in edges).
   bool isSoundWall(Index unit) {
     const Index t = triangles_[unit][0];
     const auto& [a, b, c] = mesh_.triangles[t];

@@ -16,7 +16,7 @@ struct Patches {
   std::vector<Index> of_triangle;
   Index count = 0;
   std::vector<bool> flipped;   ///< per triangle: winding disagrees with the majority of its patch
-  std::size_t seam_edges = 0;  ///< edges that stay inconsistent whatever is flipped: the patch is one-sided
+  std::size_t seam_edges = 0;  ///< edges that stay inconsistent under any flips: the patch is one-sided
 };
 
 /// Breadth first from the lowest triangle of each patch; the mesh is not changed.

@@ -1,7 +1,7 @@
-// Mesh files a stranger may hand us -> TriangleMesh: OBJ, STL (binary and text), PLY, OFF, glTF and GLB.
+// Users' mesh files -> TriangleMesh: OBJ, STL (binary and text), PLY, OFF, glTF and GLB.
 //
 // First step of the load path: load -> validate / repair -> contact, deform. Every reader bounds its memory by the size
-// of the file and answers a malformed one with a single Error that names the file and the place in it.
+// of the file and refuses a malformed one with a single Error that names the file and the place in it.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,17 @@
 
 namespace palpate::mesh {
 
-/// `foreign`: whatever else assimp reads, see LoadOptions::allow_foreign.
+/// `foreign`: any other format of assimp, see LoadOptions::allow_foreign.
 enum class Format : std::uint8_t { obj, stl, ply, off, gltf, glb, foreign };
 
-/// By its extension, of the formats that are read without assimp: scan.obj, scan.STL, ...
+/// Judges by the extension, for formats that are read without assimp: scan.obj, scan.STL, ...
 bool isMeshFile(const std::filesystem::path& file);
 
 struct LoadOptions {
-  /// Millimetres per unit of the file. 0 = what the format says: glTF and GLB are in metres (1000), the others in
-  /// millimetres (1).
+  /// Millimetres per unit of the file. 0 = the format's: glTF and GLB are in metres (1000), the others in millimetres
+  /// (1).
   double unit_mm = 0.0;
-  /// Only the faces of this OBJ group or object (`g`, `o`); empty = all. Vertices that no kept face uses are left out.
+  /// Only the faces of this OBJ group or object (`g`, `o`); empty = all. Unused vertices are left out.
   std::string group = std::string();
   /// Vertices at equal coordinates become one. Unset = what the format needs: OBJ, PLY and OFF share vertices by
   /// themselves and are left alone, all others are welded.
@@ -53,7 +53,7 @@ TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options 
 TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_view name,
                             const LoadOptions& options = {}, const Progress& progress = {});
 
-/// A surface and what its file says of each vertex besides.
+/// A surface and the file's further data per vertex.
 struct MeshWithChannels {
   TriangleMesh mesh;
   VertexChannels channels;
@@ -83,8 +83,8 @@ TexturedMesh loadTextured(const std::filesystem::path& file, const LoadOptions& 
 TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::string_view name,
                                     const LoadOptions& options = {}, const Progress& progress = {});
 
-/// The picture (the bytes of a PNG or JPEG file) that a glTF or GLB file gives its first triangles with a base colour;
-/// empty when it has none. Throws Error.
+/// The picture (the bytes of a PNG or JPEG file) of the first triangles with a base colour in a glTF or GLB file; empty
+/// when it has none. Throws Error.
 std::string basePictureOf(const std::filesystem::path& file);
 
 /// Files next to it or in folders below that a glTF or GLB file needs: buffers and pictures; none for other formats.

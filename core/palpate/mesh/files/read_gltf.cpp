@@ -53,7 +53,7 @@ bool isKnown(std::string_view extension) {
   return isAmong(kKnownExtensions, extension) || std::any_of(kKnownFamilies.begin(), kKnownFamilies.end(), begins);
 }
 
-/// Before anything is read: what a file of another version or with an extension holds means nothing without it.
+/// Call it first: a file of another version or with an unknown extension cannot be interpreted.
 void checkNeeds(JsonValue root) {
   const JsonValue asset = root["asset"];
   for (const char* name : {"version", "minVersion"}) {
@@ -72,11 +72,11 @@ void checkNeeds(JsonValue root) {
   }
 }
 
-/// Where glTF puts the picture's coordinates (KHR_texture_transform).
+/// The transform of the picture's coordinates (KHR_texture_transform).
 Eigen::Affine2f placingOf(JsonValue base_colour) {
   const JsonValue transform = base_colour["extensions"]["KHR_texture_transform"];
   const JsonValue turn = transform["rotation"];
-  // v points down: a turn that is counter-clockwise as it is written here is what the extension's matrix says.
+  // v points down: a counter-clockwise turn in this notation is the extension's matrix.
   const double angle = turn ? turn.number() : 0.0;
   const double sine = elementary::sin(angle);
   const double cosine = elementary::cos(angle);
@@ -153,7 +153,7 @@ class GltfReader {
     if (unnamed > 0) file_.passed_over.leaveOut("meshes that no node shows", static_cast<std::size_t>(unnamed));
   }
 
-  /// A primitive as the file holds it, before anything moves it.
+  /// A primitive as stored in the file, before any transform.
   struct Primitive {
     JsonValue where;
     int mode = kTriangles;
@@ -170,7 +170,7 @@ class GltfReader {
     for (const Primitive& primitive : *primitives_[mesh]) {
       const std::vector<Vec3> morphed = morphedBy(weights, primitive);
       if (const JsonValue skin = node["skin"]) {
-        // The node of a skinned mesh moves nothing: its joints say where it is (section 3.7.3.3).
+        // The node of a skinned mesh has no effect: its joints place it (section 3.7.3.3).
         addSkinned(primitive, morphed, pose_.jointsOf(skin, accessors_));
         continue;
       }

@@ -107,8 +107,8 @@ class ObjReader {
     texture_.emplace_back(u, v.empty() ? 0.0f : static_cast<float>(numberOrNone(v)));
   }
 
-  /// The line of a group or object: several names, or one with blanks in it. Groups go on through objects, and objects
-  /// through groups.
+  /// The line of a group or object: several names, or one with blanks in it. Groups continue through objects, and
+  /// objects through groups.
   bool namesTheGroup() {
     bool is_named = text_.restOfLine() == file_.options.group;
     for (auto name = text_.nameWord(); !name.empty(); name = text_.nameWord()) {

@@ -63,7 +63,7 @@ std::optional<OffHead> headOf(std::string_view word) {
 OffHead readHead(TextReader& text) {
   const auto word = wordOfHead(text);
   const auto head = headOf(word);
-  // Geomview's description lets the word away.
+  // Geomview's description allows leaving out the word.
   if (!head && word.find_first_not_of("0123456789") == std::string_view::npos) return {word, false};
   if (!head) text.fail(fmt::format("'OFF' is expected, not '{}'", shown(word)));
   const std::string_view letters = word.substr(0, word.size() - head->count.size());

@@ -2,7 +2,7 @@
 // `tristrips`, and on request the colours and numbers of the vertices.
 //
 // Everything else in the file is passed over as its header declares it; other elements are reported. The header's
-// counts are never trusted: memory is taken for what the bytes that are left can hold.
+// counts are never trusted: memory is bounded by the remaining bytes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,11 +56,11 @@ struct Property {
 
 struct Element {
   std::string_view name;
-  std::uint64_t count = 0;  // as the header says; checkCount compares it with what the file can hold
+  std::uint64_t count = 0;  // from the header; checkCount compares it with the size of the file
   std::vector<Property> properties;
 };
 
-/// Blank bytes before the word "ply" that are looked over.
+/// Blank bytes before the word "ply" that are skipped.
 constexpr std::size_t kLongestBeginning = 64;
 
 struct Header {
@@ -70,7 +70,7 @@ struct Header {
 
 // --- header ---
 
-/// In text a type says nothing that the digits do not say, so an unknown one is a number.
+/// In text the digits suffice, so an unknown type is a number.
 Type readType(TextReader& text, std::string_view word, Encoding encoding) {
   const auto* found =
       std::find_if(kTypeNames.begin(), kTypeNames.end(), [&](const auto& t) { return isWord(word, t.name); });
@@ -230,7 +230,7 @@ class BinaryValues {
 
 // --- what else a vertex has ---
 
-/// Where a row of the vertices has its colour, and what full light is.
+/// Columns of the colour in a row of the vertices, and the value of full light.
 struct ColourColumns {
   std::array<std::size_t, 3> columns{};
   double full = 255.0;
@@ -349,7 +349,7 @@ class BodyReader {
   }
 
  private:
-  /// An element takes at least these bytes, so a header that lies is found before anything is read.
+  /// An element takes at least these bytes, so a false header is found before anything is read.
   void checkCount(const Element& element) const {
     std::size_t least = 0;
     for (const Property& p : element.properties) least += Values::leastBytes(p.is_list ? p.count_type : p.type);

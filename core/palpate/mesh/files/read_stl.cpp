@@ -2,7 +2,7 @@
 //
 // A file is binary when its length is what its own count promises (84 + 50 per triangle), even if it starts with
 // "solid" as many binary files do; otherwise it is text when it starts with "solid" or "facet", in capitals or not, and
-// holds no byte that no text has where a binary file has its first triangles; otherwise it is binary. Bytes behind the
+// has no byte that cannot be text where a binary file has its first triangles; otherwise it is binary. Bytes behind the
 // promised triangles are passed over, which is reported; fewer than promised are refused.
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kCountOffset = 80;
 constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kTriangleBytes = 50;  // normal, three corners, two bytes of attributes
-constexpr std::size_t kCornersOffset = 12;  // the normal is not read: the winding says it better
+constexpr std::size_t kCornersOffset = 12;  // the normal is not read: the winding is more reliable
 constexpr std::size_t kTrianglesPerReport = std::size_t{1} << 17;
 /// Shortest text of a triangle: "facet normal 0 0 0 outer loop" and so on, well below what any writer makes.
 constexpr std::size_t kMinTextBytes = 80;
@@ -37,7 +37,7 @@ bool looksLikeText(std::string_view bytes) {
          });
 }
 
-/// More than 32 bits hold, when the count is a lie.
+/// May exceed 32 bits, when the count is false.
 std::uint64_t promisedBytes(std::string_view bytes) {
   return kHeaderBytes + kTriangleBytes * std::uint64_t{numberFromBytes<std::uint32_t>(bytes.data() + kCountOffset)};
 }
@@ -159,7 +159,7 @@ class TextStl {
     }
   }
 
-  /// The words behind "facet" up to "endfacet". The format knows triangles alone; others are taken as they are.
+  /// The words behind "facet" up to "endfacet". The format has triangles only; others are accepted.
   void readFacet() {
     const std::size_t line = text_.line();
     passOverNormal();

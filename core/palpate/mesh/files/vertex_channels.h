@@ -16,7 +16,7 @@ struct VertexScalar {
   std::vector<float> values;
 };
 
-/// A number that each polygon of a file has. Surfaces carry numbers of vertices alone: only what it spans is kept.
+/// One number per polygon of a file. Surfaces have numbers per vertex only: just its range is kept.
 struct FaceScalar {
   std::string name;
   double least = 0.0;

@@ -1,5 +1,5 @@
 // The binary side of glTF, behind readGltf: the GLB container, buffers inside and outside of the file, accessors into
-// them, and the picture that lies in one.
+// them, and the embedded picture.
 //
 // Every offset, stride and length of the JSON is checked against the bytes that are really there before anything is
 // read. Based on: Khronos Group, glTF 2.0 specification, sections 3.6 (buffers, accessors) and 4 (GLB).
@@ -46,9 +46,9 @@ class GltfAccessors {
   /// A SCALAR of unsigned whole numbers.
   std::vector<Index> indices(JsonValue accessor_index);
   std::string_view bytesOfView(JsonValue view_index);
-  /// No bytes are said to hold it: all zero, but for what a sparse accessor or an extension gives.
+  /// Without bytes of its own: all zero, except for a sparse accessor's or an extension's data.
   bool isWithoutView(JsonValue accessor_index) const { return !accessorAt(accessor_index).view; }
-  /// How many items may be made of the file and the buffers read so far.
+  /// Limit of items for the file and the buffers read so far.
   std::size_t mostItems() const { return 1000 + kMaxGltfItemsPerByte * bytes_; }
 
  private:
@@ -64,7 +64,7 @@ class GltfAccessors {
     JsonValue length;
     JsonValue offset;
     JsonValue stride;
-    std::string_view compression;  // the extension that has packed it; empty: none
+    std::string_view compression;  // the extension that has packed it; empty: not packed
   };
   struct Accessor {
     JsonValue where;
@@ -76,7 +76,7 @@ class GltfAccessors {
     bool normalised;
     JsonValue sparse;
   };
-  /// Checked: count elements of this component type lie within the file.
+  /// Checked: count elements of this component type are within the file.
   struct Elements {
     const char* data;
     std::size_t count;
@@ -104,14 +104,14 @@ class GltfAccessors {
   std::size_t bytes_;
 };
 
-// The picture that a glTF file gives its surface: the base colour of a material.
+// The picture of a glTF file's surface: the base colour of a material.
 
-/// The `baseColorTexture` of each material, or none: looked up once, however many primitives refer to one material.
+/// The `baseColorTexture` of each material, or null: looked up once, however many primitives refer to one material.
 std::vector<JsonValue> baseColours(JsonValue root);
-/// That of a primitive's material, or none.
+/// That of a primitive's material, or null.
 JsonValue baseColourOf(const std::vector<JsonValue>& base_colours, JsonValue primitive);
 
-/// The image file of the first primitive in the file that has a base colour; empty when none has. Throws Error.
+/// The image file of the file's first primitive with a base colour; empty without one. Throws Error.
 std::string readGltfPicture(const MeshFile& file);
 
 /// Files that its buffers and images are in. Throws Error.

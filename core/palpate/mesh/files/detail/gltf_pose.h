@@ -1,4 +1,4 @@
-// Where a glTF file puts its meshes: the tree of nodes, and the joints that carry a skinned mesh.
+// The poses of a glTF file's meshes: the tree of nodes, and the joints that move a skinned mesh.
 //
 // Based on: Khronos Group, glTF 2.0 specification, 3.5 (scenes, nodes) and 3.7.3 (skins).
 #pragma once

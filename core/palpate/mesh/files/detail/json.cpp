@@ -193,7 +193,7 @@ class JsonParser {
     return Kind::number;
   }
 
-  /// parseNumber also takes "inf", "nan", a plus sign, zeros in front and a bare point; JSON does not (section 6).
+  /// parseNumber also accepts "inf", "nan", a plus sign, zeros in front and a bare point; JSON does not (section 6).
   static bool isNumber(std::string_view word) {
     if (word.starts_with('-')) word.remove_prefix(1);
     if (word.size() > 1 && word[0] == '0' && isDigit(word[1])) return false;

@@ -40,9 +40,9 @@ class JsonDocument {
   /// An array is followed by its values, an object by its keys and values in turn.
   struct Node {
     Kind kind;
-    std::uint32_t position;  // of its first byte in the text
+    std::uint32_t position;  // its first byte in the text
     std::uint32_t size;      // bytes of text of a scalar (a string's without its quotes); values in an array or object
-    std::uint32_t end;       // the node behind it and all it holds
+    std::uint32_t end;       // the node after it and its contents
   };
 
   std::string_view text_;
@@ -50,15 +50,15 @@ class JsonDocument {
   std::vector<Node> nodes_;
 };
 
-/// One value of a document, or none (a missing member). Small, copied freely, valid as long as its document.
+/// One value of a document, or null (a missing member). Small, copied freely, valid as long as its document.
 class JsonValue {
  public:
   JsonValue() = default;
   explicit operator bool() const { return document_ != nullptr; }
 
-  /// The member of this object with that name; none when it is missing or this is none. Fails unless this is an object.
+  /// The member of this object with that name; null when it is missing or this is null. Fails unless this is an object.
   JsonValue operator[](std::string_view name) const;
-  /// The values of this array; empty for none. Fails unless this is an array.
+  /// The values of this array; empty for null. Fails unless this is an array.
   std::vector<JsonValue> items() const;
 
   double number() const;

@@ -1,10 +1,10 @@
-// A sweep from left to right (of equal x from below upwards). Between two neighbouring sides that the sweep line meets
-// lies a stretch; one within the outline keeps a chain of places, from the lower side to the upper one, that is the
+// A sweep from left to right (at equal x from below upwards). Between two neighbouring sides on the sweep line there is
+// a stretch; one within the outline keeps a chain of places, from the lower side to the upper one, that is the
 // front of what has been cut so far. The place that the sweep reaches is joined with the visible places of the chains
 // next to it.
 //
-// Sides that lie on each other are one with the sum of their directions, and are nothing where that is zero: bridges
-// vanish. A place on a side divides it.
+// Sides on top of each other are one with the sum of their directions, and vanish where that is zero, as bridges do. A
+// place on a side divides it.
 //
 // Based on: Hertel, Mehlhorn, "Fast triangulation of simple polygons" (1983), the chains; Shamos, Hoey, "Geometric
 // intersection problems" (1976): sides that cross are neighbours before.
@@ -179,7 +179,7 @@ class Sweep {
     return true;
   }
 
-  /// p lies within the stretch: the chain becomes one that ends in p (`chain`) and one that starts there (returned).
+  /// p is within the stretch: the chain becomes one that ends in p (`chain`) and one that starts there (returned).
   Chain divide(Chain& chain, Index p) {
     Index down = chain.latest;
     Index up = chain.latest;
@@ -223,7 +223,7 @@ class Sweep {
     return startSides(next, p, below, bottom, top);
   }
 
-  /// Takes the sides that p lies on from the line; those that go on start again.
+  /// Removes the sides through p from the line; those that continue start again.
   bool endSides(Line::iterator& next, Index p, Stretch& top) {
     while (next != line_.end() && turnAt(*next, p) == 0) {
       const Side side = sides_[*next];
@@ -273,8 +273,8 @@ class Sweep {
            (next == line_.end() || !cross(starting_.back(), *next));
   }
 
-  /// Sides that start at p, from below upwards; of those that lie on each other the shortest, with what all of them
-  /// turn. The others go on from its end.
+  /// Sides that start at p, from below upwards; of those on top of each other the shortest, with the sum of their
+  /// turns. The others continue from its end.
   void uniteStarting(Index p) {
     std::sort(starting_.begin(), starting_.end(), [&](Index a, Index b) {
       const int sign = turn(p, sides_[a].right, sides_[b].right);

@@ -1,8 +1,8 @@
 // The area within a plane outline -> triangles over its own corners.
 //
-// Any simple outline, and what modellers write for one with holes: a bridge from the rim to each hole that the outline
-// runs to and fro. Corners at one place, corners on another side and sides that lie on each other are taken as they
-// are. n corners take n log n time. Every decision is an exact sign, so the result is the same with every compiler.
+// Any simple outline, and modellers' form of one with holes: a bridge from the rim to each hole that the outline runs
+// to and fro. Corners at one place, corners on another side and sides on top of each other are allowed. O(n log n) for
+// n corners. Every decision is an exact sign, so the result is the same with every compiler.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // A log of what a reader passed over in a file, reported once per kind: where first, and how often.
 //
-// A fault that takes nothing from the surface never decides about the file, in any format.
+// Faults that do not change the surface never make a file fail, in any format.
 #pragma once
 
 #include <cstddef>

@@ -22,7 +22,7 @@ namespace {
 
 /// A surface of least area costs the cube of its corners.
 constexpr std::size_t kMostGuessed = 64;
-/// Corners that deviate from a line by less than this share of its length lie on it.
+/// Corners that deviate from a line by less than this share of its length are on it.
 constexpr double kFlat = 1e-12;
 
 bool allAreUsable(std::span<const Index> polygon, const std::vector<Vec3>& positions) {

@@ -39,9 +39,9 @@ class PolygonList {
   void dropOpen() { corners_.resize(polygons_.empty() ? 0 : polygons_.back().end); }
   bool empty() const { return polygons_.empty(); }
 
-  /// Cuts all polygons into `mesh.triangles`; of fewer than three corners there is nothing to cut, which is noted in
-  /// `passed_over` as is what was guessed. Throws Error at the place of the first one with a wrong index, unless those
-  /// are to be kept, and of one that cannot be cut.
+  /// Cuts all polygons into `mesh.triangles`; those of fewer than three corners are noted in `passed_over`, and so are
+  /// guesses. Throws Error at the place of the first one with a wrong index, unless those are to be kept, and of one
+  /// that cannot be cut.
   void cut(TriangleMesh& mesh, const FileCounting& counting, bool keep_wrong_indices, PassedOver& passed_over) const;
 
  private:

@@ -1,4 +1,4 @@
-// One reader a file format, behind `load`. Each takes the whole file in memory and returns units of the file.
+// One reader per file format, behind `load`. Each gets the whole file in memory and returns units of the file.
 #pragma once
 
 #include <filesystem>
@@ -17,12 +17,12 @@ struct MeshFile {
   std::string_view name;  ///< for messages
   const LoadOptions& options;
   const Progress& progress;
-  std::filesystem::path folder;  ///< where files lie that this one refers to; empty: there are none
+  std::filesystem::path folder;  ///< folder of the files that it refers to; empty: none
   PassedOver& passed_over;       ///< receives what a reader leaves out
 };
 
-/// Asked for `places`, the readers of formats with texture note a place in the picture for each vertex, not finite
-/// where there is none; the mesh then shares no vertex where the texture does not go on.
+/// Given `places`, the readers of formats with texture note a place in the picture for each vertex, or NaN; the mesh
+/// then shares no vertex where the texture is discontinuous.
 using TexturePlaces = std::vector<TexturePlace>;
 
 TriangleMesh readObj(const MeshFile& file, TexturePlaces* places = nullptr);
@@ -43,9 +43,9 @@ void useForeignReader(ForeignReader reader);
 /// No texture here.
 inline TexturePlace noTexturePlace() { return TexturePlace::Constant(std::numeric_limits<float>::quiet_NaN()); }
 
-/// The format of a file by its first bytes, else by its extension. Throws Error when it is none that can be read.
+/// The format of a file by its first bytes, else by its extension. Throws Error when it cannot be read.
 Format formatOf(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign);
-/// Reads the file and calls use(MeshFile, Format); what it gives lives no longer than the call. Throws Error.
+/// Reads the file and calls use(MeshFile, Format); both live only during the call. Throws Error.
 template <class Use>
 auto withMeshFile(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress,
                   const Use& use) {

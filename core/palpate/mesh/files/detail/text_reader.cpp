@@ -80,7 +80,7 @@ std::string_view TextReader::restOfLine() const {
 }
 
 bool TextReader::nextLine() {
-  // A comment ends with its line: "# C:\scans\" takes nothing of the next one.
+  // A comment ends with its line: "# C:\scans\" does not continue.
   bool in_comment = false;
   for (bool between_words = true; position_ < text_.size() && !isLineEnd(text_[position_]);) {
     const char c = text_[position_];

@@ -14,7 +14,7 @@ namespace palpate::mesh {
 
 /// A format's rules besides words and lines.
 struct TextRules {
-  char comment = '\0';     ///< a word that begins with it and the rest of its line say nothing; '\0': there is none
+  char comment = '\0';     ///< starts a comment that ends with the line, at the begin of a word; '\0': none
   bool continues = false;  ///< a backslash at the end of a line, glued to a word or not: the next line continues it
 };
 
@@ -26,7 +26,7 @@ class TextReader {
 
   /// The next word of this line; empty at its end or where a comment begins.
   std::string_view word();
-  /// The next word of this line, be it a comment elsewhere: a name.
+  /// The next word of this line, even where a comment would begin: a name.
   std::string_view nameWord();
   /// The next word in this line or a later one; empty at the end of the text.
   std::string_view wordAnywhere();
@@ -34,7 +34,7 @@ class TextReader {
   std::string_view restOfLine() const;
   /// To the start of the next line; false when there is none.
   bool nextLine();
-  /// To the next line that holds a word; false when there is none.
+  /// To the next line with a word; false when there is none.
   bool nextFilledLine();
 
   /// A number from a word; `what` names it in the message. Windows' older spellings of "not a number" (-1.#IND,
@@ -53,7 +53,7 @@ class TextReader {
 
  private:
   std::string_view wordUpTo(char comment);
-  /// Behind the line end that a backslash at `at` takes away; 0: there is none.
+  /// The position after the line end that a backslash at `at` joins; 0: none.
   std::size_t behindContinuation(std::size_t at) const;
   std::size_t behindLineEnd(std::size_t at) const;
   void reportProgress();
@@ -70,10 +70,10 @@ class TextReader {
 /// The word's number, or one that is not finite: for values that are not used.
 double numberOrNone(std::string_view word);
 
-/// Whether the word is the keyword, which is in small letters, in either case.
+/// Whether the word is the keyword (in small letters), in either case.
 bool isWord(std::string_view word, std::string_view keyword);
 
-/// A word of the file as a message may show it: short, and without bytes that a terminal would act on.
+/// A word of the file, fit for a message: short, and without bytes that a terminal would act on.
 std::string shown(std::string_view word);
 
 }  // namespace palpate::mesh
