@@ -12,7 +12,7 @@
 
 namespace palpate::body {
 
-/// The shape of the skin, whatever its density.
+/// The shape of the skin, for any density.
 struct SkinSettings {
   double stature_mm = 1750;  ///< everything scales with it
   ReliefSettings relief;     ///< how much of the bones shows

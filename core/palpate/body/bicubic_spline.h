@@ -33,8 +33,8 @@ class BicubicSpline {
   std::vector<double> coefficients_;
 };
 
-/// Where the i-th of `count` B-splines is centred, in [0, 1] (its Greville abscissa): a spline whose coefficients are
-/// samples of a function taken there is a slightly smoothed copy of it, exact for straight lines.
+/// Centre of the i-th of `count` B-splines, in [0, 1] (its Greville abscissa): a spline whose coefficients are samples
+/// of a function there is a slightly smoothed copy of it, exact for straight lines.
 double splineSite(int count, int i);
 
 }  // namespace palpate::body

@@ -33,7 +33,7 @@ struct RibRow {
   double half_width, lateral_drop, lateral_z;    // the most lateral point: outer edge; y and z from the head
   double anterior_x, anterior_drop, anterior_z;  // the anterior end: y and z from the head
   double height, thickness;                      // the section
-  double roll_deg;                               // how far the outer face looks up: the first rib lies flat
+  double roll_deg;                               // how far the outer face looks up: the first rib is flat
 };
 
 /// Ribs 1 to 12 of the back and the torso.
@@ -50,7 +50,7 @@ Vec3 rightRibAngle(int number, const RibRow& row);
 
 // Scapula.
 
-/// Where the scapula's own frame (u lateral along its spine, v cranial, n dorsal) lies: the root of its spine and turns
+/// Place of the scapula's own frame (u lateral along its spine, v cranial, n dorsal): the root of its spine and turns
 /// about u (upper border forwards), n (lateral side up) and y (lateral side forwards).
 struct ScapulaPlace {
   Vec3 root;

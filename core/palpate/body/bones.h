@@ -29,7 +29,7 @@ struct BonesSettings {
   double stature_mm = 1750.0;     ///< everything scales linearly with it
   std::size_t triangles = 60000;  ///< all bones together, exact; even; at least kFewestBoneTriangles
   double cell_mm = 0.0;           ///< grid of the mesher before the reduction, for 1750; 0: fits the triangles
-  Warp warp{};                    ///< applied before the scaling, e.g. the skin's asymmetry; none when empty
+  Warp warp{};                    ///< applied before the scaling, e.g. the skin's asymmetry; empty: none
 };
 
 /// Fewest triangles of all bones together that still read as bones.
@@ -47,7 +47,7 @@ std::vector<std::size_t> shareTriangles(std::size_t total);
 /// A point that an examiner finds by touch.
 struct Landmark {
   std::string name;  ///< "spinous_T6", "rib_7_right_angle", "scapula_left_inferior_angle" ...
-  std::string bone;  ///< the Bone it lies on
+  std::string bone;  ///< the Bone that it is on
   Vec3 position;     ///< on or within a millimetre of the bone's surface, mm
 };
 
@@ -55,14 +55,14 @@ struct Landmark {
 /// Uses stature and warp of the settings.
 std::vector<Landmark> boneLandmarks(const BonesSettings& settings = {});
 
-// How deep bone lies under each point of the skin, and which bone it is.
+// The depth of bone under each point of the skin, and the bone.
 
-/// One entry a point. Depth is the distance to the nearest point of any bone (mm), in whatever direction it lies: a
-/// finger that presses feels the nearest hard thing, and unlike a depth along the normal it has no jumps. It is never
-/// negative: a point inside a bone has its distance to the surface as well.
+/// One entry per point. Depth is the distance to the nearest point of any bone (mm), in any direction: a pressing
+/// finger feels the nearest hard thing, and unlike a depth along the normal it has no jumps. It is never negative: a
+/// point inside a bone has its distance to the surface as well.
 struct BoneDepth {
   std::vector<double> depth_mm;
-  std::vector<Index> bone;  ///< index into the bones given
+  std::vector<Index> bone;  ///< index into the given bones
 };
 
 /// Depths of the points below, or next to, the bones. Throws Error when there is no bone. Fastest when neighbouring

@@ -1,5 +1,5 @@
 // A tube of rings along two joints. Half of each ring is the back of the finger and half its pulp, each an ellipse of
-// its own height, so that the nail lies flat and the pad is round.
+// its own height, so that the nail is flat and the pad is round.
 //
 // Own: dimensions are our choice for an index finger 16 mm wide, set by eye against photographs.
 #include <algorithm>

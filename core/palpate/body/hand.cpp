@@ -140,7 +140,7 @@ constexpr std::size_t kPalpatingTriangles = 10000;
 constexpr double kForearmMm = 260.0;
 constexpr double kWristBackDeg = 20.0;
 
-/// The index finger is bent so far in all that its pad, not its end, meets skin that the palm is held along.
+/// The index finger is bent enough that its pad, not its end, meets skin parallel to the palm.
 const std::array<FingerRow, 4> kPalpatingFingers = {{
     {{-27, 94, 1}, {46, 27, 18}, {10.4, 9.1, 7.9, 6.9}, {13, 14, 4}, -3},
     {{-5, 99, 3}, {51, 31, 19}, {10.7, 9.4, 8.1, 7.1}, {-7, 20, 11}, 0},

@@ -36,7 +36,7 @@ struct Nail {
 /// held off, the thumb at the side, the wrist bent back, and 260 mm of forearm. Frame as above.
 struct PalpatingHand {
   mesh::TriangleMesh mesh;         ///< closed, about 10,000 triangles
-  std::vector<float> redness;      ///< a vertex each, 0 to 1: over the joints, at the tips
+  std::vector<float> redness;      ///< one per vertex, 0 to 1: over the joints, at the tips
   std::array<Nail, 5> nails;       ///< thumb, index finger and on
   Vec3 pad = Vec3::Zero();         ///< in the middle of the last joint's pulp
   Vec3 pad_along = Vec3::UnitY();  ///< unit, of the last joint of the index finger towards its tip

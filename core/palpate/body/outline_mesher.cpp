@@ -1,7 +1,7 @@
 // Lattice, border, plan, mesh: the four sections below; the last step, improveBand, is in border_band.cpp.
 //
-// Own: a lattice kept inside the outline and a band that joins it to the border meet an exact count by a search for the
-// cell size; no general mesher promises a count.
+// Own: a lattice within the outline and a band that joins it to the border meet an exact count by a search for the cell
+// size; no general mesher promises a count.
 #include "palpate/body/outline_mesher.h"
 
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace palpate::body {
 
 namespace {
 
-// --- the lattice: which of its points are kept, how many triangles they make, and their rim ---
+// --- the lattice: its points within the outline, the number of their triangles, and their rim ---
 //
-// All of it is counted before a single triangle is made, because the search for the cell size asks many times.
+// All of it is counted before a single triangle is made, because the search for the cell size repeats it many times.
 
-/// Rows of lattice points at a constant q. Row j holds the half-steps -reach[j], -reach[j] + 2, ..., reach[j]; a
-/// half-step k lies at p = k * cell / 2, and k has the parity of j, so that neighbouring rows are staggered.
+/// Rows of lattice points at a constant q. Row j has the half-steps -reach[j], -reach[j] + 2, ..., reach[j]; a
+/// half-step k is at p = k * cell / 2, and k has the parity of j, so that neighbouring rows are staggered.
 struct Lattice {
   double cell = 0;       ///< edge length, mm
   double first_row = 0;  ///< q of row 0

@@ -1,10 +1,10 @@
 // Cuts a flat outline into an exact number of well-shaped triangles.
 //
-// The plane holds a regular triangular lattice; the part of it that lies inside the outline by about half a cell is
-// kept, and a band of triangles joins it to vertices placed on the outline. The number of border vertices is free
-// within a few percent, and each one is one triangle: the cell size is searched until that freedom meets the asked
-// count exactly. The built-in skin is drawn with it at any density (back.h, torso.h): plane = (radius x angle, height),
-// lifted onto the smooth surface.
+// The plane has a regular triangular lattice; its part inside the outline by about half a cell is kept, and a band of
+// triangles joins it to vertices placed on the outline. The number of border vertices is free within a few percent, and
+// each one is one triangle: the cell size is searched until that freedom meets the requested count exactly. The
+// built-in skin is drawn with it at any density (back.h, torso.h): plane = (radius x angle, height), lifted onto the
+// smooth surface.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace palpate::body {
 /// A region |p| <= w(q), symmetric about p = 0, given by its right border. Millimetre.
 struct FlatOutline {
   std::vector<Vec2> right;           ///< (p, q) with p > 0, q strictly increasing
-  std::vector<std::size_t> corners;  ///< ascending indices into `right` that must become vertices; holds 0 and the last
+  std::vector<std::size_t> corners;  ///< ascending indices into `right` that must become vertices; with 0 and the last
 };
 
 struct FlatMesh {
@@ -27,7 +27,7 @@ struct FlatMesh {
   Index border = 0;
 };
 
-/// Where a point of the plane lies in space; only used to judge the shape of triangles near the border.
+/// Maps a point of the plane into space; only for the shape of triangles near the border.
 using Lift = std::function<Vec3(const Vec2&)>;
 
 /// Fewest triangles that still follow an outline as intricate as the back's.

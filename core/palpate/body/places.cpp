@@ -37,7 +37,7 @@ std::string joined(const Words& words) {
   return text;
 }
 
-/// Words that say nothing, or another word for the same.
+/// Removes words without meaning and sorts the rest, since their order does not matter.
 void settle(Words& words) {
   std::erase_if(words, [](const std::string& word) { return word == "spinous" || word == "process" || word == "the"; });
   std::sort(words.begin(), words.end());
@@ -60,7 +60,7 @@ std::optional<Direction> directionOf(std::string_view word) {
   return found == all.end() ? std::nullopt : std::optional(*found);
 }
 
-/// "30" or "30mm"; nothing for another word.
+/// "30" or "30mm"; empty for another word.
 std::optional<double> distanceOf(std::string_view word) {
   if (word.ends_with("mm")) word.remove_suffix(2);
   return word.empty() ? std::nullopt : parseNumber(word);
@@ -78,7 +78,7 @@ std::string millimetres(double value) {
   return text[point + 1] == '0' ? text.substr(0, point) : text.substr(0, point + 2);
 }
 
-/// Takes the distances away from the words.
+/// Removes the distances from the words.
 Moved withoutDistances(const Words& words) {
   Moved moved;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -124,7 +124,7 @@ std::optional<NamedPlace> siteNamed(std::span<const SkinLandmark> landmarks, Wor
   return std::nullopt;
 }
 
-/// "t6 rigth 30 mm" with the direction that was meant before the number; nothing where none is near.
+/// "t6 rigth 30 mm" with the intended direction before the number; empty where none is near.
 std::optional<Words> withDirections(Words words) {
   static const std::vector<std::string> directions = {"right", "left", "up", "down", "cranial", "caudal"};
   bool mended = false;

@@ -16,7 +16,7 @@
 
 namespace palpate::body {
 
-/// How an examiner says the landmark: "spinous_T6" is "T6", "psis_left" is "left PSIS", "rib_7_right_angle" is "right
+/// An examiner's name of the landmark: "spinous_T6" is "T6", "psis_left" is "left PSIS", "rib_7_right_angle" is "right
 /// rib 7 angle".
 std::string spokenName(std::string_view landmark);
 
@@ -24,15 +24,15 @@ std::string spokenName(std::string_view landmark);
 inline constexpr std::array<std::string_view, 6> kSiteLevels = {"T4", "T6", "T8", "T10", "T12", "L2"};
 inline constexpr double kSiteBesideMm = 30;  ///< over the transverse processes and ribs; our choice, for 1750 mm
 
-/// A place that words name: a landmark's point on the skin, moved along x (right) and y (up).
+/// A named place: a landmark's point on the skin, moved along x (right) and y (up).
 struct NamedPlace {
-  std::string name;  ///< the words as we would write them: "T6 right 30 mm"
+  std::string name;  ///< the normal form: "T6 right 30 mm"
   Vec3 point;        ///< mm; on the skin where nothing was moved, else over or under it
   bool moved = false;
 };
 
 /// Upper and lower case, the order of words, '_' for a space and "mm" do not matter; distances are millimetres: right,
-/// left, up, down (or cranial, caudal), one after the other. Throws Error naming what is near in spelling.
+/// left, up, down (or cranial, caudal), one after the other. Throws Error with names of similar spelling.
 NamedPlace placeNamed(std::span<const SkinLandmark> landmarks, std::string_view words);
 
 /// All names, as a list would show them, the sites among them.
@@ -42,8 +42,8 @@ std::vector<std::string> placeNames(std::span<const SkinLandmark> landmarks);
 /// Empty without landmarks.
 std::string inWords(std::span<const SkinLandmark> landmarks, const Vec3& point);
 
-/// "T9 right 32 mm", to the whole millimetre: a place of the map plane in words that placeNamed reads. On a closed body
-/// one that is seen from behind. Empty without landmarks.
+/// "T9 right 32 mm", to the whole millimetre: a place of the map plane as a name for placeNamed. On a closed body one
+/// that is seen from behind. Empty without landmarks.
 std::string placeWords(std::span<const SkinLandmark> landmarks, const Vec2& place);
 
 }  // namespace palpate::body

@@ -44,7 +44,7 @@ struct SectionStop {
 constexpr std::array<SectionStop, 5> kSection = {
     {{0.0, 0.80, 1.20}, {0.03, 0.72, 1.00}, {0.07, 0.72, 0.95}, {0.16, 0.85, 1.15}, {0.30, 1.00, 1.00}}};
 
-// Room between the tubercle's face and the transverse process (mm): cartilage, and what smoothing and roll take away.
+// Room between the tubercle's face and the transverse process (mm): cartilage, and the loss by smoothing and roll.
 constexpr std::array<double, 10> kTubercleGap = {5.2, 6.6, 4.6, 3.6, 3.0, 3.0, 3.0, 3.0, 3.0, 4.0};
 
 constexpr double kSmoothing =
@@ -68,7 +68,7 @@ Vec3 headPoint(int number) {
   return vertebraFrame(v) * Vec3(0.97 * v.width / 2 + lateral, up, dorsal * v.depth / 2);
 }
 
-// The tubercle lies in front of the transverse process, clear of it.
+// The tubercle is in front of the transverse process, clear of it.
 Vec3 tuberclePoint(int number, const RibRow& row) {
   const VertebraRow& v = vertebraOf(number);
   const double ventral = v.transverse_radius + row.thickness / 2 + kTubercleGap[number - 1];
@@ -77,7 +77,7 @@ Vec3 tuberclePoint(int number, const RibRow& row) {
 
 Vec3 anglePoint(int number, const RibRow& r) { return {r.angle_x, headPoint(number).y() - r.angle_drop, r.angle_z}; }
 
-// Appends a quarter ellipse: `from` and `to` are left and reached along the axes that `first` says.
+// Appends a quarter ellipse: `from` and `to` are left and reached along the axes of `first`.
 void addQuarter(std::vector<Vec3>& line, const Vec3& from, const Vec3& to, bool first, int count) {
   for (int i = 1; i <= count; ++i) {
     const double t = std::numbers::pi / 2 * i / count;

@@ -1,4 +1,4 @@
-// A turn about an axis with the same bits everywhere: Eigen's AngleAxis takes the C library's sine and cosine.
+// A turn about an axis with the same bits everywhere: Eigen's AngleAxis uses the C library's sine and cosine.
 #pragma once
 
 #include "palpate/base/elementary.h"

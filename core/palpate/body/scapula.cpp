@@ -69,7 +69,7 @@ class CrestTable {
       places_.push_back(fine[next - 1] + t * (fine[next] - fine[next - 1]));
     }
   }
-  /// (u, v at the blade, height), u held to the crest's range.
+  /// (u, v at the blade, height), u clamped to the crest's range.
   Vec3 at(double u) const {
     const double place = std::clamp((u - first()) / (last() - first()), 0.0, 1.0) * (kSteps - 1e-6);
     const auto i = static_cast<std::size_t>(place);

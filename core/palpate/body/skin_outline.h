@@ -1,4 +1,4 @@
-// Where the skin of the back ends: the flank at z = 0, the cut of the arm at x = 175, the crest of the shoulder, the
+// The border of the skin of the back: the flank at z = 0, the cut of the arm at x = 175, the crest of the shoulder, the
 // neck.
 //
 // In the flat plane of the mesher: p = kFlatRadius x angle, q = y, both mm of a man of 1750 mm.

@@ -1,5 +1,5 @@
-// Distance to bone (bones.h) on a grid of 150 x 167 sites over the bare skin -> a bump a group of bones -> two
-// blurs along the arc length, the wider taken off -> coefficients of a spline on the radius.
+// Distance to bone (bones.h) on a grid of 150 x 167 sites over the bare skin -> a bump per group of bones -> two blurs
+// along the arc length, the wider subtracted -> coefficients of a spline on the radius.
 //
 // The bump less its wider blur is a difference of Gaussians (Marr and Hildreth, "Theory of edge detection", 1980),
 // and all sizes are our choice.
@@ -18,12 +18,12 @@ namespace palpate::body {
 
 namespace {
 
-// Sites of the grid: 3 mm apart, half the finest blur, so that the spline keeps what the blur leaves.
+// Sites of the grid: 3 mm apart, half the finest blur, so that the spline loses nothing of the blur's result.
 constexpr int kAcross = 150;
 constexpr int kAlong = 167;
 
-/// A bump a exp(-d / L) of the distance d from skin to bone, its blur and the wider blur that is taken away again.
-/// Lengths in mm; values chosen by looking at pictures, no source gives them.
+/// A bump a exp(-d / L) of the distance d from skin to bone, its blur and the wider blur that is subtracted. Lengths in
+/// mm; values chosen by looking at pictures, no source gives them.
 struct Group {
   BoneKind kind;
   double height, decay;

@@ -1,5 +1,5 @@
 // Radius = table + detail, both B-splines over (angle, height); position and tangents from it in cylinder coordinates,
-// taken through the warp by its Jacobian, scaled at the end.
+// transformed through the warp by its Jacobian, scaled at the end.
 //
 // The table is fitted by tools/fit_skin.py (provenance in skin_table.cpp).
 #include "palpate/body/skin_surface.h"

@@ -25,10 +25,10 @@ struct Warped {
   Mat3 jacobian;  ///< derivative of the position after the warp by the position before
 };
 
-/// Where the warp takes a point of the body (mm, body frame).
+/// Warps a point of the body (mm, body frame).
 Warped warp(const Asymmetry& asymmetry, const Vec3& point);
 
-/// Where a point of the skin is: angle about the axis (rad, positive to the right) and height (mm), both of the table's
+/// A point of the skin: angle about the axis (rad, positive to the right) and height (mm), both of the table's
 /// man of 1750 mm whatever the stature.
 struct SkinAngle {
   double angle = 0;

@@ -1,4 +1,4 @@
-// Where the numbers come from. [S] read in the source, [A] in its abstract, [2] second-hand (a later compilation that
+// Sources of the numbers. [S] read in the source, [A] in its abstract, [2] second-hand (a later compilation that
 // cites it), [R] recalled and not verified: an [R] value guided a construction value and must not be cited as
 // published.
 //

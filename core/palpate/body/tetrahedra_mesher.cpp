@@ -25,7 +25,7 @@ namespace {
 using Point = Eigen::Vector3i;  // lattice coordinates
 
 constexpr int kBlock = 4;  // cells along a block: small enough to hug the surface, large enough to amortise the queue
-// A vertex keeps this share of its edge away from the ends, so that no triangle shrinks to nothing.
+// A vertex stays this share of its edge away from the ends, so that no triangle shrinks to nothing.
 constexpr double kEndShare = 0.02;
 
 // One tetrahedron of a cube: corners 0 -> ... -> 7 as bit masks (1 = x, 2 = y, 4 = z), each adding one axis.
@@ -107,7 +107,7 @@ class Lattice {
     for (const Tetrahedron& tetrahedron : kKuhnSplit) cutTetrahedron(tetrahedron, base, cell, value);
   }
 
-  // A cut cell at the rim of its block: the surface may go on in the next block.
+  // A cut cell at the rim of its block: the surface may continue in the next block.
   void followAcrossFaces(const Point& cell, const Point& block) {
     for (int axis = 0; axis < 3; ++axis) {
       Point next = block;
@@ -172,7 +172,7 @@ class Lattice {
     return vertex;
   }
 
-  // Where the field is zero between two points: one secant step from the linear guess.
+  // The zero of the field between two points: one secant step from the linear guess.
   Vec3 crossing(const Vec3& from, const Vec3& to, double value_from, double value_to) const {
     double t = value_from / (value_from - value_to);
     const double value = field_(from + t * (to - from));

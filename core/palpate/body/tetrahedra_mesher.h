@@ -1,4 +1,4 @@
-// From a signed distance to a finished mesh: a triangle surface that is closed and manifold whatever the shape, its
+// From a signed distance to a finished mesh: a triangle surface that is closed and manifold for any shape, its
 // triangles evened out, and its mirror image.
 //
 // Bones and hand are made with it: signed_distance.h -> here -> mesh/decimate.h -> bones.h, hand.h.
@@ -38,7 +38,7 @@ mesh::TriangleMesh relaxedZeroSurface(const Field& field, const MesherSettings& 
 mesh::TriangleMesh mirrored(mesh::TriangleMesh mesh);
 
 /// The half x >= 0 and its mirror image, joined along the vertices with x == 0 exactly. Closed when the half is closed
-/// but for a border in that plane.
+/// except for a border in that plane.
 mesh::TriangleMesh withMirrorImage(mesh::TriangleMesh half);
 
 }  // namespace palpate::body

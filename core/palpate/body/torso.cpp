@@ -23,7 +23,7 @@ std::size_t boneTriangles(const TorsoSettings& settings) {
   }
   if (settings.bone_triangles == 0) {
     const auto share = static_cast<std::size_t>(kBoneShare * static_cast<double>(settings.triangles));
-    // More than the grid of the bones holds cannot be given to them; the skin takes the rest.
+    // The bones get at most what their grid has; the skin takes the rest.
     return std::clamp<std::size_t>(share / 2 * 2, kFewestBoneTriangles, kMaxBoneTriangles);
   }
   if (settings.bone_triangles + kFewestTriangles > settings.triangles)
@@ -77,7 +77,7 @@ Torso bodyOf(const SkinSettings& skin, SkinExtent extent, std::size_t skin_trian
   return body;
 }
 
-/// Leaves out the bones whose middle lies below this height, and what is named after them.
+/// Leaves out the bones whose middle is below this height, and the landmarks named after them.
 void keepBonesAbove(double y, Torso& body) {
   std::erase_if(body.bones, [&](const Bone& bone) { return mesh::boundingBox(bone.mesh).center().y() < y; });
   const auto is_gone = [&](const SkinLandmark& landmark) {
@@ -87,8 +87,8 @@ void keepBonesAbove(double y, Torso& body) {
 }
 
 /// The piece is cut narrower than the shoulders and through the third lumbar vertebra of the man under it. His shoulder
-/// blades are set this share as wide, from their medial edge, and what lies near the lower edge is moved up over it: by
-/// some millimetres, so that no bone is seen beyond the skin.
+/// blades are scaled to this share of their width, from their medial edge, and bone near the lower edge is moved up
+/// over it: by some millimetres, so that none is seen beyond the skin.
 constexpr double kScapulaWidth = 0.93;
 constexpr double kLowEdgeMm = 45.0;  ///< for a man of 1750 mm: how far above the edge bones are moved
 constexpr double kEdgeMarginMm = 4.0;

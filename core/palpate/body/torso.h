@@ -16,7 +16,7 @@ struct TorsoSettings {
   std::size_t bone_triangles = 0;   ///< share for bones, even; 0 gives the bones the larger of 44 % and their least
   SkinSettings shape{1750, {}, 1};  ///< a natural back
 };
-/// The grid that the bones are drawn from holds no more.
+/// Maximum of the grid from which the bones are drawn.
 inline constexpr std::size_t kMaxBoneTriangles = 60000;
 inline constexpr std::size_t kFewestTorsoTriangles = kFewestTriangles + kFewestBoneTriangles;
 /// Skin only: the model of section 2.1.
@@ -43,7 +43,7 @@ struct Torso {
 Torso makeTorso(const TorsoSettings& settings = {});
 
 /// The dissertation's back: the patch of makeBack in `settings.triangles` triangles, 2962 being those of its section
-/// 2.1, and besides them the bones that lie under it, T1 to L3, ribs and scapulae (41), of the body's own share.
+/// 2.1, and besides them the bones under it, T1 to L3, ribs and scapulae (41), of the body's own share.
 /// As long as makeTorso. Throws Error on a wrong setting.
 Torso makeBackOverBones(const BackSettings& settings = {.triangles = kDissertationBackTriangles, .shape = {}});
 

@@ -92,7 +92,7 @@ Eigen::Matrix<double, 3, kPlacementNumbers> motionOf(const BodyPlacement& at, co
 struct Match {
   Vec3 point;   // on the template, body frame
   Vec3 normal;  // of the template, scan's frame
-  double off;   // mm that the scan lies outside of it
+  double off;   // mm that the scan is outside of it
   std::array<Vec3, kBuildNumbers> by_build;
 };
 
@@ -107,7 +107,7 @@ class Round {
         nearest_(mesh_),
         build_is_free_(build_is_free) {}
 
-  /// Nothing where the sample meets none, or a stump, within reach.
+  /// Empty where the sample meets nothing, or a stump, within reach.
   bool match(const BodyPlacement& at, const Vec3& point, const Vec3& normal, double reach_mm, Match& found) const {
     const Vec3 place = at.toBody(point);
     const auto hit = nearest_.find(place, reach_mm / at.scale());
@@ -307,7 +307,7 @@ ScanSamples sampleScan(const mesh::TriangleMesh& scan, std::size_t count) {
 
 namespace {
 
-/// `build`: kept for all rounds; none: every round makes its own, and the build is free.
+/// `build`: fixed for all rounds; empty: every round makes its own, and the build is free.
 Alignment aligned(const TemplateBody& body, const ScanSamples& scan, std::span<const KnownPlace> known,
                   const BodyPlacement& start, const AlignSettings& settings, const Round* build) {
   Alignment result;

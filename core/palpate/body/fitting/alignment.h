@@ -30,7 +30,7 @@ struct KnownPlace {
   Vec3 position;         ///< mm
 };
 
-/// Mean of adults, mm: where a fit begins, and what it is drawn to where a scan says little.
+/// Mean of adults, mm: the start of a fit, and its pull where a scan shows little.
 inline constexpr double kMeanStatureMm = 1715;
 
 /// Three of turning, three of place, stature, girth, body mass index, muscle, kyphosis, lordosis, asymmetry.
@@ -38,7 +38,7 @@ inline constexpr int kPlacementNumbers = 13;
 
 struct AlignSettings {
   int rounds = 25;
-  double first_reach_mm = 60;  ///< a sample farther from the template than this says nothing; falls to last_reach_mm
+  double first_reach_mm = 60;  ///< samples farther from the template are ignored; falls to last_reach_mm
   double last_reach_mm = 15;
 };
 
@@ -56,7 +56,7 @@ struct Alignment {
 Alignment align(const TemplateBody& body, const ScanSamples& scan, std::span<const KnownPlace> known,
                 const BodyPlacement& start, const AlignSettings& settings = {});
 
-/// The same for many starts of one build, which stays as it is: pose and stature alone.
+/// The same for many starts of one fixed build: pose and stature only.
 std::vector<Alignment> alignPoses(const TemplateBody& body, const ScanSamples& scan,
                                   std::span<const BodyPlacement> starts, const AlignSettings& settings,
                                   const Progress& progress = {});

@@ -33,7 +33,7 @@ constexpr double kContradictsMm = 25;  // two levels off
 constexpr double kOwnErrorMm = 1;
 constexpr double kHiddenShare = 2.7;
 constexpr double kWorstOfAll = 1.3;    // the worst landmark against the expected one
-constexpr double kPointReachMm = 110;  // how far a point shown keeps that from its neighbours
+constexpr double kPointReachMm = 110;  // range over which a named point overrides its neighbours
 constexpr double kAnotherPlaceMm = 15;
 
 // ---- points

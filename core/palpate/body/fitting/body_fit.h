@@ -27,7 +27,7 @@ struct BodyFit {
   std::vector<NamedPoint> points;  ///< that it went by; their names as spoken
   double rms_mm = 0;               ///< between template and scan, before those moves
   double matched = 0;              ///< share of the scan that the template explains
-  /// A landmark each of the trunk (skeletonLandmarks): what its place is likely to be off, mm.
+  /// Expected error of each landmark of the trunk (skeletonLandmarks), mm.
   std::vector<double> expected_mm;
   double spine_expected_mm = 0;  ///< the largest of them among T1 to L4 where the scan shows them
   double certainty = 0;          ///< 0 to 1: that no such landmark is off by more than kOffMm
@@ -39,9 +39,9 @@ inline constexpr double kOffMm = 12;
 /// So many place the body by themselves; with fewer its shape does, and they choose among the places that it allows.
 inline constexpr std::size_t kFewestNamedPoints = 4;
 
-/// `scan`: mended (mesh::repair), millimetres, in any place and turned in any way. By its shape where
-/// there are fewer than kFewestNamedPoints. Throws Error for names that are unknown or given twice, for points that are
-/// off the scan, four or more on a line, or that contradict each other or the shape.
+/// `scan`: mended (mesh::repair), millimetres, at any place and in any orientation. Uses its shape where there are
+/// fewer than kFewestNamedPoints. Throws Error for names that are unknown or repeated, for points that are off the
+/// scan, four or more on a line, or that contradict each other or the shape.
 BodyFit fitBody(const TemplateBody& body, const mesh::TriangleMesh& scan, std::span<const NamedPoint> points,
                 const Progress& progress = {});
 
@@ -50,7 +50,7 @@ std::string certaintyWord(double certainty);
 
 // A fit as text, to be kept next to a scene: NAME.fit.json.
 
-/// Longer files are none of ours.
+/// Longer files are not fits.
 inline constexpr std::size_t kLongestFitFile = 1 << 20;
 
 /// All numbers exactly, so that a fit read back gives the same body.

@@ -20,7 +20,7 @@ constexpr double kUnderMm = 70;  // a bone deeper than this is not of the side t
 constexpr double kOntoMm = 25;   // a landmark farther from the scan is not on it
 constexpr double kBesideMm = 5;  // nor one that is outside its border
 
-/// The scan's skin to be asked where it is.
+/// Queries on the scan's skin.
 class ScannedSkin {
  public:
   explicit ScannedSkin(const mesh::TriangleMesh& mesh)
@@ -58,7 +58,7 @@ class ScannedSkin {
   std::vector<bool> on_border_;
 };
 
-/// The depth that becomes of a depth: the same where there is room, kMinFittedCoverMm at least.
+/// The corrected depth: the same where there is room, kMinFittedCoverMm at least.
 double keptUnder(double depth_mm) {
   constexpr double kSoftMm = 1.2;
   const double over = (depth_mm - kMinFittedCoverMm) / kSoftMm;

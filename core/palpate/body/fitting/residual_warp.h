@@ -24,7 +24,7 @@ class ResidualWarp {
 
   Vec3 operator()(const Vec3& point) const;
 
-  /// As given, to be kept in a file.
+  /// As given, for a file.
   const std::vector<Move>& skin() const { return skin_; }
   const std::vector<Move>& exact() const { return exact_; }
 

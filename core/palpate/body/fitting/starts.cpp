@@ -1,5 +1,5 @@
-// A patch says by its normals where behind is, a closed body by its main axes at least how it lies; along the spine it
-// is tried at every third vertebra or so.
+// A patch shows by its normals where behind is, a closed body by its main axes at least its orientation; along the
+// spine every third vertebra or so is tried.
 #include "palpate/body/fitting/alignment.h"
 
 #include <Eigen/Eigenvalues>

@@ -1,8 +1,8 @@
-// The trunk as something that can be pulled into the shape of a scan: its skin in few triangles and its landmarks, of
-// any build in a millisecond.
+// The trunk in a form that can be fitted to a scan: its skin in few triangles and its landmarks, of any build in a
+// millisecond.
 //
-// trunk.h -> here -> alignment.h. A trunk of another build is made again from its bones in a second or two; a fit asks
-// for hundreds. Here each place of the fitted skin remembers how fat and muscle move it, so that a build is one pass.
+// trunk.h -> here -> alignment.h. A trunk of another build is made again from its bones in a second or two; a fit needs
+// hundreds. Here each place of the fitted skin stores how fat and muscle move it, so that a build is one pass.
 #pragma once
 
 #include <vector>

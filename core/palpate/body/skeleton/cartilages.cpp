@@ -1,9 +1,9 @@
 // Costal cartilages: an ellipse swept on from the end of its rib (body/ribs.cpp), in the rib's own direction and
-// section, to a notch of the sternum (1-7) or to the lower border of the cartilage above (8-10). 5 to 10 first go on
-// downwards and then turn up, which draws the costal arch; that of the first rib is short and broad.
+// section, to a notch of the sternum (1-7) or to the lower border of the cartilage above (8-10). 5 to 10 first continue
+// downwards and then turn up, which forms the costal arch; that of the first rib is short and broad.
 //
 // The courses are those of anatomical plates, our choice; so are the sections, which narrow towards the sternum. They
-// lie at least 5 mm under the skin of the chest.
+// are at least 5 mm under the skin of the chest.
 #include <algorithm>
 #include <cmath>
 #include <vector>

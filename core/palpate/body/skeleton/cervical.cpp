@@ -1,5 +1,5 @@
 // C5, C6 and C7: small bodies with uncinate lips, wide triangular canals, articular pillars, transverse processes with
-// a foramen, and spinous processes that are short and bifid but for that of C7, the vertebra prominens.
+// a foramen, and spinous processes that are short and bifid except for that of C7, the vertebra prominens.
 //
 // Based on: Panjabi 1991, Spine 16(8):861, "Cervical human vertebrae", [R] recalled: bodies 17-20 wide and 15-17 deep
 // at their endplates (here with the uncinate lips), 11-13 high (dry bone, x 1.1 as in the thorax), canal 24-27 x 14-15,

@@ -1,6 +1,6 @@
 // The right hip bone: the ilium is a bent plate cut by an outline, with a roll along its crest; acetabulum, ischium and
-// pubis are balls and tubes around the obturator foramen, joined smoothly. Where it meets the sacrum it keeps a joint's
-// width off.
+// pubis are balls and tubes around the obturator foramen, joined smoothly. At the sacrum it leaves the width of a
+// joint.
 //
 // Guided by: breadth over the crests 280 of men, over the anterior superior spines 240, between the posterior ones
 // 90-100, hip bone 210-220 high, acetabulum 50-54 wide, [R] recalled textbook values; crest level with the spinous

@@ -1,5 +1,5 @@
-// The upper end of the humerus: a ball at the scapula's socket, the two tubercles with their groove, and as much of the
-// shaft as lies inside the stump of the arm, which hangs outwards as the skin's arms do.
+// The upper end of the humerus: a ball at the scapula's socket, the two tubercles with their groove, and the shaft
+// within the stump of the arm, which hangs outwards as the skin's arms do.
 //
 // Guided by: diameter of the head 46-48 of men, shaft 22-24, retroversion 20-30 degrees, [R] recalled textbook values.
 // The direction of the shaft (41 degrees off the vertical) follows the arm of the skin; the rest is our choice.

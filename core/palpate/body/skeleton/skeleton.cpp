@@ -1,5 +1,5 @@
-// Puts the 74 bones together: shape (skeleton_shapes.h, bone_shapes.h), reduce (mesh/decimate.h), mirror. A list says
-// of each bone how it is made and what share of the triangles it gets; the list is worked off by two threads.
+// Puts the 74 bones together: shape (skeleton_shapes.h, bone_shapes.h), reduce (mesh/decimate.h), mirror. A list has
+// each bone's maker and share of the triangles; two threads work it off.
 #include "palpate/body/skeleton/skeleton.h"
 
 #include <functional>

@@ -1,8 +1,8 @@
 // The shapes of the trunk's further bones, one at a time and before they are reduced; those of the back come from
 // body/bone_shapes.h.
 //
-// makeSkeleton (skeleton.h) calls them, reduces what comes, mirrors it and puts it in its place. Only right sides are
-// drawn: what lies in the midline is its right half, open in the plane x = 0. Millimetres of a man of 1750 mm, body
+// makeSkeleton (skeleton.h) calls them, reduces, mirrors and places the results. Only right sides are drawn: a bone in
+// the midline is its right half, open in the plane x = 0. Millimetres of a man of 1750 mm, body
 // frame unless said otherwise.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace palpate::body {
 std::span<const VertebraRow, kVertebraCount> trunkSpineRows();
 /// Ribs 1 to 12: those of the back, narrower or deeper by a little where the chest is near.
 std::span<const RibRow, kRibCount> trunkRibRows();
-/// Where the scapula lies: that of the back moved so that the acromion stays under the skin.
+/// Place of the scapula: that of the back moved so that the acromion stays under the skin.
 ScapulaPlace trunkScapulaPlace();
 
 /// Rounds of relaxOnSurface before the reduction.
@@ -56,10 +56,10 @@ HipPoints rightHipPoints();
 // Sternum (sternum.cpp) and costal cartilages (cartilages.cpp).
 
 mesh::TriangleMesh makeSternumHalf(double cell_mm);
-/// Where the right cartilage `number` in 1..7 meets the edge of the sternum.
+/// The notch where the right cartilage `number` in 1..7 meets the edge of the sternum.
 Vec3 sternalNotch(int number);
 struct SternumPoints {
-  Vec3 jugular_notch, sternal_angle, xiphoid_tip;  ///< on the front but for the notch, which is its lowest upper edge
+  Vec3 jugular_notch, sternal_angle, xiphoid_tip;  ///< on the front; the notch is its lowest upper edge
 };
 SternumPoints sternumPoints();
 

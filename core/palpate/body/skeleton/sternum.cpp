@@ -42,7 +42,7 @@ SternumDepth sternumDepthAt(double y) {
   return {y, mix(before.z, next->z, t), mix(before.half, next->half, std::clamp(t, 0.0, 1.0))};
 }
 
-constexpr double kSideDrop = 0.010;  // per mm: the plate's sides lie a little deeper than its middle, (0.010 x) x
+constexpr double kSideDrop = 0.010;  // per mm: the plate's sides are a little deeper than its middle, (0.010 x) x
 
 // Height of the notches of cartilages 1 to 7.
 constexpr std::array<double, 7> kNotchY = {111, 94, 69, 47, 27, 11, -3};

@@ -1,9 +1,8 @@
 // The tables of the back (spine_line.cpp, ribs.cpp, scapula.cpp) as the trunk uses them.
 //
-// The skin of the back was fitted to another shape of the same person than the closed skin of the trunk, which lies up
-// to 2.3 mm deeper over the thoracic spine and is narrower in front of the upper ribs. So a few lengths differ,
-// measured against that skin: spinous tips at least 6 mm below it (7.8 at T1), ribs at least 6. All of it is our
-// choice.
+// The skin of the back was fitted to another shape of the same person than the closed skin of the trunk, which is up to
+// 2.3 mm deeper over the thoracic spine and narrower in front of the upper ribs. So a few lengths differ, measured
+// against that skin: spinous tips at least 6 mm below it (7.8 at T1), ribs at least 6. All of it is our choice.
 #include <algorithm>
 
 #include "palpate/body/skeleton/skeleton_shapes.h"
@@ -11,7 +10,7 @@
 namespace palpate::body {
 namespace {
 
-// By how much a spinous process is shorter than that of the back (mm), T1 to L5.
+// The difference of a spinous process to that of the back (mm), T1 to L5.
 constexpr std::array<double, kVertebraCount> kShorter = {0.0, 0.4, 1.0, 2.4, 1.9, 3.8, 4.0, 3.3, 2.4,
                                                          2.0, 1.3, 0.8, 0.0, 0.0, 0.0, 0.5, 1.1};
 
@@ -25,7 +24,7 @@ std::array<VertebraRow, kVertebraCount> spineOfTrunk() {
 std::array<RibRow, kRibCount> ribsOfTrunk() {
   std::array<RibRow, kRibCount> rows{};
   std::copy(ribRows().begin(), ribRows().end(), rows.begin());
-  // The first rib lies lower and deeper in front: the clavicle passes over it.
+  // The first rib is lower and deeper in front: the clavicle passes over it.
   rows[0].lateral_drop = 39.0, rows[0].lateral_z = -9.0;
   rows[0].anterior_x = 43.0, rows[0].anterior_drop = 51.0, rows[0].anterior_z = -35.0;
   rows[7].half_width = 136.0;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kNeckShare = 0.25;  // share of the lift that shoulders and neck follow
 constexpr double kFarthest = 1.2;    // end of the ramp: beyond the back's skin the field continues for a little only
-constexpr int kRounds = 3;           // each takes the error down to the field's slope, 0.02
+constexpr int kRounds = 3;           // each reduces the error to the field's slope, 0.02
 
 /// 0 before `from`, 1 after `to`, with level ends.
 double smoothStep(double from, double to, double at) {

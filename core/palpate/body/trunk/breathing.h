@@ -21,8 +21,8 @@ struct Breathing {
 /// Plain data; any thread. Lengths in mm, the body's frame; places may be anywhere, also not finite.
 class BreathField {
  public:
-  /// `front_z`: least z of the skin. A body that lies on a support leaves its front there and lifts its back; another
-  /// one widens to both sides. Nothing for a body without the landmarks of a spine, or that holds its breath.
+  /// `front_z`: least z of the skin. A body on a support leaves its front there and lifts its back; another one widens
+  /// to both sides. Empty for a body without the landmarks of a spine, or that holds its breath.
   static std::optional<BreathField> of(const Breathing& breathing, std::span<const SkinLandmark> landmarks,
                                        const std::optional<Support>& support, double front_z);
 
@@ -32,7 +32,7 @@ class BreathField {
   /// The share of the lift at a place at rest, along +z: 1 on the back over the lower ribs.
   double share(const Vec3& rest) const noexcept;
 
-  /// Where a place of the body at rest is now.
+  /// The present place of a point of the body at rest.
   Vec3 moved(const Vec3& rest, double lift_mm) const noexcept;
   /// Which place at rest is here now; to 1e-5 mm at a lift of 2 mm.
   Vec3 rest(const Vec3& moved, double lift_mm) const noexcept;

@@ -119,7 +119,7 @@ class Shaper {
   std::optional<BicubicSpline> relief_;
 };
 
-/// The fitted skin and what its bones say about it.
+/// The fitted skin and data from its bones.
 struct FittedTrunk {
   std::vector<Bone> bones;
   mesh::TriangleMesh skin;
@@ -143,7 +143,7 @@ void shapeSkin(mesh::TriangleMesh& skin, const TrunkField& field, const Shaper& 
   }
 }
 
-/// The skin above the bones' landmarks. All at once, because every look at the depth of the bones sorts them again.
+/// The skin above the bones' landmarks. All at once, because every query of the depth of the bones sorts them again.
 std::vector<SkinLandmark> skinLandmarks(const TrunkField& field, const Shaper& shaper, std::span<const Bone> bones) {
   std::vector<SkinLandmark> landmarks;
   std::vector<SkinPoint> places;

@@ -53,7 +53,7 @@ double softTissueGrowth(const TrunkShape& shape, const Vec3& place);
 /// `growth`, where the bone is `depth_mm` below: skin that moves inward stops short of the bone.
 double keptOffBone(double growth, double depth_mm);
 
-/// The part of a trunk's shape that takes skin and bones alike. Made once; any thread.
+/// The part of a trunk's shape that moves skin and bones alike. Made once; any thread.
 class BodyWarp {
  public:
   explicit BodyWarp(const TrunkShape& shape);

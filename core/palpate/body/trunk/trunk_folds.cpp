@@ -1,4 +1,4 @@
-// Each stroke is a chain of short pieces laid onto the skin once; a vertex asks for its nearest place on the chain.
+// Each stroke is a chain of short pieces laid onto the skin once; a vertex looks up its nearest place on the chain.
 #include "palpate/body/trunk/trunk_folds.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 /// The influence that lessens a fold.
 enum class Follows : unsigned char { nothing, hips, belly };
 
-/// As the table below says it. Places are near the fitted skin of the right side, mm.
+/// A row of the table below. Places are near the fitted skin of the right side, mm.
 struct FoldRow {
   std::array<Vec3, 5> line;
   std::size_t points;  // points of the line that count

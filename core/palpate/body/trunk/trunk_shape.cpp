@@ -80,7 +80,7 @@ const std::array<Hill, 4> kFolds = {{
     {{75, -400, -95}, {40, 45, 40}, 0.5},
 }};
 
-constexpr double kMinCoverMm = 5.0;  // mm of tissue that no leanness takes
+constexpr double kMinCoverMm = 5.0;  // mm of tissue that remain in any lean body
 constexpr double kSpareShare = 0.6;  // at most this share of the tissue between it and the skin goes
 
 // Heights of the axis that a bend knows, mm: below the thighs' stumps to above the neck's.
@@ -162,7 +162,7 @@ namespace {
 constexpr double kSpineAxisZ = 20;  // mm, about the middle of the vertebral bodies and arches
 constexpr double kSacrumY = -300;   // stays where it is
 constexpr double kSitStraighter =
-    18;  // degrees that sitting takes from the lordosis; our choice within the published 15-30
+    18;  // degrees that sitting reduces the lordosis; our choice within the published 15-30
 constexpr double kHipFlexionDeg = 62;  // flexion of the thighs' stumps
 constexpr double kHipAxisZ = -92;      // mm, just inside the groin, which folds; the buttock stretches
 constexpr double kHipHighY = -345;

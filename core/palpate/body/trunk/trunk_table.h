@@ -12,7 +12,7 @@ inline constexpr int kTrunkTableX = 21;
 inline constexpr int kTrunkTableY = 53;
 inline constexpr int kTrunkTableZ = 22;
 inline constexpr double kTrunkTableStepMm = 18.0;
-/// Place of coefficient (0, 1, 1): the outermost ones lie a step outside, as a cubic needs them.
+/// Place of coefficient (0, 1, 1): the outermost ones are a step outside, as a cubic needs them.
 inline constexpr double kTrunkTableLowY = -580.0;
 inline constexpr double kTrunkTableLowZ = -150.0;
 
