@@ -24,7 +24,7 @@ inline constexpr std::size_t kDissertationBackTriangles = 2962;
 
 /// A point that an examiner looks for, on the skin above the bone.
 struct SkinLandmark {
-  std::string name;    ///< as in boneLandmarks: "spinous_T6", "scapula_left_inferior_angle" ...
+  std::string name;    ///< one of boneLandmarks: "spinous_T6", "scapula_left_inferior_angle" ...
   std::string bone;    ///< name of the bone
   Vec3 position;       ///< on the smooth skin, mm
   Vec3 normal;         ///< normal of the skin there, out of the body

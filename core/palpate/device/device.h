@@ -54,7 +54,7 @@ struct Capabilities {
   double max_force_n = 0.0;
   double continuous_force_n = 0.0;          ///< sustained for long
   double nominal_stiffness_n_per_mm = 0.0;  ///< the stiffest wall that it renders well
-  Box3 workspace_mm;                        ///< that it reaches, in the body frame
+  Box3 workspace_mm;                        ///< reach, in the body frame
   double rate_hz = 0.0;
   int delay_ticks = 0;  ///< servo ticks from a position to its force at the motors, apart from the tick itself
   Rhythm rhythm = Rhythm::on_call;
@@ -64,7 +64,7 @@ struct Capabilities {
   /// without a kind and this, the limits of the weakest known device hold.
   bool documented = false;
   double motion_scale = 1.0;  ///< mm of the body a mm of the device (workspace.h): what it renders is stiffer by it
-  std::string model;          ///< as the device calls itself
+  std::string model;          ///< the device's own name
   std::string version;        ///< driver version
 };
 

@@ -62,7 +62,7 @@ double largestForceN(const scene::SafetySettings& safety, const DeviceProfile& p
 
 struct SwingPlan {
   double tick_s = 0.001;
-  double first_force_n = 0.1;  ///< of the spring's jumps; grows until the device swings freely ...
+  double first_force_n = 0.1;  ///< force of the spring's jumps; grows until the device swings freely ...
   double most_force_n = 0.5;   ///< ... to this
   double reach_mm = 25.0;      ///< jump of the rest place
   int swings = 12;             ///< free ones

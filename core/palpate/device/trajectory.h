@@ -28,7 +28,7 @@ inline constexpr double kLongestTrajectoryS = 5e4;
 
 struct Trajectory {
   std::vector<double> time_s;  ///< strictly increasing, finite
-  std::vector<Vec3> tip_mm;    ///< as many as `time_s`, finite
+  std::vector<Vec3> tip_mm;    ///< same size as `time_s`, finite
   std::size_t size() const { return time_s.size(); }
 };
 

@@ -25,7 +25,7 @@ namespace palpate::device {
 struct Workspace {
   DeviceFrame frame;
   std::uint32_t clutch_buttons = 0;  ///< bits of DeviceState::buttons: while one is down, the device moves alone
-  std::uint32_t stop_buttons = 0;    ///< that press the emergency stop
+  std::uint32_t stop_buttons = 0;    ///< press the emergency stop
 
   friend bool operator==(const Workspace& a, const Workspace& b) noexcept {
     return a.frame.axes == b.frame.axes && a.frame.mm == b.frame.mm && a.frame.origin_mm == b.frame.origin_mm &&
@@ -66,9 +66,9 @@ Vec3 clutchedTip(ClutchState& state, const DeviceFrame& frame, const Vec3& place
 struct WorkspaceReading {
   Vec3 place = kNoPlace;         ///< reported by the device, before the workspace
   Vec3 tip = kNoPlace;           ///< in the body frame
-  Vec3 shift_mm = Vec3::Zero();  ///< by the clutch
+  Vec3 shift_mm = Vec3::Zero();  ///< shift by the clutch
   std::uint64_t fresh = 0;       ///< number of ticks with a new position
-  Vec3 force = Vec3::Zero();     ///< that the hand got in the tick before, in the body frame, N
+  Vec3 force = Vec3::Zero();     ///< force on the hand in the tick before, in the body frame, N
   DeviceState state;
 };
 

@@ -16,7 +16,7 @@ namespace palpate::maps {
 enum class ForceDirection : unsigned char { up, down };
 
 enum class Averaging : unsigned char {
-  plain,      ///< as printed: means of the axes, of the subjects' ratios and of the angles in degree
+  plain,      ///< printed form: means of the axes, of the subjects' ratios and of the angles in degree
   tensorial,  ///< the log-Euclidean mean: knows that an axis has no sense and that a near-circle has hardly one (E30)
 };
 

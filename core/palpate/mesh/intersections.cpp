@@ -166,7 +166,7 @@ struct BoxTree {
 struct Task {
   std::size_t a = 1;
   std::size_t b = 1;
-  std::size_t work = 0;  // that it may cost
+  std::size_t work = 0;  // limit of its cost
 };
 
 /// Does one task.
@@ -373,7 +373,7 @@ class SelfSearch {
   std::mutex mutex_;  // guards what follows
   std::vector<Crossing> crossings_;
   std::vector<std::size_t> given_up_;  // tasks that ran out of work
-  std::size_t work_left_ = 0;          // that tasks did not need
+  std::size_t work_left_ = 0;          // left over from tasks
   bool complete_ = true;
 };
 

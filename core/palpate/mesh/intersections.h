@@ -23,8 +23,8 @@ struct Intersections {
   std::size_t piercing_edges = 0;        ///< pass through a triangle
   std::size_t touching_edges = 0;        ///< those of them that meet edges and corners only, the inside of no triangle
   std::vector<Index> pierced_triangles;  ///< whose inside is met; ascending, each once
-  std::vector<Index> touched_triangles;  ///< that edges meet which only touch; the same
-  std::vector<Crossing> crossings;       ///< by edge, then by triangle
+  std::vector<Index> touched_triangles;  ///< met by edges that only touch; the same
+  std::vector<Crossing> crossings;       ///< sorted by edge, then by triangle
   bool complete = true;  ///< false: the search was given up because of too many overlaps; the results so far are real
 };
 

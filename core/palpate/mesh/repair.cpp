@@ -235,7 +235,7 @@ class Repairing {
 
   /// Lengths are compared, because a split border edge does not make a new border.
   void warnOfWhatOpened() {
-    constexpr double kRounding = 1e-9;  // of a sum of lengths
+    constexpr double kRounding = 1e-9;  // rounding of a sum of lengths
     const double opened_mm = result_.after.open_length_mm - open_length_mm_;
     if (!(opened_mm > kRounding * result_.after.open_length_mm)) return;
     result_.warnings.push_back(fmt::format("{} was closed and is open now: {:.3g} mm of border that was none",

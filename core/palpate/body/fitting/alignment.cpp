@@ -27,7 +27,7 @@ constexpr double kAlikeMm = 35;      // over this length the misfit of a build k
 constexpr double kMinSigmaMm = 0.8;  // no scan and no template is better
 constexpr double kKnownSigmaMm = 3;  // a finger's idea of a landmark
 constexpr double kFacing = 0.5;      // cosine: scan and template look the same way
-constexpr double kMisfitMm = 15;     // as bad as not met at all
+constexpr double kMisfitMm = 15;     // equals a sample that meets nothing
 
 /// A number of the build: where TrunkShape has it, what people have, what it may be.
 struct BuildNumber {
@@ -45,7 +45,7 @@ constexpr std::array<BuildNumber, kBuildNumbers> kBuild = {{
     {&TrunkShape::lordosis_deg, kFittedLordosisDeg, 10, 0, 50, 1},
     {&TrunkShape::asymmetry, 0.7, 0.6, 0, 3, 0.1},
 }};
-constexpr double kStatureDeviation = 0.09;  // of the logarithm; children and giants are recognised by their points
+constexpr double kStatureDeviation = 0.09;  // for the logarithm; children and giants are recognised by their points
 constexpr double kMinStatureMm = 700;
 constexpr double kMaxStatureMm = 2300;
 
@@ -91,7 +91,7 @@ Eigen::Matrix<double, 3, kPlacementNumbers> motionOf(const BodyPlacement& at, co
 /// A sample of the scan and the place of the template that it meets.
 struct Match {
   Vec3 point;   // on the template, body frame
-  Vec3 normal;  // of the template, scan's frame
+  Vec3 normal;  // normal of the template, scan's frame
   double off;   // mm that the scan is outside of it
   std::array<Vec3, kBuildNumbers> by_build;
 };

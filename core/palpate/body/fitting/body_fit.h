@@ -24,7 +24,7 @@ struct NamedPoint {
 struct BodyFit {
   BodyPlacement placement;
   std::vector<Move> skin_moves;    ///< from the template's skin to the scan's, mm, the scan's frame
-  std::vector<NamedPoint> points;  ///< that it went by; their names as spoken
+  std::vector<NamedPoint> points;  ///< points used; their names as spoken
   double rms_mm = 0;               ///< between template and scan, before those moves
   double matched = 0;              ///< share of the scan that the template explains
   /// Expected error of each landmark of the trunk (skeletonLandmarks), mm.

@@ -32,7 +32,7 @@ class TemplateBody {
 
   /// Places of a build, in millimetres of a man of 1750 mm: its stature is left out.
   struct Shaped {
-    std::vector<Vec3> skin;       ///< as in triangles()
+    std::vector<Vec3> skin;       ///< vertices of triangles()
     std::vector<Vec3> landmarks;  ///< on the skin, as in landmarks()
   };
   Shaped shaped(const TrunkShape& shape) const;

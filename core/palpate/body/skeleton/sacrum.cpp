@@ -21,7 +21,7 @@ namespace {
 
 const Vec3 kOrigin{0.0, -284.5, 17.0};  // the middle of the first endplate, one disc (8.8 mm) below L5
 constexpr double kChordDeg = 36.0;      // the chord from the vertical, backwards
-constexpr double kEndplateDeg = 3.0;    // by which the endplate looks more upwards than the chord: a sacral slope of 33
+constexpr double kEndplateDeg = 3.0;    // endplate upwards from the chord: a sacral slope of 33
 
 // Half width, ventral and dorsal face at a place v of the chord.
 struct SacralSection {

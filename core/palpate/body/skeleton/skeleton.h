@@ -14,7 +14,7 @@ namespace palpate::body {
 inline constexpr std::size_t kSkeletonBoneCount = 74;
 
 struct SkeletonSettings {
-  std::size_t triangles = 24000;  ///< of all bones together, exact; even; at least kFewestSkeletonTriangles
+  std::size_t triangles = 24000;  ///< all bones together, exact; even; at least kFewestSkeletonTriangles
   double cell_mm = 0.0;           ///< all bones together, exact; even; at least kFewestSkeletonTriangles
 };
 

@@ -237,7 +237,7 @@ struct ColourColumns {
 };
 
 struct ChannelColumns {
-  std::vector<std::size_t> scalars;  ///< as many as there are in the channels
+  std::vector<std::size_t> scalars;  ///< one per scalar channel
   std::optional<ColourColumns> colour;
 };
 

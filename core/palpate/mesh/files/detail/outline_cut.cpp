@@ -24,7 +24,7 @@ namespace {
 struct Side {
   Index left;
   Index right;
-  int turns;              ///< by how much the winding number grows from below it to above
+  int turns;              ///< growth of the winding number from below it to above
   Index next = kNoIndex;  ///< another that starts at the same place
 };
 
@@ -310,7 +310,7 @@ class Sweep {
   std::vector<Index> corner_at_;  // by place
   std::vector<Index> place_of_;   // by corner
   std::vector<Side> sides_;
-  std::vector<Index> first_side_;   // that starts at a place
+  std::vector<Index> first_side_;   // first side that starts at each place
   std::vector<Stretch> stretches_;  // above each side
   std::vector<Link> links_;
   std::vector<Index> starting_;
