@@ -18,9 +18,9 @@ namespace {
 constexpr std::size_t kMaxCompressedBytes = std::size_t{1} << 30;
 constexpr int kQuality = 22;         ///< 0 (no loss) to 63: no visible loss
 constexpr unsigned kKeyEvery = 100;  ///< pictures; how near to a moment a player can jump
-constexpr int kCarefulSpeed = 4;     ///< of libvpx, 0 to 9
+constexpr int kCarefulSpeed = 4;     ///< libvpx's speed, 0 to 9
 constexpr int kLiveSpeed = 8;
-constexpr unsigned kThreads = 2;  ///< of the encoder itself; the others are for drawing
+constexpr unsigned kThreads = 2;  ///< for the encoder itself; the others are for drawing
 
 struct Planes {
   vpx_image_t& image;

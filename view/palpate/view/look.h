@@ -86,7 +86,7 @@ struct Look {
 /// The writing over the picture.
 struct LabelSettings {
   std::string title;                      ///< upper left; empty = none
-  bool legend = true;                     ///< of the colours of the skin and of overlays, when they have a meaning
+  bool legend = true;                     ///< for the colours of the skin and of overlays, when they have a meaning
   bool scale_bar = true;                  ///< true in the plane of the screen
   bool orientation = true;                ///< the patient's left and right, and where the head is
   bool numbers = true;                    ///< depth and force next to each finger that touches

@@ -34,11 +34,11 @@ Eigen::AlignedBox3d boxAlong(const Mat3& axes, const mesh::TriangleMesh& skin) {
 // ---- rings
 
 constexpr int kCornerSteps = 8;
-constexpr double kStepMm = 10.0;  ///< of the shade around the body, which falls off over kFallsOffMm
+constexpr double kStepMm = 10.0;  ///< step of the shade around the body, which falls off over kFallsOffMm
 
 /// A point of the outline: the corner of the inner rectangle that it belongs to, or a place between two of them.
 struct OutlinePoint {
-  Vec2 share;   ///< as a share of the inner rectangle's half extents, -1 to 1
+  Vec2 share;   ///< share of the inner rectangle's half extents, -1 to 1
   Vec2 normal;  ///< unit, outward
 };
 

@@ -11,7 +11,7 @@ namespace palpate::view {
 
 /// A rounded rectangle in the plane of its top, and how thick it is.
 struct SupportSlab {
-  Vec3 middle;  ///< of the top, mm; a fraction of a mm outside the body
+  Vec3 middle;  ///< middle of the top, mm; a fraction of a mm outside the body
   Vec3 up;      ///< unit, towards the body
   Vec3 along;   ///< unit
   Vec2 half;    ///< half its extent across and along

@@ -50,11 +50,11 @@ struct Command {
     slide,      ///< it is dragged to `at`
     lift,       ///< it goes up
     lift_all,   ///< every finger goes up
-    deepen,     ///< by `amount` notches (0.5 mm or 0.25 N each; may be a fraction)
+    deepen,     ///< amount: notches (0.5 mm or 0.25 N each; may be a fraction)
     grab,       ///< a turn or pan begins at `at`: the thing there is its pivot
-    orbit,      ///< by `by` pixels
-    pan,        ///< by `by` pixels
-    zoom,       ///< by `amount` notches about `at`
+    orbit,      ///< by: pixels
+    pan,        ///< by: pixels
+    zoom,       ///< amount: notches; about `at`
     centre,     ///< the place at `at` becomes the centre of turning
     edit_grab,  ///< editor: place or grab at `at`
     edit_move,
@@ -85,7 +85,7 @@ struct InputSettings {
   MousePreset preset = MousePreset::palpate;
   bool swap_left_and_right = false;
   bool invert_zoom = false;
-  double speed = 1.0;     ///< of turning
+  double speed = 1.0;     ///< factor on turning
   bool shortcuts = true;  ///< false: only F1, Esc and the mouse
 };
 

@@ -14,7 +14,7 @@ namespace palpate::window {
 
 struct WindowSettings {
   std::string title = "Palpate";
-  int width = 1280;  ///< of the window, screen coordinates
+  int width = 1280;  ///< size of the window, screen coordinates
   int height = 800;
   int x = -1;  ///< place on the desktop; negative or off every monitor: the system chooses
   int y = -1;

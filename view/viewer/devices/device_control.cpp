@@ -145,7 +145,7 @@ void DeviceControl::takeOpened(std::size_t finger, ViewerState& viewer, const sc
   }
   looks_[finger] = {.since_s = viewer.now_s};
   viewer.devices.fingers[finger].interventions = {};
-  viewer.devices.fingers[finger].known_s = -1.0;  // of the earlier device, if any
+  viewer.devices.fingers[finger].known_s = -1.0;  // belonged to the earlier device, if any
   tellWho(viewer);
   if (viewer.active_finger == finger && !servo_.isHeld(1 - finger)) viewer.active_finger = 1 - finger;
   viewer.report(Severity::info,

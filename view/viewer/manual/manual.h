@@ -44,7 +44,7 @@ std::vector<Block> blocksInLanguage(const ManualPage& page);
 
 struct ManualResult {
   const ManualPage* page;
-  std::string heading;  ///< of the part that fits best; empty: the page's begin
+  std::string heading;  ///< heading of the best part; empty: the page's begin
   std::string excerpt;  ///< words around the first match
   double score;
 };

@@ -29,7 +29,7 @@ std::string withoutComments(std::string_view text) {
 
 struct Marked {
   Inline words;
-  std::size_t length;  ///< of the text with its marks
+  std::size_t length;  ///< length of the text with its marks
 };
 
 /// The text between two equal marks at its begin.

@@ -20,7 +20,7 @@ using Inlines = std::vector<Inline>;
 struct Block {
   enum class Kind : std::uint8_t { heading, paragraph, item, code, table };
   Kind kind = Kind::paragraph;
-  int level = 0;                                ///< of a heading from 1; nesting of an item from 0
+  int level = 0;                                ///< level of a heading from 1; nesting of an item from 0
   std::string marker = {};                      ///< for an item: "-" or "3."
   Inlines words = {};                           ///< for all but code and tables
   std::string text = {};                        ///< code, unchanged

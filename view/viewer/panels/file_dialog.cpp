@@ -109,7 +109,7 @@ Selection walk(Listing& listing, const char* path, const std::string& selected =
 
 /// A focused line to type a name into, with the buttons behind it. True when the input is confirmed.
 struct NameField {
-  const char* path;         ///< of the widgets: "photograph"
+  const char* path;         ///< path of the widgets: "photograph"
   const char* button_path;  ///< "photograph/open"
   const char* button;       ///< "Open"
 };
@@ -277,7 +277,7 @@ namespace {
 
 struct SaveAs {
   const char* title;
-  const char* path;         ///< of the widgets: "picture"
+  const char* path;         ///< path of the widgets: "picture"
   const char* button_path;  ///< "picture/save"
   const char* button;
   const char* stem;  ///< stem of the proposed name

@@ -47,7 +47,7 @@ void touchPanel(const TouchPanel& panel, UiOutput& output);
 struct DevicePanel {
   DevicesShown& devices;
   scene::Scene& scene;
-  const std::optional<VertexReading>& reading;  ///< of the place clicked last
+  const std::optional<VertexReading>& reading;  ///< at the place clicked last
   bool& reach;
   double ticks_per_s;
 };
@@ -97,7 +97,7 @@ void scalarWidgets(view::Look& look, const WorldFacts& world);
 
 struct VertexPanel {
   const std::optional<VertexReading>& reading;
-  bool& marked;  ///< by a cross, while the panel is open
+  bool& marked;  ///< marks it with a cross, while the panel is open
   bool& open;    ///< set while the panel is drawn
 };
 void vertexPanel(const VertexPanel& panel);

@@ -25,7 +25,7 @@ constexpr float kMargin = 24.0f;
 constexpr float kChoices = 270.0f;  ///< width of the column of choices
 constexpr float kMinForTwo = 700.0f;
 constexpr float kChoiceHeight = 46.0f;
-const ImVec2 kPicture(168.0f, 105.0f);  ///< as tools/draw-pictures makes them, at half size
+const ImVec2 kPicture(168.0f, 105.0f);  ///< half the size of tools/draw-pictures
 constexpr std::size_t kRecentShown = 5;
 
 ImDrawList& pageList() { return *ImGui::GetWindowDrawList(); }

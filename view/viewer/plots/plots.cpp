@@ -18,7 +18,7 @@ namespace {
 
 constexpr float kTitle = 20.0f;    ///< above each strip
 constexpr float kTimes = 18.0f;    ///< below it
-constexpr float kPadding = 16.0f;  ///< of the window, above and below together
+constexpr float kPadding = 16.0f;  ///< window padding, above and below together
 constexpr std::array<double, 5> kWindows = {2.0, 5.0, 10.0, 30.0, 60.0};
 
 struct Strip {

@@ -50,7 +50,7 @@ struct FingerHeld {
   std::string opening;          ///< the device that is being opened
   std::string about;            ///< its self-description
   std::string trouble;          ///< its fault, if any
-  device::Capabilities able;    ///< as reported by the driver, before the workspace
+  device::Capabilities able;    ///< reported by the driver, before the workspace
   device::Workspace workspace;  ///< in use
   device::WorkspaceReading reading;
   /// The device's own newest place, mm: kept over a tick without one, lost after half a second.

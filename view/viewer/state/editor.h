@@ -28,7 +28,7 @@ struct PlaceEdit {
   std::vector<Item>& items;
   PlaceEditor<Item>& editor;
   UiOutput& output;
-  std::span<const body::SkinLandmark> landmarks = {};  ///< of the body: places get names
+  std::span<const body::SkinLandmark> landmarks = {};  ///< the body's: places get names
 };
 using DysfunctionEdit = PlaceEdit<maps::Dysfunction>;
 using LumpEdit = PlaceEdit<scene::LumpSettings>;

@@ -106,7 +106,7 @@ struct CopyView {};
 struct PasteView {};
 struct OpenDevice {
   std::size_t finger = 0;
-  std::string words = {};  ///< as for --device
+  std::string words = {};  ///< value of --device
 };
 struct CloseDevice {
   std::size_t finger = 0;

@@ -30,7 +30,7 @@ bool wouldOverwrite(const SceneDocument& document, const std::filesystem::path& 
 struct OpenedLook {
   view::Look look = {};
   view::StereoSettings stereo = {};
-  bool camera_moved = false;  ///< by the user
+  bool camera_moved = false;  ///< whether the user moved it
 };
 
 /// The scene with the changes of its look ([view]); with the camera, too, if the user has moved it.

@@ -89,7 +89,7 @@ struct ManualShown {
 /// A class that is run from this window.
 struct ClassShown {
   bool offered = false;       ///< palpate-teach is installed
-  std::string folder = {};    ///< of the class that runs or is being started; empty: none
+  std::string folder = {};    ///< folder of the running or starting class; empty: none
   bool runs = false;          ///< broker and collector
   bool watched = false;       ///< the teacher's view is open
   bool opened_watch = false;  ///< once, by the class's start
@@ -109,7 +109,7 @@ struct SeenHead {
 /// The user's displacement profile while it is being drawn.
 struct ProfileEdit {
   std::vector<tissue::ProfileKnot> knots;
-  std::vector<tissue::ProfileKnot> drawn = {};  ///< as last written to its file; empty: not in this run
+  std::vector<tissue::ProfileKnot> drawn = {};  ///< last written to its file; empty: not in this run
   int handle = -1;                              ///< the one that is dragged
 };
 

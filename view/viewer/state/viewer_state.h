@@ -35,8 +35,8 @@ struct ViewerState {
   ViewState state;
   view::Camera camera;
   std::size_t active_finger = 0;
-  bool mark_vertex = true;  ///< by a cross, while the vertex's panel is open
-  Editor editor;            ///< of dysfunctions
+  bool mark_vertex = true;  ///< marks it with a cross, while the vertex's panel is open
+  Editor editor;            ///< dysfunctions
   LumpEditor lump_editor;
   ChangeHistory history;
   ProfileEdit profile;
@@ -60,7 +60,7 @@ struct ViewerState {
   DevicesShown devices;
   double ticks_per_s = 1000.0;  ///< the servo's: those of the scene that the window began with
   WorldFacts world;
-  std::optional<VertexReading> reading;  ///< of the vertex clicked last
+  std::optional<VertexReading> reading;  ///< the vertex clicked last
   bool vertex_panel_open = false;
   std::optional<engine::BuildProgress> building;
   bool opening = false;  ///< another scene is being opened: changes meanwhile are not steps

@@ -75,7 +75,7 @@ std::vector<device::Device> LiveServo::devicesAtFirst() {
   return devices;
 }
 
-/// The mouse's fingers follow their path whoever holds them; a device's state shows that it is not one of them.
+/// The mouse's fingers follow their path in any case; a device's state shows that it is not one of them.
 engine::ServoThread::Guide LiveServo::guide() {
   return [this](std::span<servo::FingerChain> fingers) {
     for (std::size_t i = 0; i < kFingers; ++i) {

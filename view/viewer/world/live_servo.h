@@ -21,7 +21,7 @@ namespace palpate::viewer {
 
 /// An open device, and the place of its workspace in the body.
 struct OpenedDevice {
-  std::string words;  ///< as requested: "openhaptics:Left"
+  std::string words;  ///< name in the request: "openhaptics:Left"
   device::Device device;
   device::Workspace workspace;
 };

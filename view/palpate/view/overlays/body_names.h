@@ -20,7 +20,7 @@ enum class NameKind : std::uint8_t { muscle, spine, girdle, site, rib };
 struct BodyName {
   std::string words;  ///< in an examiner's terms (body/places.h)
   NameKind kind = NameKind::girdle;
-  Index triangle = 0;  ///< of the skin; the place keeps these shares of its corners
+  Index triangle = 0;  ///< in the skin; the place keeps these shares of its corners
   Vec3 shares = Vec3::Zero();
 };
 

@@ -48,7 +48,7 @@ struct CutAway {
   std::vector<Vec2> skin = {};              ///< now
   std::vector<Vec2> rest = {};              ///< at rest
   std::vector<Layer> layers = {};           ///< from the skin down; the last one ends at the bone; empty: unknown
-  std::vector<Lump> lumps = {};             ///< of the world
+  std::vector<Lump> lumps = {};             ///< the world's
   std::optional<std::size_t> nearest = {};  ///< among these, the one in the plane of the cut
   double bone_mm = 0.0;                     ///< below the finger; 0: unknown
   Vec2 finger = Vec2::Zero();               ///< the middle of the tip

@@ -342,7 +342,7 @@ void drawCutEnds(Drawing& page, const LabelScene& scene, const CutAway& cut, Tak
 /// Pads at the right, next to the figure of directions; the cut-away at the left, in place of the section. `left` then
 /// begins next to it.
 void drawBeneath(Drawing& page, const LabelScene& scene, const LabelSettings& settings, float& left, Taken& taken) {
-  constexpr float kFigure = 90.0f;  // of directions
+  constexpr float kFigure = 90.0f;  // size of the figure of directions
   const LabelInks& inks = inksFor(scene.look);
   if (scene.look.shows(Overlay::lumps)) drawLumpNames(page, scene, taken);
   const float right = page.size().x() - kMargin - (settings.orientation ? kFigure : 0.0f);

@@ -27,7 +27,7 @@ struct LabelScene {
   const Look& look;
   const Camera& camera;
   const Eyes& eyes;
-  std::span<const BodyName> names = {};   ///< of this body
+  std::span<const BodyName> names = {};   ///< this body's
   std::optional<Vec3> eye = {};           ///< owner of this page; empty: between the eyes
   std::span<const PadReading> pads = {};  ///< where the look shows them
   const CutAway* cut = nullptr;           ///< likewise; may be null

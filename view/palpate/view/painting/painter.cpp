@@ -67,7 +67,7 @@ Screen partOf(const Screen& screen, const Part& part, const Vec2f& whole) {
 
 struct Painter::Impl {
   std::shared_ptr<const scene::World> world;
-  Eigen::AlignedBox3d box;           // of the body
+  Eigen::AlignedBox3d box;           // box of the body
   Eigen::AlignedBox3d with_support;  // with its support: all that is drawn
   Renderer renderer;
   StereoComposer composer;

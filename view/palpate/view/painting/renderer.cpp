@@ -69,7 +69,7 @@ struct Renderer::Impl {
   DrawnSkin drawn;
   Blanching blanching;
   std::vector<FingerPose> poses;
-  std::vector<HandPose> hands;  // of the poses, unless balls are drawn
+  std::vector<HandPose> hands;  // per pose, unless balls are drawn
   std::vector<ShadowCaster> casters;
   const OverlayShapes* shown = nullptr;  // for the current picture
 
