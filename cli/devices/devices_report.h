@@ -33,7 +33,7 @@ DeviceMeasurement measureDevice(const device::Device& device, double seconds, co
 struct DeviceFinding {
   const device::BackEnd* back_end = nullptr;
   device::Probe probe;
-  std::optional<device::Capabilities> capabilities;  ///< of an opened device, like the measurement
+  std::optional<device::Capabilities> capabilities;  ///< for an opened device, like the measurement
   std::optional<DeviceMeasurement> measured;
   std::string not_measured;  ///< why, where it should have been
   std::string why_nothing;   ///< there was nothing to measure

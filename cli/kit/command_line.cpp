@@ -104,7 +104,7 @@ std::string withPresentName(const std::string& word) {
 }
 
 int parse(Command& app, const std::vector<std::string>& words) {
-  std::vector<std::string> last_first;  // as CLI11 takes them
+  std::vector<std::string> last_first;  // order of CLI11
   for (auto word = words.rbegin(); word != words.rend(); ++word) last_first.push_back(withPresentName(*word));
   try {
     app.parse(last_first);
@@ -147,7 +147,7 @@ int runToTheEnd(Command& app, const std::vector<std::string>& words) {
   } catch (const std::system_error& error) {  // fmt's, when it cannot print
     if (std::ferror(stdout) != 0) return flushed(kWrongInput);
     say(fmt::format("palpate: {}\n", error.what()));
-  } catch (const std::exception& error) {  // it may quote a stranger's file
+  } catch (const std::exception& error) {  // it may quote a user's file
     say(readableText(fmt::format("palpate: {}\n", palpate::textOf(error))));
   }
   return kWrongInput;

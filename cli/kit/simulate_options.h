@@ -17,7 +17,7 @@ struct SimulateOptions {
   double mesh_unit_mm = 0.0;  ///< 0: as the format says
   double mesh_scale = 1.0;
   std::string mesh_group;
-  std::string build;    ///< of the trunk, a word of addShapeOptions; empty: the scene's
+  std::string build;    ///< a word of addShapeOptions, for the trunk; empty: the scene's
   std::string posture;  ///< the same
   std::vector<std::string> trajectories;
   double radius_mm = 0.0;

@@ -114,7 +114,7 @@ std::string surfaceLine(const ValidationReport& report) {
 struct Unit {
   double factor;
   const char* name;
-  const char* word;  ///< of --unit
+  const char* word;  ///< value of --unit
 };
 /// Common units of meshes, the likeliest first.
 constexpr std::array<Unit, 5> kUnits = {{{1000.0, "metres", "m"},

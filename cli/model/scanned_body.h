@@ -13,7 +13,7 @@ namespace palpate::app {
 
 struct ScannedBody {
   mesh::TriangleMesh mesh;         ///< mended, mm
-  mesh::VertexChannels channels;   ///< of the mesh's vertices
+  mesh::VertexChannels channels;   ///< for the mesh's vertices
   double unit_mm = 0;              ///< the file's unit as read; 0: the format's
   double mm_per_unit = 1;          ///< the same as a factor
   std::vector<std::string> notes;  ///< a guessed unit, parts of the file that were passed over

@@ -14,10 +14,10 @@ struct ShapeSpread {
 };
 
 struct TriangleShapes {
-  ShapeSpread fold_deg;      ///< an edge between two triangles each: the angle between their normals, 0 flat
-  ShapeSpread aspect;        ///< a triangle each: circumradius over twice the inradius, 1 equilateral
-  ShapeSpread angle_deg;     ///< a triangle each: its smallest angle, at most 60
-  ShapeSpread area_of_mean;  ///< a triangle each: its area over the mean one
+  ShapeSpread fold_deg;      ///< per edge between two triangles: the angle between their normals, 0 flat
+  ShapeSpread aspect;        ///< per triangle: circumradius over twice the inradius, 1 equilateral
+  ShapeSpread angle_deg;     ///< per triangle: its smallest angle, at most 60
+  ShapeSpread area_of_mean;  ///< per triangle: its area over the mean one
   double area_deviation = 0;
   double mean_edge_mm = 0;
 };

@@ -109,7 +109,7 @@ void print(const BundleArguments& arguments, const engine::BundleReport& report)
 
 void runBundle(const BundleArguments& arguments) {
   trace::refuseSame(arguments.out, arguments.file);
-  const FinishesInOrder in_order;  // files that a bundle carries lie in a folder that must go again
+  const FinishesInOrder in_order;  // carried files are in a folder that must be removed again
   const trace::ReadingWatch watch(endIfAsked);
   ProgressLine progress;
   trace::RecordingReader recording(arguments.file);

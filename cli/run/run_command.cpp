@@ -60,7 +60,7 @@ struct RunOptions {
   std::string stereo;
   std::string head_tracker;          ///< [ADDRESS:]PORT or openxr; empty: none
   std::vector<std::string> devices;  ///< for the first fingers, instead of the mouse
-  double unit_mm = 0.0;              ///< of a mesh file; 0: the format's
+  double unit_mm = 0.0;              ///< for a mesh file; 0: the format's
   std::string group;
   int width = 0;
   int height = 0;

@@ -70,7 +70,7 @@ std::optional<Request> requestOf(std::string_view message, std::string& why);
 struct ControlLimits {
   double depth_mm = 25.0;
   double force_n = 15.0;
-  double speed_mm_per_s = 400.0;  ///< of the place while it presses: faster moves are followed at this
+  double speed_mm_per_s = 400.0;  ///< limit for the place while it presses: faster moves are followed at this
   double beside_mm = 30.0;        ///< places farther out of the body's box are refused
   double silence_s = 0.5;         ///< a pressing finger without messages is released
   double idle_s = 60.0;           ///< and its holder loses it

@@ -52,7 +52,7 @@ struct NetworkCounts {
   std::uint64_t watchers = 0;  ///< now
   std::uint64_t most_watchers = 0;
   std::uint64_t frames_sent = 0;
-  std::uint64_t frames_skipped = 0;  ///< by those that were not ready
+  std::uint64_t frames_skipped = 0;  ///< watchers were not ready
   std::uint64_t bytes_sent = 0;      ///< in frames
   std::uint64_t refused_token = 0;
   std::uint64_t refused_origin = 0;

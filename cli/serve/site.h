@@ -13,7 +13,7 @@ namespace palpate::app::serving {
 struct SiteFile {
   std::string content;
   std::string type;    ///< "text/html; charset=utf-8"
-  std::string tag;     ///< of the content, for If-None-Match, in quotes
+  std::string tag;     ///< tag of the content, for If-None-Match, in quotes
   std::string policy;  ///< Content-Security-Policy of a page; otherwise empty
 };
 
