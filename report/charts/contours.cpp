@@ -19,7 +19,7 @@ namespace {
 
 // A grid edge, numbered by its lower left value: twice the value's index, plus one for the edge upwards.
 using Edge = std::int64_t;
-using EdgePair = std::array<Edge, 2>;  // that a piece of the contour joins
+using EdgePair = std::array<Edge, 2>;  // joined by a piece of the contour
 
 struct Corner {
   int column;

@@ -39,7 +39,7 @@ enum class Marker { none, circle, square, triangle, diamond, cross };
 struct Series {
   std::string name{};  ///< for the legend; an empty name is not listed
   std::vector<double> x{};
-  std::vector<double> y{};  ///< as many as x
+  std::vector<double> y{};  ///< same size as x
   Stroke stroke = Stroke::solid;
   Marker marker = Marker::none;
   std::optional<Colour> colour{};  ///< the next of the palette where empty

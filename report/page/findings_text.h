@@ -48,10 +48,10 @@ struct FindingsPart {
   std::string name{};    ///< name of a value; empty: `text` as it is
   std::string text{};
   std::string format{};                            ///< rounded, counted and so on; empty: unchanged
-  int digits = 0;                                  ///< of the format; 0: none given
-  std::string paragraph{};                         ///< that `as` names
+  int digits = 0;                                  ///< digits of the format; 0: none given
+  std::string paragraph{};                         ///< paragraph named by `as`
   std::string between = ", ";                      ///< separator of a list
-  std::vector<std::string> words{};                ///< of a choice: yes and no, or its own
+  std::vector<std::string> words{};                ///< words of a choice: yes and no, or its own
   std::vector<std::vector<FindingsPart>> texts{};  ///< one per word
 };
 

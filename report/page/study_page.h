@@ -28,7 +28,7 @@ namespace palpate::study {
 
 struct TextTable {
   std::vector<std::string> headings;
-  std::vector<std::vector<std::string>> rows;  ///< as many cells each as there are headings
+  std::vector<std::vector<std::string>> rows;  ///< one cell per heading in each
 };
 
 /// Columns padded to equal width, the last one ragged.
@@ -75,9 +75,9 @@ struct StudyPage {
   bool numbers_on_top = false;
   /// The same for lists of words. Where `figures` is an object by now, the names of files are its member `files`.
   std::vector<std::pair<std::string, std::vector<std::string>>> words{};
-  std::string command{};  ///< that makes this page again
-  std::string machine{};  ///< that it ran on
-  double seconds = 0.0;   ///< that it took
+  std::string command{};  ///< command that makes this page again
+  std::string machine{};  ///< machine of the run
+  double seconds = 0.0;   ///< duration of the run
 };
 
 /// Findings, figures (as PNG in the same folder), tables, method, command and machine.

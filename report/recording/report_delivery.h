@@ -10,7 +10,7 @@
 namespace palpate::app {
 
 struct ReportRequest {
-  std::filesystem::path file;  ///< that is reported on
+  std::filesystem::path file;  ///< the reported recording
   std::filesystem::path out;   ///< empty: `standard_page`
   bool json = false;
   /// Pictures are drawn only then.
