@@ -361,7 +361,7 @@ WorldPointer worldOfMesh(GivenMesh given) {
 }
 
 WorldPointer worldUnder(const WorldHandle& self, scene::Scene scene) {
-  scene.body = self.world->scene.body;  // which stiffness is meant goes by the kind of body
+  scene.body = self.world->scene.body;  // the kind of body decides which stiffness is meant
   return unlocked([&](Interrupts& interrupts) {
     return std::make_shared<WorldHandle>(
         WorldHandle{scene::rebuilt(*self.world, scene, interrupts.progress()), self.maps});
