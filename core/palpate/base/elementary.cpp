@@ -386,7 +386,7 @@ double exp2(double x) noexcept {
 
 double expm1(double x) noexcept {
   if (x != x || std::fabs(x) < kTiny) return x;
-  if (x > 50.0) return exp(x);  // subtracting 1 changes nothing above the last bit
+  if (x > 50.0) return exp(x);  // 1 is below the last bit
   if (x < -40.0) return -1.0;
   return rounded(expm1Pair(x));
 }

@@ -27,7 +27,7 @@ struct BackSettings {
 /// A skin in triangles, with what only the smooth surface knows. Open sheet, one border, normals out of the body.
 struct Skin {
   mesh::TriangleMesh mesh;
-  std::vector<Vec3> normals;  ///< normals of the smooth surface, one per vertex, unit
+  std::vector<Vec3> normals;  ///< unit, one per vertex; of the smooth surface
   Index border = 0;           ///< vertices [0, border) go round the outline
 };
 

@@ -82,7 +82,7 @@ class FlatSegment {
 
   struct Place {
     Vec3 offset;    ///< across wide, across thick, beyond the nearer end (0 within the segment)
-    HalfAxes axes;  ///< half axes of the section there
+    HalfAxes axes;  ///< half axes there
   };
   Place place(const Vec3& p) const {
     const Vec3 v = p - from_;

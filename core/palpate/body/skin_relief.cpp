@@ -120,7 +120,7 @@ void blurLine(const Layer& at, std::size_t first, std::size_t stride, int count,
 /// The rest of a blur when the spline, whose coefficients are the samples, does its part.
 double beforeSpline(double sigma) {
   constexpr double kStep = 3.0;                          // mm between sites
-  constexpr double kSplineVariance = kStep * kStep / 3;  // variance of a cubic B-spline
+  constexpr double kSplineVariance = kStep * kStep / 3;  // cubic B-spline
   return std::sqrt(sigma * sigma - kSplineVariance);
 }
 

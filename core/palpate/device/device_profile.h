@@ -64,7 +64,7 @@ struct SwingPlan {
   double tick_s = 0.001;
   double first_force_n = 0.1;  ///< force of the spring's jumps; grows until the device swings freely ...
   double most_force_n = 0.5;   ///< ... to this
-  double reach_mm = 25.0;      ///< jump of the rest place
+  double reach_mm = 25.0;      ///< size of a jump
   int swings = 12;             ///< free ones
 };
 
@@ -111,10 +111,10 @@ class Swings {
   bool finished_ = false;
   const char* trouble_ = nullptr;
   int swung_ = 0;
-  double force_n_ = 0.0;     // when the rest place jumps
-  double rest_place_ = 0.0;  // rest place of the spring
-  double from_ = 0.0;        // where this swing began ...
-  double travelled_ = 0.0;   // ... and how far it got
+  double force_n_ = 0.0;  // when the rest place jumps
+  double rest_place_ = 0.0;
+  double from_ = 0.0;       // where this swing began ...
+  double travelled_ = 0.0;  // ... and how far it got
   double still_place_ = 0.0;
   std::size_t still_ticks_ = 0;
   std::size_t phase_ticks_ = 0;  // since this swing, or this rest, began

@@ -71,7 +71,7 @@ struct HandGoal {
 struct PortEnergy {
   double motor = 0.0;     ///< work of the motor on the device
   double friction = 0.0;  ///< swallowed by the device's own friction and damping
-  double kinetic = 0.0;   ///< energy of the device's mass now
+  double kinetic = 0.0;   ///< the device's mass, now
   /// Net energy that the device gave to its holder: above zero, the loop is a source.
   double given() const { return motor - friction - kinetic; }
 };

@@ -24,7 +24,7 @@ enum class StiffnessInterpolation : std::uint8_t { gri, thin_plate, polynomial }
 
 struct MeasuredStiffness {
   double effect_radius_mm = 200.0;  ///< gri: reach of a measured point in the map plane
-  double basic_n_per_mm = 0.5;      ///< gri: outside the reach of key points
+  double basic_n_per_mm = 0.5;      ///< gri: outside the keys' reach
   StiffnessInterpolation interpolation = StiffnessInterpolation::gri;
   std::size_t polynomial_degree = 2;
 };

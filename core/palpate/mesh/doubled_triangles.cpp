@@ -150,7 +150,7 @@ std::vector<TwinGroup> oppositePairs(const TriangleMesh& mesh) {
 /// How a connected sheet of opposite pairs meets the rest of the surface.
 struct Rim {
   bool has_free_edge = false;  ///< an edge of one pair and of nothing else
-  bool on_surface = false;     ///< an edge where the rest is complete without the sheet: the sheet is fixed on it
+  bool on_surface = false;     ///< an edge where the rest is complete without the sheet
   bool fills_hole = false;     ///< an edge that the rest leaves open
 };
 

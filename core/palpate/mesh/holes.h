@@ -52,7 +52,7 @@ double lengthOf(const TriangleMesh& mesh, const BorderLoop& loop);
 // The smallest surface over a closed run of edges, from its own vertices alone.
 
 struct LoopTriangulation {
-  std::vector<Triangle> triangles;  ///< indices into the run; each triangle runs along it
+  std::vector<Triangle> triangles;  ///< indices into the run
   double area = 0.0;                ///< mm^2
 };
 

@@ -141,7 +141,7 @@ constexpr std::size_t kMinWork = 30'000'000;
 /// Complete binary tree: node n has the children 2 n and 2 n + 1, leaves start at `leaves`.
 struct BoxTree {
   std::vector<Index> order;  // triangles along Morton's curve
-  std::vector<Box> boxes;    // boxes of the triangles, in that order
+  std::vector<Box> boxes;    // in that order
   std::vector<Box> nodes;
   std::size_t leaves = 0;
 

@@ -235,7 +235,7 @@ class Repairing {
 
   /// Lengths are compared, because a split border edge does not make a new border.
   void warnOfWhatOpened() {
-    constexpr double kRounding = 1e-9;  // rounding of a sum of lengths
+    constexpr double kRounding = 1e-9;  // in a sum of lengths
     const double opened_mm = result_.after.open_length_mm - open_length_mm_;
     if (!(opened_mm > kRounding * result_.after.open_length_mm)) return;
     result_.warnings.push_back(fmt::format("{} was closed and is open now: {:.3g} mm of border that was none",
@@ -253,8 +253,8 @@ class Repairing {
   const RepairOptions& options_;
   const Progress& progress_;
   RepairResult result_;
-  EdgeUses edges_;  // edges of the mesh as given, then as unifyWinding and closeHoles leave it
-  Holes holes_;     // holes of the mesh as given, then of the mesh that closeHoles finds
+  EdgeUses edges_;  // in the mesh as given, then as unifyWinding and closeHoles leave it
+  Holes holes_;     // in the mesh as given, then in the one that closeHoles finds
   Patches patches_;
   double open_length_mm_ = 0.0;  // welded, before anything else is done
 };

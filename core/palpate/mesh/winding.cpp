@@ -175,7 +175,7 @@ class ClosedParts {
   }
 
  private:
-  static constexpr double kOffTheWall = 1e-6;  // share of the unit's size
+  static constexpr double kOffTheWall = 1e-6;  // times its size
   static constexpr Index kSeveral = kNoIndex - 1;
 
   void add(Index vertex, Index unit) {

@@ -27,7 +27,7 @@ constexpr double kAlikeMm = 35;      // over this length the misfit of a build k
 constexpr double kMinSigmaMm = 0.8;  // no scan and no template is better
 constexpr double kKnownSigmaMm = 3;  // a finger's idea of a landmark
 constexpr double kFacing = 0.5;      // cosine: scan and template look the same way
-constexpr double kMisfitMm = 15;     // equals a sample that meets nothing
+constexpr double kMisfitMm = 15;     // counts as no match
 
 /// A number of the build: where TrunkShape has it, what people have, what it may be.
 struct BuildNumber {
@@ -45,7 +45,7 @@ constexpr std::array<BuildNumber, kBuildNumbers> kBuild = {{
     {&TrunkShape::lordosis_deg, kFittedLordosisDeg, 10, 0, 50, 1},
     {&TrunkShape::asymmetry, 0.7, 0.6, 0, 3, 0.1},
 }};
-constexpr double kStatureDeviation = 0.09;  // for the logarithm; children and giants are recognised by their points
+constexpr double kStatureDeviation = 0.09;  // logarithmic; points reveal children and giants
 constexpr double kMinStatureMm = 700;
 constexpr double kMaxStatureMm = 2300;
 

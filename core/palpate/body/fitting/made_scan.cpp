@@ -11,7 +11,7 @@ namespace palpate::body {
 namespace {
 
 constexpr std::size_t kScanTriangles = 12000;
-constexpr double kNoiseMm = 0.25;  // typical of hand-held scanners of structured light
+constexpr double kNoiseMm = 0.25;  // hand-held scanners of structured light
 constexpr std::uint64_t kScanSeed = 7;
 const Vec2 kHoleAt(62.0, -48.0);
 const Vec2 kHoleHalf(34.0, 24.0);

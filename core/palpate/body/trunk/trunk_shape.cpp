@@ -163,7 +163,7 @@ constexpr double kSpineAxisZ = 20;  // mm, about the middle of the vertebral bod
 constexpr double kSacrumY = -300;   // stays where it is
 constexpr double kSitStraighter =
     18;  // degrees that sitting reduces the lordosis; our choice within the published 15-30
-constexpr double kHipFlexionDeg = 62;  // flexion of the thighs' stumps
+constexpr double kHipFlexionDeg = 62;  // the thighs' stumps
 constexpr double kHipAxisZ = -92;      // mm, just inside the groin, which folds; the buttock stretches
 constexpr double kHipHighY = -345;
 constexpr double kHipLowY = -500;

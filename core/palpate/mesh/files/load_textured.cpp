@@ -42,7 +42,7 @@ TexturedMesh loadTextured(const std::filesystem::path& file, const LoadOptions& 
 
 TexturedMesh loadTexturedFromMemory(std::string_view bytes, Format format, std::string_view name,
                                     const LoadOptions& options, const Progress& progress) {
-  PassedOver passed_over;  // reported by the reader of the surface
+  PassedOver passed_over;  // reported by the surface's reader
   return loadFrom({bytes, name, options, progress, {}, passed_over}, format);
 }
 

@@ -18,7 +18,7 @@ namespace palpate::mesh {
 struct GltfParts {
   std::string_view json;
   std::size_t json_offset = 0;
-  std::string_view binary;  ///< binary chunk of a GLB; empty when it has none
+  std::string_view binary;  ///< chunk of a GLB, or empty
   bool is_glb = false;
 };
 

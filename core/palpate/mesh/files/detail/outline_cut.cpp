@@ -310,7 +310,7 @@ class Sweep {
   std::vector<Index> corner_at_;  // by place
   std::vector<Index> place_of_;   // by corner
   std::vector<Side> sides_;
-  std::vector<Index> first_side_;   // first side that starts at each place
+  std::vector<Index> first_side_;   // by place
   std::vector<Stretch> stretches_;  // above each side
   std::vector<Link> links_;
   std::vector<Index> starting_;
