@@ -49,7 +49,7 @@ class FindingsFiller {
 
   std::vector<std::string> all(const FindingValues& values) const {
     std::set<std::string> ignored;
-    std::set<std::string> named;  // named by `as`: they make no findings of their own
+    std::set<std::string> named;  // by `as`, so not findings of their own
     for (const FindingsParagraph& paragraph : paragraphs_) addNames(paragraph.parts, ignored, named);
     for (const auto& [name, value] : values.items()) {
       if (named.count(name) > 0 || find(name) == nullptr) fail(1, fmt::format("has no finding [{}]", name));
