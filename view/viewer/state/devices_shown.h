@@ -14,8 +14,7 @@
 
 namespace palpate::viewer {
 
-// The servo's interventions in the forces of a held finger: counted, and summarised in a few words while they last.
-// Pure.
+// The servo's interventions in the forces of a held finger, counted and summarised while they last. Pure.
 
 class Interventions {
  public:
