@@ -15,7 +15,7 @@ void bindPickle(pybind11::module_& module);    // World, FingerSettings, Lump: p
 void bindPressure(pybind11::module_& module);  // World.pressure
 void bindFingers(pybind11::module_& module);   // Fingers
 void bindSkin(pybind11::module_& module);      // Skin
-void bindSessions(pybind11::module_& module);  // sessions: read, replay, iterate
+void bindSessions(pybind11::module_& module);  // recordings: read, replay, iterate
 void bindTissue(pybind11::module_& module);    // force laws and layered tissue
 void bindDevices(pybind11::module_& module);   // devices: list, open, drive
 void bindFits(pybind11::module_& module);      // fits of measured curves, with the resulting tissue (bind_tissue.cpp)

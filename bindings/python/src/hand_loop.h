@@ -33,7 +33,7 @@ class HandLoop {
  public:
   /// Without devices: the script sets each finger's place. Throws Error.
   HandLoop(WorldPointer world, std::vector<DevicePointer> devices, HandLoopSettings settings);
-  /// Zero force; a session that was not finished stays under its partial name.
+  /// Zero force; an unfinished recording stays under its partial name.
   ~HandLoop();
   HandLoop(const HandLoop&) = delete;
   HandLoop& operator=(const HandLoop&) = delete;
@@ -51,7 +51,7 @@ class HandLoop {
   void lift(std::size_t finger);
   /// An event at the newest tick. Throws ValueError where nothing is recorded.
   void mark(const std::string& text);
-  /// Zero force; the session is finished. Throws Error.
+  /// Zero force; the recording is finished. Throws Error.
   void close(std::string_view ended_by);
 
   Busy busy;

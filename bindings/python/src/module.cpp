@@ -1,4 +1,4 @@
-// palpate._core: worlds, fingers, skins, sessions, tissue and devices for Python. The package palpate (../palpate)
+// palpate._core: worlds, fingers, skins, recordings, tissue and devices for Python. The package palpate (../palpate)
 // hands out what is here; palpate._view and palpate._measure, modules of their own, use the types that are made here.
 #include <pybind11/pybind11.h>
 

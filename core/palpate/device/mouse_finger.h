@@ -45,7 +45,7 @@ struct MouseFingerSettings {
   double hover_mm = 6.0;            ///< height of the pad over the skin when it does not press
   double jump_mm = 40.0;            ///< a place farther away is reached in one step, in the air, instead of flown to
   double force_s = 0.060;           ///< time constant of press by force
-  double fastest_mm_per_s = 120.0;  ///< depth's limit in press by force
+  double fastest_mm_per_s = 120.0;  ///< the depth, in press by force
 };
 
 /// Waiting place of a finger that has not been over the skin: a hundred metres behind the back. Not NaN: the servo

@@ -60,8 +60,7 @@ class EditHistory {
 // save. It compares the viewer's state once a frame instead of relying on each control: a new control needs nothing
 // here.
 //
-//   session ─ as text ─ differs from the last quiet frame ─► step        undo, redo, reset ─► session,
-//   UiOutput::changed
+//   viewer state ─ as text ─ differs from the last quiet frame ─► step       undo, redo, reset ─► state, UiOutput::changed
 
 struct ViewerState;
 
