@@ -58,7 +58,7 @@ struct TileLayout {
   int columns = 1;
   float width = 0.0f;
   float height = 0.0f;
-  bool compact = false;  ///< without the level, and what a station needs in place of its trial
+  bool compact = false;  ///< without the level, and with a station's need in place of its trial
 };
 
 struct TileRoom {

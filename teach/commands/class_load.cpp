@@ -33,7 +33,7 @@ constexpr auto kLiveEvery = std::chrono::milliseconds(100);
 double steadyNowS() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
 training::Uuid newId() { return training::uuidOf(training::utcMs(), training::systemRandom()); }
 
-/// One who answers at random: the class cares for the rows, not for what is in them.
+/// A trainee who answers at random: the class counts rows, whatever is in them.
 class LoadedStation {
  public:
   LoadedStation(const classroom::Member& member, const std::filesystem::path& records, std::uint64_t seed)

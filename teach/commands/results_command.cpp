@@ -1,5 +1,5 @@
-// `palpate train results`: what the records of training hold. Each subcommand that changes or writes something has a
-// file of its own; what only reads is in results_reading.cpp.
+// `palpate train results`: reads the records of training. Each subcommand that changes or writes something has a file
+// of its own; what only reads is in results_reading.cpp.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// The subcommands of `palpate train results`, and what they share: which file, which trainee, how times and thresholds
-// read.
+// The subcommands of `palpate train results`, and their common part: which file, which trainee, how times and
+// thresholds read.
 #pragma once
 
 #include <filesystem>
@@ -42,7 +42,7 @@ void addResultsFile(Command& command, ResultsArguments& arguments);
 /// Migrates an older file. Throws Error, which says where records are made when there are none.
 training::Store openedResults(const ResultsArguments& arguments);
 
-/// A file, or a copy of what the database at this address holds (classroom/database_copy.h).
+/// A file, or a copy of the database at this address (classroom/database_copy.h).
 training::Store recordsAt(const std::string& file_or_address, training::Store::Open how);
 
 /// Finds a trainee by the code on their card, their pseudonym, or its first letters. Throws Error.

@@ -1,5 +1,5 @@
-// `palpate train results delete` and `purge`: forgetting one trainee, or what has been kept for long enough; at a
-// station, in a class's file or in its database.
+// `palpate train results delete` and `purge`: forgetting one trainee, or rows kept for long enough; at a station, in a
+// class's file or in its database.
 #include <fmt/format.h>
 
 #include <iostream>

@@ -25,7 +25,7 @@ struct TrainOptions {
   std::optional<std::uint64_t> seed;  ///< nothing: the system's randomness
   std::string trainee;                ///< describes a simulated trainee (observerNamed); empty: a person at the window
   int sessions = 1;                   ///< number that a simulated trainee does in a row
-  std::string out;                    ///< a simulated trainee: what it did, as a file; the window: folder for pictures
+  std::string out;                    ///< a simulated trainee's results, as a file; the window: folder for pictures
   bool json = false;
   bool no_recording_file = false;  ///< trials are not kept tick by tick
 
@@ -48,7 +48,7 @@ void addTrainOptions(Command& command, TrainOptions& options);
 /// a home.
 std::filesystem::path recordsFile(const TrainOptions& options);
 
-/// The scene that is felt, apart from what a trial hides in it. Throws Error.
+/// The felt scene, without what a trial hides in it. Throws Error.
 scene::Scene sceneToTrainOn(const TrainOptions& options);
 
 /// The requested kind, if one was named.

@@ -108,7 +108,7 @@ std::string lumpSections(const TrainingReport& report);
 std::vector<std::string> lumpSentences(const TrainingReport& report);
 Json lumpGroupsJson(const TrainingReport& report);
 
-/// A heading that opens what lies below it.
+/// A heading that unfolds its section.
 std::string foldedHtml(const std::string& heading, const std::string& html);
 
 }  // namespace palpate::app

@@ -104,7 +104,7 @@ bool isWhite(const view::Pixel& pixel) {
   return std::ranges::all_of(pixel, [](int c) { return c >= kRingWhite; });
 }
 
-/// Half the width of what is white outside the close view and was not before.
+/// Half the width of new white pixels outside the close view.
 double ringsHalfWidth(const view::Image& before, const view::Image& image, const PixelBox& lens) {
   int left = image.width;
   int right = -1;
@@ -147,7 +147,7 @@ struct EyePictures::Impl {
   }
 
   view::Image draw(const view::FingerMark& mark) {
-    // A hidden place changes what is felt, not the body: the even world draws them all.
+    // A hidden place changes the feel, not the body: the even world draws them all.
     const scene::World& world = *worlds.even();
     engine::LivingSkin skin(world, {.strain = false, .fingers = 1});
     skin.follow(std::span<const contact::FingerOutput>(&mark.contact, 1));

@@ -24,7 +24,7 @@ constexpr double kNotPrinted = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kTaxels = 8;
 constexpr double k95 = 1.96;
 
-// ------------------------------------------------------------------------------------------- what was printed
+// ------------------------------------------------------------------------------------------- printed values
 
 /// A later study with the same kind of set, quoted in works that cite "Lump detection is enhanced in silicone breast
 /// models simulating postmenopausal breast tissue" (1996).

@@ -63,7 +63,7 @@ struct ExaminedGroup {
 
   /// Throws Error for a name that there is not.
   const DetectionFigure& figure(std::string_view name_of) const;
-  /// Points that the trainees are off by, at most, of what is printed and not fitted.
+  /// Largest error of the trainees against printed values that were not fitted, points.
   double worstPoints() const;
 };
 

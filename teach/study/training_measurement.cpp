@@ -47,7 +47,7 @@ RecoveryRun recoveryRun(AskedBy method, double truth, int longest, std::uint64_t
   return run;
 }
 
-/// The first trial from which on the rms error stays below what is wanted; 0: none.
+/// The first trial from which on the rms error stays below the wanted one; 0: none.
 int trialsTo(const std::vector<double>& rms) {
   std::size_t from = rms.size();
   while (from > 0 && rms[from - 1] <= kWantedError) --from;

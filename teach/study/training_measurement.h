@@ -1,5 +1,5 @@
-// Tests, examinations and lessons of simulated trainees whose thresholds are known: what is recovered, how surely,
-// after how many trials.
+// Tests, examinations and lessons of simulated trainees whose thresholds are known: the recovered thresholds, their
+// certainty, and the trials needed.
 #pragma once
 
 #include <cstddef>
@@ -80,7 +80,7 @@ TrainingPlan trainingPlan(bool quick, std::optional<std::size_t> runs = {});
 /// Reported thresholds against the true one.
 struct RecoveryCell {
   double truth = 0.0;
-  double bias_points = 0.0;  ///< mean of what is reported, less the truth; percentage points
+  double bias_points = 0.0;  ///< mean of the reported value, less the truth; percentage points
   double sd_ln = 0.0;        ///< SD of ln T over runs
   double coverage = 0.0;     ///< share of 95 % intervals that hold the truth
   double mean_trials = 0.0;

@@ -17,7 +17,7 @@ struct TrainingBar {
   bool met = false;
 };
 
-/// Only of what was measured: the quick form leaves much out.
+/// Measured values only: the quick form leaves much out.
 std::vector<TrainingBar> trainingBars(const TrainingMeasurement& found);
 
 /// Over some cells: the largest without sign, the least and the most.

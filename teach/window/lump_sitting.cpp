@@ -159,7 +159,7 @@ bool LumpSitting::act(TrainingAct act, int value, const training::Moment& now) {
   return false;
 }
 
-/// The named ones, then what is touched or, in feedback, the lumps.
+/// The named places, then the touched one or, in feedback, the lumps.
 void LumpSitting::markPlaces() {
   places_ = named_;
   if (!session_.shown().empty()) {

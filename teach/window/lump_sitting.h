@@ -45,7 +45,7 @@ class LumpSitting {
   /// The body that is to be felt now, and its scene around `base`.
   TrialWorld::Body wanted() const;
   scene::Scene sceneOf(const scene::Scene& base) const;
-  /// The world with what is hidden now is at work.
+  /// Call once the world with the hidden lumps is at work.
   void worldCame(const scene::World& world);
   void ready(const training::Moment& now) { session_.ready(now); }
   void feel(const trace::Sample& sample, const training::Moment& now);

@@ -42,7 +42,7 @@ std::int64_t lastTestMs(const TrainingPast& past) {
   return std::max(past.of(SessionKind::post_test).last_ms, past.of(SessionKind::exam).last_ms);
 }
 
-/// Whole days that are left until what has stayed can be tested.
+/// Whole days left until retention can be tested.
 int daysToWait(const TrainingPast& past, const training::Protocol& protocol, std::int64_t now_ms) {
   const double since_days = static_cast<double>(now_ms - lastTestMs(past)) / kDayMs;
   return std::max(0, static_cast<int>(std::ceil(protocol.least_days_to_retention - since_days)));

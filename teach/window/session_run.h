@@ -61,7 +61,7 @@ class SessionRun {
   /// Rows go into the record; whether nothing waits. If not, `trouble` says why.
   bool keep() { return rows_.keep(session_->takeRows()); }
   const std::string& trouble() const { return rows_.trouble(); }
-  /// The recording is finished and locked with the trainee's key. Leaves what is under way. Words for the user about
+  /// The recording is finished and locked with the trainee's key. Leaves a running session. Words for the user about
   /// what went wrong; empty: all is well.
   std::string finish(std::string_view ended_by, const training::Moment& now);
 

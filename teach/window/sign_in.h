@@ -1,4 +1,4 @@
-// From the code at the door to what is to be done: sign in, consent once, a choice; and who is there afterwards.
+// From the code at the door to the chosen session: sign in, consent once, a choice; and who is there afterwards.
 //
 //   letters, acts ─► SignIn ─► stage and words (training_words.h), TraineeRow to keep, the kind that was chosen
 //
@@ -38,7 +38,7 @@ class SignIn {
 
   /// True if the act meant something here. Throws Error where the record cannot be written.
   bool act(TrainingAct act, int value);
-  /// A session is over, or could not begin: what is next?
+  /// Returns to the choice after a session that is over or could not begin.
   void comeBack(std::string notice = {});
   void tell(std::string notice) { notice_ = std::move(notice); }
 

@@ -112,7 +112,7 @@ int siteTowards(const training::SiteSet& sites, int from, const Vec2& by) {
     const double along = way.dot(by);
     const double across = std::abs(way.x() * by.y() - way.y() * by.x());
     if (along <= 1.0 || across > 1.5 * along) continue;
-    // Straight ahead before what is merely near.
+    // Prefers straight ahead to merely near.
     if (const double cost = along + 2.0 * across; cost < least) {
       least = cost;
       best = site.number;

@@ -31,7 +31,7 @@ constexpr double kRoomAsideMm = 110.0;
 constexpr int kFamiliarBodies = -2;
 /// A step of the keyboard's finger over the skin, points: about 5 mm where the whole back is seen.
 constexpr double kStepPoints = 6.0;
-/// Farther from its site than this, what the eye meets first is another side of the body, mm.
+/// Farther from its site than this, the visible skin is another side of the body, mm.
 constexpr double kSameSideMm = 25.0;
 
 bool sameHidden(const scene::Scene& a, const scene::Scene& b) {
@@ -186,7 +186,7 @@ void TrainingMode::takeButton(std::uint32_t buttons) {
   }
 }
 
-// --- what is seen
+// --- drawing
 
 void TrainingMode::look(const Sight& sight, const ViewerState& viewer) {
   seen_.clear();

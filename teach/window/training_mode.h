@@ -134,7 +134,7 @@ class TrainingMode : public Mode {
 
   TrainingSettings settings_;
   training::Store store_;
-  AsyncTask<int> tidying_;  ///< locks what a killed run left open
+  AsyncTask<int> tidying_;  ///< locks files that a killed run left open
   std::unique_ptr<ClassLine> class_;
   SignIn sign_in_;
   Voice voice_;

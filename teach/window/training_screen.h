@@ -14,7 +14,7 @@ namespace palpate::viewer {
 /// Action of a button or a key.
 enum class TrainingAct : std::uint8_t {
   none,
-  sign_in,    ///< with what was typed
+  sign_in,    ///< with the typed code
   make_code,  ///< for a trainee without one
   yes,        ///< to the question of the screen
   no,         ///< back
@@ -46,7 +46,7 @@ struct SiteMark {
   bool picked = false;   ///< would be answered: in brackets
   bool touched = false;  ///< a finger is on it: a second ring
   bool is_true = false;  ///< when it is shown: an arrow to it
-  bool is_own = false;   ///< feedback alone: what was answered
+  bool is_own = false;   ///< feedback alone: the answered site
   /// At the arrow's far end: "feel it here", "your answer"; empty: nothing.
   std::string word = {};
 };

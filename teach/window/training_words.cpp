@@ -173,7 +173,7 @@ void trialButtons(const TrainingView& view, TrainingScreen& screen) {
   if (!view.waiting) screen.time_left = view.session->shareOfTimeLeft(view.now);
 }
 
-/// Practice alone says how far it is and what was right.
+/// Practice alone shows progress and right answers.
 void addProgress(const training::Session& session, TrainingScreen& screen) {
   const int most = session.trialsAtMost();
   const int number = session.trialNumber();
@@ -206,7 +206,7 @@ void addTouchKeys(const TrainingView& view, TrainingScreen& screen) {
   if (view.by_mouse) screen.keys += std::string(" ") + tr("Arrows go from place to place, T presses and lifts.");
 }
 
-/// The session's sentence is read first; a trial's own is above what has just been said.
+/// The session's sentence is read first; a trial's own is above the last text.
 void addSaid(const TrainingView& view, TrainingScreen& screen) {
   const training::Session& session = *view.session;
   const std::string said = session.said().text;
@@ -330,7 +330,7 @@ TrainingScreen stageScreen(const TrainingView& view) {
   return {};
 }
 
-// --- what lies over it
+// --- overlays
 
 TrainingScreen overScreen(const TrainingView& view) {
   TrainingScreen screen;

@@ -26,7 +26,7 @@ class Voice {
   void say(const std::string& sentence);
   /// Once a frame.
   void advance();
-  /// Nothing more is said of what is past; the sentence at hand ends.
+  /// Drops waiting sentences; the current one ends.
   void hush();
   bool speaks() const { return child_ > 0 || waiting_.has_value(); }
   bool can() const { return program_.has_value(); }

@@ -1,7 +1,7 @@
 // The folder of a class: its certificates, the broker's configuration and access list, and a folder for each who takes
 // part, to be carried to that computer.
 //
-//   DIR/class.toml                     what the class is called, where its broker is
+//   DIR/class.toml                     the class's name and its broker's address
 //   DIR/authority/ca.crt, ca.key       signs the others; the key never leaves this computer
 //   DIR/broker/                        mosquitto.conf, access.acl, ca.crt, server.crt, server.key
 //   DIR/trainees.key                   the class's secret, from which trainees' pseudonyms are made
@@ -53,7 +53,7 @@ struct ClassFolder {
   std::filesystem::path station(const std::string& name) const { return folder / "stations" / name; }
 };
 
-/// Throws Error for names that make no sense and where a class is already; what was there stays as it is.
+/// Throws Error for names that make no sense and where a class is already; existing files stay unchanged.
 ClassFolder makeClassFolder(const std::filesystem::path& folder, const ClassPlan& plan);
 /// Throws Error if `folder` is not a class folder.
 ClassFolder readClassFolder(const std::filesystem::path& folder);
@@ -82,7 +82,7 @@ inline constexpr int kMaxInstructors = 9;
 std::filesystem::path addInstructor(const ClassFolder& folder);
 
 /// New certificates and keys for these ("broker", "instructor", "instructor-2", "ingest", "checker", stations); empty:
-/// for all, and those that an older class lacks. What is older stays valid to its end. Returns the folders, whose
+/// for all, and those that an older class lacks. Older ones stay valid to their end. Returns the folders, whose
 /// contents are to be carried to where they are used. Throws Error for a name that is not there.
 std::vector<std::filesystem::path> renewCertificates(const ClassFolder& folder,
                                                      const std::vector<std::string>& names = {},
@@ -99,7 +99,7 @@ std::vector<CertificateLife> certificateLives(const ClassFolder& folder);
 /// One line for each that ends within kWarnDays.
 std::vector<std::string> certificateWarnings(const std::vector<CertificateLife>& lives);
 
-/// Empty: the file is its owner's alone; else what is wrong and what to do.
+/// Empty: the file is its owner's alone; else the fault and its remedy.
 std::string keyFileFault(const std::filesystem::path& file);
 
 /// Private: the owner alone may read it.

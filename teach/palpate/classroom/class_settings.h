@@ -28,7 +28,7 @@ enum class Role : std::uint8_t {
 
 inline constexpr int kStandardPort = 8883;  // MQTT over TLS, as registered
 
-/// For how long a class keeps what it records, whole days after a session (training::ClassRow).
+/// Retention of a class's records, in whole days after a session (training::ClassRow).
 struct Retention {
   int days = training::ClassRow().retain_days;                  ///< rows
   int samples_days = training::ClassRow().retain_samples_days;  ///< recordings
@@ -61,7 +61,7 @@ Member parseMember(std::string_view text, const std::filesystem::path& file);
 /// With explanations; parseMember gives the same back. Files are named relative to the folder of the text's own.
 std::string memberText(const Member& member);
 
-/// `retain_days` and `retain_samples_days`; what is not said stays. Throws Error with the line.
+/// `retain_days` and `retain_samples_days`; missing keys keep their values. Throws Error with the line.
 void readRetention(const scene::TomlTable& table, Retention& retention);
 std::string retentionText(const Retention& retention);
 

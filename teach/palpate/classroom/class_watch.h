@@ -1,4 +1,4 @@
-// The instructor's connection: what the broker sends goes onto a board, commands go out. And the board.
+// The instructor's connection: messages of the broker go onto a board, commands go out. And the board.
 #pragma once
 
 #include <cstdint>

@@ -50,7 +50,7 @@ struct SinkRules {
 
 /// An SQLite file, created if missing. Throws Error.
 std::unique_ptr<RowSink> fileSink(const std::filesystem::path& file, const SinkRules& rules = {});
-/// PostgreSQL, as libpq has it: "host=/run/postgresql dbname=class". A server that does not answer yet is waited for.
+/// PostgreSQL, in libpq's form: "host=/run/postgresql dbname=class". A server that does not answer yet is waited for.
 std::unique_ptr<RowSink> databaseSink(const std::string& connection, const SinkRules& rules = {});
 
 struct CollectorReport {
@@ -73,7 +73,7 @@ class Collector {
   /// Begins at once; a broker or a database that is not there yet is waited for. Throws Error for certificates that
   /// cannot be used.
   Collector(const Member& member, std::unique_ptr<RowSink> sink);
-  /// Finishes the batch at hand.
+  /// Finishes the current batch.
   ~Collector();
   Collector(const Collector&) = delete;
   Collector& operator=(const Collector&) = delete;

@@ -173,7 +173,7 @@ std::string packed(const std::string& text) {
   return base64(bytes);
 }
 
-/// At most what a row may be: a few bytes could else become a gigabyte.
+/// Limited to a row's size: a few bytes could else become a gigabyte.
 std::optional<std::string> unpacked(const std::string& text) {
   const auto bytes = bytesOfBase64(text);
   if (!bytes) return std::nullopt;

@@ -60,7 +60,7 @@ class MqttLink {
   /// connections last, as where another program uses the same certificate. Throws Error for certificates that
   /// cannot be used.
   MqttLink(const MqttSettings& settings, MqttHandlers handlers);
-  /// In order: what was handed over goes out first, for at most so long.
+  /// Ends in order: waiting messages go out first, for at most this long.
   ~MqttLink();
   MqttLink(const MqttLink&) = delete;
   MqttLink& operator=(const MqttLink&) = delete;

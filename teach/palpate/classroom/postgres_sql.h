@@ -28,7 +28,7 @@ training::SqlValue postgresValue(unsigned type, std::string_view text);
 /// transaction that was under way.
 class PostgresSql : public training::Sql {
  public:
-  /// `connection` as libpq has it: "host=/run/postgresql dbname=class", "postgresql://...". Does not connect yet.
+  /// `connection` in libpq's form: "host=/run/postgresql dbname=class", "postgresql://...". Does not connect yet.
   /// Throws Error for one with a password (refusePassword).
   explicit PostgresSql(std::string connection);
 
@@ -38,7 +38,7 @@ class PostgresSql : public training::Sql {
   bool connected() const;
 
   training::Dialect dialect() const override { return training::Dialect::postgresql; }
-  // Throw Error for what the server refuses, DatabaseAway when it is not there.
+  // Throw Error for refusals of the server, DatabaseAway if it cannot be reached.
   void run(const std::string& statements) override;
   std::vector<training::SqlValues> ask(std::string_view sql, const training::SqlValues& values = {}) override;
   std::int64_t change(std::string_view sql, const training::SqlValues& values = {}) override;

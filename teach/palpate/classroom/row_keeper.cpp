@@ -86,7 +86,7 @@ std::string called(const SentRow& sent) { return sent.name.empty() ? std::string
 
 }  // namespace
 
-// --- what was deleted
+// --- deletions
 
 void RowKeeper::loadTombstones() {
   for (const auto& row :

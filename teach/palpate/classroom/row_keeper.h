@@ -7,7 +7,7 @@
 // deletion goes by identity and by order of arrival, never by a clock:
 //   - a station's notice takes away what that station has sent so far; whatever it sends later is of a later sign-in;
 //   - a deletion in the class's own records (or by the teacher's certificate) holds for every station until that
-// station reports that it has received it (a notice with at_ms = 0). What it sends after that is of a later sign-in.
+// station reports that it has received it (a notice with at_ms = 0). Rows sent after that are of a later sign-in.
 #pragma once
 
 #include <cstdint>
@@ -50,7 +50,7 @@ struct KeptRows {
   std::map<training::Uuid, std::vector<std::string>> to_hear;
 };
 
-/// Clocks of a class may differ by so much.
+/// Largest difference between the clocks of a class.
 inline constexpr std::int64_t kClockSkewMs = 120'000;
 /// A station's share of the class's disk: some 170,000 trials.
 inline constexpr std::int64_t kStationBytes = std::int64_t{256} << 20;

@@ -96,7 +96,7 @@ class OutboxSender {
   /// How many of the oldest rows may be looked at. Widens with time, in case the oldest are rows that are never
   /// accepted.
   std::size_t window(Time now) const;
-  /// Forgets what has left the outbox.
+  /// Forgets rows that have left the outbox.
   void restrictTo(const std::vector<training::OutboxEntry>& waiting);
   /// Not sent yet, or so long ago that it is sent again.
   bool due(const training::Uuid& row, Time now);

@@ -1,5 +1,5 @@
-// Bodies with and without lumps, one after the other, and what is answered about each: drawn from a seed, so that a
-// block that was interrupted continues where it stopped.
+// Bodies with and without lumps, one after the other, and the answers about each: drawn from a seed, so that a block
+// that was interrupted continues where it stopped.
 //
 //   settings, seed ─► hidden() ─ felt ─► question() ─ answer ─► ... ─► result(), state()
 //
@@ -71,7 +71,7 @@ enum class LumpQuestion : std::uint8_t {
   none,      ///< the body is done
 };
 
-/// C that is found half the time, and the middle 95 % of what the answers leave open.
+/// C that is found half the time, and the middle 95 % of the posterior.
 struct CueThreshold {
   double median = 0.0;
   double low = 0.0;
@@ -113,13 +113,13 @@ class LumpBlock {
   bool finished() const;
   int number() const { return static_cast<int>(trials_.size()); }  ///< number of the current body, from 1
   int bodies() const { return settings_.exam ? kExamBodies : settings_.task.bodies; }
-  const LumpTrial& trial() const { return trials_.back(); }  ///< at hand, or the last one
+  const LumpTrial& trial() const { return trials_.back(); }  ///< the current one, or the last
   LumpQuestion question() const;
   /// False: the question takes another answer.
   bool answer(int choice);
   bool answer(const Vec2& place_mm);
   bool noMore();   ///< ends the current body of an examination
-  void timeOut();  ///< the body is done with what was said so far
+  void timeOut();  ///< ends the body with the answers so far
   /// After a body that is done, unless that was the last.
   void next();
 

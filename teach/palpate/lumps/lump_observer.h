@@ -51,7 +51,7 @@ LumpCue cueOf(const contact::FingerOutput& felt, const contact::Lumps* lumps, co
 LumpCue cueOf(const contact::FingerOutput& with, const contact::FingerOutput& without, const contact::Lumps* lumps,
               const contact::PressureGround& ground, std::size_t taxels) noexcept;
 
-/// C >= 0; 1 is what is found half the time.
+/// C >= 0; 1 is found half the time.
 double clarityOf(const LumpCue& cue, const LumpObserver& observer) noexcept;
 
 /// P that a person of the group finds a lump this clear.
@@ -69,7 +69,7 @@ bool finds(double clarity, double skill, const LumpObserver& observer, Random& r
 /// How far from the lump the nearest of evenly laid strokes passes, mm, to either side.
 double drawStroke(Random& random);
 
-// Presses for the sake of the cue, by contact::step: what a finger of a simulator or of a servo loop feels.
+// Presses for the sake of the cue, by contact::step, as for a finger of a simulator or of a servo loop.
 
 /// One skin felt twice, with its lumps and without. Immutable; any number of threads.
 class ComparedSkin {
@@ -83,7 +83,7 @@ class ComparedSkin {
     contact::FingerOutput without;
     bool reached = false;  ///< the force came before the tissue, or the finger's greatest depth, ended
   };
-  /// Down onto a place of the skin along its normal, until the skin without lumps pushes with so much; then as deep
+  /// Down onto a place of the skin along its normal, until the skin without lumps pushes with this force; then as deep
   /// over the lumps.
   Press press(const Vec3& place, const Vec3& normal, double force_n) const;
   LumpCue cue(const Press& press, std::size_t taxels) const noexcept;

@@ -16,7 +16,7 @@ namespace {
 contact::FingerSettings fingertip() { return {.radius_mm = tissue::kFingertipMm}; }
 
 contact::Surface plainSheet(tissue::LayeredTable table) {
-  constexpr double kHalfMm = 200.0;  // far beyond what a finger feels
+  constexpr double kHalfMm = 200.0;  // far beyond a finger's reach
   // A drag that was not solved has its usual form: it is of no use to a press.
   if (!table.drag) table.drag = tissue::DragShape{};
   const tissue::LayeredTissue layered({tissue::nodeOf(table)});

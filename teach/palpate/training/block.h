@@ -1,4 +1,4 @@
-// A block of trials: which change and which site come next, when it is over, what it says. The one thing that differs
+// A block of trials: which change and which site come next, when it is over, its result. The one thing that differs
 // between practice, test and examination is its settings.
 //
 //   BlockSettings, seed ─► Block ─ next ─► PlannedTrial ─ (an answer) ─► TrialOutcome ─ answer ─► Block ...
@@ -58,7 +58,7 @@ struct BlockSettings {
   int warm_up = 0;          ///< at first, at the top level; not counted
   int easy = 0;             ///< number of counted ones at the top level, spread out: they show lapses
   double easy_share = 0.0;  ///< instead of a number, of a walking method
-  StopRule stop = {};       ///< counts what is measured, warm-up left out
+  StopRule stop = {};       ///< counts measured trials, warm-up left out
   Prior prior = {};
 };
 
@@ -97,7 +97,7 @@ class Block {
   Block& operator=(Block&&) noexcept;
 
   bool finished() const;
-  /// The trial at hand; the same until it is answered. Not when it is finished.
+  /// The current trial; the same until it is answered. Not when it is finished.
   const PlannedTrial& next() const;
   void answer(const TrialOutcome& outcome);
   BlockResult result() const;

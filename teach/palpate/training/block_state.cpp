@@ -12,7 +12,7 @@ namespace {
 
 /// Changes with the way in which trials follow from settings, seed and outcomes: an older block would go on wrongly.
 constexpr int kPlanningVersion = 1;
-/// Longer than any block: what a damaged file may claim.
+/// Longer than any block: an upper bound for counts in a damaged file.
 constexpr std::size_t kMaxOutcomes = 100'000;
 
 constexpr std::string_view kWhere = "state of a block";

@@ -5,7 +5,7 @@
 //   two separate results    ─ changeBetween ─► how they differ, or too early to say
 //
 // Points are filtered: each knows its own session and those before it, never later ones. Smoothing backwards makes them
-// calmer and pulls the first session towards what was learnt since, by 11 to 15 %: the very change that is looked for.
+// calmer and pulls the first session towards later learning, by 11 to 15 %: the very change that is looked for.
 // Based on: Heathcote, Brown, Mewhort, Psychonomic Bulletin & Review 7:185, 2000 (single learners are exponential).
 #pragma once
 
@@ -31,7 +31,7 @@ struct LearningPoint {
 /// 0.14 a session on average, more in the first.
 inline constexpr double kWanderBetweenSessions = 0.2;
 
-/// A point for each session. A session without answers knows what the one before it did, less surely.
+/// A point for each session. A session without answers has the estimate of the one before, less surely.
 std::vector<LearningPoint> filteredThresholds(std::span<const SessionAnswers> sessions, int choices = 12,
                                               const Prior& prior = {}, double wander = kWanderBetweenSessions);
 

@@ -51,7 +51,7 @@ class Posterior {
   ThresholdSummary summary() const;
   /// P(T < mark).
   double probabilityBelow(double mark) const;
-  /// Another day: ln T may have wandered by `sd_ln` since; slope and lapse stay what they were believed to be.
+  /// Another day: ln T may have wandered by `sd_ln` since; slope and lapse keep their distribution.
   void diffuse(double sd_ln);
 
   int choices() const { return choices_; }

@@ -229,7 +229,7 @@ Protocol protocolFrom(const TomlNode& root, std::string_view file) {
 
 // --- written
 
-/// 15 digits: what is read back is the same number, and 28 stays "28".
+/// 15 digits: the same number is read back, and 28 stays "28".
 std::string number(double value) {
   const std::string text = fmt::format("{:.15g}", value);
   return text.find_first_of(".en") == std::string::npos ? text + ".0" : text;

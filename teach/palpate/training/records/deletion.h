@@ -1,4 +1,4 @@
-// Forgetting: one trainee altogether, or what a class has kept for long enough.
+// Forgetting: one trainee altogether, or rows that a class has kept for long enough.
 //
 //   deleteTrainee: key ─ recordings ─ rows ─ what waits for the class ─ a notice to the class ─ the file rewritten
 //

@@ -1,6 +1,6 @@
-// A small SQLite file of its own: safe against power cuts, several programs at once, and what is deleted is overwritten
-// (secure_delete). Its journal is emptied with every change; what a file system keeps of freed blocks, or a solid-state
-// disk of overwritten ones, no program can reach.
+// A small SQLite file of its own: safe against power cuts, several programs at once, and deleted data is overwritten
+// (secure_delete). Its journal is emptied with every change; no program can reach a file system's copies of freed
+// blocks, or a solid-state disk's of overwritten ones.
 #include "palpate/training/records/key_vault.h"
 
 #include <fmt/format.h>

@@ -11,7 +11,7 @@
 
 namespace palpate::training {
 
-// A file that only its trainee's key opens: what a session recorded, once it is over.
+// A file that only its trainee's key opens: a session's recording, once it is over.
 //
 //   recording ─ lockFile ─► NAME.locked ─ unlockFile ─► the same bytes        key destroyed ─► nothing, for ever
 //

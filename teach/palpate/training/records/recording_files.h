@@ -23,7 +23,7 @@ namespace palpate::training {
 
 inline constexpr std::string_view kLockedExtension = ".locked";
 
-/// A file that is gone when this is: what was recorded, in the clear.
+/// A recording in the clear, in a file that is removed with this object.
 class OpenedRecording {
  public:
   explicit OpenedRecording(std::filesystem::path file) : file_(std::move(file)) {}

@@ -1,4 +1,4 @@
-// Every row, field by field: its name in the database, in JSON and in CSV, its member, what it must be like and what it
+// Every row, field by field: its name in the database, in JSON and in CSV, its member, its constraints and what it
 // means. The one list that tables (schema.cpp), statements (row_tables.cpp), messages (row_json.cpp), exports and the
 // page of the schema go by.
 //

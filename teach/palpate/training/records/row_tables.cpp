@@ -1,4 +1,4 @@
-// Statements are made from the list of fields (row_fields.h): what is not in it is neither kept nor read.
+// Statements are made from the list of fields (row_fields.h): other fields are neither written nor read.
 #include "palpate/training/records/row_tables.h"
 
 #include <fmt/format.h>

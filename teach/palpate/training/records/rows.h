@@ -14,7 +14,7 @@
 
 namespace palpate::training {
 
-/// "018f3c1e-...": version 7 (time and chance) for what is made at a station, version 8 for trainees (trainee_code.h).
+/// "018f3c1e-...": version 7 (time and chance) for rows of a station, version 8 for trainees (trainee_code.h).
 using Uuid = std::string;
 
 struct StationRow {

@@ -201,7 +201,7 @@ int schemaVersionOf(Sql& sql) {
   const std::string_view asked =
       sql.dialect() == Dialect::sqlite
           ? "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = 'schema_version'"
-          // The catalogue shows what is there; information_schema only what this role may use.
+          // The catalogue shows all; information_schema only what this role may use.
           : "SELECT count(*) FROM pg_catalog.pg_class c JOIN pg_catalog.pg_namespace n ON n.oid = c.relnamespace "
             "WHERE n.nspname = coalesce(current_schema(), 'public') AND c.relname = 'schema_version'";
   if (sql.number(asked) == 0) return 0;

@@ -73,7 +73,7 @@ std::string schemaPage();
 using SqlValue = std::variant<std::monostate, std::int64_t, double, std::string>;
 using SqlValues = std::vector<SqlValue>;
 
-/// A server that does not answer, or has gone: nothing is wrong with what was asked; ask again when it is back.
+/// A server that does not answer, or has gone: the statement is not at fault; try again when it is back.
 class DatabaseAway : public Error {
  public:
   using Error::Error;
@@ -100,7 +100,7 @@ class Sql {
   Sql& operator=(const Sql&) = default;
 };
 
-/// All or nothing: without `commit` its end undoes what was written since.
+/// All or nothing: without `commit` its end undoes all writes since.
 class SqlTransaction {
  public:
   explicit SqlTransaction(Sql& sql);

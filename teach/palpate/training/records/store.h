@@ -76,7 +76,7 @@ class Store {
   std::size_t refusedCount();
   void tryRefusedAgain();
   /// Trainees were deleted in the class, for every station: that this station has heard of it is said in its turn,
-  /// after what waits and before what is recorded from now on.
+  /// after the waiting rows and before later ones.
   void hearDeleted(std::span<const std::string> marks);
 
   /// The secret of a class whose trainees sit here (trainee_code.h), remembered in the file, so that codes can be

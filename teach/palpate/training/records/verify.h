@@ -1,4 +1,4 @@
-// Whether the records are whole: what the database says of itself, and what rows, recordings and blocks say of each
+// Whether the records are whole: the database's own check, and whether rows, recordings and blocks agree with each
 // other. Changes nothing.
 #pragma once
 

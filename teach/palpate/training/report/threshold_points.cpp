@@ -87,7 +87,7 @@ struct Weighed {
   double weight = 0.0;
 };
 
-/// The least value that has so much of the weight at or below it. `sorted` rises.
+/// The least value with this share of the weight at or below it. `sorted` rises.
 double weighedQuantile(const std::vector<Weighed>& sorted, double share) {
   double sum = 0.0;
   for (const Weighed& each : sorted) {

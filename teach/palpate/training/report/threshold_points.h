@@ -1,5 +1,5 @@
-// The thresholds of one trainee, block by block, from the answers themselves: what the learning curve is drawn through,
-// what tests are compared by, and the psychometric function behind each with its band.
+// The thresholds of one trainee, block by block, from the answers themselves: the points of the learning curve, what
+// tests are compared by, and the psychometric function behind each with its band.
 //
 //   TraineeRecord ─ thresholdPoints ─► ThresholdPoint ... ─► training_statistics.h
 //
@@ -61,7 +61,7 @@ void readProtocols(TrainingRecord& record);
 /// Null if the record lacks the protocol.
 const Protocol* protocolOf(const TrainingRecord& record, const std::string& id, int version);
 
-/// Fewer answers than this say little more than what was believed before: no threshold is shown.
+/// Fewer answers than this add little to the prior: no threshold is shown.
 inline constexpr int kMinShownAnswers = 10;
 
 /// Test, examination and retention: no feedback, even tissue. Else practice.

@@ -1,5 +1,5 @@
-// The numbers of a report: of each trainee (results, learning curve, what was felt and answered, data quality), and of
-// a class (the same of all together, results by occasion).
+// The numbers of a report: of each trainee (results, learning curve, touch and answers, data quality), and of a class
+// (the same of all together, results by occasion).
 //
 //   TrainingRecord ─ trainingStatistics ─► TrainingStatistics ─► page, JSON (teach/report)
 //

@@ -70,7 +70,7 @@ struct AnswerBox {
   double chance = 0.0, corrected = 0.0, expected = 0.0;
 };
 
-/// Boxes between two places, even on a logarithmic scale; leaves out what lies outside, and empty boxes.
+/// Boxes between two places, even on a logarithmic scale; leaves out values outside, and empty boxes.
 struct BoxScale {
   double from = 0.03, to = 1.0 + 1e-9;  ///< all changes: 100 % too
   int boxes = 10;

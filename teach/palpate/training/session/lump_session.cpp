@@ -57,7 +57,7 @@ struct LumpSession::Impl {
   BlockRow block_row;
   std::vector<TrialRow> trials;
   std::vector<Row> rows;
-  Moment begun;  // the body at hand
+  Moment begun;  // current body's start
   std::optional<Moment> paused_since;
 
   Impl(const LumpSessionPlan& wanted, const Moment& now)

@@ -97,10 +97,10 @@ class Session {
   double shareOfTimeLeft(const Moment& now) const;
   bool visited(int site) const;
   int touchedSite() const;
-  bool showsProgress() const;  ///< practice shows what was right; tests show no level and no number
+  bool showsProgress() const;  ///< practice shows right answers; tests show no level and no number
 
   // Events.
-  /// The world at work holds what `hidden` says since now: the trial's clock starts, and what was felt before it is
+  /// The world at work holds what `hidden` says since now: the trial's clock starts, and samples from before are
   /// forgotten. Callers that rebuild worlds in no time need not call it.
   void ready(const Moment& now);
   void feel(const trace::Sample& sample, const Moment& now);  ///< every sample of every finger

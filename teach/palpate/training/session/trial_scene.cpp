@@ -13,7 +13,7 @@ namespace {
 /// Thickness of the soft tissue over the transverse processes, mm: where a bone nearer to the skin is felt.
 constexpr double kTissueOverBoneMm = 30.0;
 
-/// Boussinesq's pressure under a small load falls with the depth squared: what lies deep gives that much less.
+/// Boussinesq's pressure under a small load falls with the depth squared: deep tissue gives that much less.
 double shareAtSkin(const HiddenPlace& place) {
   const double relative = place.depth_mm / place.radius_mm;
   return 1.0 / (1.0 + relative * relative);

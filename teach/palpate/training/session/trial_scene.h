@@ -23,8 +23,8 @@ double feltRatio(const HiddenPlace& place, double change, ChangeMeaning meaning)
 
 /// The base that a device can render together with the largest change of any session, at most the protocol's. A device
 /// that cannot is given the whole body softer (servo/device_limits.h), more for a larger change: that would reveal the
-/// answer's size, so the base is lowered once instead, for all sessions alike. `stiffest`: what the hand may feel,
-/// N/mm.
+/// answer's size, so the base is lowered once instead, for all sessions alike. `stiffest`: the most that the hand may
+/// feel, N/mm.
 double renderableBase(const Protocol& protocol, double stiffest_n_per_mm);
 
 /// The same for a scene's fingers on a device.

@@ -20,7 +20,7 @@ namespace {
 
 /// The hand begins so far over the first site, mm: outside, as the limiter wants it.
 constexpr double kStartOverSkinMm = 60.0;
-/// Slope of the skin is taken over this to both sides, mm: what a fingertip covers, not a facet.
+/// Slope of the skin is taken over this to both sides, mm: the width of a fingertip, not of a facet.
 constexpr double kSlopeMm = 6.0;
 
 std::string utcWords(std::int64_t ms) {

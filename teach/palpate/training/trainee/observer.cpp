@@ -18,7 +18,7 @@ namespace palpate::training {
 
 namespace {
 
-/// A key of the words, where its number goes, and what it may be.
+/// A key of the text, the member for its number, and its range.
 template <class Settings>
 struct NumberKey {
   const char* name;

@@ -14,7 +14,7 @@
 
 namespace palpate::training {
 
-// How a simulated trainee presses one place: the way of its hand's goal, tick by tick, and what it feels of it.
+// How a simulated trainee presses one place: the way of its hand's goal, tick by tick, and the felt force.
 //
 //   PressRequest ─ begin ─► travel over the skin ─► down until the force is felt ─► hold, with tremor ─► up
 //   felt sample ─ next ─► HandGoal (device/simulated_hand.h)            hold ─► FeltPress: force over depth
@@ -43,7 +43,7 @@ class TraineeFinger {
   TraineeFinger(const Vec3& start, double tick_s) : tick_s_(tick_s), place_(start), lift_to_(start), from_(start) {}
 
   void begin(const PressRequest& request);
-  /// It is over the skin again and knows what it felt; also before the first.
+  /// True when it is over the skin again with its result; also before the first press.
   bool done() const { return phase_ == Phase::over; }
   const FeltPress& felt() const { return felt_; }
   /// The goal of the tick that follows this sample. No allocation.
@@ -63,7 +63,7 @@ class TraineeFinger {
   Phase phase_ = Phase::over;
   double time_s_ = 0.0;  // in the phase
   Vec3 place_;           // goal's place
-  Vec3 lift_to_;         // over the place at hand
+  Vec3 lift_to_;         // over the current place
   Vec3 from_;            // where the phase began
   FeltPress felt_;
   double force_sum_ = 0.0;

@@ -274,7 +274,7 @@ ObserverSettings oneOfClass(const ObserverSettings& mean, double spread, std::ui
   Random random(mixed(seed, "talent " + std::to_string(number)));
   const double before = random.normal();
   const double after = kCorrelation * before + std::sqrt(1.0 - kCorrelation * kCorrelation) * random.normal();
-  // So that the mean over the class stays what it is said to be.
+  // Keeps the mean over the class at its stated value.
   const auto spread_out = [&](double value, double z) { return value * std::exp(spread * z - 0.5 * spread * spread); };
   ObserverSettings one = mean;
   one.weber = spread_out(mean.weber, before);

@@ -32,7 +32,7 @@ struct TraineeBench {
   device::HandChoice hand = {.hand = device::HandKind::thimble, .device = scene::DeviceModel::touch_x};
   bool recording_files = true;  ///< each session is recorded tick by tick; not without a body
   Uuid station;
-  std::function<bool()> stop = {};  ///< true: the session at hand is put down
+  std::function<bool()> stop = {};  ///< true: stops the current session
   std::function<void(const TrialRow&)> answered = {};
 };
 

@@ -12,7 +12,7 @@ namespace {
 constexpr double kHoverMm = 10.0;
 constexpr double kArcShare = 0.12;
 
-/// A way takes this long, and so much for its length: 50 mm in 0.3 s, as people search.
+/// Time of a way, and of its length: 50 mm in 0.3 s, as people search.
 constexpr double kTravelS = 0.2;
 constexpr double kTravelMmPerS = 500.0;
 

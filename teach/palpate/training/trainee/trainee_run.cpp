@@ -20,7 +20,7 @@ constexpr double kMaxBesideMm = 4.0;
 constexpr double kForceSd = 0.10;
 constexpr double kHoldSd = 0.10;
 
-/// To make up its mind, and to read what is said.
+/// Time to decide, and to read a text.
 constexpr double kThinkS = 0.6;
 
 std::uint64_t traineeSeed(const Session& session, const ObserverSettings& observer) {
@@ -185,7 +185,7 @@ void TraineeRun::tryTrial() {
 
 void TraineeRun::answer(int site) {
   touching_.mark(fmt::format("trial {} answered {}", session_.trialNumber(), site));
-  // "Two places were not pressed yet" to one who searches fewer: it means what it says.
+  // Answers again after "Two places were not pressed yet": it searched fewer on purpose.
   if (!session_.answer(site, now())) session_.answer(site, now());
 }
 
