@@ -1,5 +1,5 @@
 // `palpate measure synthesize`: photographs of a back that was never there, with the truth that they show; for tests,
-// for teaching, and to learn what a way of taking pictures is worth.
+// for teaching, and to test a way of taking pictures.
 #include <fmt/format.h>
 
 #include <array>

@@ -116,14 +116,13 @@ struct MeasuringMeasurement {
   double hundred_fits_s = 0.0;
 };
 
-/// `count` presses of a family whose skin moves as no fitted form has it (outside_fields.h), without pixels.
+/// `count` presses of a family whose skin moves as in no fitted form (outside_fields.h), without pixels.
 ExactPairs measureOutside(OutsideFamily family, std::uint64_t seed, std::size_t count, const Progress& progress);
 
 /// The same for any number of threads, but for the times.
 MeasuringMeasurement measureMeasuring(const MeasuringPlan& plan, const Progress& progress);
 
-// Pairs of photographs that something is wrong with: what a measurement must refuse, and what it may not be wrong
-// about.
+// Faulty pairs of photographs: some that a measurement must refuse, others that it may not be wrong about.
 
 /// Acceptable outcomes for a kind of pair.
 enum class Fate : unsigned char {

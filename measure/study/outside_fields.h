@@ -1,4 +1,4 @@
-// Presses whose skin moves as none of the fitted forms has it: what a stated uncertainty is worth outside them.
+// Presses whose skin moves as in none of the fitted forms, to test the stated uncertainty outside them.
 //
 //   family, seed ─ OutsideFields ─► SyntheticCase (TailFamily::given) ─ exactDots, measureDots ─► JudgedPair
 #pragma once

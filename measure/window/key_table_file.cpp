@@ -26,7 +26,7 @@ std::vector<std::string> columnsOf(std::string_view line) {
 
 bool holdsSomething(std::string_view line) { return !trimmed(line.substr(0, line.find('#'))).empty(); }
 
-/// In other columns: what the row does not know stays empty.
+/// Writes the row in other columns; unknown values stay empty.
 std::string inColumns(const KeyTableRow& row, const std::vector<std::string>& columns) {
   const std::vector<std::string> names = columnsOf(row.header);
   const std::vector<std::string> values = columnsOf(row.values);

@@ -119,7 +119,7 @@ void textField(const char* path, const char* label, const char* hint, std::strin
   ImGui::PopID();
 }
 
-/// Two lines, whether there are words or not: what is below must not move while a place is typed.
+/// Two lines, with or without text: the rows below must not move while a place is typed.
 void placeRow(const std::string& words) {
   ImGui::BeginChild("place words", {0.0f, 2.0f * ImGui::GetTextLineHeight()});
   ImGui::SetCursorPosX(2.0f);  // a T begins a little before its place

@@ -63,15 +63,15 @@ struct MeasuringResult {
   std::vector<std::string> errors = {};
 };
 
-/// Throws what the progress throws; what files and marks have against it becomes errors.
+/// Rethrows the progress's exception; faults of files and marks become errors.
 MeasuringResult measured(const MeasuringJob& job, const Progress& progress);
 
 class MeasuringWork {
  public:
-  /// Gives up what is at work, and waits for its next sign of life.
+  /// Cancels the running job, and waits for its next progress report.
   ~MeasuringWork() { cancel(); }
 
-  /// At once, or when what is at work is done or has given up.
+  /// Starts at once, or when the running job is done or cancelled.
   void request(MeasuringJob job);
   /// No result will come.
   void cancel();
@@ -115,7 +115,7 @@ class MeasuringMode : public Mode {
   bool answer(const Question& question, std::string_view chosen, ViewerState& viewer) override;
   void advance(const ModeWork& work) override { advance(work.viewer, work.world.body->anatomy.landmarks); }
 
-  /// Once a frame; the landmarks are those of the body at hand.
+  /// Once a frame; the landmarks are those of the current body.
   void advance(ViewerState& viewer, std::span<const body::SkinLandmark> landmarks);
 
   enum class Accepting : std::uint8_t { done, asked, failed };

@@ -1,5 +1,5 @@
-// Measuring a person in the window: two photographs, the marks in them, what came of them and what was corrected by
-// hand. Plain data and pure functions, without ImGui, files or threads.
+// Measuring a person in the window: two photographs, the marks in them, the results and the corrections by hand. Plain
+// data and pure functions, without ImGui, files or threads.
 //
 //   mouse, keys, fields ─► MeasuringView ─ stale ─► MeasuringMode: measured on its own thread ─► taken by the view
 #pragma once
@@ -146,7 +146,7 @@ inline constexpr double kMaxZoom = 40.0;
 inline constexpr double kNudgePx = 1.0;
 inline constexpr double kFineNudgePx = 0.2;
 
-/// Another photograph takes the place of one: what was measured and corrected goes.
+/// Another photograph takes the place of one: measurements and corrections are dropped.
 void choosePhoto(MeasuringView& view, Photo which, std::string file);
 /// Swaps the photographs of before and after.
 void swapPhotos(MeasuringView& view);
@@ -187,7 +187,7 @@ void settingsChanged(MeasuringView& view);
 void zoomAbout(MeasuringView& view, const Vec2& place, double factor);
 void panBy(MeasuringView& view, const Vec2& by);
 
-/// A key while the view is open. False: it means what it means elsewhere.
+/// Handles a key while the view is open. False: the key has its usual meaning.
 bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers& modifiers,
                   MeasuringRequests& requests);
 

@@ -14,7 +14,7 @@ namespace palpate::viewer {
 /// Fills the area, in a Gui frame that has begun.
 void measuringWindow(MeasuringView& view, const FreeArea& free, MeasuringRequests& requests);
 
-// Everything of the measuring view but the photographs: which they are, tools, settings, what was found, accepting.
+// Everything of the measuring view but the photographs: their names, tools, settings, findings, accepting.
 
 /// Label of MeasureSettings::partial.
 inline constexpr const char* kPartialBox = toTranslate("may leave the dots");
@@ -22,7 +22,7 @@ inline constexpr const char* kPartialBox = toTranslate("may leave the dots");
 /// In the window that is being drawn.
 void measuringColumn(MeasuringView& view, MeasuringRequests& requests);
 
-// A photograph with what was found in it, to be zoomed, shifted, clicked and dragged on.
+// A photograph with the findings in it, to be zoomed, shifted, clicked and dragged on.
 
 /// Contents of a panel.
 struct PhotoPanel {

@@ -169,7 +169,7 @@ void drawOverlayWords(ImDrawList& list, const measure::OverlayPanel& panel, cons
                      IM_COL32(255, 255, 255, 215), 3.0f);
   list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {left, top}, IM_COL32(20, 20, 20, 255), panel.title.c_str(),
                nullptr, wrap);
-  if (frame.zoom == 1.0) drawLegend(list, panel, frame, top + size.y + 6.0f);  // else it would lie over what is sought
+  if (frame.zoom == 1.0) drawLegend(list, panel, frame, top + size.y + 6.0f);  // else it would cover the marks
   if (panel.scale_bar_px > 0.0) drawBar(list, panel.scale_bar_px, frame);
 }
 

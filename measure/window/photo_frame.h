@@ -33,8 +33,8 @@ struct PhotoFrame {
 // A panel of a measurement's overlay, drawn with ImGui over its photograph.
 
 void drawOverlay(ImDrawList& list, const measure::OverlayPanel& panel, const PhotoFrame& frame);
-/// Title, legend and the bar of 50 mm, in the corners of the area: what does not fit is left out, the
-/// legend also while a part of the photograph is seen.
+/// Title, legend and the bar of 50 mm, in the corners of the area: parts that do not fit are left out, the legend also
+/// while a part of the photograph is seen.
 void drawOverlayWords(ImDrawList& list, const measure::OverlayPanel& panel, const PhotoFrame& frame);
 void drawMark(ImDrawList& list, const Vec2& at, measure::MarkForm form, const measure::OverlayColour& colour,
               float radius);

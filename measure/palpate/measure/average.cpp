@@ -39,7 +39,7 @@ maps::Ellipse ellipseOf(const PressRow& press) {
                                 press.direction_deg * kRadPerDeg);
 }
 
-/// Twice the angle: what is the same for both senses of an axis.
+/// Twice the angle, which is the same for both senses of an axis.
 Vec2 doubled(double direction_rad) { return {std::cos(2.0 * direction_rad), std::sin(2.0 * direction_rad)}; }
 
 /// In (-90, 90].

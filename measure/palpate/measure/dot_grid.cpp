@@ -1,7 +1,7 @@
 // A lattice grown from a dot whose neighbours lie in opposite pairs: the free site that its surroundings predict best
-// is taken first, and what does not fit its neighbours is dropped in the end. No full rectangle is needed, and neither
-// tilt nor a bent back matters. Two things that would go wrong silently: a seed must start from its shortest pair, or
-// half of the pictures lock onto the diagonals with every second dot; and a round takes only its best third.
+// is taken first, and dots that do not fit their neighbours are dropped in the end. No full rectangle is needed, and
+// neither tilt nor a bent back matters. Two things that would go wrong silently: a seed must start from its shortest
+// pair, or half of the pictures lock onto the diagonals with every second dot; and a round takes only its best third.
 #include "palpate/measure/dots.h"
 
 #include <algorithm>
@@ -130,7 +130,8 @@ class Lattice {
     }
   }
 
-  /// Drops what fits its neighbours worse than they fit theirs, and what has hardly any; says the median misfit.
+  /// Drops dots that fit their neighbours worse than these fit theirs, and nearly isolated ones; returns the median
+  /// misfit.
   double clean() {
     double median = 0.0;
     for (int round = 0; round < kCleanings; ++round) {

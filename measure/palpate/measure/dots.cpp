@@ -209,7 +209,7 @@ std::optional<InkHere> inkHere(const std::vector<Sample>& samples, const std::op
   return InkHere{{hue, static_cast<double>(upperMedianOf(peaks))}, static_cast<double>(upperMedianOf(areas))};
 }
 
-/// Strength along the ink's hue where that is what a pixel differs in, elsewhere 0.
+/// Strength along the ink's hue for pixels that differ in it, elsewhere 0.
 cv::Mat1f alongInk(const InkPicture& picture, const Ink& ink) {
   const auto c = static_cast<float>(std::cos(ink.hue_rad));
   const auto s = static_cast<float>(std::sin(ink.hue_rad));
@@ -243,7 +243,7 @@ struct Levels {
   double peak = 0.0;
 };
 
-/// The skin around as the ring's median, the dot's own strength as the upper tenth of what lies within it.
+/// The skin around as the ring's median, the dot's own strength as the upper tenth of the pixels within it.
 std::optional<Levels> levelsOf(const cv::Mat1f& ink, const Vec2& centre, double radius) {
   std::vector<float> ring;
   std::vector<float> inside;
@@ -261,7 +261,7 @@ std::optional<Levels> levelsOf(const cv::Mat1f& ink, const Vec2& centre, double 
   return levels.peak > levels.skin + 1.0 ? std::optional(levels) : std::nullopt;
 }
 
-/// One step of centring: the weighed mean of what is inked, and the inked area.
+/// One step of centring: the weighed mean of the inked pixels, and the inked area.
 void centre(const cv::Mat1f& ink, const Levels& levels, Vec2& place, double radius, double& area) {
   const double from = levels.skin + kRampFrom * (levels.peak - levels.skin);
   const double width = (kRampTo - kRampFrom) * (levels.peak - levels.skin);

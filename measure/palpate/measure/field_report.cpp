@@ -25,7 +25,7 @@ constexpr int kRootSteps = 12;
 constexpr int kHalvings = 24;
 constexpr double kFarthestRho = 1e4;
 constexpr std::uint64_t kSeed = 20080611;  // seed of the draws: any, but always the same
-/// ln(q) of the half Gaussian at its rim (E20): exp(-6.158) is what the dissertation cuts off.
+/// ln(q) of the half Gaussian at its rim (E20): the dissertation cuts off at exp(-6.158).
 constexpr double kGaussianRim = 6.158;
 /// A peak that no dot saw is extrapolated: this share of it counts as unsure.
 constexpr double kSdOfUnseen = 0.25;
@@ -107,7 +107,7 @@ struct Reported {
 
 constexpr std::array kLevelsMm = {2.0, 4.0};
 
-/// The skin's y is up and its x to the right; drift as the skin has it.
+/// The skin's y is up and its x to the right; drift in the skin's frame.
 Reported reportedOf(const FieldNumbers& numbers, FieldForm form, const Mat2& mean_to_skin, int rays) {
   const SkinField field = fieldOf(numbers, form);
   Reported r;
@@ -122,7 +122,7 @@ Reported reportedOf(const FieldNumbers& numbers, FieldForm form, const Mat2& mea
   return r;
 }
 
-/// Root of the mean square of what the draws differ from the estimate by.
+/// Root of the mean square difference of the draws from the estimate.
 template <class Difference>
 double spread(const std::vector<Reported>& draws, const Difference& difference) {
   double sum = 0.0;
@@ -159,8 +159,8 @@ AxisSlopes axisSlopesOf(const FittedField& fitted, const Mat2& mean_to_skin) {
   return slopes;
 }
 
-/// Peak and core of the deep form hang together, and the core leans on its bounds: what is sure of the axes would be
-/// lost in draws. Their logarithms are carried on in straight lines.
+/// Peak and core of the deep form depend on each other, and the core leans on its bounds: what is sure of the axes
+/// would be lost in draws. Their logarithms are carried on in straight lines.
 void straighten(const Eigen::Vector<double, kAxes>& logarithms, Reported& draw) {
   for (std::size_t i = 0; i < kLevelsMm.size(); ++i) {
     draw.levels[i].half_major_mm = std::exp(logarithms[2 * static_cast<Eigen::Index>(i)]);

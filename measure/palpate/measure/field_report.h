@@ -20,8 +20,9 @@ struct LevelEllipse {
 LevelEllipse levelEllipse(const SkinField& field, double level_mm, int rays = 72);
 
 /// Reports the fitted forms, likeliest first; axes, contact and peak are means by their shares. Standard deviations by
-/// draws from the covariances, the same draws every time: what the forms differ by is in them. `mean_to_skin`: from the
-/// picture's mm to the skin's in the middle of the dots, for the drift. Leaves residual_rms_mm and inside_share alone.
+/// draws from the covariances, the same draws every time: they include the difference of the forms. `mean_to_skin`:
+/// from the picture's mm to the skin's in the middle of the dots, for the drift. Leaves residual_rms_mm and
+/// inside_share alone.
 FieldFit reportField(std::span<const WeighedField> forms, const Mat2& mean_to_skin, const DriftPrior& prior);
 
 /// Widens for the unseen: no peak where no dot is in the core, a wider one where the best moved by much less, and wider

@@ -50,7 +50,7 @@ struct Drift {
   double scale_percent = 0.0;
   double turn_deg = 0.0;
   double length_mm = 0.0;  ///< length of the shift
-  double in_sd = 0.0;      ///< fitted shift, scale and turn over what was allowed
+  double in_sd = 0.0;      ///< fitted shift, scale and turn over their limits
 };
 
 /// Weight of a form in the report.
@@ -93,7 +93,7 @@ struct ContourReading {
 
 enum class Severity : unsigned char { refusal, warning };
 
-/// Something that speaks against the result: what was seen and what to do.
+/// An objection to the result, with its remedy.
 struct Finding {
   Severity severity = Severity::refusal;
   std::string code;  ///< for machines, stable: "few_dots", "moved", "swapped", ...
@@ -127,8 +127,8 @@ struct DotPair {
   std::vector<Dot> after;
 };
 
-/// Both pictures in the order they were taken, of the same size. Never throws for what the pictures show: that becomes
-/// findings. Throws Error for pictures of different size and for settings out of range.
+/// Both pictures in the order they were taken, of the same size. Never throws because of the pictures' contents: these
+/// become findings. Throws Error for pictures of different size and for settings out of range.
 Measurement measurePair(const Photograph& before, const Photograph& after, const MeasureSettings& settings = {},
                         const Progress& progress = {});
 /// The same from marks that were found elsewhere, or corrected by hand.

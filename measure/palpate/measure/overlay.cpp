@@ -1,8 +1,8 @@
 // The layers of the three panels, one small function each. Places of the skin go into the picture by the chart; what
 // has no chart or no fit is left out.
 //
-// Colours are of the palette of Okabe and Ito, which people with any common colour vision can distinguish: what was
-// fitted is blue, what the contour says is vermilion, 2 mm solid and 4 mm dashed.
+// Colours are of the palette of Okabe and Ito, which people with any common colour vision can distinguish: the fit is
+// blue, the contour's result is vermilion, 2 mm solid and 4 mm dashed.
 #include "palpate/measure/overlay.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 //   FORCES.csv ─ readPlaceCurves ─► PlaceCurve ─ fitPlaces ─► PlaceStiffness ─► key points with a stiffness, scene keys
 //
 // Fits and cross-validation are those of tissue/fitting; here presses are gathered by place, people are averaged, and
-// what cannot be a press is refused with a reason. The stiffness of a place is the secant at 8 mm, which is what the
-// stiffness map means under every law (tissue/force_law.h). Docs/howto/measure-a-person.md.
+// rows that cannot be a press are refused with a reason. The stiffness of a place is the secant at 8 mm, which is what
+// the stiffness map means under every law (tissue/force_law.h). Docs/howto/measure-a-person.md.
 #pragma once
 
 #include <array>
@@ -72,7 +72,7 @@ struct PlaceFits {
   std::optional<tissue::ForceFit> shared = {};
 };
 
-/// Never throws for what the rows say: that becomes a refusal of the place.
+/// Never throws because of the rows' contents: a fault becomes a refusal of the place.
 PlaceFits fitPlaces(std::span<const PlaceCurve> curves, const PlaceFitSettings& settings = {},
                     const Progress& progress = {});
 

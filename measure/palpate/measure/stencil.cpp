@@ -83,7 +83,7 @@ class Drawing {
         at.x(), at.y(), 0.5 * settings_.hole_mm, at.x() - arm, at.x() + arm, at.y() - arm, at.y() + arm);
   }
 
-  /// Columns by number below, rows by number on the left: what a list of clicked dots is checked with.
+  /// Columns by number below, rows by number on the left, to check a list of clicked dots with.
   std::string numbers() const {
     std::string svg;
     const double off = 0.5 * settings_.hole_mm + 1.2;
@@ -178,7 +178,7 @@ std::string sheet(const Vec2& paper_mm, const Vec2& corner, const Vec2& shown, c
       marks);
 }
 
-/// Crosses at the corners of what a tile shows, and which one it is.
+/// Crosses at the corners of a tile's part, and its name.
 std::string tileMarks(const Vec2& inset, const Vec2& shown, int row, int column) {
   std::string marks;
   for (const double x : {inset.x(), inset.x() + shown.x()}) {

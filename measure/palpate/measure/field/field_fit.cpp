@@ -1,12 +1,12 @@
 // Levenberg and Marquardt's method on the motions of all dots at once. The dots say how far the body moved between the
 // pictures as well as how the skin was dragged: both are unknowns of one fit, the first with a prior. So are bends of
 // the body that a similarity does not have: left out, they stretch long tails by a tenth unnoticed. Each dot counts by
-// what can be known of it (weightsOf); a dot that nothing explains counts less (pseudo-Huber). First the form with one
-// ellipse, from four starts; then, from the best, sideways motion too.
+// its certainty (weightsOf); a dot that nothing explains counts less (pseudo-Huber). First the form with one ellipse,
+// from four starts; then, from the best, sideways motion too.
 //
 // The dots lie 30 mm apart and do not see the core of the field; several forms may explain them about equally well and
 // differ by a tenth at 2 mm and by half at the peak. So every form is fitted, and each counts by how well it does
-// (sharesOf): what they differ by is part of the uncertainty (field_report.h).
+// (sharesOf): their difference is part of the uncertainty (field_report.h).
 //
 // Based on: Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", 1963; Charbonnier et al.,
 // "Deterministic edge-preserving regularization in computed imaging", 1997 (pseudo-Huber by reweighting).
@@ -68,7 +68,7 @@ FormPrior formPriorOf(FieldForm form) {
           .shape_sd = 2.0 * 0.35};
 }
 
-// The peak lies between the dots, under the stick, and a long tail's core is narrow: what no dot saw is bounded,
+// The peak lies between the dots, under the stick, and a long tail's core is narrow: the unseen part is bounded,
 // softly.
 constexpr double kPeakMostMm = 30.0;   // skin is not dragged farther
 constexpr double kPeakOverSeen = 3.0;  // times any dot's motion: no core is narrower than stick and skin make it
@@ -191,7 +191,7 @@ Vec2 modelAt(FieldForm form, const FieldNumbers& n, const Shape& shape, const Fi
   return dragged + driftAt(n, datum);
 }
 
-/// The normal equations of the data and of what was known before, apart, and the cost of both.
+/// The normal equations of the data and of the priors, apart, and the cost of both.
 struct Normal {
   FieldCovariance data = FieldCovariance::Zero();
   FieldCovariance prior = FieldCovariance::Zero();
@@ -401,7 +401,7 @@ std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const 
 }
 
 /// Covariance by the observed scatter, for the data; priors keep theirs. All of it is less sure where the residuals say
-/// that the skin did not move as the form has it.
+/// that the skin did not move as in the form.
 FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const double> sd_mm, const FieldNumbers& n,
                              const Prior& prior) {
   const Normal normal = normalOf(data, sd_mm, n, prior, kFieldUnknowns);

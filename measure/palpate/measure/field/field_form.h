@@ -7,7 +7,7 @@
 //   pointed:  the same with rho, rounded in the middle, in place of rho^2, from the exponential (k = 0) to 1/rho
 //   deep:     an elastic half space whose surface is dragged over a patch (Cerruti), 1/rho far away; k says how much
 //             of the motion is the patch's own, kappa is twice Poisson's ratio
-//   solved:   layers over bone by finite elements (solved_drag.h); radial is 1 + kappa times what was solved
+//   solved:   layers over bone by finite elements (solved_drag.h); radial is 1 + kappa times the solution
 #pragma once
 
 #include "palpate/measure/field/skin_field.h"
@@ -28,7 +28,7 @@ struct FormValue {
 FormValue formAt(FieldForm form, double rho2, double tail, double sideways);
 
 /// Outward motion of the skin all around a stick that presses as well, as shares of the peak times the offset from the
-/// contact in radii: 1/(1 + rho^2), as a compressible half space has it, and its power of 3/2, which is nearer.
+/// contact in radii: 1/(1 + rho^2), as in a compressible half space, and its power of 3/2, which is nearer.
 struct PressShape {
   Vec2 value = Vec2::Zero();
   Vec2 by_rho2 = Vec2::Zero();

@@ -49,7 +49,7 @@ std::map<std::string, fs::path> picturesIn(const fs::path& folder) {
   return found;
 }
 
-/// Takes what it uses out of `found`: the rest are strangers.
+/// Takes its pictures out of `found`: the rest are strangers.
 PressPictures picturesOf(const fs::path& folder, const Protocol& protocol, const std::string& press,
                          std::map<std::string, fs::path>& found) {
   const auto listed = std::ranges::find(protocol.pictures, press, &ListedPictures::press);
@@ -76,7 +76,7 @@ std::vector<std::string> missingOf(const std::string& press, const PressPictures
   return missing;
 }
 
-// --- what has changed
+// --- changes
 
 void addText(Hash& hash, std::string_view text) {
   for (const char c : text) hash.add(std::uint64_t{static_cast<unsigned char>(c)});

@@ -1,10 +1,9 @@
-// A folder a person: which pictures are there, what each press gave, what was decided; and at the end a map and a
-// scene.
+// A folder a person: its pictures, the result of each press, the decisions; and at the end a map and a scene.
 //
 //   protocol.toml, pictures, forces.csv ─ walkPerson ─► PersonWalk ─ writePerson ─► person.csv, scene.toml, summary
 //
 // Pictures stay where they are. What each press gave is kept in measured.toml with a hash of its pictures, and measured
-// again only when they, or what they are measured by, have changed; a decision of before goes with them.
+// again only when they, or the measuring settings, have changed; a decision of before goes with them.
 #pragma once
 
 #include <cstdint>
@@ -161,8 +160,8 @@ struct WalkDecisions {
   std::vector<std::string> repeat = {};
 };
 
-/// Looks, measures what is new, keeps measured.toml after every press. Throws Error for a wrong protocol, a decision
-/// about a press that was not measured, pictures that cannot be read (naming them).
+/// Looks for pictures, measures new ones, stores measured.toml after every press. Throws Error for a wrong protocol, a
+/// decision about a press that was not measured, pictures that cannot be read (naming them).
 PersonWalk walkPerson(const std::filesystem::path& folder, const MeasurePress& measure_press,
                       const WalkDecisions& decisions = {}, const Progress& progress = {});
 

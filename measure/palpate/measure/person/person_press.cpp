@@ -14,7 +14,7 @@ namespace {
 
 /// More between two pictures of nothing, and a long tail's axes are wrong by tens of percent.
 constexpr double kMaxNullDriftMm = 0.3;
-/// Pulled this far from what the pictures' names say, the names are wrong.
+/// If the pull differs by this from the pictures' names, the names are wrong.
 constexpr double kMaxAskewDeg = 45.0;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A complete walk -> mean ellipses, stiffness -> person.csv and a scene; and what a new folder begins with.
+// A complete walk -> mean ellipses, stiffness -> person.csv and a scene; and the first files of a new folder.
 #include <fmt/format.h>
 
 #include <algorithm>

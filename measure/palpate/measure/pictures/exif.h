@@ -50,7 +50,7 @@ struct TiffStart {
   std::size_t directory_at = 0;
 };
 
-/// Nothing for what does not start as TIFF does.
+/// Nothing for bytes that do not start as TIFF does.
 std::optional<TiffStart> tiffStart(std::string_view bytes);
 
 struct Exif {

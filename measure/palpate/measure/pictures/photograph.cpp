@@ -136,7 +136,7 @@ cv::Mat viewOf(const Photograph& picture) {
           std::size_t{3} * static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px)) {
     throw Error("a picture's size does not fit its pixels");
   }
-  // OpenCV takes no pointer to what it must not change; it does not.
+  // OpenCV takes no pointer to const data; it does not change them.
   return {picture.height_px, picture.width_px, CV_8UC3, const_cast<std::uint8_t*>(picture.rgb.data())};
 }
 

@@ -63,7 +63,7 @@ std::uint64_t plainBytes(const TiffDirectory& page) {
   return pixels * page.number(kSamples).value_or(1) * (page.number(kBits).value_or(8) / 8);
 }
 
-/// Whether the data lies within the file: the decoder fills up what is missing.
+/// Whether the data lies within the file: the decoder pads missing data.
 void checkWhole(const TiffDirectory& page, std::string_view bytes, std::string_view name) {
   const bool is_tiled = page.find(kTileOffsets) != nullptr;
   const TiffTag* offsets = page.find(is_tiled ? kTileOffsets : kStripOffsets);

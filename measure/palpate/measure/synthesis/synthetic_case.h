@@ -48,7 +48,7 @@ struct DotMarks {
   std::uint64_t seed = 1;
 };
 
-/// `given`: as Press::given has it.
+/// `given`: see Press::given.
 enum class TailFamily : unsigned char { compact, long_tail, half_space, windowed_half_space, given };
 
 /// Effect of the stick on the skin.

@@ -29,7 +29,7 @@ const std::vector<float>& normals() {
   return table;
 }
 
-/// Light to what a screen shows, by a table: 16 bits of a channel from 12 bits of light.
+/// Light to screen values, by a table: 16 bits of a channel from 12 bits of light.
 std::uint16_t shownOf(float light) {
   static const std::vector<std::uint16_t> table = [] {
     std::vector<std::uint16_t> values(4097);

@@ -36,7 +36,7 @@ struct SkinTexture {
 
 SkinTexture paintSkin(const SyntheticCase& made, const InkMarks& marks, double texels_per_mm);
 
-/// From what a screen shows, 0 to 1, to light.
+/// From screen values, 0 to 1, to light.
 double lightOf(double shown);
 /// Linear, of the skin colours 0 to 3.
 cv::Vec3f skinColour(int colour);
