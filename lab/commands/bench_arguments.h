@@ -15,8 +15,8 @@
 
 namespace palpate::app {
 
-// A mesh or a trajectory by file or by name: what a command takes that works on any surface, also without a file at
-// hand.
+// A mesh or a trajectory by file or by name: the argument of a command that works on any surface, also without a file
+// at hand.
 
 /// For help texts: what `meshFrom` takes.
 inline constexpr const char* kMeshNamesHelp =

@@ -18,7 +18,7 @@
 namespace palpate::app {
 namespace {
 
-/// Trajectories are written as .csv, meshes as what the extension says.
+/// Trajectories are written as .csv, meshes by the extension.
 void writeWorkload(const std::string& name, const std::string& file) {
   if (file.ends_with(".csv")) {
     device::writeTrajectory(file, trajectoryFrom(name));

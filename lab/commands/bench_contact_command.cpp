@@ -25,7 +25,7 @@ namespace palpate::app {
 
 namespace {
 
-// ---- what is printed of a run
+// ---- printed results of a run
 
 Json jsonOf(const bench::ContactFigures& f) {
   Json json;

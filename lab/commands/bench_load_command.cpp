@@ -29,7 +29,7 @@ namespace {
 // From a mesh file to the first force: the numbers of `palpate study bench load`.
 //
 // file -> scene::build (read and weld, repair, order, contact surface, deformation) -> one finger that presses.
-// Exactly what a user waits for between naming a file and feeling it.
+// The wait of a user between naming a file and feeling it.
 
 struct LoadStep {
   std::string name;             ///< as the progress line calls it

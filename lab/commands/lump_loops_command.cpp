@@ -21,7 +21,7 @@ constexpr double kMostShare = 1e-5;
 constexpr double kMostGivenNMm = 1e-5;
 /// Limit of the stability map where a run may start.
 constexpr double kMostPortEnergyMj = 0.01;
-/// A rule whose error falls with the square gains a factor of four; what is rounding already gains nothing.
+/// A rule whose error falls with the square gains a factor of four; mere rounding gains nothing.
 constexpr double kRounding = 1e-9;
 constexpr double kFourfold = 3.0;
 

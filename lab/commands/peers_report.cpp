@@ -62,7 +62,7 @@ void handOverToPeersProgram(const PeersOption& option) {
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
-  execv(program.c_str(), pointers.data());  // returns only when it cannot: then this program says what it has
+  execv(program.c_str(), pointers.data());  // returns only on failure: then this program prints its own results
 }
 
 namespace {

@@ -33,7 +33,7 @@ struct HuntPlan {
   double scale = 1.0;              ///< units per millimetre
   std::size_t lumps = 0;           ///< under the skin of each body, felt by two fingers; at scale 1 only
   std::size_t threads = 0;         ///< 0: as many as there are processors
-  /// Asked before every path, by any thread: ends the hunt with what it has. May be empty.
+  /// Called before every path, by any thread; true ends the hunt with its results so far. May be empty.
   std::function<bool()> stop;
 };
 

@@ -57,7 +57,7 @@ class Note {
   explicit Note(const std::filesystem::path& file) : file_(file.string()), text_(readFile(file, kMaxNoteBytes)) {}
 
   std::string word(std::string_view key) const { return lineOf(key).word; }
-  /// In a range; without one it may also be infinite or nan, as what was measured may be.
+  /// In a range; without one it may also be infinite or nan, as measurements may be.
   double number(std::string_view key, const NumberRange& range = {}) const {
     const Line line = lineOf(key);
     const std::optional<double> value = parseNumber(line.word);

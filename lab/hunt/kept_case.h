@@ -1,9 +1,9 @@
-// A failing path as a folder: what someone needs to see the fault, and what a test replays for ever after.
+// A failing path as a folder: all that is needed to see the fault, and for a test to replay it.
 //
 //   body.ply    the mesh, as it was before repair or reduced, in mm
 //   path.csv    the tips, every digit
 //   scene.toml  `palpate simulate scene.toml` shows it
-//   note.txt    what was seen, and the numbers that a replay needs
+//   note.txt    the fault, and the numbers that a replay needs
 #pragma once
 
 #include <cstdint>
@@ -50,7 +50,7 @@ HuntReport replay(const KeptCase& kept);
 /// The tick at which a path first shows the fault that is looked for, or nothing.
 using FirstFault = std::function<std::optional<std::size_t>(std::span<const Vec3>)>;
 
-/// Ends at the fault, begins at the latest tick from which it still comes, loses what can be left out between. At most
+/// Ends at the fault, begins at the latest tick from which it still comes, loses superfluous ticks in between. At most
 /// about `most_ticks` ticks are tried. A path without the fault is returned as it is.
 std::vector<Vec3> minimised(std::vector<Vec3> tips, const FirstFault& first_fault, std::size_t most_ticks = 400000);
 
@@ -65,7 +65,7 @@ struct SmallCase {
 };
 
 /// The path made short on the body, or on the body with so few triangles as still show a fault of that kind along the
-/// path. `mesh` unrepaired; what is returned may be a repaired and reduced one.
+/// path. `mesh` unrepaired; the returned one may be repaired and reduced.
 SmallCase minimised(const mesh::TriangleMesh& mesh, const contact::FingerSettings& finger,
                     const std::vector<Vec3>& tips, Fault fault);
 

@@ -48,8 +48,8 @@ Corners cornersOf(const mesh::TriangleMesh& mesh) {
   return corners;
 }
 
-/// Moved vertices that hang together with a touched triangle. Its corners count as touched even where they stay: a
-/// finger on a triangle larger than its region moves what lies beyond them.
+/// Moved vertices that are connected to a touched triangle. Its corners count as touched even where they stay: a finger
+/// on a triangle larger than its region moves vertices beyond them.
 std::vector<bool> connectedVertices(const mesh::TriangleMesh& mesh, const std::vector<bool>& moved,
                                     std::span<const TouchedPlace> places) {
   const Corners corners = cornersOf(mesh);

@@ -13,7 +13,7 @@ constexpr double kFeasibleShare = 0.999;
 
 enum class Past { unknown, outside, entered, held, fallen };
 
-/// Walks through the ticks and keeps what is known about the tip.
+/// Walks through the ticks and tracks the tip's state.
 class FallJudge {
  public:
   FallJudge(SurfaceSide& surface, double radius) : surface_(surface), reach_(2.0 * radius) {}

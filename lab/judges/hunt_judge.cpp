@@ -145,7 +145,7 @@ void HuntJudge::judgeFree(const contact::FingerOutput& o) {
   const double moved = (o.tip - tip_ball_.centre).norm();
   if (moved + settings_.radius_mm < tip_ball_.radius && !tip_ball_.inside && past_ == Past::outside) return;
   const double distance = body_.nearest(o.tip).distance;
-  if (distance <= body_.tolerance()) return;  // on the surface: what it was
+  if (distance <= body_.tolerance()) return;  // on the surface: unchanged
   const bool inside = insideBall(o.tip, distance, tip_ball_);
   if (!inside) {
     judgeOverlap(o.tip, distance, !let_be_);

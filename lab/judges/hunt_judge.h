@@ -94,7 +94,7 @@ class FastWinding {
   struct Dipole {
     Vec3 centre = Vec3::Zero();  ///< centre of their area
     Vec3 area = Vec3::Zero();    ///< sum of area vectors
-    Mat3 spread = Mat3::Zero();  ///< sum of (centre of triangle - centre) x area vector: what the dipole leaves out
+    Mat3 spread = Mat3::Zero();  ///< sum of (centre of triangle - centre) x area vector: the second-order term
     double far2 = 0.0;           ///< squared distance from which on it replaces them
   };
   void summarise(Index node);

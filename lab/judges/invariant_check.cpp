@@ -51,7 +51,7 @@ class Checker {
     require(Invariant::anchor_on_triangle, isOn(o.anchor_triangle, o.anchor));
     if (settings_.radius_mm > 0.0) return;
     require(Invariant::proxy_on_triangle, isOn(o.triangle, o.proxy));
-    const bool fades = (o.status & contact::kLettingGo) != 0;  // the tip is out, and what it felt has a direction still
+    const bool fades = (o.status & contact::kLettingGo) != 0;  // the tip is out; its force still has a direction
     require(Invariant::tip_not_in_front, fades || (o.tip - o.proxy).dot(o.normal) <= length_);
   }
   void addForce(const contact::FingerOutput& o) {

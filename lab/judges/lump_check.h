@@ -21,7 +21,7 @@ class LumpCheck {
   /// The next tick of a finger, in their order; `press` as the finger remembers it.
   void add(std::size_t finger, const contact::LumpPress& press, const contact::LumpPlaces& places,
            const contact::FingerOutput& felt);
-  /// Adds what was found.
+  /// Adds the findings.
   void addTo(HuntReport& report) const;
 
  private:

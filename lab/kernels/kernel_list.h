@@ -1,5 +1,5 @@
-// The engine's inner loops one by one, on the benchmark's back: what the Google Benchmark suite (lab/kernels/) times
-// and what the regression guard (kernel_times.h) watches.
+// The engine's inner loops one by one, on the benchmark's back: timed by the Google Benchmark suite (lab/kernels/) and
+// watched by the regression guard (kernel_times.h).
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@ struct Kernel {
   std::function<double()> run;  ///< the same work in every call; a sum over all results, so that none is optimised away
 };
 
-/// All kernels on a back of this many triangles. Takes about a microsecond a triangle, once; kernels share what they
-/// read and keep it alive.
+/// All kernels on a back of this many triangles. Takes about a microsecond a triangle, once; kernels share the data
+/// that they read and keep it alive.
 std::vector<Kernel> makeKernels(std::size_t triangles);
 
 /// Parts of makeKernels.

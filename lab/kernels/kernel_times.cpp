@@ -16,7 +16,7 @@ namespace palpate::bench {
 namespace {
 
 constexpr int kMinRounds = 3;
-/// A sample lasts at least this long, so that what it finds in the caches is its own.
+/// A sample lasts at least this long, so that the caches hold its own data.
 constexpr double kMinSampleNs = 2e5;
 
 volatile double kept;  // keeps the optimiser from leaving out work with unused results

@@ -1,5 +1,5 @@
-// Kernels of the deformation under one finger that goes to and fro between two places, as from frame to frame: what it
-// left is restored, what it reached is moved. And the map that gives the ellipse of a place.
+// Kernels of the deformation under one finger that goes to and fro between two places, as from frame to frame: the left
+// skin is restored, the reached skin is moved. And the map that gives the ellipse of a place.
 #include <array>
 #include <bit>
 #include <memory>

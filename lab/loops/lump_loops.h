@@ -54,7 +54,7 @@ struct HeldLumpsFigures {
   std::size_t paths = 0;
   std::size_t with_two_fingers = 0;
   std::size_t felt = 0;  ///< paths whose lump has moved by a tenth of a millimetre or more
-  /// The most that came back beyond what was stored, N mm: skin and lumps have given as much more than they got.
+  /// Largest energy returned beyond the stored one, N mm: skin and lumps gave this much more than they got.
   double given_back_n_mm = 0.0;
   double lost_n_mm = 0.0;       ///< by friction and drag of the lump, at most
   std::size_t oscillating = 0;  ///< tip or lump swings on at the end

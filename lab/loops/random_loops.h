@@ -1,4 +1,4 @@
-// Random devices and hands, off their nominal values as real ones are: what a controller that knows only the nominal
+// Random devices and hands, off their nominal values as real ones are, which a controller that knows only the nominal
 // device must still keep at rest.
 #pragma once
 

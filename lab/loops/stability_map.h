@@ -44,9 +44,9 @@ struct StabilityCell {
 /// points to a profile that lives as long as the program.
 LoopPlan mappedLoop(const StabilityCell& cell, std::uint64_t seed, std::size_t number);
 
-/// Cap and reason as the product finds them, and what the systems do there. Each system is kicked bare and controlled
-/// and tapped bare and controlled, every second at 0.5 m/s, else at 0.1 to 0.5. It oscillates when it swings by more
-/// than two encoder steps 0.4 to 0.8 s after the kick, and still 1.6 to 2 s after.
+/// Cap and reason as the product finds them, and the systems' behaviour there. Each system is kicked bare and
+/// controlled and tapped bare and controlled, every second at 0.5 m/s, else at 0.1 to 0.5. It oscillates when it swings
+/// by more than two encoder steps 0.4 to 0.8 s after the kick, and still 1.6 to 2 s after.
 StabilityCell measuredCell(StabilityCell cell, std::uint64_t seed, std::size_t systems);
 
 /// Cells by rate, delay, device, hand. The same cells whatever the threads.

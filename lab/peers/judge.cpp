@@ -40,7 +40,7 @@ bool isRight(const ContactAnswer& answer, const tree::TriangleTree& tree, const 
   const ContactAnswer exact = exactAnswer(tree, query);
   if (answer.crosses != exact.crosses && !endsOnSurface(tree, query, tolerance)) return false;
   if (std::isinf(answer.distance) && std::isinf(exact.distance)) return true;
-  // The one may find what lies just beyond the other's reach.
+  // One may find points just beyond the other's reach.
   return std::abs(std::min(answer.distance, query.reach) - std::min(exact.distance, query.reach)) <= tolerance;
 }
 

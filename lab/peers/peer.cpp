@@ -1,5 +1,5 @@
-// Turns a run of our finger into what a finger has to ask in a tick. Ends of ways that lie on the skin are lifted off
-// it by less than can be felt, or "does it cross" would be decided by rounding.
+// Turns a run of our finger into the queries of a finger in a tick. Ends of ways that lie on the skin are lifted off it
+// by less than can be felt, or "does it cross" would be decided by rounding.
 #include "lab/peers/peer.h"
 
 #include <algorithm>

@@ -25,7 +25,7 @@ namespace palpate::bench {
 struct ContactQuery {
   Vec3 point = Vec3::Zero();  ///< its nearest point of the surface is wanted
   double reach = 0.0;         ///< within this distance; 0: not asked
-  double bound = 0.0;         ///< <= reach: what the finger knows of the distance from its last tick
+  double bound = 0.0;         ///< <= reach: the finger's bound of the distance from its last tick
   Vec3 from = Vec3::Zero();   ///< a segment that may cross the surface, from either side
   Vec3 to = Vec3::Zero();
   Vec3 proxy = Vec3::Zero();  ///< where the finger was before this tick: the centre of a detecting box
@@ -41,7 +41,7 @@ std::vector<ContactQuery> contactQueries(const ContactWorld& world, const Finger
                                          const contact::FingerSettings& finger, std::span<const double> time_s,
                                          const Window& window);
 
-/// The exact answer, by our own tree: what the peers should say.
+/// The exact answer, by our own tree: the peers' reference.
 ContactAnswer exactAnswer(const tree::TriangleTree& tree, const ContactQuery& query);
 
 /// A library's answers: `answers[i]` and `query_us[i]` belong to query `asked[i]`. All queries, or as many as the time

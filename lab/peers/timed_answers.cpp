@@ -11,8 +11,8 @@
 namespace palpate::bench {
 
 namespace {
-/// Consecutive queries: long enough that what a library keeps from query to query still helps it. For the slowest
-/// shorter, so that there are still some blocks.
+/// Consecutive queries: long enough for a library's caches between queries to help. For the slowest shorter, so that
+/// there are still some blocks.
 constexpr std::size_t kLongestBlock = 64;
 constexpr std::size_t kFewestBlocks = 8;
 }  // namespace

@@ -17,7 +17,7 @@ std::vector<std::uint32_t> affordableQueries(std::size_t count, double query_us,
 /// Bytes that the heap has handed out; none where the C library does not say.
 std::optional<double> heapBytes();
 
-/// Builds by `build()` and notes its time and what it keeps, by the heap.
+/// Builds by `build()` and notes its time and its heap memory.
 template <class Answer, class Build>
 auto timedBuild(std::size_t triangles, PeerRun<Answer>& run, Build&& build) {
   const std::optional<double> before = heapBytes();

@@ -1,4 +1,4 @@
-// contact_run.h with the detecting box as the source of contact: same tips, same figures, and what the box did.
+// contact_run.h with the detecting box as the source of contact: same tips, same figures, and the box's counts.
 #include "lab/runs/contact_run.h"
 
 #include <algorithm>

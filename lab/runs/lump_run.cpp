@@ -77,7 +77,7 @@ class TimedFinger {
   }
   const std::vector<contact::FingerOutput>& felt() const { return felt_; }
 
-  /// us a tick; `each` gets what was felt.
+  /// us a tick; `each` gets the outputs.
   template <class Each>
   double block(const Each& each) {
     state_ = begun_;

@@ -1,5 +1,5 @@
 // The hand-over is timed in blocks that alternate with blocks without it, on the same rig, while a writer takes the
-// samples out on another thread as it does for a hand. The long recording repeats what was recorded.
+// samples out on another thread as it does for a hand. The long recording repeats the recorded ticks.
 #include "lab/runs/servo_costs.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<trace::RecordingFinger> fingersOf(const scene::World& world) {
   return fingers;
 }
 
-/// Ticks of the paths, from their beginning whenever they end, with fingers that forget what they touched there.
+/// Ticks of the paths, from their beginning whenever they end, with fingers that forget their contacts there.
 class Ticks {
  public:
   Ticks(const scene::World& world, const device::FingerPaths& paths)

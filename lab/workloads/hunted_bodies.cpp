@@ -176,8 +176,7 @@ mesh::TriangleMesh ridge(Random& random) {
 
 // ---- voxels, hairline gaps, thin parts, open and inside out ---------------------------------------------------------
 
-/// The skin of cubes of a lattice: what a segmented scan looks like. Cubes that share only an edge or a corner are
-/// there.
+/// The skin of cubes of a lattice, like a segmented scan. Cubes that share only an edge or a corner are there.
 mesh::TriangleMesh voxels(Random& random) {
   constexpr int kCells = 9;
   constexpr std::size_t kRow = kCells;
@@ -261,7 +260,7 @@ mesh::TriangleMesh insideOutOpen(Random& random) {
   return mesh;
 }
 
-/// Takes away what lies beyond a plane near one end: an opening that is far from most of the body.
+/// Cuts off the body beyond a plane near one end: an opening that is far from most of the body.
 mesh::TriangleMesh openAtOneEnd(mesh::TriangleMesh mesh, Random& random) {
   const Vec3 axis = random.below(2) == 0 ? anyDirection(random) : Vec3(Vec3::Unit(static_cast<int>(random.below(3))));
   double low = std::numeric_limits<double>::infinity();

@@ -46,7 +46,8 @@ void repeatTriangles(mesh::TriangleMesh& mesh, std::size_t count, Random& random
 /// Turned at random about the origin, and moved.
 void place(mesh::TriangleMesh& mesh, const Vec3& at, Random& random);
 
-// Random embedded bodies with what is hard to feel: pockets, crevices, limbs, thin plates, horns, walls, tunnels.
+// Random embedded bodies with parts that are hard to feel: pockets, crevices, limbs, thin plates, horns, walls,
+// tunnels.
 //
 // Each shape is a signed distance, a union of primitives with others cut out, whose zero surface is meshed: closed and
 // manifold whatever the random numbers are, and free of self-intersections but for a few whose flat triangles at a
