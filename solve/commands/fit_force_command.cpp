@@ -148,7 +148,7 @@ Plot exponentPlot(const ForceResult& result) {
   return plot;
 }
 
-/// Rows, laws and what they miss of one curve; of several curves all of them over each other, and their exponents.
+/// Rows, laws and misses of one curve; for several curves all of them over each other, and their exponents.
 figures::Figure forceFitFigure(const ForceResult& result) {
   figures::Figure figure;
   figure.title = result.file;

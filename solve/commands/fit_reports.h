@@ -61,7 +61,7 @@ struct ProfileResult {
 std::string textOf(const ProfileResult& result);
 Json jsonOf(const ProfileResult& result);
 
-/// Places and fits by depth, down and sideways; what is missed; the curve for all depths.
+/// Places and fits by depth, down and sideways; misses; the curve for all depths.
 figures::Figure profileFitFigure(const ProfileResult& result);
 
 }  // namespace palpate::app

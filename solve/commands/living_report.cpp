@@ -18,7 +18,7 @@ using lab::LimbModel;
 using lab::LivingFigures;
 using lab::LivingTest;
 
-/// The tests of one half, and what the model has for them.
+/// The tests of one half, and the model's values for them.
 LivingFigures halfOf(const std::vector<LivingTest>& tests, const std::vector<double>& n_per_mm, int rest) {
   std::vector<LivingTest> half;
   std::vector<double> stiffness;

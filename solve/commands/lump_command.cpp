@@ -1,4 +1,4 @@
-// `palpate lump`: what a lump adds to a press, and how near that is to finite elements with the lump in the mesh.
+// `palpate lump`: the force that a lump adds to a press, compared with finite elements with the lump in the mesh.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// `palpate tissue moduli`: what is published about soft tissue and skin's friction, and what is taken by default.
+// `palpate tissue moduli`: published values for soft tissue and skin's friction, and the defaults.
 #include <fmt/format.h>
 
 #include <memory>

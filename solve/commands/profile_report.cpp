@@ -59,7 +59,7 @@ std::string depthsText(const ProfileResult& result) {
   return text;
 }
 
-/// Lines for a scene that uses the table, or what it lacks for that.
+/// Lines for a scene that uses the table, or its missing part.
 std::string tableKeys(const ProfileResult& result) {
   if (!result.force || result.table.stack.layers.empty()) {
     return "the table as layers of a scene: needs --forces and --layer\n";

@@ -1,4 +1,4 @@
-// `palpate tissue realism`: how far what is felt and seen is from finite elements, case by case.
+// `palpate tissue realism`: the distance of feel and look from finite elements, case by case.
 #include <fmt/format.h>
 
 #include <memory>

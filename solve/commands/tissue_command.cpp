@@ -1,12 +1,11 @@
-// `palpate tissue`: layered tissue solved, shown, and what is published about it; each subcommand has a file of its
-// own.
+// `palpate tissue`: layered tissue solved and shown, and published values; each subcommand has a file of its own.
 #include "cli/kit/commands.h"
 
 namespace palpate::app {
 
 namespace {
 
-/// `palpate tissue fit`: laws and shapes of tissue from what was measured.
+/// `palpate tissue fit`: laws and shapes of tissue from measurements.
 void addFitCommand(Command& tissue) {
   Command& fit = *tissue.add_subcommand("fit", "Find force laws and skin profiles of measured tissue");
   fit.require_subcommand(1);

@@ -16,7 +16,7 @@
 
 namespace palpate::lab {
 
-// The eight sites of a limb that were pressed, and what a calibrated limb has there.
+// The eight pressed sites of a limb, and a calibrated limb's layers there.
 
 struct LimbSite {
   std::string_view code;  ///< in the list

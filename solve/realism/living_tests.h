@@ -1,5 +1,5 @@
-// Presses of an ultrasound probe on the limbs of living people, as a public table has them: what lies under the probe
-// and how stiff that is.
+// Presses of an ultrasound probe on the limbs of living people, from a public table: the tissue under the probe and how
+// stiff that is.
 //
 // Based on: Erdemir and Neumann, doi 10.18735/S5R97F, as the master list of the public repository
 // sbdoherty/UltrasoundML has it. The list is not shipped. Its `Total_Stiff` is the slope of a line through pressure

@@ -42,7 +42,7 @@ KnownStack solvedStack(const tissue::LayerStack& stack) {
   return {stack, *solution.table.field};
 }
 
-/// Pressure of rings of 1 mm: as the product has it over a lump, and only scaled to the force.
+/// Pressure of rings of 1 mm: the product's over a lump, and only scaled to the force.
 struct Rings {
   std::vector<double> with_bump;
   std::vector<double> scaled;

@@ -69,7 +69,7 @@ struct LumpCases {
   std::vector<FieldEntry> field;
 };
 
-/// Throws Error naming the file and what is wrong with it.
+/// Throws Error naming the file and its fault.
 LumpCases readLumpCases(const std::filesystem::path& file);
 /// Parses the text of such a file; messages name `file`.
 LumpCases parseLumpCases(std::string_view text, const std::filesystem::path& file);
@@ -77,7 +77,7 @@ LumpCases parseLumpCases(std::string_view text, const std::filesystem::path& fil
 /// Stacks and lumps without presses, four to a stack: skin over fat of 2 to 20 kPa over muscle; balls of 3 to 14
 /// mm, 1.5 to 40 times as stiff as their layer, tops from the shallowest that is allowed to 12 mm.
 LumpCases drawLumpCases(std::uint64_t seed, std::size_t lumps);
-/// Draws them and solves them (some 10 s a lump): what was never fitted.
+/// Draws and solves cases (some 10 s a lump) that nothing was fitted to.
 LumpCases solveLumpCases(std::uint64_t seed, std::size_t lumps, const Progress& progress);
 
 struct Spread {

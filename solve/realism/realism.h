@@ -32,7 +32,7 @@ struct PressError {
 };
 
 /// A flat skin of 180 mm over bone so deep, felt and seen as a scene with this tissue model makes it. `tissue`: of
-/// TissueModel::layered. `stiffness_n_per_mm`: what the map says for the other two.
+/// TissueModel::layered. `stiffness_n_per_mm`: the map's value for the other two.
 std::shared_ptr<const scene::World> flatWorld(scene::TissueModel model,
                                               std::shared_ptr<const tissue::LayeredTissue> tissue, double thickness_mm,
                                               double stiffness_n_per_mm);

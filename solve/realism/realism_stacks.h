@@ -19,8 +19,8 @@ struct JudgedPlace {
 };
 std::vector<JudgedPlace> placesOfBody();
 
-/// Places of a body: the truth is solved now, the skin is what the shipped library makes of such a place, most of which
-/// lie between its stacks.
+/// Places of a body: the truth is solved now, the skin is the shipped library's for such a place, most of which lie
+/// between its stacks.
 std::vector<JudgedStack> stacksOfBody(const Progress& progress);
 
 /// The cases are the truth; the skin gets a table that is solved now for each stack. Throws Error naming the stack that

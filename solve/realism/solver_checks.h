@@ -1,4 +1,4 @@
-// The tissue solver against what is known without it: Hertz, its own energy, finer meshes and shorter steps.
+// The tissue solver against independent knowledge: Hertz, its own energy, finer meshes and shorter steps.
 //
 // docs/explanation/tissue-solver.md has the same checks as bars of tests; here they are figures that a study can print.
 #pragma once

@@ -33,7 +33,7 @@ struct DragField {
 /// Throws Error for sizes that make no sense, and where the equations are not solved. Work ends when `progress` throws.
 DragField solveDragField(const tissue::LayerStack& stack, const DragSettings& settings, const Progress& progress = {});
 
-/// (1 + q^2)^-p fitted to the quarter square from 0 to `to_mm`, and what was solved at the radii.
+/// (1 + q^2)^-p fitted to the quarter square from 0 to `to_mm`, and the solution at the radii.
 struct FittedDrag {
   tissue::DragShape shape;
   double rms = 0.0;  ///< misfit over the square, share of the drag

@@ -34,7 +34,7 @@ class FieldSampler {
   std::vector<std::vector<float>> volume_;
 };
 
-/// Means over rings of this width from the middle, kPa: what they carry along the axis over their projected area.
+/// Means over rings of this width from the middle, kPa: force along the axis over projected area.
 std::vector<double> ringPressures(const std::vector<ContactRing>& rings, double width_mm);
 
 /// q fitted to rings of half a millimetre, c where the skin leaves the sphere.

@@ -19,7 +19,7 @@ double deepestOf(double finger_mm);
 PressSettings settingsOf(double finger_mm, std::vector<double> depths_mm);
 
 /// Forces at every radius of tissue::LayeredForce but the indenter's, at its depths (or the deepest possible if all are
-/// deeper); less deep without an equilibrium. `stop` ends it with what is reached. Throws Error as solvePress.
+/// deeper); less deep without an equilibrium. `stop` ends it with the results so far. Throws Error as solvePress.
 std::vector<tissue::FingerForces> solveFingers(const tissue::LayerStack& stack, const PressSettings& indenter,
                                                const Progress& progress = {}, const std::function<bool()>& stop = {});
 

@@ -1,4 +1,4 @@
-// One quarter of a block of 8-node boxes under a surface: what is held, what is moved, and the linear equations of it.
+// One quarter of a block of 8-node boxes under a surface: its held and moved nodes, and its linear equations.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// A lump on the axis of a press, solved: what it adds to the force.
+// Solves a lump on the axis of a press: the force that it adds.
 //
 //   shape, layers ─► press without the lump ─┐
 //                └─► press with the lump ────┴─► SolvedPush at 1, 2, 3 ... mm ─► the table of the lump in a world

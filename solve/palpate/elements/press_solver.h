@@ -1,4 +1,4 @@
-// A rigid sphere pressed into layers over bone, deeper and deeper: the table of what the skin does and what it costs.
+// A rigid sphere pressed into layers over bone, deeper and deeper: the table of the skin's shape and force.
 //
 // Axisymmetric, finite strain, without friction. Depth grows by steps that adapt to how hard the last one was; each
 // starts from the motion extrapolated from the two before. Units outside: mm, N, kPa, mJ.
@@ -63,7 +63,7 @@ struct PressSolution {
   double seconds = 0.0;
 };
 
-/// `stop` ends it with what is reached; may be empty.
+/// `stop` ends it with the depths so far; may be empty.
 PressSolution solvePress(const tissue::LayerStack& stack, const PressSettings& settings, const Progress& progress = {},
                          const std::function<bool()>& stop = {});
 

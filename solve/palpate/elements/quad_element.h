@@ -15,8 +15,8 @@
 
 namespace palpate::elements {
 
-// The law of a layer: what a deformation gradient costs, and what it answers. A press is axisymmetric, so five numbers
-// of the gradient are enough.
+// The law of a layer: the energy of a deformation gradient, and its stress. A press is axisymmetric, so five numbers of
+// the gradient are enough.
 //
 // W = mu/2 (F:F - 3) - mu ln J + lambda/2 (ln J)^2, P = mu (F - F^-T) + lambda ln J F^-T: compressible neo-Hookean.
 // W splits into a part of shear and one of volume, which an element adds up over points of their own.
