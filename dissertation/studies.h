@@ -47,7 +47,8 @@ StudyPage studyRelaxation(const StudySettings& settings);
 
 StudyPage studyRivals(const StudySettings& settings);
 
-// `palpate study search`: the octree as a search for the touch point and for what a deformation moves (objective 2).
+// `palpate study search`: the octree as a search for the touch point and for the vertices that a deformation moves
+// (objective 2).
 
 StudyPage studySearch(const StudySettings& settings);
 

@@ -67,7 +67,7 @@ Series straight(const std::string& name, const Vec2& from, const Vec2& to) {
           .width_px = 1.4};
 }
 
-// Every search of the largest model: its share of leaves found and what it cost.
+// Every search of the largest model: its share of leaves found and its cost.
 Plot sharePlot(const ComplexityResults& results, TreeKind tree) {
   const int height = tree == TreeKind::Bsp ? hdb::kBspWorstHeight : hdb::kOctreeWorstHeight;
   const double steepness = printedCost(tree) / hdb::kWorstLeafRatio;

@@ -72,7 +72,7 @@ std::string wordOf(Verdict verdict);
 
 /// The share of found leaves from which a tree tests more boxes on average than a list of its leaves has.
 double shareWhereListWins(const ComplexityResults& results, hdb::TreeKind tree);
-/// The most of all searches over what a search can cost.
+/// The largest ratio, over all searches, of a cost to its bound.
 double worstBoundRatio(const ComplexityResults& results);
 
 }  // namespace palpate::study

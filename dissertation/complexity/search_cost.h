@@ -21,7 +21,7 @@ struct SearchCount {
   double leaves_found = 0.0;  ///< m
   double on_paths = 0.0;      ///< nodes with a found leaf below them: the c of the text
   double entered = 0.0;       ///< and those that were entered in vain
-  double tested = 0.0;        ///< boxes tested: what a program does
+  double tested = 0.0;        ///< boxes tested by a program
 };
 
 /// Small triangles, one in the middle of each cell of a regular division of a cube into arity^height cells, so that the

@@ -1,4 +1,4 @@
-// How far are the numbers from what the same equations give on finer meshes and shorter ticks?
+// How far are the numbers from those on finer meshes and shorter ticks?
 #include "dissertation/credibility/credibility.h"
 
 #include <fmt/format.h>

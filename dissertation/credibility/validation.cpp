@@ -1,4 +1,4 @@
-// How far is the model from what was measured or solved elsewhere? One piece of evidence for each data set.
+// How far is the model from measurements and solutions made elsewhere? One piece of evidence for each data set.
 #include "dissertation/credibility/credibility.h"
 
 #include <fmt/format.h>
@@ -94,8 +94,8 @@ Evidence independentLumps(const CredibilitySettings& settings) {
   return evidence;
 }
 
-/// Five people: what the rest of the measured points says of one that is left out. It must be nearer than the mean of
-/// the others, which needs no map.
+/// Five people: predicts each measured point from the rest. The prediction must be nearer than the mean of the others,
+/// which needs no map.
 Evidence measuredEllipses() {
   std::vector<TensorSet> sets = subjectSets(maps::ForceDirection::up);
   const std::vector<TensorSet> down = subjectSets(maps::ForceDirection::down);

@@ -32,7 +32,7 @@ struct AxisScatter {
   double true_deg = 90.0;
   int people = 5;
   double spread_deg = 0.0;  ///< standard deviation of the angle, the same for every ellipse
-  /// Standard deviation of the log-tensor's parts: what the measured radii are off by. Turns near-circles more.
+  /// Standard deviation of the log-tensor's parts: the error of the measured radii. Turns near-circles more.
   double radius_noise = 0.0;
   int trials = 2000;
 };

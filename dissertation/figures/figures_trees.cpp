@@ -1,4 +1,5 @@
-// Figures 3.4, 3.6, 3.8, 3.9, 3.13 and 3.15: partitions of surfaces and what the haptic detecting box finds in them.
+// Figures 3.4, 3.6, 3.8, 3.9, 3.13 and 3.15: partitions of surfaces and the triangles that the haptic detecting box
+// finds in them.
 #include <fmt/format.h>
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
-// One sweep over sizes for what a frame costs, then strokes with a late box over edges, speeds, delays and margins. The
-// rule that comes of it is tried on strokes and on a finer model that no other part of the study saw.
-// Based on: Ji, dissertation 2008, 3.3.3, with E4 and E12; the rule is our own.
+// One sweep over sizes for the cost of a frame, then strokes with a late box over edges, speeds, delays and margins.
+// The rule that comes of it is tried on strokes and on a finer model that no other part of the study saw. Based on: Ji,
+// dissertation 2008, 3.3.3, with E4 and E12; the rule is our own.
 #include "dissertation/hdb/hdb_measurement.h"
 
 #include <algorithm>

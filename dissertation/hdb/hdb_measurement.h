@@ -20,7 +20,7 @@ struct ListRow {
   double listed = 0.0;
   double asked = 0.0;   ///< share of the ticks in which the partition was asked or the list moved
   double moved = 0.0;   ///< boxes tested to make the linked list follow
-  double tested = 0.0;  ///< boxes tested to find what is near the finger
+  double tested = 0.0;  ///< boxes tested to find triangles near the finger
   double tick_us = 0.0;
   double make_us = 0.0;  ///< the list's room and first state, once per finger
   double bytes = 0.0;    ///< memory of a finger's list

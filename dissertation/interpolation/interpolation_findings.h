@@ -23,7 +23,7 @@ figures::Figure widthSections();
 figures::Figure backOverWidths(double step_mm);
 /// The half major axis over the back by GRI, thin plate and plane.
 figures::Figure backByInterpolator(double step_mm);
-/// Maps of ellipses dragged up and down, and what they differ by.
+/// Maps of ellipses dragged up and down, and their differences.
 figures::Figure upAndDown(double step_mm);
 
 /// The effect radii between which (5.7) gives both numbers of Figure 5.9 to the printed digit, mm.

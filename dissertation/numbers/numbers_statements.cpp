@@ -16,7 +16,7 @@ namespace palpate::study {
 
 namespace {
 
-/// A statement of the text that is not a single number, and what was found.
+/// A statement of the text that is not a single number, and our result.
 struct Statement {
   std::string where;
   std::string what;

@@ -1,4 +1,4 @@
-// A partition as coloured PLY files: each leaf in a colour of its own, and what a box finds.
+// A partition as coloured PLY files: each leaf in a colour of its own, and the triangles in a box.
 
 #include <algorithm>
 #include <cmath>

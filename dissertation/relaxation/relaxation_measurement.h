@@ -9,7 +9,7 @@
 
 namespace palpate::study {
 
-/// One reading of the skin, and what a finger felt of it.
+/// One reading of the skin, and a finger's forces on it.
 struct RelaxingSkin {
   std::string name;
   contact::Relaxation relaxation;

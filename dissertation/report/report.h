@@ -27,7 +27,7 @@ struct ChapterDone {
 };
 
 /// Runs the chapters one after the other (times would suffer from each other side by side) and writes everything into
-/// the folder, which is made when missing. The progress names the step, the elapsed time and what is being done.
+/// the folder, which is made when missing. The progress names the step, the elapsed time and the present work.
 /// After a stop request (stop, checked between chapters; the progress may throw within one), the report binds the
 /// chapters that are done and says so. Returns the pages. Throws Error naming a file that cannot be written.
 std::vector<StudyPage> writeReport(const std::vector<Study>& chapters, const StudySettings& settings,

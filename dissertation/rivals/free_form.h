@@ -1,7 +1,7 @@
 // Rival 3 of Table 4.1: free-form deformation, "fast", "not accurate, need manipulation".
 //
 // A lattice of control points around the body carries cubic B-splines. The user drags one point of the skin: of all
-// moves of the control points that take it along, the smallest is taken. Nothing here knows what lies under the skin;
+// moves of the control points that take it along, the smallest is taken. Nothing here knows the tissue under the skin;
 // how far a press reaches is the spacing of the lattice, which the user must choose. Based on: Sederberg and Parry,
 // "Free-form deformation of solid geometric models", 1986; Hsu, Hughes and Kaufman, "Direct manipulation of free-form
 // deformations", 1992 (B-splines, and the least move).

@@ -1,4 +1,4 @@
-// Runs each search at the same places of the same models, and compares what they find.
+// Runs each search at the same places of the same models, and compares the results.
 #include "dissertation/search/search_measurement.h"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ namespace palpate::study {
 namespace {
 
 constexpr double kTipDepthMm = 5.0;
-// The tip's nearest point is at most this far: what a sphere of 3.4.1 has to reach.
+// The tip's nearest point is at most this far: the least radius of a sphere of 3.4.1.
 constexpr double kReachMm = 10.0;
 constexpr maps::Ellipse kRegion{60.0, 0.75, 1.5707963267948966};
 

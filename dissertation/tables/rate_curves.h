@@ -1,4 +1,4 @@
-// Frames as curves over the triangles rendered, printed and measured alike, and what a triangle costs on them.
+// Frames as curves over the triangles rendered, printed and measured alike, and the cost of a triangle on them.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The study of the threshold: the fastest one of each model and tree, and what the printed 1024 loses against it.
+// The study of the threshold: the fastest one of each model and tree, and the loss of the printed 1024 against it.
 #include "dissertation/studies.h"
 
 #include <fmt/format.h>
