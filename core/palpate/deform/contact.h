@@ -16,8 +16,8 @@
 
 namespace palpate::deform {
 
-// The curves of layered tissue of one contact, with what the rest of the pipeline has to know of them: how steep they
-// are, and what they move at most beyond a location ratio.
+// The curves of layered tissue of one contact, with their steepness and largest motion beyond a location ratio, for the
+// rest of the pipeline.
 //
 // Made with the frame of a contact (frame.h), some microseconds each; read by both ways to displace. In double.
 

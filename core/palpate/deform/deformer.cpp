@@ -40,8 +40,8 @@ FormSettings withDefaultForms(const Settings& settings) {
   return forms;
 }
 
-/// A drag that falls off by so much per mm along itself leaves a tenth of the length of what it pushes together; at 1
-/// skin turns over.
+/// A drag with this slope per mm along itself leaves a tenth of the length of what it pushes together; at 1 skin turns
+/// over.
 constexpr double kMaxDragSlope = 0.9;
 
 /// Largest motion of a vertex that the caps allow when all contacts pull it the same way.

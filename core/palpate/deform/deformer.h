@@ -8,7 +8,7 @@
 //
 // There is one pipeline and there are two ways to displace a vertex: the fast one (fast_displacement.h: half Gaussian,
 // ellipses, text as corrected; vectors of floats) and the general one (general_displacement.h: every form that forms.h
-// names; vertex by vertex in double). The fast one is taken where it can do what the forms ask for.
+// names; vertex by vertex in double). The fast one is used where it supports the forms.
 // Based on: Ji, dissertation 2008, chapter 4, with E14, E17, E19, E21, E23 and E25 (docs/explanation/deformation.md).
 #pragma once
 
@@ -39,7 +39,7 @@ struct Report {
 
 /// Way of displacing.
 enum class Way : std::uint8_t {
-  chosen,   ///< fast where it can do what the forms ask for (needsForms), general otherwise
+  chosen,   ///< fast where it supports the forms (needsForms), general otherwise
   general,  ///< general whatever the forms: for comparison
 };
 

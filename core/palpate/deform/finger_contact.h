@@ -1,4 +1,4 @@
-// From the haptic finger to the deformation: what a FingerOutput means for the skin.
+// From the haptic finger to the deformation: the contact of a FingerOutput on the skin.
 #pragma once
 
 #include <optional>

@@ -51,13 +51,12 @@ double certainSpread(const ShearBound& shear) noexcept;
 /// True unless it is certain that no triangle of the block folds.
 bool mayFold(const FoldBound& block, const ShearBound& shear) noexcept;
 
-/// Vertices of a block at which a triangle may fold, knowing what is left of the area at each (DeformedBlock::area).
+/// Vertices of a block at which a triangle may fold, knowing the area left at each (DeformedBlock::area).
 /// All that move of a triangle that folds are among them.
 std::uint64_t doubtfulVertices(const Skin& skin, Index block, const ShearBound& shear, const float* area) noexcept;
 
-/// For each vertex (padded to whole blocks), should it stay: what the vertices joined to it may move by at most, so
-/// that no triangle at it folds and none of them moves by more than 0.4 of the way to it. 0 where a triangle has no
-/// area.
+/// For each vertex (padded to whole blocks), should it stay: the largest motion of the vertices joined to it, so that
+/// no triangle at it folds and none of them moves by more than 0.4 of the way to it. 0 where a triangle has no area.
 AlignedVector<float> roomBesideStaying(const Skin& skin);
 
 }  // namespace palpate::deform

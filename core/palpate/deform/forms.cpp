@@ -12,7 +12,7 @@ namespace palpate::deform {
 
 namespace {
 
-/// Errata whose printed form changes what a deformer does with its contacts.
+/// Errata whose printed form changes a deformer's treatment of its contacts.
 constexpr Erratum kDeformerErrata[] = {Erratum::E14_location_ratio, Erratum::E15_aspect, Erratum::E18_profile_rim,
                                        Erratum::E19_drag_cap, Erratum::E23_region_search};
 

@@ -24,7 +24,7 @@ struct FramedContact {
   std::optional<LayeredFrame> layered = {};
 
   FramedContact() = default;
-  /// Its place; what it wants and where is left to be said.
+  /// The place alone; depth and region are set later.
   explicit FramedContact(const Contact& contact)
       : anchor(contact.anchor), normal(contact.normal.normalized()), anchor_triangle(contact.anchor_triangle) {
     if (contact.layered) layered.emplace(*contact.layered);

@@ -98,8 +98,8 @@ struct ShearLimit::Fold {
 
 namespace {
 
-/// A quick look in floats: true only if the triangle is not folded. Needles and what has lost most of its area are left
-/// to Fold.
+/// A quick look in floats: true only if the triangle is not folded. Needles and triangles that lost most of their area
+/// are left to Fold.
 bool isPlainlyUp(const Skin& skin, const Triangle& triangle, const DeformedBlock& surface) noexcept {
   constexpr float kPlainly = 0.05f;
   constexpr float kWide = 1e-4f;  // height over side: a thousand times what rounding makes of the area

@@ -113,7 +113,7 @@ class EdgeDistances {
     beyond_.push_back(vertex);
   }
 
-  /// Takes up what lies within the next belt. False if nothing is left.
+  /// Takes up the vertices within the next belt. False if none are left.
   bool nextBelt() noexcept {
     const auto is_beyond = [&](Index v) { return (is_beyond_[blockOf(v)] & bitOf(v)) != 0; };
     float nearest = kUnreached;
@@ -174,7 +174,7 @@ class ShearLimit {
     return isGentle(slope) ? kCertain * kFaint * own_mm : 0.0;
   }
 
-  /// Step 0. Leaves the vertices that are deeper than the part allows what it allows.
+  /// Step 0. Limits vertices that are deeper than the part allows to that depth.
   void keepWithinPart(const DeformedBlock& surface) noexcept;
   /// Whether that may hold anything back in a block that moves by at most this much. Only of a skin whose thickness is
   /// known.
@@ -183,8 +183,8 @@ class ShearLimit {
   }
 
   /// Steps 1 and 2. `curves.press(pull, q)` and `curves.drag(pull, q)` are those that the displacement was made with,
-  /// `curves.moved(pull, vertex)` is what a pull alone moves a vertex of its region by at most, mm; `slope` is how much
-  /// the displacement differs per mm at most.
+  /// `curves.moved(pull, vertex)` is the largest motion of a vertex by a pull alone, mm; `slope` is how much the
+  /// displacement differs per mm at most.
   template <class Curves>
   void taper(const DeformedBlock& surface, double slope, const Curves& curves) noexcept;
 
@@ -215,9 +215,8 @@ class ShearLimit {
   /// On a sphere the way along the surface is at most pi/2 times that seen along the normal, and the way along edges at
   /// most sqrt(2) times that: round skin is never cut short.
   static constexpr double kRoundabout = 2.25;
-  /// Shares of what a contact moves. Where at most the first arrives at every edge of its region (the flanks of a
-  /// trunk), what lies behind them moves little anyway and is not measured; from the second on the measure counts in
-  /// full.
+  /// Shares of a contact's motion. Where at most the first arrives at every edge of its region (the flanks of a trunk),
+  /// the skin behind them moves little anyway and is not measured; from the second on the measure counts in full.
   static constexpr double kFaint = 0.2;
   static constexpr double kPlain = 0.4;
 

@@ -13,8 +13,8 @@ struct VertexRange {
   Index end;
 };
 
-/// At rest when made, written by Deformer::apply. Several may exist of one skin (double buffering): each remembers
-/// what was done to it. Vertex order is the mesh's. Arrays start on a cache line.
+/// At rest when made, written by Deformer::apply. Several may exist of one skin (double buffering): each remembers its
+/// own changes. Vertex order is the mesh's. Arrays start on a cache line.
 class DeformedSurface {
  public:
   DeformedSurface() = default;

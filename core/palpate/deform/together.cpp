@@ -12,8 +12,8 @@ namespace palpate::deform {
 
 namespace {
 
-/// Two contacts coupled by g approach their solution by g^2 a sweep; what is still missing after n sweeps is at most
-/// depth / (e n) whatever g: 0.007 mm of 10.
+/// Two contacts coupled by g approach their solution by g^2 a sweep; the error after n sweeps is at most depth / (e n)
+/// whatever g: 0.007 mm of 10.
 constexpr int kSweeps = 512;
 /// Largest amplitude over the request: a finger in the bulge around another presses that down too. Bulges are below a
 /// tenth.

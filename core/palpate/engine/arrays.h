@@ -3,7 +3,7 @@
 //   arrays ─ meshFromArrays ─► mesh ─ repair, spatial order ─► scene::build ─► World + who became whom
 //
 // The world's vertices and triangles are not in the order they were given in: seams are welded, faults mended, and
-// what is near in space comes together in memory. The maps say where everything went.
+// neighbours in space are neighbours in memory. The maps say where everything went.
 #pragma once
 
 #include <cmath>

@@ -4,7 +4,7 @@
 //   fingers ─ StreamedFrame ─ encodeFrame ─► 60 times/s ─► decodeFrame ─► contacts ─────────────────────────┴─► surface
 //
 // Deformation depends on nothing but skin, forms and contacts, so the far side has the same surface, on the same
-// machine bit by bit. Little endian; places as double, what is only shown as float. The skin in the body's own order.
+// machine bit by bit. Little endian; places as double, values for display as float. The skin in the body's own order.
 // Decoders do not trust their bytes: sizes, ranges, words and triangles are checked before they are used.
 #pragma once
 
@@ -71,7 +71,7 @@ bool decodeFrame(std::string_view bytes, Index triangles, StreamedFrame& frame);
 
 // A world and its fingers as they are sent.
 
-/// The skin with what the breath makes of it. Cold.
+/// The skin with its motion by breath. Cold.
 std::string encodedSkinOf(const scene::World& world);
 
 /// LivingSkin's forms for this number of fingers, strain included.

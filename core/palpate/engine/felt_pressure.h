@@ -1,4 +1,4 @@
-// The pressure under a fingertip for programs that have what a finger felt: bindings, exports, servers.
+// The pressure under a fingertip for programs that have a finger's output: bindings, exports, servers.
 //
 //   World ─► FeltPressure (its patterns, made once) ─ FingerOutput, tick ─► taxels, kPa (contact/pressure_field.h)
 #pragma once
@@ -23,7 +23,7 @@ class FeltPressure {
   /// Some milliseconds in a world that has neither lumps nor a pad. Throws Error where the tissue has no field.
   explicit FeltPressure(std::shared_ptr<const scene::World> world);
 
-  /// contact::pressureField of what a finger felt in this tick of its clock, which counts on a body that breathes only:
+  /// contact::pressureField of a finger's output in this tick of its clock, which counts on a body that breathes only:
   /// there it is taken to rest first. The pad is one that checkPad lets pass. No allocation.
   contact::PadSums at(const contact::FingerOutput& felt, std::uint64_t tick, const contact::PressurePad& pad,
                       std::span<double> kpa, std::span<Vec2> shear_kpa = {}) const noexcept;

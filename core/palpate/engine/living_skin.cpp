@@ -1,5 +1,5 @@
 // Contacts are gathered in a list whose room is reserved once; fingers beyond it are left out and reported. One
-// template serves what a tick gave and what a trace holds. 60 times a second, no allocation.
+// template serves outputs of a tick and samples of a trace. 60 times a second, no allocation.
 #include "palpate/engine/living_skin.h"
 
 #include "palpate/engine/touching.h"

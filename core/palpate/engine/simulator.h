@@ -29,13 +29,13 @@ class Simulator {
   /// One tick of one finger, whose tip is here now (mm, the body's frame). FingerSettings::tick_s is the time since its
   /// last tick. No allocation, lock or exception; a finger that is not there feels nothing (kTipLost).
   contact::FingerOutput feel(std::size_t finger, const Vec3& tip) noexcept;
-  /// One tick of the first fingers, as many as there are tips and places for what they feel.
+  /// One tick of the first fingers, as many as there are tips and places for their outputs.
   void feel(std::span<const Vec3> tips, std::span<contact::FingerOutput> felt) noexcept;
   /// The finger leaves: its next tip may be anywhere, and nothing between here and there is touched.
   void lift(std::size_t finger) noexcept;
 
-  /// The skin as the fingers' last ticks leave it. Deforms it now, in proportion to what the fingers touch; call it
-  /// once a picture. Stays until the next call. The first call, and the first after a change of world, allocates.
+  /// The skin as the fingers' last ticks leave it. Deforms it now, in proportion to the touched regions; call it once a
+  /// picture. Stays until the next call. The first call, and the first after a change of world, allocates.
   const deform::DeformedSurface& skin();
   /// Motion of the body by breath in that skin, mm, for World.breath: 0 for one that does not breathe.
   double lift() const noexcept { return skin_ ? skin_->lift() : 0.0; }

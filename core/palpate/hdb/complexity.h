@@ -49,7 +49,7 @@ inline WorstSearch worstSearch(int arity, int height) {
   return search;
 }
 
-/// The heights of Tables 3.3 and 3.4, and what is printed there for w (heights 5 and 9 are misprints, E13).
+/// The heights of Tables 3.3 and 3.4, and the printed w (heights 5 and 9 are misprints, E13).
 inline constexpr int kTable33Heights[] = {3, 4, 5, 6, 7, 8, 9, 10};
 inline constexpr double kTable33PrintedW[] = {2.13, 2.58, 3.04, 3.53, 4.02, 4.51, 5.01, 5.50};
 inline constexpr int kTable34Heights[] = {2, 3, 4};

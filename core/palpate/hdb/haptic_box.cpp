@@ -1,5 +1,5 @@
-// Finds what the detecting box meets: the leaves of the dissertation's tree, and exactly the triangles, by descent with
-// the nodes' tight boxes.
+// Finds the contents of the detecting box: the leaves of the dissertation's tree, and exactly the triangles, by descent
+// with the nodes' tight boxes.
 //
 // Data flow: Partition (load time) + box round the proxy -> here, in the tick -> ranges of entries -> hdb_candidates.
 // Based on: Ji, dissertation 2008, 3.3.3 and 3.4.1, as E4, E5 and E11 correct them.

@@ -1,4 +1,5 @@
-// The haptic detecting box (HDB): an axis-aligned box centred on the proxy; what it meets is what the finger may touch.
+// The haptic detecting box (HDB): an axis-aligned box centred on the proxy; the finger may touch the triangles that it
+// meets.
 //
 // Two questions: which leaves does it meet (the dissertation's haptic process works on all their triangles), and which
 // triangles exactly have a box that meets it. A box test is closed: touching counts. Both use the tight boxes of the

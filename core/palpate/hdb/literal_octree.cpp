@@ -1,4 +1,4 @@
-// Grows the octree of the printed rule and counts what it loses.
+// Grows the octree of the printed rule and counts the lost triangles.
 //
 // Data flow: mesh -> here -> LiteralOctree -> studies and the scenes that ask for E6.
 // Based on: Ji, dissertation 2008, 3.4 to the letter (E6).

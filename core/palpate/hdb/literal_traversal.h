@@ -1,5 +1,5 @@
 // Ways to find the leaves around the proxy as the dissertation prints them, for comparison with haptic_box.h, which
-// misses nothing. Each is named after what it does; the erratum says what is wrong with it.
+// misses nothing. Each is named after its method; the erratum describes its fault.
 #pragma once
 
 #include <cstdint>

@@ -51,7 +51,7 @@ LeafSizes leafSizes(const Partition& partition) {
   return sizes;
 }
 
-/// The box of what the leaf draws: its pieces where triangles are cut.
+/// The box of the leaf's triangles, or of its pieces where triangles are cut.
 Box3 drawnBox(const Partition& partition, const Node& leaf) {
   if (partition.pieces.empty()) return leaf.tight;
   Box3 box;

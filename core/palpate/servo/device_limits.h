@@ -1,4 +1,4 @@
-// Stiffness and force limits: from a scene's safety settings and what is known of the device to the limiter's settings.
+// Stiffness and force limits: from a scene's safety settings and the device's properties to the limiter's settings.
 //
 // One factor softens the whole scene where, up to the force at which people compare, its stiffest place is more than
 // device, rate and delay can render at rest. One for all, so that the ratio of two places, which is what a palpating

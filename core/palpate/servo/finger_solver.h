@@ -26,7 +26,7 @@ namespace palpate::servo {
 /// under a finger that is 15 mm deep would be 30 N more from one tick to the next.
 struct Handover {
   bool follows = true;           ///< false only while a recording from before this is felt again
-  bool on = false;               ///< the surface was exchanged, and the force has not yet reached what it gives
+  bool on = false;               ///< the surface was exchanged, and the force has not yet reached the new one's
   Vec3 force = Vec3::Zero();     ///< force in the last tick, N
   Vec3 tip = Vec3::Zero();       ///< tip in the last tick, mm
   double secant_n_per_mm = 0.0;  ///< force over depth in the last tick that touched

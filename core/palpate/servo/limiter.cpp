@@ -87,7 +87,7 @@ double feltShare(const LimiterSettings& settings, LimiterState& state, const con
   const double whole = tissue::normalForce(law, 1.0, depth, place);
   if (!(whole > 0.0)) return 1.0;
   if (!held) return tissue::normalForce(law, 1.0, felt, place) / whole;
-  // A place is known by its force alone: what the map, the finger and its past make of it are in it.
+  // A place is known by its force alone, which includes the map, the finger and its past.
   const double stiffness = settings.stiffness_factor * localStiffness(contact, law);
   return tissue::cappedForce(law.layers, 1.0, felt, place, settings.cap_n_per_mm / stiffness) / whole;
 }

@@ -1,12 +1,12 @@
-// The last thing between a computed force and a hand: what is sent is finite, bounded, and gives back no more than the
-// skin's own law says.
+// The last thing between a computed force and a hand: the sent force is finite, bounded, and gives back no more than
+// the skin's own law says.
 //
 //   pose ─► guardTip ─► contact ─► limitForce ─► device
 //
 // limitForce, in this order: fault? -> start rule -> one factor for all stiffness -> slope held at the cap, soft toe ->
 // passivity -> clamp -> rate guard. Any fault ends the force in the same tick. The contact's own force is not touched;
 // traces hold both.
-// docs/explanation/safety.md says what is promised and what was measured.
+// docs/explanation/safety.md has the promises, docs/explanation/stability.md the measurements.
 #pragma once
 
 #include <array>
@@ -82,7 +82,7 @@ struct PassivitySettings {
 /// Plain data; value-initialised it has sent nothing.
 struct PassivityState {
   static constexpr std::size_t kSent = 16;  ///< a power of two above kLongestDelayTicks + 1
-  std::array<Vec3, kSent> sent{};           ///< ring; what was written to the device
+  std::array<Vec3, kSent> sent{};           ///< ring; forces written to the device
   std::size_t newest = 0;
   Vec3 model = Vec3::Zero();          ///< in the last tick, N
   Vec3 motion_before = Vec3::Zero();  ///< motion of the tip in the last tick, mm

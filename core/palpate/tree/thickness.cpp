@@ -1,4 +1,4 @@
-// One short segment a vertex, asked from its far end: what it enters there is the side where the part ends.
+// One short segment a vertex, searched from its far end: the triangle it enters there is the far side of the part.
 // Data flow: tree and vertices of a body at load -> here -> deform::Skin::thickness_mm.
 #include <cmath>
 #include <limits>

@@ -28,7 +28,7 @@ struct alignas(32) TriangleRecord {
   std::array<Index, 3> vertices;    ///< vertex of the mesh at each corner
 };
 
-/// A part of the surface as one small plate: what a far point sees of it (windingNumber). In the unit frame.
+/// A part of the surface as one small plate: the view of a far point (windingNumber). In the unit frame.
 struct FarPlate {
   std::array<float, 3> middle{};
   std::array<float, 3> area{};  ///< sum of its area vectors

@@ -102,7 +102,7 @@ HWY_INLINE Sight<D> sightOf(D d, const WideNode& node, const PointQuery& query, 
   return sight;
 }
 
-/// Squared distance to what lies below the plate's plane and in the ball round the box: above the one, off the other.
+/// Squared distance to the surface below the plate's plane and in the ball round the box: above the one, off the other.
 template <class D>
 HWY_INLINE hn::Vec<D> plateDistance2(D d, const WideNode& node, const PointQuery& query, int lane,
                                      const Sight<D>& sight) {

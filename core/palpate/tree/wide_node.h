@@ -39,7 +39,7 @@ class ChildLink {
 ///
 /// Besides its box each child has a *plate*: the plane across its facing that it stays below, and how far the normals
 /// of its surface turn away from that facing. A box is as thick as the surface in it is tilted, a plate only as the
-/// surface in it is bent, so that on a smooth surface only what is really near is tested (node_plates.cpp).
+/// surface in it is bent, so that on a smooth surface only near triangles are tested (node_plates.cpp).
 struct alignas(64) WideNode {
   float low[3][kNodeWidth];
   float high[3][kNodeWidth];

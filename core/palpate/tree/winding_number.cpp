@@ -1,5 +1,5 @@
-// The winding number in a time that hardly grows with the mesh: what is far away counts as one plate, what is near is
-// summed exactly. Used by `contact` before a finger is released.
+// The winding number in a time that hardly grows with the mesh: far parts count as one plate each, near ones are summed
+// exactly. Used by `contact` before a finger is released.
 //
 // The solid angle of a far part of the surface is that of a plate with the sum of its area vectors, at their weighted
 // middle. How far is far (kFar) is a matter of exactness alone.

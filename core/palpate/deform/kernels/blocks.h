@@ -50,7 +50,7 @@ struct RestBlock {
 /// Skin where a region may have an edge.
 struct EdgeBlock {
   RestBlock rest;
-  const float* room_mm;  ///< for what is joined to a vertex that stays (roomBesideStaying)
+  const float* room_mm;  ///< for vertices joined to one that stays (roomBesideStaying)
   float longest_mm;      ///< edge at its vertices
 };
 
@@ -70,7 +70,7 @@ struct TileBounds {
 /// Deformed positions, normals and displacements, x y z nx ny nz dx dy dz, at a block's first vertex.
 struct DeformedBlock {
   float* values[9];
-  /// A number a vertex, where it is wanted: what the displacement leaves of the skin's area as seen along its normal;
+  /// A number a vertex, if wanted: the share of the skin's area left by the displacement, as seen along its normal;
   /// below 0 the skin is folded there.
   float* area = nullptr;
   DeformedBlock after(Index blocks) const {
