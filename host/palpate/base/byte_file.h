@@ -1,4 +1,4 @@
-// A file of which pieces are read here and there: what is too large to be read whole, or only partly readable.
+// A file that is read in pieces because it is too large, or only partly readable.
 #pragma once
 
 #include <cstdint>

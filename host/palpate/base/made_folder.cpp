@@ -36,7 +36,7 @@ MadeFolder::MadeFolder(const fs::path& folder) {
 MadeFolder::~MadeFolder() {
   for (const fs::path& part : made_) {
     std::error_code ignored;
-    fs::remove(part, ignored);  // refuses what is not empty
+    fs::remove(part, ignored);  // refuses non-empty folders
   }
 }
 

@@ -1,4 +1,4 @@
-// A folder that is made for what is going to be written into it.
+// A folder made for the files that will be written into it.
 #pragma once
 
 #include <filesystem>

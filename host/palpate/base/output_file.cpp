@@ -1,7 +1,7 @@
 // The partial file is next to its target, so that the rename stays within one file system. Order: write, fsync, close,
 // rename, fsync of the folder; one of the first three reports a full disk, while the old file is still there, and after
 // a power cut there is the old file or the new one, whole. The system's own calls instead of a stream: each write
-// reports at once, and a program that is killed leaves what it has written. Cold path.
+// reports at once, and a program that is killed keeps its output. Cold path.
 #include "palpate/base/output_file.h"
 
 #include <fmt/format.h>
@@ -91,7 +91,7 @@ void writePrivateFile(const fs::path& file, std::string_view content) {
 
 void createPrivateFile(const fs::path& file) {
   std::error_code error;
-  const MadeFolder folder(file.parent_path(), error);  // the file's creation says what is wrong with it
+  const MadeFolder folder(file.parent_path(), error);  // creating the file reports the error
   const int descriptor = system::createFile(file, system::ReadableBy::owner);
   if (descriptor < 0) {
     throw Error::inFile(file.string(), "cannot be written: " + std::generic_category().message(errno));

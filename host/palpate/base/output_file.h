@@ -18,7 +18,7 @@ namespace palpate {
 class OutputFile {
  public:
   /// Fate of the partial file without a commit.
-  enum class Unfinished { remove, keep };  // kept: what was written, if anything
+  enum class Unfinished { remove, keep };  // keep: the bytes written, if any
   /// Readers of the file. `owner_only`: mode 0600 from its first byte, whatever stood there; for secrets and for what a
   /// person did. `usual`: as the umask says, or as the file that it replaces.
   enum class Access { usual, owner_only };
@@ -33,7 +33,7 @@ class OutputFile {
   void write(std::string_view bytes);
   /// Nothing may be written afterwards.
   void commit();
-  /// From now on what is written stays, also without a commit.
+  /// From now on written bytes stay, even without a commit.
   void keepUnfinished() noexcept { removes_ = false; }
 
   /// Where the bytes are until the commit.
@@ -60,7 +60,7 @@ class OutputFile {
   int descriptor_ = -1;
 };
 
-/// Writes the whole file for its owner alone, replacing what was there. Throws Error.
+/// Writes the whole file for its owner alone, replacing an older one. Throws Error.
 void writePrivateFile(const std::filesystem::path& file, std::string_view content);
 
 /// An empty file for its owner alone, in a folder that is made if missing. Throws Error if the file exists.

@@ -81,7 +81,7 @@ class FrameReader {
   Side own_;
   std::size_t max_message_bytes_;
   std::string in_;
-  std::size_t used_ = 0;  ///< bytes of `in_` that belong to what was returned last
+  std::size_t used_ = 0;  ///< bytes of `in_` of the last returned message
   std::string message_;   ///< the fragments so far
   std::optional<Kind> begun_;
   std::optional<Fault> fault_;
@@ -97,7 +97,7 @@ std::string makeClose(Side own, CloseCode code, std::string_view reason = {});
 /// The answer to the other side's close: its own code, where that is one that may be sent.
 std::string answerClose(Side own, std::string_view payload);
 
-/// 16 bytes of the system's randomness, in base64: what a client says in Sec-WebSocket-Key. Throws Error.
+/// 16 bytes of the system's randomness, in base64: the value of a client's Sec-WebSocket-Key. Throws Error.
 std::string makeKey();
 /// The server's value of Sec-WebSocket-Accept.
 std::string acceptFor(std::string_view key);

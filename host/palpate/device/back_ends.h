@@ -26,7 +26,7 @@ struct OpenOptions {
   /// recording (playback) or of a plugin. Empty: the first.
   std::string which;
   /// The file of the vendor's library, instead of the names that are tried, or where its service is (haply). Empty:
-  /// what the back end's environment variable says, or those names.
+  /// the back end's environment variable, or those names.
   std::string library;
   std::string axes;               ///< device_frame.h's words; empty: as the back end knows its devices
   Vec3 origin_mm = Vec3::Zero();  ///< where the device's own origin lies in the body frame
@@ -62,7 +62,7 @@ struct Probe {
 struct BackEnd {
   std::string_view name;
   std::string_view about;
-  /// Looks without keeping anything open. Never throws for what is missing.
+  /// Looks without keeping anything open. Never throws for missing parts.
   Probe (*probe)(const OpenOptions& options);
   /// Throws Error with the reason.
   Device (*open)(const OpenOptions& options);
@@ -102,8 +102,8 @@ std::string whyNot(const BackEnd& back_end, const Probe& probe);
 /// "openhaptics, PHANTOM Omni, at most 3.30 N"
 std::string describe(const Device& device);
 
-/// Devices that were lost and can be found again are; returns what is wrong with the others, in words. For a thread
-/// that may wait, about once a second.
+/// Devices that were lost and can be found again are; returns the faults of the others, in words. For a thread that may
+/// wait, about once a second.
 std::vector<std::string> tendDevices(std::span<const Device> devices);
 
 }  // namespace palpate::device

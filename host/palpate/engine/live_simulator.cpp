@@ -1,6 +1,6 @@
 // A pose crosses with the number of times its finger was put down or lifted: when the servo sees another number the
-// finger forgets what it touched, so the way between is never dragged through the body. The skin's world is kept until
-// the skin of the next one is made, on the owner's thread.
+// finger forgets its contact, so the way between is never dragged through the body. The skin's world is kept until the
+// skin of the next one is made, on the owner's thread.
 #include "palpate/engine/live_simulator.h"
 
 #include <fmt/format.h>

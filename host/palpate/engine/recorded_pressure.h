@@ -1,5 +1,5 @@
 // The pressure under the fingers of a recording, taxel by taxel. A recording does not hold it: the ticks are felt
-// again, and each pattern is made of what was felt, so it has the bits that it had while it was recorded.
+// again, and each pattern is made of the felt contact, so it has the bits that it had while it was recorded.
 //
 //   RecordingReader ─ replay ─► samples, worlds ─ FeltPressure ─► kPa of each finger, tick by tick
 #pragma once

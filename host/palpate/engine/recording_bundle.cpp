@@ -169,7 +169,7 @@ class Bundle {
     hide(world.body);
   }
 
-  /// Puts the file into the bundle, once, and says what it is called there.
+  /// Puts the file into the bundle, once, and returns its name there.
   fs::path nameOf(const fs::path& file, const NamedFile& named) {
     const auto known = names_.find(file.string());
     if (known != names_.end()) return known->second;

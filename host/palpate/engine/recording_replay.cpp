@@ -30,8 +30,8 @@ namespace {
 //
 //   events "trim", "cut" of the recording ─► ReplayProof ─► compare this sample? forget before it?
 //
-// Within a tick first what the record says was forgotten, then the events: a recording that was joined to another
-// begins as one that remembers nothing, and may have been cut itself.
+// Within a tick first the recorded resets, then the events: a recording that was joined to another begins as one that
+// remembers nothing, and may have been cut itself.
 
 class ReplayProof {
  public:

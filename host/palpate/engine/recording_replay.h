@@ -1,9 +1,10 @@
-// A recording felt again: the recorded poses through the recorded scene, compared with what was felt, bit for bit.
+// A recording felt again: the recorded poses through the recorded scene, compared with the recorded samples, bit for
+// bit.
 //
 //   RecordingReader ─ tick ─► touch, limiter ─► samples ─ compared ─► ReplayReport
 //
 // The inputs of a tick are in its sample: the tip that was used, whether the finger had been put elsewhere, and what
-// the limiter said of the device. So contact, contact force, limiter and what the device was sent are all computed
+// the limiter said of the device. So contact, contact force, limiter and the force sent to the device are all computed
 // again, by the code that computed them first.
 #pragma once
 
@@ -48,7 +49,7 @@ struct ReplaySettings {
   std::function<void(std::uint32_t number, const std::shared_ptr<const scene::World>& world)> entered = {};
 };
 
-/// Gets what was felt again, tick by tick, those of the span.
+/// Gets the samples of the replay, tick by tick, those of the span.
 using ReplaySink = std::function<void(std::span<const trace::Sample>)>;
 
 /// Feels the recording from its beginning to the end of the span and compares the ticks of the span. Throws Error for a

@@ -31,7 +31,7 @@ double tickOf(const ServoPlan& plan) {
   return plan.fingers.empty() ? servo::Rig{}.tick_s : plan.fingers.front().tick_s;
 }
 
-/// Catch-up, ramps and limits of speed are so much a second: all must mean the same second.
+/// Catch-up, ramps and limits of speed are per second: all must mean the same second.
 void keepRate(ServoPlan& plan, double tick_s) {
   for (contact::FingerSettings& finger : plan.fingers) finger.tick_s = tick_s;
   plan.limiter.tick_s = tick_s;
@@ -44,7 +44,7 @@ void inheritDevices(std::vector<std::optional<device::Device>>& devices, std::op
   }
 }
 
-/// Puts the next plan into the rig, and what can only be freed elsewhere back into the one before.
+/// Puts the next plan into the rig, and objects that can only be freed elsewhere back into the one before.
 void adopt(servo::Rig& rig, ServoPlan& before, ServoPlan& next) noexcept {
   for (std::size_t i = 0; i < rig.fingers.size(); ++i) {
     servo::FingerChain& finger = rig.fingers[i];

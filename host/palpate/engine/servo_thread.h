@@ -30,13 +30,13 @@ struct ServoPlan {
   std::vector<contact::FingerSettings> fingers;
   servo::LimiterSettings limiter;
   servo::FingerSolvers solvers;
-  bool other_body = true;  ///< the triangles are not those of the plan before: fingers forget what they touched
+  bool other_body = true;  ///< the triangles are not those of the plan before: fingers forget their contacts
   /// New devices by finger; nothing: the one at work stays. With `limiter`, in one tick: no device is ever felt by the
   /// limits of another.
   std::vector<std::optional<device::Device>> devices = {};
 };
 
-/// A world as the servo feels it: what a recording has to know to feel it again.
+/// A world as the servo feels it: all that a recording needs to replay it.
 struct FeltWorld {
   std::uint32_t number = 0;  ///< trace::Sample::world
   std::shared_ptr<const scene::World> world;
@@ -67,10 +67,10 @@ class ServoThread {
   /// The newest plan wins; it is taken within a tick or two, of this call or of an exchange. The rate stays that of the
   /// start, whatever tick the plan's settings were made for. Throws Error for another number of fingers.
   void change(ServoPlan plan);
-  /// Call it now and then, e.g. once a frame: offers what waits, frees what the servo gave back. True when another plan
-  /// came to work since the last call.
+  /// Call it now and then, e.g. once a frame: offers the waiting plan, frees what the servo returned. True when another
+  /// plan came to work since the last call.
   bool exchange();
-  /// Everything that was to be changed is at work, and what it replaced was freed.
+  /// All changes are at work, and the replaced objects are freed.
   bool settled() const noexcept { return !waiting_ && !offered_world_; }
   double ticksPerS() const noexcept { return 1.0 / tick_s_; }
   /// The world at work, as far as this thread knows.

@@ -23,7 +23,7 @@ namespace palpate::engine {
 
 struct BuildRequest {
   scene::Scene scene;
-  /// Its body is used as it is, when there is one: only what lies on it is built again.
+  /// An existing body is used as it is: only the maps on it are built again.
   std::shared_ptr<const scene::World> body;
   /// Makes the scene first, on the worker's thread, in place of the one above: for scenes that must be read from a
   /// file. May throw. Usually empty.

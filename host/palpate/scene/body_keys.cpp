@@ -1,4 +1,4 @@
-// The tables [body], [stiffness], [[dysfunction]] and [ellipses] of a scene file: what is touched, and how hard and
+// The tables [body], [stiffness], [[dysfunction]] and [ellipses] of a scene file: the touched body, and how hard and
 // how far its skin follows.
 #include <fmt/format.h>
 

@@ -124,7 +124,7 @@ std::optional<std::string> findBody(std::string_view recipe) {
   return std::nullopt;
 }
 
-/// Removes what was not used for longest, until the rest is within the bound.
+/// Removes the least recently used files, until the rest is within the bound.
 void evictOldest(const fs::path& folder, std::uint64_t bound) {
   struct Kept {
     fs::file_time_type used;

@@ -1,4 +1,4 @@
-// The table [[lump]] of a scene file: what lies under the skin. Where it may lie is known when the body is built
+// The table [[lump]] of a scene file: a lump under the skin. Where it may lie is known when the body is built
 // (scene/lumps_of_body.h).
 #include "palpate/contact/lump_force.h"
 #include "palpate/scene/detail/scene_keys.h"

@@ -1,6 +1,6 @@
 // Single keys of a scene, read and changed by name: how a panel or a tool edits a scene without knowing its structs.
 //
-// Values are text as in a file, so what a key accepts, its range and its words are those of the scene file.
+// Values are text as in a file, so a key's type, range and words are those of the scene file.
 #pragma once
 
 #include <optional>

@@ -14,9 +14,9 @@ namespace palpate::scene {
 /// Bytes of the largest scene file that is read.
 inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
 
-/// Throws Error: file:line for what is not TOML, an unknown key (naming the nearest known one), a value of the wrong
-/// type or out of range, a missing value; the file's name for one that cannot be read. Files that the scene names are
-/// relative to its folder and are not opened yet.
+/// Throws Error: file:line for text that is not TOML, an unknown key (naming the nearest known one), a value of the
+/// wrong type or out of range, a missing value; the file's name for one that cannot be read. Files that the scene names
+/// are relative to its folder and are not opened yet.
 Scene load(const std::filesystem::path& file);
 
 /// The same from text; messages call the file `name`, and its folder is that of relative names.

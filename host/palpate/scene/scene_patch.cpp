@@ -75,7 +75,7 @@ std::vector<std::string> valuesOf(const Rows& rows) {
 }
 
 /// For each of `is` the one of `was` that it was before, or -1: those that are equal first, as many as can be in order,
-/// then what is left between them, pair by pair.
+/// then the rest between them, pair by pair.
 std::vector<int> partners(const std::vector<Rows>& was, const std::vector<Rows>& is) {
   const std::size_t n = was.size();
   const std::size_t m = is.size();

@@ -92,7 +92,7 @@ struct PacedSettings {
   PacingSettings pacing;
   /// The loop was away this long, s: the hand has moved on, so this is a fault: no force, and the start rule again.
   double watchdog_s = 0.050;
-  /// Called on the servo thread before each tick; may exchange what the rig holds, and must keep a device's rules: no
+  /// Called on the servo thread before each tick; may exchange the rig's parts, and must keep a device's rules: no
   /// lock, no allocation, no exception, a fraction of a tick. May be empty.
   std::function<void(Rig&)> before_tick;
 };
@@ -113,7 +113,7 @@ class SampleDrain {
   SampleDrain(const SampleDrain&) = delete;
   SampleDrain& operator=(const SampleDrain&) = delete;
 
-  /// Waits until the loop has finished and the ring is empty. Throws what the sink threw; after that samples were
+  /// Waits until the loop has finished and the ring is empty. Rethrows the sink's exception; after that samples were
   /// dropped.
   void join();
 

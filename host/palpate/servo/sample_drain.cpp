@@ -27,7 +27,7 @@ void SampleDrain::join() {
 }
 
 void SampleDrain::run() {
-  // `finished` is read before the ring is emptied: what was pushed before it was set is seen.
+  // `finished` is read before the ring is emptied: samples pushed before it was set are seen.
   for (bool finished = false; !finished;) {
     finished = links_.finished.load(std::memory_order_acquire);
     emptyRing();

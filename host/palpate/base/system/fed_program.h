@@ -14,7 +14,7 @@ namespace palpate::system {
 
 class FedProgram {
  public:
-  /// `words`: what it is called, and its arguments. `reason` is an errno where it could not be started, else 0.
+  /// `words`: its name and its arguments. `reason` is an errno where it could not be started, else 0.
   FedProgram(const std::filesystem::path& program, const std::vector<std::string>& words);
   /// One that was not finished is ended at once.
   ~FedProgram();

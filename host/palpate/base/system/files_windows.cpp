@@ -82,7 +82,7 @@ bool isOneOfUs(PSID who) {
          ::IsWellKnownSid(who, WinCreatorOwnerRightsSid) != 0;
 }
 
-/// Protected from what the folder above would hand down: this user and the system itself, also for what is made within.
+/// Protected from inherited rights: this user and the system itself, also for files made within.
 Descriptor ownersAlone() {
   static const std::vector<unsigned char> user = ownUser();
   wchar_t* name = nullptr;

@@ -40,8 +40,8 @@ struct Identity {
 };
 Identity identity();
 
-/// Where a program keeps what it remembers for its user, what it has written for them, and what it can make again;
-/// empty without a home.
+/// Folders of a program for its user's settings, for its own state, and for files that it can make again; empty without
+/// a home.
 std::filesystem::path settingsFolder();
 std::filesystem::path stateFolder();
 std::filesystem::path cacheFolder();

@@ -171,7 +171,7 @@ std::optional<char> typedLetter(bool& open) {
   return open ? std::optional(letter) : std::nullopt;
 }
 
-/// Also makes what is printed the same bytes as elsewhere: UTF-8, and no carriage returns.
+/// Also prints the same bytes as elsewhere: UTF-8, and no carriage returns.
 std::vector<std::string> commandLine(int, char**) {
   ::SetConsoleOutputCP(CP_UTF8);
   ::_setmode(::_fileno(stdout), _O_BINARY);

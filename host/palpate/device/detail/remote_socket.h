@@ -12,7 +12,7 @@ struct SocketAddress {
   int port = 0;
 };
 
-/// "4730", "0.0.0.0:4730", or nothing -> where to listen; what is left out is `standard`'s. `who` begins the message of
+/// "4730", "0.0.0.0:4730", or nothing -> where to listen; missing parts are `standard`'s. `who` begins the message of
 /// the Error for anything else.
 SocketAddress socketAddressOf(const std::string& which, SocketAddress standard, const char* who);
 

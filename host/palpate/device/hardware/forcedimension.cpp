@@ -18,7 +18,7 @@ namespace palpate::device {
 
 namespace {
 
-/// The oldest library whose functions mean what is assumed here.
+/// The oldest library with the functions as used here.
 constexpr int kOldestMajor = 3;
 
 UsbMarks forceDimensionMarks() { return {.words = {"force dimension", "novint"}, .numbers = {"0403:cb48"}}; }
@@ -28,7 +28,7 @@ struct DhdLibrary {
   forcedimension::Api api;
 };
 
-/// Loads it and says what is wrong with it.
+/// Loads it and reports its faults.
 DhdLibrary loadDhd(const OpenOptions& options, Probe& probe) {
   DhdLibrary loaded;
   std::vector<std::string> missing;

@@ -47,7 +47,7 @@ inline constexpr const char* kLibraryVariable = "PALPATE_LIBDHD";
 /// The names that are tried, in their order; only `file` where it is not empty.
 std::vector<std::string> libraryNames(const std::string& file);
 
-/// Fills in what the library has; returns the names of functions that are needed and missing.
+/// Fills in the library's functions; returns the names of functions that are needed and missing.
 std::vector<std::string> resolveApi(const SharedLibrary& library, Api& api);
 
 struct Version {

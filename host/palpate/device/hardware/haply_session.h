@@ -65,12 +65,12 @@ struct Settings {
   std::vector<Address> addresses = {{"127.0.0.1", kPort}, {"127.0.0.1", kOldPort}};
   int http_port = 0;  ///< 0: that of the address, then kOldPort
   ForceKey force_key = ForceKey::automatic;
-  /// No maker's figure is at hand for what the motors hold.
+  /// The maker gives no figure for the motors' force.
   double most_force_n = 5.0;
 };
 
 /// "HOST:PORT,force_key=auto|vector|values,most_force_n=N,http_port=PORT", any part of it; `said` where it is not
-/// empty, else what the environment says, else the usual. Throws Error for anything else.
+/// empty, else the environment's, else the usual. Throws Error for anything else.
 Settings settingsOf(const std::string& said);
 
 /// A service that has answered.

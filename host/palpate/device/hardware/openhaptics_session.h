@@ -72,7 +72,7 @@ enum ErrorCode : std::uint32_t {
 /// Warm motors and exceeded limits: the driver reports them and continues, and so do we.
 inline constexpr bool isHarmless(std::uint32_t code) { return (code & 0xFF00u) == 0x200u; }
 
-/// Words for an error code, and what a person can do about it.
+/// Text of an error code, and its remedy.
 struct ErrorWords {
   std::string name;
   std::string remedy;
@@ -106,7 +106,7 @@ inline constexpr const char* kLibraryVariable = "PALPATE_LIBHD";
 /// The names that are tried, in their order; only `file` where it is not empty.
 std::vector<std::string> libraryNames(const std::string& file);
 
-/// Fills in what the library has; returns the names of functions that are needed and missing.
+/// Fills in the library's functions; returns the names of functions that are needed and missing.
 std::vector<std::string> resolveApi(const SharedLibrary& library, Api& api);
 
 /// The kind of device that calls itself so: "PHANTOM Omni". Unknown for a name that is not listed.

@@ -1,5 +1,5 @@
-// The edge to plugins (palpate_device.h): whatever a stranger's library fills in becomes what the servo may rely on, or
-// words about what is wrong with it. Pure functions.
+// The edge to plugins (palpate_device.h): turns data of a stranger's library into data that the servo may rely on, or a
+// text about its fault. Pure functions.
 #pragma once
 
 #include <cstddef>

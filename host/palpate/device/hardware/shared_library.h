@@ -1,4 +1,4 @@
-// A vendor's library looked for at run time: which names were tried, what the loader said of each, what it lacks.
+// A vendor's library looked for at run time: which names were tried, the loader's answers, and missing functions.
 //
 // Nothing of a vendor is needed to build. A library that was opened stays open until the program ends: drivers leave
 // threads behind that still run in it.
@@ -15,7 +15,7 @@ namespace palpate::device {
 struct LibraryAttempt {
   std::string name;
   std::string words;       ///< the loader's own; empty when it opened
-  std::string dependency;  ///< the library that this one needs and that is missing, if that is what it said
+  std::string dependency;  ///< the library that this one needs and that is missing, if the loader said so
 };
 
 struct SharedLibrary {

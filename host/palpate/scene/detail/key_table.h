@@ -56,7 +56,7 @@ struct Key {
   std::function<void(S&, const Entry&)> read;
   std::function<std::string(const S&)> show;  ///< the value as in a file; empty = none
   KeyForm form = {};
-  bool first = false;  ///< read before the others, which overrule what it says about them
+  bool first = false;  ///< read before the others, which overrule it
 };
 
 double readNumber(const Entry& entry, const Range& range);
@@ -195,7 +195,7 @@ inline Vec3 readPoint3(const Entry& entry, const Range& range) {
   return {v[0], v[1], v[2]};
 }
 
-/// For a place in numbers of settings that may name it by `at`: what has a name is written by its name.
+/// For a place in numbers of settings that may name it by `at`: a named place is written by its name.
 template <class S>
 Key<S> unlessNamed(Key<S> key) {
   key.show = [show = std::move(key.show)](const S& s) { return s.at.empty() ? show(s) : std::string(); };

@@ -1,5 +1,5 @@
-// One table of a TOML file that a person writes, read key by key: what is unknown, of the wrong kind or out of range is
-// said with its line. For small files of their own (protocols); scene files have key_table.h.
+// One table of a TOML file that a person writes, read key by key: keys that are unknown, of the wrong kind or out of
+// range are reported with their line. For small files of their own (protocols); scene files have key_table.h.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Least squares with a handful of numbers, each within bounds: what the fits of measured curves share.
+// Least squares with a handful of numbers, each within bounds: the common part of the fits of measured curves.
 //
 // Levenberg-Marquardt with differences for derivatives; a number that a step would carry over its bound stays there.
 // Based on: Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", 1963.

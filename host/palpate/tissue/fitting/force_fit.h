@@ -3,8 +3,8 @@
 //   force_curves.h ─ curves ─► here: each form fitted, checked by rows it has not seen ─► scene keys, a force table
 //
 // Every form is k h(d) with h(d_ref) = d_ref, as the engine's laws are (force_law.h): k is the secant stiffness at the
-// reference depth, what the stiffness map means. A row counts by how sure it is: a part of a force's noise grows with
-// the force and a part does not, in the proportion that makes the curve most likely. Described in
+// reference depth, as in the stiffness map. A row counts by how sure it is: a part of a force's noise grows with the
+// force and a part does not, in the proportion that makes the curve most likely. Described in
 // docs/explanation/fit-tissue.md.
 #pragma once
 
