@@ -60,7 +60,8 @@ class EditHistory {
 // save. It compares the viewer's state once a frame instead of relying on each control: a new control needs nothing
 // here.
 //
-//   viewer state ─ as text ─ differs from the last quiet frame ─► step       undo, redo, reset ─► state, UiOutput::changed
+//   viewer state ─ as text ─ differs from the last quiet frame ─► step       undo, redo, reset ─► state,
+//   UiOutput::changed
 
 struct ViewerState;
 
