@@ -6,7 +6,7 @@
 // limitForce, in this order: fault? -> start rule -> one factor for all stiffness -> slope held at the cap, soft toe ->
 // passivity -> clamp -> rate guard. Any fault ends the force in the same tick. The contact's own force is not touched;
 // traces hold both.
-// docs/explanation/safety.md has the promises, docs/explanation/stability.md the measurements.
+// docs/explanation/safety.md has the promises and the measurements.
 #pragma once
 
 #include <array>
