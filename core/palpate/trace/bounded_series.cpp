@@ -27,7 +27,7 @@ double FixedHistogram::quantile(double share) const {
   for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
     const auto here = static_cast<double>(bins_[bin]);
     if (here > 0.0 && before + here >= wanted) {
-      const double within = std::clamp((wanted - before) / here, 0.0, 1.0);
+      const double within = (wanted - before) / here;
       return std::clamp((static_cast<double>(bin) + within) * bin_width_, least_, greatest_);
     }
     before += here;

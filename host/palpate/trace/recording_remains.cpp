@@ -97,7 +97,6 @@ class Sorter {
     if (isLike(v, "iiii", true)) {  // blocks_by_tick: first_tick, part, rows, id
       BlockRemains& block = remains_.blocks[v[3].integer];
       if (block.is_known || countOf(v[2]) == 0 || countOf(v[2]) > kMaxBlockRows) return;
-      block.id = v[3].integer;
       block.part = v[1].integer;
       block.first_tick = countOf(v[0]);
       block.rows = countOf(v[2]);
@@ -126,7 +125,6 @@ class Sorter {
     const Values& v = row.values;
     if (!isPlausible(v)) return;
     BlockRemains& block = remains_.blocks[row.id];
-    block.id = row.id;
     if (row.whole) block.places.push_back(row.place);
     block.part = v[1].integer;
     block.finger = static_cast<std::uint32_t>(v[2].integer);

@@ -103,7 +103,6 @@ class SqlitePages {
 
 /// A block by what its row or an index says of it.
 struct BlockRemains {
-  std::int64_t id = 0;
   std::optional<std::int64_t> part;
   std::optional<std::uint32_t> finger;
   std::uint64_t first_tick = 0;

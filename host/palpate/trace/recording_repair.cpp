@@ -218,7 +218,6 @@ class Repair {
   /// dropped, the numbers of the blocks go round the fingers.
   void findFingers() {
     const auto count = static_cast<std::int64_t>(fingers_.size());
-    if (count == 0) return;
     std::set<std::int64_t> offsets;
     for (const auto& [id, block] : remains_.blocks) {
       if (block.finger) offsets.insert((id - std::int64_t{*block.finger}) % count);

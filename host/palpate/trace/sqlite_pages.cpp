@@ -165,7 +165,7 @@ void SqlitePages::readHeader() {
   const auto told = static_cast<std::uint32_t>(bigEndian(header, 16, 2));
   const std::uint32_t size = told == 1 ? 65536 : told;
   const unsigned reserved = byteAt(header, 20);
-  if (!isPageSize(size) || size - reserved < 480) return;
+  if (!isPageSize(size)) return;
   has_header_ = true;
   page_size_ = size;
   usable_ = size - reserved;

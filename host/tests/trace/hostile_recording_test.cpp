@@ -94,6 +94,18 @@ TEST_F(HostileRecording, AStatementThatNeverEndsIsEndedAndSoIsOneThatIsInterrupt
   EXPECT_EQ(database.integer("SELECT count(*) FROM fingers"), 1) << "what follows goes on";
 }
 
+TEST_F(HostileRecording, AStatementMayTakeAsLongEachTimeItIsAsked) {
+  Database database(file_, Database::Mode::read);
+  Statement count(
+      database,
+      "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 400000) SELECT max(i) FROM n");
+  for (int time = 0; time < 3; ++time) {  // some five million steps each; ten are free
+    ASSERT_TRUE(count.next());
+    EXPECT_EQ(count.integer(0), 400'000);
+    EXPECT_FALSE(count.next());
+  }
+}
+
 TEST_F(HostileRecording, ViewsAndTriggersAreOffInWhateverIsOpened) {
   change("CREATE VIEW v AS SELECT 1");
   Database database(file_, Database::Mode::read);
@@ -124,6 +136,8 @@ TEST_F(HostileRecording, ARecordingIsForItsOwnerAloneWhileItIsWritten) {
   EXPECT_EQ(mode_of((folder_ / "copy.session").string()), 0600u);
   writer.finish("done");
   EXPECT_EQ(mode_of((folder_ / "b.session").string()), 0600u);
+  const Database other(folder_ / "made.db", Database::Mode::create);
+  EXPECT_EQ(mode_of((folder_ / "made.db").string()), 0600u);
   ::umask(before);
 }
 

@@ -1,5 +1,6 @@
 // Recordings cut, joined and salvaged: every bit that is there comes out, and what is not there is told.
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -8,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "host/tests/trace/whole_recording.h"
 #include "host/tests/trace/wild_sample.h"
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
@@ -36,6 +38,21 @@ bool sameBits(const Sample& a, const Sample& b) {
            return column.bits(a) == column.bits(b);
          });
 }
+
+/// A recording's file as somebody else's program opens it: with all that SQLite can.
+class OtherProgram {
+ public:
+  explicit OtherProgram(const std::filesystem::path& file) { EXPECT_EQ(::sqlite3_open(file.c_str(), &database_), 0); }
+  OtherProgram(const OtherProgram&) = delete;
+  ~OtherProgram() { ::sqlite3_close(database_); }
+  void run(const std::string& sql) const {
+    EXPECT_EQ(::sqlite3_exec(database_, sql.c_str(), nullptr, nullptr, nullptr), 0) << ::sqlite3_errmsg(database_);
+  }
+  void reserveBytes(int bytes) const { ::sqlite3_file_control(database_, "main", SQLITE_FCNTL_RESERVE_BYTES, &bytes); }
+
+ private:
+  sqlite3* database_ = nullptr;
+};
 
 class RecordingEdit : public testing::Test {
  protected:
@@ -229,6 +246,12 @@ TEST_F(RecordingEdit, JoinedRecordingsFollowEachOtherAndForgetWhatWasBefore) {
                                                    "1200 sound 5500", "2100 sound 500"}));
 }
 
+TEST_F(RecordingEdit, JoinedRecordingsLackWhatEachOfThemLacked) {
+  writeWholeRecording(folder_ / "a.session");
+  join({folder_ / "a.session", folder_ / "a.session", folder_ / "a.session"}, folder_ / "all.session");
+  EXPECT_EQ(RecordingReader(folder_ / "all.session").facts().dropped, 3u * 3u);
+}
+
 TEST_F(RecordingEdit, WhatDoesNotBelongTogetherIsNotJoined) {
   const auto a = record("a.session", 0, 99, {1, 0});
   const auto file_error = [&](const std::filesystem::path& other) {
@@ -289,6 +312,74 @@ TEST_F(RecordingEdit, ASoundFileIsSalvagedWhole) {
   EXPECT_EQ(now.world(0).hash, was.world(0).hash);
   EXPECT_EQ(now.world(0).fingers[1].contact, "radius_mm = 4");
   EXPECT_EQ(now.facts().events, was.facts().events);
+}
+
+TEST_F(RecordingEdit, ASalvagedRecordingAndACopyTellWhatTheFileTold) {
+  writeWholeRecording(folder_ / "a.session");
+  const std::string told = contentOf(folder_ / "a.session");
+  const RecordingRepair repair = repairRecording(folder_ / "a.session", folder_ / "b.session");
+  EXPECT_TRUE(repair.nothingLost());
+  EXPECT_EQ(repair.attachments, 2u);
+  EXPECT_EQ(contentOf(folder_ / "b.session"), told);
+  RecordingReader reader(folder_ / "a.session");
+  trim(reader, {}, folder_ / "c.session");
+  EXPECT_EQ(contentOf(folder_ / "c.session"), told);
+}
+
+TEST_F(RecordingEdit, LettersOfASalvagedTextThatAreNoneAreShownAsSuch) {
+  writeWholeRecording(folder_ / "a.session");
+  OtherProgram(folder_ / "a.session")
+      .run(
+          "UPDATE session SET notes = 'gr' || char(252) || 'n', tags = CAST(x'67fc6e' AS TEXT), "
+          "software = 'a' || char(7) || 'b' || char(9) || char(10), machine = 'a' || char(127)");
+  repairRecording(folder_ / "a.session", folder_ / "b.session");
+  const RecordingReader reader(folder_ / "b.session");
+  EXPECT_EQ(reader.facts().header.notes, "gr\u00fcn");
+  EXPECT_EQ(reader.facts().header.tags, "g?n");
+  EXPECT_EQ(reader.facts().header.software, "a?b\t\n");
+  EXPECT_EQ(reader.facts().header.machine, "a?");
+}
+
+TEST_F(RecordingEdit, PagesOfAnySizeAndWithReservedBytesAreSalvagedWhole) {
+  writeWholeRecording(folder_ / "a.session");
+  const std::string told = contentOf(folder_ / "a.session");
+  for (const int page : {512, 1024, 65536}) {
+    const OtherProgram other(folder_ / "a.session");
+    other.run("PRAGMA journal_mode = DELETE; PRAGMA page_size = " + std::to_string(page));
+    other.reserveBytes(page == 512 ? 32 : 200);  // as a program that encrypts them or adds checksums keeps
+    other.run("VACUUM");
+    EXPECT_TRUE(repairRecording(folder_ / "a.session", folder_ / "b.session").nothingLost()) << page;
+    EXPECT_EQ(contentOf(folder_ / "b.session"), told) << page;
+  }
+}
+
+TEST_F(RecordingEdit, WhatALogHeldBeforeItWasUsedAgainDoesNotComeBack) {
+  writeWholeRecording(folder_ / "a.session");
+  const OtherProgram other(folder_ / "a.session");
+  other.run("PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0");
+  for (const char* notes : {"first", "second", "third"}) {
+    other.run("UPDATE session SET notes = '" + std::string(notes) + "'");
+  }
+  // The next change begins the log anew; behind it lie the frames of the three before.
+  other.run("PRAGMA wal_checkpoint(RESTART); UPDATE session SET notes = 'last'");
+  repairRecording(folder_ / "a.session", folder_ / "b.session");
+  EXPECT_EQ(RecordingReader(folder_ / "b.session").facts().header.notes, "last");
+}
+
+TEST_F(RecordingEdit, ALossIsToldOfItsFingerWhereOnlyTheTimeOfABlockIsLeft) {
+  const auto all = recordWild("a.session", 900, 8);
+  {
+    const OtherProgram other(folder_ / "a.session");
+    other.run(
+        "PRAGMA secure_delete = ON; DROP INDEX blocks_by_part; PRAGMA writable_schema = ON; "
+        "DELETE FROM sqlite_schema WHERE name = 'blocks_by_tick'");
+  }
+  OtherProgram(folder_ / "a.session").run("PRAGMA secure_delete = ON; DELETE FROM blocks WHERE id IN (4, 7)");
+  const RecordingRepair repair = repairRecording(folder_ / "a.session", folder_ / "b.session");
+  const std::set<Place> missing = missingFrom(all, samplesOf(folder_ / "b.session"));
+  EXPECT_EQ(missing.size(), 300u);
+  EXPECT_EQ(placesOf(repair.lost), missing);
+  EXPECT_TRUE(repair.other.empty()) << repair.other.front();
 }
 
 TEST_F(RecordingEdit, GapsAreNoLoss) {

@@ -470,6 +470,14 @@ TEST(TouchedPlaces, ARoundPlaceIsTouchedOnAFineAndOnACoarseSheet) {
   }
 }
 
+TEST(TouchedPlaces, SkinThatIsFineEnoughIsNotCut) {
+  const TouchedPlace place{
+      .world = 0, .finger = 0, .triangle = kNoIndex, .place = {50.0, 50.0, 0.0}, .ticks = 1, .peak_force_n = 1.0};
+  const mesh::TriangleMesh fine = zoo::grid(100, 100.0);  // sides of 1.4 mm
+  EXPECT_EQ(touchedSurface(fine, std::span(&place, 1), std::vector{8.0}).mesh.triangles.size(), fine.triangles.size());
+  EXPECT_GT(touchedSurface(fine, std::span(&place, 1), std::vector{4.0}).mesh.triangles.size(), fine.triangles.size());
+}
+
 TEST(TouchedPlaces, AddTimesAndKeepTheGreatestForce) {
   const std::vector<TouchedPlace> places = {{0, 0, 0, {50.0, 50.0, 0.0}, 10, 3.0},
                                             {0, 1, 0, {52.0, 50.0, 0.0}, 5, 1.0}};

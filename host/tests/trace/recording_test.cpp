@@ -11,6 +11,7 @@
 #include <limits>
 #include <thread>
 
+#include "host/tests/trace/whole_recording.h"
 #include "host/tests/trace/wild_sample.h"
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
@@ -161,6 +162,27 @@ TEST_F(RecordingFile, GivesBackHeaderWorldsEventsAndTicks) {
   EXPECT_EQ(some[0].tick, 450u);
   EXPECT_EQ(some[1].finger, 1u);
   EXPECT_EQ(some[3].tick, 451u);
+}
+
+TEST_F(RecordingFile, EverythingIsReadBackUnderItsOwnName) {
+  writeWholeRecording(folder_ / "a.session");
+  EXPECT_EQ(contentOf(folder_ / "a.session"),
+            "2026-11-21T12:00:00Z to 2026-11-21T12:00:09Z: a fault; the software on the machine, 500 a second, 3 "
+            "dropped; the notes; the tags\n"
+            "finger index, mouse, max_force_n = 3, scale = 2\n"
+            "finger middle, touch, rate_hz = 4, \n"
+            "world /one, trunk, 11, a1, # first\n"
+            "  felt with radius_mm = 8; limited = 1\n"
+            "  felt with c; l\n"
+            "world /two, dome, 22, b2, # second\n"
+            "  felt with radius_mm = 4; \n"
+            "  felt with ; limited = 0\n"
+            "mark 7 1: here\n"
+            "note 9 all: " +
+                longText("n") + "\nfile 5: body.obj, , " + longText("v") +
+                "\n"
+                "picture 30: seen.png, image/png, bytes\n"
+                "800 samples from 0 to 399, 2 events, 2 attachments\n");
 }
 
 TEST_F(RecordingFile, AnEarlierOneStaysUntilTheNextIsFinished) {
