@@ -60,6 +60,19 @@ TEST(DeviceProfile, WhatTakesNoForceHasTheLimitsOfTheNamedDevice) {
   EXPECT_FALSE(profileOf(DeviceModel::premium_3_0, Capabilities{}).open);
 }
 
+TEST(DeviceProfile, ASceneMayLowerTheLargestForceAndRaisesItOnlyWhereItSaysUnsafe) {
+  DeviceProfile omni = profileOf(DeviceModel::omni);
+  omni.unsafe_force_n = 5.0;
+  scene::SafetySettings safety;
+  EXPECT_EQ(largestForceN(safety, omni), omni.force_n) << "nothing is asked for";
+  safety.nominal_force_n = 0.5;
+  EXPECT_EQ(largestForceN(safety, omni), 0.5);
+  safety.nominal_force_n = 100.0;
+  EXPECT_EQ(largestForceN(safety, omni), omni.force_n);
+  safety.unsafe_stiffness = true;
+  EXPECT_EQ(largestForceN(safety, omni), 5.0);
+}
+
 TEST(DeviceProfile, OfSeveralTheLeastOfEveryLimitHolds) {
   const std::array<Capabilities, 3> devices = {openDevice(DeviceModel::falcon, 8.0, 3.0),
                                                openDevice(DeviceModel::touch_x, 7.9, 1.0), Capabilities{}};

@@ -75,6 +75,16 @@ TEST(Doctor, AFoundLibraryThatDoesNotLoadSaysMoreThanOneThatIsNotThere) {
   EXPECT_EQ(tellingAttempt(library)->dependency, "libPhantomIOLib42.so");
 }
 
+TEST(Doctor, OfSeveralThatSayAsMuchTheFirstIsTold) {
+  const SharedLibrary none = openLibrary(std::vector<std::string>{"libnone_a.so", "libnone_b.so"});
+  EXPECT_EQ(tellingAttempt(none)->name, "libnone_a.so") << "the name that is usual";
+  const std::string needing = doubles::libraryOf("openhaptics_needing");
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "libHD.so") << std::string(1000, 'x');
+  const SharedLibrary found = openLibrary(std::vector<std::string>{needing, (folder / "libHD.so").string()});
+  EXPECT_EQ(tellingAttempt(found)->name, needing);
+}
+
 TEST(Doctor, TellsADependencyFromTheLibraryItself) {
   EXPECT_EQ(missingDependency("libtinfo.so.5: cannot open shared object file: No such file", "libHD.so"),
             "libtinfo.so.5");

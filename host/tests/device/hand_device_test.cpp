@@ -41,6 +41,28 @@ TEST(HandDevice, ItsLimitsAreThoseOfItsDeviceWhateverTheSceneSays) {
   EXPECT_EQ(profile.force_n, profileOf(DeviceModel::omni).force_n);
 }
 
+TEST(HandDevice, ItsWorkspaceLiesAboutTheStartOfItsPath) {
+  const Box3 workspace = openHand(pressing()).capabilities.workspace_mm;
+  EXPECT_EQ(workspace.center(), Vec3(5.0, 0.0, 30.0));
+  EXPECT_GT(workspace.sizes().minCoeff(), 100.0);
+}
+
+TEST(HandDevice, ItsTicksAreThoseOfItsLoop) {
+  const auto fallen_mm = [](double tick_s) {
+    OpenOptions options;
+    options.which = "dead_load,omega_3";
+    options.tick_s = tick_s;
+    const Device device = openHand(options);
+    for (std::uint64_t tick = 0; tick < 100; ++tick) {
+      (void)device.read_tip(tick);
+      device.write_force(Vec3::Zero());
+    }
+    EXPECT_EQ(device.capabilities.rate_hz, 1.0 / tick_s);
+    return -device.read_tip(100).z();
+  };
+  EXPECT_NEAR(fallen_mm(0.001) / fallen_mm(0.0005), 4.0, 0.6) << "as far as twice the time falls, but for damping";
+}
+
 TEST(HandDevice, ItsArmFollowsThePath) {
   const Device device = openHand(pressing());
   EXPECT_NEAR(device.read_tip(0).z(), 30.0, 0.02);
@@ -53,12 +75,19 @@ TEST(HandDevice, ItsArmFollowsThePath) {
 }
 
 TEST(HandDevice, GivesWayToAForceAsAHandDoes) {
-  const Device device = openHand({});
-  for (std::uint64_t tick = 0; tick < 2000; ++tick) {
-    (void)device.read_tip(tick);
-    device.write_force({0, 0, 1.0});
+  for (const HandKind kind :
+       {HandKind::stylus_x, HandKind::stylus_y, HandKind::stylus_z, HandKind::thimble, HandKind::arm}) {
+    OpenOptions options;
+    options.which = wordFor(kind);
+    const Device device = openHand(options);
+    for (std::uint64_t tick = 0; tick < 2000; ++tick) {
+      (void)device.read_tip(tick);
+      device.write_force({0, 0, 1.0});
+    }
+    const HandModel hand = handModel(kind);
+    const double grip_mm = hand.grip_n_per_mm > 0.0 ? 1.0 / hand.grip_n_per_mm : 0.0;
+    EXPECT_NEAR(device.read_tip(2000).z(), 1.0 / hand.stiffness_n_per_mm + grip_mm, 2.0) << wordFor(kind);
   }
-  EXPECT_NEAR(device.read_tip(2000).z(), 1.0 / 78.75e-3 + 1.0 / 379.5e-3, 1.0) << "arm and grip";
 }
 
 TEST(HandDevice, WithoutAPathRestsWhereItWasOpened) {

@@ -141,6 +141,13 @@ TEST_F(Haply, OpensByIdAndByHandAndNamesWhatThereIs) {
   EXPECT_THROW(bench.open(options), Error);
 }
 
+TEST_F(Haply, ADeviceKnowsTheVersionOfItsService) {
+  bench.control().minor = 4;
+  const Device device = bench.open();
+  EXPECT_TRUE(says(probed().version, device.capabilities.version)) << probed().version;
+  EXPECT_TRUE(device.capabilities.version.starts_with("3.4")) << device.capabilities.version;
+}
+
 TEST_F(Haply, TheEnvironmentSaysWhereItIsAndHowItIsSpokenTo) {
   const Variable variable("PALPATE_HAPLY", doubles::haplyWords() + ",most_force_n=8.5,force_key=values");
   OpenOptions options = bench.options();
@@ -153,11 +160,14 @@ TEST_F(Haply, TheEnvironmentSaysWhereItIsAndHowItIsSpokenTo) {
 
 TEST_F(Haply, RefusesSettingsThatAreNone) {
   for (const char* words :
-       {"localhost", ":10001", "localhost:0", "localhost:99999", "localhost:1.5", "most_force_n=0", "most_force_n=nan",
-        "most_force_n=900", "force_key=torque", "speed=3", "http_port=x", ",", "host:10001,"}) {
+       {"localhost", ":10001", "localhost:0", "localhost:65536", "localhost:1.5", "most_force_n=0.09",
+        "most_force_n=nan", "most_force_n=900", "force_key=torque", "speed=3", "http_port=x", ",", "host:10001,"}) {
     EXPECT_THROW(haply::settingsOf(words), Error) << words;
     EXPECT_FALSE(probedWith(words).available) << words;
   }
+  EXPECT_EQ(haply::settingsOf("localhost:1").addresses.at(0).port, 1);
+  EXPECT_EQ(haply::settingsOf("localhost:65535").addresses.at(0).port, 65535);
+  EXPECT_EQ(haply::settingsOf("most_force_n=0.1").most_force_n, 0.1);
 }
 
 // --- what is sent ---
@@ -265,6 +275,20 @@ TEST_F(Haply, AServiceThatFallsSilentIsHungUpOnAndFoundAgain) {
   EXPECT_TRUE(device.revive());
   for (int i = 0; i < 5; ++i) bench.tick(device, kTouch);
   EXPECT_LT((bench.force() - kTouch).norm(), 1e-12);
+}
+
+TEST_F(Haply, AServiceThatComesBackWithoutTheDeviceIsNotToldItsForce) {
+  OpenOptions options = bench.options();
+  options.which = "right";
+  Device device = bench.open(options);
+  for (int i = 0; i < 5; ++i) bench.tick(device, kTouch);
+  bench.hardware().error = doubles::kCloses;
+  bench.tick(device, kTouch);
+  bench.hardware().error = 0;
+  bench.control().count = 1;
+  EXPECT_FALSE(device.revive());
+  bench.tick(device, kTouch);
+  EXPECT_FALSE(says(doubles::lastHaplyOrder(), "12AB")) << doubles::lastHaplyOrder();
 }
 
 TEST_F(Haply, WhileTheServiceIsGoneItsWordsAndTheRemedyAreGiven) {

@@ -171,6 +171,21 @@ TEST(Plugin, OpensTheOneOfSeveralThatWasNamed) {
   EXPECT_THROW(bench.open(options), Error);
 }
 
+TEST(Plugin, ADeviceThatFailsForAMomentIsNotGivenUp) {
+  HardwareBench bench(pluginHardware());
+  bench.put({1, 2, 3});
+  Device device = bench.open();
+  for (int time = 0; time < 3; ++time) {
+    bench.hardware().error = 1;
+    for (int i = 0; i < 5; ++i) bench.tick(device, {0, 0, 1});
+    EXPECT_NE(device.state().faults, 0u);
+    bench.hardware().error = 0;
+    for (int i = 0; i < 5; ++i) bench.tick(device, {0, 0, 1});
+    EXPECT_TRUE(bench.hardware().open) << time;
+    EXPECT_EQ(bench.force(), Vec3(0, 0, 1)) << time;
+  }
+}
+
 TEST(Plugin, ADeviceThatStaysAwayIsGivenUpAndOpenedAgainWhenAskedFor) {
   HardwareBench bench(pluginHardware());
   bench.control().count = 1;

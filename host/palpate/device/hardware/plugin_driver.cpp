@@ -62,7 +62,6 @@ bool Driver::takeReading(int told) noexcept {
 
 void Driver::exchange() noexcept {
   const std::lock_guard turn(turns_);
-  if (gone_) return;
   const Vec3 force = link_.dueForce();
   if (device_ == nullptr) {
     DriverReading reading;
