@@ -297,6 +297,7 @@ void runReplay(const HuntArguments& arguments) {
   bool found = false;
   for (const std::string& folder : arguments.replay) {
     const lab::KeptCase kept = lab::readCase(folder);
+    for (const std::string& note : kept.notes) say("palpate: " + note + "\n");
     const lab::HuntReport report = lab::replay(kept);
     found = found || !report.clean();
     fmt::print("{}", replayText(folder, kept, report));

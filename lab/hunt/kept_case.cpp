@@ -98,6 +98,12 @@ constexpr NumberRange kRadiiMm{0.0, 1e9};
 constexpr NumberRange kScales{1e-9, 1e9};
 constexpr NumberRange kLumpCounts{0.0, 64.0};
 
+void readMesh(KeptCase& kept, const std::filesystem::path& file, const mesh::LoadOptions& options) {
+  mesh::MeshWithChannels read = mesh::loadWithChannels(file, options);
+  kept.mesh = std::move(read.mesh);
+  kept.notes = std::move(read.notes);
+}
+
 KeptCase caseOfScene(const std::filesystem::path& file) {
   const scene::Scene scene = scene::load(file);
   if (scene.body.kind != scene::BodyKind::mesh || scene.fingers.empty() || scene.fingers[0].trajectory.empty())
@@ -106,7 +112,7 @@ KeptCase caseOfScene(const std::filesystem::path& file) {
   kept.body = scene.body.file.filename().string();
   kept.radius_mm = scene.fingers[0].radius_mm;
   kept.tips = device::readTrajectory(scene.fingers[0].trajectory).tip_mm;
-  kept.mesh = mesh::load(scene.body.file, scene::loadOptionsOf(scene.body));
+  readMesh(kept, scene.body.file, scene::loadOptionsOf(scene.body));
   for (Vec3& p : kept.mesh.positions) p *= scene.body.scale;
   return kept;
 }
@@ -148,7 +154,7 @@ KeptCase readCase(const std::filesystem::path& folder) {
   kept.tips = device::readTrajectory(folder / "path.csv").tip_mm;
   mesh::LoadOptions options;
   options.keep_wrong_indices = true;
-  kept.mesh = mesh::load(folder / "body.ply", options);
+  readMesh(kept, folder / "body.ply", options);
   return kept;
 }
 

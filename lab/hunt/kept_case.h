@@ -30,6 +30,7 @@ struct KeptCase {
   Finding finding;  ///< only its numbers are read back
   std::vector<Vec3> tips;
   mesh::TriangleMesh mesh;
+  std::vector<std::string> notes = {};  ///< what the reader of the mesh passed over; not written
 };
 
 /// "fall_pocket_r0.5_s123": letters, digits, dots and underscores.

@@ -111,6 +111,27 @@ TEST_F(HuntCommand, ReplaysScenesOfOthers) {
   EXPECT_NE(end.out.find("3 ticks on cube.obj, radius 0 mm: nothing wrong"), std::string::npos) << end.out;
 }
 
+TEST_F(HuntCommand, SaysWhatOfTheMeshOfAReplayedCaseIsLeftOut) {
+  mesh::save(folder / "cube.obj", zoo::cube(100.0));
+  std::ofstream(folder / "cube.obj", std::ios::app) << "l 1 2\n";
+  writeFile(folder / "path.csv", "0.000,50,50,101\n0.001,50,50,100.2\n");
+  writeFile(folder / "scene.toml",
+            "[body]\nkind = \"mesh\"\nfile = \"cube.obj\"\n[[finger]]\nname = \"f\"\ntrajectory = \"path.csv\"\n");
+  const auto end = palpate("study hunt --replay .");
+  EXPECT_EQ(end.exit_code, 0) << end.err;
+  EXPECT_NE(end.err.find("cube.obj: left out: lines (1)\n"), std::string::npos) << end.err;
+
+  std::filesystem::create_directories(folder / "kept");
+  std::filesystem::copy_file(folder / "path.csv", folder / "kept/path.csv");
+  writeFile(folder / "kept/note.txt",
+            "body: cube\nseed: 1\nradius_mm: 0\nscale: 1\nfault: fall\ntick: 1\nmeasured: 1\nbound: 1\nseen: a\n");
+  mesh::save(folder / "kept/body.ply", zoo::cube(100.0));
+  std::ofstream(folder / "kept/body.ply", std::ios::app) << "more\n";
+  const auto kept = palpate("study hunt --replay kept");
+  EXPECT_EQ(kept.exit_code, 0) << kept.err;
+  EXPECT_NE(kept.err.find("behind the last row that the header names"), std::string::npos) << kept.err;
+}
+
 TEST_F(HuntCommand, WrongUsageIsOneLineAndExitCodeTwo) {
   writeFile(folder / "flat.obj", "v 0 0 0\nv 100 0 0\nv 200 0 0\nf 1 2 3\n");
   writeFile(folder / "torn.ply", "ply\nformat ascii 1.0\nelement vertex\n");
