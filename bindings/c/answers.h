@@ -1,5 +1,4 @@
-// How every entry of the C interface ends: with a code, and a text in the caller's palpate_error. No exception passes
-// it.
+// The end of every entry of the C interface: a code, and a text in the caller's palpate_error. No exception passes it.
 #pragma once
 
 #include <string>

@@ -15,7 +15,7 @@
 
 namespace palpate::app {
 
-// How quick and how regular an opened device is: measured for a second or so, at zero force.
+// Rate and regularity of an opened device: measured for a second or so, at zero force.
 
 struct DeviceMeasurement {
   double seconds = 0.0;

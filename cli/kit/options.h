@@ -99,7 +99,7 @@ class Option {
   int get_expected_min() const;
   int get_items_expected_max() const;
   bool get_positional() const;
-  /// How often it was used.
+  /// Number of uses.
   std::size_t count() const;
 
  private:
@@ -154,7 +154,7 @@ class Command {
   std::vector<const Option*> get_options() const;
   /// --help.
   const Option* get_help_ptr() const;
-  /// How often the option of that name was used.
+  /// Number of uses of the option of that name.
   std::size_t count(const std::string& option) const;
   Command* get_subcommand(const std::string& name);
   /// All subcommands, in the order in which they were added.

@@ -1,4 +1,4 @@
-// Where a run leaves its results, so that two runs are never mixed by accident.
+// The folder of a run's results, so that two runs are never mixed by accident.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// How even the triangles of a mesh are: `palpate body info --shape`, and the table of docs/explanation/bodies.md.
+// Regularity of a mesh's triangles: `palpate body info --shape`, and the table of docs/explanation/trunk.md.
 #pragma once
 
 #include <string>

@@ -43,7 +43,7 @@ class RecordedInput {
   /// The world that the frame was felt in, with the options' view; without fingers, the recording's first. Built again
   /// when it differs from that of the call before.
   std::shared_ptr<const scene::World> worldOf(const servo::TickSamples& frame, const Progress& progress);
-  /// How the last one differs from the recorded one; empty: it does not.
+  /// Describes how the last one differs from the recorded one; empty: it does not.
   const std::string& note() const { return note_; }
 
  private:

@@ -1,4 +1,4 @@
-// Where the controls are on the screen, as lines on standard output: for scripts that click with a real pointer, which
+// Places of the controls on the screen, as lines on standard output: for scripts that click with a real pointer, which
 // should not know pixels.
 //
 //   control start/touch 40 120 330 168        left, top, right, below, pixels; whenever it has moved

@@ -57,7 +57,7 @@ bool isHost(std::string_view host);
 /// anything but an origin of a page.
 std::string originOf(std::string_view url);
 
-/// Where a connection arrived.
+/// The server's end of a connection.
 struct LocalPlace {
   std::string_view scheme;   ///< "http" or "https"
   std::string_view address;  ///< the connection's, so that a strange name that leads here (DNS rebinding) does not
@@ -108,7 +108,7 @@ class VisitBook {
     bool known = false;
     double moved_s = 0.0;
   };
-  /// How many strangers each client has.
+  /// Number of strangers per client.
   std::map<std::string, std::size_t> strangers() const;
   template <class Is>
   VisitId evictStalest(VisitId but, const Is& is);

@@ -50,10 +50,10 @@ struct Hall {
 
   double now() const { return secondsSince(began); }
   std::string state() const;
-  /// To all watchers.
+  /// Sends it to all watchers.
   void tellState();
   void tellMessage(const std::string& words);
-  /// To those that listen.
+  /// Sends it to subscribers.
   void tellTouch(TouchTexts texts);
   void show(const Frame& frame);
   void join(const std::shared_ptr<Watcher>& watcher, WatcherId id);

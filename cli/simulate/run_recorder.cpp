@@ -54,7 +54,7 @@ double totalDepth(const servo::TickSamples& frame) {
   return depth;
 }
 
-/// How far friction holds the skin behind or before the fingers.
+/// Distance by which friction holds the skin behind or before the fingers.
 double totalDrag(const servo::TickSamples& frame) {
   double drag = 0.0;
   for (const trace::Sample& sample : frame) drag += (sample.contact.proxy - sample.contact.hold).norm();

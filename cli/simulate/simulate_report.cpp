@@ -51,7 +51,7 @@ Json fingerJson(const scene::World& world, std::size_t i, const FingerStatistics
   return json;
 }
 
-/// How near the skin came to bone; null on a body without bones, and where none moved.
+/// Distance between skin and bone at the deepest press; null on a body without bones, and where none moved.
 Json coverJson(const SimulationResult& result) {
   if (!result.cover) return nullptr;
   const engine::BoneCover& cover = *result.cover;

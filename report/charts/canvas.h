@@ -30,7 +30,7 @@ struct Pen {
   Stroke stroke = Stroke::solid;
 };
 
-/// Which point of its box a text is placed by.
+/// The point of its box by which a text is placed.
 enum class Align { start, middle, end };
 
 struct TextStyle {

@@ -1,4 +1,4 @@
-// How figures write: sizes of their letters, and labels that look for a place where they hide no other.
+// Lettering of figures: sizes of letters, and labels that look for a place where they hide no other.
 #pragma once
 
 #include <string>

@@ -89,7 +89,7 @@ void print(const MapArguments& arguments, const Json& summary) {
   }
 }
 
-/// How a kind of map is made: over a bare skin, and of a scene.
+/// Makers of a kind of map: over a bare skin, and from a scene.
 struct Maker {
   SkinMap (*over_skin)(const MapSkin&, const MapSource&);
   SkinMap (*of_scene)(const MapSkin&, const scene::World&, const MapSource&);

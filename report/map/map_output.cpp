@@ -193,7 +193,7 @@ std::pair<double, double> shownRange(const SkinMap& map) {
   const std::vector<double>& values = columnOf(map, map.shown.column);
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   if (!map.shown.middle) return {*least, *most};
-  // No farther than from nothing to twice the middle: lengths are never below 0.
+  // From 0 to twice the middle at most: lengths are never below 0.
   const double reach = std::min(*map.shown.middle, std::max(*most - *map.shown.middle, *map.shown.middle - *least));
   return {*map.shown.middle - reach, *map.shown.middle + reach};
 }

@@ -55,7 +55,7 @@ class RunStrip {
  public:
   explicit RunStrip(std::string finger) : finger_(std::move(finger)) {}
 
-  /// In the order of time. When the strip is full two steps become one, so its memory is bounded.
+  /// Add ticks in the order of time. When the strip is full two steps become one, so its memory is bounded.
   void add(FeltTick tick);
 
   const std::string& finger() const { return finger_; }

@@ -74,7 +74,7 @@ struct StatusLine {
 /// Actions of the limiter, and states of contact: finger by finger, bit by bit.
 std::vector<StatusLine> safetyLines(const RecordingReport& report);
 std::vector<StatusLine> contactLines(const RecordingReport& report);
-/// How often the emergency stop was pressed: of all fingers the most.
+/// Number of emergency stops: the largest of all fingers.
 std::uint64_t emergencyStops(const RecordingReport& report);
 
 /// 3725.4 -> "1 h 02 min 05 s", 12.34 -> "12.3 s".

@@ -26,7 +26,7 @@ class ClassRun {
   ~ClassRun();
 
   bool offered() const { return !teach_.empty(); }
-  /// None waits: `advance` reports the outcome. Faults of the request are reported at once.
+  /// None of these waits: `advance` reports the outcome. Faults of the request are reported at once.
   void start(const StartClass& request, ClassShown& shown);
   void watch(const std::string& folder, ClassShown& shown);
   void join(const std::string& folder, ClassShown& shown);

@@ -63,7 +63,7 @@ void addReach(const ViewerState& viewer, std::vector<view::Lines>& lines) {
   }
 }
 
-/// None while the past is shown: they mark the present fingers.
+/// Empty while the past is shown: rings mark the present fingers.
 std::vector<view::Lines> rings(const FrameParts& frame) {
   ViewerState& viewer = frame.viewer;
   if (viewer.ruler.active) return rulerLines(viewer.ruler);

@@ -1,4 +1,4 @@
-// How functions for the page are exported, for all files of this folder that export something.
+// The rules of exported functions, for all files of this folder that have some.
 //
 // Text and bytes are passed as pointer and length, in memory that the caller gets from palpate_take and frees itself.
 // Functions that can fail return an error: a text that is valid until the next call, or null on success.

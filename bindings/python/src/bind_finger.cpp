@@ -268,7 +268,7 @@ PyObject* step(PyObject* self, PyObject* const* given, Py_ssize_t count) {
   return nullptr;
 }
 
-// As pybind11 writes its signatures: the stubs are made from them.
+// In pybind11's form of signatures: the stubs are made from them.
 constexpr const char* kStepDoc =
     "step(*args, **kwargs)\nOverloaded function.\n\n"
     "1. step(self: palpate._core.Finger, tip: numpy.typing.ArrayLike) -> palpate._core.Touch\n\n"

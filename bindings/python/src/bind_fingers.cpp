@@ -126,7 +126,7 @@ class FingersHandle {
     }
   }
 
-  /// In a straight line from where it was sent last.
+  /// Moves in a straight line from the last tip.
   void stepOne(std::size_t i, const Vec3& to, std::size_t substeps, const Pause& pause) {
     const Vec3 from = commanded_[i].allFinite() ? commanded_[i] : to;
     for (std::size_t k = 1; k <= substeps; ++k) {

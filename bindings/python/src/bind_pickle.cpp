@@ -23,7 +23,7 @@ namespace palpate::python {
 
 namespace {
 
-/// So many worlds of pickles stay alive in a process: a pool of workers is sent the same one again and again.
+/// Pickled worlds that stay alive in a process: a pool of workers is sent the same one again and again.
 constexpr std::size_t kKeptWorlds = 4;
 
 struct KeptWorld {
@@ -39,7 +39,7 @@ std::deque<KeptWorld>& keptWorlds() {
 
 py::object bytesOf(const void* data, std::size_t bytes) { return py::bytes(static_cast<const char*>(data), bytes); }
 
-/// None for a world of no mesh.
+/// None for a world without a mesh.
 py::object packed(const std::shared_ptr<const SourceMaps>& maps) {
   if (!maps) return py::none();
   const GivenMesh& given = maps->given;

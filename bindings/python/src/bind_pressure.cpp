@@ -26,7 +26,7 @@ struct MaybeTicksName {
 using MaybeTicks = Named<MaybeTicksName>;
 using FeltColumn = py::array_t<double, py::array::c_style>;
 
-/// So many patterns between two looks at the clock: 0.1 ms.
+/// Patterns between two looks at the clock: 0.1 ms.
 constexpr std::size_t kBetweenLooks = 64;
 
 /// Finger outputs, row by row, and the shape before the axes of a pattern.

@@ -11,7 +11,7 @@ namespace palpate::python {
 
 namespace {
 
-/// So many ticks between two looks at the clock: at most a tenth of a millisecond of a point, ten of a ball.
+/// Ticks between two looks at the clock: at most a tenth of a millisecond of a point, ten of a ball.
 constexpr std::size_t kTicksBetweenLooks = 64;
 
 void rollOne(engine::Finger& finger, const double* tips, std::size_t ticks, const FeltRows& rows, std::size_t first_row,

@@ -8,7 +8,7 @@
 
 namespace palpate::python {
 
-/// In the object that is to be used by one call at a time.
+/// A member of an object that one call at a time may use.
 class Busy {
  public:
   Busy() = default;

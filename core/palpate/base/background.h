@@ -28,7 +28,7 @@ class Background {
   StartedWork work_;  // empty once it has been joined
 };
 
-/// How many pieces of work are worth starting at once, the caller's own among them; at least 1.
+/// Number of pieces of work that are worth starting at once, the caller's own among them; at least 1.
 std::size_t processors();
 
 /// Calls work(begin, end) for ranges that make up [0, count), on as many threads as there are processors, but on one

@@ -93,7 +93,7 @@ void refuseOtherSeparators(std::string_view row, std::string_view file, std::siz
       fmt::format("fields are separated by {}: save the table with commas between them", by_tabs ? "tabs" : "blanks"));
 }
 
-/// Where lines end: LF, CR LF or CR. A text without one kind is searched for it once.
+/// Finds the ends of lines: LF, CR LF or CR. A text without one kind is searched for it once.
 class LineEnds {
  public:
   explicit LineEnds(std::string_view text) : text_(text) {}

@@ -23,7 +23,7 @@ struct Environment {
   void (*write_file)(const std::filesystem::path& file, std::string_view content);
   /// Starts the work on a thread of its own, or does it now, or in `join`.
   StartedWork (*start)(std::function<void()> work);
-  /// How many threads run at once here; at least 1.
+  /// Number of threads that run at once here; at least 1.
   std::size_t (*processors)();
 };
 

@@ -31,7 +31,7 @@ inline DoublePair exactSum(double a, double b) noexcept {
   return {sum, (a - a_part) + (b - b_part)};
 }
 
-/// Into two halves of 26 bits, whose products are exact.
+/// Splits into two halves of 26 bits, whose products are exact.
 inline DoublePair inHalves(double a) noexcept {
   constexpr double kSplitter = 134217729.0;  // 2^27 + 1 (Dekker)
   const double scaled = kSplitter * a;

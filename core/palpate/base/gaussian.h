@@ -10,7 +10,7 @@
 
 namespace palpate {
 
-/// Where the curve is cut: y(1.4) = 0.0021 counts as zero.
+/// The curve is cut here: y(1.4) = 0.0021 counts as zero.
 inline constexpr double kGaussianCut = 1.4;
 /// Exponent per squared location ratio: pi 1.4^2, so that y = exp(-kGaussianRate q^2) for q = x / 1.4.
 inline constexpr double kGaussianRate = 3.141592653589793 * kGaussianCut * kGaussianCut;

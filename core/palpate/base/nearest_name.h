@@ -7,7 +7,7 @@
 
 namespace palpate {
 
-/// Nothing that people type by mistake is longer, and comparing names costs the product of their lengths.
+/// Longer than any typing error; comparing names costs the product of their lengths.
 inline constexpr std::size_t kLongestName = 64;
 
 /// User input made fit for a message: no line breaks or other control bytes, not too long.

@@ -1,4 +1,4 @@
-// How long work reports how far it has come. Cold paths only.
+// Progress reports of long work. Cold paths only.
 #pragma once
 
 #include <functional>

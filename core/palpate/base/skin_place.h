@@ -11,7 +11,7 @@ namespace palpate {
 
 /// Plain data. Value-initialised it is nowhere.
 struct SkinPlace {
-  /// On the skin, mm.
+  /// A point on the skin, mm.
   Vec3 point = Vec3::Zero();
   /// Unit, towards the outside; of the triangle or smoothed, depending on the source.
   Vec3 normal = Vec3::UnitZ();

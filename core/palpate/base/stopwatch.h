@@ -1,4 +1,4 @@
-// How long something took: one clock for reports, pacing and measurements.
+// Durations: one clock for reports, pacing and measurements.
 //
 // The monotonic clock: it never jumps, whatever happens to the time of day. Reading it costs about 25 ns.
 #pragma once

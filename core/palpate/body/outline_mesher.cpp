@@ -241,7 +241,7 @@ struct Plan {
   std::size_t border = 0;
 };
 
-/// How far the border's edges are from the cell size: 0 is equal, positive is too many of them.
+/// Deviation of the border's edges from the cell size: 0 is equal, positive is too many of them.
 double borderExcess(double border, double border_length, double cell) { return border * cell / border_length - 1; }
 
 double excessOf(const Lattice& lattice, std::size_t triangles, double border_length) {

@@ -54,7 +54,7 @@ constexpr double kRollUntil = 0.42;  // and where it has done so
 
 const VertebraRow& vertebraOf(int number) { return spineRows()[number - 1]; }
 
-// Where the head touches: between two bodies for ribs 2-9, on the side of one for the others.
+// The contact of the head: between two bodies for ribs 2-9, on the side of one for the others.
 Vec3 headPoint(int number) {
   const VertebraRow& v = vertebraOf(number);
   double lateral = 3.6;

@@ -138,7 +138,7 @@ inline double superellipseDistance(double x, double z, double a, double b, doubl
   return (f - 1.0) * sum / (f * elementary::hypot(un / a, wn / b));
 }
 
-/// To the nearest of a few pieces: their union by the plain minimum.
+/// Distance to the nearest of a few pieces: their union by the plain minimum.
 template <class Piece>
 double nearestDistance(const std::vector<Piece>& pieces, const Vec3& p) {
   double d = pieces.front().distance(p);

@@ -1,4 +1,4 @@
-// How the bones show through the skin: a layer of detail on top of the smooth surface.
+// Relief of the bones through the skin: a layer of detail on top of the smooth surface.
 //
 // For each group of bones, a bump that decays with the distance from the skin to the nearest of them, blurred as soft
 // tissue blurs it, less most of a wider blur so that the mean surface stays where it was measured. Computed once on a
@@ -14,7 +14,7 @@
 
 namespace palpate::body {
 
-/// How strongly a group of bones shows at four parts of the back, blended between them: T1-T2, T3-T9, T10-L2, L3-L5.
+/// Strength of a group of bones at four parts of the back, blended between them: T1-T2, T3-T9, T10-L2, L3-L5.
 using LevelWeights = std::array<double, 4>;
 
 /// Factors: 0 is none, 1 a lean standing man, 2 an emaciated one.

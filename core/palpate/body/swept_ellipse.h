@@ -16,7 +16,7 @@ struct Station {
   double half_height, half_thickness;  ///< along `upward` and along `outward`
 };
 
-/// How an end is closed.
+/// Closure of an end.
 struct SweptEnd {
   double rounding_mm =
       0.0;  ///< 0: round, a quarter circle of the half thickness; else flat with an edge of this radius

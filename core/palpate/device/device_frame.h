@@ -1,4 +1,4 @@
-// How a device sits in the body frame: where its axes point, how long its unit is, where its middle is.
+// The frame of a device in the body: the directions of its axes, the length of its unit, its middle.
 #pragma once
 
 #include <span>

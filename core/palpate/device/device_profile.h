@@ -91,7 +91,7 @@ class Swings {
   bool finished() const noexcept { return finished_; }
   /// Share of the planned swings that are done, 0 to 1.
   double progress() const noexcept { return static_cast<double>(swung_) / plan_.swings; }
-  /// Why it ended early; null: it did not.
+  /// The reason why it ended early; null: it did not.
   const char* trouble() const noexcept { return trouble_; }
   const SwingRecord& record() const noexcept { return record_; }
 

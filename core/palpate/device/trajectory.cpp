@@ -60,7 +60,7 @@ std::string formatTime(double time_s) {
   return whole ? fmt::format("{:.3f}", time_s) : fmt::format("{}", time_s);
 }
 
-/// How far from a tick a row still counts as on it, s: times since 1970 are 0.2 microseconds apart as doubles.
+/// Tolerance within which a row counts as on a tick, s: times since 1970 are 0.2 microseconds apart as doubles.
 double onTickS(const Trajectory& trajectory, double tick_s) {
   const double latest = std::max(std::abs(trajectory.time_s.front()), std::abs(trajectory.time_s.back()));
   return std::max(kOnTick * tick_s, 2.0 * std::numeric_limits<double>::epsilon() * latest);

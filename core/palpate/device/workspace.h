@@ -1,4 +1,4 @@
-// How the workspace of a hand fits the body: turned, scaled, moved; and the clutch, by which a hand at the end of its
+// The workspace of a hand in the body: turned, scaled, moved; and the clutch, by which a hand at the end of its
 // workspace goes back without its finger.
 //
 //   driver ─ place ─► read: turned, scaled, moved, clutched ─ tip ─► servo ─ force ─► turned back ─► driver
@@ -47,8 +47,8 @@ std::optional<scene::DeviceSettings> settingsOf(const scene::Scene& scene, std::
 /// Mouse, script and playback: their places are the body's own, so their origin is, too.
 bool givesPlacesOfTheBody(std::string_view words);
 
-/// Where the origin of a device is by default: next to the place where a path by itself begins, the first finger 30 mm
-/// left of it, the second as far right. Zero for devices that give places of the body (mouse, script, playback).
+/// Default origin of a device: next to the place where a path by itself begins, the first finger 30 mm left of it, the
+/// second as far right. Zero for devices that give places of the body (mouse, script, playback).
 Vec3 standardOrigin(const scene::World& world, std::string_view words, std::size_t finger);
 
 /// The clutch's movement so far.
@@ -58,7 +58,7 @@ struct ClutchState {
   bool held = false;
 };
 
-/// Where the finger is, mm of the body. While the clutch is held it stays where it was, and continues from there on
+/// Place of the finger, mm of the body. While the clutch is held it stays where it was, and continues from there on
 /// release. Not a number where `place` is not finite; the clutch then stays unchanged.
 Vec3 clutchedTip(ClutchState& state, const DeviceFrame& frame, const Vec3& place, bool clutch) noexcept;
 

@@ -14,7 +14,7 @@
 namespace palpate::maps {
 
 struct EllipseMapSettings {
-  /// How far a key point reaches in the map plane. 200 mm reproduces the dissertation's Table 5.1, which prints the
+  /// Reach of a key point in the map plane. 200 mm reproduces the dissertation's Table 5.1, which prints the
   /// diameter 400 (E28).
   double effect_radius_mm = 200.0;
   /// Radius of the circle outside the reach of key points. The dissertation never gives it for the back (E33);

@@ -110,7 +110,7 @@ KeyPoint keyPointOf(const CsvRow& row, const FurtherColumns& further) {
   return key;
 }
 
-/// On the other side of the spine.
+/// Mirrors it to the other side of the spine.
 Ellipse mirrored(const Ellipse& e) {
   return canonicalEllipse(e.half_major_mm, e.half_major_mm * e.aspect, std::numbers::pi - e.direction_rad);
 }

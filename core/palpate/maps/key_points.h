@@ -35,7 +35,7 @@ std::span<const std::string_view> measuredColumns();
 std::vector<KeyPoint> readKeyPoints(const std::filesystem::path& file);
 std::vector<KeyPoint> parseKeyPoints(std::string_view text, std::string_view file);
 
-/// Which of the measured data make the built-in key points.
+/// Selects the measured data for the built-in key points.
 struct MeasuredDataChoice {
   ForceDirection force = ForceDirection::up;
   Averaging averaging = Averaging::plain;

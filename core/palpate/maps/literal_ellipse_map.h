@@ -17,7 +17,7 @@
 
 namespace palpate::maps {
 
-/// How directions are blended.
+/// Method of blending directions.
 enum class DirectionBlend : std::uint8_t {
   tensor,        ///< size, shape and direction together, log-Euclidean (E29)
   double_angle,  ///< size and ratio as numbers, directions as (cos 2d, sin 2d): the cheap cure
@@ -26,7 +26,7 @@ enum class DirectionBlend : std::uint8_t {
 
 /// Printed forms in use. The defaults are the corrected ones.
 struct LiteralForms {
-  /// Nothing: the engine's w = a / (1 - a).
+  /// Empty: the engine's w = a / (1 - a).
   std::optional<LiteralWeights> weights;
   DirectionBlend direction = DirectionBlend::tensor;
   bool table_levels = false;        ///< effect levels from the 700-entry table

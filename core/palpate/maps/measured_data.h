@@ -12,7 +12,8 @@
 
 namespace palpate::maps {
 
-/// Which way the stick pulled. All five subjects were dragged up, three of them also down; the two are not alike (E31).
+/// Direction of the stick's pull. All five subjects were dragged up, three of them also down; the two are not alike
+/// (E31).
 enum class ForceDirection : unsigned char { up, down };
 
 enum class Averaging : unsigned char {

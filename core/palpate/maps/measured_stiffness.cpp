@@ -16,7 +16,7 @@ namespace {
 
 /// Softer than any tissue; ensures a force where a fit gives none or less.
 constexpr double kSoftestNPerMm = 0.01;
-/// How far beyond the measured range a fit is believed.
+/// Factor beyond the measured range up to which a fit is accepted.
 constexpr double kBelief = 4.0;
 
 std::vector<KeyPoint> withStiffness(std::span<const KeyPoint> keys) {

@@ -96,8 +96,7 @@ class Pairing {
     return sum.stableNormalized();
   }
 
-  /// How far to turn around the normal from the edge that leaves to the one that arrived: what is between them is
-  /// empty.
+  /// Turn around the normal from the edge that leaves to the one that arrived: the sector between them is empty.
   double gapBetween(Index vertex, Index to, Index from, const Vec3& normal) const {
     const Vec3 u = mesh_.positions[to] - mesh_.positions[vertex];
     const Vec3 w = mesh_.positions[from] - mesh_.positions[vertex];

@@ -1,4 +1,4 @@
-// How closed a surface is, in numbers that can be put side by side before and after a repair.
+// Measures of closedness that can be compared before and after a repair.
 #pragma once
 
 #include <cstddef>

@@ -17,7 +17,7 @@
 
 namespace palpate::mesh {
 
-/// Which elements belong together, learnt pair by pair.
+/// Groups of elements, united pair by pair.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }

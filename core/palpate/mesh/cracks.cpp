@@ -16,7 +16,7 @@ namespace {
 /// Mesh programs leave no cracks of more edges (2,000: 4 million distances, 20 ms).
 constexpr std::size_t kMaxCrackEdges = 2000;
 
-/// How far along the way from `from` to `to` (0..1) the point is, when it is near the inside of that way.
+/// Position of the point along the way from `from` to `to` (0..1), when it is near the inside of that way.
 std::optional<double> placeOn(const Vec3& from, const Vec3& to, const Vec3& point, double width) {
   const Vec3 way = to - from;
   const double length = way.norm();

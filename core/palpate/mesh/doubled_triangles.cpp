@@ -42,7 +42,7 @@ void removeMarked(TriangleMesh& mesh, const std::vector<bool>& marked) {
 /// The triangles over three vertices, counted with their sign.
 struct TwinCount {
   std::array<std::vector<Index>, 2> wound;  // [1] runs up
-  /// How many are left over one way, and which way.
+  /// Surplus of one way over the other, and its way.
   std::size_t surplus() const {
     return std::max(wound[0].size(), wound[1].size()) - std::min(wound[0].size(), wound[1].size());
   }
@@ -147,7 +147,7 @@ std::vector<TwinGroup> oppositePairs(const TriangleMesh& mesh) {
   return pairs;
 }
 
-/// How a connected sheet of opposite pairs meets the rest of the surface.
+/// Contact of a connected sheet of opposite pairs with the rest of the surface.
 struct Rim {
   bool has_free_edge = false;  ///< an edge of one pair and of nothing else
   bool on_surface = false;     ///< an edge where the rest is complete without the sheet

@@ -57,7 +57,7 @@ std::vector<Index> namesOf(const TriangleMesh& mesh, const std::vector<Index>& v
   return names;
 }
 
-/// Which vertex of each part goes by a name.
+/// Maps a name to its vertex of each part.
 class Namesakes {
  public:
   /// Only the vertices `near` have namesakes: the others are alone with their names.

@@ -53,8 +53,8 @@ int longestAxis(std::span<const Placed> points) {
   return axis;
 }
 
-/// How many of these points go to the lower half: whole groups of groups while there are several, then whole groups,
-/// a power of two, so that no later cut falls within one.
+/// Number of these points for the lower half: whole groups of groups while there are several, then whole groups, a
+/// power of two, so that no later cut falls within one.
 std::size_t lowerHalf(std::size_t points) {
   const auto units_for = [](std::size_t n) { return (n + kCompactGroup - 1) / kCompactGroup; };
   const std::size_t groups = units_for(points);

@@ -43,7 +43,7 @@ struct RepairOptions {
 struct RepairAction {
   std::string what;
   std::size_t count = 0;
-  /// How many triangles more there are for it; negative: fewer. They sum up to after.triangles - before.triangles.
+  /// Triangles added by it; negative: removed. They sum up to after.triangles - before.triangles.
   std::ptrdiff_t triangles = 0;
 };
 

@@ -8,9 +8,9 @@ namespace palpate::mesh {
 
 namespace {
 
-/// How far from its corner towards the middle of its triangle a corner is looked up. Farther than welding and mending
+/// A corner is looked up this share of the way towards the middle of its triangle: farther than welding and mending
 /// move a vertex, so that the side of a seam is certain; so little that on a surface cut into other triangles the
-/// picture is out of place by no more than this share of a triangle.
+/// picture is displaced by no more than this share of a triangle.
 constexpr double kInwards = 0.01;
 
 /// Shares of the corners in the point of the triangle that is nearest to p; never negative.

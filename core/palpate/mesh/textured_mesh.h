@@ -1,4 +1,4 @@
-// How a mesh file lays a picture on its surface, and how another mesh of the same surface adopts it.
+// The picture of a mesh file on its surface, and its transfer to another mesh of the same surface.
 //
 //   file ─ loadTextured ─► TexturedMesh ─ textureOn ─► a place in the picture for every corner of another mesh
 //

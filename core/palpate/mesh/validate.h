@@ -13,7 +13,7 @@
 
 namespace palpate::mesh {
 
-/// How often a trait was found and where first: up to kMaxFirst different vertex or triangle indices, ascending.
+/// Count of a trait and its first places: up to kMaxFirst different vertex or triangle indices, ascending.
 struct Trait {
   static constexpr std::size_t kMaxFirst = 5;
   std::size_t count = 0;

@@ -1,6 +1,6 @@
-// Which way triangles face: made the same within a part, outwards for closed parts.
+// Orientation of triangles: made the same within a part, outwards for closed parts.
 //
-// A *patch* is a set of triangles that hang together across edges with exactly two triangles.
+// A *patch* is a set of triangles connected across edges with exactly two triangles.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ std::size_t makeWindingConsistent(TriangleMesh& mesh, const Patches& patches);
 /// parts stay closed. Winding must be consistent; `edges` and `patches` must be those of the mesh as it is wound.
 std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patches& patches);
 
-/// How often the triangles wind around the point: near 0 outside, near +-1 inside. The exact sum of solid angles.
+/// Winding number of the triangles around the point: near 0 outside, near +-1 inside. The exact sum of solid angles.
 double windingNumber(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& point);
 
 /// Volume under the triangles, mm^3: enclosed when they are closed, positive when they face outwards.

@@ -97,7 +97,7 @@ class GifFilm final : public Film {
     film.bytes_.append(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(count));
     return count;
   }
-  /// Not from within giflib, which no exception may cross.
+  /// Called outside of giflib, which no exception may cross.
   void handOver() {
     output_.write(bytes_);
     bytes_.clear();

@@ -25,7 +25,7 @@ class DrawnSkin {
   }
   /// The share of the breath's lift per vertex (BreathField::share); empty for a body that does not breathe.
   void setBreath(std::vector<float> shares) { breath_ = std::move(shares); }
-  /// How far the breath has moved the body now.
+  /// Sets the breath's present motion of the body.
   void lift(float lift_mm) { lift_mm_ = lift_mm; }
   double liftMm() const { return lift_mm_; }
   Vec3 at(Index v) const {

@@ -69,8 +69,8 @@ std::vector<Corners> skinAround(const scene::World& world, const DrawnSkin& skin
   return triangles;
 }
 
-/// How far the ball must move along its normal so that this triangle no longer reaches into it; a first guess when the
-/// triangle is at its side, so the caller repeats it.
+/// Distance that the ball must move along its normal so that this triangle no longer reaches into it; a first guess
+/// when the triangle is at its side, so the caller repeats it.
 double liftOver(const FingerPose& pose, const Corners& triangle) {
   const auto closest = tree::closestOnTriangle(triangle, pose.centre);
   const double distance = std::sqrt(closest.squared_distance);

@@ -1,4 +1,4 @@
-// Where a finger is drawn: on the deformed skin, never in it.
+// Poses of drawn fingers: on the deformed skin, never in it.
 //
 // The haptic finger follows its tip below the skin; the drawn one rests on the deformed skin. The ball is laid on the
 // deformed friction anchor along the contact's normal and lifted until no triangle around reaches into it. No GL.

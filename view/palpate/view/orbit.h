@@ -39,7 +39,7 @@ Camera between(const Camera& from, const Camera& to, double share);
 /// does not tilt the finger.
 inline constexpr double kNormalRadiusMm = 8.0;
 
-/// Where the ray first meets the front of the skin. Any thread; allocates nothing.
+/// The first hit of the ray on the front of the skin. Any thread; allocates nothing.
 std::optional<SkinPlace> skinAlong(const contact::Surface& surface, const Ray& ray) noexcept;
 
 /// The place of the skin nearest to a point, if there is any within `reach_mm`.

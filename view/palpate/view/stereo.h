@@ -94,7 +94,7 @@ bool hasTwoParts(StereoMode mode);
 /// Throws Error naming the modes.
 StereoMode stereoModeNamed(std::string_view name);
 
-/// How far the eyes must squint for the nearest and the farthest point, degrees.
+/// Parallax of the nearest and the farthest point, degrees.
 struct Comfort {
   double front_deg = 0.0;   ///< before the screen
   double behind_deg = 0.0;  ///< behind it

@@ -70,7 +70,7 @@ const std::vector<Indexed>& manualIndex() {
   return index;
 }
 
-/// Where the word begins in the text from `from` on; npos: nowhere. Not in the middle of another word.
+/// First occurrence of the word in the text from `from` on; npos: none. Not in the middle of another word.
 std::size_t findWord(std::string_view text, std::string_view word, std::size_t from = 0) {
   for (std::size_t at = text.find(word, from); at != std::string_view::npos; at = text.find(word, at + 1)) {
     if (at == 0 || std::isalnum(static_cast<unsigned char>(text[at - 1])) == 0) return at;

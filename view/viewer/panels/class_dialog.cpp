@@ -39,7 +39,7 @@ bool textLine(const char* path, const char* label, std::string& text) {
   return entered;
 }
 
-/// Why the class cannot be started with this input; empty: it can.
+/// The reason why the class cannot be started with this input; empty: it can.
 std::string faultOf(const ClassFields& fields, bool exists) {
   if (fields.start.folder.empty()) return tr("Type a folder");
   if (exists) return {};

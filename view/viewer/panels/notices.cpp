@@ -34,7 +34,7 @@ void wrappedWords(std::string_view words, const FreeArea& free) {
   ImGui::PopTextWrapPos();
 }
 
-/// On a light window the same hues, darker.
+/// Uses the same hues on a light window, darker.
 ImVec4 colourOf(Severity severity) {
   const bool light_window = isLightTheme();
   if (severity == Severity::error)

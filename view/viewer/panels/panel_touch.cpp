@@ -1,4 +1,4 @@
-// How the finger presses and how the skin holds it.
+// Press of the finger and friction of the skin.
 #include <fmt/format.h>
 #include <imgui.h>
 

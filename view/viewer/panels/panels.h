@@ -176,7 +176,7 @@ void saveDialog(const std::filesystem::path& now, const std::filesystem::path& f
 /// UiOutput where to save the picture of the window, or a film of it from now on.
 void pictureDialog(const std::filesystem::path& folder, bool& open, UiOutput& output);
 void filmDialog(const std::filesystem::path& folder, bool& open, UiOutput& output);
-/// To run a class here, to watch one, or to take part in one.
+/// Runs a class here, watches one, or takes part in one.
 void classDialog(const ClassShown& shown, const std::filesystem::path& folder, bool& open, UiOutput& output);
 /// The documents, with search.
 void manualDialog(ManualShown& manual, bool& open);

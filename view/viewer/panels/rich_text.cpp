@@ -97,7 +97,7 @@ std::string headingBlock(const Block& block, const std::string& to_anchor) {
   return clicked;
 }
 
-/// As wide as its longest line; scrolled where there is less room.
+/// Fits its longest line; scrolls where there is less room.
 void codeBlock(const Block& block, int number) {
   const auto lines = static_cast<float>(1 + std::count(block.text.begin(), block.text.end(), '\n'));
   const ImGuiStyle& style = ImGui::GetStyle();
@@ -118,7 +118,7 @@ void codeBlock(const Block& block, int number) {
   ImGui::PopFont();
 }
 
-/// By the columns' contents, none much narrower than another.
+/// Widths follow the columns' contents, none much narrower than another.
 void setUpColumns(const Block& table, std::size_t columns) {
   for (std::size_t column = 0; column < columns; ++column) {
     std::size_t longest = 6;

@@ -16,7 +16,7 @@
 
 namespace palpate::viewer {
 
-/// Where each control was drawn in this frame, points: "touch/depth" -> left, top, right, below. For tests and input
+/// Places of the controls in this frame, points: "touch/depth" -> left, top, right, below. For tests and input
 /// scripts, which should not know pixels.
 using WidgetPlaces = std::map<std::string, std::array<float, 4>>;
 WidgetPlaces& widgetPlaces();

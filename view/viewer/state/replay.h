@@ -41,7 +41,7 @@ void stepReplay(Replay& replay, double seconds);
 /// Returns true if the action is a step of a frozen picture; then it is done. `fine` steps by a tick.
 bool replayKey(window::Action action, bool fine, Replay& replay);
 
-/// To the next mark, or with `forth` = false to the one before.
+/// Goes to the next mark, or with `forth` = false to the one before.
 void goToMark(Replay& replay, bool forth);
 /// The mark at the shown moment, or empty.
 std::string markAt(const Replay& replay);

@@ -98,7 +98,7 @@ struct Plots {
   double newestTime() const { return std::max(fingers[0].newestTime(), fingers[1].newestTime()); }
   /// The end of the strips: the newest sample, or where they were stopped.
   double shownEnd() const { return paused ? end_s : newestTime(); }
-  /// How long ago the end of the strips was, s.
+  /// Age of the end of the strips, s.
   double pausedFor() const { return newestTime() - shownEnd(); }
 };
 

@@ -70,7 +70,7 @@ double stepOf(const TrunkShape& shape, const BuildNumber& number) {
   return shape.*number.member + number.step > number.high ? -number.step : number.step;
 }
 
-/// How a point of the body moves in the scan's frame when a number changes: three rows.
+/// Derivative of a body point's place in the scan's frame by the placement's numbers: three rows.
 Eigen::Matrix<double, 3, kPlacementNumbers> motionOf(const BodyPlacement& at, const Vec3& point,
                                                      const std::array<Vec3, kBuildNumbers>& by_build) {
   const double scale = at.scale();
@@ -245,7 +245,7 @@ Equations equationsOf(const Round& round, const BodyPlacement& at, const ScanSam
   return e;
 }
 
-/// How much of the template the scan has: its places tried against the samples.
+/// Share of the template that the scan covers: its places tried against the samples.
 double templateCovered(const TemplateBody& body, const BodyPlacement& at, const ScanSamples& scan) {
   constexpr double kCellMm = 30;
   const auto cell = [](const Vec3& p) -> std::array<long, 3> {

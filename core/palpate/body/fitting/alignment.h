@@ -79,7 +79,7 @@ std::vector<Alignment> roughPlacements(const TemplateBody& body, const ScanSampl
 /// patterns", 1991.
 BodyPlacement placementByPlaces(const TemplateBody& body, std::span<const KnownPlace> known);
 
-/// How far apart two placements put the body, mm: the mean over the dorsal landmarks.
+/// Distance between two placements of the body, mm: the mean over the dorsal landmarks.
 double apart(const TemplateBody& body, const BodyPlacement& a, const BodyPlacement& b);
 
 }  // namespace palpate::body

@@ -151,7 +151,7 @@ std::vector<bool> shownBy(const TemplateBody& body, const BodyPlacement& at, con
   return shown;
 }
 
-/// How likely the second best placement is instead, of both.
+/// Probability of the second best placement, against the best.
 double chanceOfAnother(const Alignment& best, const std::optional<Alignment>& other, double area_mm2) {
   if (!other) return 0;
   constexpr double kAlikeMm = 35;

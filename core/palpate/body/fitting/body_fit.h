@@ -36,7 +36,7 @@ struct BodyFit {
 
 /// Off by half a vertebra is on the wrong one.
 inline constexpr double kOffMm = 12;
-/// So many place the body by themselves; with fewer its shape does, and they choose among the places that it allows.
+/// This many place the body by themselves; with fewer its shape does, and they choose among the candidates.
 inline constexpr std::size_t kFewestNamedPoints = 4;
 
 /// `scan`: mended (mesh::repair), millimetres, at any place and in any orientation. Uses its shape where there are

@@ -17,7 +17,7 @@ const Vec2 kHoleAt(62.0, -48.0);
 const Vec2 kHoleHalf(34.0, 24.0);
 constexpr double kRaggedMm = 9.0;
 
-/// How far a direction's edge goes in and out, -1 to 1.
+/// Waves of the edge in a direction, -1 to 1.
 double waves(double angle) {
   return 0.5 * elementary::sin(3.0 * angle + 0.4) + 0.3 * elementary::sin(7.0 * angle + 1.9) +
          0.2 * elementary::sin(12.0 * angle);

@@ -38,7 +38,7 @@ const std::array<std::vector<Vec3>, kCartilageCount> kCourse = {{
     {{103, -140, -75}, {97, -134, -79}},
 }};
 
-// Where cartilages 8 to 10 end: the share of the cartilage above from its rib on.
+// Ends of cartilages 8 to 10: the share of the cartilage above from its rib on.
 constexpr std::array<double, 3> kJoinsAt = {0.36, 0.55, 0.60};
 
 std::vector<Station> cartilageStations(int number, double edge_mm);

@@ -79,7 +79,7 @@ std::vector<Plan> plans() {
 // Ribs and cartilages come in two rows, first all right ones and then all left ones; other pairs side by side.
 bool inRows(const Plan& plan) { return plan.kind == BoneKind::rib || plan.kind == BoneKind::cartilage; }
 
-// Which plan a bone follows, and on which side.
+// The plan of a bone, and its side.
 struct Place {
   std::size_t plan;
   enum class Side { midline, right, left } side;

@@ -68,7 +68,7 @@ inline constexpr int kCartilageCount = 10;
 mesh::TriangleMesh makeRightCartilage(int number, double edge_mm);
 /// The rib's outer face where its cartilage begins.
 Vec3 rightCostochondralPoint(int number);
-/// How ribs 1 to 10 of the trunk end where their cartilage begins, radius of the edge.
+/// End of ribs 1 to 10 of the trunk where their cartilage begins, radius of the edge.
 inline constexpr SweptEnd kCostochondralEnd{1.2};
 
 // The shoulder (clavicle.cpp, humerus.cpp).

@@ -1,4 +1,4 @@
-// How a trunk moves with its breath: a smooth field of displacement that any place can ask, skin, finger and picture
+// Motion of a trunk with its breath: a smooth field of displacement that any place can query, skin, finger and picture
 // alike. Everything moves along z, towards the back or away from it.
 //
 // Data flow: scene [breathing] ─► World.breath ─► servo (a finger feels the moved skin), view (the skin is drawn moved)
@@ -26,15 +26,14 @@ class BreathField {
   static std::optional<BreathField> of(const Breathing& breathing, std::span<const SkinLandmark> landmarks,
                                        const std::optional<Support>& support, double front_z);
 
-  /// How far the lower ribs have moved at this time, mm: 0 breathed out, Breathing::depth_mm breathed in. Begins
-  /// breathed out.
+  /// Motion of the lower ribs at this time, mm: 0 breathed out, Breathing::depth_mm breathed in. Begins breathed out.
   double lift(double seconds) const noexcept;
   /// The share of the lift at a place at rest, along +z: 1 on the back over the lower ribs.
   double share(const Vec3& rest) const noexcept;
 
   /// The present place of a point of the body at rest.
   Vec3 moved(const Vec3& rest, double lift_mm) const noexcept;
-  /// Which place at rest is here now; to 1e-5 mm at a lift of 2 mm.
+  /// The place at rest of a present point; to 1e-5 mm at a lift of 2 mm.
   Vec3 rest(const Vec3& moved, double lift_mm) const noexcept;
 
  private:

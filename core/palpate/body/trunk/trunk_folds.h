@@ -25,7 +25,7 @@ class TrunkFolds {
  public:
   TrunkFolds(const TrunkField& field, const FoldAmounts& amounts);
 
-  /// How far a point of the fitted skin moves, mm; exactly zero away from all folds.
+  /// Displacement of a point of the fitted skin, mm; exactly zero away from all folds.
   Vec3 at(const SkinPoint& fitted) const;
 
  private:

@@ -56,7 +56,7 @@ double depthIn(const contact::Surface& surface, const Vec3& point, double reach)
   return std::max(0.0, kClearanceMm - normal.dot(point - nearest.closest.point));
 }
 
-/// How far the pulp reaches beyond the pad's middle towards the skin.
+/// Reach of the pulp beyond the pad's middle towards the skin.
 double padReach(const body::PalpatingHand& hand, const Mat3& axes, const Vec3& down) {
   constexpr double kPulpMm = 13.0;
   double reach = 0.0;

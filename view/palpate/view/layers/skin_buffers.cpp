@@ -55,7 +55,7 @@ std::vector<float> halfMajors(const scene::World& world) {
   return values;
 }
 
-/// In fours, as graphics cards prefer.
+/// Padded to four bytes, as graphics cards prefer.
 std::vector<std::array<std::uint8_t, 4>> paddedColours(const scene::SkinChannels* channels) {
   std::vector<std::array<std::uint8_t, 4>> padded;
   if (channels == nullptr) return padded;

@@ -42,7 +42,7 @@ constexpr std::size_t kCellParts = 8;
 /// The sphere of a cell is this much too large, so that rounding never decides against a chunk in it.
 constexpr float kRoundingMm = 0.01f;
 
-/// How far inside the frustum a point is: its distance from the nearest plane.
+/// Depth of a point inside the frustum: its distance from the nearest plane.
 float insideBy(const Planes& planes, const Vec3f& point) {
   float least = std::numeric_limits<float>::infinity();
   for (const Eigen::Vector4f& plane : planes) least = std::min(least, plane.dot(point.homogeneous()));

@@ -42,7 +42,7 @@ struct DrawnShape {
   std::span<const Triangle> triangles;
 };
 
-/// Which vertices a coarser set must keep.
+/// Vertices that a coarser set must keep.
 enum class Stays : std::uint8_t { no, vertex, cell };  // cell: and all that share a cube with it
 
 /// Fewer triangles over some of the same vertices, for a skin that is seen so small that several triangles share a

@@ -51,7 +51,7 @@ class SkinBuffers {
   /// The share of the breath's lift per vertex (BreathField::share); empty for a body that does not breathe.
   std::vector<float> breathShares() const;
 
-  /// At rest.
+  /// The box at rest.
   const Eigen::AlignedBox3f& box() const { return box_; }
 
  private:
@@ -66,7 +66,7 @@ class SkinBuffers {
   void uploadBreath();
   void makeCoarse(const std::vector<Vec3f>& places);
   Density& densityFor(const Viewpoint& viewpoint);
-  /// Where an array of the deformation begins in its buffer, bytes.
+  /// Offset of an array of the deformation in its buffer, bytes.
   std::size_t offsetOf(int array) const { return std::size_t{drawn_.count()} * sizeof(float) * array; }
   void upload(const deform::DeformedSurface& surface, deform::VertexRange range);
   void uploadCopies(std::span<const float> values, int array, deform::VertexRange copies);

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kMapTexels = 1024;
 constexpr std::size_t kMaxFingers = 8;  // as in the shader
-/// How far a finger darkens the skin round it, in its radii; how far its shadow reaches, in mm and in its radii, and
-/// how wide it is (lightLeftByFingers() in the shader fades both to nothing).
+/// Range in which a finger darkens the skin round it, in its radii; length of its shadow, in mm and in its radii, and
+/// width (lightLeftByFingers() in the shader fades both to nothing).
 constexpr float kShadeRadii = 4.0f;
 constexpr float kLongestShadowMm = 220.0f;
 constexpr float kShadowRadii = 15.0f;
@@ -24,7 +24,7 @@ constexpr float kWidthRadii = 1.5f;
 constexpr float kWidening = 0.17f;
 /// The rim of a mark, in its radii (blanched() in the shader).
 constexpr float kMarkRadii = 2.3f;
-/// How far a drag may carry the skin of a dent, mm.
+/// Largest drag of a dent's skin, mm.
 constexpr float kFarthestDragMm = 20.0f;
 
 std::string vertexSource(std::string_view main) {

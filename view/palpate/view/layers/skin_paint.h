@@ -76,7 +76,7 @@ struct SkinTouch {
   std::span<const SkinDent> dents;
 };
 
-/// Where that changes: near a finger, in its shadow, where it pressed.
+/// The regions of that change: near a finger, in its shadow, where it pressed.
 std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights);
 
 /// Options of the skin's programs for a picture.
@@ -107,7 +107,7 @@ class SkinPaint {
   void showMap(ColourMap map);
 
   Program field_, depth_;
-  // By need; compiled when first used.
+  // One per need; compiled when first used.
   std::array<std::optional<Program>, 8> gouraud_;
   std::array<std::optional<Program>, 16> skin_;
   GlTexture colour_map_;

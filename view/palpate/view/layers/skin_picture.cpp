@@ -12,7 +12,7 @@ namespace palpate::view {
 
 namespace {
 
-/// As large as the graphics card allows.
+/// Halves the image until the graphics card accepts it.
 Image fitting(Image image) {
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);

@@ -56,7 +56,7 @@ double curvatureAt(const deform::Skin& skin, Index vertex) {
   return std::min(1.0, largest * kFullCurvatureMm);
 }
 
-/// How hollow the skin is, 1/mm: half the mean bend towards the neighbours.
+/// Hollowness of the skin, 1/mm: half the mean bend towards the neighbours.
 double hollowAt(const deform::Skin& skin, Index vertex) {
   double bend = 0.0;
   int count = 0;

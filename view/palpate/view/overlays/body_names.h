@@ -14,7 +14,7 @@
 
 namespace palpate::view {
 
-/// Where there is no room for all, the last ones go first.
+/// In order of priority: the last kinds go first where space is short.
 enum class NameKind : std::uint8_t { muscle, spine, girdle, site, rib };
 
 struct BodyName {

@@ -21,10 +21,10 @@
 
 namespace palpate::view {
 
-/// How far a cut reaches to either side of its finger, mm. A lump farther away is not in the picture.
+/// Half width of a cut on either side of its finger, mm. A lump farther away is not in the picture.
 inline constexpr double kCutHalfWidthMm = 70.0;
 
-/// How far the line on the skin goes to either side.
+/// Half length of the line on the skin.
 inline constexpr double kCutLineMm = 30.0;
 
 /// Width over height of the picture.

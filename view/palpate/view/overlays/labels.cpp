@@ -120,7 +120,7 @@ std::string nameOf(const LabelSettings& settings, std::size_t finger) {
   return finger < settings.finger_names.size() ? settings.finger_names[finger] : std::string();
 }
 
-/// Where a place of the world is on the page, seen from between the eyes.
+/// Maps a place of the world to the page, seen from between the eyes.
 Vec2f placeOnPage(const Drawing& page, const Eyes& eyes, const Vec3& place) {
   constexpr double kNearMm = 1.0;
   constexpr double kFarMm = 1e5;

@@ -54,7 +54,7 @@ struct SkinSpot {
   Vec3f weights = Vec3f::Zero();
 };
 
-/// Where a segment first enters the skin at rest.
+/// The point where a segment first enters the skin at rest.
 std::optional<SkinSpot> spotBetween(const contact::Surface& surface, const Vec3& from, const Vec3& to);
 
 inline Vec3 placeOf(const SkinSpot& spot, const DrawnSkin& skin) {

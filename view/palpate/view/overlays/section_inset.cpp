@@ -79,7 +79,7 @@ void drawEnds(Drawing& page, const Axes& axes, const SectionEnds& ends, const La
   page.text({axes.corner.x() + axes.extent.x() - unit, y}, ends.high, inks.letter, Align::right, TextSize::small);
 }
 
-/// Why the dent is shallower than the finger is deep.
+/// Explains why the dent is shallower than the finger's depth.
 void drawCap(Drawing& page, const Axes& axes, double cap_mm, const LabelInks& inks) {
   page.line(axes.at({axes.low.x(), -cap_mm}), axes.at({axes.high.x(), -cap_mm}), inks.deformed);
   std::string words = trf("drawn {:g} mm deep at most", cap_mm);

@@ -142,7 +142,7 @@ struct Painter::Impl {
     page.end();
   }
 
-  /// In a part of the framebuffer, the same for both eyes.
+  /// Draws the lens in a part of the framebuffer, the same for both eyes.
   void paintLens(const Job& job, const EyePicture& picture, const Frame& frame, const Frustum& whole) {
     const Part page_part = labelledPart(job.picture, job.canvas);
     const auto place = lensPlace(job.settings.look, frame.fingers, page_part.size);

@@ -18,8 +18,8 @@ class JsonValue;
 
 class JsonDocument {
  public:
-  /// Where the text is in its file, for messages: `offset` bytes after the start of a binary file, or the file is
-  /// text itself and lines are named.
+  /// Place of the text in its file, for messages: `offset` bytes after the start of a binary file, or the file is text
+  /// itself and lines are named.
   struct Place {
     std::string_view file;
     bool is_text = true;

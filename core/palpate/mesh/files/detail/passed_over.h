@@ -12,7 +12,7 @@
 
 namespace palpate::mesh {
 
-/// How the places of a file are called.
+/// Unit of the places in a file.
 enum class FilePlace : std::uint8_t { line, byte };
 
 class PassedOver {

@@ -23,7 +23,7 @@ enum class PolygonCut : std::uint8_t { exact, guessed, impossible };
 PolygonCut triangulate(const std::vector<Vec3>& positions, std::span<const Index> polygon,
                        std::vector<Triangle>& triangles);
 
-/// How a file counts: what its places are called and which number its first vertex has.
+/// Numbering of a file: the unit of its places and the number of its first vertex.
 struct FileCounting {
   std::string_view name;
   FilePlace place = FilePlace::line;

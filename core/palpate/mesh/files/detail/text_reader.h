@@ -32,9 +32,9 @@ class TextReader {
   std::string_view wordAnywhere();
   /// The rest of this line of the file, comments and all.
   std::string_view restOfLine() const;
-  /// To the start of the next line; false when there is none.
+  /// Goes to the start of the next line; false when there is none.
   bool nextLine();
-  /// To the next line with a word; false when there is none.
+  /// Goes to the next line with a word; false when there is none.
   bool nextFilledLine();
 
   /// A number from a word; `what` names it in the message. Windows' older spellings of "not a number" (-1.#IND,
