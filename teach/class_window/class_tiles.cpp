@@ -99,7 +99,7 @@ std::string levelWords(const classroom::StationState& state) {
   return words;
 }
 
-/// A bar that says how hard, with a line where a press begins to count.
+/// A bar of the force, with a line where a press begins to count.
 void forceBar(const Tile& tile, float width, float height) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();

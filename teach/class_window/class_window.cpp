@@ -22,7 +22,7 @@ constexpr float kOpenedWidth = 460.0f;
 constexpr float kCurveHeight = 170.0f;
 constexpr double kFrameS = 0.05;  // 20 pictures a second: live data come ten times
 
-/// With the shoulders: where a finger goes that looks for them.
+/// With the shoulders, where a lost finger may go.
 Eigen::AlignedBox3d boxAround(const training::SiteSet& sites) {
   constexpr double kAroundMm = 45.0;
   Eigen::AlignedBox3d box;

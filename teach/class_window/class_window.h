@@ -25,7 +25,7 @@ struct ClassWindowSettings {
   int width = 1280;
   int height = 800;
   double seconds = 0.0;          ///< ends by itself; 0: never
-  std::string picture;           ///< the last picture goes there (PNG); empty: nowhere
+  std::string picture;           ///< file of the last picture (PNG); empty: nowhere
   std::string opened;            ///< station that is open at first
   std::function<bool()> ending;  ///< set from outside: the window must close
 };

@@ -1,4 +1,4 @@
-// The subcommands of `palpate class`, a file each.
+// The subcommands of `palpate class`, one file per command.
 #pragma once
 
 #include <filesystem>

@@ -44,7 +44,7 @@ struct ClassServeArguments {
 
 std::unique_ptr<classroom::RowSink> sinkFor(const ClassServeArguments& arguments,
                                             const classroom::ClassFolder& folder) {
-  // The class itself; its stations say themselves what they are.
+  // The class itself; its stations describe themselves.
   const classroom::SinkRules of{
       training::ClassRow{folder.class_id, folder.label, folder.retention.days, folder.retention.samples_days},
       folder.station_megabytes << 20, folder.trainee_key};
@@ -98,8 +98,8 @@ void warnOfCertificates(const classroom::ClassFolder& folder) {
   }
 }
 
-/// Starts a broker again that died, or that must read whom it lets in no longer; a port that is still taken is tried
-/// until it is free.
+/// Starts a broker again that died, or that must read its revocations; a port that is still taken is tried until it is
+/// free.
 class BrokerKeeper {
  public:
   explicit BrokerKeeper(const classroom::ClassFolder& folder)

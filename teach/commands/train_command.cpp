@@ -100,7 +100,7 @@ class ScreenTeller {
   std::string before_;
 };
 
-/// True where the start page is to open in its place.
+/// True to open the start page in its place.
 bool trainInWindow(const TrainOptions& options) {
   Playback playback(options.play);
   viewer::TrainingSettings of_training = trainingSettings(options);

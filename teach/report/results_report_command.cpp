@@ -1,4 +1,4 @@
-// `palpate train results report`: how training went, of a trainee or a class, as one page or as numbers.
+// `palpate train results report`: the training of a trainee or a class, as one page or as numbers.
 #include <memory>
 
 #include "cli/kit/choice_option.h"

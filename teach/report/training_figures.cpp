@@ -26,7 +26,7 @@ using training::ThresholdPoint;
 using training::TraineeStatistics;
 using training::TrialStatistics;
 
-/// Where a change is said on an axis, per cent: the levels of the Virtual Haptic Back and their neighbours.
+/// Labels of changes on an axis, per cent: the levels of the Virtual Haptic Back and their neighbours.
 constexpr std::array kSaidChanges = {2.0, 3.0, 5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0, 60.0, 80.0, 100.0};
 /// More words than this below an axis cover each other.
 constexpr std::size_t kMaxOccasionWords = 9;
@@ -155,7 +155,7 @@ void addLearning(const TraineeStatistics& trainee, Plot& plot) {
   plot.series.push_back(std::move(line));
 }
 
-/// Each block by itself, with its 95 % interval.
+/// Each block alone, with its 95 % interval.
 void addBlocks(const TraineeStatistics& trainee, bool tests, ShownChanges& shown, Plot& plot) {
   const figures::Colour colour = tests ? figures::kVermilion : figures::kInk;
   Series points{.name = tests ? tr("a test by itself, 95 % interval") : tr("practice by itself, 95 % interval"),

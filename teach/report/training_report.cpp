@@ -1,4 +1,4 @@
-// Finds whose report it is, and says the main results.
+// Finds the report's trainee, and states the main results.
 #include "teach/report/training_report.h"
 
 #include <fmt/chrono.h>

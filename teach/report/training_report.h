@@ -53,7 +53,7 @@ TrainingReport trainingReport(const TrainingReportSettings& settings, const Prog
 /// Every number of the report.
 Json trainingReportJson(const TrainingReport& report);
 
-/// The report's main results, a sentence each.
+/// The report's main results, one sentence per result.
 std::vector<std::string> trainingSentences(const TrainingReport& report);
 
 /// One HTML page that needs nothing else, well-formed, with all numbers as JSON in it. Draws its pictures.

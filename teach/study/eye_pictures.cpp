@@ -29,7 +29,7 @@ constexpr double kRoomRoundSitesMm = 110.0;
 constexpr double kBareTouchN = 0.05;
 /// A press has come to rest after this, s.
 constexpr double kPressSettledS = 1.5;
-/// The drawn finger's cuff is the only thing so much bluer than red; the rings are the only thing so white.
+/// The drawn finger's cuff is the only thing this much bluer than red; the rings are the only thing so white.
 constexpr int kCuffBlueOverRed = 40;
 constexpr int kRingWhite = 225;
 

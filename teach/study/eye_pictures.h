@@ -22,7 +22,7 @@ inline constexpr double kEyePressN = 2.0;
 
 /// Reading of one press, pixels.
 struct EyeReading {
-  double sink = 0.0;   ///< in the close view: how far the finger's cuff went down since it touched
+  double sink = 0.0;   ///< in the close view: motion of the finger's cuff since it touched
   double rings = 0.0;  ///< in the whole picture: half of the rings' width
 };
 

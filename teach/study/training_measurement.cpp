@@ -82,7 +82,7 @@ MethodRow methodRow(const TrainingMeasurement& found, AskedBy method, std::size_
   return row;
 }
 
-/// One way to read a run without a posterior: 0 where it says nothing.
+/// One way to read a run without a posterior: 0 where it has none.
 struct ToldReading {
   double value = 0.0;
   double sd_of_mean = 0.0;

@@ -46,7 +46,7 @@ struct AskedTest {
   double first_failed = 0.0;      ///< mastery: the smallest mastered when a level was failed first; 0: none
 };
 
-/// `trials` of them; the trainee's guess says among how many places.
+/// `trials` of them; the trainee's guess sets the number of places.
 AskedTest askedTest(AskedBy method, const training::Psychometric& trainee, int trials, std::uint64_t seed);
 
 /// Among twelve places, lapse rate 2 %, slope 1.8; among two 1.24.

@@ -42,7 +42,7 @@ class LumpSitting {
   const std::string& trouble() const { return rows_.trouble(); }
   std::string finish(std::string_view ended_by, const training::Moment& now);
 
-  /// The body that is to be felt now, and its scene around `base`.
+  /// The body to be felt now, and its scene around `base`.
   TrialWorld::Body wanted() const;
   scene::Scene sceneOf(const scene::Scene& base) const;
   /// Call once the world with the hidden lumps is at work.

@@ -81,8 +81,8 @@ class SessionRun {
 
 class TrialWorld {
  public:
-  /// A body that is to be felt, and for which trial: another trial is another body, even if the place is the same, so
-  /// that the build time reveals nothing.
+  /// A body to be felt, and for which trial: another trial is another body, even if the place is the same, so that the
+  /// build time reveals nothing.
   struct Body {
     std::optional<training::HiddenNow> hidden = {};
     int trial = 0;

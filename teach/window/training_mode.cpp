@@ -209,7 +209,7 @@ void TrainingMode::look(const Sight& sight, const ViewerState& viewer) {
   }
 }
 
-/// Where the marks are, and the keyboard's finger: from the middle of the sites it goes over the skin as it is seen.
+/// Where the marks are, and the keyboard's finger: from the middle of the sites it moves over the visible skin.
 void TrainingMode::lookAtLumps(const Sight& sight, const ViewerState& viewer) {
   const auto seen_at = [&](const Vec3& point) -> std::optional<Vec2> {
     const Vec2 share = view::seenAt(sight.frustum, point);

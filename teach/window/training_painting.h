@@ -33,8 +33,8 @@ inline constexpr float kTrainingStrip = 96.0f;
 TrainingClick paintTraining(const TrainingScreen& screen, const std::vector<SeenSite>& sites);
 
 // The marks of sites over the body, each state with a shape of its own: an open ring (not pressed enough yet), a disc
-// (pressed), a second ring (a finger is there; none where the rings of its sink say so), brackets (picked), an arrow
-// and words (it was here), words on a line (your answer). Colours only repeat what shapes say.
+// (pressed), a second ring (a finger is there; none where the rings of its sink show it), brackets (picked), an arrow
+// and words (it was here), words on a line (your answer). Colours only repeat the shapes' meaning.
 
 /// Draws all; the number whose tag was clicked, or 0.
 int paintSiteMarks(const TrainingScreen& screen, const std::vector<SeenSite>& sites);

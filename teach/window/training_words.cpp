@@ -201,7 +201,7 @@ void addSink(const TrainingView& view, TrainingScreen& screen) {
   screen.lines.emplace_back(tr("Watch how far it sinks: fewer rings, stiffer. Right-drag turns the body."));
 }
 
-/// Without a device the finger goes by keys, too.
+/// Without a device keys move the finger, too.
 void addTouchKeys(const TrainingView& view, TrainingScreen& screen) {
   if (view.by_mouse) screen.keys += std::string(" ") + tr("Arrows go from place to place, T presses and lifts.");
 }

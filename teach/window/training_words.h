@@ -1,4 +1,4 @@
-// From where a trainee is to what the screen says: words, buttons and marks of every screen of the training window.
+// From a trainee's stage to the screen's text: words, buttons and marks of every screen of the training window.
 //
 //   TrainingView (front desk or session, and what was typed and picked) ─ screenOf ─► TrainingScreen
 //
@@ -114,7 +114,7 @@ TrainingScreen screenOf(const TrainingView& view);
 /// All words of the screen, whatever they are for.
 std::vector<std::string> wordsOf(const TrainingScreen& screen);
 
-/// Said while the body of the next trial is made.
+/// Shown while the body of the next trial is made.
 inline constexpr const char* kOneMoment = toTranslate("One moment ...");
 
 }  // namespace palpate::viewer

@@ -32,8 +32,8 @@ Certified makeMemberCertificate(const Certified& authority, const std::string& n
 /// The names and addresses of a broker's certificate, in order.
 std::vector<std::string> hostsOf(const std::string& certificate);
 
-/// The certificates that a broker is to let in no longer, as of now and for as long as the authority lasts (PEM). A new
-/// list replaces the one before.
+/// The certificates that a broker must refuse, as of now and for as long as the authority lasts (PEM). A new list
+/// replaces the one before.
 std::string makeRevocationList(const Certified& authority, const std::vector<std::string>& certificates);
 
 /// SHA-256 of the certificate itself, hex.

@@ -83,7 +83,7 @@ std::filesystem::path addInstructor(const ClassFolder& folder);
 
 /// New certificates and keys for these ("broker", "instructor", "instructor-2", "ingest", "checker", stations); empty:
 /// for all, and those that an older class lacks. Older ones stay valid to their end. Returns the folders, whose
-/// contents are to be carried to where they are used. Throws Error for a name that is not there.
+/// contents must be carried to where they are used. Throws Error for a name that is not there.
 std::vector<std::filesystem::path> renewCertificates(const ClassFolder& folder,
                                                      const std::vector<std::string>& names = {},
                                                      int days = kMemberDays);

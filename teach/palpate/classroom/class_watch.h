@@ -129,7 +129,7 @@ class ClassWatch {
   std::vector<CurvePoint> learningCurve() const;
   void remember(const training::Uuid& trainee, const training::BlockRow& block);
 
-  /// Goes to one station; forgotten after ten seconds. False: it could not be sent.
+  /// Sends to one station; forgotten after ten seconds. False: it could not be sent.
   bool ask(const std::string& station, const Command& command);
 
   bool connected() const;

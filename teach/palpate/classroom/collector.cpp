@@ -152,7 +152,7 @@ struct Collector::Impl {
       keepBatch(batch);
     }
   }
-  /// Waits for rows; empty: it is to end.
+  /// Waits for rows; empty: it must end.
   Batch nextBatch() {
     Batch batch;
     std::unique_lock lock(mutex);

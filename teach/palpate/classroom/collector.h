@@ -42,7 +42,7 @@ class RowSink {
 
 /// The class whose rows these are.
 struct SinkRules {
-  std::optional<training::ClassRow> of = {};  ///< kept as its folder says; what stations say of it changes nothing
+  std::optional<training::ClassRow> of = {};  ///< kept by its folder's settings; stations cannot change it
   std::int64_t station_bytes = kStationBytes;
   /// The class's secret, remembered in a file so that codes can be found there; never in a database, which others read.
   std::string trainee_key = {};

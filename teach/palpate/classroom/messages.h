@@ -38,7 +38,7 @@ struct Topic {
 std::string topicText(const Topic& topic);
 /// Returns nothing if `text` is not a topic of a class.
 std::optional<Topic> parseTopic(std::string_view text);
-/// Asks whether rows would reach the database: acknowledged, and kept nowhere.
+/// Tests whether rows would reach the database: acknowledged, and not stored.
 inline constexpr std::string_view kCheckKind = "check";
 /// Kinds that carry rows: "station", "class", "trainee", "protocol", "session", "block", "trial", "event", "delete".
 bool isRowKind(std::string_view kind);
@@ -65,9 +65,9 @@ struct StationState {
   training::SessionKind kind = training::SessionKind::practice;
   training::Screen screen = training::Screen::device_check;
   bool paused = false;
-  int trial = 0;  ///< at hand; 0: none
+  int trial = 0;  ///< the current one; 0: none
   int trials_at_most = 0;
-  double change = 0.0;  ///< at hand; 0: none, or hidden until the answer
+  double change = 0.0;  ///< in the current trial; 0: none, or hidden until the answer
   // T so far; 0: nothing is known yet.
   double threshold = 0.0, low = 0.0, high = 0.0;
   int wrong_in_a_row = 0;      ///< answers

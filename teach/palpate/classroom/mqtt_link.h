@@ -1,5 +1,5 @@
-// A connection to a class's broker: MQTT 5 over TLS with a certificate, kept up by itself. Thin on purpose: what may be
-// lost, must not be lost and is resent is decided by those who use it (station_link.h, collector.h).
+// A connection to a class's broker: MQTT 5 over TLS with a certificate, kept up automatically. Thin on purpose: what
+// may be lost, must not be lost and is resent is decided by those who use it (station_link.h, collector.h).
 //
 //   publish ─► a limited number in flight ─► broker        broker ─► on_message, in the link's own thread
 //
@@ -56,9 +56,9 @@ struct MqttHandlers {
 
 class MqttLink {
  public:
-  /// Returns at once and connects by itself, again and again, 0.5 to 8 s apart: the longer, the shorter its
-  /// connections last, as where another program uses the same certificate. Throws Error for certificates that
-  /// cannot be used.
+  /// Returns at once and connects automatically, again and again, 0.5 to 8 s apart: the longer, the shorter its
+  /// connections last, as where another program uses the same certificate. Throws Error for certificates that cannot be
+  /// used.
   MqttLink(const MqttSettings& settings, MqttHandlers handlers);
   /// Ends in order: waiting messages go out first, for at most this long.
   ~MqttLink();

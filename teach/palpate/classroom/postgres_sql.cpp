@@ -142,7 +142,8 @@ PostgresSql::Result PostgresSql::checked(pg_result* raw) {
   const std::string_view kind = code == nullptr ? std::string_view() : std::string_view(code).substr(0, 2);
   const bool away = !connected() || kind.empty() || kind == "57" || kind == "53" || kind == "40" || kind == "08";
   if (!away) throw Error(words);
-  // Shut down or crashed, it has said so as its last words: the connection is of no use, though libpq has not seen it.
+  // Shut down or crashed, it has reported so with its last message: the connection is of no use, though libpq has not
+  // seen it.
   if (kind == "57" || kind == "08") connection_.reset();
   throw DatabaseAway(fmt::format("the class's database: {}", words));
 }

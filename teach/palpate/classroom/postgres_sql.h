@@ -24,7 +24,7 @@ void refusePassword(const std::string& connection);
 /// type.
 training::SqlValue postgresValue(unsigned type, std::string_view text);
 
-/// A connection; one thread. It is not made again by itself: `connect` does that, and forgets nothing but the
+/// A connection; one thread. It is not made again automatically: `connect` does that, and forgets nothing but the
 /// transaction that was under way.
 class PostgresSql : public training::Sql {
  public:

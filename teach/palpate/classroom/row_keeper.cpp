@@ -29,7 +29,7 @@ using training::TrialRow;
 using training::Uuid;
 
 constexpr std::string_view kDeletedAction = "deleted";
-/// In the audit, before a station's id: its own notice, which says nothing about other stations' rows.
+/// In the audit, before a station's id: its own notice, which does not concern other stations' rows.
 constexpr std::string_view kStationActor = "station";
 /// In the audit: a session or a block that was dropped, so that what belongs to it is known by it.
 constexpr std::string_view kPartsActor = "collector";

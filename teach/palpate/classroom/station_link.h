@@ -1,4 +1,4 @@
-// A station's side of a class: rows of the outbox go to the collector until it says that they are in the database;
+// A station's side of a class: rows of the outbox go to the collector until it reports that they are in the database;
 // state and finger go to the instructor; the instructor's commands come back. Without a class or a network the session
 // continues as usual, and waiting rows go out later.
 //

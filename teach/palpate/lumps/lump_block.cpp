@@ -253,7 +253,7 @@ void LumpBlock::drawPractice(LumpTrial& trial, std::uint64_t number) {
   trial.hidden.push_back(lump);
 }
 
-/// The number of a body says which of three ways sizes go with hardnesses and which of two with depths; the order of
+/// The number of a body sets which of three ways sizes go with hardnesses and which of two with depths; the order of
 /// the bodies is drawn.
 void LumpBlock::drawExam(LumpTrial& trial) {
   Random order = streamOfBody(seed_, 0);

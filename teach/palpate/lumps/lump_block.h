@@ -42,7 +42,7 @@ struct LumpFinding {
   friend bool operator==(const LumpFinding&, const LumpFinding&) = default;
 };
 
-/// One body and all that was said about it.
+/// One body and all answers about it.
 struct LumpTrial {
   std::vector<HiddenLump> hidden;
   std::vector<LumpFinding> findings;
@@ -144,7 +144,7 @@ class LumpBlock {
 
 // Text form, for records.
 
-/// Seed and all that was hidden and said.
+/// Seed, hidden lumps and answers.
 struct LumpState {
   std::uint64_t seed = 0;
   bool exam = false;

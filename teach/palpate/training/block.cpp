@@ -199,7 +199,7 @@ struct Block::Impl {
     return stop.mark > 0.0 && verdict() != Verdict::repeat;
   }
 
-  /// With a pass mark: what could be said now.
+  /// With a pass mark: the verdict so far.
   Verdict verdict() const {
     const double below = posterior.probabilityBelow(settings.stop.mark);
     if (below > settings.stop.sure) return Verdict::pass;

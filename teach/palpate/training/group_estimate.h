@@ -1,7 +1,7 @@
 // Thresholds of a group, and how they changed: estimated from all people's answers at once.
 //
 // The mean of the reported medians is pulled towards the prior, and its standard error leaves out how unsure each of
-// them is. Here ln T of a person is a draw from a normal whose mean and spread are fitted to what all answers say
+// them is. Here ln T of a person is a draw from a normal whose mean and spread are fitted to all answers
 // (thresholdLikelihood), so that neither happens.
 //
 //   answers of each person ─ thresholdLikelihood ─► groupThreshold ─► mean of T, its 95 % interval, spread of people

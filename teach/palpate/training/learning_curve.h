@@ -2,7 +2,7 @@
 //
 //   answers of each session ─ filteredThresholds ─► a point and a 95 % interval a session
 //                           ─ fitLearning ─► an exponential through them, with its band
-//   two separate results    ─ changeBetween ─► how they differ, or too early to say
+//   two separate results    ─ changeBetween ─► their difference, or too early to tell
 //
 // Points are filtered: each knows its own session and those before it, never later ones. Smoothing backwards makes them
 // calmer and pulls the first session towards later learning, by 11 to 15 %: the very change that is looked for.

@@ -42,7 +42,7 @@ SiteSet twelveSites(std::span<const body::SkinLandmark> landmarks);
 /// the body does not know, or two that lie nearer to each other than 15 mm.
 SiteSet sitesNamed(std::span<const body::SkinLandmark> landmarks, std::span<const std::string> places);
 
-/// "site 4, left": as feedback says it; a site in the middle has no side.
+/// "site 4, left": as in feedback; a site in the middle has no side.
 std::string spoken(const Site& site);
 
 }  // namespace palpate::training

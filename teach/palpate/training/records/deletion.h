@@ -25,7 +25,7 @@ struct Deleted {
   bool key = false;
 };
 
-/// Afterwards no byte of the store's folder says who it was; the audit holds a hash. The rows of others stay as they
+/// Afterwards no byte of the store's folder reveals who it was; the audit holds a hash. The rows of others stay as they
 /// are. Throws Error.
 Deleted deleteTrainee(Store& store, const Uuid& trainee, std::string_view actor);
 

@@ -122,7 +122,7 @@ constexpr std::string_view kNewerThanKept<BlockRow> =
     "excluded.finished >= block.finished AND excluded.trials >= block.trials AND "
     "length(excluded.state_json) >= length(block.state_json)";
 
-/// Over a network. How long a class keeps things is said by its own folder (RowSink), not by a station.
+/// Over a network. Retention is set by the class's own folder (RowSink), not by a station.
 template <class R>
 constexpr bool kNeverChanges =
     std::same_as<R, TrialRow> || std::same_as<R, EventRow> || std::same_as<R, ProtocolRow> || std::same_as<R, ClassRow>;

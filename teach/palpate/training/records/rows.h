@@ -37,7 +37,7 @@ struct TraineeRow {
   Uuid id = {};
   std::string class_id = {};  ///< empty: none
   std::int64_t created_ms = 0;
-  std::string dominant_hand = {};  ///< "left", "right", empty: not said
+  std::string dominant_hand = {};  ///< "left", "right", empty: unknown
   bool consent = false;
   std::string key_ref = {};  ///< name of the key of their recordings; empty: none
 };

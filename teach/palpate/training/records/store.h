@@ -18,7 +18,7 @@
 
 namespace palpate::training {
 
-/// A row as it goes over the wire, and under which number it waits.
+/// A row in the form for the wire, and its number in the queue.
 struct OutboxEntry {
   std::int64_t number = 0;
   std::string kind;  ///< the table: "session", "block", "trial", "event", ...; "delete"
@@ -71,12 +71,12 @@ class Store {
   std::vector<OutboxEntry> waiting(std::size_t most);  ///< oldest first; without those that were refused
   void acknowledged(std::span<const Uuid> rows);       ///< away with them, durable
   std::size_t waitingCount();                          ///< with those that were refused
-  /// A class would not have these rows: they stay, and are not among `waiting` until they are to be tried again.
+  /// A class would not have these rows: they stay, and are not among `waiting` until they must be tried again.
   void refused(std::span<const Uuid> rows, std::string_view why);
   std::size_t refusedCount();
   void tryRefusedAgain();
-  /// Trainees were deleted in the class, for every station: that this station has heard of it is said in its turn,
-  /// after the waiting rows and before later ones.
+  /// Handles deletions of trainees in the class, for every station: queues this station's receipt after the waiting
+  /// rows and before later ones.
   void hearDeleted(std::span<const std::string> marks);
 
   /// The secret of a class whose trainees sit here (trainee_code.h), remembered in the file, so that codes can be

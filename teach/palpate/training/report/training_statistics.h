@@ -27,7 +27,7 @@ struct SessionQuality {
 /// Left-out trials by reason, in the words of the record.
 using Reasons = std::map<std::string, int>;
 
-/// The learning curve's point behind a block: what all blocks up to it, of the same device, say together.
+/// The learning curve's point behind a block: the estimate from all blocks of the same device up to it.
 struct FilteredPoint {
   std::size_t point = 0;  ///< in TraineeStatistics::points
   ThresholdSummary filtered;

@@ -22,7 +22,7 @@ struct ChosenTrial {
   double felt_ms = 300.0;  ///< a place counts as felt when it was pressed so long (ExplorationSettings)
 };
 
-/// Neither a warm-up nor left out: it says something about the trainee.
+/// Neither a warm-up nor left out: it informs about the trainee.
 bool countsForResults(const TrialRow& trial);
 /// Why a trial other than a warm-up does not count; empty: it counts.
 std::string whyLeftOut(const TrialRow& trial);
@@ -57,7 +57,7 @@ struct PlacedAnswer {
   double place = 0.0;
   bool correct = false;
   double chance = 0.0;
-  double expected = 0.0;  ///< where a fitted function says so
+  double expected = 0.0;  ///< by a fitted function, if any
 };
 
 /// Answers in a box [from, to) of places.

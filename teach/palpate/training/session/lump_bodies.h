@@ -24,7 +24,7 @@ scene::Scene lumpScene(const scene::Scene& base, const lumps::LumpTask& task,
 class LumpBodies {
  public:
   /// Places lumps among the sites and a little around them. Throws Error for a protocol without lumps, for a body
-  /// without layers that were solved with a field, and where the largest lump has nowhere room at its greatest depth.
+  /// without layers that were solved with a field, and where the largest lump does not fit at its greatest depth.
   LumpBodies(const std::shared_ptr<const scene::World>& body, const Protocol& protocol, const SiteSet& sites);
 
   const std::vector<Vec2>& places() const { return places_; }

@@ -68,7 +68,7 @@ struct FamiliarPlaces {
 /// Text of a screen, also spoken.
 struct Said {
   std::string text;
-  std::uint64_t number = 0;  ///< another number: it is to be spoken once
+  std::uint64_t number = 0;  ///< another number: speak it once
 };
 
 /// The row to store before the first block, which names it.
@@ -100,7 +100,7 @@ class Session {
   bool showsProgress() const;  ///< practice shows right answers; tests show no level and no number
 
   // Events.
-  /// The world at work holds what `hidden` says since now: the trial's clock starts, and samples from before are
+  /// The world at work has the place of `hidden` from now on: the trial's clock starts, and samples from before are
   /// forgotten. Callers that rebuild worlds in no time need not call it.
   void ready(const Moment& now);
   void feel(const trace::Sample& sample, const Moment& now);  ///< every sample of every finger

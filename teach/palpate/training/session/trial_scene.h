@@ -1,6 +1,6 @@
 // The body of a trial: a scene with its tissue made even (for tests) and a hidden place in it; and how it was felt.
 //
-//   scene at hand, protocol, HiddenNow ─ trialScene ─► Scene ─ scene::rebuilt ─► World
+//   present scene, protocol, HiddenNow ─ trialScene ─► Scene ─ scene::rebuilt ─► World
 //
 // At the centre of the hidden place, and over its inner part, the stiffness is exactly `feltRatio` times the base under
 // every force law, because laws are proportional to the map.

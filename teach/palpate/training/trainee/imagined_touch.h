@@ -1,6 +1,6 @@
 // A simulated trainee without a body: each press has the force and depth that even tissue and its hidden place would
 // give, at 100 Hz, and nothing is computed by contact or servo. For classes of hundreds of sessions in seconds; records
-// say so in their device field.
+// are marked in their device field.
 #pragma once
 
 #include <optional>

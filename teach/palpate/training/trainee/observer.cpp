@@ -174,7 +174,7 @@ int decide(std::span<const int> felt_sites, std::span<const double> felt_ratio, 
     stiffest = i;
     most = percept;
   }
-  // A lapse is right by chance; so that it is *wrong* with the rate that is said, it comes a little more often.
+  // A lapse is right by chance; so that it is *wrong* with the stated rate, it comes a little more often.
   const auto places = static_cast<double>(felt_sites.size());
   const double lapse = places > 1.0 ? settings.lapse * places / (places - 1.0) : 0.0;
   const bool lapses = random.uniform() < lapse;

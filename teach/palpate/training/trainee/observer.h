@@ -63,7 +63,7 @@ double weberNow(const ObserverSettings& settings, int block);
 std::vector<int> sitesSearched(const ObserverSettings& settings, int all_sites, Random& random);
 
 /// Picks among the sites that were felt: each has a felt stiffness ratio (1: base). A lapse names any of them; without
-/// any it guesses among all. Its lapses make answers wrong as often as Psychometric::lapse says.
+/// any it guesses among all. Its lapses make answers wrong at the rate Psychometric::lapse.
 int decide(std::span<const int> felt_sites, std::span<const double> felt_ratio, const ObserverSettings& settings,
            int block, int all_sites, Random& random);
 

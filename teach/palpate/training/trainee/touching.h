@@ -23,7 +23,7 @@ namespace palpate::training {
 // and depth come out of the whole loop. Motions are minimum-jerk. Based on: Flash and Hogan, J. Neurosci. 5, 1985.
 
 struct PressRequest {
-  Vec3 skin = Vec3::Zero();     ///< where the pad is to come down, at rest, mm
+  Vec3 skin = Vec3::Zero();     ///< where the pad comes down, at rest, mm
   Vec3 normal = Vec3::UnitZ();  ///< out of the skin there
   double pad_mm = 8.0;          ///< from the tip of the device to the pad's surface: the finger's radius
   double force_n = 1.5;         ///< force that it wants to feel
@@ -98,7 +98,7 @@ class Touching {
   virtual double tickS() const = 0;
   /// Adds a remark to the recording, at the next tick.
   virtual void mark(const std::string& text) = 0;
-  /// Writes what there is to write; the last call.
+  /// Writes the rest of the recording; the last call.
   virtual void finish(std::int64_t end_ms) = 0;
 };
 

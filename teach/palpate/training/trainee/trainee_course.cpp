@@ -87,7 +87,7 @@ std::unique_ptr<Touching> touchingOf(const Store& store, const TraineeBench& ben
   return bodyTouchOf(store, bench, plan, requested);
 }
 
-/// The last row of each kind that went by.
+/// The last row of each kind.
 void noteRows(std::span<const Row> rows, SatThrough& sat) {
   for (const Row& row : rows) {
     if (const auto* session = std::get_if<SessionRow>(&row)) sat.row = *session;

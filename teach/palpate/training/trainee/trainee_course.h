@@ -76,7 +76,7 @@ struct TraineeCourse {
   int most_trials = 0;
 };
 
-/// It learns from every practice that the records hold. Ends early when the bench's `stop` says so.
+/// It learns from every practice that the records hold. Ends early when the bench's `stop` returns true.
 void sitCourse(Store& store, const TraineeBench& bench, const TraineeCourse& course,
                const std::function<void(const SatThrough&)>& after_each);
 
