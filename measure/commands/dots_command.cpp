@@ -1,4 +1,4 @@
-// `palpate measure dots BEFORE AFTER` (or a table of dots): one press measured, with everything that speaks against it.
+// `palpate measure dots BEFORE AFTER` (or a table of dots): one press measured, with all objections.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -23,7 +23,7 @@ constexpr double kSample = 22.0;      // length of a line in a legend
 constexpr TextStyle kWords{.size_px = 11.5, .down = Align::start};
 constexpr TextStyle kVerdict{.size_px = 13.5, .bold = true, .down = Align::start};
 constexpr double kRow = 16.0;
-/// Pictures are faded so much towards white under arrows and ellipses.
+/// Pictures are faded this much towards white under arrows and ellipses.
 constexpr double kFaded = 0.45;
 
 Colour colourOf(const measure::OverlayColour& colour) {

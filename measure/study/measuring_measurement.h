@@ -76,7 +76,7 @@ struct JudgedPair {
   double chord_direction_deg = 0.0;  ///< error
 };
 
-/// `truth` says also which marks there are; `case_family`: of the pair.
+/// `truth` also has the marks; `case_family`: of the pair.
 JudgedPair judgePair(const measure::SyntheticCase& made, const measure::SyntheticTruth& truth,
                      const measure::Measurement& measured);
 

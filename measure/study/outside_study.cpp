@@ -15,7 +15,7 @@ double shareOf(std::size_t part, std::size_t all, double of_none) {
   return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : of_none;
 }
 
-/// Warnings that say how far the numbers themselves may be trusted.
+/// Warnings about how far the numbers may be trusted.
 bool isWarned(const JudgedPair& pair) {
   return std::any_of(pair.warnings.begin(), pair.warnings.end(), [](const std::string& code) {
     return code == "form" || code == "forms" || code == "no_peak" || code == "imprecise";

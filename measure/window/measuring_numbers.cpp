@@ -9,7 +9,7 @@ namespace palpate::viewer {
 
 namespace {
 
-/// A larger one says that the direction is hardly determined.
+/// A larger one means that the direction is hardly determined.
 constexpr double kVagueDeg = 10.0;
 
 void addEllipse(const measure::KeyEllipse& ellipse, std::vector<MeasuredNumber>& numbers) {

@@ -51,7 +51,7 @@ struct ShowPhoto {
 };
 struct SwapPhotos {};
 struct AcceptMeasurement {
-  bool sure = false;  ///< whatever speaks against it
+  bool sure = false;  ///< despite objections
 };
 /// The work under way is given up.
 struct CancelMeasuring {};
@@ -74,16 +74,16 @@ struct Corrections {
 struct MarkDrag {
   Photo photo = Photo::before;
   Vec2 from_px = Vec2::Zero();
-  std::optional<std::size_t> mark = {};  ///< it went down on
+  std::optional<std::size_t> mark = {};  ///< the one pressed
   bool moved = false;
   bool selects = false;  ///< with Shift: the mark is neither moved nor removed
   Corrections before = {};
 };
 
-/// Where a result goes.
+/// Destination of a result.
 struct AcceptForm {
   std::string name = {};   ///< empty: that of the place
-  std::string place = {};  ///< as an examiner says it ("T6 left 40 mm"), or "x, y" in mm
+  std::string place = {};  ///< as an examiner writes it ("T6 left 40 mm"), or "x, y" in mm
   std::string table = {};  ///< a file of key points
   bool use_in_scene = true;
   // Place of the contact on the current body.

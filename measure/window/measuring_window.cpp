@@ -91,7 +91,7 @@ Status statusOf(const MeasuringView& view) {
           tr("Choose a photograph of the dots before the skin is dragged, and one after; or drop them on the window.")};
 }
 
-/// With some room for more than one line, but never so much that little is left of the photographs.
+/// With some room for more than one line, but leaves most of it to the photographs.
 float statusHeight(const Status& status, const ImVec2& room) {
   const float words = ImGui::CalcTextSize(status.words.c_str(), nullptr, false, room.x).y;
   return std::clamp(words, ImGui::GetFrameHeight(), 0.3f * room.y) + ImGui::GetStyle().ItemSpacing.y;

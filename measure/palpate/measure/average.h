@@ -41,7 +41,7 @@ struct MeanEllipse {
   // With standard errors; NaN where one press without a stated uncertainty determines nothing.
   Estimate half_major_mm;
   Estimate major_over_minor;
-  Estimate direction_deg;          ///< in (-90, 90]; 52 is an error that says nothing
+  Estimate direction_deg;          ///< in (-90, 90]; an error of 52 means undetermined
   Mat3 covariance = Mat3::Zero();  ///< covariance of the tensor's logarithm (maps::LogTensor)
   double freedom = 0.0;            ///< degrees of freedom behind it; 0: not known
   std::size_t subjects = 0;
@@ -51,7 +51,7 @@ struct MeanEllipse {
 };
 
 struct DragMean {
-  std::optional<double> drag_deg = {};  ///< mean of the presses' own; none: the rows do not say
+  std::optional<double> drag_deg = {};  ///< mean of the presses' own; none: not in the rows
   MeanEllipse mean;
 };
 
@@ -89,7 +89,7 @@ std::string keyPointTable(const Averages& averages, bool by_drag = false);
 
 /// "up", "left", "up and left"; degrees where no word is near.
 std::string dragWords(double drag_deg);
-/// The way a word or a number says.
+/// Parses a direction as a word or a number.
 std::optional<double> dragNamed(std::string_view words);
 
 }  // namespace palpate::measure

@@ -1,5 +1,5 @@
 // Half axes depend on peak, width and tail together, and on none of them in a straight line: 300 draws from the
-// covariances of the fitted forms, each as often as it counts, say how sure they are.
+// covariances of the fitted forms, each by its weight, give their certainty.
 #include "palpate/measure/field_report.h"
 
 #include <Eigen/Cholesky>

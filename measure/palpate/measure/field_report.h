@@ -36,7 +36,7 @@ void widenByDots(std::span<const FieldDatum> data, const FieldNumbers& numbers, 
 std::optional<ContourReading> readContour(std::span<const MeasuredDot> dots, const SkinChart& chart,
                                           const FieldFit& fit, double spacing_mm);
 
-// Whether a measurement can be used: what speaks against it, and what to do.
+// Whether a measurement can be used: objections and remedies.
 
 /// Fewer dots in order give no chart worth a fit.
 inline constexpr std::size_t kMinDotsInOrder = 30;

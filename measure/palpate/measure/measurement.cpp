@@ -345,7 +345,7 @@ std::optional<double> nullDrift(const Photograph& first, const Photograph& secon
     datum.moved_mm = m.chart->skinAt(after.dots[*match.of[i]].place_px) - datum.skin_mm;
     data.push_back(datum);
   }
-  constexpr double kAnyDriftMm = 20.0;  // nothing else moves here: the dots alone say it
+  constexpr double kAnyDriftMm = 20.0;  // nothing else moves here: the dots alone decide
   return fitDrift(data, driftPriorOf(kAnyDriftMm)).head<2>().norm();
 }
 

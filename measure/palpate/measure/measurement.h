@@ -50,7 +50,7 @@ struct Drift {
   double scale_percent = 0.0;
   double turn_deg = 0.0;
   double length_mm = 0.0;  ///< length of the shift
-  double in_sd = 0.0;      ///< fitted shift, scale and turn over their limits
+  double in_sd = 0.0;      ///< fitted shift, scale and turn over their prior sd
 };
 
 /// Weight of a form in the report.

@@ -70,7 +70,7 @@ struct Overlay {
   std::vector<OverlayPanel> panels;  ///< before: the grid; after: matched and hidden; displacement and ellipse
   std::string verdict;               ///< one line: accepted with the numbers, or refused
   bool accepted = false;
-  std::vector<std::string> findings;  ///< a line each, with "refused:" or "warning:" before
+  std::vector<std::string> findings;  ///< one per line, after "refused:" or "warning:"
 };
 
 /// `arrow_scale`: how much longer than the true motion arrows are drawn.

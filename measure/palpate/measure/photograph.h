@@ -1,4 +1,4 @@
-// A photograph as the room `measure` reads it: upright, eight bits a channel, with the time it was taken where it says.
+// A photograph as the room `measure` reads it: upright, eight bits a channel, with the time it was taken, if noted.
 //
 //   file ─ readPhotograph ─► Photograph ─► findDots (dots.h)
 #pragma once

@@ -153,7 +153,7 @@ std::vector<std::vector<double>> secantsOf(const std::vector<const PlaceCurve*>&
   return people;
 }
 
-/// Over people; of one person over presses; of one press as its own fit says.
+/// Over people; for one person over presses; for one press by its own fit.
 Estimate secantOf(const std::vector<const PlaceCurve*>& presses, const ForceFit& fit) {
   const Estimate whole{fit.secant.value, fit.secant.standard_error};
   if (presses.size() < 2) return whole;

@@ -1,4 +1,4 @@
-// Levenberg and Marquardt's method on the motions of all dots at once. The dots say how far the body moved between the
+// Levenberg and Marquardt's method on the motions of all dots at once. The dots show how far the body moved between the
 // pictures as well as how the skin was dragged: both are unknowns of one fit, the first with a prior. So are bends of
 // the body that a similarity does not have: left out, they stretch long tails by a tenth unnoticed. Each dot counts by
 // its certainty (weightsOf); a dot that nothing explains counts less (pseudo-Huber). First the form with one ellipse,
@@ -71,7 +71,7 @@ FormPrior formPriorOf(FieldForm form) {
 // The peak lies between the dots, under the stick, and a long tail's core is narrow: the unseen part is bounded,
 // softly.
 constexpr double kPeakMostMm = 30.0;   // skin is not dragged farther
-constexpr double kPeakOverSeen = 3.0;  // times any dot's motion: no core is narrower than stick and skin make it
+constexpr double kPeakOverSeen = 3.0;  // times the largest motion: no core is narrower than stick and skin make it
 constexpr double kPeakSd = 0.1;        // share of that bound
 constexpr double kPressedFarSd =
     0.15;  // Boussinesq against Cerruti where nu is 0.4 and the press as strong as the drag
@@ -92,7 +92,7 @@ constexpr double kSolvedShapeLeast = -4.8;  // ln(1/mm^2) for the patch under th
 constexpr double kMinSdMm = 0.08;
 constexpr double kSdMedians = 1.8;           // in medians of the residuals
 constexpr double kSdOfMotion = 0.04;         // the chart's own error
-constexpr double kResidualOfFormMm = 0.115;  // root mean square; more says that the field is not of this form
+constexpr double kResidualOfFormMm = 0.115;  // root mean square; more means that the field is not of this form
 constexpr double kMinScatter = 0.5;          // chart errors are alike from dot to dot and leave small residuals
 constexpr double kFirstSdMm = 0.15;          // before there are residuals
 constexpr double kRobustSds = 3.0;           // beyond, a dot counts less
@@ -105,7 +105,7 @@ constexpr std::array kPointedStartWidthsMm = {15.0, 40.0};
 constexpr std::array kSolvedStartWidthsMm = {tissue::kSolvedPatchMm};
 constexpr std::array kSolvedStartTails = {0.4, 1.0, 1.7};
 constexpr std::array kDeepStartTails = {0.8};
-constexpr double kMinShare = 0.01;  // a form that explains the dots so much worse is left out
+constexpr double kMinShare = 0.01;  // a less likely form is left out
 /// Errors of the chart and of every form are alike from dot to dot: chi2 differs by more than chance has it.
 constexpr double kChanceOfCost = 2.0;
 constexpr double kSmoothBefore = 2.0;  // prior odds against each other form, before the dots are looked at
@@ -400,8 +400,8 @@ std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const 
   return sd;
 }
 
-/// Covariance by the observed scatter, for the data; priors keep theirs. All of it is less sure where the residuals say
-/// that the skin did not move as in the form.
+/// Covariance by the observed scatter, for the data; priors keep theirs. All of it is less sure where the residuals
+/// show that the skin did not move as in the form.
 FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const double> sd_mm, const FieldNumbers& n,
                              const Prior& prior) {
   const Normal normal = normalOf(data, sd_mm, n, prior, kFieldUnknowns);

@@ -118,7 +118,7 @@ struct WalkedPress {
   Decision decision = Decision::none;
   bool fresh = false;  ///< measured in this walk
 
-  /// Whether it goes into the mean.
+  /// Whether it counts in the mean.
   bool counts() const;
 };
 

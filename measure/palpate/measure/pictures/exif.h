@@ -56,7 +56,7 @@ std::optional<TiffStart> tiffStart(std::string_view bytes);
 struct Exif {
   /// How the stored picture must be turned: 1 (not at all) to 8, as the tag counts.
   int orientation = 1;
-  /// Seconds since 1970 by the camera's clock; when it was taken, else when the file says that it was made.
+  /// Seconds since 1970 by the camera's clock; when it was taken, else the file's own time.
   std::optional<double> taken_at_s = {};
 };
 

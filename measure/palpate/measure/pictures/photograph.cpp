@@ -31,7 +31,7 @@ namespace {
 constexpr std::uint64_t kMaxBytes = 450'000'000;
 constexpr int kUsualQuality = 90;
 
-/// OpenCV says on the standard error what becomes an Error here.
+/// OpenCV prints to the standard error what becomes an Error here.
 class QuietOpenCv {
  public:
   QuietOpenCv() : before_(cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT)) {}

@@ -1,4 +1,4 @@
-// The formats by their first bytes; the name of a file says nothing.
+// The formats by their first bytes; the name of a file does not matter.
 #include "palpate/measure/pictures/picture_header.h"
 
 #include <fmt/format.h>

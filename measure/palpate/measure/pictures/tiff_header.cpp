@@ -1,4 +1,4 @@
-// The tags of a TIFF's first page that say whether it is a photograph, and whether all of it is there. Raw pictures of
+// The tags of a TIFF's first page that show whether it is a photograph, and whether all of it is there. Raw pictures of
 // cameras are TIFF files too, and hold a small preview first.
 // Based on: TIFF Revision 6.0; Adobe DNG 1.6 (its marks).
 #include <fmt/format.h>

@@ -104,7 +104,7 @@ StickPicture drawStick(const SyntheticCase& made, const Vec2& tip_px, const Vec2
   Shapes shapes(picture.colour, picture.cover, tip_px, away_px, px_per_mm);
   drawWood(shapes, made.press.stick_length_mm + 40.0);
   drawHand(shapes, made, made.press.stick_length_mm);
-  // Colours are mixed into black at the rim of a shape; the cover says where that counts.
+  // Colours are mixed into black at the rim of a shape; the cover is their weight.
   const Vec2 from_light = -Vec2(made.look.light.x(), -made.look.light.y()) / made.look.light.z();
   picture.shadow = shadowOf(picture.cover, 28.0 * px_per_mm * from_light, 6.0 * px_per_mm);
   return picture;

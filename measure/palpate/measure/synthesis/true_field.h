@@ -34,7 +34,7 @@ class TrueField {
   SkinField formula_;
   double patch_mm_ = 0.0;   // sd of the load on a half space
   double strength_ = 0.0;   // its strength: displacement times distance, far away, mm^2
-  double window_mm_ = 0.0;  // where a windowed one ends; 0: nowhere
+  double window_mm_ = 0.0;  // end of a windowed one; 0: none
 };
 
 }  // namespace palpate::measure
