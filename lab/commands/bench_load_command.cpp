@@ -46,7 +46,7 @@ struct LoadFigures {
   std::size_t vertices = 0;
   double first_force_n = 0.0;
   double tree_bytes_per_triangle = 0.0;     ///< tree and walk records
-  double tree_build_ns_per_triangle = 0.0;  ///< the same, built once more by itself
+  double tree_build_ns_per_triangle = 0.0;  ///< the same, built once more alone
   std::uint64_t hash = 0;                   ///< hash of skin and first force
   double change_ms = 0.0;                   ///< until the world has another dysfunction; the median of some
 };
@@ -56,7 +56,7 @@ struct MemoryOfProcess {
   std::uint64_t page_faults = 0;
 };
 
-/// Zeros where the system does not say.
+/// Zeros if unknown.
 MemoryOfProcess memoryOfProcess() {
 #ifdef __linux__
   rusage usage{};

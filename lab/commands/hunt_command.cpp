@@ -290,7 +290,7 @@ std::vector<std::string> writeCases(const lab::HuntPlan& plan, const lab::HuntRe
   return files;
 }
 
-/// The answer of a hunt that found something: the command ran and says "no".
+/// Exit code of a hunt that found a fault: the command ran and answers "no".
 [[noreturn]] void endWithFindings() { throw ExitWith(1); }
 
 void runReplay(const HuntArguments& arguments) {

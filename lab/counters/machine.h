@@ -6,7 +6,7 @@
 namespace palpate::lab {
 
 struct Machine {
-  std::string cpu;         ///< as the processor calls itself; "unknown" where the system does not say
+  std::string cpu;         ///< the processor's own name, or "unknown"
   unsigned cores = 0;      ///< usable by this process
   double memory_gb = 0.0;  ///< machine's, 1e9 bytes
   std::string kernel;      ///< name, release and processor family of the system

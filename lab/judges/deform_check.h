@@ -1,8 +1,8 @@
-// Did only the skin around the finger move, and did it stay skin? Judged from the mesh at rest and where its vertices
+// Did only the skin around the finger move, and did it stay skin? Checked from the mesh at rest and where its vertices
 // are now.
 //
 // Shares nothing with the deformation: it knows the contact's place, normal and how far its regions reach, and looks at
-// every vertex and triangle. A vertex that moved must hang together with the contact along edges through vertices that
+// every vertex and triangle. A vertex that moved must be connected with the contact along edges through vertices that
 // moved too; it must not lie farther above or below the contact's plane than `farthest_off_plane_mm`; and no triangle
 // may have turned over or vanished.
 #pragma once

@@ -18,7 +18,7 @@ namespace palpate::lab {
 struct Observation {
   Vec3 tip = Vec3::Zero();
   Vec3 centre = Vec3::Zero();  ///< centre of the drawn sphere (proxy + radius * normal); only read for radius > 0
-  bool touching = false;       ///< the finger says that it is in contact
+  bool touching = false;       ///< the finger reports contact
   bool has_force = false;
 };
 

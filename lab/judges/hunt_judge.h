@@ -1,9 +1,9 @@
 // Faults of a finger along a path, tick by tick, in a microsecond or two each: the oracle of `palpate study hunt`.
 //
 // It sees outputs and a mesh and has its own geometry; nothing of `contact` but the plain data of finger_state.h, and
-// nothing of `tree`. docs/explanation/hunt.md says in words what each fault is. Unlike the other oracles it keeps up
-// with a run of ten million ticks: a free tip's side is only computed when it has left the ball round the last place
-// that is known to hold no surface.
+// nothing of `tree`. docs/explanation/hunt.md describes each fault. Unlike the other oracles it keeps up with a run of
+// ten million ticks: a free tip's side is only computed when it has left the ball round the last place that is known to
+// hold no surface.
 #pragma once
 
 #include <array>
@@ -94,7 +94,7 @@ class FastWinding {
   struct Dipole {
     Vec3 centre = Vec3::Zero();  ///< centre of their area
     Vec3 area = Vec3::Zero();    ///< sum of area vectors
-    Mat3 spread = Mat3::Zero();  ///< sum of (centre of triangle - centre) x area vector: the second-order term
+    Mat3 spread = Mat3::Zero();  ///< sum of (centre of triangle - centre) x area vector: the term after the dipole
     double far2 = 0.0;           ///< squared distance from which on it replaces them
   };
   void summarise(Index node);
@@ -129,7 +129,7 @@ struct Finding {
 struct HuntReport {
   std::size_t ticks = 0;
   std::size_t touching_ticks = 0;
-  std::size_t events = 0;  ///< ticks whose status says that contact was given up for another place
+  std::size_t events = 0;  ///< ticks whose status reports that contact was given up for another place
   /// Ticks with a tip that came out elsewhere and is held through the body by the side where it went in: no fault
   /// (docs/explanation/contact.md, thin parts).
   std::size_t held_through_ticks = 0;

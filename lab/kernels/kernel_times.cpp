@@ -1,5 +1,5 @@
-// Goes round all kernels again and again, each between two runs of its reference loop, so that what slows one slows the
-// other; the shortest processor time of each counts.
+// Goes round all kernels again and again, each between two runs of its reference loop, so that other load slows both;
+// the shortest processor time of each counts.
 #include "lab/kernels/kernel_times.h"
 
 #include <algorithm>

@@ -90,7 +90,7 @@ struct LoopPlan {
 
 LoopSettings loopOf(const LoopPlan& plan);
 
-/// A device without friction and encoder, bare, of this mass (kg) and damping (N s/mm): what theory speaks of.
+/// A device without friction and encoder, bare, of this mass (kg) and damping (N s/mm), as in theory.
 LoopPlan idealPlan(double mass_kg, double damping_n_s_per_mm, double ticks_per_s, double delay_ticks);
 
 /// Up to which stiffness theory calls the bare loop passive, N/mm: b / (T/2 + t_d) ...

@@ -72,7 +72,7 @@ MappedSystem mappedSystem(const StabilityCell& cell, std::uint64_t seed, std::si
   return system;
 }
 
-/// A mass on a spring without friction rings on by itself for a second; what lasts is the loop's doing.
+/// A mass on a spring without friction rings on for a second alone; longer ringing comes from the loop.
 bool keepsOscillating(const LoopPlan& plan) {
   constexpr double kLaterS = 1.6;
   return kick(plan).oscillates(plan.device.encoder_mm) && kick(plan, kLaterS).oscillates(plan.device.encoder_mm);

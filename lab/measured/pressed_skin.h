@@ -39,7 +39,7 @@ deform::Contact feltContact(const mesh::TriangleMesh& mesh, const FeltStroke& st
 
 struct PressedSkin {
   std::vector<Vec3> positions;
-  std::vector<double> strain;  ///< (4.20), a vertex each
+  std::vector<double> strain;  ///< (4.20), one per vertex
 };
 
 PressedSkin pressed(const mesh::TriangleMesh& mesh, const Press& press, const deform::FormSettings& forms = {});

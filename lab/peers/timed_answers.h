@@ -14,7 +14,7 @@ namespace palpate::bench {
 /// otherwise blocks of consecutive ones, spread evenly; a few at least.
 std::vector<std::uint32_t> affordableQueries(std::size_t count, double query_us, double seconds);
 
-/// Bytes that the heap has handed out; none where the C library does not say.
+/// Bytes that the heap has handed out; nothing if the C library cannot tell.
 std::optional<double> heapBytes();
 
 /// Builds by `build()` and notes its time and its heap memory.

@@ -1,5 +1,5 @@
 // `palpate_peers`: the benchmark commands of `palpate` that know --peers, linked with the libraries that are compared.
-// `palpate study bench ... --peers` runs this program; why it is one of its own says lab/commands/peers_report.h.
+// `palpate study bench ... --peers` runs this program; lab/commands/peers_report.h explains why it is separate.
 #include "cli/kit/commands.h"
 #include "cli/kit/program.h"
 #include "lab/commands/peers_report.h"

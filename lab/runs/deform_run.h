@@ -34,7 +34,7 @@ struct DeformRun {
   double seconds = 1.0;    ///< time for repetitions
 };
 
-/// A finger at a place of a triangle, pressed and dragged as the run says.
+/// A finger at a place of a triangle, pressed and dragged by the run's settings.
 deform::Contact contactAt(const mesh::TriangleMesh& mesh, Index triangle, const Vec3& place, const DeformRun& run);
 
 /// Where a finger wanders: a few millimetres apart on a circle of 10 mm, as between two frames of a moving hand.

@@ -1,7 +1,7 @@
 // The bits of a scene's results, as three numbers: the same from every compiler, processor and system.
 //
 // Uses the core alone: tests/platforms/bits.cpp prints them for every platform, `palpate study credibility` compares
-// them with the ones that are kept. docs/explanation/credibility.md
+// them with the ones that are kept. docs/explanation/same-bits.md
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace palpate::bench {
 
 /// `world` and `forces` are the numbers that `palpate simulate` and recordings call hash.
 struct SceneBits {
-  // 64 bits each, FNV-1a (base/hash.h): equal ones say that not a bit changed.
+  // 64 bits each, FNV-1a (base/hash.h): equal ones mean that not a bit changed.
   std::uint64_t world = 0;   ///< places, triangles and stiffness of the skin
   std::uint64_t forces = 0;  ///< forces of every finger in every tick
   std::uint64_t skin = 0;    ///< places, normals and strain as drawn, where the fingers together are deepest

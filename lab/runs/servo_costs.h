@@ -86,7 +86,7 @@ struct BatchFigures {
   std::optional<std::uint64_t> allocations = 0, locks = 0;  ///< during all ticks
 };
 
-/// `path`: tips, a tick each, gone again and again. Throws Error where settings and world do not suit.
+/// `path`: one tip per tick, repeated. Throws Error where settings and world do not suit.
 BatchFigures measureBatch(const scene::World& world, const contact::FingerSettings& finger, std::span<const Vec3> path,
                           const BatchSettings& settings, const Progress& progress = {});
 
