@@ -46,8 +46,8 @@ double stepError(const tissue::LayerStack& stack, double depth_mm);
 /// None where the results do not come nearer and nearer from one side.
 std::optional<double> observedOrder(double coarse, double middle, double fine);
 
-/// The grid convergence index of the finest: 1.25 times the error that the order says; 3 times the last difference
-/// where the order is undefined.
+/// The grid convergence index of the finest: 1.25 times the error by the order; 3 times the last difference where the
+/// order is undefined.
 double gridConvergence(double coarse, double middle, double fine);
 
 }  // namespace palpate::lab

@@ -1,7 +1,7 @@
 // The skin dragged sideways a little: a round patch of it, bonded to the finger, on layers over bone. Linear, three
 // dimensions, 8-node boxes; one quarter represents the whole.
 //
-// The same patch pressed straight down says what share of the stiffness against a press the drag has.
+// The same patch pressed straight down gives the drag's share of the stiffness against a press.
 #pragma once
 
 #include <vector>

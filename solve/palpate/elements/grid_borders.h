@@ -24,7 +24,7 @@ struct RowFineness {
   int most = 14;
 };
 
-/// From the surface down; a row each between two depths.
+/// From the surface down; one row between two depths.
 struct LayerRows {
   std::vector<double> depths_mm;  ///< from 0
   std::vector<int> layers;        ///< layer of the stack for each row

@@ -17,7 +17,7 @@ namespace {
 constexpr double kElementsAcross = 12.0;
 constexpr double kGrowthAway = 0.2;  // mm of size per mm of distance
 
-/// Adds borders after the last one up to `to`, at least `fewest` steps, each about as long as `size` says there.
+/// Adds borders after the last one up to `to`, at least `fewest` steps, each about `size` long there.
 void addBorders(std::vector<double>& borders, double to, int fewest, const std::function<double(double)>& size) {
   constexpr int kSamples = 200;
   const double from = borders.back();

@@ -14,7 +14,7 @@
 
 namespace palpate::elements {
 
-/// A displacement that turns an element inside out has no energy: `inverted` says which, and nothing else is filled in.
+/// A displacement that turns an element inside out has no energy: `inverted` names it, and nothing else is filled in.
 struct Balance {
   double strain_energy = 0.0;   ///< uJ
   double contact_energy = 0.0;  ///< uJ, in the springs that model a rigid sphere
@@ -70,7 +70,7 @@ class PressModel {
   std::string placeWords(double r, double z, int layer) const;
 
   QuadMesh mesh_;
-  std::vector<NeoHookean> laws_;  ///< a layer each
+  std::vector<NeoHookean> laws_;  ///< one per layer
   std::vector<std::string> layer_names_;
   Sphere sphere_;
   std::vector<QuadPoints> points_;   ///< an element each

@@ -38,7 +38,7 @@ struct PressSettings {
 /// deeper ones; 8 to 16 of them where the deepest is 4 mm or more. The first always.
 std::vector<double> fieldDepths(double deepest_mm);
 
-/// The mesh that goes with a sphere: it is fine as far as the skin can touch.
+/// The mesh for a sphere: fine as far as the skin can touch.
 MeshFineness finenessFor(const PressSettings& settings);
 
 /// Throws Error for what makes no sense: depths that do not increase or reach the base, sizes out of range.

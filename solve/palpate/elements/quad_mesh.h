@@ -34,7 +34,7 @@ inline constexpr int kHeld = -1;
 struct QuadMesh {
   std::vector<double> columns;  ///< r of the columns' borders, from the axis
   std::vector<double> rows;     ///< z of the rows' borders, from the surface down to 0
-  // A node each:
+  // One per node:
   std::vector<double> r;
   std::vector<double> z;
   std::vector<std::array<int, 2>> freedoms;  ///< for u_r and u_z: places in the system of equations, or kHeld

@@ -38,7 +38,7 @@ class StiffnessMatrix {
 
   const QuadMesh& mesh_;
   Eigen::SparseMatrix<double> lower_;
-  std::vector<std::array<int, kQuadEntries>> places_;  ///< in the values of `lower_`; kHeld: nowhere
+  std::vector<std::array<int, kQuadEntries>> places_;  ///< in the values of `lower_`; kHeld: none
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors_;
 };
 
