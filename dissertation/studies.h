@@ -1,4 +1,4 @@
-// The studies that write a page each: their names, and how they are run.
+// The studies, one page per study: their names, and how they are run.
 #pragma once
 
 #include <vector>

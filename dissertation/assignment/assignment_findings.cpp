@@ -13,7 +13,7 @@ namespace {
 using hdb::Assignment;
 using hdb::TreeKind;
 
-// Times vary from run to run; a case is not worse for so much.
+// Times vary from run to run; a case is not worse by this much.
 constexpr double kAsGoodAsBest = 1.05;
 constexpr double kExactArea = 1e-9;
 constexpr double kNoOverlap = 1.0 + 1e-9;

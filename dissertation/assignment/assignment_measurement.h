@@ -55,7 +55,7 @@ std::vector<AssignmentRow> rowsOf(const AssignmentMeasurement& found, hdb::TreeK
 
 // Findings from the counts and times of cases A, B and C: sentences made of nothing but the measurement.
 
-/// A paragraph each, most important first. The printed threshold must have been measured.
+/// Paragraphs, most important first. The printed threshold must have been measured.
 std::vector<std::string> assignmentFindings(const AssignmentMeasurement& found);
 
 /// The row of that tree, case and threshold, which must have been measured.

@@ -33,7 +33,7 @@ namespace palpate::app {
 
 namespace {
 
-/// One folder may hold several studies; that one of them is made again is said.
+/// One folder may hold several studies; replacing one of them is reported.
 void tellOfEarlier(const std::string& folder, const std::string& file) {
   const std::filesystem::path page = std::filesystem::path(folder) / file;
   if (folder.empty() || !std::filesystem::exists(page)) return;
@@ -157,7 +157,7 @@ void addStudyAll(Command& parent) {
 
 namespace {
 
-// A number that differs without an erratum that says why.
+// A number that differs without an erratum that explains it.
 constexpr int kNotReproduced = 1;
 
 struct NumbersArguments {

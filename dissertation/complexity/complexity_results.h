@@ -61,8 +61,8 @@ std::vector<StudyFigure> complexityFigures(const ComplexityResults& results);
 
 // Findings from the counted searches about the printed estimates: sentences made of nothing but the results.
 
-/// A paragraph each, most important first. The printed threshold and box must have been measured in the first and the
-/// largest model.
+/// Paragraphs, most important first. The printed threshold and box must have been measured in the first and the largest
+/// model.
 std::vector<std::string> complexityFindings(const ComplexityResults& results);
 
 /// A misprint only where the list of misprints has it and the counted w is the number that it names (number_row.h).

@@ -19,7 +19,7 @@ inline tissue::LayerStack checkedStack() {
   return tissue::libraryStack(kCheckedThicknessMm, tissue::libraryFatShare(kCheckedThicknessMm, kCheckedFatMm));
 }
 
-/// A flat sheet of layered tissue as a body has it at a place, as stiff as its layers times a factor.
+/// A flat sheet of layered tissue as at a place of a body, as stiff as its layers times a factor.
 struct FlatPlace {
   double thickness_mm = kCheckedThicknessMm;
   double fat_mm = kCheckedFatMm;
@@ -27,7 +27,7 @@ struct FlatPlace {
 };
 contact::Surface flatSheet(const FlatPlace& place);
 
-/// The product's own finger, pressed in ticks of `tick_s` to the depth and then dragged by so much along x; a force a
+/// The product's own finger, pressed in ticks of `tick_s` to the depth and then dragged by `drag_mm` along x; a force a
 /// millisecond. A whole number of ticks must make a millisecond.
 struct FlatPress {
   double radius_mm = kCheckedRadiusMm;

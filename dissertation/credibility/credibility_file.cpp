@@ -89,7 +89,7 @@ void addUsed(const FindingValues& all, const std::vector<FindingsPart>& parts, F
   }
 }
 
-/// A paragraph says some of the numbers; findingsOf takes no others.
+/// A paragraph uses some of the numbers; findingsOf accepts no others.
 FindingValues usedOf(const FindingValues& all, const std::vector<FindingsPart>& parts) {
   FindingValues used = FindingValues::object();
   addUsed(all, parts, used);

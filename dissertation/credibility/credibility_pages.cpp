@@ -51,7 +51,7 @@ std::string shownValue(const CredibilityNumber& number) {
              : rounded(number.value, kDigits);
 }
 
-/// Every number of a section, a row each.
+/// Every number of a section, one per row.
 TextTable numbersTable(const CredibilitySection& section) {
   TextTable table{{"evidence", "number", "value", "unit", "bar", "holds"}, {}};
   for (const Evidence& evidence : section.evidence) {

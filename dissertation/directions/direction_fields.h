@@ -65,7 +65,7 @@ struct DirectionResults {
   AxisCurve noise;                 ///< over the noise of the radii, any true axis
 };
 
-/// A paragraph each, most important first.
+/// Paragraphs, most important first.
 std::vector<std::string> directionFindings(const DirectionResults& results);
 
 }  // namespace palpate::study

@@ -57,7 +57,7 @@ struct ErrataEffects {
 };
 
 /// Takes a few seconds a row. Errata of the partition are measured with the contact source "hdb" (and point fingers) on
-/// both sides, in the tree they speak of. Throws Error for a scene that cannot be built.
+/// both sides, in the tree they are about. Throws Error for a scene that cannot be built.
 ErrataEffects studyErrata(const scene::Scene& scene, const Progress& progress = {});
 
 // The study of the errata as text, JSON, Markdown and CSV.

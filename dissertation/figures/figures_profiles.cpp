@@ -84,7 +84,7 @@ Figure figure48() {
 
 Plot arrayPlot(int entries) {
   constexpr double kDepthMm = 10.0;
-  constexpr int kFineSteps = 4000;  // steps of 700 entries are to be seen
+  constexpr int kFineSteps = 4000;  // steps of 700 entries must be visible
   Plot plot{.title = fmt::format("Array of {}: {:.3f} mm off at most", entries,
                                  worstArrayError(entries, tissue::TableLookup::nearest))};
   plot.x = {.label = "location ratio q", .from = 0.1, .to = 0.5};

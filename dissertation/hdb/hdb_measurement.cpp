@@ -35,7 +35,7 @@ struct LateBoxResult {
   double puncturedShare() const { return strokes > 0 ? static_cast<double>(punctured) / strokes : 0.0; }
 };
 
-/// Every stroke starts with a new finger and ends at its puncture. `box` says how large the box is and after how many
+/// Every stroke starts with a new finger and ends at its puncture. `box` sets the size of the box and after how many
 /// ticks it follows; the phase differs from stroke to stroke.
 LateBoxResult strokeWithLateBox(const contact::Surface& surface, const std::shared_ptr<const hdb::HdbSurface>& box,
                                 const std::vector<std::vector<Vec3>>& strokes,

@@ -134,7 +134,7 @@ std::vector<StudyFigure> hdbFigures(const HdbMeasurement& found);
 
 // Findings from the strokes and the costs about the detecting box: sentences made of nothing but the measurement.
 
-/// A paragraph each, most important first.
+/// Paragraphs, most important first.
 std::vector<std::string> hdbFindings(const HdbMeasurement& found);
 
 /// The largest and the smallest share of punctured strokes among the rows of these leads; 0 and 1 without rows.

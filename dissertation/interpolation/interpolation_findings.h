@@ -60,7 +60,7 @@ struct InterpolationResults {
 /// The effect radius with the smallest error.
 double bestRadius(const InterpolationResults& results);
 
-/// A paragraph each, most important first.
+/// Paragraphs, most important first.
 std::vector<std::string> interpolationFindings(const InterpolationResults& results);
 
 }  // namespace palpate::study

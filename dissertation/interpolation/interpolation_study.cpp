@@ -126,7 +126,7 @@ InterpolationResults measuredResults(const StudySettings& settings) {
 
 // --- figures
 
-// Degree 2 runs away by more than the others differ: the table has it.
+// Degree 2 runs away by more than the others differ: it is in the table only.
 Plot methodPlot(const InterpolationResults& results) {
   constexpr std::array kShort{"mean", "GRI, 150", "GRI, mean", "thin plate", "degree 1"};
   const double right = kShort.size() + 1.0;

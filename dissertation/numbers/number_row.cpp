@@ -16,7 +16,7 @@ namespace palpate::study {
 
 namespace {
 
-/// A printed number that is known to be wrong, with the erratum that says so.
+/// A printed number that is known to be wrong, with its erratum.
 struct Misprint {
   std::string_view where;
   std::string_view what;

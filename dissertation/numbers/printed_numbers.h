@@ -1,7 +1,7 @@
 // The numbers that the dissertation prints, as printed: what the study holds ours against.
 //
-// Numbers are kept as the text has them, because their digits say how exactly they are meant. Data only; the measured
-// ellipses themselves are the engine's (maps/measured_data.h).
+// Numbers are kept as the text has them, because their digits show their precision. Data only; the measured ellipses
+// themselves are the engine's (maps/measured_data.h).
 // Source: Ji, "Spatial Partitioning and Functional Shape Matched Deformation Algorithm for Interactive Haptic
 // Modeling", Ohio University 2008.
 #pragma once
@@ -32,7 +32,7 @@ struct PrintedTimings {
   std::vector<PrintedTiming> touched;    ///< and force generation
 };
 
-/// Tables 3.3 and 3.4: a column each.
+/// A column of Tables 3.3 and 3.4.
 struct PrintedTree {
   int height = 0;
   std::string leaf_share;  ///< r, a fraction
@@ -48,7 +48,7 @@ struct PrintedMean {
   std::string degree;
 };
 
-/// Figure 5.3 and the last table of Appendix C: a point each.
+/// A point of Figure 5.3 and the last table of Appendix C.
 struct PrintedKey {
   std::string figure_major_cm;
   std::string figure_ratio;

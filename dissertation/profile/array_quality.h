@@ -85,7 +85,7 @@ struct ProfileResults {
 const ArrayQuality& ofSize(const ArraySweep& all, int entries);
 std::size_t indexOf(int entries);
 
-/// A paragraph each, most important first.
+/// Paragraphs, most important first.
 std::vector<std::string> profileFindings(const ProfileResults& results);
 
 }  // namespace palpate::study

@@ -1,4 +1,4 @@
-// The study of the profile's array: sweep the sizes, look at the skin, time the look-up, say what follows.
+// The study of the profile's array: sweep the sizes, look at the skin, time the look-up, state the findings.
 #include "dissertation/studies.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // Layered tissue under a rigid ball: finite element results of finite strain, made outside this project.
 //
-// The truth for the rivals of Table 4.1. layered_truth.json says how it was made and checked.
+// The truth for the rivals of Table 4.1. layered_truth.json describes how it was made and checked.
 #pragma once
 
 #include <string>

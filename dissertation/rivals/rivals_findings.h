@@ -26,7 +26,7 @@ Extent errorsOf(const RivalsMeasurement& found, Rival rival);
 double meanErrorOf(const RivalsMeasurement& found, Rival rival);
 double slowestUs(const RivalsMeasurement& found, Rival rival);
 
-/// A paragraph each, most important first.
+/// Paragraphs, most important first.
 std::vector<std::string> rivalFindings(const RivalsMeasurement& found);
 
 // The pictures of the study of rivals: sections through the pressed skin, error against time, skins coloured by error.

@@ -47,7 +47,7 @@ SearchMeasurement measureSearches(const SearchPlan& plan, const Progress& progre
 
 // Findings of the searches' measurement: sentences made of nothing but its numbers.
 
-/// A paragraph each, most important first.
+/// Paragraphs, most important first.
 std::vector<std::string> searchFindings(const SearchMeasurement& found);
 
 }  // namespace palpate::study

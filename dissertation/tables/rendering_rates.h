@@ -68,7 +68,7 @@ RatesMeasurement measureRates(const RatesPlan& plan, const Progress& progress);
 
 // Findings from measured against printed rates: sentences made of nothing but the measurement.
 
-/// A paragraph each, most important first. `found` must have rows.
+/// Paragraphs, most important first. `found` must have rows.
 std::vector<std::string> ratesFindings(const RatesMeasurement& found);
 
 }  // namespace palpate::study

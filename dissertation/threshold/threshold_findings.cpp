@@ -14,7 +14,7 @@ namespace {
 using hdb::TreeKind;
 
 constexpr double kNearlyAsGood = 1.25;
-// A touching finger that renders so much of all is hardly helped by a partition; the text itself speaks of a third.
+// A touching finger that renders this share of all is hardly helped by a partition; the text itself names a third.
 constexpr double kHardlyAPartition = 1.0 / 3.0;
 // Cost of drawing a triangle here, about (`palpate study tables`), us.
 constexpr double kDrawingMicroseconds = 0.1;

@@ -49,7 +49,7 @@ ThresholdRow rowAt(const std::vector<ThresholdRow>& rows, Index threshold);
 
 // Findings from the frames about the threshold: sentences made of nothing but the measurement.
 
-/// A paragraph each, most important first.
+/// Paragraphs, most important first.
 std::vector<std::string> thresholdFindings(const ThresholdMeasurement& found);
 
 /// The time of a frame at the printed threshold over that at the fastest, of one model and tree.
