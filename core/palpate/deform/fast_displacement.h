@@ -2,7 +2,7 @@
 // kernels' floats.
 //
 // One of the two things that Deformer's pipeline can be filled with (the other: general_displacement.h): it frames a
-// contact, finds its region, says how far contacts feel each other, and moves blocks of vertices.
+// contact, finds its region, computes the coupling of contacts, and moves blocks of vertices.
 // Based on: Ji, dissertation 2008, chapter 4, with E14, E18, E19 and E23.
 #pragma once
 
@@ -47,8 +47,8 @@ class RegionByBlocks {
   Index visitedBlocks() const noexcept { return visited_blocks_; }
 
  private:
-  /// A tile, by bits of its blocks. A block is `whole` if it lies inside and hangs together: one vertex of it reached
-  /// is all reached. It is at the `rim` if nothing is known of it as a whole. Any other lies outside.
+  /// A tile, by bits of its blocks. A block is `whole` if it lies inside and is connected: one vertex of it reached is
+  /// all reached. It is at the `rim` if nothing is known of it as a whole. Any other lies outside.
   struct Tile {
     std::uint64_t whole = 0;
     std::uint64_t rim = 0;

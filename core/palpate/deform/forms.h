@@ -1,7 +1,7 @@
 // Every form of the deformation that the dissertation describes, as settings: which profile, which region, which way
 // of combining, and which errata as printed.
 //
-// With the defaults all of it is what the fast displacement does; needsForms says what takes the general one.
+// With the defaults all of it is what the fast displacement does; needsForms decides when the general one is needed.
 // docs/reference/deformation-forms.md has a table of what each form is for.
 // Based on: Ji, dissertation 2008, chapter 4, with E18, E20, E21, E24 and E25.
 #pragma once
@@ -88,7 +88,7 @@ inline bool sharesRegion(const FormSettings& forms) {
 }
 
 /// True if skin is held back where it would tear or fold: not by choice, not where the displacement is as printed, and
-/// not where the region does not hang together.
+/// not where the region is not connected.
 bool limitsShear(const FormSettings& forms);
 
 /// True if the fast displacement cannot do it. Forms of regions alone (constant, shared, scaled, two_mm) do not count:

@@ -52,8 +52,8 @@ class IncrementalNormals {
   double scale_ = 1.0;
   double largest_ = 0.0;  // largest component of one triangle, in fixed units: sums cannot overflow
   std::vector<Vec3f> positions_;
-  std::vector<Fixed> areas_;      // a triangle each
-  std::vector<Fixed> sums_;       // a vertex each
+  std::vector<Fixed> areas_;      // one per triangle
+  std::vector<Fixed> sums_;       // one per vertex
   std::vector<Fixed> rest_sums_;  // likewise
   std::vector<Index> changed_;
   std::vector<std::uint64_t> is_listed_;  // one bit a triangle

@@ -52,7 +52,7 @@ struct BlockEntry {
   bool is_level;  ///< as in BlockPart
 };
 
-/// Vectors whose length is not said have one entry a contact.
+/// Vectors have one entry per contact unless stated otherwise.
 template <class Displacement>
 struct Plan {
   using Frame = typename Displacement::Frame;

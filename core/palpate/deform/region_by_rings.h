@@ -35,8 +35,8 @@ class RegionByRings {
     edges_.reserve(skin.blocks);
   }
 
-  /// The region around the anchor's triangle, where `placeOf(vertex)` says who lies in it. Blocks in the order of
-  /// discovery; valid until the next call. No allocation.
+  /// The region around the anchor's triangle, where `placeOf(vertex)` decides which vertices lie in it. Blocks in the
+  /// order of discovery; valid until the next call. No allocation.
   template <class PlaceOf>
   std::span<const BlockPart> find(const Skin& skin, const Triangle& anchor_triangle, RingRule rule,
                                   const PlaceOf& place_of) noexcept {

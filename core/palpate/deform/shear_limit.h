@@ -155,7 +155,7 @@ struct Pull {
   std::size_t contact = 0;  ///< index among those that the displacement has framed
   std::span<const BlockPart> region;
   /// Vertices next to the region that lie within its ellipses and yet stay, those in it that are steep, and some more;
-  /// without those of which faintAtEdge says that they do not matter.
+  /// without those that do not matter by faintAtEdge.
   std::span<const BlockPart> edges;
   double press_mm = 0.0;        ///< motion of its centre, not below 0
   double drag_mm = 0.0;         ///< likewise

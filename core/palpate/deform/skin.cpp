@@ -84,8 +84,8 @@ Interval intervalOf(std::span<const float> values) {
   return {centre, half + kRounding * (half + std::abs(centre))};
 }
 
-/// Boxes around the vertices of each block and around their normals: what lets a whole block be taken or left at once.
-/// A block with a number that is not finite has boxes of NaN: nothing can be said of it as a whole.
+/// Boxes around the vertices of each block and around their normals: they let a whole block be taken or left at once. A
+/// block with a number that is not finite has boxes of NaN: it is never decided as a whole.
 FloatStreams boundsOfBlocks(const Skin& skin) {
   FloatStreams bounds(12, std::size_t{blocksFor(skin.blocks)} * kTileBlocks, 0);
   for (Index block = 0; block < skin.blocks; ++block) {

@@ -17,9 +17,9 @@ namespace palpate::deform {
 
 // Connections of things in groups of 64: a search moves through it with whole words, one bit a thing.
 //
-// The skin has two of these, one above the other: vertices in blocks, and blocks in tiles. Edges within a
-// group are one word a thing; edges between two groups are collected in a link that says which ends it has, so that a
-// group that is reached as a whole crosses it in one step.
+// The skin has two of these, one above the other: vertices in blocks, and blocks in tiles. Edges within a group are one
+// word a thing; edges between two groups are collected in a link with its ends, so that a group that is reached as a
+// whole crosses it in one step.
 
 /// An edge between two groups: thing `from` of this group, thing `to` of the other (both within their group).
 struct CrossEdge {
@@ -55,7 +55,7 @@ GroupGraph groupGraph(const mesh::IndexRows& neighbours);
 /// The same things one level up: groups, joined where a link is.
 mesh::IndexRows neighboursOfGroups(const GroupGraph& graph);
 
-/// The things of `allowed` that hang together with `start` within a group.
+/// The things of `allowed` that are connected with `start` within a group.
 std::uint64_t grownWithin(const GroupGraph& graph, Index group, std::uint64_t start, std::uint64_t allowed) noexcept;
 
 /// The things of the linked group that have an edge to one of `from`.
@@ -81,7 +81,7 @@ struct Skin {
 
   GroupGraph vertex_graph;                      ///< vertices in blocks
   GroupGraph block_graph;                       ///< blocks in tiles
-  std::vector<std::uint64_t> connected_blocks;  ///< per tile: blocks whose vertices all hang together within the block
+  std::vector<std::uint64_t> connected_blocks;  ///< per tile: blocks whose vertices are all connected within the block
   /// Per block the centre and half size (x, y, z) of the box of its positions, then of its normals: 12 streams, padded
   /// to whole tiles.
   FloatStreams bounds;

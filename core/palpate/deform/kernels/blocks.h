@@ -28,7 +28,7 @@ struct BlockPart {
   std::uint64_t vertices;
 };
 
-/// A contact, as its way to displace has it, and which vertices of a block belong to its region.
+/// A contact in the form of its way to displace, and which vertices of a block belong to its region.
 template <class Mover>
 struct OnBlock {
   const Mover* mover;
