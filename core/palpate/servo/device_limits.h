@@ -18,7 +18,7 @@ namespace palpate::servo {
 
 /// The stiffness, N/mm in the hand, that loop and hand were found to keep at rest and no tap to take energy from, by
 /// the rate, the whole delay from sampling the pose to the force, and the device's mass. 0: none was. `palpate study
-/// stability --map`, docs/explanation/safety.md.
+/// stability --map`, docs/explanation/stability.md.
 double stableStiffness(double tick_s, double delay_ticks, const device::DeviceProfile& profile);
 
 /// Returns why such a device must not push a hand at this rate and delay, one line; empty: it may.
@@ -40,8 +40,8 @@ inline constexpr double kLoosestGuard = 4.0;
 /// Shortest start = "ramp" on a device, s.
 inline constexpr double kQuickestRampS = 0.1;
 
-/// The stiffest that this scene lets a hand feel on that device, N/mm: min(asked, what device, rate and delay keep at
-/// rest). With --unsafe-stiffness, the request.
+/// The stiffest that this scene lets a hand feel on that device, N/mm: min(request, the stiffest that device, rate and
+/// delay keep at rest). With --unsafe-stiffness, the request.
 double stiffnessCap(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double tick_s);
 
 /// At least up to this felt force all places keep their ratios, N: a choice within light palpation, which every known
@@ -67,7 +67,7 @@ LimiterSettings limiterSettings(const scene::SafetySettings& safety, const devic
                                 double tick_s);
 
 /// The same with the factor that this world's scene needs. `tick_s` is the loop's, which another scene may have begun;
-/// 0: as this scene says.
+/// 0: the scene's.
 LimiterSettings limiterSettings(const scene::World& world, const device::DeviceProfile& profile, double tick_s = 0.0);
 
 /// For a device of the kind that the scene names.

@@ -51,7 +51,7 @@ FingerSolvers makeSolvers(const contact::Surface& surface, const std::shared_ptr
                           std::size_t fingers, const std::optional<body::BreathField>& breath = {});
 
 /// Tick number `tick` of one finger; it counts where the surface moves with time. The state knows the surface at rest;
-/// the output says where things are now. No allocation, lock or exception.
+/// the output is for the present surface. No allocation, lock or exception.
 contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings& settings, contact::FingerState& state,
                             const Vec3& tip, std::uint64_t tick = 0) noexcept;
 
@@ -62,9 +62,9 @@ void lift(FingerSolver& solver, contact::FingerState& state) noexcept;
 contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOutput felt, double lift_mm) noexcept;
 
 /// Swaps what a finger touches, between two ticks. Its memory stays when it looks for the skin as before (the body is
-/// the caller's affair: for another one give it a new state), and starts again otherwise. The force goes from the one
-/// to the other as fast as the bound on steps allows, k (3 |dD| + c) (docs/explanation/contact.md). Nothing is
-/// allocated or freed.
+/// up to the caller: for another one give it a new state), and starts again otherwise. The force goes from the one to
+/// the other as fast as the bound on steps allows, k (3 |dD| + c) (docs/explanation/contact.md). Nothing is allocated
+/// or freed.
 void exchange(FingerSolver& at_work, FingerSolver& next, contact::FingerState& state) noexcept;
 
 }  // namespace palpate::servo

@@ -1,12 +1,12 @@
 // The last thing between a computed force and a hand: the sent force is finite, bounded, and gives back no more than
-// the skin's own law says.
+// the skin's own law allows.
 //
 //   pose ─► guardTip ─► contact ─► limitForce ─► device
 //
 // limitForce, in this order: fault? -> start rule -> one factor for all stiffness -> slope held at the cap, soft toe ->
 // passivity -> clamp -> rate guard. Any fault ends the force in the same tick. The contact's own force is not touched;
 // traces hold both.
-// docs/explanation/safety.md has the promises and the measurements.
+// docs/explanation/safety.md has the promises, docs/explanation/stability.md the measurements.
 #pragma once
 
 #include <array>
@@ -58,10 +58,10 @@ double localStiffness(const contact::FingerOutput& contact, const tissue::ForceL
 //
 // A spring that is sampled and held pushes a little more on the way out than on the way in. The observer adds up that
 // difference, tick by tick, against the model itself and not against zero: the skin may take energy (friction) and give
-// it (a stiff place next to a soft one) as its own law says, and only the loop's part is counted. Based on: Hannaford
-// and Ryu, "Time-domain passivity control of haptic interfaces", IEEE Trans. Robot. Autom. 18 (2002), and later work
-// that compares with a reference energy. The treatment of delay, friction and bounds is our own;
-// docs/explanation/safety.md measures it.
+// it (a stiff place next to a soft one) by its own law, and only the loop's part is counted. Based on: Hannaford and
+// Ryu, "Time-domain passivity control of haptic interfaces", IEEE Trans. Robot. Autom. 18 (2002), and later work that
+// compares with a reference energy. The treatment of delay, friction and bounds is our own;
+// docs/explanation/stability.md measures it.
 
 /// Longest delay that the observer can follow, in ticks.
 inline constexpr double kLongestDelayTicks = 12.0;
@@ -135,7 +135,7 @@ inline constexpr std::uint32_t kFaultBits =
 
 struct LimiterSettings {
   bool limited = true;              ///< false: the contact's force as it is, for what pushes no hand
-  bool unsafe = false;              ///< more than the device is trusted with, by --unsafe-stiffness; said, not used
+  bool unsafe = false;              ///< allowed by --unsafe-stiffness; reported, not used
   double force_n = 3.3;             ///< the largest
   double stiffness_factor = 1.0;    ///< on all forces: up to compared_n no place is stiffer than the device can render
   double cap_n_per_mm = 0.0;        ///< no force of layered tissue, after that factor, grows faster; 0: none would

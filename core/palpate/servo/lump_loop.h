@@ -50,7 +50,7 @@ class LumpLoop {
   std::vector<Finger> fingers_;
   std::vector<contact::LumpPress> presses_ = std::vector<contact::LumpPress>(fingers_.size());  ///< side by side
   contact::LumpPlaces places_;
-  std::size_t placed_ = contact::kMaxLumps;  ///< a lump that place() spoke of; or kMaxLumps
+  std::size_t placed_ = contact::kMaxLumps;  ///< the lump of the last place(); or kMaxLumps
   Vec2 placed_at_mm_ = Vec2::Zero();
 };
 

@@ -22,7 +22,7 @@ struct FingerChain {
   device::Device device;
   contact::FingerState contact;
   LimiterState limiter;
-  std::uint32_t forgot = 0;  ///< trace::ForgetBits since the last tick, which says them and clears them
+  std::uint32_t forgot = 0;  ///< trace::ForgetBits since the last tick, which reports and clears them
 };
 
 /// The finger was put elsewhere: it forgets what it touched.
@@ -40,7 +40,7 @@ struct Rig {
   double tick_s = 0.001;
   std::vector<FingerChain> fingers;
   EmergencyStop* emergency_stop = nullptr;  ///< owned by the loop's caller; may be null
-  std::uint32_t world = 0;                  ///< counts the worlds that were exchanged; samples say it
+  std::uint32_t world = 0;                  ///< counts the worlds that were exchanged; part of every sample
 };
 
 /// Parts of a rig; each vector has an entry a finger.
@@ -49,7 +49,7 @@ struct RigParts {
   std::vector<contact::FingerSettings> fingers;
   std::vector<device::Device> devices;
   LimiterSettings limiter;
-  double tick_s = 0.001;  ///< in place of the settings' own: catch-up, ramps and limits are so much a second
+  double tick_s = 0.001;  ///< in place of the settings' own: catch-up, ramps and limits are per second
 };
 
 Rig rigOf(RigParts parts);
