@@ -3,7 +3,7 @@
 //   arrays ─ meshFromArrays ─► mesh ─ repair, spatial order ─► scene::build ─► World + who became whom
 //
 // The world's vertices and triangles are not in the order they were given in: seams are welded, faults mended, and
-// neighbours in space are neighbours in memory. The maps say where everything went.
+// neighbours in space are neighbours in memory. The maps give the new places.
 #pragma once
 
 #include <cmath>
@@ -39,7 +39,7 @@ struct WorldFromArrays {
 };
 
 /// `mesh` may have any faults that scene::build mends; the scene gives everything but the body, and needs no fingers.
-/// `stiffness_n_per_mm` has a value for each given vertex, finite and >= 0, or is empty: then the scene says.
+/// `stiffness_n_per_mm` has a value for each given vertex, finite and >= 0, or is empty: then the scene's is used.
 /// `file_notes`, of MeshWithChannels where a file was read, come first among the world's notes.
 /// Throws Error as scene::build does, and for stiffnesses that are not so.
 WorldFromArrays worldFromMesh(const mesh::TriangleMesh& mesh, std::span<const double> stiffness_n_per_mm = {},

@@ -31,14 +31,14 @@ inline constexpr std::uint32_t kMaxStreamedContacts = 1024;
 
 struct StreamedSkin {
   mesh::TriangleMesh mesh;
-  /// A vertex each: how much of StreamedFrame::lift_mm it moves along +z; empty where the body does not breathe.
+  /// Per vertex, the share of StreamedFrame::lift_mm that it moves along +z; empty where the body does not breathe.
   std::vector<float> breath_share = {};
 };
 
 /// One finger in one frame, rounded to floats: it is shown, not computed with. For a free one only the tip is sent: it
 /// has no normal, force and depth, and its proxy is the tip.
 struct StreamedFinger {
-  Vec3 tip = Vec3::Zero();  ///< mm; 1e4 or more from the body: it is nowhere
+  Vec3 tip = Vec3::Zero();  ///< mm; 1e4 or more from the body: no place
   Vec3 proxy = Vec3::Zero();
   Vec3 normal = Vec3::Zero();  ///< unit, out of the skin
   Vec3 force = Vec3::Zero();   ///< on the finger as the skin gives it, N
@@ -53,14 +53,14 @@ struct StreamedFrame {
   std::vector<deform::Contact> contacts = {};  ///< contacts of all fingers, for Deformer::apply
 };
 
-/// Positions, triangles and shares of the breath (a vertex each, or none).
+/// Positions, triangles and shares of the breath (one per vertex, or none).
 std::string encodedSkin(const mesh::TriangleMesh& mesh, std::span<const float> breath_share = {});
 /// Throws Error naming the byte: wrong kind, version or size, a place that is not finite, a triangle of a vertex that
 /// is not there.
 StreamedSkin decodeSkin(std::string_view bytes);
 
 std::string encodedForms(const deform::FormSettings& forms);
-/// Throws Error likewise. Whether a profile is one is for Deformer to say.
+/// Throws Error likewise. Deformer checks the profile.
 deform::FormSettings decodeForms(std::string_view bytes);
 
 /// Replaces `bytes`; allocates only while they grow. Not more than kMaxStreamedFingers and kMaxStreamedContacts.

@@ -14,7 +14,7 @@ namespace palpate::engine {
 
 /// False for a pad that no scene may have: taxels or size out of range.
 bool isPad(const contact::PressurePad& pad) noexcept;
-/// Throws Error that says which.
+/// Throws Error naming the fault.
 void checkPad(const contact::PressurePad& pad);
 
 /// Pressures in one world. Immutable; any number of threads.

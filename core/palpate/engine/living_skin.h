@@ -34,7 +34,7 @@ class LivingSkin {
   LivingSkin(const scene::World&& world, const LivingSkinSettings& settings = {}) = delete;
 
   /// Deforms the surface by these fingers, whatever it was before; none: to rest. Fingers in free space do not count.
-  /// The report says what could not be followed. No allocation.
+  /// The report lists contacts that could not be followed. No allocation.
   /// `tick` is when they felt it, which counts on a body that breathes.
   deform::Report follow(std::span<const contact::FingerOutput> fingers, std::uint64_t tick = 0) noexcept;
   deform::Report follow(std::span<const trace::Sample> samples) noexcept;

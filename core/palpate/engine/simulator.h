@@ -48,7 +48,7 @@ class Simulator {
  private:
   std::shared_ptr<const scene::World> world_;
   std::vector<Finger> fingers_;
-  std::vector<contact::FingerOutput> felt_;  ///< a finger each, of its last tick
+  std::vector<contact::FingerOutput> felt_;  ///< one per finger, of its last tick
   std::optional<LivingSkin> skin_;
 };
 
