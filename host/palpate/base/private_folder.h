@@ -25,7 +25,7 @@ void requireClosedFile(const std::filesystem::path& file, OthersOfFile others = 
 /// A fresh folder of mode 0700, "<stem>-XXXXXX", where temporary files belong. Throws Error.
 std::filesystem::path newTemporaryFolder(std::string_view stem);
 
-/// newTemporaryFolder that goes with the object, and all that is in it.
+/// A newTemporaryFolder that is removed with the object, with its contents.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(std::string_view stem) : path_(newTemporaryFolder(stem)) {}

@@ -88,7 +88,7 @@ struct DeviceName {
 DeviceName deviceNamed(std::string_view words);
 
 /// Names that a file (a scene, a recording) may use: every device, but a plugin only as it lies in one of the folders
-/// of PALPATE_DEVICE_PLUGINS, since no file may say which code runs. Throws Error with the reason, and like
+/// of PALPATE_DEVICE_PLUGINS, since no file may choose which code runs. Throws Error with the reason, and like
 /// backEndNamed.
 DeviceName deviceNamedInFile(std::string_view words);
 

@@ -79,7 +79,7 @@ class Bundle {
     std::set<fs::path> found;
     for (const fs::path& file : filesOfScenes()) {
       const fs::path real = fs::canonical(file, error);
-      if (error) continue;  // where it is needed, `pack` says that it is not there
+      if (error) continue;  // `pack` reports it if it is needed
       const auto holds = [&real](const fs::path& place) { return isAtOrIn(real, place); };
       if (std::none_of(places.begin(), places.end(), holds)) found.insert(real);
     }
@@ -117,7 +117,7 @@ class Bundle {
   }
 
  private:
-  /// Where the recording's files lay says who recorded it.
+  /// The folder of the recording's files reveals who recorded it.
   void hideFolders() {
     const trace::RecordingFacts& facts = recording_.facts();
     for (std::uint64_t i = 0; i < facts.worlds; ++i) {

@@ -1,5 +1,5 @@
 // A recording with everything that it takes to feel it again somewhere else: the files that its scene names travel in
-// the recording file, under names that say nothing of where they lay.
+// the recording file, under names that do not reveal their folders.
 //
 //   recording, files of its scene ─ bundle ─► recording with attachments of the kind "file" ─ CarriedFiles ─► a folder
 //                                                                            └─ builtWorld, replay

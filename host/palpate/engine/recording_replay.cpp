@@ -138,7 +138,7 @@ std::string valueOf(const trace::SampleColumn& column, std::uint64_t bits) {
   return column.type == "f64" ? fmt::format("{}", std::bit_cast<double>(bits)) : fmt::format("{}", bits);
 }
 
-/// Farther than any finger is felt. A lost finger's sample says where it was before.
+/// Farther than any finger is felt. A lost finger's sample has its last place.
 constexpr double kFarAwayMm = 1e12;
 
 Vec3 tipOf(const trace::Sample& sample) {
@@ -149,7 +149,7 @@ Vec3 tipOf(const trace::Sample& sample) {
 void forget(std::uint32_t bits, servo::FingerChain& chain) {
   if ((bits & trace::kForgotTouch) != 0) forgetTouch(chain);
   if ((bits & trace::kForgotLimiter) == 0) return;
-  const bool closes_loop = chain.limiter.closes_loop;  // as the settings say
+  const bool closes_loop = chain.limiter.closes_loop;  // by the settings
   chain.limiter = {};
   chain.limiter.closes_loop = closes_loop;
 }
@@ -244,7 +244,7 @@ class Replay {
     lumps_forgotten_ = true;
   }
 
-  /// A lump is where the recording has it, until what moves it is known.
+  /// A lump is at its recorded place, until what moves it is known.
   void placeLump(const trace::Sample& sample, servo::FingerChain& chain) {
     if (chain.solver.lumps && std::exchange(lumps_forgotten_, false)) {
       chain.solver.lumps->forget(*chain.solver.surface->lumps);
@@ -308,7 +308,7 @@ class Replay {
   std::vector<servo::FingerChain> fingers_;
   bool was_whole_ = true;                        ///< the last tick had all fingers
   bool lumps_forgotten_ = false;                 ///< and the loop does not know yet
-  std::bitset<contact::kMaxLumps> lumps_known_;  ///< none before the recording has said where it is
+  std::bitset<contact::kMaxLumps> lumps_known_;  ///< none before its place was recorded
   std::vector<std::shared_ptr<const scene::World>> worlds_;
   std::pair<std::string, std::filesystem::path> built_from_;  ///< scene and folder of the last of them
   std::uint32_t number_ = std::numeric_limits<std::uint32_t>::max();

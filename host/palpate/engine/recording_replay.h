@@ -4,8 +4,8 @@
 //   RecordingReader ─ tick ─► touch, limiter ─► samples ─ compared ─► ReplayReport
 //
 // The inputs of a tick are in its sample: the tip that was used, whether the finger had been put elsewhere, and what
-// the limiter said of the device. So contact, contact force, limiter and the force sent to the device are all computed
-// again, by the code that computed them first.
+// the limiter reported about the device. So contact, contact force, limiter and the force sent to the device are all
+// computed again, by the code that computed them first.
 #pragma once
 
 #include <filesystem>

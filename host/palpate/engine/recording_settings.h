@@ -15,7 +15,7 @@
 
 namespace palpate::engine {
 
-/// "radius_mm = 8", a line each; numbers read back to the same bits.
+/// "radius_mm = 8", one per line; numbers read back to the same bits.
 std::string asText(const contact::FingerSettings& settings);
 std::string asText(const servo::LimiterSettings& settings, bool closes_loop);
 
@@ -24,7 +24,7 @@ contact::FingerSettings contactSettingsFrom(const std::string& text);
 struct RecordedLimiter {
   servo::LimiterSettings settings;
   bool closes_loop = true;
-  bool follows_exchange = false;  ///< servo::Handover::follows; recordings from before it say nothing of it
+  bool follows_exchange = false;  ///< servo::Handover::follows; older recordings lack it
 };
 RecordedLimiter limiterFrom(const std::string& text);
 /// A limiter's limits, for people.

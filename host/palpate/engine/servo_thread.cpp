@@ -1,6 +1,6 @@
-// A plan is taken between two ticks by swapping solvers with the rig, so that what would have to be freed goes back
-// inside the plan before. One plan is offered at a time; the next waits with the owner, and a newer one in its place
-// inherits its `other_body`, or a finger would go on touching triangles that are gone.
+// A plan is taken between two ticks by swapping solvers with the rig, so that objects that would have to be freed go
+// back inside the plan before. One plan is offered at a time; the next waits with the owner, and a newer one in its
+// place inherits its `other_body`, or a finger would go on touching triangles that are gone.
 #include "palpate/engine/servo_thread.h"
 
 #include <fmt/format.h>

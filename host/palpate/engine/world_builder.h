@@ -48,7 +48,7 @@ class WorldBuilder {
   /// Looks at a finished world on the worker's thread and throws to refuse it. May be empty.
   using Check = std::function<void(const scene::World&)>;
 
-  /// `patient`: everything else that this computer does goes first, a hand that touches meanwhile above all.
+  /// `patient`: all other work of this computer goes first, a hand that touches meanwhile above all.
   explicit WorldBuilder(Check check = {}, bool patient = true);
   /// Gives up the work under way and joins.
   ~WorldBuilder();

@@ -124,7 +124,7 @@ Keys otherKeys() {
   };
 }
 
-/// A file goes with the profile "user" and with no other.
+/// A file belongs to the profile "user" alone.
 void checkProfileFile(const ProfilePlace& place, const D& settings, const Entry& entry) {
   const bool is_user = (settings.forms.*place.settings).kind == tissue::ProfileKind::user;
   const bool has_file = !(settings.*place.file).empty();

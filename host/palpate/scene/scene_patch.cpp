@@ -139,7 +139,7 @@ class Patch {
   void changeList(const TomlList* list, const Section& section, const std::vector<Rows>& was,
                   const std::vector<Rows>& is) {
     const std::vector<int> partner = partners(was, is);
-    std::size_t end = text_.size();  // where a table goes that comes now
+    std::size_t end = text_.size();  // place of the next new table
     if (list != nullptr && !list->empty()) end = headerOf(tableAt(*list, 0));
     std::vector<bool> stays(was.size(), false);
     for (std::size_t j = 0; j < is.size(); ++j) {

@@ -21,7 +21,7 @@ std::string sceneAsToml(const Scene& scene, const std::filesystem::path& folder 
 
 /// The row's value as in a file of this folder: names of files under it are relative to it.
 std::string valueIn(const std::filesystem::path& folder, const KeyRow& row);
-/// "key = value", a line for each row that says something else than its row of `defaults`.
+/// "key = value", a line for each row that differs from its row of `defaults`.
 std::string linesOf(const std::vector<KeyRow>& rows, const std::vector<KeyRow>& defaults,
                     const std::filesystem::path& folder);
 
@@ -32,10 +32,9 @@ void save(const Scene& scene, const std::filesystem::path& file);
 // layout stay. The TOML library reads comments away and cannot write them again; it does say where each key and value
 // is.
 
-/// The text of a scene file, changed to say what `scene` says; `file` is where it will lie. Lines that hold nothing but
-/// a comment are never lost. Nothing when the text does not read back as the scene: it is not a scene file, or holds
-/// its tables in a form that is not patched (keys to be added to `friction.static = 1`, or tables to a list in
-/// brackets).
+/// The text of a scene file, changed to mean `scene`; `file` is where it will lie. Lines that hold nothing but a
+/// comment are never lost. Nothing when the text does not read back as the scene: it is not a scene file, or holds its
+/// tables in a form that is not patched (keys to be added to `friction.static = 1`, or tables to a list in brackets).
 std::optional<std::string> patchedScene(std::string_view text, const Scene& scene, const std::filesystem::path& file);
 
 }  // namespace palpate::scene

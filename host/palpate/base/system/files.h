@@ -1,5 +1,5 @@
-// Files and folders as the system has them, for base/output_file.cpp and base/private_folder.cpp, which say what is
-// done with them. No words and no exceptions: what fails returns false, or -1, and leaves its reason in errno.
+// The system's files and folders, for base/output_file.cpp and base/private_folder.cpp, which say what is done with
+// them. No words and no exceptions: what fails returns false, or -1, and leaves its reason in errno.
 #pragma once
 
 #include <cstddef>

@@ -45,7 +45,7 @@ std::ptrdiff_t writeSome(int descriptor, std::string_view bytes) {
 }
 
 bool flush(int descriptor) {
-  // Some file systems cannot, and say so with one of these; a disk that failed says another.
+  // Some file systems cannot, and return one of these; a failed disk returns another.
   return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
 }
 
@@ -107,7 +107,7 @@ fs::path makeTemporaryFolder(std::string_view stem) {
 
 fs::path runtimeFolder() {
   const std::string named = variable("XDG_RUNTIME_DIR");
-  // The specification of base directories: a relative path there is to be ignored.
+  // The specification of base directories: a relative path there must be ignored.
   if (named.starts_with('/') && mayWrite(named)) return fs::path(named) / "palpate";
   return fs::temp_directory_path() / fmt::format("palpate-{}", ::geteuid());
 }

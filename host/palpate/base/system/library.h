@@ -1,5 +1,5 @@
-// A library that is opened while the program runs; device/hardware/shared_library.h says what becomes of it. Thread: as
-// the system's loader, any.
+// A library that is opened while the program runs; see device/hardware/shared_library.h for its use. Thread: as the
+// system's loader, any.
 #pragma once
 
 #include <filesystem>

@@ -8,8 +8,8 @@
 namespace palpate::system {
 
 /// The IP addresses of those of this computer's interfaces that are up, loopback among them, in the order in which the
-/// system has them; none where it does not say. Link-local ones of IPv6 are left out: users cannot name their interface
-/// in a browser.
+/// system has them; none if unknown. Link-local ones of IPv6 are left out: users cannot name their interface in a
+/// browser.
 std::vector<std::string> ownAddresses(bool v6_too);
 
 /// Call before the socket is bound: reserves its port, which a socket that ended a moment ago does not keep.

@@ -46,7 +46,7 @@ std::filesystem::path settingsFolder();
 std::filesystem::path stateFolder();
 std::filesystem::path cacheFolder();
 
-/// The file of the running program; empty where the system does not say.
+/// The file of the running program; empty if unknown.
 std::filesystem::path ownProgram();
 
 /// From now on the texts of <folder>/<code>/LC_MESSAGES/palpate.mo, a catalogue of gettext, replace those of the code.

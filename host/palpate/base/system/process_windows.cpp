@@ -69,7 +69,7 @@ bool begin(const std::filesystem::path& program, const std::string& called, cons
   return begun != 0;
 }
 
-/// The exit code of one that ended by itself, else that of its fault, never below 0; -1 if unknown.
+/// The exit code of one that ended normally, else that of its fault, never below 0; -1 if unknown.
 int endOf(const PROCESS_INFORMATION& child) {
   ::WaitForSingleObject(child.hProcess, INFINITE);
   DWORD answer = 0;
@@ -183,7 +183,7 @@ std::vector<std::string> commandLine(int, char**) {
   return own;
 }
 
-void returnLargeArrays() noexcept {}  // its heap does by itself
+void returnLargeArrays() noexcept {}  // its heap returns them automatically
 
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
                   const std::vector<std::string>& words) {

@@ -24,8 +24,8 @@ void releaseMemory();
 /// Sleeps until the monotonic clock shows this; may wake late. Takes no memory.
 void sleepUntil(std::int64_t ns) noexcept;
 
-/// The calling thread goes behind what draws and touches: its nice value, 1 to 19. Nothing happens where that would
-/// slow the whole process.
+/// Ranks the calling thread behind drawing and touching: its nice value, 1 to 19. Nothing happens where that would slow
+/// the whole process.
 void lowerPriority(int nice);
 
 }  // namespace palpate::system

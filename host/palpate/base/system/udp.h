@@ -17,7 +17,7 @@ struct UdpPeer {
 
 class UdpPort {
  public:
-  /// Bound and open; `trouble` is empty then, and else says why not.
+  /// Bound and open; `trouble` is empty then, else the reason.
   explicit UdpPort(const UdpPeer& at);
   ~UdpPort();
   UdpPort(const UdpPort&) = delete;

@@ -30,7 +30,7 @@ struct DriverReading {
 struct DriverLinkSettings {
   double tick_s = 0.001;         ///< servo's
   double driver_rate_hz = 1000;  ///< rate of the driver's loop
-  double max_force_n = 0.0;      ///< no longer force goes out; 0: as it comes
+  double max_force_n = 0.0;      ///< upper bound of the force; 0: none
 };
 
 /// An opened device, or the reason why not.

@@ -28,7 +28,7 @@ class DriverThread {
  public:
   /// Starts at once, with real-time priority if the system allows it. `work` must not throw.
   DriverThread(std::function<void()> work, double rate_hz);
-  /// Waits for the work at hand.
+  /// Waits for the current work.
   ~DriverThread();
   DriverThread(const DriverThread&) = delete;
   DriverThread& operator=(const DriverThread&) = delete;

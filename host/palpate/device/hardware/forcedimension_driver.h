@@ -51,12 +51,12 @@ std::vector<std::string> libraryNames(const std::string& file);
 std::vector<std::string> resolveApi(const SharedLibrary& library, Api& api);
 
 struct Version {
-  int major = 0;  ///< 0: the library does not say
+  int major = 0;  ///< 0: unknown
   std::string words;
 };
 Version versionOf(const Api& api);
 
-/// Published figures of a type of device, used where the library says nothing itself.
+/// Published figures of a type of device, used where the library has none.
 struct TypeProfile {
   int type;
   const char* model;
@@ -81,7 +81,7 @@ class Driver {
   /// One exchange. A device that does not answer for kLostAfter of them is looked for again now and then.
   void exchange() noexcept;
 
-  /// Zero force, forces off, and the library lets the device go; nothing is exchanged from then on.
+  /// Zero force, forces off, and the library releases the device; nothing is exchanged from then on.
   void letGo() noexcept;
 
   DriverLink& link() { return *link_; }

@@ -62,8 +62,8 @@ ForceKey forceKeyOf(ForceKey wanted, const Version& version, bool old_port);
 struct DeviceOrder {
   std::string_view id;
   Vec3 force_n = Vec3::Zero();
-  bool configure = false;  ///< its origin goes to the middle of its reach
-  bool probe = false;      ///< no force at all: the service lets it go idle
+  bool configure = false;  ///< moves its origin to the middle of its reach
+  bool probe = false;      ///< no force at all: the service lets it become idle
 };
 
 struct OrderForm {

@@ -53,7 +53,7 @@ class Connection {
 /// The body of the answer to GET `path`, if it was 200. Throws Error.
 std::string httpGet(const Address& address, const std::string& path, double patience_s);
 
-/// The environment variable that says where the service is, and how to speak to it.
+/// The environment variable with the service's address and options.
 inline constexpr const char* kServiceVariable = "PALPATE_HAPLY";
 
 /// Ports of a service of 3.1 or newer, and of one of 3.0.
@@ -112,7 +112,7 @@ class Session {
 
   /// The device of that id or hand, or the first that is not held. Throws Error for axes that are none.
   Added add(const OpenOptions& options);
-  /// Zero force, then none: the service lets the device go idle. The last one closes the connection.
+  /// Zero force, then none: the service lets the device become idle. The last one closes the connection.
   void release(const std::shared_ptr<Slot>& slot);
   /// For a session without a thread: an exchange, if this is the device that was opened first. It serves all of them.
   void exchangeByHand(const Slot& slot);

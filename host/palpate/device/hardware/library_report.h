@@ -33,7 +33,7 @@ void reportLibrary(const LibraryFindings& findings, Probe& probe);
 /// Whether a device of these makers is on the bus.
 void reportPlugged(std::string_view makers, std::span<const UsbDevice> plugged, Probe& probe);
 
-/// A driver that gives no device says less than the bus does: nothing plugged in, or no right to open it.
+/// A driver without a device reports less than the bus: nothing plugged in, or no right to open it.
 void explainByBus(std::span<const UsbDevice> plugged, std::string_view rule_name, Probe& probe);
 
 }  // namespace palpate::device

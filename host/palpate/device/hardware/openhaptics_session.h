@@ -141,7 +141,7 @@ class Session {
 
   /// Initialises a device and puts it on the scheduler. Throws Error for axes that are none.
   Added add(const OpenOptions& options);
-  /// Zero force at once; the driver lets the device go with the last of them.
+  /// Zero force at once; the driver releases the device with the last of them.
   void release(const std::shared_ptr<Slot>& slot);
   /// Initialises a lost device again; true when the driver has it again. Not while another finger feels: the scheduler
   /// would have to stop under it.

@@ -1,5 +1,5 @@
-// A plugin's device -> Device; what `palpate devices` says of the plugins in the user's folders. Cold path but for the
-// three functions of a tick, which are the driver's.
+// A plugin's device -> Device; the report of `palpate devices` on the plugins in the user's folders. Cold path but for
+// the three functions of a tick, which are the driver's.
 #include "palpate/device/detail/each_back_end.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // dueForce() -> write; read -> checked -> publish(). A plugin that answers at once is called by the servo, and letting
-// go waits for the call at hand: the servo never waits.
+// go waits for the current call: the servo never waits.
 #include "palpate/device/hardware/plugin_driver.h"
 
 #include <fmt/format.h>

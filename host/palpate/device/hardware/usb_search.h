@@ -1,5 +1,5 @@
 // Finds a maker's USB devices that are plugged in, and whether this user may open them: read from /sys and /dev, where
-// the kernel says it, without a library and without opening anything.
+// the kernel lists them, without a library and without opening anything.
 #pragma once
 
 #include <filesystem>

@@ -26,7 +26,7 @@ namespace {
 constexpr double kMmInM = 1000.0;
 constexpr std::array kExtensions = {openxr::kHeadlessExtension, openxr::kClockExtension};
 
-/// A runtime says a handful in its whole life; a flood must not keep a picture from being drawn.
+/// A runtime sends a handful in its whole life; a flood must not keep a picture from being drawn.
 constexpr int kMaxEvents = 64;
 
 Error headsetError(const std::string& cause) { return Error("head tracker openxr: " + cause); }

@@ -32,7 +32,7 @@ namespace palpate::scene {
 struct Entry {
   const TomlNode& node;
   std::string_view file;
-  std::string name;  ///< as the user would say it, e.g. "finger.radius_mm"
+  std::string name;  ///< as the user writes it, e.g. "finger.radius_mm"
 
   std::size_t line() const { return node.line(); }
   [[noreturn]] void fail(std::string_view cause) const {

@@ -89,7 +89,7 @@ Section listSection(const std::string& name, const std::string& about, Access<Sc
   return {name, title, about, read, std::move(describe_rows), values};
 }
 
-// The tables that a scene file may hold, one function each; everything there is to say about a key is said there.
+// The tables that a scene file may hold, one function each; a key is completely described there.
 
 // The touched body: body_keys.cpp.
 Section bodySection();

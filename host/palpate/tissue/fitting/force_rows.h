@@ -46,7 +46,7 @@ double unseenRms(const ForceRows& rows, const Foretell& foretell);
 /// Rows below the skin as at most `most_rows` rows of a table; throws Error where no force is above 0.
 ForceTable smoothedTable(const ForceRows& rows, const Eigen::ArrayXd& weights, std::size_t most_rows = 24);
 
-/// N, as the rows say: straight between them, from the origin, on with the last slope. Without the law's scaling.
+/// N, by the rows: straight between them, from the origin, on with the last slope. Without the law's scaling.
 double forceIn(const ForceTable& table, double depth_mm);
 
 /// The text that user_profile.h reads.
