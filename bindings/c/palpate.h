@@ -168,7 +168,7 @@ PALPATE_API int32_t palpate_world_landmark(const palpate_world* world, size_t in
 /* Notes on the body for the user: repairs, a doubtful unit. Null past the last; valid until the last release. */
 PALPATE_API const char* palpate_world_note(const palpate_world* world, size_t index) PALPATE_NOEXCEPT;
 
-/* A lump under the skin: the scene's [[lump]] in this body (docs/explanation/lump-contact.md). */
+/* A lump under the skin: the scene's [[lump]] in this body (docs/explanation/lumps.md). */
 typedef struct palpate_lump {
   size_t size;
   double foot_mm[3];        /* on the skin at rest, over its middle */

@@ -1,4 +1,4 @@
-// Regularity of a mesh's triangles: `palpate body info --shape`, and the table of docs/explanation/trunk.md.
+// Regularity of a mesh's triangles: `palpate body info --shape`, and the table of docs/explanation/bodies.md.
 #pragma once
 
 #include <string>

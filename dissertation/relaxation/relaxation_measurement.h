@@ -45,7 +45,7 @@ RelaxationMeasurement measureRelaxation(bool quick, const Progress& progress);
 double lostAfter(const RelaxingSkin& skin, double seconds);
 
 /// Recorded losses of dead beef and those of the skin that models it, at 0.2, 0.5, 1 and 10 s: shares of the force
-/// (docs/explanation/relaxation.md).
+/// (docs/explanation/force-laws.md).
 struct BeefLoss {
   double seconds = 0.0;
   double recorded = 0.0;

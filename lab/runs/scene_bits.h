@@ -1,7 +1,7 @@
 // The bits of a scene's results, as three numbers: the same from every compiler, processor and system.
 //
 // Uses the core alone: tests/platforms/bits.cpp prints them for every platform, `palpate study credibility` compares
-// them with the ones that are kept. docs/explanation/same-bits.md
+// them with the ones that are kept. docs/explanation/credibility.md
 #pragma once
 
 #include <cstdint>

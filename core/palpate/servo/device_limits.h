@@ -18,7 +18,7 @@ namespace palpate::servo {
 
 /// The stiffness, N/mm in the hand, that loop and hand were found to keep at rest and no tap to take energy from, by
 /// the rate, the whole delay from sampling the pose to the force, and the device's mass. 0: none was. `palpate study
-/// stability --map`, docs/explanation/stability.md.
+/// stability --map`, docs/explanation/safety.md.
 double stableStiffness(double tick_s, double delay_ticks, const device::DeviceProfile& profile);
 
 /// Returns why such a device must not push a hand at this rate and delay, one line; empty: it may.

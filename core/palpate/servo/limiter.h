@@ -6,7 +6,7 @@
 // limitForce, in this order: fault? -> start rule -> one factor for all stiffness -> slope held at the cap, soft toe ->
 // passivity -> clamp -> rate guard. Any fault ends the force in the same tick. The contact's own force is not touched;
 // traces hold both.
-// docs/explanation/safety.md has the promises, docs/explanation/stability.md the measurements.
+// docs/explanation/safety.md has the promises and the measurements.
 #pragma once
 
 #include <array>
@@ -61,7 +61,7 @@ double localStiffness(const contact::FingerOutput& contact, const tissue::ForceL
 // it (a stiff place next to a soft one) by its own law, and only the loop's part is counted. Based on: Hannaford and
 // Ryu, "Time-domain passivity control of haptic interfaces", IEEE Trans. Robot. Autom. 18 (2002), and later work that
 // compares with a reference energy. The treatment of delay, friction and bounds is our own;
-// docs/explanation/stability.md measures it.
+// docs/explanation/safety.md measures it.
 
 /// Longest delay that the observer can follow, in ticks.
 inline constexpr double kLongestDelayTicks = 12.0;

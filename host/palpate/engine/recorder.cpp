@@ -1,5 +1,5 @@
 // The writer thread looks at the ring every few milliseconds. A world is announced before any sample names it, so a
-// sample of a world that the file lacks makes the thread read its words first.
+// sample of a world that the file lacks makes the thread run its commands first.
 #include "palpate/engine/recorder.h"
 
 #include <fmt/format.h>
@@ -195,7 +195,7 @@ void Recorder::run(Command& command) {
   writer_->flush();
   const double seconds = state().seconds;
   // On its own thread, because an hour takes longer than the ring holds.
-  copying_.emplace([this, file = *word.keep, seconds] {
+  copying_.emplace([this, file = *command.keep, seconds] {
     KeptRecording kept{file, seconds, {}};
     try {
       trace::copyRecording(partial_, file, "kept");

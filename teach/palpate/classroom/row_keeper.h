@@ -115,8 +115,8 @@ class RowKeeper {
 
   // Notes of the audit by number, which is the order of arrival.
   std::int64_t last_note_ = 0;
-  std::map<std::string, std::int64_t, std::less<>> marks_;             ///< marks of deletions
-  std::map<std::string, std::int64_t, std::less<>> for_all_;           ///< trainees deleted for every station
+  std::map<std::string, std::int64_t, std::less<>> marks_;                ///< marks of deletions
+  std::map<std::string, std::int64_t, std::less<>> for_all_;              ///< trainees deleted for every station
   std::map<std::pair<std::string, std::string>, std::int64_t> notified_;  ///< mark, station
 
   // Found before; forgotten when they are many, and whenever something is deleted.
