@@ -179,11 +179,35 @@ bool HuntJudge::isFarFromBorder(const Vec3& place, double reach) {
   return body_.slow().distanceToBorder(place) > kBorderShare * body_.diagonal() + settings_.radius_mm + reach;
 }
 
+/// From a way to four round it, ten times as far as rounding.
+std::array<Vec3, 4> HuntJudge::waysBeside(const Vec3& from, const Vec3& to) const {
+  const Vec3 along = to - from;
+  const Vec3 aside = along.unitOrthogonal() * (10.0 * body_.tolerance());
+  const Vec3 across = along.normalized().cross(aside);
+  return {Vec3(aside + across), Vec3(aside - across), Vec3(-aside + across), Vec3(-aside - across)};
+}
+
 bool HuntJudge::cameThroughSkin(const Vec3& tip) {
   const BoxTree::Crossing crossing = body_.tree().crossing(last_tip_, tip);
   if (crossing.inwards <= 0) return false;
   const double way = (tip - *crossing.entry).norm();
-  return way > body_.tolerance() && isFarFromBorder(*crossing.entry, way);
+  if (way <= body_.tolerance() || !isFarFromBorder(*crossing.entry, way)) return false;
+  // A way through an edge may be counted where it goes in and not where it comes out, or the other way round.
+  if (body_.nearest(last_tip_).distance > body_.tolerance()) {
+    const std::array<Vec3, 4> beside = waysBeside(last_tip_, tip);
+    return std::all_of(beside.begin(), beside.end(), [&](const Vec3& offset) {
+      return body_.tree().crossing(last_tip_ + offset, tip + offset).inwards > 0;
+    });
+  }
+  const NearestPoint nearest = body_.slow().nearestTo(tip);
+  return nearest.pseudo_normal.dot(tip - nearest.point) <= 0.0;
+}
+
+/// A fold that is inside out winds round what is in it the other way, a whole turn: a point that passes a front there
+/// is out of the body after it. A sheet alone never does, and leaves a half behind it.
+bool HuntJudge::cameOutOfFold(const Vec3& tip) {
+  return body_.selfIntersecting() && body_.winding(last_tip_) < kSurelyWhole - 1.0 &&
+         std::abs(body_.winding(tip)) < kSurelyWhole;
 }
 
 bool HuntJudge::wasHeldFarFromBorder(const Vec3& tip) {
@@ -193,12 +217,16 @@ bool HuntJudge::wasHeldFarFromBorder(const Vec3& tip) {
   return past_ == Past::held && !fades && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
 }
 
+double HuntJudge::pointTolerance() const {
+  return body_.selfIntersecting() ? kTinySphereShare * body_.diagonal() : body_.tolerance();
+}
+
 /// Where a sphere is that went over a border and has had nothing but the sheet continued flat under it since.
 std::optional<Vec3> HuntJudge::afloatAt(const contact::FingerOutput& o) const {
   if ((o.status & contact::kAtBorder) == 0 && !last_afloat_) return std::nullopt;
   const double radius = settings_.radius_mm;
   const Vec3 centre = o.proxy + radius * o.normal;
-  if (body_.nearest(centre).distance <= radius * (1.0 + kSinkShare) + body_.tolerance()) return std::nullopt;
+  if (body_.nearest(centre).distance <= radius * (1.0 + kSinkShare) + pointTolerance()) return std::nullopt;
   return centre;
 }
 
@@ -224,7 +252,7 @@ void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   const std::optional<Vec3> was_afloat = std::exchange(last_afloat_, std::nullopt);
   const bool was_out = past_ == Past::outside || (was_afloat && !body_.inside(*was_afloat));
   const bool came_through = !first_ && was_out && cameThroughSkin(o.tip);
-  if (came_through && (inside || settings_.radius_mm == 0.0))
+  if (came_through && (inside || (settings_.radius_mm == 0.0 && !cameOutOfFold(o.tip))))
     found(Fault::missed_contact, "depth of a tip that came in without force, mm", distance, 0.0);
   if (!inside) {
     judgeOverlapBesideBorder(o, distance);
@@ -276,15 +304,12 @@ void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
 
 /// A way through an edge, to rounding, meets the skin: two boxes that touch along an edge leave no gap.
 bool HuntJudge::isSkinBetween(const Vec3& from, const Vec3& to) const {
-  const Vec3 along = to - from;
-  const Vec3 aside = along.unitOrthogonal() * (10.0 * body_.tolerance());
-  const Vec3 across = along.normalized().cross(aside);
-  for (const Vec3& offset :
-       {Vec3(Vec3::Zero()), Vec3(aside + across), Vec3(aside - across), Vec3(-aside + across), Vec3(-aside - across)}) {
+  const auto meets = [&](const Vec3& offset) {
     const BoxTree::Crossing between = body_.tree().crossing(from + offset, to + offset);
-    if (between.inwards != 0 || between.entry) return true;
-  }
-  return false;
+    return between.inwards != 0 || between.entry;
+  };
+  const std::array<Vec3, 4> beside = waysBeside(from, to);
+  return meets(Vec3::Zero()) || std::any_of(beside.begin(), beside.end(), meets);
 }
 
 /// For an embedded body the nearest skin decides, unless it is that of a part within; where sheets pierce each other
@@ -292,8 +317,13 @@ bool HuntJudge::isSkinBetween(const Vec3& from, const Vec3& to) const {
 bool HuntJudge::isOutFarFromBorders(const contact::FingerOutput& o) {
   const Vec3 centre = o.proxy + settings_.radius_mm * o.normal;
   const double reach = (centre - o.tip).norm() + settings_.radius_mm;
-  if (body_.slow().distanceToBorder(o.tip) <= reach) return false;
-  if (body_.selfIntersecting()) return std::abs(body_.winding(o.tip)) < kSurelyWhole;
+  const double border = body_.slow().distanceToBorder(o.tip);
+  if (border <= reach) return false;
+  if (body_.selfIntersecting()) {
+    // Behind a flat sheet it is at least what the disc as far as the border takes of all directions.
+    const double behind_sheet = 0.5 * (1.0 - body_.nearest(o.tip).distance / border);
+    return std::abs(body_.winding(o.tip)) < std::min(kSurelyWhole, behind_sheet);
+  }
   const NearestPoint nearest = body_.slow().nearestTo(o.tip);
   return nearest.pseudo_normal.dot(o.tip - nearest.point) > body_.tolerance() &&
          body_.winding(o.tip) < kBeyondAnOpening;
@@ -322,7 +352,7 @@ void HuntJudge::judgeForce(const contact::FingerOutput& o) {
 }
 
 void HuntJudge::judgePoint(const contact::FingerOutput& o) {
-  const double tolerance = body_.selfIntersecting() ? kTinySphereShare * body_.diagonal() : body_.tolerance();
+  const double tolerance = pointTolerance();
   const BoxTree& tree = body_.tree();
   if ((o.status & contact::kAtBorder) != 0) return;  // past the sheet, continued flat
   const bool named = o.triangle < tree.triangles();

@@ -201,11 +201,15 @@ class HuntJudge {
   bool isBackOfFold(const Vec3& point);
   void judgeOverlap(const Vec3& tip, double distance, bool from_outside);
   void judgeOverlapBesideBorder(const contact::FingerOutput& o, double distance);
+  std::array<Vec3, 4> waysBeside(const Vec3& from, const Vec3& to) const;
   /// The tip went through the skin itself since the last tick, not round a border.
   bool cameThroughSkin(const Vec3& tip);
+  bool cameOutOfFold(const Vec3& tip);
   bool isFarFromBorder(const Vec3& place, double reach);
   /// Whether the last hold was away from borders, and cannot have come to one in this tick.
   bool wasHeldFarFromBorder(const Vec3& tip);
+  /// How far off the skin a point's proxy may be.
+  double pointTolerance() const;
   std::optional<Vec3> afloatAt(const contact::FingerOutput& o) const;
   void judgeAfloat(const contact::FingerOutput& o);
   void judgeTouching(const contact::FingerOutput& o);

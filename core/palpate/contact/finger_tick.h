@@ -27,6 +27,7 @@ FingerOutput tickBy(const Surface& surface, const FingerSettings& settings, Fing
   state.tip = tip;
   if (press.touching) {
     if (surface.geometry->closed) state.from_inside = false;
+    noteThatItCameOut(surface, tip, state);
     prefetchNeighbours(surface, state.proxy.triangle, state.proxy.triangle != triangle_before);
   }
   return feltOutput(surface, settings, press, tip, tip_moved_mm, state, lumps);

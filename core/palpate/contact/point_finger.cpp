@@ -165,6 +165,7 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
     noteWhereItComesFrom(surface, state);
   }
   const double path = pathBound(settings, (tip - state.tip).norm());
+  const Vec3 held = state.proxy.position;
   Press press;
   for (int sheet = 0; sheet < kMaxSheets; ++sheet) {
     const WalkResult walk = walkOverCracks(surface, state.proxy, tip, path);
@@ -192,7 +193,7 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
       if (!(press.status & kAtBorder) || press.felt_depth_mm > 0.0) return press;
     }
     if (landsElsewhere(surface, tip, state)) continue;
-    if (!isInside(surface, state, tip, lag + path)) return {};
+    if (!isInside(surface, state, held, tip, lag + path)) return {};
     holdInside(surface, tip, path, state);
     return pressAt(surface, settings, state.proxy, tip);
   }

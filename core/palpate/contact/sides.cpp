@@ -25,9 +25,9 @@ constexpr double kSurelyNoSheet = 0.15;
 /// The way from a place of the skin begins this share of it off the place, so that the place itself is no obstacle.
 constexpr double kOffThePlace = 1e-6;
 
-/// Inside an open body beyond doubt: the openings take less than a quarter of all directions. From the plane of an
-/// opening on they take a half.
-constexpr double kInsideThoughOpen = 0.75;
+/// Inside an open body: the openings take less than a quarter of all directions, and the number may be 0.05 too small.
+/// From the plane of an opening on they take a half.
+constexpr double kInsideThoughOpen = 0.75 - 0.05;
 constexpr double kPastAnOpening = 0.5;
 
 /// Whether the way goes into the skin at a place, at its triangle or one that shares the place's edge or corner: what
@@ -82,10 +82,11 @@ bool isInAir(const Surface& surface, const Vec3& place, const Vec3& tip, double 
          isOutside(surface, tip, reach);
 }
 
-bool isInside(const Surface& surface, const FingerState& state, const Vec3& tip, double reach) noexcept {
+bool isInside(const Surface& surface, const FingerState& state, const Vec3& held, const Vec3& tip,
+              double reach) noexcept {
   if (surface.geometry->closed) return tree::windingNumber(surface.geometry->tree, tip) > kInside;
   return !state.from_inside && tree::windingNumber(surface.geometry->tree, tip) > kInsideThoughOpen &&
-         isFarFromBorders(surface, tip, reach);
+         (isFarFromBorders(surface, tip, reach) || isFarFromBorders(surface, held, reach));
 }
 
 bool isBuried(const Surface& surface, const Vec3& place) noexcept {
@@ -96,6 +97,11 @@ bool isBuried(const Surface& surface, const Vec3& place) noexcept {
 void noteWhereItComesFrom(const Surface& surface, FingerState& state) noexcept {
   if (surface.geometry->closed) return;
   state.from_inside = tree::windingNumber(surface.geometry->tree, state.tip) > kPastAnOpening;
+}
+
+void noteThatItCameOut(const Surface& surface, const Vec3& tip, FingerState& state) noexcept {
+  if (!state.from_inside || surface.geometry->closed) return;
+  state.from_inside = tree::windingNumber(surface.geometry->tree, tip) > kPastAnOpening;
 }
 
 }  // namespace palpate::contact

@@ -28,8 +28,10 @@ inline bool boundsTwoSectors(const Surface& surface, const SurfacePoint& place) 
 }
 
 /// Whether a tip that is about to be let go is inside the body and must not be: of an open one only where the finger
-/// came from outside and every border is farther than `reach`, so that it cannot have come in by an opening.
-bool isInside(const Surface& surface, const FingerState& state, const Vec3& tip, double reach) noexcept;
+/// came from outside and every border is farther than `reach` from the tip, or from `held`, where the finger was when
+/// the tick began, so that it cannot have come in by an opening.
+bool isInside(const Surface& surface, const FingerState& state, const Vec3& held, const Vec3& tip,
+              double reach) noexcept;
 
 /// Whether a place in front of one sheet is inside a body: sheets that pierce each other are buried in part, and a tip
 /// that starts a session inside must not be held by them. False for all other surfaces, open ones among them, and on
@@ -39,5 +41,9 @@ bool isBuried(const Surface& surface, const Vec3& place) noexcept;
 /// Before a free finger lands on an open body: whether it is inside, where it came in by an opening or began. Then it
 /// may be free inside after the contact as well. A closed body has no way in.
 void noteWhereItComesFrom(const Surface& surface, FingerState& state) noexcept;
+
+/// In every tick of a finger that is held: once its tip is out, one that came from inside has come out. Sheets that
+/// pierce each other may hold it all the way, and it must not be let go inside when it comes back.
+void noteThatItCameOut(const Surface& surface, const Vec3& tip, FingerState& state) noexcept;
 
 }  // namespace palpate::contact

@@ -80,6 +80,15 @@ Vec3 advance(const Surface& surface, const Vec3& from, const Vec3& to, double ra
   return centre;
 }
 
+void beginContact(const Vec3& centre, const SurfacePoint& foot, FingerState& state) {
+  state.touching = true;
+  state.slipping = false;
+  state.fits = false;  // to be seen
+  state.centre = centre;
+  state.proxy = state.anchor = foot;
+  state.hold = foot.position;
+}
+
 /// Decides whether a free sphere touches in this tick: when its centre's way crosses the skin, or when it overlaps the
 /// front of the skin at the end. If so, starts the contact in `state` with the centre where it first touched; a sphere
 /// that overlaps from the beginning starts with its centre at the tip, to be pushed out.
@@ -100,12 +109,18 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
   }
   if (foot.triangle == kNoIndex || (state.from_inside && isBuried(surface, centre))) return false;
   noteWhereItComesFrom(surface, state);
-  state.touching = true;
-  state.slipping = false;
-  state.fits = false;  // to be seen
-  state.centre = centre;
-  state.proxy = state.anchor = foot;
-  state.hold = foot.position;
+  beginContact(centre, foot, state);
+  return true;
+}
+
+/// The same for a tip that a border has just let go: whether its sphere overlaps other skin there. One that has been
+/// inside already may be.
+bool landWhereItIs(const Surface& surface, double radius, FingerState& state, const Vec3& tip,
+                   const NearbySkin* nearby) {
+  if (reachesIntoEdge(surface, tip, radius) || !overlapsFront(surface, tip, radius, nearby)) return false;
+  noteWhereItComesFrom(surface, state);
+  if (state.from_inside) return false;
+  beginContact(tip, nearestFront(surface, tip, radius), state);
   return true;
 }
 
@@ -204,12 +219,18 @@ Press pressWith(const FingerSettings& settings, const SphereTask& task, const Mo
     press.normal = (move.centre - move.foot.position).stableNormalized();
   }
   press.felt_depth_mm = std::min(press.depth_mm, settings.max_depth_mm + task.radius);
-  const double beyond = onBorder(task.surface, move.foot) ? beyondBorder(task.surface, move.under_tip, task.tip) : 0.0;
-  if (beyond > 0.0) {
+  const auto fade_to = [&](double felt_depth_mm) {
     press.status |= kAtBorder;
-    const Vec3 normal = normalAt(task.surface, move.under_tip);
-    const double felt = depthAtBorder(move.under_tip.position, normal, task.tip, task.radius, beyond);
-    press.felt_depth_mm = std::min(press.felt_depth_mm, felt);
+    press.felt_depth_mm = std::min(press.felt_depth_mm, felt_depth_mm);
+  };
+  if (onBorder(task.surface, move.foot)) {
+    const SurfacePoint& place = move.under_tip;
+    const double beyond = beyondBorder(task.surface, place, task.tip);
+    const Vec3 normal = normalAt(task.surface, place);
+    if (beyond > 0.0) fade_to(depthAtBorder(place.position, normal, task.tip, task.radius, beyond));
+    // A sphere that stands on the sheet continued flat is beyond the border, wherever the tip would press.
+    const double afloat = move.on_one_place ? 0.0 : beyondBorder(task.surface, move.foot, move.centre);
+    if (afloat > 0.0) fade_to(depth - afloat);
   }
   press.proxy = move.centre - task.radius * press.normal;
   state.proxy = walkToNearest(task.surface, move.foot, press.proxy, kUnbounded).at;
@@ -264,7 +285,7 @@ bool hasFallenIn(const SphereTask& task, const Move& move, const FingerState& st
   const SurfaceGeometry& geometry = *task.surface.geometry;
   if (geometry.closed) return !state.from_inside && isBuried(task.surface, task.tip);
   return geometry.self_intersecting && !onBorder(task.surface, move.foot) &&
-         isInside(task.surface, state, task.tip, task.radius + task.path);
+         isInside(task.surface, state, task.start, task.tip, task.radius + task.path);
 }
 
 /// What ends a contact.
@@ -300,11 +321,16 @@ Press pressSphere(const Surface& surface, const FingerSettings& settings, double
   if (!state.touching && !landSphere(surface, radius, state, tip, nearby)) return {};
   Press press;
   Ending ending = pressOnce(surface, settings, radius, tip, state, press, nearby);
-  // What a border lets go may have come through the skin elsewhere on the way of this tick.
+  // What a border lets go may have come through the skin elsewhere on the way of this tick, and so may a tip that its
+  // sphere has reached through an opening.
+  const bool leaves_border = ending == Ending::at_border || (ending == Ending::reached && !surface.geometry->closed);
   const auto came_through = [&] {
     return tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip).triangle != kNoIndex;
   };
-  if (ending == Ending::at_border && came_through() && landSphere(surface, radius, state, tip, nearby)) {
+  if (leaves_border && came_through() && landSphere(surface, radius, state, tip, nearby)) {
+    ending = pressOnce(surface, settings, radius, tip, state, press, nearby);
+  }
+  if (ending == Ending::at_border && landWhereItIs(surface, radius, state, tip, nearby)) {
     ending = pressOnce(surface, settings, radius, tip, state, press, nearby);
   }
   state.touching = ending == Ending::none;

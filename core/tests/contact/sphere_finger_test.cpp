@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 
 #include "core/tests/contact/finger_track.h"
 #include "lab/workloads/workload_meshes.h"
@@ -73,6 +74,35 @@ void expectTheSameOfACutHand(const std::vector<double>& sides) {
     EXPECT_GT(most, 5.0) << "it does not fit through";
     EXPECT_EQ(below, 0.0) << "N in free air, after what was felt has faded";
   }
+}
+
+/// A knobbly horn of eight sides, bent over 4.5 radian, whose end is cut off.
+mesh::TriangleMesh openHorn() {
+  constexpr Index kSides = 8, kRings = 9;
+  constexpr double kBend = 4.5, kBendMm = 160.0 / kBend;
+  mesh::TriangleMesh horn;
+  for (Index ring = 0; ring <= kRings; ++ring) {
+    const double angle = kBend * ring / kRings;
+    const Vec3 out(-std::sin(angle), 0, std::cos(angle));
+    const Vec3 middle = kBendMm * (Vec3::UnitZ() - out);
+    for (Index side = 0; side < kSides; ++side) {
+      const double around = 2.0 * std::numbers::pi * side / kSides;
+      const double radius = 12.0 * (1.0 + 0.3 * std::sin(1.3 * ring + side));
+      horn.positions.push_back(middle + radius * (std::cos(around) * out + std::sin(around) * Vec3::UnitY()));
+    }
+  }
+  const auto tip = static_cast<Index>(horn.positions.size());
+  horn.positions.push_back(Vec3::Zero());
+  for (Index side = 0; side < kSides; ++side) {
+    const Index next = (side + 1) % kSides;
+    horn.triangles.push_back({tip, side, next});
+    for (Index ring = 0; ring < kRings; ++ring) {
+      const Index a = ring * kSides + side, b = ring * kSides + next;
+      horn.triangles.push_back({a, a + kSides, b + kSides});
+      horn.triangles.push_back({a, b + kSides, b});
+    }
+  }
+  return horn;
 }
 
 }  // namespace
@@ -271,6 +301,20 @@ TEST(SphereFinger, ThatGoesOverAHoleIsHeldByTheSkinOfTheOtherBank) {
   for (int i = 0; i < 100; ++i) output = finger.to({75, 50, -32});
   ASSERT_TRUE(touches(output));
   EXPECT_NEAR(output.force.z(), 37.0 * kTestStiffness, 0.1);
+}
+
+TEST(SphereFinger, BeyondABorderItFadesWhereverAPointWouldPress) {
+  const Surface horn = surfaceOf(openHorn());
+  ASSERT_FALSE(horn.geometry->closed);
+  FingerTrack finger(horn, sphereOf(5.0));
+  finger.to({-1, 25, 47});
+  finger.to({-27, 15, 59});
+  const FingerOutput output = finger.to({-35, -7, 40});
+  ASSERT_TRUE(touches(output));
+  const Vec3 centre = output.proxy + 5.0 * output.normal;
+  EXPECT_GT((nearestPoint(horn.geometry->tree, centre, kUnbounded).closest.point - centre).norm(), 6.0);
+  EXPECT_NE(output.status & kAtBorder, 0u);
+  EXPECT_LT(output.force.norm(), 0.9 * kTestStiffness * output.depth_mm);
 }
 
 TEST(SphereFinger, APointThatCameInByAnOpeningIsFreeInsideAfterItTouchedWhatIsThere) {

@@ -214,11 +214,16 @@ TEST(HuntJudgementOfTornBodies, WhatIsLetGoInsideFarFromTheHoleHasFallenAndWhatC
   EXPECT_EQ(falls({freeOutputAt({0, 0, 70}), held, freeOutputAt({0, 0, -49})}), 0u) << "let go at the hole";
 }
 
-/// A box of 100 x 100 x 30 mm without its face at y = 100: what is in the air 80 mm from that opening.
+/// A box of 100 x 100 x 30 mm without its face at y = 100.
+mesh::TriangleMesh openBox() {
+  mesh::TriangleMesh box = plateMesh(100, 30, 12);
+  std::erase_if(box.triangles, [&](const Triangle& t) { return mesh::centreOf(box, t).y() > 99.9; });
+  return box;
+}
+
+/// What is in the air 80 mm from that opening.
 TEST(HuntJudgementOfTornBodies, AForceInFreeAirFarFromTheOpeningIsAFaultAndOneBesideItOrWithinIsNot) {
-  mesh::TriangleMesh open = plateMesh(100, 30, 12);
-  std::erase_if(open.triangles, [&](const Triangle& t) { return mesh::centreOf(open, t).y() > 99.9; });
-  JudgedBody box(open, false);
+  JudgedBody box(openBox(), false);
   ASSERT_FALSE(box.closed());
   const auto held_in_air = [&](const Vec3& tip, double y) {
     contact::FingerOutput o = freeOutputAt(tip);
@@ -235,6 +240,78 @@ TEST(HuntJudgementOfTornBodies, AForceInFreeAirFarFromTheOpeningIsAFaultAndOneBe
   EXPECT_EQ(held_in_air({103, 20, 26}, 20), 1u);
   EXPECT_EQ(held_in_air({97, 20, 26}, 20), 0u) << "inside";
   EXPECT_EQ(held_in_air({103, 97, 26}, 97), 0u) << "the border is nearer than the proxy";
+}
+
+std::size_t missedBy(JudgedBody& body, const std::vector<Vec3>& tips) {
+  HuntJudge judge(body, {}, kStiffness);
+  for (const Vec3& tip : tips) judge.add(freeOutputAt(tip));
+  return judge.report().of(Fault::missed_contact).ticks;
+}
+
+TEST(HuntJudgementOfTornBodies, APointThatLeavesAFoldWhichIsInsideOutIsInTheAir) {
+  mesh::TriangleMesh mesh = openBox();
+  mesh::TriangleMesh fold = plateMesh(20, 20, 2);  // beside the box
+  for (Vec3& p : fold.positions) p.x() += 120.0;
+  for (Triangle& t : fold.triangles) std::swap(t[1], t[2]);
+  mesh::append(fold, mesh);
+  JudgedBody body(mesh, true);
+  EXPECT_EQ(missedBy(body, {{131, 7, 6}, {145, 7, 6}}), 0u);
+  EXPECT_EQ(missedBy(body, {{51, 27, 36}, {51, 27, 25}}), 1u) << "into the box";
+}
+
+TEST(HuntJudgementOfTornBodies, APointThatPassesByAnEdgeOrLeavesACornerDidNotComeIn) {
+  mesh::TriangleMesh bowl = bumpyBallMesh(60, 0, 0, 2);
+  std::erase_if(bowl.triangles, [&](const Triangle& t) { return mesh::centreOf(bowl, t).z() > 52.0; });
+  JudgedBody body(bowl, false);
+  const Vec3 far(0, 0, -90);
+  EXPECT_EQ(missedBy(body, {far,
+                            {36.832799545121006, 24.223537217711794, -36.832799545121006},
+                            {36.651892738374343, 24.766257637951767, -36.651892738374343}}),
+            0u);
+  EXPECT_EQ(missedBy(body, {far,
+                            {0, 22.961005941905384, -55.432771950677207},
+                            {0.0013813776164495399, 22.960464498570754, -55.432981644639526}}),
+            0u);
+  EXPECT_EQ(missedBy(body, {far, {38, 24, -38}, {34, 24, -34}}), 1u);
+}
+
+/// Of a sheet of 6 x 6 mm that is said to pierce itself: from 4.7 mm behind it takes less than a tenth of all
+/// directions.
+TEST(HuntJudgementOfSheets, AForceIsRightBehindASheetThatTakesFewOfAllDirections) {
+  JudgedBody sheet({{{0, 0, 0}, {0, 6, 0}, {0, 6, 6}, {0, 0, 6}}, {{0, 1, 2}, {0, 2, 3}}}, true);
+  contact::FingerOutput held = freeOutputAt({-4.7, 3, 3});
+  held.touch = contact::Touch::stick;
+  held.proxy = {0, 3, 3};
+  held.normal = Vec3::UnitX();
+  held.depth_mm = 4.7;
+  held.force = kStiffness * held.depth_mm * held.normal;
+  HuntJudge judge(sheet, {}, kStiffness);
+  judge.add(freeOutputAt({1, 3, 3}));
+  judge.add(held);
+  EXPECT_LT(sheet.winding(held.tip), 0.1);
+  EXPECT_EQ(judge.report().of(Fault::held_in_air).ticks, 0u);
+}
+
+TEST(HuntJudgementOfSheets, APointThatIsFeltAsATinySphereIsOnTheSkinAgainBesideABorder) {
+  JudgedBody sheet(flatMesh(), true);
+  const auto held = [](const Vec3& proxy, std::uint32_t status) {
+    contact::FingerOutput o = freeOutputAt(proxy - Vec3(0, 0, 1));
+    o.touch = contact::Touch::stick;
+    o.proxy = proxy;
+    o.normal = Vec3::UnitZ();
+    o.force = kStiffness * o.normal;
+    o.triangle = 0;
+    o.status = status;
+    return o;
+  };
+  const auto wrong = [&](double above) {
+    HuntJudge judge(sheet, {}, kStiffness);
+    judge.add(held({101, 50, 0}, contact::kAtBorder));
+    for (int i = 0; i < 2; ++i) judge.add(held({50, 50, above}, 0));
+    return judge.report().of(Fault::wrong_force).ticks;
+  };
+  EXPECT_EQ(wrong(0.002), 0u);
+  EXPECT_EQ(wrong(1.0), 2u);
 }
 
 /// Over a sheet of 100 x 100 mm: where a sphere of 2 mm goes over the border, and from where it is let go under it.
