@@ -236,6 +236,7 @@ void HuntJudge::judgeAfloat(const contact::FingerOutput& o) {
   if (centre && wasHeldFarFromBorder(o.tip))
     found(Fault::wrong_force, "distance of a border from where a sphere left the skin over it, mm",
           body_.slow().distanceToBorder(last_proxy_), 0.0);
+  if (centre && body_.inside(*centre) && body_.inside(o.tip)) let_be_ = true;  // both came in by an opening
   last_afloat_ = centre;
 }
 

@@ -26,7 +26,6 @@ FingerOutput tickBy(const Surface& surface, const FingerSettings& settings, Fing
   state.knows_tip = true;
   state.tip = tip;
   if (press.touching) {
-    if (surface.geometry->closed) state.from_inside = false;
     noteThatItCameOut(surface, tip, state);
     prefetchNeighbours(surface, state.proxy.triangle, state.proxy.triangle != triangle_before);
   }

@@ -94,14 +94,16 @@ bool isBuried(const Surface& surface, const Vec3& place) noexcept {
          tree::windingNumber(surface.geometry->tree, place) > kSurelyInside;
 }
 
+bool isPastAnOpening(const Surface& surface, const Vec3& tip) noexcept {
+  return !surface.geometry->closed && tree::windingNumber(surface.geometry->tree, tip) > kPastAnOpening;
+}
+
 void noteWhereItComesFrom(const Surface& surface, FingerState& state) noexcept {
-  if (surface.geometry->closed) return;
-  state.from_inside = tree::windingNumber(surface.geometry->tree, state.tip) > kPastAnOpening;
+  if (!surface.geometry->closed) state.from_inside = isPastAnOpening(surface, state.tip);
 }
 
 void noteThatItCameOut(const Surface& surface, const Vec3& tip, FingerState& state) noexcept {
-  if (!state.from_inside || surface.geometry->closed) return;
-  state.from_inside = tree::windingNumber(surface.geometry->tree, tip) > kPastAnOpening;
+  if (state.from_inside) state.from_inside = isPastAnOpening(surface, tip);
 }
 
 }  // namespace palpate::contact

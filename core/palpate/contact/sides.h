@@ -38,6 +38,9 @@ bool isInside(const Surface& surface, const FingerState& state, const Vec3& held
 /// the surface itself mostly; who has been outside knows better and does not ask.
 bool isBuried(const Surface& surface, const Vec3& place) noexcept;
 
+/// Whether a tip is inside an open body, or in the plane of its opening. False for closed ones: they have no way in.
+bool isPastAnOpening(const Surface& surface, const Vec3& tip) noexcept;
+
 /// Before a free finger lands on an open body: whether it is inside, where it came in by an opening or began. Then it
 /// may be free inside after the contact as well. A closed body has no way in.
 void noteWhereItComesFrom(const Surface& surface, FingerState& state) noexcept;

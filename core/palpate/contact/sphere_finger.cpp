@@ -108,20 +108,18 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
     foot = nearestFront(surface, centre, kUnbounded);
   }
   if (foot.triangle == kNoIndex || (state.from_inside && isBuried(surface, centre))) return false;
-  noteWhereItComesFrom(surface, state);
   beginContact(centre, foot, state);
   return true;
 }
 
-/// The same for a tip that a border has just let go: whether its sphere overlaps other skin there. One that has been
-/// inside already may be.
+/// The same for a tip that a border has just let go: whether its sphere overlaps other skin there. Past the opening it
+/// may be free.
 bool landWhereItIs(const Surface& surface, double radius, FingerState& state, const Vec3& tip,
                    const NearbySkin* nearby) {
-  if (reachesIntoEdge(surface, tip, radius) || !overlapsFront(surface, tip, radius, nearby)) return false;
-  noteWhereItComesFrom(surface, state);
-  if (state.from_inside) return false;
-  beginContact(tip, nearestFront(surface, tip, radius), state);
-  return true;
+  const bool lands = !isPastAnOpening(surface, tip) && !reachesIntoEdge(surface, tip, radius) &&
+                     overlapsFront(surface, tip, radius, nearby);
+  if (lands) beginContact(tip, nearestFront(surface, tip, radius), state);
+  return lands;
 }
 
 // ---- the centre in contact ------------------------------------------------------------------------------------------
@@ -318,7 +316,10 @@ Ending pressOnce(const Surface& surface, const FingerSettings& settings, double 
 
 Press pressSphere(const Surface& surface, const FingerSettings& settings, double radius, FingerState& state,
                   const Vec3& tip, const NearbySkin* nearby) noexcept {
-  if (!state.touching && !landSphere(surface, radius, state, tip, nearby)) return {};
+  if (!state.touching) {
+    if (!landSphere(surface, radius, state, tip, nearby)) return {};
+    noteWhereItComesFrom(surface, state);
+  }
   Press press;
   Ending ending = pressOnce(surface, settings, radius, tip, state, press, nearby);
   // What a border lets go may have come through the skin elsewhere on the way of this tick, and so may a tip that its

@@ -369,6 +369,19 @@ TEST(HuntJudgementOfTornBodies, ASphereBeyondTheBorderIsNoFallUntilItsTipComesTh
   on_skin.proxy = {0, 0, -60};
   on_skin.normal = -Vec3::UnitZ();
   EXPECT_EQ(falls(on_skin, {0, 0, 10}), 1u);
+  contact::FingerOutput joined = shallow;
+  joined.proxy.z() = -10.0;
+  joined.tip.z() = -25.0;
+  on_skin.tip = {0, 0, -50};
+  const auto falls_after = [&](const contact::FingerOutput& over_border) {
+    HuntJudge judge(bowl, finger, kStiffness);
+    judge.add(freeOutputAt({0, 0, 90}));
+    for (const auto& o : {afloat, over_border, on_skin}) judge.add(o);
+    judge.add(freeOutputAt({0, 0, -40}));
+    return judge.report().of(Fault::fall).ticks;
+  };
+  EXPECT_EQ(falls_after(afloat), 1u);
+  EXPECT_EQ(falls_after(joined), 0u) << "the sphere went in by the opening, where its tip was";
   contact::FingerOutput beside = afloat;
   beside.tip = {90, 0, -10};
   EXPECT_EQ(falls(beside, {40, 0, -10}), 1u);
