@@ -27,7 +27,7 @@ double valueOf(const tissue::LayeredCurve& curve, double bend, double q) {
 tissue::ProfileSettings profileOf(tissue::ProfileSettings profile, tissue::ProfileKind kind,
                                   const std::filesystem::path& file, const Fidelity& fidelity) {
   profile.kind = kind;
-  if (kind == tissue::ProfileKind::user && !file.empty()) profile.knots = tissue::readProfileKnots(file);
+  if (kind == tissue::ProfileKind::user) profile.knots = tissue::readProfileKnots(file);
   return tissue::withFidelity(profile, fidelity);
 }
 

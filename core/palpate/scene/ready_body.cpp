@@ -152,7 +152,6 @@ void walkAnatomy(Wire& wire, Parts& anatomy, std::size_t vertices) {
     walkMesh(wire, bone.mesh);
   }
   if constexpr (Wire::kReads) {
-    if (!wire.has(12 * vertices)) return;
     anatomy.depth_mm.assign(vertices, 0.0);
     anatomy.nearest_bone.assign(vertices, 0);
   }

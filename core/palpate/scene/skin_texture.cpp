@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 
 #include "palpate/base/error.h"
@@ -79,7 +78,6 @@ MadeSkin madeSkin(std::uint64_t seed, const mesh::TriangleMesh& skin, std::span<
   for (const body::SkinLandmark& landmark : landmarks) {
     if (landmark.name.starts_with("spinous_")) made.spine_mm.emplace_back((landmark.position - box.min()).head<2>());
   }
-  std::sort(made.spine_mm.begin(), made.spine_mm.end(), [](const Vec2& a, const Vec2& b) { return a.y() > b.y(); });
   return made;
 }
 

@@ -209,7 +209,6 @@ double fatOf(const Scene& scene) {
 
 PlacedTissue placedTissue(const Scene& scene, const std::vector<double>& bone_depth_mm,
                           std::shared_ptr<const tissue::LayeredTissue> given) {
-  if (bone_depth_mm.empty()) return {};
   static_cast<void>(farReachingDrag());  // not while a finger waits
   PlacedTissue placed;
   placed.layered = given ? std::move(given) : std::make_shared<const tissue::LayeredTissue>(nodesOf(scene));

@@ -18,8 +18,8 @@ struct PlacedTissue {
   std::vector<double> thickness_mm;                      ///< a skin vertex each; empty likewise
 };
 
-/// Nothing for a body without bones (no depths). `given`: in place of the library's and the scene's table, or null.
-/// Throws Error for a table that cannot be read.
+/// Of a body with bones: their depths, a skin vertex each. `given`: in place of the library's and the scene's table, or
+/// null. Throws Error for a table that cannot be read.
 PlacedTissue placedTissue(const Scene& scene, const std::vector<double>& bone_depth_mm,
                           std::shared_ptr<const tissue::LayeredTissue> given);
 

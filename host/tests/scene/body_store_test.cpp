@@ -371,6 +371,12 @@ TEST_F(BodyStoreFiles, BearTheNameOfTheSourcesThatMadeThem) {
   }
 }
 
+TEST(ReadyBody, NoneIsLargerThanTwoMillionTriangles) {
+  const BodyParts back = makeBody(bodySettings(BodyKind::back, 500), {});
+  EXPECT_EQ(decodeBody(encodedBody({2'000'000, back}), "body").triangles, 2'000'000u);
+  EXPECT_THROW(decodeBody(encodedBody({2'000'001, back}), "body"), Error);
+}
+
 TEST(ReadyBody, RefusesBytesThatAreNotAWholeBody) {
   const std::string whole = encodedBody({0, makeBody(bodySettings(BodyKind::back, 500), {})});
   EXPECT_NO_THROW(decodeBody(whole, "body"));

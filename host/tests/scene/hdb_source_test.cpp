@@ -31,6 +31,8 @@ TEST_F(HdbSource, TheBoxIsACubeOfAQuarterOfTheLongestEdge) {
   EXPECT_TRUE(sourceOf(scene)->settings.edges_mm.isApprox(Vec3(50, 50, 50)));
   scene.partition.hdb_edge_mm = 30.0;
   EXPECT_TRUE(sourceOf(scene)->settings.edges_mm.isApprox(Vec3(30, 30, 30)));
+  scene.partition.hdb_edge_mm = 0.5;
+  EXPECT_TRUE(sourceOf(scene)->settings.edges_mm.isApprox(Vec3(0.5, 0.5, 0.5)));
 }
 
 TEST_F(HdbSource, ErrataOfChapterThreeAreSwitchedByTheirNumbers) {

@@ -159,6 +159,28 @@ TEST_F(LumpsInADome, TheForceFollowsTheStiffnessOfThePlace) {
   EXPECT_NEAR(stiff->lumps[0]->share[1], soft->lumps[0]->share[1], 1e-12);
 }
 
+TEST_F(LumpsInADome, NoPlaceIsSteeperThanALoopHolds) {
+  std::size_t bounded = 0;
+  for (const double stiffness : {0.3, 0.8, 1.3, 1.8}) {
+    for (const std::string size : {"diameter_mm = 10\n", "half_axes_mm = [12, 12, 8]\n"}) {
+      const auto world = worldOf("[[lump]]\nx_mm = 5\ndepth_mm = 3\nyoung_kpa = 1000\n" + size +
+                                 "[stiffness]\nconstant_n_per_mm = " + std::to_string(stiffness) + "\n");
+      const PlacedLump& placed = *world->lumps[0];
+      const tissue::PressedPlace fingertip{placed.thickness_mm, tissue::kFingertipMm};
+      for (double depth = 0.25; depth <= placed.lump.energy.deepestMm(); depth += 0.25) {
+        const double plain = tissue::tangentStiffness(world->surface.force_law, stiffness, depth, fingertip);
+        const double more =
+            (placed.lump.energy.at(0.0, depth).d_depth - placed.lump.energy.at(0.0, depth - 0.25).d_depth) / 0.25;
+        EXPECT_LE(more, std::max(tissue::kStiffestTissue - plain, 0.25 * plain) + 1e-9) << stiffness << ' ' << depth;
+      }
+      bounded += std::ranges::count_if(world->notes,
+                                       [](const std::string& note) { return note.starts_with("lumps push with "); });
+    }
+  }
+  EXPECT_GT(bounded, 0u) << "some of these would be steeper";
+  EXPECT_LT(bounded, 8u) << "and some are not";
+}
+
 TEST_F(LumpsInADome, AnotherMapTakesTheTablesOver) {
   const auto world = worldOf("[[lump]]\nx_mm = 5\n");
   Scene scene = world->scene;

@@ -8,9 +8,12 @@
 
 #include "palpate/contact/friction.h"
 #include "palpate/deform/finger_contact.h"
+#include "palpate/mesh/files/save.h"
 #include "palpate/scene/anatomical_reach.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/tissue_of_body.h"
+#include "support/mesh_zoo.h"
+#include "support/temporary_folder.h"
 
 namespace palpate::scene {
 namespace {
@@ -63,6 +66,45 @@ TEST(SkinContact, FreeFingerTouchesNothing) {
   contact::FingerOutput finger = dragging(world);
   finger.touch = contact::Touch::free;
   EXPECT_FALSE(contactOf(world, finger));
+}
+
+TEST(SkinContact, ADentIsWhereSkinWasLeftDentedAndNowhereElse) {
+  const World world = worldWith("");
+  contact::FingerOutput finger = dragging(world);
+  finger.touch = contact::Touch::free;
+  EXPECT_FALSE(dentOf(world, finger)) << "none is left";
+  finger.dent = {.place = finger.anchor, .rest_mm = 2.0, .triangle = finger.triangle};
+  const auto dent = dentOf(world, finger);
+  ASSERT_TRUE(dent);
+  EXPECT_EQ(dent->anchor, finger.anchor);
+  EXPECT_GT(dent->depth_mm, 1.0);
+  EXPECT_EQ(dent->drag_mm, Vec3::Zero());
+  finger.dent.triangle = kNoIndex;
+  EXPECT_FALSE(dentOf(world, finger));
+  finger.dent = {.place = finger.anchor, .rest_mm = 0.0, .triangle = finger.triangle};
+  EXPECT_FALSE(dentOf(world, finger)) << "it has gone";
+}
+
+TEST(SkinContact, APressDoesNotComeOutOfTheFarSideOfAThinPart) {
+  const support::TemporaryFolder folder;
+  for (const double thickness_mm : {0.5, 5.0}) {
+    mesh::save(folder / "plate.obj", zoo::plate(50.0, thickness_mm));
+    const auto world =
+        build(parse("[body]\nkind = \"mesh\"\nfile = \"plate.obj\"\n[[finger]]\nname = \"index\"\nscript = [{ do = "
+                    "\"press\" }]\n",
+                    (folder / "s.toml").string()));
+    contact::FingerOutput finger;
+    finger.normal = Vec3::UnitZ();
+    finger.tip = finger.proxy = finger.anchor = Vec3(25.0, 25.0, thickness_mm);
+    finger.touch = contact::Touch::stick;
+    finger.triangle = finger.anchor_triangle =
+        tree::firstFrontCrossing(world->surface.geometry->tree, Vec3(25, 25, 20), Vec3(25, 25, -20)).triangle;
+    for (const double share : {0.5, 0.95, 1.2, 1.5}) {
+      finger.depth_mm = share * thickness_mm;
+      const double most_mm = std::min(share, 0.9) * thickness_mm;
+      EXPECT_NEAR(contactOf(*world, finger)->depth_mm, most_mm, 1e-6) << share << " of " << thickness_mm << " mm";
+    }
+  }
 }
 
 TEST(SkinContact, PrintedAnchorIsDerivedFromTheForce) {  // E1

@@ -94,9 +94,17 @@ TEST_F(SkinTextureOf, ABuiltInBodyCanBeMade) {
   EXPECT_NEAR(made.size_mm.y(), 400.0, 1.0);
   ASSERT_GE(made.spine_mm.size(), 12u);
   for (const Vec2& tip : made.spine_mm) EXPECT_NEAR(tip.x(), 175.0, 15.0);
-  EXPECT_TRUE(std::is_sorted(made.spine_mm.begin(), made.spine_mm.end(),
-                             [](const Vec2& a, const Vec2& b) { return a.y() > b.y(); }));
   EXPECT_NE(sceneAsToml(world->scene, folder_.path()).find("texture = \"made:9\"\n"), std::string::npos);
+}
+
+TEST_F(SkinTextureOf, ASpineIsNamedFromAboveInEveryBuiltInBody) {
+  for (const std::string kind : {"trunk", "torso", "back"}) {
+    const auto world =
+        build(parse("[body]\nkind = \"" + kind + "\"\ntexture = \"made\"\n" + kFinger, (folder_ / "s.toml").string()));
+    const std::vector<Vec2>& spine_mm = world->body->texture->made->spine_mm;
+    ASSERT_GE(spine_mm.size(), 12u) << kind;
+    EXPECT_TRUE(std::ranges::is_sorted(spine_mm, std::greater<>(), [](const Vec2& tip) { return tip.y(); })) << kind;
+  }
 }
 
 TEST_F(SkinTextureOf, AMadeBodyNeedsAWholeNumberAndABuiltInBody) {

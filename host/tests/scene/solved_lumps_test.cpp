@@ -76,13 +76,19 @@ TEST_F(SolvedLumps, AreSolvedOnceAndThenReadByThoseWithoutASolver) {
 
 TEST_F(SolvedLumps, ACorruptedFileIsSolvedAgain) {
   build(sceneWith("solved"));
-  for (const std::string text : {"", "solved lump, version 1: depth_mm extra_n\n1 nan\n",
-                                 "solved lump, version 1: depth_mm extra_n\n2 0.1\n1 0.2\n", "something else\n1 2\n"}) {
+  const std::string head = "solved lump, version 1: depth_mm extra_n\n";
+  for (const std::string& text :
+       {std::string(), head, head + "1 nan\n", head + "inf 1\n", head + "1 x\n", head + "x 1\n", head + "1\n",
+        head + "1 2 3\n", head + "0 1\n", head + "2 0.1\n1 0.2\n", std::string("something else\n1 2\n")}) {
     asked_ = 0;
     std::ofstream(keptFile()) << text;
     build(sceneWith("solved"));
     EXPECT_EQ(asked_, 1) << text;
   }
+  asked_ = 0;
+  std::ofstream(keptFile()) << head << "4 0.2\n";
+  build(sceneWith("solved"));
+  EXPECT_EQ(asked_, 0) << "one press is a solution";
 }
 
 TEST_F(SolvedLumps, AFolderThatCannotBeWrittenIsNoReasonToRefuseAWorld) {

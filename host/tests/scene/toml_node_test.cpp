@@ -6,7 +6,9 @@
 #include "palpate/base/error.h"
 #include "palpate/scene/detail/toml_limits.h"
 #include "palpate/scene/detail/toml_node.h"
+#include "palpate/scene/detail/toml_table.h"
 #include "palpate/scene/scene_file.h"
+#include "support/error_message.h"
 
 namespace palpate::scene {
 namespace {
@@ -116,8 +118,59 @@ TEST(TomlLimits, WhatFollowsAnyFormOfTextIsCounted) {
   }
 }
 
+TEST(TomlLimits, LinesAreCountedThroughEveryFormOfText) {
+  const std::string deep = keyOfParts(17) + " = 1\n";
+  for (const std::string text :
+       {"\"\"\"\n\n\"\"\"", "'''\n\n'''", "\"\"\"\\\n\n\"\"\"", "1 # \"\"\"\n\n", "[\n1,\n2]"}) {
+    EXPECT_EQ(refusalOf("a = " + text + "\n" + deep).substr(0, 12), "file.toml:4:") << text;
+  }
+}
+
 TEST(TomlLimits, NumbersWithPointsAreNoKeys) {
   EXPECT_EQ(refusalOf("a = [" + repeated("1.5, ", 10'000) + "0.5]\nb = [" + repeated("\n  2.5,", 10'000) + "]\n"), "");
+}
+
+TEST(TomlTable, GivesTheKeysThatAreThereAndLeavesTheOthers) {
+  const TomlNode root = parseToml("text = \"a\"\nnumber = 1.5\nwhole = 3\nflag = true\n", "file.toml");
+  const TomlTable table(root, "file.toml", "a table", {"text", "number", "whole", "flag", "none"});
+  const NumberRange small{0.0, 10.0};
+  std::string text = "b", no_text = "b";
+  double number = 0.5, no_number = 0.5;
+  int whole = 1, no_whole = 1;
+  bool flag = false, no_flag = true;
+  table.read("text", text);
+  table.read("number", number, small);
+  table.read("whole", whole, small);
+  table.read("flag", flag);
+  EXPECT_TRUE(text == "a" && number == 1.5 && whole == 3 && flag);
+  table.read("none", no_text);
+  table.read("none", no_number, small);
+  table.read("none", no_whole, small);
+  table.read("none", no_flag);
+  EXPECT_TRUE(no_text == "b" && no_number == 0.5 && no_whole == 1 && no_flag);
+}
+
+TEST(TomlTable, SaysOfWhichLineAKeyIsUnknownOrWhatItTakes) {
+  const auto refusal = [](const std::string& line) {
+    return support::messageOf([&] {
+      const TomlNode root = parseToml("\n" + line + "\n", "file.toml");
+      const TomlTable table(root, "file.toml", "a table", {"text", "number", "whole", "flag"});
+      std::string text;
+      double number = 0.0;
+      int whole = 0;
+      bool flag = false;
+      table.read("text", text);
+      table.read("number", number, {0.0, 10.0});
+      table.read("whole", whole, {0.0, 10.0});
+      table.read("flag", flag);
+    });
+  };
+  EXPECT_EQ(refusal("flga = true"), "file.toml:2: unknown key 'flga' in a table; did you mean 'flag'?");
+  EXPECT_EQ(refusal("text = 1"), "file.toml:2: text takes text");
+  EXPECT_EQ(refusal("number = \"1\""), "file.toml:2: number takes a number");
+  EXPECT_EQ(refusal("number = 11"), "file.toml:2: number = 11 is out of range: 0 to 10");
+  EXPECT_EQ(refusal("whole = 1.5"), "file.toml:2: whole takes a whole number");
+  EXPECT_EQ(refusal("flag = 1"), "file.toml:2: flag takes true or false");
 }
 
 TEST(TomlNode, HoldsEveryKindOfValueWithItsPlace) {

@@ -4,9 +4,11 @@
 
 #include "host/tests/scene/dome_scene.h"
 #include "palpate/base/random.h"
+#include "palpate/scene/body_parts.h"
 #include "palpate/scene/errata.h"
 #include "palpate/scene/healthy_tissue.h"
 #include "support/error_message.h"
+#include "support/mesh_zoo.h"
 
 namespace palpate::scene {
 namespace {
@@ -36,6 +38,19 @@ TEST_F(WorldOf, AMeshIsScaledOrderedAndEquallyStiff) {
   EXPECT_FALSE(world->body->closed);
   EXPECT_EQ(*world->surface.stiffness_n_per_mm, std::vector<double>(441, 0.5));
   EXPECT_TRUE(world->body->anatomy.bones.empty());
+}
+
+TEST_F(WorldOf, TheBlocksOfABodyHoldAllOfItsSkinToTheLastVertex) {
+  for (const int cells : {14, 15, 126}) {  // 127^2 vertices are 63 blocks and one vertex
+    std::vector<Index> source_vertex;
+    const auto body = builtBody(mendedBody(zoo::grid(cells, 100.0), "sheet", {}, source_vertex), {}, {});
+    const auto blocks = [](std::size_t count) { return (count + 255) / 256; };
+    ASSERT_EQ(body->vertex_blocks.boxes.size(), blocks(body->skin.positions.size())) << cells;
+    ASSERT_EQ(body->triangle_blocks.boxes.size(), blocks(body->skin.triangles.size())) << cells;
+    for (std::size_t v = 0; v < body->skin.positions.size(); ++v) {
+      EXPECT_TRUE(body->vertex_blocks.boxes[v / 256].contains(body->skin.positions[v].head<2>())) << v;
+    }
+  }
 }
 
 TEST_F(WorldOf, ADysfunctionOffTheBodyIsNoted) {
