@@ -73,6 +73,37 @@ mesh::TriangleMesh foldedBody(double gap) {
   return mesh;
 }
 
+/// A sheet with a furrow of 40 degrees, its triangles nearly as small as a crack is wide; and a larger sheet below.
+mesh::TriangleMesh furrow() {
+  constexpr double kCell = 0.4, kHalfAngle = 20.0 * kRadPerDeg;
+  constexpr Index kAcross = 40, kAlong = 25;
+  mesh::TriangleMesh mesh;
+  for (Index j = 0; j <= kAlong; ++j) {
+    for (Index i = 0; i <= kAcross; ++i) {
+      const double up = kCell * (static_cast<double>(i) - 0.5 * kAcross);
+      mesh.positions.emplace_back(std::sin(kHalfAngle) * up, kCell * j, std::cos(kHalfAngle) * std::abs(up));
+    }
+  }
+  for (Index j = 0; j < kAlong; ++j) {
+    for (Index i = 0; i < kAcross; ++i) {
+      const Index a = j * (kAcross + 1) + i;
+      mesh.triangles.push_back({a, a + 1, a + kAcross + 2});
+      mesh.triangles.push_back({a, a + kAcross + 2, a + kAcross + 1});
+    }
+  }
+  mesh::TriangleMesh below = zoo::grid(10, 100.0);
+  for (Vec3& p : below.positions) p.z() = -30.0;
+  return zoo::joined(mesh, below);
+}
+
+/// Two sheets that face and pierce each other at 4 degrees.
+mesh::TriangleMesh piercingSheets() {
+  mesh::TriangleMesh upper = zoo::grid(100), lower = upper;
+  for (Vec3& p : upper.positions) p.z() = std::tan(4.0 * kRadPerDeg) * (p.x() - 50.3);
+  for (Triangle& t : upper.triangles) std::swap(t[1], t[2]);
+  return zoo::joined(lower, upper);
+}
+
 struct Extremes {
   double least_normal = std::numeric_limits<double>::infinity();
   double most_normal = 0.0, most_sideways = 0.0;
@@ -136,7 +167,7 @@ TEST(NarrowCracks, BanksThatAreCutIntoOtherTrianglesAreOneSkin) {
     for (Vec3& p : other.positions) p.y() = 1.37 * (p.y() - 10.0);  // longer than the first: its wall is free in part
     return other;
   }());
-  expectNoCrack(surfaceOf(shifted));
+  for (const double y : {52.3, 0.5, 1.0}) expectNoCrack(surfaceOf(shifted), y);  // also where it ends
 }
 
 TEST(NarrowCracks, AFoldOfOneBodyIsNoNeedleForAPoint) {
@@ -170,8 +201,9 @@ TEST(NarrowCracks, WiderOnesAreEntered) {
 }
 
 TEST(NarrowCracks, BodiesWithoutHaveNone) {
-  for (const mesh::TriangleMesh& mesh : {zoo::sphere(), zoo::cube(), zoo::plate(), zoo::torus(), zoo::hollowSphere(),
-                                         zoo::cubesSharingAnEdge(), zoo::wavyGrid(), zoo::openTube()}) {
+  for (const mesh::TriangleMesh& mesh :
+       {zoo::sphere(), zoo::cube(), zoo::plate(), zoo::torus(), zoo::hollowSphere(), zoo::cubesSharingAnEdge(),
+        zoo::wavyGrid(), zoo::openTube(), furrow(), piercingSheets()}) {
     EXPECT_TRUE(surfaceOf(mesh).geometry->cracked.empty());
   }
 }
