@@ -86,7 +86,7 @@ void addCredibilityCommand(Command& study) {
   command
       .add_option("--living", a.living,
                   "Also compare with presses on living limbs: their list or its folder "
-                  "(docs/explanation/realism.md; half a minute more)")
+                  "(docs/explanation/tissue.md; half a minute more)")
       ->check(ExistingPath{});
   addNumber(command, "--seed", a.seed, between(0, 1e15), "Other bodies in the hunt, other draws of the inputs");
   command.add_flag("--quick", a.quick, "Fewer ticks, stacks and draws: a look at the file, not for its numbers");

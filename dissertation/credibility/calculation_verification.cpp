@@ -20,7 +20,7 @@ namespace palpate::study {
 
 namespace {
 
-/// Bars of docs/explanation/tissue-solver.md.
+/// Bars of docs/explanation/tissue.md.
 constexpr double kMeshBarPercent = 0.3;
 constexpr double kStepBarPercent = 0.001;
 /// Share of the greatest force: a fifth of the smallest change of force that people notice.

@@ -23,7 +23,7 @@ namespace palpate::study {
 namespace {
 
 constexpr double kNoneAllowed = 0.0;
-/// Bars of docs/explanation/tissue-solver.md.
+/// Bars of docs/explanation/tissue.md.
 constexpr double kHertzBarPercent = 0.8;
 constexpr double kHertzContactBarPercent = 4.5;  ///< elements are a tenth of the radius; half of one is seen
 constexpr double kEnergyBarPercent = 0.1;

@@ -26,7 +26,7 @@ namespace palpate::study {
 
 namespace {
 
-/// Bars of docs/explanation/realism.md: layered stacks, presses of 5 mm and more.
+/// Bars of docs/explanation/tissue.md: layered stacks, presses of 5 mm and more.
 constexpr double kNormalBarPercent = 1.5;
 constexpr double kVectorBarPercent = 2.0;
 constexpr double kForceBarPercent = 10.0;

@@ -179,7 +179,7 @@ void runRealism(const RealismArguments& arguments) {
 void addRealismCommand(Command& tissue) {
   const auto [command, a] = addCommand(
       tissue, "realism",
-      "How far the skin and the force are from finite elements of layered tissue (docs/explanation/realism.md)",
+      "How far the skin and the force are from finite elements of layered tissue (docs/explanation/tissue.md)",
       runRealism);
   command.add_option("--cases", a.cases,
                      "JSON of solved presses to judge by (default: six places of a body, solved now (some 30 s))");

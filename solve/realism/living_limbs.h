@@ -23,7 +23,7 @@ struct LimbSite {
   std::string_view name;
   double bone_radius_mm = 0.0;  ///< typical of an adult's shaft: radius and ulna, humerus, tibia, femur
   /// Young's modulus of its muscle at rest: fitted to the people with odd numbers alone, skin and fat as everywhere
-  /// (docs/explanation/realism.md says how).
+  /// (docs/explanation/tissue.md says how).
   double muscle_kpa = 0.0;
 };
 

@@ -3,7 +3,7 @@
 //   table or library ─ scene::buildOn(flat skin over bone) ─► World ─ contact::step ─► force
 //                                                              └─ engine::LivingSkin ─► surface ─► against the truth
 // Nothing here knows how the product blends or displaces. Area-weighted RMS over 40 mm, divided by the depth of the
-// centre; "vector" has the way outward too. docs/explanation/realism.md.
+// centre; "vector" has the way outward too. docs/explanation/tissue.md.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,6 @@
 // The tissue solver against independent knowledge: Hertz, its own energy, finer meshes and shorter steps.
 //
-// docs/explanation/tissue-solver.md has the same checks as bars of tests; here they are figures that a study can print.
+// docs/explanation/tissue.md has the same checks as bars of tests; here they are figures that a study can print.
 #pragma once
 
 #include <optional>

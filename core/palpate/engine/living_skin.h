@@ -60,7 +60,7 @@ class LivingSkin {
 // drawn, after the fact.
 //
 // Knows nothing of layers or of how deep a press may go; it checks whether they keep their promise
-// (docs/explanation/realism.md).
+// (docs/explanation/tissue.md).
 
 struct BoneCover {
   double least_mm = 0.0;   ///< from a vertex that moved to the nearest bone; below 0: it has sunk in

@@ -2,7 +2,7 @@
 // a tenth of the drag was left, and with drags along the spine. So the rim lies beyond it, and of the measured ellipse
 // the part that any drag makes, longer along itself, is taken out and put back along the drag at hand.
 // Based on: dissertation, future work 1 and 3; tenth: E20, the 2 mm contour of a 20 mm drag; elongation: finite
-// elements (docs/explanation/realism.md).
+// elements (docs/explanation/tissue.md).
 #include "palpate/scene/tissue_of_body.h"
 
 #include <algorithm>

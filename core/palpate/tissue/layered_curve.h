@@ -4,7 +4,7 @@
 // share(q) = x^2 sum c_k y^k with the bell v = 1 / (1 + bend q^2), x = v moved and scaled to be 1 in the middle and 0
 // on the rim q = 1, y = 2 x - 1. So value and slope vanish on the rim whatever the coefficients, and curves with the
 // same bend are blended by blending coefficients. Seven terms follow the finite element profiles of layered tissue,
-// bulges included, within 0.6 % of the depth (docs/explanation/realism.md); one division and ten multiplications serve
+// bulges included, within 0.6 % of the depth (docs/explanation/tissue.md); one division and ten multiplications serve
 // eight vertices at once, where a table of them would be gathered lane by lane. Based on: the power tail (1 + q^2)^-p
 // of a drag over layered tissue, of which v is the case p = 1.
 #pragma once

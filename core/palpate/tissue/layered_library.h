@@ -1,7 +1,7 @@
 // The stacks of a body's regions, solved once and shipped: skin of 2 mm, fat and muscle of every thickness over bone.
 //
 // Made by `palpate tissue library --solve` (docs/explanation/tissue.md says how, with which moduli and how far apart
-// published ones lie); between the stacks nodes are blended (docs/explanation/realism.md says how well).
+// published ones lie); between the stacks nodes are blended (docs/explanation/tissue.md says how well).
 #pragma once
 
 #include <span>

@@ -2,7 +2,7 @@
 //
 // Made by the finite element solver (room `elements`) or fitted to measured curves; what the body blends at run time
 // (layered_library.h). Depths are those of the rigid sphere's lowest point under the undeformed skin.
-// Based on: dissertation, future work 1 and 2; the forms are compared in docs/explanation/realism.md.
+// Based on: dissertation, future work 1 and 2; the forms are compared in docs/explanation/tissue.md.
 #pragma once
 
 #include <filesystem>

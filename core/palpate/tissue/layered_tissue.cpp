@@ -1,6 +1,6 @@
 // Curves are fitted once a table; what is asked at run time is two blends of some twenty numbers.
 //
-// Based on: what finite element models of layered tissue show (docs/explanation/realism.md): shapes at a depth between
+// Based on: what finite element models of layered tissue show (docs/explanation/tissue.md): shapes at a depth between
 // two stored ones are within 1 % of their blend; forces over thickness follow powers, hence logarithms.
 #include "palpate/tissue/layered_tissue.h"
 

@@ -2,7 +2,7 @@
 //
 // Tables (made by the solver, fitted, or the library's) ─ here, at load ─► nodes, thin to thick ─ a contact's thickness
 // and depth ─► curves for `deform`; and the rows of a force law for `contact` (ForceLaw::layered). Blends are linear in
-// the coefficients and in the logarithm of the thickness; docs/explanation/realism.md says how far they are from solved
+// the coefficients and in the logarithm of the thickness; docs/explanation/tissue.md says how far they are from solved
 // stacks.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The table of docs/explanation/tissue-solver.md, of both depths the geometric mean, straight between thicknesses and
+// The table of docs/explanation/tissue.md, of both depths the geometric mean, straight between thicknesses and
 // between curvatures.
 #include "palpate/tissue/narrow_bone.h"
 

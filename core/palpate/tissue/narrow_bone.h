@@ -3,7 +3,7 @@
 //   thickness, radius of the bone ─ shareOverNarrowBone ─► share of the force over a plane
 //                                 ─ feltThickness ─► the thickness over a plane that pushes back as hard
 //
-// Solved in 3D once (elements/, docs/explanation/tissue-solver.md, "Narrow bone"), by a sphere of 8 mm over a post with
+// Solved in 3D once (elements/, docs/explanation/tissue.md, "Narrow bone"), by a sphere of 8 mm over a post with
 // a round top.
 #pragma once
 

@@ -11,7 +11,7 @@
 
 namespace palpate::elements {
 
-/// Greatest depth of a sphere, mm: small ones puncture the model's skin (docs/explanation/tissue-solver.md), fingertips
+/// Greatest depth of a sphere, mm: small ones puncture the model's skin (docs/explanation/tissue.md), fingertips
 /// and larger ones go as deep as requested.
 double deepestOf(double finger_mm);
 

@@ -2,7 +2,7 @@
 // elimination; each Newton step only fills in and factorises.
 //
 // Based on: Eigen, SimplicialLDLT with approximate minimum degree; compared with CHOLMOD in
-// docs/explanation/tissue-solver.md.
+// docs/explanation/tissue.md.
 #pragma once
 
 #include <Eigen/Core>

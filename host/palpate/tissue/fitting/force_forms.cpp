@@ -1,4 +1,4 @@
-// The forms are those of docs/explanation/force-laws.md and the cubic of docs/explanation/fit-tissue.md.
+// The forms are those of docs/explanation/force-laws.md and the cubic of docs/explanation/tissue.md.
 #include "palpate/base/elementary.h"
 #include "palpate/tissue/fitting/force_fit.h"
 

@@ -4,7 +4,7 @@
 //
 // The skin goes down by u0 f(r), f(0) = 1. Places count by the area around them and by their number, half and half, so
 // that neither the middle nor the wide rest rules. Misses are given as the project scores shapes: RMS over the area
-// within 40 mm, over u0. Described in docs/explanation/fit-tissue.md.
+// within 40 mm, over u0. Described in docs/explanation/tissue.md.
 #pragma once
 
 #include <array>
