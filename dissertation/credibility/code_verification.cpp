@@ -90,7 +90,7 @@ Evidence hunted(const CredibilitySettings& settings) {
   const lab::HuntResult result = lab::hunt(plan, settings.progress);
   Evidence evidence{.name = "hunt",
                     .title = "Contact on random bodies",
-                    .against = "a judge with geometry of its own (docs/explanation/hunt.md)",
+                    .against = "a judge with geometry of its own (docs/howto/hunt.md)",
                     .command = fmt::format("palpate study hunt --ticks {} --seed {} --json", plan.ticks, plan.seed),
                     .numbers = {{"ticks", asNumber(result.ticks), ""},
                                 {"touching_ticks", asNumber(result.touching_ticks), ""},

@@ -85,7 +85,7 @@ void addBodyOptions(Command& command, HuntArguments& a) {
             "Scale each file's body to this diagonal; 0: never (default: to 400 mm where it is below 20 mm or "
             "above 10 m)");
   command.add_flag("--generated", a.generated, "Generated bodies too, beside --mesh");
-  command.add_option("--kind", a.kinds, "Generated bodies of this kind alone, repeatable (docs/explanation/hunt.md)");
+  command.add_option("--kind", a.kinds, "Generated bodies of this kind alone, repeatable (docs/howto/hunt.md)");
   addSetting(command, "--bodies", a.bodies, between(0, 1e9), "Generated bodies; 0: one for every 20,000 ticks");
   addSetting(command, "--scale", a.scale, between(1e-6, 1e6),
              "Everything so many times as large: bodies, paths and fingers");

@@ -1,5 +1,5 @@
 // An automaton over ticks, unknown -> outside -> held -> fallen, with the geometry asked as rarely as it can be.
-// Data flow: contact::FingerOutput of a run, tick by tick -> here -> HuntReport. Definitions: docs/explanation/hunt.md.
+// Data flow: contact::FingerOutput of a run, tick by tick -> here -> HuntReport. Definitions: docs/howto/hunt.md.
 #include "lab/judges/hunt_judge.h"
 
 #include <algorithm>

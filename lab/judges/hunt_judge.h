@@ -1,7 +1,7 @@
 // Faults of a finger along a path, tick by tick, in a microsecond or two each: the oracle of `palpate study hunt`.
 //
 // It sees outputs and a mesh and has its own geometry; nothing of `contact` but the plain data of finger_state.h, and
-// nothing of `tree`. docs/explanation/hunt.md describes each fault. Unlike the other oracles it keeps up with a run of
+// nothing of `tree`. docs/howto/hunt.md describes each fault. Unlike the other oracles it keeps up with a run of
 // ten million ticks: a free tip's side is only computed when it has left the ball round the last place that is known to
 // hold no surface.
 #pragma once

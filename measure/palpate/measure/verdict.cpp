@@ -1,4 +1,4 @@
-// The limits were chosen on synthetic pairs, good and corrupted ones (docs/reference/measuring-accuracy.md): none that
+// The limits were chosen on synthetic pairs, good and corrupted ones (docs/explanation/measuring.md): none that
 // is far off may pass.
 #include "palpate/measure/field_report.h"
 
