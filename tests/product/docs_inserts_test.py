@@ -43,6 +43,12 @@ class Inserts(unittest.TestCase):
         self.assertEqual(len(re.findall(r"^\| `", page, re.M)), int(re.search(r"kSceneKeys = (\d+)", header)[1]))
         self.assertIn("### `[body]`", page)
 
+    def test_the_page_of_the_viewer_has_the_keys(self):
+        page = staged((ROOT / "docs/reference/viewer.md").read_text())
+        for group in ("Touch", "View", "Overlays", "Window", "File"):
+            self.assertIn(f"### {group}\n\n| key | does |", page)
+        self.assertRegex(page, r"\| F11 \| .*screen")
+
     def test_the_page_of_records_has_its_tables(self):
         page = staged((ROOT / "docs/reference/results-schema.md").read_text())
         self.assertIn("### site_visit", page)

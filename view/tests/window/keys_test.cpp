@@ -78,8 +78,8 @@ TEST(Keys, AreNamedAsOnAKeyboard) {
 
 TEST(Keys, AreDocumentedAsTheyAre) {
   const std::string page = readFile(support::sourceFolder() / "docs/reference/viewer.md", 1 << 20);
-  EXPECT_NE(page.find(window::keysAsMarkdown()), std::string::npos)
-      << "put the output of `palpate run --keys` into docs/reference/viewer.md";
+  EXPECT_NE(page.find("<!-- insert: palpate run --keys -->"), std::string::npos) << "tools/docs puts the keys there";
+  EXPECT_NE(window::keysAsMarkdown().find("| F11 |"), std::string::npos);
 }
 
 }  // namespace
