@@ -5,7 +5,7 @@
 // Every form is k h(d) with h(d_ref) = d_ref, as the engine's laws are (force_law.h): k is the secant stiffness at the
 // reference depth, as in the stiffness map. A row counts by how sure it is: a part of a force's noise grows with the
 // force and a part does not, in the proportion that makes the curve most likely. Described in
-// docs/explanation/fit-tissue.md.
+// docs/explanation/tissue.md.
 #pragma once
 
 #include <Eigen/Core>
