@@ -101,7 +101,7 @@ struct FingerState {
   bool touching = false;
   bool slipping = false;
   /// The session began inside of overlapping parts, and nothing was felt since. Of an open body: the finger was inside
-  /// when it last landed.
+  /// when it last landed, and its tip has not been outside since.
   bool from_inside = false;
   Vec3 tip = Vec3::Zero();     ///< of the last usable tick
   SurfacePoint proxy;          ///< point: P. Sphere: where it touches
