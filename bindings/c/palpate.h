@@ -243,7 +243,7 @@ typedef struct palpate_touch {
   double hold_mm[3];   /* where friction holds the tip, a point in space */
   uint32_t triangle;   /* of the world's skin under the proxy, or PALPATE_NONE */
   uint32_t anchor_triangle;
-  double tissue_mm;        /* thickness over the bone under the proxy; 0: unknown */
+  double tissue_mm;        /* thickness over the bone under the proxy, as felt: more over a narrow one; 0: unknown */
   double rest_mm;          /* remaining depth of the pressed skin without the finger (relaxation); 0 when free */
   double dent_mm[3];       /* place of a dent that the finger left and that recovers */
   double dent_rest_mm;     /* its present depth; 0: no dent */

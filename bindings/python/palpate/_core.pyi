@@ -249,7 +249,7 @@ class Touch:
         """Depth along the normal, mm; 0 when free."""
     @property
     def tissue_mm(self) -> float:
-        """Thickness over the bone under the finger, mm; 0 when free and where it is not known."""
+        """Thickness over the bone under the finger as it is felt, more over a narrow one, mm; 0 when free and where it is not known."""
     @property
     def rest_mm(self) -> float:
         """Effective depth at which the skin under the finger would stay by itself, mm."""

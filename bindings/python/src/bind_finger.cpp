@@ -168,7 +168,8 @@ void bindTouch(py::module_& module) {
       "depth_mm", [](const FingerOutput& self) { return self.depth_mm; }, "Depth along the normal, mm; 0 when free.");
   touch.def_property_readonly(
       "tissue_mm", [](const FingerOutput& self) { return self.tissue_mm; },
-      "Thickness over the bone under the finger, mm; 0 when free and where it is not known.");
+      "Thickness over the bone under the finger as it is felt, more over a narrow one, mm; 0 when free and where it is "
+      "not known.");
   touch.def_property_readonly(
       "rest_mm", [](const FingerOutput& self) { return self.rest_mm; },
       "Effective depth at which the skin under the finger would stay by itself, mm.");

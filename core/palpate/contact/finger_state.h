@@ -129,7 +129,7 @@ struct FingerOutput {
   Vec3 normal = Vec3::Zero();  ///< unit, out of the skin; zero when free
   Vec3 force = Vec3::Zero();   ///< on the tip, N
   double depth_mm = 0.0;
-  double tissue_mm = 0.0;  ///< thickness over the bone under the proxy; 0 when free and where it is not known
+  double tissue_mm = 0.0;  ///< felt thickness over the bone under the proxy; 0 when free and where it is not known
   double finger_mm = 0.0;  ///< radius of the finger; 0: a point, or not known
   Touch touch = Touch::free;
   Index triangle = kNoIndex;         ///< of the mesh, under the proxy

@@ -42,7 +42,7 @@ struct Surface {
   std::shared_ptr<const SurfaceGeometry> geometry;  ///< never null
   /// Per vertex; never null. Surfaces of one skin may share it.
   std::shared_ptr<const std::vector<double>> stiffness_n_per_mm;
-  std::vector<double> tissue_mm;  ///< per vertex: thickness over the bone; empty where it is not known
+  std::vector<double> tissue_mm;  ///< per vertex: felt over the bone (PlacedTissue); empty where it is not known
   tissue::ForceLaw force_law;
   std::shared_ptr<const Lumps> lumps = nullptr;  ///< under it (lump_force.h); null: none
   /// Of its geometry, for spheres that keep the skin near them (nearby_skin.h); null: they ask the tree.

@@ -19,8 +19,9 @@ namespace palpate::scene {
 /// What lies under the skin of a built-in body; empty for a mesh.
 struct Anatomy {
   std::vector<body::Bone> bones;
-  std::vector<double> depth_mm;     ///< a skin vertex each: to the nearest bone
-  std::vector<Index> nearest_bone;  ///< a skin vertex each: index into `bones`
+  std::vector<double> depth_mm;       ///< a skin vertex each: to the nearest bone
+  std::vector<Index> nearest_bone;    ///< a skin vertex each: index into `bones`
+  std::vector<float> bone_radius_mm;  ///< a skin vertex each (beneath/tissue_beneath.h); empty: all bone is wide
   std::vector<body::SkinLandmark> landmarks;
   std::optional<body::Support> support;  ///< what the body lies or sits on
 };

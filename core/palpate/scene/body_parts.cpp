@@ -14,6 +14,7 @@
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"
+#include "palpate/scene/beneath/tissue_beneath.h"
 #include "palpate/scene/ready_body.h"
 #include "palpate/scene/skin_channels.h"
 #include "palpate/scene/skin_texture.h"
@@ -32,8 +33,12 @@ std::vector<T> permuted(const std::vector<T>& values, const std::vector<Index>& 
 /// Of a torso or a trunk, its vertices in the order of `source`.
 template <class Body>
 Anatomy anatomyOf(Body body, const std::vector<Index>& source) {
-  return {std::move(body.bones), permuted(body.depth_mm, source), permuted(body.nearest_bone, source),
-          std::move(body.landmarks), std::nullopt};
+  return {.bones = std::move(body.bones),
+          .depth_mm = permuted(body.depth_mm, source),
+          .nearest_bone = permuted(body.nearest_bone, source),
+          .bone_radius_mm = {},
+          .landmarks = std::move(body.landmarks),
+          .support = std::nullopt};
 }
 
 /// What was made, with its skin in the order that is near in memory.
@@ -44,6 +49,7 @@ BodyParts partsOf(std::string name, mesh::TriangleMesh& skin, Made& made) {
   parts.skin = std::move(skin);
   const auto order = mesh::reorderSpatially(parts.skin);
   parts.anatomy = anatomyOf(std::move(made), order.source_vertex);
+  parts.anatomy.bone_radius_mm = boneRadii(parts.skin, parts.anatomy.depth_mm, parts.anatomy.bones);
   return parts;
 }
 
@@ -125,8 +131,13 @@ Anatomy fittedAnatomy(const std::filesystem::path& file, const mesh::TriangleMes
   const body::BodyFit fit = body::fitFromJson(readFile(file, body::kLongestFitFile), file.string());
   try {
     body::FittedBody fitted = body::fittedBody(body::TemplateBody(), fit, skin);
-    return {std::move(fitted.bones), std::move(fitted.depth_mm), std::move(fitted.nearest_bone),
-            std::move(fitted.landmarks), std::nullopt};
+    std::vector<float> bone_radius_mm = boneRadii(skin, fitted.depth_mm, fitted.bones);
+    return {.bones = std::move(fitted.bones),
+            .depth_mm = std::move(fitted.depth_mm),
+            .nearest_bone = std::move(fitted.nearest_bone),
+            .bone_radius_mm = std::move(bone_radius_mm),
+            .landmarks = std::move(fitted.landmarks),
+            .support = std::nullopt};
   } catch (const Error& error) {
     throw Error::inFile(file.string(), error.what());
   }

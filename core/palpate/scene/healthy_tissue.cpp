@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "palpate/base/error.h"
+#include "palpate/tissue/narrow_bone.h"
+#include "palpate/tree/triangle_tree.h"
 
 namespace palpate::scene {
 
@@ -153,7 +155,10 @@ std::shared_ptr<const HealthyTissue> healthyTissue(const Scene& scene, const Bod
       .settings = settings, .lasts = lasts, .tissue = {}, .stiffness_n_per_mm = {}, .steepest = {}, .notes = {}};
   if (settings.layered) {
     healthy.tissue = placedTissue(scene, body.anatomy.depth_mm, body.given_layers);
-    if (settings.narrow_bone) healthy.tissue.thickness_mm = overNarrowBone(body.skin, body.anatomy, healthy.tissue);
+    PlacedTissue& tissue = healthy.tissue;
+    const std::vector<float>& bone_radius_mm = body.anatomy.bone_radius_mm;
+    if (settings.narrow_bone && !bone_radius_mm.empty())
+      tissue.felt_mm = tissue::feltThicknesses(*tissue.layered, tissue.thickness_mm, bone_radius_mm);
   }
   std::vector<double> stiffness = healthyStiffness(scene, body, keys, healthy.tissue, healthy.notes);
   maps::applyVariation(body.skin.positions, settings.variation, stiffness);
@@ -163,6 +168,15 @@ std::shared_ptr<const HealthyTissue> healthyTissue(const Scene& scene, const Bod
   }
   healthy.stiffness_n_per_mm = std::make_shared<const std::vector<double>>(std::move(stiffness));
   return std::make_shared<const HealthyTissue>(std::move(healthy));
+}
+
+double thicknessOverBone(const HealthyTissue& healthy, const tree::TriangleRecord& under, const Vec3& place) noexcept {
+  const std::vector<double>& thickness_mm = healthy.tissue.thickness_mm;
+  if (thickness_mm.empty()) return 0.0;
+  const Vec3 weights = tree::barycentricWeights(under.corners, place);
+  double mm = 0.0;
+  for (int i = 0; i < 3; ++i) mm += weights[i] * thickness_mm[under.vertices[static_cast<std::size_t>(i)]];
+  return mm;
 }
 
 DiseasedStiffness diseasedStiffness(const Scene& scene, const Body& body, const HealthyTissue& healthy,

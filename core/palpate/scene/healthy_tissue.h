@@ -28,7 +28,7 @@ struct HealthySettings {
   bool layered = false;
   double fat_mm = 0.0;
   bool by_finger_radius = true;
-  bool narrow_bone = false;
+  bool narrow_bone = true;
   StiffnessSource source = StiffnessSource::automatic;
   double constant_n_per_mm = 0.0;
   maps::DepthLaw depth;
@@ -49,6 +49,9 @@ struct HealthyTissue {
 std::shared_ptr<const HealthyTissue> healthyTissue(const Scene& scene, const Body& body, TissueModel model,
                                                    const std::vector<maps::KeyPoint>& keys,
                                                    std::shared_ptr<const HealthyTissue> before);
+
+/// At a place of the skin in this triangle, mm, however narrow the bone is; 0 where there are no layers.
+double thicknessOverBone(const HealthyTissue& healthy, const tree::TriangleRecord& under, const Vec3& place) noexcept;
 
 struct DiseasedStiffness {
   std::shared_ptr<const std::vector<double>> n_per_mm;  ///< a skin vertex each; the healthy one where nothing differs

@@ -16,7 +16,7 @@ namespace palpate::scene {
 
 namespace {
 
-constexpr std::string_view kKind = "palpate body 2";
+constexpr std::string_view kKind = "palpate body 3";
 constexpr std::uint32_t kMaxBodyVertices = 1'000'000;
 constexpr std::uint32_t kMaxParts = 1000;  // bones or landmarks
 constexpr std::uint32_t kMaxName = 200;    // letters
@@ -66,15 +66,16 @@ void planes(WireReader& wire, std::vector<Whole>& values) {
 
 template <class Wire, class Reals>
 void realPlanes(Wire& wire, Reals& values) {
-  std::vector<std::uint64_t> bits(values.size());
+  using Real = typename Reals::value_type;
+  std::vector<wire::BitsOf<Real>> bits(values.size());
   if constexpr (!Wire::kReads) {
     for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = wire::bitsOf(values[i]);
   }
   planes(wire, bits);
   if constexpr (Wire::kReads) {
     for (std::size_t i = 0; i < bits.size(); ++i) {
-      values[i] = wire::realOf<double>(bits[i]);
-      if (!(std::abs(values[i]) <= kMaxWire)) wire.fail("a number that is not finite, or too large");
+      values[i] = wire::realOf<Real>(bits[i]);
+      if (!(std::abs(values[i]) <= static_cast<Real>(kMaxWire))) wire.fail("a number that is not finite, or too large");
     }
   }
 }
@@ -154,9 +155,11 @@ void walkAnatomy(Wire& wire, Parts& anatomy, std::size_t vertices) {
   if constexpr (Wire::kReads) {
     anatomy.depth_mm.assign(vertices, 0.0);
     anatomy.nearest_bone.assign(vertices, 0);
+    anatomy.bone_radius_mm.assign(vertices, 0.0f);
   }
   realPlanes(wire, anatomy.depth_mm);
   indexPlanes(wire, anatomy.nearest_bone, anatomy.bones.size());
+  realPlanes(wire, anatomy.bone_radius_mm);
   sizeParts(wire, anatomy.landmarks);
   for (auto& landmark : anatomy.landmarks) {
     walkText(wire, landmark.name);

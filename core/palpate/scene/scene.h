@@ -122,7 +122,7 @@ struct TissueSettings {
   std::filesystem::path layer_table;  ///< one stack for every place (`palpate tissue solve`); empty: the library's
   bool by_finger_radius = true;       ///< layered law: force by the finger's radius; false: every finger is a fingertip
   double point_radius_mm = tissue::kFingertipMm;  ///< layered law: the radius that a point is felt with
-  bool narrow_bone = false;                       ///< layered law: bone that is narrow pushes back less than a wide one
+  bool narrow_bone = true;                        ///< layered law: bone that is narrow pushes back less than a wide one
   contact::Relaxation relaxation = {};            ///< of every finger's force: filled in by contactSettings (world.h)
   LumpForce lumps = LumpForce::table;
 };

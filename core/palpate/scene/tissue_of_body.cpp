@@ -13,9 +13,7 @@
 #include "palpate/base/error.h"
 #include "palpate/maps/ellipse.h"
 #include "palpate/scene/anatomical_reach.h"
-#include "palpate/scene/beneath/tissue_beneath.h"
 #include "palpate/tissue/layered_library.h"
-#include "palpate/tissue/narrow_bone.h"
 
 namespace palpate::scene {
 
@@ -217,20 +215,14 @@ PlacedTissue placedTissue(const Scene& scene, const std::vector<double>& bone_de
     const double usual = std::isfinite(depth) ? depth : placed.layered->thickest();
     placed.thickness_mm.push_back(std::clamp(usual, placed.layered->thinnest(), placed.layered->thickest()));
   }
+  placed.felt_mm = placed.thickness_mm;
   return placed;
-}
-
-std::vector<double> overNarrowBone(const mesh::TriangleMesh& skin, const Anatomy& anatomy, const PlacedTissue& tissue) {
-  const std::vector<double> radii = boneRadii(skin, anatomy.depth_mm, anatomy.bones);
-  std::vector<double> felt = tissue.thickness_mm;
-  for (std::size_t v = 0; v < felt.size(); ++v) felt[v] = tissue::feltThickness(*tissue.layered, felt[v], radii[v]);
-  return felt;
 }
 
 std::vector<double> secantStiffness(const PlacedTissue& tissue) {
   std::vector<double> stiffness;
-  stiffness.reserve(tissue.thickness_mm.size());
-  for (const double thickness : tissue.thickness_mm) {
+  stiffness.reserve(tissue.felt_mm.size());
+  for (const double thickness : tissue.felt_mm) {
     stiffness.push_back(tissue.layered->secantAt(thickness, tissue::kReferenceDepthMm));
   }
   return stiffness;

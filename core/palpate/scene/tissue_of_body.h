@@ -15,7 +15,8 @@ namespace palpate::scene {
 
 struct PlacedTissue {
   std::shared_ptr<const tissue::LayeredTissue> layered;  ///< null: the body is not layered
-  std::vector<double> thickness_mm;                      ///< a skin vertex each; empty likewise
+  std::vector<double> thickness_mm;                      ///< over the bone, a skin vertex each; empty likewise
+  std::vector<double> felt_mm;  ///< likewise, as it is felt: over narrow bone as if there were more (narrow_bone.h)
 };
 
 /// Of a body with bones: their depths, a skin vertex each. `given`: in place of the library's and the scene's table, or
@@ -23,14 +24,10 @@ struct PlacedTissue {
 PlacedTissue placedTissue(const Scene& scene, const std::vector<double>& bone_depth_mm,
                           std::shared_ptr<const tissue::LayeredTissue> given);
 
-/// The thicknesses that push back as these do over bones as narrow as this body's (tissue/narrow_bone.h). The tissue
-/// must be layered.
-std::vector<double> overNarrowBone(const mesh::TriangleMesh& skin, const Anatomy& anatomy, const PlacedTissue& tissue);
-
 /// mm of fat that the scene means: its own number, or by the mass index of the body. // tissue-data: 2 to 25 mm
 double fatOf(const Scene& scene);
 
-/// What the stiffness map means, a vertex each: the secant at the reference depth.
+/// What the stiffness map means, a vertex each: the secant at the reference depth, as it is felt.
 std::vector<double> secantStiffness(const PlacedTissue& tissue);
 
 /// The contact, which has the map's ellipse for its drag, with curves and regions of the tissue at its anchor. The

@@ -260,7 +260,7 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
   report(progress, "mapping stiffness", 0.8);
   contact::Surface surface =
       contact::surfaceOf(body->geometry, std::move(stiffness.n_per_mm),
-                         {.force_law = forceLaw(scene, healthy->tissue), .tissue_mm = healthy->tissue.thickness_mm});
+                         {.force_law = forceLaw(scene, healthy->tissue), .tissue_mm = healthy->tissue.felt_mm});
   surface.planes = body->planes;
   noteFingers(scene, surface.force_law, notes);
   const bool has_layers = choice.model == TissueModel::layered;

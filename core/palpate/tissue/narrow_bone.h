@@ -1,11 +1,14 @@
 // Tissue over a narrow bone feels softer than over a wide one: it gives way beside it.
 //
 //   thickness, radius of the bone ─ shareOverNarrowBone ─► share of the force over a plane
-//                                 ─ feltThickness ─► the thickness over a plane that pushes back as hard
+//                                 ─ feltThicknesses ─► the thickness over a plane that pushes back as hard
 //
 // Solved in 3D once (elements/, docs/explanation/tissue.md, "Narrow bone"), by a sphere of 8 mm over a post with
 // a round top.
 #pragma once
+
+#include <span>
+#include <vector>
 
 #include "palpate/tissue/layered_tissue.h"
 
@@ -27,7 +30,9 @@ inline constexpr double kFirmDepthMm = 5.0;
 /// thickest, what is missing falls to nothing at kDeepBoneMm.
 double shareOverNarrowBone(double thickness_mm, double bone_radius_mm) noexcept;
 
-/// mm; never less than the thickness itself. Load time.
-double feltThickness(const LayeredTissue& tissue, double thickness_mm, double bone_radius_mm) noexcept;
+/// mm, of each place, whose thickness and radius are given; never less than the thickness itself. Load time: some
+/// milliseconds for 30,000 places.
+std::vector<double> feltThicknesses(const LayeredTissue& tissue, std::span<const double> thickness_mm,
+                                    std::span<const float> bone_radius_mm);
 
 }  // namespace palpate::tissue

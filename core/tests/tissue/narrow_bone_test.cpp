@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
 
 #include "palpate/tissue/layered_library.h"
 
@@ -35,19 +36,24 @@ TEST(NarrowBone, ShareRisesWithThicknessAndRadiusWithoutSteps) {
   }
 }
 
+double feltThickness(const LayeredTissue& tissue, double thickness_mm, float bone_radius_mm) {
+  return feltThicknesses(tissue, std::span(&thickness_mm, 1), std::span(&bone_radius_mm, 1)).front();
+}
+
 TEST(NarrowBone, TheFeltThicknessPushesBackByTheShareAtBothDepthsTogether) {
   const LayeredTissue tissue(libraryNodes(8.0));
   for (const double thickness : {9.0, 12.0, 18.0}) {
-    for (const double radius : {3.0, 6.0, 15.0}) {
+    for (const float radius : {3.0f, 6.0f, 15.0f}) {
       const double felt = feltThickness(tissue, thickness, radius);
       EXPECT_GT(felt, thickness);
       const auto share_at = [&](double depth_mm) {
         return tissue.secantAt(felt, depth_mm) / tissue.secantAt(thickness, depth_mm);
       };
       const double squared_share = share_at(kLightDepthMm) * share_at(kFirmDepthMm);
-      EXPECT_NEAR(std::sqrt(squared_share), shareOverNarrowBone(thickness, radius), 1e-6) << thickness << " " << radius;
+      EXPECT_NEAR(std::sqrt(squared_share), shareOverNarrowBone(thickness, static_cast<double>(radius)), 1e-6)
+          << thickness << " " << radius;
     }
-    EXPECT_EQ(feltThickness(tissue, thickness, kFlatBoneMm), thickness);
+    EXPECT_EQ(feltThickness(tissue, thickness, static_cast<float>(kFlatBoneMm)), thickness);
   }
 }
 

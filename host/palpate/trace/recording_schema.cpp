@@ -166,9 +166,11 @@ std::string sceneOfVersion(std::int64_t version, std::string scene) {
   constexpr std::int64_t kTrunkIsMeant = 3;
   constexpr std::int64_t kLayersAreMeant = 4;
   constexpr std::int64_t kRadiusIsFelt = 5;
+  constexpr std::int64_t kNarrowBoneIsFelt = 6;
   if (version < kTrunkIsMeant) scene = withKey(std::move(scene), "body", "kind", "\"torso\"");
   if (version < kLayersAreMeant) scene = withKey(std::move(scene), "deformation", "tissue", "\"gaussian\"");
   if (version < kRadiusIsFelt) scene = withKey(std::move(scene), "tissue", "by_finger_radius", "false");
+  if (version < kNarrowBoneIsFelt) scene = withKey(std::move(scene), "tissue", "narrow_bone", "false");
   return scene;
 }
 

@@ -13,7 +13,7 @@ inline constexpr std::int64_t kRecordingApplication = 0x50616c70;
 
 /// Of the tables and of what their texts mean; counts up whenever that changes. Files of every version are read for
 /// ever.
-inline constexpr std::int64_t kRecordingVersion = 5;
+inline constexpr std::int64_t kRecordingVersion = 6;
 
 /// Fingers of a recording: more than any rig has, so that a row that says more is damage.
 inline constexpr std::int64_t kMaxFingers = 1000;

@@ -19,6 +19,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
+#include "palpate/scene/beneath/tissue_beneath.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/ready_body.h"
 #include "support/places.h"
@@ -59,6 +60,7 @@ void expectSameBody(const BodyParts& a, const BodyParts& b) {
   expectSameMesh(a.skin, b.skin);
   EXPECT_EQ(a.anatomy.depth_mm, b.anatomy.depth_mm);
   EXPECT_EQ(a.anatomy.nearest_bone, b.anatomy.nearest_bone);
+  EXPECT_EQ(a.anatomy.bone_radius_mm, b.anatomy.bone_radius_mm);
   ASSERT_EQ(a.anatomy.bones.size(), b.anatomy.bones.size());
   for (std::size_t i = 0; i < a.anatomy.bones.size(); ++i) {
     EXPECT_EQ(a.anatomy.bones[i].name, b.anatomy.bones[i].name);
@@ -145,6 +147,7 @@ TEST_F(BodyStoreFiles, GiveWhatTheMakersMakeToTheLastBit) {
     const std::optional<BodyParts> kept = keptBody(settings);
     ASSERT_TRUE(kept);
     expectSameBody(*kept, fresh);
+    EXPECT_EQ(kept->anatomy.bone_radius_mm, boneRadii(kept->skin, kept->anatomy.depth_mm, kept->anatomy.bones));
     expectSameBody(makeBody(settings, {}), fresh);  // read
   }
   EXPECT_EQ(files().size(), oneOfEachKind().size());
@@ -358,11 +361,12 @@ TEST_F(BodyStoreFiles, BearTheNameOfTheSourcesThatMadeThem) {
   EXPECT_EQ(support::contentOf(support::buildFolder() / "host/body_makers.cpp"), built) << "of this build";
   const fs::path copy = folder_ / "copy";
   fs::create_directories(copy / "core/palpate");
-  for (const char* room : {"base", "mesh", "body", "scene"}) {
+  for (const char* room : {"base", "mesh", "body", "scene", "tissue"}) {
     fs::copy(source / "core/palpate" / room, copy / "core/palpate" / room, fs::copy_options::recursive);
   }
   EXPECT_EQ(makers_of(copy), built);
-  for (const char* file : {"base/elementary.cpp", "mesh/reorder.cpp", "body/trunk/trunk.cpp", "scene/body_parts.cpp"}) {
+  for (const char* file : {"base/elementary.cpp", "mesh/reorder.cpp", "body/trunk/trunk.cpp", "scene/body_parts.cpp",
+                           "scene/beneath/bone_width.cpp", "tissue/narrow_bone.h"}) {
     ASSERT_TRUE(fs::exists(copy / "core/palpate" / file)) << file;
     std::ofstream(copy / "core/palpate" / file, std::ios::app) << "//\n";
     const std::string changed = makers_of(copy);
@@ -395,6 +399,7 @@ TEST(ReadyBody, RefusesBytesThatAreNotAWholeBody) {
       for (const Vec3& position : parts.skin.positions) ASSERT_TRUE(position.allFinite()) << at;
       for (const Index bone : parts.anatomy.nearest_bone) ASSERT_LT(bone, parts.anatomy.bones.size()) << at;
       ASSERT_EQ(parts.anatomy.depth_mm.size(), parts.skin.positions.size()) << at;
+      ASSERT_EQ(parts.anatomy.bone_radius_mm.size(), parts.skin.positions.size()) << at;
     } catch (const Error&) {
     }
   }

@@ -49,13 +49,14 @@ struct SkinOverBone {
   SkinOverBone(double cover_mm, const Height& bone) : skin(sheet(4.0, [&](double, double) { return cover_mm; })) {
     anatomy.bones = {{.name = "bone", .mesh = sheet(0.5, bone)}};
     anatomy.depth_mm = body::depthToBones(skin.positions, anatomy.bones).depth_mm;
+    anatomy.bone_radius_mm = boneRadii(skin, anatomy.depth_mm, anatomy.bones);
   }
   std::size_t middle() const { return skin.positions.size() / 2; }
 };
 
 double foundRadius(double cover_mm, const Height& bone) {
   const SkinOverBone body(cover_mm, bone);
-  return boneRadii(body.skin, body.anatomy.depth_mm, body.anatomy.bones)[body.middle()];
+  return static_cast<double>(body.anatomy.bone_radius_mm[body.middle()]);
 }
 
 /// Height of a ball's top half, of a post below it, whose top lies in z = 0.
@@ -97,7 +98,8 @@ std::array<double, 2> forcesOver(double cover_mm, const Height& bone) {
   const SkinOverBone body(cover_mm, bone);
   const auto library = std::make_shared<const tissue::LayeredTissue>(tissue::libraryNodes(8.0));
   const PlacedTissue placed = placedTissue({}, body.anatomy.depth_mm, library);
-  const double felt_mm = overNarrowBone(body.skin, body.anatomy, placed)[body.middle()];
+  const double felt_mm =
+      tissue::feltThicknesses(*library, placed.thickness_mm, body.anatomy.bone_radius_mm)[body.middle()];
   return {2.0 * library->secantAt(felt_mm, 2.0), 5.0 * library->secantAt(felt_mm, 5.0)};
 }
 

@@ -9,9 +9,11 @@
 #include <functional>
 
 #include "palpate/body/places.h"
+#include "palpate/scene/healthy_tissue.h"
 #include "palpate/scene/skin_contact.h"
 #include "palpate/tissue/force_law.h"
 #include "palpate/tissue/layered_library.h"
+#include "support/error_message.h"
 #include "support/temporary_folder.h"
 
 namespace palpate::scene {
@@ -69,7 +71,7 @@ TEST(LayeredBody, WithoutLayersFeelsAsItDidBefore) {
 }
 
 TEST(LayeredBody, PushesBackAsTheSolvedStackOfThePlace) {
-  const auto world = trunk();
+  const auto world = trunk([](Scene& s) { s.tissue.narrow_bone = false; });
   const tissue::LayeredTissue library(tissue::libraryNodes(fatOf(world->scene)));
   for (const char* place : {"T6", "T9 right 32 mm", "L3", "L3 right 40 mm", "T4 left 60 mm"}) {
     const Index v = vertexAt(*world, place);
@@ -209,8 +211,8 @@ TEST(LayeredBody, PushesBackOnAFingerByItsRadiusUnlessTheSceneSaysNo) {
 }
 
 TEST(LayeredBody, NarrowBoneIsFeltSofterAndWideBoneAsItWas) {
-  const auto wide = trunk();
-  const auto narrow = trunk([](Scene& s) { s.tissue.narrow_bone = true; });
+  const auto wide = trunk([](Scene& s) { s.tissue.narrow_bone = false; });
+  const auto narrow = trunk();
   const auto force = [](const World& world, const std::string& place) {
     const Index vertex = vertexAt(world, place);
     return tissue::normalForce(world.surface.force_law, (*world.surface.stiffness_n_per_mm)[vertex], 5.0,
@@ -223,6 +225,22 @@ TEST(LayeredBody, NarrowBoneIsFeltSofterAndWideBoneAsItWas) {
     const bool deep = wide->body->anatomy.depth_mm[v] > 30.0;
     ASSERT_TRUE(!deep || (*narrow->surface.stiffness_n_per_mm)[v] == (*wide->surface.stiffness_n_per_mm)[v]) << v;
   }
+}
+
+TEST(LayeredBody, NarrowBoneLiesAsDeepAsItDid) {
+  const auto wide = trunk([](Scene& s) { s.tissue.narrow_bone = false; });
+  const auto narrow = trunk();
+  EXPECT_EQ(narrow->healthy->tissue.thickness_mm, wide->healthy->tissue.thickness_mm);
+  const std::string refused = support::messageOf([] {
+    trunk([](Scene& s) {
+      s.lumps.resize(1);
+      s.lumps[0].x_mm = 2.0;  // T6
+      s.lumps[0].y_mm = 38.0;
+      s.lumps[0].depth_mm = 3.0;
+      s.lumps[0].diameter_mm = 6.5;
+    });
+  });
+  EXPECT_NE(refused.find("reaches the bone: its bottom is 9.5 mm deep, the bone 10."), std::string::npos) << refused;
 }
 
 TEST(LayeredBody, SaysWhichFingerIsLargerThanWhatWasSolved) {

@@ -101,7 +101,8 @@ class RecordingFile : public testing::Test {
 };
 
 TEST(RecordingVersion, ASceneThatNamedNoBodyMeantTheTorsoBeforeTheTrunkWasMade) {
-  const std::string tissue = "\n[deformation]\ntissue = \"gaussian\"\n\n[tissue]\nby_finger_radius = false\n";
+  const std::string tissue =
+      "\n[deformation]\ntissue = \"gaussian\"\n\n[tissue]\nnarrow_bone = false\nby_finger_radius = false\n";
   EXPECT_EQ(sceneOfVersion(2, "title = \"a\"\n"), "title = \"a\"\n\n[body]\nkind = \"torso\"\n" + tissue);
   EXPECT_EQ(sceneOfVersion(1, "[body]\ntriangles = 8163\n\n[view]\nkind = 1\n"),
             "[body]\nkind = \"torso\"\ntriangles = 8163\n\n[view]\nkind = 1\n" + tissue);
@@ -110,15 +111,21 @@ TEST(RecordingVersion, ASceneThatNamedNoBodyMeantTheTorsoBeforeTheTrunkWasMade) 
 }
 
 TEST(RecordingVersion, ASceneThatNamedNoTissueMeantTheHalfGaussianBeforeLayersWereTheRule) {
-  const std::string radius = "\n[tissue]\nby_finger_radius = false\n";
+  const std::string radius = "\n[tissue]\nnarrow_bone = false\nby_finger_radius = false\n";
   EXPECT_EQ(sceneOfVersion(3, "title = \"a\"\n"), "title = \"a\"\n\n[deformation]\ntissue = \"gaussian\"\n" + radius);
   const std::string layered = "[deformation]\ntissue = \"layered\"\n";
   EXPECT_EQ(sceneOfVersion(3, layered), layered + radius);
 }
 
 TEST(RecordingVersion, LayersPushedBackOnEveryFingerAsOnAFingertipBeforeTheRadiusCounted) {
-  EXPECT_EQ(sceneOfVersion(4, "[tissue]\nfat_mm = 8\n"), "[tissue]\nby_finger_radius = false\nfat_mm = 8\n");
-  EXPECT_EQ(sceneOfVersion(5, "title = \"a\"\n"), "title = \"a\"\n");
+  EXPECT_EQ(sceneOfVersion(4, "[tissue]\nfat_mm = 8\n"),
+            "[tissue]\nnarrow_bone = false\nby_finger_radius = false\nfat_mm = 8\n");
+}
+
+TEST(RecordingVersion, AllBoneWasFeltAsWideBeforeNarrowBoneWasTheRule) {
+  EXPECT_EQ(sceneOfVersion(5, "[tissue]\nfat_mm = 8\n"), "[tissue]\nnarrow_bone = false\nfat_mm = 8\n");
+  EXPECT_EQ(sceneOfVersion(5, "[tissue]\nnarrow_bone = true\n"), "[tissue]\nnarrow_bone = true\n");
+  EXPECT_EQ(sceneOfVersion(6, "title = \"a\"\n"), "title = \"a\"\n");
 }
 
 TEST_F(RecordingFile, GivesBackHeaderWorldsEventsAndTicks) {
@@ -236,7 +243,7 @@ TEST_F(RecordingFile, SaysWhatIsNoRecording) {
   begin("later.session").finish("done");
   Database(folder_ / "later.session", Database::Mode::write).run("PRAGMA user_version = 99");
   EXPECT_EQ(support::messageOf([&] { RecordingReader(folder_ / "later.session"); }),
-            (folder_ / "later.session").string() + ": is a recording of version 99; this program reads up to 5");
+            (folder_ / "later.session").string() + ": is a recording of version 99; this program reads up to 6");
 }
 
 TEST_F(RecordingFile, NamesABlockThatIsDamaged) {

@@ -48,14 +48,14 @@ double radiusWithin(double depth_mm, const std::array<double, kRing.size()>& rin
 
 }  // namespace
 
-std::vector<double> boneRadii(const mesh::TriangleMesh& skin, std::span<const double> nearest_mm,
-                              std::span<const body::Bone> bones) {
+std::vector<float> boneRadii(const mesh::TriangleMesh& skin, std::span<const double> nearest_mm,
+                             std::span<const body::Bone> bones) {
   const std::vector<Vec3> normals = mesh::vertexNormals(skin);
   std::vector<Index> asked;
   for (Index v = 0; v < skin.positions.size(); ++v) {
     if (nearest_mm[v] < tissue::kDeepBoneMm) asked.push_back(v);
   }
-  std::vector<double> radii(skin.positions.size(), tissue::kFlatBoneMm);
+  std::vector<float> radii(skin.positions.size(), static_cast<float>(tissue::kFlatBoneMm));
   if (asked.empty() || bones.empty()) return radii;
   // One direction after the other: each search begins with the answer of the point before.
   std::vector<Vec3> points;
@@ -71,7 +71,7 @@ std::vector<double> boneRadii(const mesh::TriangleMesh& skin, std::span<const do
   for (std::size_t i = 0; i < asked.size(); ++i) {
     std::array<double, kRing.size()> ring_mm{};
     for (std::size_t k = 0; k < kRing.size(); ++k) ring_mm[k] = aside_mm[k * asked.size() + i];
-    radii[asked[i]] = radiusWithin(nearest_mm[asked[i]], ring_mm);
+    radii[asked[i]] = static_cast<float>(radiusWithin(nearest_mm[asked[i]], ring_mm));
   }
   return radii;
 }

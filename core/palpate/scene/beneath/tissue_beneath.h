@@ -26,7 +26,7 @@ std::vector<float> tissueBeneath(const mesh::TriangleMesh& skin, std::span<const
 /// that a ridge counts as wider than a tip, and a flat top as wider than a round one; a vertex each. `nearest_mm`: to
 /// the nearest bone, a vertex each; tissue::kFlatBoneMm beyond tissue::kDeepBoneMm. A third of a second for 30,000
 /// vertices; load time.
-std::vector<double> boneRadii(const mesh::TriangleMesh& skin, std::span<const double> nearest_mm,
-                              std::span<const body::Bone> bones);
+std::vector<float> boneRadii(const mesh::TriangleMesh& skin, std::span<const double> nearest_mm,
+                             std::span<const body::Bone> bones);
 
 }  // namespace palpate::scene

@@ -12,6 +12,7 @@
 #include "palpate/base/error.h"
 #include "palpate/contact/surface_walk.h"
 #include "palpate/lumps/lump_observer.h"
+#include "palpate/scene/healthy_tissue.h"
 #include "palpate/scene/lumps_of_body.h"
 #include "palpate/tree/triangle_tree.h"
 
@@ -57,10 +58,10 @@ std::optional<SkinOver> skinOver(const scene::World& world, const Vec2& place) {
   const double far = 2.0 * tree.diagonal + tree.center.norm();
   const tree::Crossing hit = tree::firstFrontCrossing(tree, {place.x(), place.y(), far}, {place.x(), place.y(), -far});
   if (hit.triangle == kNoIndex) return std::nullopt;
-  const contact::SkinHere here = contact::skinAt(world.surface, {hit.point, hit.triangle, tree::Feature::face});
   const auto& corners = tree.records[hit.triangle].corners;
   const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  return SkinOver{hit.point, normal.normalized(), here.tissue_mm};
+  return SkinOver{hit.point, normal.normalized(),
+                  scene::thicknessOverBone(*world.healthy, tree.records[hit.triangle], hit.point)};
 }
 
 std::vector<Vec2> placesWithRoom(const scene::World& world, const lumps::LumpTask& task, const SiteSet& sites) {

@@ -8,6 +8,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/contact/surface_walk.h"
+#include "palpate/scene/healthy_tissue.h"
 #include "palpate/tissue/layered_table.h"
 #include "palpate/tree/triangle_tree.h"
 #include "palpate/view/overlays/lump_marks.h"
@@ -82,9 +83,10 @@ Vec2 inwardAt(std::span<const SectionPoint> curve, std::size_t i) {
 
 double thicknessAt(const scene::World& world, const Vec3& place) {
   constexpr double kReachMm = 5.0;
-  const auto nearest = tree::nearestPoint(world.surface.geometry->tree, place, kReachMm);
+  const tree::TriangleTree& tree = world.surface.geometry->tree;
+  const auto nearest = tree::nearestPoint(tree, place, kReachMm);
   if (nearest.triangle == kNoIndex) return 0.0;
-  return contact::skinAt(world.surface, {nearest.closest.point, nearest.triangle, tree::Feature::face}).tissue_mm;
+  return scene::thicknessOverBone(*world.healthy, tree.records[nearest.triangle], nearest.closest.point);
 }
 
 std::vector<CutColumn> columnsOf(const scene::World& world, const scene::LumpGround* ground, const SectionPlane& plane,
