@@ -47,8 +47,7 @@ StudyPage studyRelaxation(const StudySettings& settings);
 
 StudyPage studyRivals(const StudySettings& settings);
 
-// `palpate study search`: the octree as a search for the touch point and for the vertices that a deformation moves
-// (objective 2).
+// `palpate study search`: the octree as a search for the touch point and for vertices that move (objective 2).
 
 StudyPage studySearch(const StudySettings& settings);
 

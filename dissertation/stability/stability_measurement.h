@@ -114,8 +114,7 @@ std::vector<std::string> stabilityFindings(const StabilityMeasurement& found);
 /// Results by the names that programs know.
 std::vector<std::pair<std::string, double>> stabilityPairs(const StabilityMeasurement& found);
 
-// `palpate study stability --map`: the product's limits at every rate and delay, and the behaviour of random systems
-// there.
+// `palpate study stability --map`: the product's limits at every rate and delay, and random systems there.
 
 /// Totals of all cells, and of those where a session may start.
 struct StabilityMapTotals {
