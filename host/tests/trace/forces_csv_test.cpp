@@ -60,6 +60,19 @@ TEST(ForcesCsv, NumbersReadBackToTheSameBits) {
   }
 }
 
+TEST(ForcesCsv, ColumnsOfWhoWritesItStandBehindItsOwn) {
+  const support::TemporaryFolder folder;
+  ForcesCsvWriter writer(
+      folder / "forces.csv", kTwoFingers, OutputFile::Unfinished::remove,
+      {",twice", [](const Sample& sample, std::string& row) { row += "," + std::to_string(2 * sample.tick); }});
+  writer.add(sampleWith(0.2));
+  writer.commit();
+  std::string own;
+  appendForcesRow(own, kTwoFingers, sampleWith(0.2));
+  own.pop_back();
+  EXPECT_EQ(readFile(folder / "forces.csv", 1 << 20), std::string(forcesCsvHeader()) + ",twice\n" + own + ",18\n");
+}
+
 TEST(ForcesCsv, AppearsOnlyWhenItIsComplete) {
   const support::TemporaryFolder folder;
   const auto file = folder / "forces.csv";

@@ -210,6 +210,15 @@ TEST_F(RecordingEdit, ATrimOfNothingSaysWhereTheRecordingIsAndLeavesNothing) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "b.session"));
 }
 
+TEST_F(RecordingEdit, ATrimThatMeetsADamagedBlockLeavesNothing) {
+  const auto source = record("a.session", 0, 1999, {1, 0});
+  OtherProgram(source).run("UPDATE blocks SET data = zeroblob(9) WHERE id = (SELECT max(id) FROM blocks)");
+  RecordingReader reader(source);
+  EXPECT_THROW(trim(reader, {{500, 1999}}, folder_ / "b.session"), Error);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "b.session"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "b.session.partial"));
+}
+
 // --- join ---
 
 TEST_F(RecordingEdit, JoinedRecordingsFollowEachOtherAndForgetWhatWasBefore) {
@@ -338,6 +347,15 @@ TEST_F(RecordingEdit, LettersOfASalvagedTextThatAreNoneAreShownAsSuch) {
   EXPECT_EQ(reader.facts().header.tags, "g?n");
   EXPECT_EQ(reader.facts().header.software, "a?b\t\n");
   EXPECT_EQ(reader.facts().header.machine, "a?");
+}
+
+TEST_F(RecordingEdit, ADamagedNameOfAColumnTakesNothingAway) {
+  const auto all = recordWild("a.session", 300, 5);
+  OtherProgram(folder_ / "a.session").run("UPDATE columns SET name = 'd?pth_mm' WHERE name = 'depth_mm'");
+  repairRecording(folder_ / "a.session", folder_ / "b.session");
+  const auto is = samplesOf(folder_ / "b.session");
+  ASSERT_EQ(is.size(), all.size());
+  for (const auto& [place, sample] : all) ASSERT_TRUE(sameBits(sample, is.at(place))) << place.first;
 }
 
 TEST_F(RecordingEdit, PagesOfAnySizeAndWithReservedBytesAreSalvagedWhole) {
