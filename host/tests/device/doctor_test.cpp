@@ -11,6 +11,7 @@
 #include "palpate/base/error.h"
 #include "palpate/device/hardware/shared_library.h"
 #include "palpate/device/hardware/usb_search.h"
+#include "support/error_message.h"
 
 namespace palpate::device {
 namespace {
@@ -276,6 +277,23 @@ TEST(ForceDimension, DataOfBeforeAreNoErrorUntilTheyAreOld) {
   EXPECT_TRUE(bench.tick(device, Vec3::Zero()).allFinite());
   EXPECT_EQ(device.state().age_ticks, 1u);
   EXPECT_EQ(device.state().faults, 0u);
+}
+
+TEST(ForceDimension, ItsMotorsAreSwitchedOnWithoutAForce) {
+  HardwareBench bench(forceDimensionHardware());
+  {
+    Device before = bench.open();
+    for (int i = 0; i < 5; ++i) bench.tick(before, {0, 0, 2});
+  }
+  const Device device = bench.open();
+  EXPECT_EQ(bench.force(), Vec3::Zero());
+}
+
+TEST(ForceDimension, WithoutADeviceSaysSo) {
+  HardwareBench bench(forceDimensionHardware());
+  bench.control().count = 0;
+  const std::string why = support::messageOf([&] { (void)bench.open(); });
+  EXPECT_TRUE(holds(why, "the library finds no device")) << why;
 }
 
 TEST(ForceDimension, ASaturatedMotorIsNoted) {

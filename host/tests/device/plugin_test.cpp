@@ -258,6 +258,18 @@ TEST(PluginEdge, AReadingIsWorthWhatCanBeBelieved) {
   EXPECT_EQ(plugin::readingOf(0, reading, {}, 0.001).notes, 15u);
 }
 
+TEST(PluginEdge, TheReachIsThatOfTheDevicePlacedInTheBody) {
+  palpate_device_capabilities able{};
+  able.size = sizeof(able);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    able.reach_min_mm[axis] = -10.0 * static_cast<double>(axis + 1);
+    able.reach_max_mm[axis] = 20.0;
+  }
+  const Box3 reach = plugin::capabilitiesOf(able, {}).workspace_mm;
+  EXPECT_EQ(reach.min(), Vec3(-10, -20, -30));
+  EXPECT_EQ(reach.max(), Vec3(20, 20, 20));
+}
+
 TEST(PluginEdge, CapabilitiesThatAreNoSizeAreNotSaid) {
   palpate_device_capabilities able{};
   std::memset(able.model, 'm', sizeof(able.model));

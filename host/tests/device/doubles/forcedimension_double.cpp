@@ -1,5 +1,6 @@
 // A double of Force Dimension's libdhd over two simulated devices. With PALPATE_DOUBLE_IS_OLD it lacks what old
 // libraries lack. Asking for a position twice within one turn of the control is "too soon", as with the real one.
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -29,6 +30,12 @@ bool exists(int index) {
   return index >= 0 && index < control().count && control().devices[static_cast<std::size_t>(index)].connected;
 }
 DoubleDevice& at(char id) { return control().devices[static_cast<unsigned char>(id)]; }
+
+/// N, whether its motors were on or not.
+std::array<double, 3>& told(char id) {
+  static std::array<std::array<double, 3>, 2> forces{};
+  return forces.at(static_cast<unsigned char>(id));
+}
 
 /// An exchange with a device that may have gone, or be slow.
 bool answers(char id) {
@@ -63,7 +70,10 @@ int dhdClose(char id) {
 }
 
 int dhdEnableForce(unsigned char on, char id) {
-  at(id).forces_on = on != 0;
+  DoubleDevice& self = at(id);
+  self.forces_on = on != 0;
+  // A motor that is switched on has the force that it was last told.
+  for (std::size_t axis = 0; axis < 3; ++axis) self.force[axis] = self.forces_on ? told(id)[axis] : 0.0;
   return 0;
 }
 
@@ -80,8 +90,8 @@ int dhdGetPosition(double* x, double* y, double* z, char id) {
 int dhdSetForce(double x, double y, double z, char id) {
   if (!answers(id)) return -1;
   DoubleDevice& self = at(id);
-  const double newtons[3] = {x, y, z};
-  for (std::size_t axis = 0; axis < 3; ++axis) self.force[axis] = self.forces_on ? newtons[axis] : 0.0;
+  told(id) = {x, y, z};
+  for (std::size_t axis = 0; axis < 3; ++axis) self.force[axis] = self.forces_on ? told(id)[axis] : 0.0;
   palpate::doubles::move(self, kExchangeS, kUnitM);
   return x * x + y * y + z * z > 144.0 ? 2 : 0;
 }
