@@ -375,6 +375,15 @@ TEST_F(BodyStoreFiles, BearTheNameOfTheSourcesThatMadeThem) {
   }
 }
 
+TEST(ReadyBody, OneTriangleIsABody) {
+  BodyParts parts;
+  parts.skin = {{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}}, {{0, 1, 2}}};
+  parts.anatomy.bones = {{"bone", body::BoneKind::rib, parts.skin}};
+  parts.anatomy.depth_mm.assign(3, 1.0);
+  parts.anatomy.nearest_bone.assign(3, 0);
+  EXPECT_EQ(decodeBody(encodedBody({0, parts}), "body").parts.skin.triangles.size(), 1u);
+}
+
 TEST(ReadyBody, NoneIsLargerThanTwoMillionTriangles) {
   const BodyParts back = makeBody(bodySettings(BodyKind::back, 500), {});
   EXPECT_EQ(decodeBody(encodedBody({2'000'000, back}), "body").triangles, 2'000'000u);

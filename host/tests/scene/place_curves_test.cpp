@@ -91,6 +91,7 @@ TEST(PlaceCurves, ActInTheirPlaceAndNowhereElse) {
       EXPECT_NEAR(pressAt(here, q), sharp.at(q).value, 0.04) << q;
       EXPECT_NEAR(dragAt(here, q), cosine.at(q).value, 0.01) << q;
     }
+    EXPECT_EQ(tissue::curveAt(here.layered->press.outward, tissue::kPressBend, 0.25).value, 0.0) << "no layers";
     const double radius_mm = 1.5 * deform::normalRegion(here.normal, 5.0, {}).half_major.norm();
     EXPECT_NEAR(here.normal_region.half_major.norm(), radius_mm, 1e-9);
     EXPECT_EQ(here.depth_mm, contactBesideT6(*without, 0.0).depth_mm);
@@ -110,6 +111,8 @@ TEST(PlaceCurves, GoOverIntoTheLayersAroundThem) {
   const auto without = build(scene);
   scene.profiles = {sharpAtT6()};
   const auto with = rebuilt(*without, scene);
+  EXPECT_NEAR(contactBesideT6(*with, 29.9).tangential_region.aspect,
+              contactBesideT6(*without, 29.9).tangential_region.aspect, 1e-3);
   double last = contactBesideT6(*with, 14.0).normal_region.half_major.norm();
   for (double right_mm = 14.5; right_mm < 33.0; right_mm += 0.5) {  // the edge is from 15 to 30 mm
     const double radius_mm = contactBesideT6(*with, right_mm).normal_region.half_major.norm();
