@@ -122,7 +122,7 @@ Foot footOf(const LumpSettings& lump, const LumpBed& bed) {
   foot.normal.normalize();
   const contact::SkinHere here = contact::skinAt(bed.surface, {hit.point, hit.triangle, tree::Feature::face});
   foot.stiffness_n_per_mm = here.stiffness_n_per_mm;
-  foot.tissue_mm = here.tissue_mm;
+  foot.tissue_mm = thicknessOverBone(bed.healthy, record, hit.point);
   return foot;
 }
 
