@@ -43,7 +43,7 @@ constexpr std::int64_t kRowOverheadBytes = 200;
 std::vector<std::size_t> insertionOrder(std::span<const SentRow> rows) {
   // Order of AnyRow's alternatives: station, class, trainee, protocol, session, block, trial, event, delete.
   constexpr std::array<int, std::variant_size_v<AnyRow>> kRank = {1, 1, 2, 1, 3, 4, 5, 5, 0};
-  std::vector<std::pair<int, int>> turns;
+  std::vector<std::pair<int, int>> ranks;
   int part = 0;
   for (const SentRow& sent : rows) {
     const bool deletes = std::holds_alternative<DeletionRow>(sent.row);
