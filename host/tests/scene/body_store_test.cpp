@@ -381,6 +381,7 @@ TEST(ReadyBody, OneTriangleIsABody) {
   parts.anatomy.bones = {{"bone", body::BoneKind::rib, parts.skin}};
   parts.anatomy.depth_mm.assign(3, 1.0);
   parts.anatomy.nearest_bone.assign(3, 0);
+  parts.anatomy.bone_radius_mm.assign(3, 5.0f);
   EXPECT_EQ(decodeBody(encodedBody({0, parts}), "body").parts.skin.triangles.size(), 1u);
 }
 
