@@ -66,7 +66,7 @@ class MeanSecants {
 
   /// The thinnest that pushes back no harder; the thickest where all do.
   double thicknessOf(double wanted_n_per_mm) const {
-    const auto above = std::ranges::lower_bound(n_per_mm_, wanted_n_per_mm, std::ranges::greater{});
+    const auto above = std::lower_bound(n_per_mm_.begin(), n_per_mm_.end(), wanted_n_per_mm, std::greater{});
     if (above == n_per_mm_.begin()) return thinnest_mm_;
     if (above == n_per_mm_.end()) return thickest_mm_;
     const double softer = *above;
