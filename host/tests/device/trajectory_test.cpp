@@ -76,7 +76,7 @@ TEST(Trajectory, ResamplingKeepsRowsThatFallOnTicks) {
 TEST(Trajectory, TimesSince1970AndMapCoordinatesAreResampledAsTheSamePathNearZeroIs) {
   constexpr double kThen = 1305031102.1758;
   const Vec3 there(4e8, 4.08e9, 75);
-  std::string near = "", far = "";
+  std::string near, far;
   for (int k = 0; k <= 1500; ++k) {
     near += fmt::format("{:.3f},{},10,{}\n", 1e-3 * k, 20 + 0.004 * k, 75 - 0.02 * k);
     far += fmt::format("{:.4f},{:.3f},{},{}\n", kThen + 1e-3 * k, there.x() + 20 + 0.004 * k, there.y() + 10,

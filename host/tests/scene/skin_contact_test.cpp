@@ -127,10 +127,10 @@ TEST(SkinContact, AHapticSurfaceThatYieldsTakesHalfOfTheDepth) {
       "[body]\nkind = \"back\"\ntriangles = 2962\n[deformation]\ntissue = \"gaussian\"\n"
       "[tissue]\nforce_law = \"linear\"\n[[finger]]\nname = \"index\"\nscript = [{ do = \"press\" }]\n";
   const auto rigid = build(parse(body, "s.toml"));
-  const auto surfaceOf = [&](const std::string& kind) {
+  const auto world_with = [&](const std::string& kind) {
     return rebuilt(*rigid, parse("[contact]\nhaptic_surface = \"" + kind + "\"\n" + body, "s.toml"));
   };
-  const auto yields = surfaceOf("yields"), doubled = surfaceOf("yields_doubled");
+  const auto yields = world_with("yields"), doubled = world_with("yields_doubled");
   const Index v = rigid->body->skin.triangles[1000][0];
   EXPECT_EQ((*yields->surface.stiffness_n_per_mm)[v], 0.5 * (*rigid->surface.stiffness_n_per_mm)[v]);
   EXPECT_EQ((*doubled->surface.stiffness_n_per_mm)[v], (*rigid->surface.stiffness_n_per_mm)[v]);
