@@ -67,7 +67,7 @@ TextTable tableOf(const ErrataEffects& effects);
 /// Meaning of its columns.
 std::string errataLegend();
 
-/// What is printed, what the engine does and how the printed form comes back, a Markdown row an erratum.
+/// Lists the printed form, the engine's and the switch between them, a Markdown row per erratum.
 std::string errataList();
 
 std::string errataText(const ErrataEffects& effects);

@@ -84,7 +84,7 @@ enum class ContactSource : std::uint8_t {
   hdb       ///< the triangles that the haptic detecting box found: the dissertation's haptic process
 };
 
-/// What the surface that is felt does under a press. Based on: Ji, dissertation 2008, 2.3.
+/// Behaviour of the felt surface under a press. Based on: Ji, dissertation 2008, 2.3.
 enum class HapticSurface : std::uint8_t {
   rigid,          ///< it stays: F = k d, and the skin that is seen sinks by d
   yields,         ///< the contact point sinks by a = F / k, and the tip as far again: F = k d / 2, a = d / 2 (2.3)

@@ -19,15 +19,15 @@ struct PlacedTissue {
   std::vector<double> felt_mm;  ///< likewise, as it is felt: over narrow bone as if there were more (narrow_bone.h)
 };
 
-/// Of a body with bones: their depths, a skin vertex each. `given`: in place of the library's and the scene's table, or
-/// null. Throws Error for a table that cannot be read.
+/// Places the layers over the bones by their depths, a skin vertex each. `given`: in place of the library's and the
+/// scene's table, or null. Throws Error for a table that cannot be read.
 PlacedTissue placedTissue(const Scene& scene, const std::vector<double>& bone_depth_mm,
                           std::shared_ptr<const tissue::LayeredTissue> given);
 
 /// mm of fat that the scene means: its own number, or by the mass index of the body. // tissue-data: 2 to 25 mm
 double fatOf(const Scene& scene);
 
-/// What the stiffness map means, a vertex each: the secant at the reference depth, as it is felt.
+/// Returns the stiffness of the map per vertex: the secant at the reference depth, as it is felt.
 std::vector<double> secantStiffness(const PlacedTissue& tissue);
 
 /// The contact, which has the map's ellipse for its drag, with curves and regions of the tissue at its anchor. The

@@ -230,7 +230,7 @@ std::shared_ptr<const AnatomicalReach> reachFor(const Scene& scene, const Body& 
   return reachOf(scene, body.skin, body.anatomy, body.geometry->tree, healthy.tissue.layered.get());
 }
 
-/// What is felt of a stiffness where the haptic surface gives way as far as the tip goes on.  // (2.3)
+/// Returns half of each stiffness: what a haptic surface leaves that gives way as far as the tip goes on.  // (2.3)
 std::shared_ptr<const std::vector<double>> halved(std::vector<double> stiffness_n_per_mm) {
   for (double& k : stiffness_n_per_mm) k *= 0.5;
   return std::make_shared<const std::vector<double>>(std::move(stiffness_n_per_mm));

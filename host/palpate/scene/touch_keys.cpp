@@ -70,9 +70,9 @@ Section contactSection() {
       choice<S, HapticSurface>(
           "haptic_surface", &S::haptic_surface,
           "What the surface that is felt does under a press (the dissertation's 2.3): it stays; it gives way by the "
-          "force "
-          "over the stiffness, which leaves half the stiffness and half the depth to the skin; or it does so with the "
-          "stiffness doubled, which brings the force back."),
+          "force over the stiffness, which leaves half the stiffness and half the depth to the skin; or it does so "
+          "with "
+          "the stiffness doubled, which brings the force back."),
       number<S>(
           "max_depth_mm", finger(&F::max_depth_mm), above(0, kLongestMm),
           "The deepest that is felt; a tip that is out of the body and farther than this from its proxy is let go."),

@@ -19,7 +19,7 @@ inline std::string longText(const std::string& word) {
   return text;
 }
 
-/// Of two fingers and two worlds, 400 ticks each finger, with events and attachments.
+/// A recording of two fingers and two worlds, 400 ticks each finger, with events and attachments.
 inline void writeWholeRecording(const std::filesystem::path& file) {
   RecordingWriter writer(file,
                          {.started_utc = "2026-11-21T12:00:00Z",

@@ -46,7 +46,7 @@ TEST(Hunt, FindsNothing) {
   expectNothingIn(result);
 }
 
-/// Of the kinds that every hunt mixes in a few bodies of.
+/// The open kinds, of which every hunt mixes in a few bodies.
 TEST(Hunt, FindsNothingOnOpenBodies) {
   lab::HuntPlan plan;
   plan.ticks = heavy() ? 3000000 : 300000;

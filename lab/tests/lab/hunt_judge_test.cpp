@@ -221,7 +221,7 @@ mesh::TriangleMesh openBox() {
   return box;
 }
 
-/// What is in the air 80 mm from that opening.
+/// A finger in the air 80 mm from that opening.
 TEST(HuntJudgementOfTornBodies, AForceInFreeAirFarFromTheOpeningIsAFaultAndOneBesideItOrWithinIsNot) {
   JudgedBody box(openBox(), false);
   ASSERT_FALSE(box.closed());
@@ -275,7 +275,7 @@ TEST(HuntJudgementOfTornBodies, APointThatPassesByAnEdgeOrLeavesACornerDidNotCom
   EXPECT_EQ(missedBy(body, {far, {38, 24, -38}, {34, 24, -34}}), 1u);
 }
 
-/// Of a sheet of 6 x 6 mm that is said to pierce itself: from 4.7 mm behind it takes less than a tenth of all
+/// A sheet of 6 x 6 mm that is said to pierce itself: from 4.7 mm behind it takes less than a tenth of all
 /// directions.
 TEST(HuntJudgementOfSheets, AForceIsRightBehindASheetThatTakesFewOfAllDirections) {
   JudgedBody sheet({{{0, 0, 0}, {0, 6, 0}, {0, 6, 6}, {0, 0, 6}}, {{0, 1, 2}, {0, 2, 3}}}, true);
