@@ -3,11 +3,9 @@ find_program(PALPATE_CCACHE_PROGRAM ccache)
 mark_as_advanced(PALPATE_CCACHE_PROGRAM)
 if(PALPATE_CCACHE AND PALPATE_CCACHE_PROGRAM AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER AND NOT EMSCRIPTEN)
   # Precompiled headers are kept as well; they need what ccache's manual names under "Precompiled headers". Paths count from
-  # the repository, so that what one clone has compiled answers in the next. Comments count too: a precompiled header knows its
-  # headers by their bytes, and one of before a comment changed would have them read, and declared, twice.
+  # the repository, so that what one clone has compiled answers in the next.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
                                   CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-                                  CCACHE_COMMENTS=1
                                   ${PALPATE_CCACHE_PROGRAM})
   set(PALPATE_CACHED_PRECOMPILED $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endif()
