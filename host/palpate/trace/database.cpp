@@ -18,9 +18,9 @@ namespace palpate::trace {
 
 namespace {
 
-/// Another program that writes the file is waited for so long. A recording loses nothing on a disk that stands still
-/// for 2 s; less than twice that would end it on a machine that is busy as well.
-constexpr int kBusyMs = 5000;
+/// A recording loses nothing on a disk that stands still for 2 s; less than twice that would end it on a machine that is
+/// busy as well.
+constexpr std::chrono::milliseconds kMaxWait{5000};
 
 constexpr const char* kInMemory = ":memory:";
 
@@ -203,8 +203,12 @@ Database::Database(const std::filesystem::path& file, Mode mode, const std::file
                                        flagsOf(mode) | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW, nullptr);
   database_.reset(database);
   if (result != SQLITE_OK) fail("cannot be opened");
-  ::sqlite3_busy_timeout(database_.get(), kBusyMs);
+  setMaxWait(kMaxWait);
   harden();
+}
+
+void Database::setMaxWait(std::chrono::milliseconds wait) {
+  ::sqlite3_busy_timeout(database_.get(), static_cast<int>(wait.count()));
 }
 
 void Database::harden() const {

@@ -7,6 +7,7 @@
 // Everything of a recording file goes through here; nobody else includes sqlite3.h.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -93,6 +94,9 @@ class Database {
   std::int64_t changes() const;
   /// All of it into `file`, which is empty or not there. Throws Error.
   void copyInto(const std::filesystem::path& file);
+
+  /// A statement that finds another program writing waits for it so long, and then throws Error. 5 s unless set.
+  void setMaxWait(std::chrono::milliseconds wait);
 
   const std::string& name() const { return name_; }
   [[noreturn]] void fail(std::string_view what) const;

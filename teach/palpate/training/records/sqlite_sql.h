@@ -1,6 +1,7 @@
 // A station's file behind the seam of sql.h.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -15,7 +16,9 @@ class SqliteSql : public Sql {
  public:
   /// `called`: in messages, instead of the file's name.
   SqliteSql(const std::filesystem::path& file, trace::Database::Mode mode, const std::filesystem::path& called = {})
-      : database_(file, mode, called) {}
+      : database_(file, mode, called) {
+    database_.setMaxWait(kMaxWait);
+  }
 
   Dialect dialect() const override { return Dialect::sqlite; }
   void run(const std::string& statements) override { database_.run(statements); }
@@ -27,6 +30,10 @@ class SqliteSql : public Sql {
   }
 
  private:
+  /// A window stands still for so long where another program holds the record; its rows are written in milliseconds,
+  /// and what could not be written is tried again at the trainee's next key.
+  static constexpr std::chrono::milliseconds kMaxWait{500};
+
   trace::Statement& prepared(std::string_view sql, const SqlValues& values);
 
   trace::Database database_;
